@@ -1,0 +1,170 @@
+//! A scene file in memory: the text the tools read, and the way back to the bytes on disk.
+
+use super::Span;
+
+/// The longest file that is read, in bytes: spans are 32-bit.
+pub const MAX_FILE_BYTES: usize = i32::MAX as usize;
+
+/// How the file lies on disk.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Encoding {
+    Utf8,
+    /// Not valid UTF-8, so taken as the usual Czech encoding. One byte is one character.
+    Windows1250,
+}
+
+/// A place as people count: line and column from 1, the column in characters; and the byte on disk.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Position {
+    pub offset: u32,
+    pub line: u32,
+    pub column: u32,
+}
+
+/// A scene file: its name for messages, its text, and how to get back to its bytes.
+#[derive(Debug)]
+pub struct SourceFile {
+    /// The path as the user gave it.
+    pub path: String,
+    /// The decoded text; a byte order mark stays in it, so that offsets agree with the file.
+    pub text: String,
+    pub encoding: Encoding,
+    /// Byte offset in `text` of each line's start.
+    line_starts: Vec<u32>,
+    /// For Windows-1250 only: at each line's start, how many characters came before.
+    chars_before_line: Vec<u32>,
+}
+
+impl SourceFile {
+    /// Decodes a file: UTF-8 where it is valid, else Windows-1250, which never fails.
+    pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> SourceFile {
+        let (text, encoding) = match String::from_utf8(bytes) {
+            Ok(text) => (text, Encoding::Utf8),
+            Err(e) => {
+                let (text, _) = encoding_rs::WINDOWS_1250.decode_without_bom_handling(e.as_bytes());
+                (text.into_owned(), Encoding::Windows1250)
+            }
+        };
+        let mut line_starts = vec![0u32];
+        let bytes = text.as_bytes();
+        for (i, &b) in bytes.iter().enumerate() {
+            if b == b'\n' || (b == b'\r' && bytes.get(i + 1) != Some(&b'\n')) {
+                line_starts.push(i as u32 + 1);
+            }
+        }
+        let mut chars_before_line = Vec::new();
+        if encoding == Encoding::Windows1250 {
+            let mut chars = 0;
+            for (i, &start) in line_starts.iter().enumerate() {
+                chars_before_line.push(chars);
+                let end = line_starts.get(i + 1).map_or(text.len(), |&e| e as usize);
+                chars += text[start as usize..end].chars().count() as u32;
+            }
+        }
+        SourceFile {
+            path: path.into(),
+            text,
+            encoding,
+            line_starts,
+            chars_before_line,
+        }
+    }
+
+    /// The text of a span.
+    pub fn slice(&self, span: Span) -> &str {
+        self.text.get(span.range()).unwrap_or("")
+    }
+
+    /// The number of the line a text offset lies on, from 0.
+    pub fn line_index(&self, offset: u32) -> usize {
+        self.line_starts.partition_point(|&s| s <= offset) - 1
+    }
+
+    /// The span of a line (from 0) without its line break.
+    pub fn line_span(&self, line: usize) -> Span {
+        let start = self
+            .line_starts
+            .get(line)
+            .copied()
+            .unwrap_or(self.text.len() as u32);
+        let end = self
+            .line_starts
+            .get(line + 1)
+            .map_or(self.text.len(), |&e| e as usize);
+        let text = self.text[start as usize..end].trim_end_matches(['\r', '\n']);
+        Span::new(start, start + text.len() as u32)
+    }
+
+    pub fn line_count(&self) -> usize {
+        self.line_starts.len()
+    }
+
+    /// Line, column and byte on disk of a text offset.
+    pub fn position(&self, offset: u32) -> Position {
+        let line = self.line_index(offset);
+        let start = self.line_starts[line];
+        let before = &self.text[start as usize..(offset as usize).min(self.text.len())];
+        // A byte order mark is no character of the first line.
+        let column = before.trim_start_matches('\u{feff}').chars().count() as u32;
+        Position {
+            offset: self.byte_on_disk(offset),
+            line: line as u32 + 1,
+            column: column + 1,
+        }
+    }
+
+    /// The byte of the file on disk that a text offset stands for.
+    pub fn byte_on_disk(&self, offset: u32) -> u32 {
+        match self.encoding {
+            Encoding::Utf8 => offset,
+            Encoding::Windows1250 => {
+                let line = self.line_index(offset);
+                let start = self.line_starts[line] as usize;
+                let inside = self.text[start..(offset as usize).min(self.text.len())]
+                    .chars()
+                    .count() as u32;
+                self.chars_before_line[line] + inside
+            }
+        }
+    }
+
+    /// A text as bytes in this file's encoding.
+    pub fn encode(&self, text: &str) -> Vec<u8> {
+        match self.encoding {
+            Encoding::Utf8 => text.as_bytes().to_vec(),
+            Encoding::Windows1250 => encoding_rs::WINDOWS_1250.encode(text).0.into_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_count_characters() {
+        let f = SourceFile::new("a", "é 1\r\n# ž # 2\n".into());
+        let p = f.position(f.text.find('2').unwrap() as u32);
+        assert_eq!((p.line, p.column), (2, 7));
+        assert_eq!(f.line_span(0), Span::new(0, 4));
+        assert_eq!(f.line_count(), 3);
+    }
+
+    #[test]
+    fn windows_1250_points_at_the_bytes_on_disk() {
+        let bytes = b"# p\xf8\xedklad # 2 9 x".to_vec();
+        let f = SourceFile::new("a", bytes.clone());
+        assert_eq!(f.encoding, Encoding::Windows1250);
+        assert!(f.text.contains("příklad"));
+        let p = f.position(f.text.find('x').unwrap() as u32);
+        assert_eq!(bytes[p.offset as usize], b'x');
+        assert_eq!(f.encode(&f.text), bytes);
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_no_column() {
+        let f = SourceFile::new("a", "\u{feff}2 9 1".into());
+        let p = f.position(3);
+        assert_eq!((p.offset, p.line, p.column), (3, 1, 1));
+    }
+}

@@ -1,0 +1,21 @@
+//! zpg: a toolchain for the ZPG scene language.
+//!
+//! The modules, in the order they may import each other (each only what stands before it):
+//!
+//! - [`diagnostics`]: findings with stable codes, spans, fixes; printed for people and machines.
+//! - [`syntax`]: bytes to tokens to a typed tree. `syntax/table.rs` is *the* table of record types.
+//! - [`mod@format`]: the pretty-printer; it needs the syntax alone.
+//! - [`scene`]: the tree read as a program of assignments: nodes in an arena, lights, cameras.
+//! - [`lint`]: rules over the tree and the scene, one file a rule.
+//! - [`trace`]: the reference ray tracer.
+//! - [`translate`]: the scene for other programs.
+//! - [`commands`]: one file per subcommand of the command line.
+
+pub mod commands;
+pub mod diagnostics;
+pub mod format;
+pub mod lint;
+pub mod scene;
+pub mod syntax;
+pub mod trace;
+pub mod translate;

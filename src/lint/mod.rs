@@ -1,0 +1,1 @@
+//! Rules over the tree and the scene, one file a rule.

@@ -1,0 +1,124 @@
+//! The typed syntax tree. Nothing of the source is lost in it: a [`Document`] keeps the whole token
+//! stream, comments and all, and its items are ranges of it.
+
+use super::lexer::{Token, TokenKind};
+use super::table::RecordType;
+use crate::diagnostics::Span;
+
+/// A parsed scene text.
+#[derive(Debug)]
+pub struct Document {
+    /// Every token with trivia; white space is what lies between them.
+    pub tokens: Vec<Token>,
+    /// Records in file order, whole and broken; comments between them are found in `tokens`.
+    pub items: Vec<Item>,
+}
+
+/// Something that stands in the file in the place of a record.
+#[derive(Debug, Clone, Copy)]
+pub enum Item {
+    /// A lone `0`.
+    Void { token: u32 },
+    /// A record that follows its type's signature.
+    Record(Record),
+    /// What could not be read as a record; an error has been reported for it.
+    Broken(Broken),
+}
+
+/// A record that can be read: its tokens are at `first..=last` of the document's tokens, trivia
+/// between them.
+#[derive(Debug, Clone, Copy)]
+pub struct Record {
+    /// 1 to 2 147 483 647.
+    pub id: u32,
+    pub ty: &'static RecordType,
+    /// Token indices of the ID and of the record's last token.
+    pub first: u32,
+    pub last: u32,
+    /// The number of parameters (trivia not counted).
+    pub params: u32,
+    /// The value of the count parameter, 0 where the type has none.
+    pub count: u32,
+    /// A token in it was reported already (a malformed number, a word): values are not to be trusted.
+    pub damaged: bool,
+}
+
+/// A stretch of tokens that is no record.
+#[derive(Debug, Clone, Copy)]
+pub struct Broken {
+    pub first: u32,
+    pub last: u32,
+    /// The ID it most likely has; references to it are no errors.
+    pub id: Option<u32>,
+    /// Its type, if that could be told.
+    pub ty: Option<&'static RecordType>,
+    /// The record has lost its ID: one undefined reference may mean it.
+    pub lost_id: bool,
+}
+
+impl Item {
+    /// Token indices of its first and last token.
+    pub fn ends(&self) -> (u32, u32) {
+        match *self {
+            Item::Void { token } => (token, token),
+            Item::Record(r) => (r.first, r.last),
+            Item::Broken(b) => (b.first, b.last),
+        }
+    }
+}
+
+impl Document {
+    /// From the first character of the first token to the last of the last.
+    pub fn span(&self, first: u32, last: u32) -> Span {
+        self.tokens[first as usize]
+            .span()
+            .to(self.tokens[last as usize].span())
+    }
+
+    pub fn item_span(&self, item: &Item) -> Span {
+        let (first, last) = item.ends();
+        self.span(first, last)
+    }
+
+    /// The significant tokens of a stretch, in order.
+    pub fn significant(&self, first: u32, last: u32) -> impl Iterator<Item = &Token> {
+        self.tokens[first as usize..=last as usize]
+            .iter()
+            .filter(|t| !t.kind.is_trivia())
+    }
+
+    /// The record's ID token.
+    pub fn id_token(&self, record: &Record) -> &Token {
+        &self.tokens[record.first as usize]
+    }
+
+    /// The record's type token.
+    pub fn type_token(&self, record: &Record) -> &Token {
+        self.significant(record.first, record.last)
+            .nth(1)
+            .unwrap_or(&self.tokens[record.last as usize])
+    }
+
+    /// The record's parameter tokens, in order.
+    pub fn params(&self, record: &Record) -> impl Iterator<Item = &Token> {
+        self.significant(record.first, record.last).skip(2)
+    }
+
+    /// The text again, character by character, from the tokens and what lies between them.
+    pub fn print(&self, text: &str) -> String {
+        let mut out = String::with_capacity(text.len());
+        let mut at = 0;
+        for t in &self.tokens {
+            out.push_str(&text[at..t.start as usize]);
+            out.push_str(t.text(text));
+            at = (t.start + t.len) as usize;
+        }
+        out.push_str(&text[at..]);
+        out
+    }
+
+    /// The comments, in order.
+    pub fn comments(&self) -> impl Iterator<Item = &Token> {
+        self.tokens.iter().filter(|t| t.kind == TokenKind::Comment)
+    }
+}
