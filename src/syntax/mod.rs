@@ -2,8 +2,15 @@
 //! typed syntax tree ([`ast`]) that still holds every character of the source.
 
 pub mod ast;
+mod comments;
+mod faults;
+mod layout;
 pub mod lexer;
 pub mod parser;
+mod reader;
+mod references;
+mod report;
+mod stream;
 pub mod table;
 
 pub use ast::{Document, Item, Record};
