@@ -1,5 +1,7 @@
 //! A scene file in memory: the text the tools read, and the way back to the bytes on disk.
 
+use std::path::Path;
+
 use super::Span;
 
 /// The longest file that is read, in bytes: spans are 32-bit.
@@ -68,6 +70,17 @@ impl SourceFile {
             line_starts,
             chars_before_line,
         }
+    }
+
+    /// The folder the file lies in; `None` for standard input and texts that are no files.
+    pub fn folder(&self) -> Option<&Path> {
+        let path = Path::new(&self.path);
+        let parent = path.parent().filter(|_| path.is_file())?;
+        Some(if parent.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            parent
+        })
     }
 
     /// The text of a span.

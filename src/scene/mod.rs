@@ -6,9 +6,18 @@
 //! Shared operands are shared nodes; nothing is ever copied or expanded, and children always have
 //! smaller indices than their parents.
 
+mod camera;
+mod entity;
+mod geometry;
+mod image_file;
 pub mod matrix;
+mod proposals;
+mod record;
+mod references;
+mod resolve;
 
 pub use matrix::Matrix;
+pub use resolve::resolve;
 
 use crate::diagnostics::Span;
 use crate::syntax::table::{Kind, RecordType};

@@ -15,3 +15,4 @@ pub mod table;
 
 pub use ast::{Document, Item, Record};
 pub use parser::parse;
+pub use report::quote;
