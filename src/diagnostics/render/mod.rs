@@ -43,6 +43,17 @@ impl Tally {
         }
     }
 
+    /// Counts in what another tally has counted.
+    pub fn merge(&mut self, other: &Tally) {
+        self.files += other.files;
+        self.errors += other.errors;
+        self.warnings += other.warnings;
+        self.notes += other.notes;
+        self.style += other.style;
+        self.files_with_findings += other.files_with_findings;
+        self.with_fix += other.with_fix;
+    }
+
     /// Whether nothing at all was found.
     pub fn is_clean(&self) -> bool {
         self.files_with_findings == 0
