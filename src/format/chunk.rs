@@ -94,7 +94,7 @@ fn elements<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item = E
                     piece: Piece::Item(item),
                     start: span.start as usize,
                     end: span.end as usize,
-                    frozen: is_doubtful(&item) || inside.iter().any(|t| is_open(t, text)),
+                    frozen: is_doubtful(&item) || inside.iter().any(is_open),
                 });
             }
             let index = next as u32;
@@ -108,8 +108,8 @@ fn elements<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item = E
                     frozen,
                 })
             };
-            if token.kind == TokenKind::Comment {
-                return element(Piece::Comment(index), is_open(token, text));
+            if token.kind.is_comment() {
+                return element(Piece::Comment(index), is_open(token));
             } else if !token.kind.is_trivia() {
                 return element(Piece::Unread(index), true);
             }
@@ -127,7 +127,6 @@ fn is_doubtful(item: &Item) -> bool {
 }
 
 /// Whether a token is a comment that nothing but the end of its line ends.
-fn is_open(token: &Token, text: &str) -> bool {
-    let comment = token.text(text);
-    token.kind == TokenKind::Comment && (comment.len() < 2 || !comment.ends_with('#'))
+fn is_open(token: &Token) -> bool {
+    token.kind == TokenKind::UnterminatedComment
 }

@@ -1,6 +1,6 @@
 //! Whether two scenes say the same, whatever they look like.
 
-use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::lexer::Token;
 use crate::syntax::{Document, Item};
 
 /// Whether two scenes have the same records with the same values to the bit, the same comments, and
@@ -17,6 +17,11 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
             .iter()
             .zip(&b.1.items)
             .all(|(x, y)| same_item((a.0, a.1, x), (b.0, b.1, y)))
+}
+
+fn comments<'a>((text, document): (&'a str, &'a Document)) -> impl Iterator<Item = &'a str> {
+    let comments = document.tokens.iter().filter(|t| t.kind.is_comment());
+    comments.map(move |t| t.text(text))
 }
 
 fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
@@ -44,12 +49,8 @@ fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
 
 fn same_value(a: (&str, &Token), b: (&str, &Token)) -> bool {
     let (x, y) = (a.1.text(a.0), b.1.text(b.0));
-    let number = |token: &Token, text: &str| match token.kind {
-        TokenKind::Integer | TokenKind::Real => text.parse::<f64>().ok(),
-        _ => None,
-    };
     x == y
-        || match (number(a.1, x), number(b.1, y)) {
+        || match (a.1.number(a.0), b.1.number(b.0)) {
             (Some(x), Some(y)) => x.to_bits() == y.to_bits(),
             _ => false,
         }

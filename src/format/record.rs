@@ -33,7 +33,7 @@ fn print_record(
     let mut row_is_due = false;
     let mut last_end = None;
     for token in &document.tokens[record.first as usize..=record.last as usize] {
-        let is_comment = token.kind == TokenKind::Comment;
+        let is_comment = token.kind.is_comment();
         if token.kind.is_trivia() && !is_comment {
             continue;
         }

@@ -3,9 +3,16 @@
 //! words ([`describe`]).
 
 pub mod ast;
+mod comments;
 pub mod describe;
+mod faults;
+mod layout;
 pub mod lexer;
 pub mod parser;
+mod reader;
+mod references;
+mod report;
+mod stream;
 pub mod table;
 
 pub use ast::{Document, Item, Record};
