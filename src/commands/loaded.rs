@@ -44,8 +44,7 @@ impl Loaded {
         let not_utf8 = std::str::from_utf8(&bytes).err().map(|e| e.valid_up_to());
         let source = SourceFile::new(path, bytes);
         let (document, mut diagnostics) = syntax::parse(&source.text);
-        let (scene, more) = scene::resolve(&document, &source);
-        diagnostics.extend(more);
+        let scene = scene::resolve(&document, &source, &mut diagnostics);
         if let (Encoding::Windows1250, Some(at)) = (source.encoding, not_utf8) {
             diagnostics.push(not_utf8_note(&source, at));
         }

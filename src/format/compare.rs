@@ -19,11 +19,6 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
             .all(|(x, y)| same_item((a.0, a.1, x), (b.0, b.1, y)))
 }
 
-fn comments<'a>((text, document): (&'a str, &'a Document)) -> impl Iterator<Item = &'a str> {
-    let comments = document.tokens.iter().filter(|t| t.kind.is_comment());
-    comments.map(move |t| t.text(text))
-}
-
 fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
     let text = |(text, document, item): (&str, &Document, &Item)| {
         text[document.item_span(item).range()].to_owned()
@@ -34,7 +29,6 @@ fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
             x.id == y.id
                 && x.ty.code == y.ty.code
                 && x.params == y.params
-                && x.damaged == y.damaged
                 && a.1
                     .params(x)
                     .zip(b.1.params(y))

@@ -19,14 +19,6 @@ mod resolve;
 pub use matrix::Matrix;
 pub use resolve::resolve;
 
-/// Stand-in for the resolver.
-pub fn resolve(
-    _: &crate::syntax::Document,
-    _: &crate::diagnostics::SourceFile,
-) -> (Scene, Vec<crate::diagnostics::Diagnostic>) {
-    Default::default()
-}
-
 use crate::diagnostics::Span;
 use crate::syntax::table::{Kind, RecordType};
 
