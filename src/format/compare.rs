@@ -6,17 +6,18 @@ use crate::syntax::{Document, Item};
 /// Whether two scenes have the same records with the same values to the bit, the same comments, and
 /// the same text where they could not be read.
 pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
-    let same_comments =
-        a.1.comments()
-            .map(|t| t.text(a.0))
-            .eq(b.1.comments().map(|t| t.text(b.0)));
-    same_comments
+    comments(a).eq(comments(b))
         && a.1.items.len() == b.1.items.len()
         && a.1
             .items
             .iter()
             .zip(&b.1.items)
             .all(|(x, y)| same_item((a.0, a.1, x), (b.0, b.1, y)))
+}
+
+fn comments<'a>((text, document): (&'a str, &'a Document)) -> impl Iterator<Item = &'a str> {
+    let comments = document.tokens.iter().filter(|t| t.kind.is_comment());
+    comments.map(move |t| t.text(text))
 }
 
 fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
