@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use zpg::commands::{ColorChoice, check, completions, explain};
+use zpg::commands::{ColorChoice, check, completions, explain, fmt};
 
 /// Tools for scenes in the ZPG scene language
 #[derive(Debug, Parser)]
@@ -18,6 +18,7 @@ a file cannot be read or written.
 
 Examples:
   zpg check scene.zpg       what is wrong with a scene
+  zpg fmt scene.zpg         one record a line, numbers in their shortest spelling
   zpg explain E101          what a finding means and how to fix it
   zpg explain checkerboard  what a record type means and how it is written"
 )]
@@ -33,6 +34,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Check(check::Args),
+    Fmt(fmt::Args),
     Explain(explain::Args),
     Completions(completions::Args),
 }
@@ -41,6 +43,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let status = match &cli.command {
         Command::Check(args) => check::run(args, cli.color),
+        Command::Fmt(args) => fmt::run(args, cli.color),
         Command::Explain(args) => explain::run(args),
         Command::Completions(args) => completions::run(args, Cli::command()),
     };

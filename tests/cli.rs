@@ -156,3 +156,58 @@ fn a_closed_pipe_is_no_failure() {
     assert_eq!(text(&run.stderr), "");
     assert_eq!(run.status.code(), Some(0));
 }
+
+#[test]
+fn fmt_rewrites_files() {
+    let dir = folder(&[("a.zpg", b"2  9 1.50 3 9 2"), ("b.zpg", b"2 9 1\n")]);
+    let run = zpg(dir.path(), &["fmt", "--check", "."]);
+    assert_eq!(run.status.code(), Some(1));
+    assert_eq!(
+        text(&run.stdout),
+        "would reformat: ./a.zpg\n1 file would be reformatted, 1 file left unchanged\n"
+    );
+    let run = zpg(dir.path(), &["fmt", "--diff", "a.zpg", "b.zpg"]);
+    assert_eq!(run.status.code(), Some(1));
+    assert_eq!(
+        text(&run.stdout),
+        "--- a.zpg\n+++ a.zpg\n@@ -1 +1,2 @@\n-2  9 1.50 3 9 2\n\\ No newline at end of file\n+2 9 1.5\n+3 9 2\n"
+    );
+    let run = zpg(dir.path(), &["fmt", "a.zpg", "b.zpg"]);
+    assert_eq!(run.status.code(), Some(0));
+    assert_eq!(
+        text(&run.stdout),
+        "1 file reformatted, 1 file left unchanged\n"
+    );
+    let formatted = fs::read_to_string(dir.path().join("a.zpg")).unwrap();
+    assert_eq!(formatted, "2 9 1.5\n3 9 2\n");
+    let run = zpg(dir.path(), &["fmt", "--check", "a.zpg"]);
+    assert_eq!(run.status.code(), Some(0));
+}
+
+#[test]
+fn fmt_keeps_the_encoding() {
+    let dir = folder(&[]);
+    let run = zpg_with(dir.path(), &["fmt", "-"], b"2  9 1 # p\xf8\xedklad #\r\n");
+    assert_eq!(run.status.code(), Some(0));
+    assert_eq!(run.stdout, b"2 9 1 # p\xf8\xedklad #\r\n");
+    assert_eq!(text(&run.stderr), "");
+}
+
+#[cfg(unix)]
+#[test]
+fn fmt_keeps_permissions_and_links() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let dir = folder(&[("a.zpg", b"2  9 1")]);
+    let file = dir.path().join("a.zpg");
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
+    symlink("a.zpg", dir.path().join("link.zpg")).unwrap();
+    let run = zpg(dir.path(), &["fmt", "link.zpg"]);
+    assert_eq!(run.status.code(), Some(0));
+    assert_eq!(fs::read_to_string(&file).unwrap(), "2 9 1\n");
+    assert_eq!(
+        fs::metadata(&file).unwrap().permissions().mode() & 0o777,
+        0o640
+    );
+    let link = fs::symlink_metadata(dir.path().join("link.zpg")).unwrap();
+    assert!(link.is_symlink());
+}

@@ -7,6 +7,7 @@
 pub mod check;
 pub mod completions;
 pub mod explain;
+pub mod fmt;
 pub mod loaded;
 pub mod paths;
 pub mod terminal;

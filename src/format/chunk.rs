@@ -63,7 +63,7 @@ pub fn line_breaks(text: &str) -> usize {
 
 /// Cuts a scene into chunks.
 pub fn chunks<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item = Chunk> + 'a {
-    let mut elements = elements(text, document).peekable();
+    let mut elements = elements(document).peekable();
     std::iter::from_fn(move || {
         let mut chunk = Chunk {
             elements: vec![elements.next()?],
@@ -78,7 +78,7 @@ pub fn chunks<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item =
 }
 
 /// The records and the comments between them, in order.
-fn elements<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item = Element> + 'a {
+fn elements(document: &Document) -> impl Iterator<Item = Element> + '_ {
     let tokens = &document.tokens;
     let mut items = document.items.iter().peekable();
     let mut next = 0;
@@ -94,7 +94,7 @@ fn elements<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item = E
                     piece: Piece::Item(item),
                     start: span.start as usize,
                     end: span.end as usize,
-                    frozen: is_doubtful(&item) || inside.iter().any(is_open),
+                    frozen: matches!(item, Item::Broken(_)) || inside.iter().any(is_doubtful),
                 });
             }
             let index = next as u32;
@@ -109,7 +109,7 @@ fn elements<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item = E
                 })
             };
             if token.kind.is_comment() {
-                return element(Piece::Comment(index), is_open(token));
+                return element(Piece::Comment(index), is_doubtful(token));
             } else if !token.kind.is_trivia() {
                 return element(Piece::Unread(index), true);
             }
@@ -117,12 +117,11 @@ fn elements<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item = E
     })
 }
 
-/// Whether an item could not be read in full.
-fn is_doubtful(item: &Item) -> bool {
-    matches!(item, Item::Broken(_))
-}
-
-/// Whether a token is a comment that nothing but the end of its line ends.
-fn is_open(token: &Token) -> bool {
-    token.kind == TokenKind::UnterminatedComment
+/// Whether a token has to be seen where it stands: a comment that nothing but the end of its line
+/// ends, or a number that is not right.
+fn is_doubtful(token: &Token) -> bool {
+    matches!(
+        token.kind,
+        TokenKind::UnterminatedComment | TokenKind::DecimalComma | TokenKind::HugeNumber
+    )
 }

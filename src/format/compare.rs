@@ -6,11 +6,7 @@ use crate::syntax::{Document, Item};
 /// Whether two scenes have the same records with the same values to the bit, the same comments, and
 /// the same text where they could not be read.
 pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
-    let same_comments =
-        a.1.comments()
-            .map(|t| t.text(a.0))
-            .eq(b.1.comments().map(|t| t.text(b.0)));
-    same_comments
+    comments(a).eq(comments(b))
         && a.1.items.len() == b.1.items.len()
         && a.1
             .items

@@ -48,10 +48,11 @@ pub fn format(text: &str, document: &Document) -> String {
 
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// The line break of the file, which is that of its first line.
+/// The line break of the file. In a mixed one it is the last: the printed text ends with it, so that
+/// it is found again there.
 fn line_break(text: &str) -> &'static str {
-    match text.find(['\n', '\r']) {
-        Some(at) if text[at..].starts_with("\r\n") => "\r\n",
+    match text.rfind(['\n', '\r']) {
+        Some(at) if text[..=at].ends_with("\r\n") => "\r\n",
         _ => "\n",
     }
 }

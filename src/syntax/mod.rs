@@ -1,11 +1,12 @@
 //! Text to records: the record [`table`], the [`lexer`], the [`parser`] with its recovery, and the
-//! typed syntax tree ([`ast`]) that still holds every character of the source; and the table in
-//! words ([`describe`]).
+//! typed syntax tree ([`ast`]) that still holds every character of the source; and what is
+//! made of the table: words ([`describe`]), the reference and the EBNF ([`grammar`]).
 
 pub mod ast;
 mod comments;
 pub mod describe;
 mod faults;
+pub mod grammar;
 mod layout;
 pub mod lexer;
 pub mod parser;

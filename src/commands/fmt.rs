@@ -1,0 +1,211 @@
+//! `zpg fmt`: prints scenes anew, one record a line.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::builder::styling::AnsiColor;
+use rayon::prelude::*;
+use similar::TextDiff;
+
+use super::loaded::{self, STDIN};
+use super::{ColorChoice, Status, complain, paths, terminal};
+use crate::diagnostics::SourceFile;
+use crate::{format, syntax};
+
+/// Format scenes, one record a line
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Files are rewritten in place; `-` formats standard input to standard output. Lines with mistakes on
+them are left as they are. With --check or --diff nothing is written, and the exit status is 1 when
+something would change.
+
+Examples:
+  zpg fmt scene.zpg
+  zpg fmt scenes/                all *.zpg in the folder, .gitignore honoured
+  zpg fmt --diff scene.zpg       what would change
+  zpg fmt --check scenes/        for a continuous build
+  zpg fmt - < in.zpg > out.zpg")]
+pub struct Args {
+    /// Scene files or folders; `-` is standard input
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<PathBuf>,
+
+    /// Write nothing; name the files that would change
+    #[arg(long)]
+    check: bool,
+
+    /// Write nothing; show what would change
+    #[arg(long)]
+    diff: bool,
+}
+
+/// What became of a file.
+enum Outcome {
+    Unchanged,
+    /// Rewritten, or to be rewritten if it were not for `--check` or `--diff`.
+    Changed,
+    /// It has been said why.
+    Failed,
+}
+
+/// A file's outcome, and what goes to standard output for it.
+struct Formatted {
+    outcome: Outcome,
+    output: Vec<u8>,
+}
+
+pub fn run(args: &Args, color: ColorChoice) -> Status {
+    let found = paths::expand(&args.paths);
+    let colour = color.on(&io::stdout());
+    let formatted: Vec<Formatted> = found
+        .files
+        .par_iter()
+        .map(|path| match format_file(path, args, colour) {
+            Ok(formatted) => formatted,
+            Err(message) => {
+                complain(&message);
+                Formatted {
+                    outcome: Outcome::Failed,
+                    output: Vec::new(),
+                }
+            }
+        })
+        .collect();
+
+    let count = |of: fn(&Outcome) -> bool| formatted.iter().filter(|f| of(&f.outcome)).count();
+    let changed = count(|o| matches!(o, Outcome::Changed));
+    let unchanged = count(|o| matches!(o, Outcome::Unchanged));
+    let only_looking = args.check || args.diff;
+    let status = if found.failed || changed + unchanged < formatted.len() {
+        Status::Failure
+    } else if only_looking && changed > 0 {
+        Status::Negative
+    } else {
+        Status::Clean
+    };
+    // Where standard output carries a scene or a diff, it carries nothing else.
+    let carries_data = args.diff || found.files.iter().any(|f| f.as_os_str() == STDIN);
+    terminal::print(status, |out| {
+        for file in &formatted {
+            out.write_all(&file.output)?;
+        }
+        if carries_data {
+            return Ok(());
+        }
+        summary(out, changed, unchanged, only_looking)
+    })
+}
+
+/// `2 files would be reformatted, 1 file is formatted already.`
+fn summary(
+    out: &mut dyn Write,
+    changed: usize,
+    unchanged: usize,
+    only_looking: bool,
+) -> io::Result<()> {
+    let files = |n: usize| format!("{n} file{}", if n == 1 { "" } else { "s" });
+    let verb = if only_looking {
+        "would be reformatted"
+    } else {
+        "reformatted"
+    };
+    match (changed, unchanged) {
+        (0, 0) => Ok(()),
+        (0, same) => writeln!(out, "{} left unchanged", files(same)),
+        (new, 0) => writeln!(out, "{} {verb}", files(new)),
+        (new, same) => writeln!(out, "{} {verb}, {} left unchanged", files(new), files(same)),
+    }
+}
+
+/// Formats one file; the error is a message for people.
+fn format_file(path: &Path, args: &Args, colour: bool) -> Result<Formatted, String> {
+    let bytes = loaded::read(path).map_err(|e| e.to_string())?;
+    let is_stdin = path.as_os_str() == STDIN;
+    let source = SourceFile::new(path.to_string_lossy(), bytes);
+    let text = format_text(&source)?;
+    let changed = text != source.text;
+    let mut output = Vec::new();
+    let outcome = if changed {
+        Outcome::Changed
+    } else {
+        Outcome::Unchanged
+    };
+    if args.check || args.diff {
+        if changed && args.diff {
+            diff(&mut output, &source.path, &source.text, &text, colour);
+        } else if changed && !is_stdin {
+            output = format!("would reformat: {}\n", source.path).into_bytes();
+        }
+    } else if is_stdin {
+        output = source.encode(&text);
+    } else if changed {
+        replace(path, &source.encode(&text)).map_err(|e| {
+            let reason = terminal::reason(&e);
+            format!("cannot write {}: {reason}", source.path)
+        })?;
+    }
+    Ok(Formatted { outcome, output })
+}
+
+/// The formatted text. A formatter must not change what a scene says: that is not left to trust.
+fn format_text(source: &SourceFile) -> Result<String, String> {
+    let (document, _) = syntax::parse(&source.text);
+    let text = format::format(&source.text, &document);
+    if text != source.text {
+        let (again, _) = syntax::parse(&text);
+        if !format::same_content((&source.text, &document), (&text, &again)) {
+            return Err(format!(
+                "{} is left as it is: its mistakes would be read differently in another layout \
+                 (`zpg check` shows them)",
+                source.path
+            ));
+        }
+    }
+    Ok(text)
+}
+
+/// Replaces a file in one step, so that it is whole at any time. Links are followed.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let path = path.canonicalize()?;
+    let permissions = fs::metadata(&path)?.permissions();
+    if permissions.readonly() {
+        return Err(io::Error::new(
+            io::ErrorKind::PermissionDenied,
+            "it is read-only",
+        ));
+    }
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let mut file = tempfile::NamedTempFile::new_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().set_permissions(permissions)?;
+    file.persist(&path)?;
+    Ok(())
+}
+
+/// How long the search for the smallest difference may take.
+const DIFF_TIMEOUT: std::time::Duration = std::time::Duration::from_secs(2);
+
+/// Writes a unified diff.
+fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: bool) {
+    let diff = TextDiff::configure()
+        .timeout(DIFF_TIMEOUT)
+        .diff_lines(old, new);
+    let unified = diff.unified_diff().header(path, path).to_string();
+    for line in unified.split_inclusive('\n') {
+        let style = match line.as_bytes().first() {
+            _ if !colour => None,
+            Some(b'+') => Some(AnsiColor::Green),
+            Some(b'-') => Some(AnsiColor::Red),
+            Some(b'@') => Some(AnsiColor::Cyan),
+            _ => None,
+        };
+        match style.map(AnsiColor::on_default) {
+            Some(style) => {
+                let text = line.trim_end_matches('\n');
+                out.extend(format!("{style}{text}{style:#}\n").into_bytes());
+            }
+            None => out.extend(line.as_bytes()),
+        }
+    }
+}
