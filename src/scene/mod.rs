@@ -6,8 +6,12 @@
 //! Shared operands are shared nodes; nothing is ever copied or expanded, and children always have
 //! smaller indices than their parents.
 
+pub mod aabb;
+pub mod bounds;
+pub mod frame;
 pub mod matrix;
 
+pub use aabb::Aabb;
 pub use matrix::Matrix;
 
 use crate::diagnostics::Span;
