@@ -1,1 +1,50 @@
-fn main() {}
+//! The command line.
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser, Subcommand};
+
+use zpg::commands::{ColorChoice, check, completions, explain, render};
+
+/// Tools for scenes in the ZPG scene language
+#[derive(Debug, Parser)]
+#[command(
+    name = "zpg",
+    version,
+    arg_required_else_help = true,
+    after_help = "\
+Exit status: 0 done and clean; 1 the scene has errors, or the answer is \"no\"; 2 wrong usage, or
+a file cannot be read or written.
+
+Examples:
+  zpg check scene.zpg       what is wrong with a scene
+  zpg explain E101          what a finding means and how to fix it
+  zpg explain checkerboard  what a record type means and how it is written"
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+
+    /// When to use colour
+    #[arg(long, global = true, value_enum, default_value_t, value_name = "WHEN")]
+    color: ColorChoice,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Check(check::Args),
+    Render(render::Args),
+    Explain(explain::Args),
+    Completions(completions::Args),
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let status = match &cli.command {
+        Command::Check(args) => check::run(args, cli.color),
+        Command::Render(args) => render::run(args, cli.color),
+        Command::Explain(args) => explain::run(args),
+        Command::Completions(args) => completions::run(args, Cli::command()),
+    };
+    status.into()
+}

@@ -62,7 +62,11 @@ fn a_million_spheres() {
     let mut b = Builder::default();
     let mut r = Random(1);
     let first = b.sphere(0.0, 0.0, 0.0, 0.5);
-    let count = if std::env::var("ZPG_TEST_PICTURES").is_ok() { 1_000_000 } else { 10_000 };
+    let count = if std::env::var("ZPG_TEST_PICTURES").is_ok() {
+        1_000_000
+    } else {
+        10_000
+    };
     let mut root = first;
     for _ in 1..count {
         let p = r.point(50.0);

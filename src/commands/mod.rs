@@ -1,8 +1,19 @@
-//! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`.
+//! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`, which
+//! returns the exit [`Status`].
+//!
+//! What they share: [`loaded`] reads a scene, [`paths`] expands folders, [`terminal`] knows about
+//! colour and about output that nobody reads any more.
 
-use crate::diagnostics::{Diagnostic, SourceFile};
-use crate::scene::Scene;
-use crate::syntax::Document;
+pub mod check;
+pub mod completions;
+pub mod explain;
+pub mod loaded;
+pub mod paths;
+pub mod render;
+pub mod terminal;
+
+pub use loaded::{LoadError, Loaded, load};
+pub use terminal::{ColorChoice, complain, report};
 
 /// How a command ended; its number is the exit status.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -15,10 +26,8 @@ pub enum Status {
     Failure = 2,
 }
 
-/// A scene read as far as it goes, with everything there is to say about it.
-pub struct Loaded {
-    pub source: SourceFile,
-    pub document: Document,
-    pub scene: Scene,
-    pub diagnostics: Vec<Diagnostic>,
+impl From<Status> for std::process::ExitCode {
+    fn from(status: Status) -> Self {
+        std::process::ExitCode::from(status as u8)
+    }
 }

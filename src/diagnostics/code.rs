@@ -21,7 +21,7 @@ impl Severity {
     }
 }
 
-/// What the registry keeps of a code.
+/// What the registry keeps of a code. The explanation is the file `explain/CODE.md`.
 struct Entry {
     code: &'static str,
     name: &'static str,
@@ -29,7 +29,7 @@ struct Entry {
 }
 
 macro_rules! codes {
-    ($($code:ident $name:literal $explanation:expr;)*) => {
+    ($($code:ident $name:literal;)*) => {
         /// The codes of all findings.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Code { $($code),* }
@@ -43,7 +43,7 @@ macro_rules! codes {
                     $(Code::$code => Entry {
                         code: stringify!($code),
                         name: $name,
-                        explanation: $explanation,
+                        explanation: include_str!(concat!("explain/", stringify!($code), ".md")),
                     }),*
                 }
             }
@@ -52,45 +52,45 @@ macro_rules! codes {
 }
 
 codes! {
-    E001 "invalid-character" "";
-    E002 "unterminated-comment" "";
-    E003 "malformed-number" "";
-    E004 "number-out-of-range" "";
-    E005 "expected-id" "";
-    E006 "expected-type" "";
-    E007 "unknown-type" "";
-    E008 "too-few-parameters" "";
-    E009 "too-many-parameters" "";
-    E010 "expected-integer" "";
-    E011 "expected-filename" "";
-    E012 "unexpected-word" "";
-    E013 "limit-exceeded" "";
-    E101 "undefined-id" "";
-    E102 "duplicate-id" "";
-    E103 "wrong-kind" "";
-    E104 "self-reference" "";
-    E105 "reserved-render-id" "";
-    E106 "missing-render" "";
-    E107 "used-before-definition" "";
-    E108 "void-used" "";
-    E201 "not-positive" "";
-    E202 "inverted-range" "";
-    E203 "zero-vector" "";
-    E204 "singular-matrix" "";
-    E205 "bad-axis" "";
-    E206 "out-of-range" "";
-    E207 "degenerate-camera" "";
-    E208 "negative-profile-radius" "";
-    E209 "unsafe-path" "";
-    E210 "unreadable-file" "";
-    W302 "energy-gain" "";
-    W314 "suspicious-line-break" "";
-    N601 "not-utf8" "";
-    N602 "no-camera" "";
-    N603 "no-light" "";
-    S501 "notation-separator" "";
-    S502 "bare-comment" "";
-    S503 "several-records-per-line" "";
+    E001 "invalid-character";
+    E002 "unterminated-comment";
+    E003 "malformed-number";
+    E004 "number-out-of-range";
+    E005 "expected-id";
+    E006 "expected-type";
+    E007 "unknown-type";
+    E008 "too-few-parameters";
+    E009 "too-many-parameters";
+    E010 "expected-integer";
+    E011 "expected-filename";
+    E012 "unexpected-word";
+    E013 "limit-exceeded";
+    E101 "undefined-id";
+    E102 "duplicate-id";
+    E103 "wrong-kind";
+    E104 "self-reference";
+    E105 "reserved-render-id";
+    E106 "missing-render";
+    E107 "used-before-definition";
+    E108 "void-used";
+    E201 "not-positive";
+    E202 "inverted-range";
+    E203 "zero-vector";
+    E204 "singular-matrix";
+    E205 "bad-axis";
+    E206 "out-of-range";
+    E207 "degenerate-camera";
+    E208 "negative-profile-radius";
+    E209 "unsafe-path";
+    E210 "unreadable-file";
+    W302 "energy-gain";
+    W314 "suspicious-line-break";
+    N601 "not-utf8";
+    N602 "no-camera";
+    N603 "no-light";
+    S501 "notation-separator";
+    S502 "bare-comment";
+    S503 "several-records-per-line";
 }
 
 impl Code {

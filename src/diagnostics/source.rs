@@ -1,5 +1,7 @@
 //! A scene file in memory: the text the tools read, and the way back to the bytes on disk.
 
+use std::path::Path;
+
 use super::Span;
 
 /// The longest file that is read, in bytes: spans are 32-bit.
@@ -70,9 +72,29 @@ impl SourceFile {
         }
     }
 
+    /// The folder the file lies in; `None` for standard input and texts that are no files.
+    pub fn folder(&self) -> Option<&Path> {
+        let path = Path::new(&self.path);
+        let parent = path.parent().filter(|_| path.is_file())?;
+        Some(if parent.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            parent
+        })
+    }
+
     /// The text of a span.
     pub fn slice(&self, span: Span) -> &str {
         self.text.get(span.range()).unwrap_or("")
+    }
+
+    /// The offset itself, or where the character starts that it lies in; at most the text's end.
+    pub fn floor(&self, offset: u32) -> u32 {
+        let mut at = (offset as usize).min(self.text.len());
+        while !self.text.is_char_boundary(at) {
+            at -= 1;
+        }
+        at as u32
     }
 
     /// The number of the line a text offset lies on, from 0.
@@ -137,9 +159,79 @@ impl SourceFile {
     }
 }
 
+/// Finds positions one after another, counting characters from the last one found: findings that
+/// stand close together on a very long line cost no more than on a short one.
+pub struct Locator<'a> {
+    file: &'a SourceFile,
+    /// The line of the last position, its text offset, and the characters before it on the line.
+    line: usize,
+    offset: u32,
+    chars: u32,
+}
+
+impl<'a> Locator<'a> {
+    pub fn new(file: &'a SourceFile) -> Locator<'a> {
+        Locator {
+            file,
+            line: 0,
+            offset: 0,
+            chars: 0,
+        }
+    }
+
+    /// As [`SourceFile::position`]. An offset inside a character or past the end is moved back to
+    /// where a character starts.
+    pub fn position(&mut self, offset: u32) -> Position {
+        let file = self.file;
+        let offset = file.floor(offset);
+        let line = file.line_index(offset);
+        let start = file.line_starts[line];
+        let count =
+            |from: u32, to: u32| file.text[from as usize..to as usize].chars().count() as u32;
+        let known = line == self.line && self.offset >= start;
+        self.chars = if known && offset >= self.offset {
+            self.chars + count(self.offset, offset)
+        } else if known && self.offset - offset < offset - start {
+            self.chars - count(offset, self.offset)
+        } else {
+            count(start, offset)
+        };
+        self.line = line;
+        self.offset = offset;
+        // A byte order mark is no character of the first line.
+        let mark = u32::from(line == 0 && offset > 0 && file.text.starts_with('\u{feff}'));
+        Position {
+            offset: match file.encoding {
+                Encoding::Utf8 => offset,
+                Encoding::Windows1250 => file.chars_before_line[line] + self.chars,
+            },
+            line: line as u32 + 1,
+            column: self.chars - mark + 1,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_locator_agrees_with_position() {
+        for bytes in [
+            "\u{feff}é 1\r\n# ž # 2\n".as_bytes().to_vec(),
+            b"# p\xf8\xedklad #\n2 9 x\xf8".to_vec(),
+        ] {
+            let file = SourceFile::new("a", bytes);
+            let places: Vec<u32> = (0..=file.text.len() as u32)
+                .filter(|&i| file.text.is_char_boundary(i as usize))
+                .collect();
+            let mut locator = Locator::new(&file);
+            for &place in places.iter().chain(places.iter().rev()) {
+                assert_eq!(locator.position(place), file.position(place));
+            }
+            assert_eq!(locator.position(u32::MAX).line as usize, file.line_count());
+        }
+    }
 
     #[test]
     fn positions_count_characters() {

@@ -8,11 +8,20 @@
 
 pub mod aabb;
 pub mod bounds;
+mod camera;
+mod entity;
 pub mod frame;
+mod geometry;
+mod image_file;
 pub mod matrix;
+mod proposals;
+mod record;
+mod references;
+mod resolve;
 
 pub use aabb::Aabb;
 pub use matrix::Matrix;
+pub use resolve::resolve;
 
 use crate::diagnostics::Span;
 use crate::syntax::table::{Kind, RecordType};

@@ -39,8 +39,6 @@ pub struct Record {
     pub params: u32,
     /// The value of the count parameter, 0 where the type has none.
     pub count: u32,
-    /// A token in it was reported already (a malformed number, a word): values are not to be trusted.
-    pub damaged: bool,
 }
 
 /// A stretch of tokens that is no record.
@@ -52,8 +50,18 @@ pub struct Broken {
     pub id: Option<u32>,
     /// Its type, if that could be told.
     pub ty: Option<&'static RecordType>,
-    /// The record has lost its ID: one undefined reference may mean it.
-    pub lost_id: bool,
+    pub fault: Fault,
+}
+
+/// What is wrong with a [`Broken`] stretch, as far as it matters to what others make of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fault {
+    /// The number or form of its parameters.
+    Form,
+    /// There is no such type.
+    UnknownType,
+    /// It has lost its ID: one undefined reference may mean it.
+    LostId,
 }
 
 impl Item {

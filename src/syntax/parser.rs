@@ -1,15 +1,69 @@
-//! Tokens to records.
-use super::ast::Document;
-use crate::diagnostics::Diagnostic;
+//! Text to tree: lex, read by arity, and where that fails or looks odd, let the layout testify.
 
-/// Parses a scene text. Never fails: what cannot be read is in the findings.
+use chumsky::Parser;
+
+use super::ast::{Document, Item};
+use super::faults::Verdict;
+use super::layout::{self, Piece, Witnesses};
+use super::lexer::{self, Token};
+use super::stream::Stream;
+use super::{comments, reader, references, report};
+use crate::diagnostics::{self, Diagnostic};
+
+/// Parses a scene text. It never fails: what cannot be read is in the findings, sorted by place,
+/// and every character of the text is still in the document.
 pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
-    let _ = text;
-    (
-        Document {
-            tokens: Vec::new(),
-            items: Vec::new(),
-        },
-        Vec::new(),
-    )
+    let mut tokens = lexer::lex(text, &[]);
+    if comments::in_trouble(&tokens, text) {
+        let unclosed = comments::unclosed(text);
+        if !unclosed.is_empty() {
+            tokens = lexer::lex(text, &unclosed);
+        }
+    }
+    let mut diagnostics = Vec::new();
+    report::comments(text, &tokens, &mut diagnostics);
+    let items = items(text, &tokens, &mut diagnostics);
+    diagnostics::sort(&mut diagnostics);
+    (Document { tokens, items }, diagnostics)
+}
+
+fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec<Item> {
+    let stream = Stream::new(text, tokens);
+    if let Some(items) = reader::records(&stream).parse(&stream.sigs).into_output() {
+        // The reading is right; where the layout agrees, there is nothing more to ask.
+        if layout::is_undisturbed(&stream, extents(&items)) {
+            return items;
+        }
+    }
+    let witnesses = Witnesses::new(&stream);
+    let mut pieces = layout::cut(&stream, &witnesses, false);
+    let takes_over = |p: &Piece| {
+        matches!(p.verdict, Verdict::Whole(_)) && witnesses.takes_over(&stream, p.start, p.end)
+    };
+    if pieces.iter().any(takes_over) {
+        // A record took numbers from a line that looks like one of its own. If something is
+        // missing now, believe the line.
+        let damage = references::damage(&stream, &pieces);
+        if damage > 0 {
+            let doubting = layout::cut(&stream, &witnesses, true);
+            if references::damage(&stream, &doubting) <= damage {
+                pieces = doubting;
+            }
+        }
+    }
+    report::pieces(&stream, &witnesses, &pieces, diagnostics);
+    pieces.iter().map(|p| p.item(&stream)).collect()
+}
+
+/// The items' tokens, as half-open ranges of significant tokens.
+fn extents(items: &[Item]) -> impl Iterator<Item = (usize, usize)> {
+    let mut start = 0;
+    items.iter().map(move |item| {
+        let length = match item {
+            Item::Record(r) => 2 + r.params as usize,
+            Item::Void { .. } | Item::Broken(_) => 1,
+        };
+        start += length;
+        (start - length, start)
+    })
 }

@@ -60,3 +60,26 @@ impl Film {
         out.write_all(&bytes)
     }
 }
+
+impl Film {
+    /// Two pictures of one size: this one on the left, the other on the right.
+    pub fn beside(&self, right: &Film) -> Film {
+        let width = self.width.max(1) as usize;
+        let rows = self.pixels.chunks(width).zip(right.pixels.chunks(width));
+        Film {
+            width: self.width + right.width,
+            height: self.height,
+            pixels: rows.flat_map(|(l, r)| [l, r].concat()).collect(),
+        }
+    }
+
+    /// Red of this one, green and blue of the other: for glasses of red and cyan.
+    pub fn anaglyph(&self, right: &Film) -> Film {
+        let both = self.pixels.iter().zip(&right.pixels);
+        Film {
+            width: self.width,
+            height: self.height,
+            pixels: both.map(|(l, r)| [l[0], r[1], r[2]]).collect(),
+        }
+    }
+}

@@ -1,1 +1,151 @@
 //! Findings as text: one file per output format.
+
+mod excerpt;
+pub mod human;
+pub mod json;
+pub mod short;
+
+use std::borrow::Cow;
+use std::fmt;
+
+use super::{Diagnostic, Severity};
+
+/// How many findings there are, by severity, over any number of files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+pub struct Tally {
+    /// Files looked at, whether or not anything was found in them.
+    pub files: usize,
+    pub errors: usize,
+    pub warnings: usize,
+    pub notes: usize,
+    pub style: usize,
+    /// Files in which something was found.
+    #[serde(skip)]
+    pub files_with_findings: usize,
+    /// Findings that come with at least one fix.
+    #[serde(skip)]
+    pub with_fix: usize,
+}
+
+impl Tally {
+    /// Counts one file's findings in.
+    pub fn add(&mut self, diagnostics: &[Diagnostic]) {
+        self.files += 1;
+        self.files_with_findings += usize::from(!diagnostics.is_empty());
+        for diagnostic in diagnostics {
+            match diagnostic.severity {
+                Severity::Error => self.errors += 1,
+                Severity::Warning => self.warnings += 1,
+                Severity::Note => self.notes += 1,
+                Severity::Style => self.style += 1,
+            }
+            self.with_fix += usize::from(!diagnostic.fixes.is_empty());
+        }
+    }
+
+    /// Counts in what another tally has counted.
+    pub fn merge(&mut self, other: &Tally) {
+        self.files += other.files;
+        self.errors += other.errors;
+        self.warnings += other.warnings;
+        self.notes += other.notes;
+        self.style += other.style;
+        self.files_with_findings += other.files_with_findings;
+        self.with_fix += other.with_fix;
+    }
+
+    /// Whether nothing at all was found.
+    pub fn is_clean(&self) -> bool {
+        self.files_with_findings == 0
+    }
+}
+
+impl fmt::Display for Tally {
+    /// `Found 3 errors and 1 warning in 2 files; 2 of them have a proposed fix.`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_clean() {
+            return f.write_str("All checks passed!");
+        }
+        let parts: Vec<String> = [
+            (self.errors, "error"),
+            (self.warnings, "warning"),
+            (self.notes, "note"),
+            (self.style, "style remark"),
+        ]
+        .into_iter()
+        .filter(|&(n, _)| n > 0)
+        .map(|(n, what)| counted(n, what))
+        .collect();
+        write!(f, "Found ")?;
+        match parts.split_last() {
+            Some((last, [])) => f.write_str(last)?,
+            Some((last, rest)) => write!(f, "{} and {last}", rest.join(", "))?,
+            None => {}
+        }
+        write!(f, " in {}", counted(self.files_with_findings, "file"))?;
+        match self.with_fix {
+            0 => f.write_str("."),
+            1 => f.write_str("; 1 has a proposed fix."),
+            n => write!(f, "; {n} have a proposed fix."),
+        }
+    }
+}
+
+fn counted(n: usize, what: &str) -> String {
+    let plural = if n == 1 { "" } else { "s" };
+    format!("{n} {what}{plural}")
+}
+
+/// Whether a character would move the cursor, reorder text or end a line on a terminal.
+fn is_disruptive(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
+}
+
+/// A text on one line that is safe to print on a terminal: scenes and file names are foreign text
+/// and messages quote them. Every character stays one character.
+fn visible(text: &str) -> Cow<'_, str> {
+    if text.chars().any(is_disruptive) {
+        Cow::Owned(text.chars().map(visible_char).collect())
+    } else {
+        Cow::Borrowed(text)
+    }
+}
+
+fn visible_char(c: char) -> char {
+    match c {
+        '\t' | '\n' | '\r' => ' ',
+        c if is_disruptive(c) => '\u{fffd}',
+        c => c,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostics::{Code, Span};
+
+    #[test]
+    fn the_tally_reads_as_a_sentence() {
+        let mut tally = Tally::default();
+        assert_eq!(tally.to_string(), "All checks passed!");
+        let error = Diagnostic::new(Code::E101, Span::default(), "m");
+        tally.add(std::slice::from_ref(&error));
+        tally.add(&[]);
+        assert_eq!(tally.to_string(), "Found 1 error in 1 file.");
+        let warning = Diagnostic::new(Code::W302, Span::default(), "m");
+        let note = Diagnostic::new(Code::N602, Span::default(), "m");
+        tally.add(&[error, warning, note]);
+        assert_eq!(
+            tally.to_string(),
+            "Found 2 errors, 1 warning and 1 note in 2 files."
+        );
+        assert_eq!(tally.files, 3);
+    }
+
+    #[test]
+    fn foreign_text_cannot_drive_the_terminal() {
+        assert_eq!(visible("a\u{1b}[31m\tb\n"), "a\u{fffd}[31m b ");
+        assert_eq!(visible("koule"), "koule");
+    }
+}

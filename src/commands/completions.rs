@@ -1,0 +1,26 @@
+//! `zpg completions`: a script that completes zpg's command line in a shell.
+
+use clap_complete::Shell;
+
+use super::{Status, terminal};
+
+/// Print a script that completes this command line in a shell
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  zpg completions bash > ~/.local/share/bash-completion/completions/zpg
+  zpg completions fish > ~/.config/fish/completions/zpg.fish
+  zpg completions zsh  > a file called _zpg in a folder of $fpath")]
+pub struct Args {
+    /// The shell
+    #[arg(value_enum)]
+    shell: Shell,
+}
+
+/// Prints the script for the given command line.
+pub fn run(args: &Args, mut command: clap::Command) -> Status {
+    let name = command.get_name().to_owned();
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut command, name, &mut script);
+    terminal::print(Status::Clean, |out| out.write_all(&script))
+}

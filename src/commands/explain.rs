@@ -1,0 +1,231 @@
+//! `zpg explain`: the page of a finding or of a record type.
+
+use std::fmt::Write as _;
+
+use super::{Status, complain, terminal};
+use crate::diagnostics::Code;
+use crate::syntax::describe::Group;
+use crate::syntax::table::{RECORD_TYPES, RecordType};
+
+/// Explain a finding or a record type
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  zpg explain E101            a finding by its code
+  zpg explain undefined-id    … or by its name
+  zpg explain -399            a record type by its number
+  zpg explain checkerboard    … or by its keyword")]
+pub struct Args {
+    /// A code or name of a finding, or a number or keyword of a record type
+    #[arg(value_name = "CODE|TYPE", allow_negative_numbers = true)]
+    topic: String,
+}
+
+pub fn run(args: &Args) -> Status {
+    match page(&args.topic) {
+        Some(page) => terminal::print(Status::Clean, |out| out.write_all(page.as_bytes())),
+        None => {
+            let mut message = format!("there is no finding or record type `{}`", args.topic);
+            let near = suggestions(&args.topic);
+            if !near.is_empty() {
+                let near: Vec<_> = near.iter().map(|s| format!("`{s}`")).collect();
+                let _ = write!(message, "; did you mean {}?", near.join(" or "));
+            }
+            complain(&message);
+            Status::Failure
+        }
+    }
+}
+
+/// The page on a topic.
+fn page(topic: &str) -> Option<String> {
+    let topic = normalise(topic);
+    if let Some(code) = Code::parse(&topic) {
+        return Some(code_page(code));
+    }
+    let ty = match topic.parse::<i64>() {
+        Ok(number) => RecordType::by_code(number)?,
+        Err(_) => RECORD_TYPES
+            .iter()
+            .find(|t| t.keyword == topic || normalise(t.title) == topic)?,
+    };
+    Some(type_page(ty))
+}
+
+/// Names are spelled in lower case with hyphens.
+fn normalise(topic: &str) -> String {
+    topic.trim().to_lowercase().replace([' ', '_'], "-")
+}
+
+fn code_page(code: Code) -> String {
+    format!(
+        "# {} ({})\n\n{}\n",
+        code.name(),
+        code.as_str(),
+        code.explanation().trim_end()
+    )
+}
+
+fn type_page(ty: &RecordType) -> String {
+    let mut page = format!("# {} ({})\n\n", ty.title, ty.code);
+    let signature = format!("ID {} {}", ty.code, ty.signature());
+    // Writing to a string cannot fail.
+    let _ = write!(
+        page,
+        "{}; keyword `{}`. {}\n\n    {}\n\n{}\n",
+        ty.family.title(),
+        ty.keyword,
+        ty.effect_text(),
+        signature.trim_end(),
+        ty.summary
+    );
+    let parameters = parameters(ty);
+    if !parameters.is_empty() {
+        let _ = write!(page, "\n## Parameters\n\n{parameters}");
+    }
+    let _ = write!(page, "\n## Example\n\n    {}\n", ty.example);
+    page
+}
+
+/// A line for each parameter, in columns.
+fn parameters(ty: &RecordType) -> String {
+    let width = |text: &str| text.chars().count();
+    let rows: Vec<_> = ty
+        .described()
+        .map(|(group, p)| (group, p.name, p.doc, p.rule_text()))
+        .collect();
+    let names = rows.iter().map(|r| width(r.1)).max().unwrap_or(0);
+    let docs = rows.iter().map(|r| width(r.2)).max().unwrap_or(0);
+    let mut out = String::new();
+    let mut last = Group::Fixed;
+    for (group, name, doc, rule) in rows {
+        if group != last {
+            let heading = match group {
+                Group::Fixed => "",
+                Group::Repeated(0) => "then N times:",
+                Group::Repeated(_) => "then N times again:",
+                Group::Optional => "then all of these or none, on the record's last line:",
+            };
+            let _ = writeln!(out, "  {heading}");
+            last = group;
+        }
+        let _ = writeln!(out, "    {name:names$}  {doc:docs$}  {rule}");
+    }
+    out
+}
+
+/// How many names are suggested at most.
+const MAX_SUGGESTIONS: usize = 3;
+
+/// The names nearest to what was typed, nearest first.
+fn suggestions(topic: &str) -> Vec<String> {
+    let topic = normalise(topic);
+    let allowed = (topic.chars().count() / 3).clamp(1, 3);
+    let codes = Code::ALL
+        .iter()
+        .flat_map(|c| [c.as_str().to_lowercase(), c.name().to_owned()]);
+    let types = RECORD_TYPES
+        .iter()
+        .flat_map(|t| [t.keyword.to_owned(), t.code.to_string()]);
+    let mut near: Vec<(usize, String)> = codes
+        .chain(types)
+        .filter_map(|name| {
+            let distance = strsim::damerau_levenshtein(&topic, &name);
+            // `light` is part of `point-light`.
+            let part = topic.len() > 2 && name.split('-').any(|word| word == topic);
+            (distance <= allowed || part).then_some((if part { 1 } else { distance }, name))
+        })
+        .collect();
+    near.sort();
+    near.dedup();
+    near.truncate(MAX_SUGGESTIONS);
+    near.into_iter()
+        .map(|(_, name)| match Code::parse(&name) {
+            Some(code) if code.name() != name => code.as_str().to_owned(),
+            _ => name,
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn topics_have_several_names() {
+        for topic in ["E101", "e101", "undefined-id", "Undefined ID"] {
+            assert!(page(topic).unwrap().starts_with("# undefined-id (E101)"));
+        }
+        for topic in ["-402", "point-light", "point light"] {
+            assert!(page(topic).unwrap().starts_with("# point light (-402)"));
+        }
+        assert!(page("-400").is_none());
+    }
+
+    #[test]
+    fn what_was_meant() {
+        assert_eq!(suggestions("chekerboard"), ["checkerboard"]);
+        assert_eq!(
+            suggestions("light"),
+            ["ambient-light", "no-light", "point-light"]
+        );
+        assert_eq!(suggestions("e0001"), ["E001"]);
+        assert!(suggestions("quite something else").is_empty());
+    }
+
+    #[test]
+    fn a_page_of_a_record_type() {
+        insta::assert_snapshot!(page("torus").unwrap(), @r#"
+        # torus (14)
+
+        Shapes; keyword `torus`. Defines an object.
+
+            ID 14 R r
+
+        Solid: a torus around the y axis. A tube wider than R is allowed; the inside follows the even-odd rule.
+
+        ## Parameters
+
+            R  the distance from the centre to the tube's centre  number, scene units, > 0
+            r  the tube's radius                                  number, scene units, > 0
+
+        ## Example
+
+            2 14 1 0.25
+        "#);
+        insta::assert_snapshot!(page("2").unwrap(), @r#"
+        # coloured surface of revolution (2)
+
+        Shapes; keyword `coloured-surface-of-revolution`. Defines an object.
+
+            ID 2 N (x y)×N (r g b)×N
+
+        As type 1, with a colour for each profile point; between points the colour is linear.
+
+        ## Parameters
+
+            N  the number of profile points              integer, a count, ≥ 2
+          then N times:
+            x  a profile point's distance from the axis  number, scene units, ≥ 0
+            y  a profile point's height                  number, scene units
+          then N times again:
+            r  the red part                              number
+            g  the green part                            number
+            b  the blue part                             number
+
+        ## Example
+
+            2 2 2  0 1  1 0  1 0 0  0 0 1
+        "#);
+    }
+
+    #[test]
+    fn every_topic_has_a_page() {
+        for code in Code::ALL {
+            assert!(code_page(*code).lines().count() > 10, "{}", code.as_str());
+        }
+        for ty in RECORD_TYPES {
+            assert!(type_page(ty).contains(ty.example));
+        }
+    }
+}

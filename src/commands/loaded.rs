@@ -1,0 +1,154 @@
+//! Reading a scene file as far as it goes.
+
+use std::fmt;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use super::terminal::reason;
+use crate::diagnostics::source::{Encoding, MAX_FILE_BYTES};
+use crate::diagnostics::{self, Code, Diagnostic, Severity, SourceFile, Span};
+use crate::scene::{self, Render, Scene};
+use crate::syntax::{self, Document};
+
+/// The path that stands for standard input.
+pub const STDIN: &str = "-";
+
+/// A scene read as far as it goes, with everything there is to say about it.
+pub struct Loaded {
+    pub source: SourceFile,
+    pub document: Document,
+    pub scene: Scene,
+    /// Sorted by place.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Why a file could not be read at all.
+#[derive(Debug)]
+pub struct LoadError {
+    path: String,
+    reason: String,
+}
+
+impl fmt::Display for LoadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "cannot read {}: {}", self.path, self.reason)
+    }
+}
+
+impl std::error::Error for LoadError {}
+
+impl Loaded {
+    /// Reads a scene from the bytes of its file; never fails.
+    pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> Loaded {
+        let not_utf8 = std::str::from_utf8(&bytes).err().map(|e| e.valid_up_to());
+        let source = SourceFile::new(path, bytes);
+        let (document, mut diagnostics) = syntax::parse(&source.text);
+        let (scene, more) = scene::resolve(&document, &source);
+        diagnostics.extend(more);
+        if let (Encoding::Windows1250, Some(at)) = (source.encoding, not_utf8) {
+            diagnostics.push(not_utf8_note(&source, at));
+        }
+        diagnostics::sort(&mut diagnostics);
+        Loaded {
+            source,
+            document,
+            scene,
+            diagnostics,
+        }
+    }
+
+    /// Whether anything found is an error.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(Diagnostic::is_error)
+    }
+
+    /// The render record, for commands that cannot do without one: that it is missing, a warning so
+    /// far, becomes an error.
+    pub fn require_render(&mut self) -> Option<Render> {
+        for d in &mut self.diagnostics {
+            if d.code == Code::E106 {
+                d.severity = Severity::Error;
+            }
+        }
+        self.scene.render
+    }
+}
+
+/// The note on a file in the old encoding, at its first byte that is not UTF-8.
+fn not_utf8_note(source: &SourceFile, byte: usize) -> Diagnostic {
+    // One byte of the file is one character of the text.
+    let mut places = source.text.char_indices().skip(byte).map(|(i, _)| i);
+    let start = places.next().unwrap_or(source.text.len());
+    let end = places.next().unwrap_or(source.text.len());
+    Diagnostic::new(
+        Code::N601,
+        Span::new(start as u32, end as u32),
+        "the file is not valid UTF-8; it is read as Windows-1250",
+    )
+    .here("the first byte that is not UTF-8")
+    .help("save the file as UTF-8")
+}
+
+/// Reads a scene file; `-` is standard input.
+pub fn load(path: &Path) -> Result<Loaded, LoadError> {
+    let bytes = read(path)?;
+    Ok(Loaded::new(path.to_string_lossy(), bytes))
+}
+
+/// Reads a file's bytes; `-` is standard input.
+pub fn read(path: &Path) -> Result<Vec<u8>, LoadError> {
+    let error = |reason| LoadError {
+        path: path.to_string_lossy().into_owned(),
+        reason,
+    };
+    let too_large = || {
+        error(format!(
+            "it is larger than {} GiB",
+            MAX_FILE_BYTES.div_ceil(1 << 30)
+        ))
+    };
+    let result = if path.as_os_str() == STDIN {
+        read_limited(io::stdin().lock())
+    } else {
+        File::open(path).and_then(|file| {
+            // A file that is known to be too large is not read at all.
+            match file.metadata() {
+                Ok(m) if m.is_file() && m.len() > MAX_FILE_BYTES as u64 => Ok(None),
+                _ => read_limited(file),
+            }
+        })
+    };
+    match result {
+        Ok(Some(bytes)) => Ok(bytes),
+        Ok(None) => Err(too_large()),
+        Err(e) => Err(error(reason(&e))),
+    }
+}
+
+/// Reads everything, or nothing when there is more than may be.
+fn read_limited(input: impl Read) -> io::Result<Option<Vec<u8>>> {
+    let mut bytes = Vec::new();
+    input
+        .take(MAX_FILE_BYTES as u64 + 1)
+        .read_to_end(&mut bytes)?;
+    Ok((bytes.len() <= MAX_FILE_BYTES).then_some(bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_old_encoding_is_noted_at_its_first_byte() {
+        let loaded = Loaded::new("a", b"# ok # \n# p\xf8\xed #".to_vec());
+        let note = loaded
+            .diagnostics
+            .iter()
+            .find(|d| d.code == Code::N601)
+            .unwrap();
+        assert_eq!(loaded.source.slice(note.span), "ř");
+        let place = loaded.source.position(note.span.start);
+        assert_eq!((place.offset, place.line, place.column), (11, 2, 4));
+    }
+}

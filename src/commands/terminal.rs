@@ -1,0 +1,87 @@
+//! What people see: colour or not, messages, and output that nobody reads any more.
+
+use std::io::{self, BufWriter, IsTerminal, Write};
+
+use super::{Loaded, Status};
+use crate::diagnostics::render::{Tally, human};
+
+/// When to colour what is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum ColorChoice {
+    /// On a terminal, unless NO_COLOR is set.
+    #[default]
+    Auto,
+    Always,
+    Never,
+}
+
+impl ColorChoice {
+    /// Whether to colour what goes to this stream.
+    pub fn on(self, stream: &impl IsTerminal) -> bool {
+        let is_set = |name| std::env::var_os(name).is_some_and(|v| !v.is_empty());
+        match self {
+            ColorChoice::Always => true,
+            ColorChoice::Never => false,
+            ColorChoice::Auto => {
+                stream.is_terminal()
+                    && !is_set("NO_COLOR")
+                    && std::env::var_os("TERM").is_none_or(|t| t != "dumb")
+            }
+        }
+    }
+}
+
+/// Says on standard error what went wrong.
+pub fn complain(message: &str) {
+    say("error", message);
+}
+
+/// Says on standard error what should be known.
+pub fn warn(message: &str) {
+    say("warning", message);
+}
+
+fn say(kind: &str, message: &str) {
+    // Nobody is left to be told when standard error is gone.
+    let _ = writeln!(io::stderr(), "{kind}: {message}");
+}
+
+/// An I/O error in words, without the number of the operating system.
+pub fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    match text.find(" (os error ") {
+        Some(at) => text[..at].to_owned(),
+        None => text,
+    }
+}
+
+/// Prints what was found in a scene for people, on standard error, with a summary; nothing when
+/// nothing was found.
+pub fn report(loaded: &Loaded, color: ColorChoice) {
+    if loaded.diagnostics.is_empty() {
+        return;
+    }
+    let stderr = io::stderr();
+    let colour = color.on(&stderr);
+    let mut out = BufWriter::new(stderr.lock());
+    let mut tally = Tally::default();
+    tally.add(&loaded.diagnostics);
+    // As above: there is nobody to tell.
+    let _ = human::write(&mut out, &loaded.source, &loaded.diagnostics, colour)
+        .and_then(|()| writeln!(out, "{tally}"))
+        .and_then(|()| out.flush());
+}
+
+/// Writes to standard output, buffered. Output that nobody reads any more (a closed pipe) is no
+/// failure; an unwritable one is.
+pub fn print(status: Status, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Status {
+    let mut out = BufWriter::new(io::stdout().lock());
+    match write(&mut out).and_then(|()| out.flush()) {
+        Ok(()) => status,
+        Err(e) if e.kind() == io::ErrorKind::BrokenPipe => status,
+        Err(e) => {
+            complain(&format!("cannot write to standard output: {}", reason(&e)));
+            Status::Failure
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! The lines that findings point at, as a source for ariadne.
+//!
+//! Ariadne indexes a whole source and prints whole lines. Scenes have many megabytes, sometimes on
+//! one line. So it is given a stand-in that has as many lines as the file has up to the last line
+//! needed, of which only the lines needed have text: a window of it where a line is long.
+
+use ariadne::Source;
+
+use super::{is_disruptive, visible_char};
+use crate::diagnostics::{SourceFile, Span};
+
+/// Lines up to this many characters are shown whole.
+const WHOLE_LINE: usize = 200;
+/// Of a longer line, so many characters before and after the start of what matters.
+const BEFORE: usize = 60;
+const AFTER: usize = 140;
+/// What stands for the part of a line that is left out.
+const ELLIPSIS: char = '…';
+
+/// A stand-in for a file, in which only some lines have text.
+pub(super) struct Excerpt {
+    pub source: Source<String>,
+    lines: Vec<Line>,
+}
+
+/// A line with text.
+struct Line {
+    /// The number of the line, from 0.
+    number: usize,
+    /// The stretch of the file's text that is shown.
+    window: Span,
+    /// Where that stretch starts in the stand-in, in characters.
+    start: usize,
+}
+
+impl Excerpt {
+    /// An excerpt with the lines on which these spans start. Where several spans start on one long
+    /// line, the window is around the first.
+    pub fn new(file: &SourceFile, spans: impl Iterator<Item = Span>) -> Excerpt {
+        let mut starts: Vec<(usize, u32)> = spans
+            .map(|span| {
+                let at = file.floor(span.start);
+                (file.line_index(at), at)
+            })
+            .collect();
+        starts.sort_by_key(|&(number, _)| number);
+        starts.dedup_by_key(|&mut (number, _)| number);
+
+        let mut text = String::new();
+        let mut lines = Vec::with_capacity(starts.len());
+        let mut chars = 0;
+        let mut next = 0;
+        for (number, at) in starts {
+            let gap = number - next;
+            text.extend(std::iter::repeat_n('\n', gap));
+            chars += gap;
+            let window = window(file, number, at);
+            let whole = line(file, number);
+            if window.start > whole.start {
+                text.push(ELLIPSIS);
+                chars += 1;
+            }
+            let start = chars;
+            for c in file.slice(window).chars() {
+                text.push(if c == '\t' { c } else { visible_char(c) });
+                chars += 1;
+            }
+            if window.end < whole.end {
+                text.push(ELLIPSIS);
+                chars += 1;
+            }
+            // Ariadne drops spans that touch the end of a text without a line break.
+            text.push('\n');
+            chars += 1;
+            next = number + 1;
+            lines.push(Line {
+                number,
+                window,
+                start,
+            });
+        }
+        Excerpt {
+            source: Source::from(text),
+            lines,
+        }
+    }
+
+    /// Where a span lies in the stand-in, in characters: at least one, and cut at the end of what is
+    /// shown of the line it starts on. `None` when its start is not shown.
+    pub fn place(&self, file: &SourceFile, span: Span) -> Option<std::ops::Range<usize>> {
+        let from = file.floor(span.start);
+        let number = file.line_index(from);
+        let i = self
+            .lines
+            .binary_search_by_key(&number, |l| l.number)
+            .ok()?;
+        let line = &self.lines[i];
+        let Span { start, end } = line.window;
+        // The line break, and a byte order mark, count as the place beside them.
+        let from = from.clamp(start, end.max(start));
+        if span.start > end && self::line(file, number).end > end {
+            return None;
+        }
+        if span.start < start && self::line(file, number).start < start {
+            return None;
+        }
+        let to = file.floor(span.end).clamp(from, end);
+        let chars = |a: u32, b: u32| file.slice(Span::new(a, b)).chars().count();
+        let first = line.start + chars(start, from);
+        Some(first..first + chars(from, to).max(1))
+    }
+}
+
+/// A line without what surrounds its text: the line break, and a byte order mark.
+fn line(file: &SourceFile, number: usize) -> Span {
+    let Span { mut start, end } = file.line_span(number);
+    if number == 0 && file.text.starts_with('\u{feff}') {
+        start = (start + 3).min(end);
+    }
+    Span::new(start, end)
+}
+
+/// What is shown of a line, given what matters in it.
+fn window(file: &SourceFile, number: usize, at: u32) -> Span {
+    let whole = line(file, number);
+    if file.slice(whole).chars().nth(WHOLE_LINE).is_none() {
+        return whole;
+    }
+    let at = at.clamp(whole.start, whole.end);
+    let start = file
+        .slice(Span::new(whole.start, at))
+        .char_indices()
+        .rev()
+        .nth(BEFORE - 1)
+        .map_or(whole.start, |(i, _)| whole.start + i as u32);
+    let end = file
+        .slice(Span::new(at, whole.end))
+        .char_indices()
+        .nth(AFTER)
+        .map_or(whole.end, |(i, _)| at + i as u32);
+    Span::new(start, end)
+}
+
+/// The start of a file's line as one line of text, cut where it is long.
+pub(super) fn shorten(text: &str) -> String {
+    let mut out: String = text.chars().take(AFTER).map(visible_char).collect();
+    if text.chars().nth(AFTER).is_some() {
+        out.push(ELLIPSIS);
+    }
+    debug_assert!(!out.contains(is_disruptive));
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(excerpt: &Excerpt, place: std::ops::Range<usize>) -> String {
+        let text = excerpt.source.text();
+        text.chars().skip(place.start).take(place.len()).collect()
+    }
+
+    #[test]
+    fn only_the_lines_needed_have_text() {
+        let file = SourceFile::new("a", "\u{feff}2 9 ž\r\n3 9 1\r\n\r\n4 9 2".into());
+        let first = Span::new(7, 9);
+        let last = Span::new(file.text.len() as u32, file.text.len() as u32);
+        let excerpt = Excerpt::new(&file, [last, first].into_iter());
+        assert_eq!(excerpt.source.text(), "2 9 ž\n\n\n4 9 2\n");
+        let place = excerpt.place(&file, first).unwrap();
+        assert_eq!(shown(&excerpt, place), "ž");
+        assert!(excerpt.place(&file, last).is_some());
+        assert!(excerpt.place(&file, Span::new(13, 14)).is_none());
+    }
+
+    #[test]
+    fn a_long_line_is_cut_around_what_matters() {
+        let text = format!("{}x{}", "žž ".repeat(1_000), " 1".repeat(1_000));
+        let at = text.find('x').unwrap() as u32;
+        let file = SourceFile::new("a", text.into());
+        let span = Span::new(at, at + 1);
+        let excerpt = Excerpt::new(&file, std::iter::once(span));
+        assert_eq!(
+            excerpt.source.text().chars().count(),
+            BEFORE + AFTER + "……\n".chars().count()
+        );
+        let place = excerpt.place(&file, span).unwrap();
+        assert_eq!(shown(&excerpt, place), "x");
+        assert!(excerpt.place(&file, Span::new(0, 1)).is_none());
+        assert!(
+            excerpt
+                .place(&file, Span::new(at + 900, at + 901))
+                .is_none()
+        );
+    }
+}

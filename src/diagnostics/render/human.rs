@@ -1,0 +1,375 @@
+//! Findings for people: the lines in question with what is the matter, notes, help and fixes.
+
+use std::io::{self, Write};
+
+use ariadne::{Cache, CharSet, Color, Config, Fmt, IndexType, Label, Report, ReportKind, Source};
+
+use super::excerpt::{self, Excerpt};
+use super::visible;
+use crate::diagnostics::source::Locator;
+use crate::diagnostics::{Applicability, Diagnostic, Fix, Severity, SourceFile, Span};
+
+/// A second place so many lines away gets a section of its own: ariadne walks through all the lines
+/// of a section.
+const FAR: usize = 50;
+/// What a finding on a very long line costs is the number of lines before it. So much is spent on a
+/// file; the findings after that are shown without the line.
+const LINE_BUDGET: usize = 20_000_000;
+/// Marks a section's name in ariadne's output, where the place is put in afterwards: ariadne would
+/// count columns in the excerpt. It never occurs in what is printed.
+const MARK: char = '\u{1}';
+
+/// Writes a file's findings, in the order they are given.
+pub fn write(
+    out: &mut dyn Write,
+    file: &SourceFile,
+    diagnostics: &[Diagnostic],
+    colour: bool,
+) -> io::Result<()> {
+    let mut printer = Printer {
+        file,
+        path: visible(&file.path).into_owned(),
+        locator: Locator::new(file),
+        common: Excerpt::new(file, diagnostics.iter().flat_map(spans)),
+        budget: LINE_BUDGET,
+        colour,
+    };
+    for diagnostic in diagnostics {
+        printer.write(out, diagnostic)?;
+    }
+    Ok(())
+}
+
+/// The places a finding points at, the first one first.
+fn spans(d: &Diagnostic) -> impl Iterator<Item = Span> {
+    std::iter::once(d.span).chain(d.labels.iter().map(|l| l.span))
+}
+
+struct Printer<'a> {
+    file: &'a SourceFile,
+    path: String,
+    locator: Locator<'a>,
+    /// The lines of all the findings, long ones cut around the first finding on them.
+    common: Excerpt,
+    budget: usize,
+    colour: bool,
+}
+
+/// One place in a report.
+struct Mark<'a> {
+    span: Span,
+    message: &'a str,
+    primary: bool,
+    line: usize,
+    section: usize,
+}
+
+impl Printer<'_> {
+    fn write(&mut self, out: &mut dyn Write, d: &Diagnostic) -> io::Result<()> {
+        let head = format!("{}[{}]:", d.severity.as_str(), d.code.as_str());
+        let head = head.fg(self.paint(severity_colour(d.severity)));
+        writeln!(out, "{head} {}", visible(&d.message))?;
+
+        let marks = self.marks(d);
+        let common = spans(d).all(|span| self.common.place(self.file, span).is_some());
+        if common {
+            let report = self.report(d, &marks, &self.common)?;
+            self.put_places(out, &report, &marks)?;
+        } else {
+            let deepest = marks.iter().map(|m| m.line).max().unwrap_or(0);
+            match self.budget.checked_sub(deepest) {
+                Some(rest) => {
+                    self.budget = rest;
+                    let own = Excerpt::new(self.file, spans(d));
+                    let report = self.report(d, &marks, &own)?;
+                    self.put_places(out, &report, &marks)?;
+                }
+                None => self.write_without_lines(out, d)?,
+            }
+        }
+        writeln!(out)
+    }
+
+    /// The places of a finding by section and line, those of the first place's section first.
+    fn marks<'d>(&self, d: &'d Diagnostic) -> Vec<Mark<'d>> {
+        let line = |span: Span| self.file.line_index(self.file.floor(span.start));
+        let here = line(d.span);
+        let mut marks = vec![Mark {
+            span: d.span,
+            message: if d.label.is_empty() { "here" } else { &d.label },
+            primary: true,
+            line: here,
+            section: 0,
+        }];
+        for (i, label) in d.labels.iter().enumerate() {
+            let line = line(label.span);
+            marks.push(Mark {
+                span: label.span,
+                message: &label.message,
+                primary: false,
+                line,
+                section: if line.abs_diff(here) <= FAR { 0 } else { i + 1 },
+            });
+        }
+        marks.sort_by_key(|m| (m.section, m.line));
+        marks
+    }
+
+    /// The report without its first line, with [`MARK`]s for the places.
+    fn report(&self, d: &Diagnostic, marks: &[Mark], excerpt: &Excerpt) -> io::Result<String> {
+        // Character indices: ariadne has the excerpt's characters, and cannot cut one in two.
+        let config = Config::default()
+            .with_color(self.colour)
+            .with_index_type(IndexType::Char)
+            .with_char_set(CharSet::Unicode);
+        let place = |span| excerpt.place(self.file, span).unwrap_or(0..1);
+        let mut report = Report::build(ReportKind::Error, (0, place(d.span))).with_config(config);
+        for mark in marks {
+            let colour = if mark.primary {
+                severity_colour(d.severity)
+            } else {
+                Color::Cyan
+            };
+            report.add_label(
+                Label::new((mark.section, place(mark.span)))
+                    .with_message(visible(mark.message))
+                    .with_color(colour),
+            );
+        }
+        for note in &d.notes {
+            report.add_note(visible(note));
+        }
+        for help in helps(self.file, d) {
+            report.add_help(help);
+        }
+        let mut text = Vec::new();
+        report
+            .finish()
+            .write_for_stdout(Sections(&excerpt.source), &mut text)?;
+        let text = String::from_utf8_lossy(&text);
+        // Ariadne's own first line knows no notes and no style.
+        Ok(text
+            .lines()
+            .skip(1)
+            .flat_map(|line| [line.trim_end(), "\n"])
+            .collect())
+    }
+
+    /// Writes a report, with the real places for the marked ones.
+    fn put_places(&mut self, out: &mut dyn Write, report: &str, marks: &[Mark]) -> io::Result<()> {
+        let mut pieces = report.split(MARK);
+        write!(out, "{}", pieces.next().unwrap_or(""))?;
+        while let (Some(section), Some(rest)) = (pieces.next(), pieces.next()) {
+            let of_section = |m: &&Mark| m.section.to_string() == section;
+            let mark = marks
+                .iter()
+                .filter(of_section)
+                .max_by_key(|m| m.primary)
+                .or(marks.first());
+            let place = self.locator.position(mark.map_or(0, |m| m.span.start));
+            let rest =
+                rest.trim_start_matches(|c: char| c == ':' || c == '?' || c.is_ascii_digit());
+            write!(out, "{}:{}:{}{rest}", self.path, place.line, place.column)?;
+        }
+        Ok(())
+    }
+
+    fn write_without_lines(&mut self, out: &mut dyn Write, d: &Diagnostic) -> io::Result<()> {
+        let place = self.locator.position(d.span.start);
+        writeln!(out, "  {}:{}:{}", self.path, place.line, place.column)?;
+        for help in helps(self.file, d) {
+            writeln!(out, "  Help: {help}")?;
+        }
+        for note in &d.notes {
+            writeln!(out, "  Note: {}", visible(note))?;
+        }
+        Ok(())
+    }
+
+    fn paint(&self, colour: Color) -> Option<Color> {
+        self.colour.then_some(colour)
+    }
+}
+
+fn severity_colour(severity: Severity) -> Color {
+    match severity {
+        Severity::Error => Color::Red,
+        Severity::Warning => Color::Yellow,
+        Severity::Note => Color::Blue,
+        Severity::Style => Color::Magenta,
+    }
+}
+
+/// The help, and what the fixes propose.
+fn helps(file: &SourceFile, d: &Diagnostic) -> Vec<String> {
+    let mut helps: Vec<String> = d.help.iter().map(|h| visible(h).into_owned()).collect();
+    helps.extend(d.fixes.iter().map(|fix| proposal(file, fix)));
+    helps
+}
+
+/// A fix: its title, and the line as it would be.
+fn proposal(file: &SourceFile, fix: &Fix) -> String {
+    let sure = match fix.applicability {
+        Applicability::Safe => "",
+        Applicability::Unsafe => " (a guess)",
+    };
+    let title = format!("{}{sure}", visible(&fix.title));
+    let lines = fixed_lines(file, fix);
+    match lines.as_slice() {
+        [] => title,
+        lines => format!("{title}:\n{}", lines.join("\n")),
+    }
+}
+
+/// How many lines of a fix are shown, and how much a line may have to be shown.
+const FIX_LINES: usize = 8;
+const FIX_LINE: u32 = 200;
+
+/// The lines a fix touches as they would be after it; none when the fix is too wide to be shown.
+fn fixed_lines(file: &SourceFile, fix: &Fix) -> Vec<String> {
+    let (Some(first), Some(last)) = (fix.edits.first(), fix.edits.last()) else {
+        return Vec::new();
+    };
+    let start = file.line_index(file.floor(first.span.start));
+    let end = file.line_index(file.floor(last.span.end));
+    let lines = Span::new(file.line_span(start).start, file.line_span(end).end);
+    if end.saturating_sub(start) >= FIX_LINES || lines.end.saturating_sub(lines.start) > FIX_LINE {
+        return Vec::new();
+    }
+    let mut text = String::new();
+    let mut at = lines.start;
+    for edit in &fix.edits {
+        let (from, to) = (edit.span.start.max(at), edit.span.end);
+        text.push_str(file.slice(Span::new(at, from)));
+        text.push_str(&edit.text);
+        at = to.max(from);
+    }
+    text.push_str(file.slice(Span::new(at, lines.end.max(at))));
+    text.lines()
+        .take(FIX_LINES)
+        .map(|line| excerpt::shorten(line.trim_start_matches('\u{feff}')))
+        .collect()
+}
+
+/// All sections of a report are parts of one source; each is named by its number between marks.
+struct Sections<'a>(&'a Source<String>);
+
+impl Cache<usize> for Sections<'_> {
+    type Storage = String;
+
+    fn fetch(&mut self, _: &usize) -> Result<&Source<String>, impl std::fmt::Debug> {
+        Ok::<_, std::convert::Infallible>(self.0)
+    }
+
+    fn display<'a>(&self, section: &'a usize) -> Option<impl std::fmt::Display + 'a> {
+        Some(format!("{MARK}{section}{MARK}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostics::Code;
+
+    fn print(text: &str, diagnostics: &[Diagnostic]) -> String {
+        let file = SourceFile::new("a.zpg", text.into());
+        let mut out = Vec::new();
+        write(&mut out, &file, diagnostics, false).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn two_places_and_a_fix() {
+        let text = "7 9 1 # žluť #\n1 9999 77 0\n";
+        let at = text.find("77").unwrap() as u32;
+        let span = Span::new(at, at + 2);
+        let d = Diagnostic::new(Code::E101, span, "ID 77 is not defined")
+            .here("no record defines 77")
+            .label(Span::new(0, 1), "did you mean this one?")
+            .note("references are defined before they are used")
+            .fix(Fix::replace("use 7", Applicability::Unsafe, span, "7"));
+        insta::assert_snapshot!(print(text, &[d]), @r#"
+        error[E101]: ID 77 is not defined
+           ╭─[ a.zpg:2:8 ]
+           │
+         1 │ 7 9 1 # žluť #
+           │ ┬
+           │ ╰── did you mean this one?
+         2 │ 1 9999 77 0
+           │        ─┬
+           │         ╰── no record defines 77
+           │
+           │ Help: use 7 (a guess):
+           │       1 9999 7 0
+           │
+           │ Note: references are defined before they are used
+        ───╯
+        "#);
+    }
+
+    #[test]
+    fn far_places_get_sections_of_their_own() {
+        let text = format!("2 9 1\n{}2 9 1\n1 9999 2 0\n", "\n".repeat(2_000));
+        let d = Diagnostic::new(Code::E102, Span::new(2006, 2007), "ID 2 is defined already")
+            .here("defined again")
+            .label(Span::new(0, 1), "defined here");
+        insta::assert_snapshot!(print(&text, &[d]), @r#"
+        error[E102]: ID 2 is defined already
+              ╭─[ a.zpg:2002:1 ]
+              │
+         2002 │ 2 9 1
+              │ ┬
+              │ ╰── defined again
+              │
+              ├─[ a.zpg:1:1 ]
+              │
+            1 │ 2 9 1
+              │ ┬
+              │ ╰── defined here
+        ──────╯
+        "#);
+    }
+
+    #[test]
+    fn columns_on_long_lines_are_those_of_the_file() {
+        let text = format!("{}x", "2 9 1 ".repeat(100_000));
+        let at = text.len() as u32 - 1;
+        let d = Diagnostic::new(Code::E012, Span::new(at, at + 1), "a word");
+        let first = Diagnostic::new(Code::E012, Span::new(0, 1), "a number");
+        let printed = print(&text, &[first, d]);
+        assert!(printed.contains("a.zpg:1:600001 "), "{printed}");
+        assert!(printed.lines().all(|l| l.chars().count() < 250));
+    }
+
+    #[test]
+    fn any_span_can_be_printed() {
+        let text = "\u{feff}é\t\u{1}1\r\n\r\u{2028}ž # \u{202e} #\n\n2 9 1";
+        let n = text.len() as u32 + 2;
+        let all: Vec<Diagnostic> = (0..n)
+            .flat_map(|a| (0..n).map(move |b| (a, b)))
+            .map(|(a, b)| {
+                Diagnostic::new(Code::W302, Span::new(a, b), "m")
+                    .label(Span::new(b, a), "l")
+                    .fix(Fix::replace("f", Applicability::Safe, Span::new(a, b), "t"))
+            })
+            .collect();
+        let printed = print(text, &all);
+        assert!(!printed.contains(['\u{1}', '\u{202e}', '\r', '\u{feff}']));
+    }
+
+    #[test]
+    fn many_findings_in_a_big_file_are_quick() {
+        let text = "2 9 1\n".repeat(200_000) + &"3 9 x ".repeat(100_000);
+        let start = 6 * 200_000;
+        let all: Vec<Diagnostic> = (0..2_000u32)
+            .map(|i| {
+                let at = start + 6 * i * 50 + 4;
+                Diagnostic::new(Code::E012, Span::new(at, at + 1), "a word")
+                    .label(Span::new(i * 6, i * 6 + 1), "far away")
+            })
+            .collect();
+        let begin = std::time::Instant::now();
+        print(&text, &all);
+        assert!(begin.elapsed().as_secs() < 30);
+    }
+}

@@ -1,0 +1,99 @@
+//! Cameras and transformation records.
+
+use super::record::Params;
+use super::{Camera, Matrix, Vec3, geometry};
+use crate::diagnostics::{Code, Diagnostic};
+
+/// The camera of a -501 record.
+pub fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {
+    let sound = p.check_constraints(out);
+    let camera = Camera {
+        id: p.id,
+        position: p.numbers(0),
+        direction: p.numbers(3),
+        up: p.numbers(6),
+        fovy: p.number(9),
+        projection: None,
+    };
+    geometry::non_zero(p, 3, "view direction", out)?;
+    geometry::non_zero(p, 6, "up vector", out)?;
+    if parallel(camera.direction, camera.up) {
+        out.push(
+            Diagnostic::new(
+                Code::E207,
+                p.span_of(3, 6),
+                "the camera's view direction and up vector are parallel",
+            )
+            .here("they must span the vertical plane of the picture"),
+        );
+        return None;
+    }
+    sound.then_some(camera)
+}
+
+/// The camera that a projection matrix with a new ID defines: at the origin, looking along −z.
+pub fn projecting(id: u32, projection: Matrix) -> Camera {
+    Camera {
+        id,
+        position: [0.0; 3],
+        direction: [0.0, 0.0, -1.0],
+        up: [0.0, 1.0, 0.0],
+        fovy: 45.0,
+        projection: Some(projection),
+    }
+}
+
+/// A camera moved by an affine matrix; `None` where it would be no camera any more.
+pub fn moved(camera: &Camera, m: &Matrix) -> Option<Camera> {
+    let camera = Camera {
+        position: m.point(camera.position),
+        direction: m.vector(camera.direction),
+        up: m.vector(camera.up),
+        ..*camera
+    };
+    let finite = [camera.position, camera.direction, camera.up]
+        .iter()
+        .flatten()
+        .all(|x| x.is_finite());
+    (finite && !parallel(camera.direction, camera.up)).then_some(camera)
+}
+
+/// Whether two vectors are parallel as far as double precision can tell: the sine of their angle is
+/// within the rounding error of a normalised cross product.
+fn parallel(a: Vec3, b: Vec3) -> bool {
+    /// Each component of the cross product of unit vectors is off by at most 4 roundings.
+    const SINE: f64 = 4.0 * f64::EPSILON;
+    let (Some(a), Some(b)) = (unit(a), unit(b)) else {
+        return true;
+    };
+    let cross: Vec3 = std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    });
+    cross.iter().all(|x| x.abs() <= SINE)
+}
+
+/// Scaled by the largest component first, so that nothing overflows.
+fn unit(v: Vec3) -> Option<Vec3> {
+    let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    if largest == 0.0 || !largest.is_finite() {
+        return None;
+    }
+    let v = v.map(|x| x / largest);
+    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    Some(v.map(|x| x / length))
+}
+
+/// The matrix of a -1 … -4 record.
+pub fn transformation(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+    if !p.check_constraints(out) {
+        return None;
+    }
+    let [x, y, z] = p.numbers(0);
+    match p.ty.code {
+        -1 => Some(Matrix::translation(x, y, z)),
+        -2 => Some(Matrix::rotation(x, p.integer(1) as usize - 1)),
+        -3 => Some(Matrix::scaling(x, y, z)),
+        _ => geometry::affine(p, out),
+    }
+}

@@ -1,0 +1,201 @@
+//! Shape records as geometry, with the checks that concern several parameters at once.
+
+use super::record::Params;
+use super::{Geometry, Matrix, TriangleNormals};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+
+/// The geometry of a shape record; findings go to `out`. A value comes back even so, where one can
+/// be made.
+pub fn shape(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Geometry> {
+    let sound = p.check_constraints(out);
+    let geometry = match p.ty.code {
+        1 | 2 => {
+            let points = |first: usize, i: usize, n: usize| first + i * n;
+            Geometry::Revolution {
+                profile: (0..p.count).map(|i| p.numbers(points(1, i, 2))).collect(),
+                colours: match p.ty.code {
+                    2 => (0..p.count)
+                        .map(|i| p.numbers(points(1 + 2 * p.count, i, 3)))
+                        .collect(),
+                    _ => Vec::new(),
+                },
+            }
+        }
+        3 | 4 => {
+            non_zero(p, 0, "normal", out)?;
+            match p.ty.code {
+                3 => Geometry::Plane(p.numbers(0)),
+                _ => Geometry::HalfSpace(p.numbers(0)),
+            }
+        }
+        5 => {
+            ordered(p, 0, 2, out)?;
+            Geometry::Rectangle {
+                min: p.numbers(0),
+                max: p.numbers(2),
+            }
+        }
+        6..=8 => {
+            let vertices = [p.numbers(0), p.numbers(3), p.numbers(6)];
+            for i in 0..(p.len() - 9) / 3 {
+                non_zero(p, 9 + 3 * i, "normal", out)?;
+            }
+            let normals = match p.ty.code {
+                6 => TriangleNormals::Flat,
+                7 => TriangleNormals::One(p.numbers(9)),
+                _ => TriangleNormals::PerVertex([p.numbers(9), p.numbers(12), p.numbers(15)]),
+            };
+            Geometry::Triangle { vertices, normals }
+        }
+        9 => Geometry::Sphere {
+            centre: [0.0; 3],
+            radius: p.number(0),
+        },
+        10 => Geometry::Ellipsoid {
+            semi_axes: p.numbers(0),
+        },
+        11 => Geometry::Sphere {
+            centre: p.numbers(0),
+            radius: p.number(3),
+        },
+        12 => {
+            ordered(p, 0, 3, out)?;
+            Geometry::Box {
+                min: p.numbers(0),
+                max: p.numbers(3),
+            }
+        }
+        13 => Geometry::GeodesicSphere {
+            radius: p.number(0),
+            splits: p.integer(1) as u32,
+        },
+        14 => Geometry::Torus {
+            major: p.number(0),
+            minor: p.number(1),
+        },
+        15 => Geometry::Quadric(p.numbers(0)),
+        16 => Geometry::Cone {
+            height: p.number(0),
+            radius: p.number(1),
+        },
+        17 => Geometry::DoubleCone {
+            height: p.number(0),
+            radius: p.number(1),
+        },
+        18 => Geometry::ParabolicCylinder { a: or_one(p, 0) },
+        19 => Geometry::HyperbolicCylinder {
+            a: or_one(p, 0),
+            b: or_one(p, 1),
+        },
+        20 => Geometry::Hyperboloid {
+            a: or_one(p, 0),
+            b: or_one(p, 1),
+            c: or_one(p, 2),
+            sheets: or_one(p, 3) as u32,
+        },
+        21 => Geometry::HyperbolicParaboloid {
+            a: or_one(p, 0),
+            b: or_one(p, 1),
+        },
+        _ => return None,
+    };
+    sound.then_some(geometry)
+}
+
+/// An optional parameter whose default is 1.
+fn or_one(p: &Params, i: usize) -> f64 {
+    if i < p.len() { p.number(i) } else { 1.0 }
+}
+
+/// E203 unless the three parameters from `first` on make a vector with a direction.
+pub fn non_zero(p: &Params, first: usize, what: &str, out: &mut Vec<Diagnostic>) -> Option<()> {
+    if p.numbers::<3>(first).iter().any(|&x| x != 0.0) {
+        return Some(());
+    }
+    out.push(
+        Diagnostic::new(
+            Code::E203,
+            p.span_of(first, 3),
+            format!("the {what} of the {} is the zero vector", p.ty.title),
+        )
+        .here("it has no direction"),
+    );
+    None
+}
+
+/// E202 unless each of `n` lower bounds from `first` on is below its upper bound, `n` further on.
+pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) -> Option<()> {
+    let inverted: Vec<usize> = (first..first + n)
+        .filter(|&i| p.number(i) > p.number(i + n))
+        .collect();
+    if inverted.is_empty() {
+        return Some(());
+    }
+    let name = |i: usize| p.param(i).map_or("", |q| q.name);
+    let mut edits: Vec<Edit> = (inverted.iter())
+        .flat_map(|&i| [(i, i + n), (i + n, i)])
+        .map(|(to, from)| Edit {
+            span: p.span_of(to, 1),
+            text: p.text_of(from).to_owned(),
+        })
+        .collect();
+    edits.sort_by_key(|e| e.span);
+    let at = inverted[0];
+    let others = match inverted.len() {
+        1 => String::new(),
+        more => format!(", and {} more", more - 1),
+    };
+    out.push(
+        Diagnostic::new(
+            Code::E202,
+            p.span_of(at, 1),
+            format!(
+                "{} of the {} is greater than {}{others}",
+                name(at),
+                p.ty.title,
+                name(at + n)
+            ),
+        )
+        .here("the lower bound")
+        .label(p.span_of(at + n, 1), "the upper bound")
+        .fix(Fix {
+            title: "swap them".to_owned(),
+            applicability: Applicability::Safe,
+            edits,
+        }),
+    );
+    None
+}
+
+/// E204 unless the matrix is affine (last row 0 0 0 1) and can be inverted.
+pub fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+    let m = Matrix::from_rows(&p.numbers(0));
+    if m.0[3] != [0.0, 0.0, 0.0, 1.0] {
+        out.push(
+            Diagnostic::new(
+                Code::E204,
+                p.span_of(12, 4),
+                "the last row of a rotation matrix must be 0 0 0 1",
+            )
+            .here("this row"),
+        );
+        return None;
+    }
+    invertible(p, m, out)
+}
+
+/// E204 unless the matrix can be inverted.
+pub fn invertible(p: &Params, m: Matrix, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+    if m.inverse().is_some() {
+        return Some(m);
+    }
+    out.push(
+        Diagnostic::new(
+            Code::E204,
+            p.span_of(0, 16),
+            format!("this {} is singular: it has no inverse", p.ty.title),
+        )
+        .here("it maps space onto something flat"),
+    );
+    None
+}

@@ -1,0 +1,122 @@
+//! One record's parameters: their tokens, their values, and what the table says about each.
+
+use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::syntax::lexer::Token;
+use crate::syntax::table::{Constraint, Param, ParamKind, RecordType};
+use crate::syntax::{Document, Record};
+
+/// A record with its parameter tokens at hand.
+pub struct Params<'a> {
+    pub text: &'a str,
+    pub ty: &'static RecordType,
+    pub id: u32,
+    pub id_span: Span,
+    /// From the ID to the last parameter.
+    pub span: Span,
+    pub tokens: Vec<Token>,
+    pub count: usize,
+}
+
+impl<'a> Params<'a> {
+    pub fn new(document: &Document, text: &'a str, record: &Record) -> Params<'a> {
+        let mut tokens: Vec<Token> = Vec::with_capacity(record.params as usize + 2);
+        tokens.extend(document.significant(record.first, record.last));
+        tokens.drain(..2);
+        Params {
+            text,
+            ty: record.ty,
+            id: record.id,
+            id_span: document.id_token(record).span(),
+            span: document.span(record.first, record.last),
+            tokens,
+            count: record.count as usize,
+        }
+    }
+
+    pub fn len(&self) -> usize {
+        self.tokens.len()
+    }
+
+    pub fn number(&self, i: usize) -> f64 {
+        self.tokens
+            .get(i)
+            .and_then(|t| t.number(self.text))
+            .unwrap_or(0.0)
+    }
+
+    pub fn numbers<const N: usize>(&self, first: usize) -> [f64; N] {
+        std::array::from_fn(|i| self.number(first + i))
+    }
+
+    pub fn integer(&self, i: usize) -> i64 {
+        self.tokens
+            .get(i)
+            .and_then(|t| t.integer(self.text))
+            .unwrap_or(0)
+    }
+
+    pub fn text_of(&self, i: usize) -> &'a str {
+        self.tokens.get(i).map_or("", |t| t.text(self.text))
+    }
+
+    /// The span of parameters `first..first + n`.
+    pub fn span_of(&self, first: usize, n: usize) -> Span {
+        match (self.tokens.get(first), self.tokens.get(first + n - 1)) {
+            (Some(a), Some(b)) => a.span().to(b.span()),
+            _ => self.span,
+        }
+    }
+
+    pub fn param(&self, i: usize) -> Option<&'static Param> {
+        self.ty.param(i, self.count)
+    }
+
+    /// Checks each value against the table; `true` if all are right.
+    pub fn check_constraints(&self, out: &mut Vec<Diagnostic>) -> bool {
+        let before = out.len();
+        for i in 0..self.len() {
+            if let Some(p) = self.param(i)
+                && !matches!(p.kind, ParamKind::FileName | ParamKind::Reference { .. })
+                && let Some(d) = self.violation(i, p)
+            {
+                out.push(d);
+            }
+        }
+        out.len() == before
+    }
+
+    fn violation(&self, i: usize, p: &Param) -> Option<Diagnostic> {
+        let x = self.number(i);
+        let shown = self.text_of(i);
+        let (holds, code, rule) = match p.constraint {
+            Constraint::Any => return None,
+            Constraint::Positive => (x > 0.0, Code::E201, "must be positive".to_owned()),
+            Constraint::ProfileRadius => (x >= 0.0, Code::E208, "cannot be negative".to_owned()),
+            Constraint::NonZeroScale => (x != 0.0, Code::E204, "cannot be zero".to_owned()),
+            Constraint::Between(a, b) => (
+                a < x && x < b,
+                Code::E206,
+                format!("must lie between {a} and {b}, ends excluded"),
+            ),
+            Constraint::Within(a, b) => (
+                a <= x && x <= b,
+                Code::E206,
+                format!("must lie between {a} and {b}"),
+            ),
+            Constraint::AtLeast(a) => (x >= a, Code::E206, format!("must be at least {a}")),
+            Constraint::Axis => (
+                (1.0..=3.0).contains(&x),
+                Code::E205,
+                "must be 1 for x, 2 for y or 3 for z".to_owned(),
+            ),
+        };
+        (!holds).then(|| {
+            Diagnostic::new(
+                code,
+                self.span_of(i, 1),
+                format!("{} of the {} {rule}", p.doc, self.ty.title),
+            )
+            .here(format!("`{}` is {}", p.name, crate::syntax::quote(shown)))
+        })
+    }
+}

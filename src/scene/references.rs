@@ -1,0 +1,357 @@
+//! References from record to record: following them, and what to say where they lead nowhere.
+
+use std::collections::HashMap;
+
+use super::entity::State;
+use super::record::Params;
+use super::resolve::Resolver;
+use super::{Kind, NodeId, Rgb};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
+use crate::syntax::table::{Effect, ParamKind, RecordType};
+use crate::syntax::{Document, Item};
+
+/// How many defined IDs are compared, in all, to find the ones that may have been meant: proposals
+/// for the first few thousand errors of a large file, none for a million of them.
+const COMPARISONS_MAX: usize = 20_000_000;
+
+/// How many records without an ID are tried for one undefined ID.
+const LOST_MAX: usize = 64;
+
+/// A record that lost its ID.
+pub struct Lost {
+    pub ty: Option<&'static RecordType>,
+    /// Its first token, where the parser's finding points.
+    pub span: Span,
+}
+
+/// An ID that is used and defined nowhere.
+struct Dangling {
+    id: u32,
+    kinds: &'static [Kind],
+    finding: Diagnostic,
+}
+
+pub struct References {
+    /// For each ID, the index of the entity it defines.
+    entity: HashMap<u32, usize>,
+    /// For each ID, where it is first defined, to tell "later" from "nowhere".
+    definition: HashMap<u32, Span>,
+    pub lost: Vec<Lost>,
+    dangling: Vec<Dangling>,
+    comparisons: usize,
+}
+
+impl References {
+    pub fn new(document: &Document) -> References {
+        let mut definition = HashMap::with_capacity(document.items.len());
+        for item in &document.items {
+            let (id, first) = match item {
+                Item::Record(r) if !matches!(r.ty.effect, Effect::Changes(_)) => {
+                    (Some(r.id), r.first)
+                }
+                Item::Broken(b) => (b.id, b.first),
+                _ => continue,
+            };
+            if let Some(id) = id {
+                let span = document.tokens[first as usize].span();
+                definition.entry(id).or_insert(span);
+            }
+        }
+        References {
+            entity: HashMap::with_capacity(definition.len()),
+            definition,
+            lost: Vec::new(),
+            dangling: Vec::new(),
+            comparisons: 0,
+        }
+    }
+
+    pub fn defined(&mut self, id: u32, entity: usize) {
+        self.entity.insert(id, entity);
+    }
+
+    pub fn entity(&self, id: u32) -> Option<usize> {
+        self.entity.get(&id).copied()
+    }
+
+    /// At the end: each record that lost its ID accounts for one undefined ID; what is left is E101.
+    pub fn settle(resolver: &mut Resolver, diagnostics: &mut [Diagnostic]) {
+        let mut lost = std::mem::take(&mut resolver.references.lost);
+        let mut found: HashMap<u32, bool> = HashMap::new();
+        for d in std::mem::take(&mut resolver.references.dangling) {
+            let is_found = *found.entry(d.id).or_insert_with(|| {
+                let defines = |l: &Lost| match l.ty.map(|t| t.effect) {
+                    Some(Effect::Defines(k) | Effect::DefinesOrChanges(k, _)) => {
+                        d.kinds.contains(&k)
+                    }
+                    Some(Effect::Changes(_)) => false,
+                    None => true,
+                };
+                let Some(at) = lost.iter().take(LOST_MAX).position(defines) else {
+                    return false;
+                };
+                let record = lost.remove(at);
+                if let Some(f) = finding_at(diagnostics, record.span) {
+                    f.labels.push(crate::diagnostics::Label {
+                        span: d.finding.span,
+                        message: format!("{} is used here and defined nowhere", d.id),
+                    });
+                    f.notes
+                        .push(format!("it may be the record that should define {}", d.id));
+                    if f.code == Code::E005 && f.fixes.is_empty() {
+                        f.fixes.push(Fix::replace(
+                            format!("put `{}` in front", d.id),
+                            Applicability::Unsafe,
+                            Span::new(record.span.start, record.span.start),
+                            format!("{} ", d.id),
+                        ));
+                    }
+                }
+                true
+            });
+            if !is_found {
+                resolver.out.push(d.finding);
+            }
+        }
+    }
+}
+
+impl Resolver<'_> {
+    /// Follows the reference at parameter `i`. `None`: it leads nowhere, and that was said (or need
+    /// not be). `Some(None)`: it is 0, "none". With `late`, the end of the file counts.
+    pub fn reference(&mut self, p: &Params, i: usize, late: bool) -> Option<Option<u32>> {
+        let ParamKind::Reference { kinds, or_none } = p.param(i)?.kind else {
+            return None;
+        };
+        let value = p.integer(i);
+        if value == 0 && or_none {
+            return Some(None);
+        }
+        let span = p.span_of(i, 1);
+        let what = p.param(i)?.doc;
+        let Ok(id) = u32::try_from(value) else {
+            self.out.push(no_id(span, value));
+            return None;
+        };
+        if id == 0 {
+            self.out.push(no_id(span, value));
+            return None;
+        }
+        let finding = match self.entities.get(&id) {
+            Some(state) => match state.kind() {
+                None => return None,
+                Some(kind) if kinds.contains(&kind) => {
+                    return (!matches!(state, State::Broken(_))).then_some(Some(id));
+                }
+                Some(Kind::Undefined) => Diagnostic::new(
+                    Code::E108,
+                    span,
+                    format!("{id} is declared, but not defined yet"),
+                )
+                .here(format!("{what} must be defined before it is used")),
+                Some(kind) => wrong_kind(span, id, kind, what, kinds),
+            },
+            None if id == p.id => Diagnostic::new(
+                Code::E104,
+                span,
+                format!("{id} is used in its own definition"),
+            )
+            .here(format!("{what} must be something else")),
+            None if id == 1 => wrong_kind(span, id, Kind::Render, what, kinds),
+            None => {
+                self.undefined(id, span, kinds, late, p.id);
+                return None;
+            }
+        };
+        let finding = match self.entity_span(id) {
+            Some(at) => finding.label(at, format!("{id} is defined here")),
+            None => finding,
+        };
+        let finding = self.with_proposal(finding, id, span, kinds, p.id);
+        self.out.push(finding);
+        None
+    }
+
+    fn entity_span(&self, id: u32) -> Option<Span> {
+        let i = self.references.entity(id)?;
+        Some(self.scene.entities[i].span)
+    }
+
+    /// E107 or E101.
+    fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, own: u32) {
+        if let (false, Some(&at)) = (late, self.references.definition.get(&id)) {
+            self.out.push(
+                Diagnostic::new(
+                    Code::E107,
+                    span,
+                    format!("{id} is used before it is defined"),
+                )
+                .here("not defined yet")
+                .label(at, "defined here")
+                .help("move the definition up: a scene is read from top to bottom"),
+            );
+            return;
+        }
+        let finding = Diagnostic::new(Code::E101, span, format!("{id} is not defined"))
+            .here("nothing in this file has this ID");
+        let finding = self.with_proposal(finding, id, span, kinds, own);
+        self.references
+            .dangling
+            .push(Dangling { id, kinds, finding });
+    }
+
+    /// The state of the entity that a record changes, if it may.
+    pub fn changed(&mut self, p: &Params, kinds: &'static [Kind]) -> Option<State> {
+        let Some(state) = self.entities.get(&p.id) else {
+            self.undefined(p.id, p.id_span, kinds, false, 0);
+            return None;
+        };
+        let finding = match state.kind() {
+            None => return Some(State::Broken(None)),
+            Some(kind) if kinds.contains(&kind) => return Some(state.clone()),
+            Some(Kind::Undefined) => Diagnostic::new(
+                Code::E108,
+                p.id_span,
+                format!("{} is declared, but not defined yet", p.id),
+            )
+            .here(format!("a {} needs something to change", p.ty.title)),
+            Some(kind) => Diagnostic::new(
+                Code::E103,
+                p.id_span,
+                format!(
+                    "{} is {}; a {} does not apply to it",
+                    p.id,
+                    kind.with_article(),
+                    p.ty.title
+                ),
+            )
+            .here(format!("{} was expected", one_of(kinds))),
+        };
+        let finding = match self.entity_span(p.id) {
+            Some(at) => finding.label(at, format!("{} is defined here", p.id)),
+            None => finding,
+        };
+        self.out.push(finding);
+        None
+    }
+
+    pub fn object(&mut self, p: &Params, i: usize) -> Option<NodeId> {
+        let id = self.reference(p, i, false)??;
+        match self.entities.get(&id)? {
+            State::Object(node) => Some(*node),
+            _ => None,
+        }
+    }
+
+    pub fn colour(&mut self, p: &Params, i: usize) -> Option<Rgb> {
+        let id = self.reference(p, i, false)??;
+        match self.entities.get(&id)? {
+            State::Colour(c) => Some(*c),
+            _ => None,
+        }
+    }
+
+    /// Adds the defined ID of the right kind that is nearest in spelling, if one is near.
+    fn with_proposal(
+        &mut self,
+        finding: Diagnostic,
+        id: u32,
+        span: Span,
+        kinds: &[Kind],
+        own: u32,
+    ) -> Diagnostic {
+        let budget = COMPARISONS_MAX.saturating_sub(self.references.comparisons);
+        let written = id.to_string();
+        // An ID of one digit is near every other of one digit: of several, the nearest number.
+        let nearest = (self.scene.entities.iter().take(budget))
+            .filter(|e| e.id != id && e.id != own)
+            .filter(|e| e.kind.is_some_and(|k| kinds.contains(&k)))
+            .map(|e| {
+                (
+                    edit_distance(&written, &e.id.to_string()),
+                    e.id.abs_diff(id),
+                    e.id,
+                )
+            })
+            .min();
+        self.references.comparisons += self.scene.entities.len();
+        match nearest {
+            Some((distance, _, near)) if distance <= 1 + written.len() / 4 => {
+                finding.fix(Fix::replace(
+                    format!("write `{near}`"),
+                    Applicability::Unsafe,
+                    span,
+                    near.to_string(),
+                ))
+            }
+            _ => finding,
+        }
+    }
+}
+
+/// The parser's finding at a place; `diagnostics` are sorted.
+pub fn finding_at(diagnostics: &mut [Diagnostic], span: Span) -> Option<&mut Diagnostic> {
+    let at = diagnostics.partition_point(|d| d.span.start < span.start);
+    diagnostics[at..]
+        .iter_mut()
+        .take_while(|d| d.span.start == span.start)
+        .find(|d| d.span == span)
+}
+
+fn no_id(span: Span, value: i64) -> Diagnostic {
+    Diagnostic::new(Code::E101, span, format!("{value} is no ID"))
+        .here("the ID of something was expected")
+}
+
+fn wrong_kind(span: Span, id: u32, kind: Kind, what: &str, kinds: &[Kind]) -> Diagnostic {
+    Diagnostic::new(Code::E103, span, format!("{id} is {}", kind.with_article()))
+        .here(format!("{what} must be {}", one_of(kinds)))
+}
+
+/// "an object, a point light or a camera".
+fn one_of(kinds: &[Kind]) -> String {
+    let names: Vec<_> = kinds.iter().map(|k| k.with_article()).collect();
+    match names.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// The number of insertions, deletions, replacements and swaps of neighbours between two short
+/// texts (optimal string alignment).
+fn edit_distance(a: &str, b: &str) -> usize {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let mut rows = [[0usize; 12]; 12];
+    let (n, m) = (a.len().min(11), b.len().min(11));
+    for i in 0..=n {
+        for j in 0..=m {
+            rows[i][j] = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let same = usize::from(a[i - 1] != b[j - 1]);
+                let mut best = (rows[i - 1][j] + 1)
+                    .min(rows[i][j - 1] + 1)
+                    .min(rows[i - 1][j - 1] + same);
+                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    best = best.min(rows[i - 2][j - 2] + 1);
+                }
+                best
+            };
+        }
+    }
+    rows[n][m]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::edit_distance;
+
+    #[test]
+    fn distances() {
+        assert_eq!(edit_distance("55", "15"), 1);
+        assert_eq!(edit_distance("55", "14"), 2);
+        assert_eq!(edit_distance("12", "21"), 1);
+        assert_eq!(edit_distance("", "2147483647"), 10);
+    }
+}

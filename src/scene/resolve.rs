@@ -1,0 +1,639 @@
+//! The pass over a tree, in file order, that gives every ID its meaning.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use super::entity::{OpticsParts, State};
+use super::record::Params;
+use super::references::{Lost, References};
+use super::*;
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile};
+use crate::syntax::ast::{Broken, Fault};
+use crate::syntax::table::Effect;
+use crate::syntax::{Document, Item, Record};
+
+/// Reads a tree as a program of assignments. `diagnostics` holds the parser's findings; the
+/// resolver's are added, and those of broken records are completed with what only it can know.
+///
+/// The scene holds whatever could be read; it is whole only if there are no errors.
+pub fn resolve(
+    document: &Document,
+    source: &SourceFile,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Scene {
+    let text = source.text.as_str();
+    let mut resolver = Resolver {
+        document,
+        text,
+        folder: source.folder(),
+        scene: Scene::default(),
+        entities: HashMap::with_capacity(document.items.len()),
+        references: References::new(document),
+        render: None,
+        has_render: false,
+        selection: None,
+        late: Vec::new(),
+        out: Vec::new(),
+    };
+    for item in &document.items {
+        match item {
+            Item::Void { .. } => {}
+            Item::Record(record) => resolver.record(record),
+            Item::Broken(broken) => resolver.broken(broken, diagnostics),
+        }
+    }
+    let scene = resolver.finish(diagnostics);
+    crate::diagnostics::sort(diagnostics);
+    scene
+}
+
+pub(super) struct Resolver<'a> {
+    pub(super) document: &'a Document,
+    pub(super) text: &'a str,
+    folder: Option<&'a Path>,
+    pub(super) scene: Scene,
+    pub(super) entities: HashMap<u32, State>,
+    pub(super) references: References,
+    /// The render record, once its references can be followed.
+    render: Option<Record>,
+    has_render: bool,
+    /// The last camera selection.
+    selection: Option<Record>,
+    /// Records whose references name entities as these stand at the end of the file.
+    late: Vec<Record>,
+    pub(super) out: Vec<Diagnostic>,
+}
+
+impl<'a> Resolver<'a> {
+    fn record(&mut self, record: &Record) {
+        let p = Params::new(self.document, self.text, record);
+        if !self.reserved_id(&p) {
+            return;
+        }
+        let exists = self.exists(p.id);
+        match record.ty.effect {
+            Effect::Defines(kind) => {
+                if self.duplicate(&p) {
+                    return;
+                }
+                let state = match kind {
+                    Kind::Undefined => Some(State::Undefined),
+                    Kind::Render | Kind::Selection => self.view_record(record, &p),
+                    _ => self.definition(&p),
+                };
+                // What could not be read still counts as defined.
+                self.define(&p, state.unwrap_or(State::Broken(Some(kind))));
+            }
+            Effect::Changes(kinds) => self.change(&p, kinds),
+            Effect::DefinesOrChanges(_, kinds) if exists => self.change(&p, kinds),
+            Effect::DefinesOrChanges(kind, _) => {
+                let state = self.new_property(&p);
+                self.define(&p, state.unwrap_or(State::Broken(Some(kind))));
+            }
+        }
+    }
+
+    /// Whether the ID stands for something other than a placeholder.
+    fn exists(&self, id: u32) -> bool {
+        !matches!(self.entities.get(&id), None | Some(State::Undefined))
+    }
+
+    fn define(&mut self, p: &Params, state: State) {
+        let entity = Entity {
+            id: p.id,
+            kind: state.kind(),
+            node: None,
+            span: p.id_span,
+        };
+        self.references.defined(p.id, self.scene.entities.len());
+        self.scene.entities.push(entity);
+        self.entities.insert(p.id, state);
+    }
+
+    /// E105: ID 1 is for the render record and the render record for ID 1.
+    fn reserved_id(&mut self, p: &Params) -> bool {
+        let is_render = p.ty.code == 9999;
+        if (p.id == 1) == is_render {
+            return true;
+        }
+        let d = if is_render {
+            self.has_render = true;
+            Diagnostic::new(
+                Code::E105,
+                p.id_span,
+                "the render record must have the ID 1",
+            )
+            .here("this ID")
+            .fix(Fix::replace(
+                "write `1`",
+                Applicability::Safe,
+                p.id_span,
+                "1",
+            ))
+        } else {
+            Diagnostic::new(
+                Code::E105,
+                p.id_span,
+                format!(
+                    "the ID 1 is reserved for the render record, not for a {}",
+                    p.ty.title
+                ),
+            )
+            .here("this ID")
+            .help("use another ID")
+        };
+        self.out.push(d);
+        false
+    }
+
+    /// E102: a second definition.
+    fn duplicate(&mut self, p: &Params) -> bool {
+        let Some(state) = self.entities.get(&p.id) else {
+            return false;
+        };
+        if matches!(state, State::Undefined) && p.ty.code != 0 {
+            return false;
+        }
+        let mut d = Diagnostic::new(
+            Code::E102,
+            p.id_span,
+            format!("the ID {} is defined already", p.id),
+        )
+        .here(format!("this {} would be a second definition", p.ty.title))
+        .help("give it an ID of its own");
+        if let Some(e) = self.references.entity(p.id).map(|i| self.scene.entities[i]) {
+            d = d.label(e.span, "defined here first");
+        }
+        self.out.push(d);
+        true
+    }
+
+    /// The render record and the camera selections wait for the end of the file.
+    fn view_record(&mut self, record: &Record, p: &Params) -> Option<State> {
+        self.late.push(*record);
+        if p.ty.code == 9999 {
+            self.has_render = true;
+            self.render = Some(*record);
+            Some(State::Render)
+        } else {
+            self.selection = Some(*record);
+            Some(State::Selection)
+        }
+    }
+
+    fn broken(&mut self, broken: &Broken, diagnostics: &mut [Diagnostic]) {
+        self.has_render |= broken.ty.is_some_and(|t| t.code == 9999) || broken.id == Some(1);
+        if broken.fault == Fault::UnknownType {
+            self.propose_type(broken, diagnostics);
+        }
+        if broken.fault == Fault::LostId {
+            let tokens = self.document.tokens[broken.first as usize].span();
+            self.references.lost.push(Lost {
+                ty: broken.ty,
+                span: tokens,
+            });
+        }
+        let Some(id) = broken.id else { return };
+        if self.exists(id) {
+            return;
+        }
+        let kind = broken.ty.and_then(|t| match t.effect {
+            Effect::Defines(kind) | Effect::DefinesOrChanges(kind, _) => Some(kind),
+            Effect::Changes(_) => None,
+        });
+        self.references.defined(id, self.scene.entities.len());
+        self.scene.entities.push(Entity {
+            id,
+            kind,
+            node: None,
+            span: self.document.tokens[broken.first as usize].span(),
+        });
+        self.entities.insert(id, State::Broken(kind));
+    }
+
+    fn finish(mut self, diagnostics: &mut Vec<Diagnostic>) -> Scene {
+        for record in std::mem::take(&mut self.late) {
+            self.late_record(&record);
+        }
+        if !self.has_render {
+            let end = self.text.trim_end().len() as u32;
+            self.out.push(
+                Diagnostic::new(Code::E106, Span::new(end, end), "there is no render record")
+                    .here("nothing says what is to be drawn")
+                    .severity(Severity::Warning)
+                    .help("add `1 9999 OBJECT BACKGROUND` with the ID of an object and of a colour (or 0)"),
+            );
+        }
+        References::settle(&mut self, diagnostics);
+        for i in 0..self.scene.entities.len() {
+            let entity = self.scene.entities[i];
+            if let Some(state) = self.entities.remove(&entity.id) {
+                self.store(i, state);
+            }
+        }
+        if matches!(self.scene.view, View::Automatic) && !self.scene.cameras.is_empty() {
+            self.scene.view = View::Mono(self.scene.cameras.len() - 1);
+        }
+        diagnostics.append(&mut self.out);
+        self.scene
+    }
+
+    /// Checks and keeps a record whose references name the end of the file.
+    fn late_record(&mut self, record: &Record) {
+        let p = Params::new(self.document, self.text, record);
+        let targets: Vec<Option<u32>> = (0..record.ty.params.len())
+            .map(|i| self.reference(&p, i, true).flatten())
+            .collect();
+        if p.ty.code == 9999 {
+            let clip = match p.len() > 2 {
+                true => geometry::ordered(&p, 2, 3, &mut self.out)
+                    .map(|()| (p.numbers(2), p.numbers(5))),
+                false => None,
+            };
+            let background = targets[1].and_then(|id| self.entities.get(&id));
+            if let Some(root_id) = targets[0]
+                && let Some(State::Object(root)) = self.entities.get(&root_id)
+            {
+                self.scene.render = Some(Render {
+                    root: *root,
+                    root_id,
+                    background: match background {
+                        Some(State::Colour(c)) => *c,
+                        _ => [0.0; 3],
+                    },
+                    clip,
+                    span: p.span,
+                });
+            }
+            return;
+        }
+        if self.selection.is_none_or(|s| s.first != record.first) {
+            return;
+        }
+        let cameras: Option<Vec<usize>> = targets
+            .iter()
+            .map(|t| t.and_then(|id| self.camera_position(id)))
+            .collect();
+        match cameras.as_deref() {
+            Some(&[camera]) => self.scene.view = View::Mono(camera),
+            Some(&[left, right]) => self.scene.view = View::Stereo { left, right },
+            _ => {}
+        }
+    }
+
+    /// Where a camera will stand in [`Scene::cameras`]: cameras are stored in the order of definition.
+    fn camera_position(&self, id: u32) -> Option<usize> {
+        let cameras = self.scene.entities.iter().filter(|e| {
+            e.kind == Some(Kind::Camera)
+                && matches!(self.entities.get(&e.id), Some(State::Camera(_)))
+        });
+        cameras.into_iter().position(|e| e.id == id)
+    }
+
+    /// Moves the final state of an entity into the scene.
+    fn store(&mut self, index: usize, state: State) {
+        let entity = &mut self.scene.entities[index];
+        entity.kind = state.kind();
+        match state {
+            State::Object(node) => entity.node = Some(node),
+            State::Camera(camera) => self.scene.cameras.push(camera),
+            State::PointLight(light) => self.scene.point_lights.push(light),
+            State::AmbientLight(light) => self.scene.ambient_lights.push(light),
+            _ => {}
+        }
+    }
+
+    // What the records make.
+
+    /// The state that a defining record gives its ID; `None` where it is broken, with findings.
+    fn definition(&mut self, p: &Params) -> Option<State> {
+        match p.ty.code {
+            1..=21 => {
+                let geometry = geometry::shape(p, &mut self.out)?;
+                self.scene.shapes.push(Shape {
+                    id: p.id,
+                    ty: p.ty,
+                    span: p.span,
+                    geometry,
+                });
+                let shape = self.scene.shapes.len() as u32 - 1;
+                Some(State::Object(self.node(Node::Shape(shape))))
+            }
+            -103..=-101 => {
+                let (b, c) = (self.object(p, 0), self.object(p, 1));
+                let (b, c) = (b?, c?);
+                let node = match p.ty.code {
+                    -101 => Node::Union(b, c),
+                    -102 => Node::Intersection(b, c),
+                    _ => Node::Difference(b, c),
+                };
+                Some(State::Object(self.node(node)))
+            }
+            -104 => {
+                let b = self.object(p, 0)?;
+                Some(State::Object(self.node(Node::Complement(b))))
+            }
+            -105 => {
+                let original = self.reference(p, 0, false)??;
+                let mut state = self.entities.get(&original)?.clone();
+                match &mut state {
+                    State::Object(child) => {
+                        let copy = Node::Copy {
+                            child: *child,
+                            id: p.id,
+                        };
+                        *child = self.node(copy);
+                    }
+                    State::Camera(c) => c.id = p.id,
+                    State::PointLight(l) => l.id = p.id,
+                    State::AmbientLight(l) => l.id = p.id,
+                    _ => {}
+                }
+                Some(state)
+            }
+            -402 | -401 => {
+                let sound = p.check_constraints(&mut self.out);
+                let (id, intensity, colour) = (p.id, p.number(0), DEFAULT_COLOUR);
+                sound.then_some(match p.ty.code {
+                    -401 => State::AmbientLight(AmbientLight {
+                        id,
+                        intensity,
+                        colour,
+                    }),
+                    _ => State::PointLight(PointLight {
+                        id,
+                        position: [0.0; 3],
+                        intensity,
+                        colour,
+                    }),
+                })
+            }
+            -501 => super::camera::camera(p, &mut self.out).map(State::Camera),
+            _ => None,
+        }
+    }
+
+    /// The state of a new property, texture, colour or projection.
+    fn new_property(&mut self, p: &Params) -> Option<State> {
+        match p.ty.code {
+            -203..=-201 => {
+                let mut parts = OpticsParts::default();
+                self.optics(p, &mut parts)?;
+                Some(State::Optics(parts))
+            }
+            -301 | -302 | -399 => self.texture(p).map(State::Texture),
+            -701 => Some(State::Colour(p.numbers(0))),
+            -99 => {
+                let m = Matrix::from_rows(&p.numbers(0));
+                let m = geometry::invertible(p, m, &mut self.out)?;
+                Some(State::Camera(super::camera::projecting(p.id, m)))
+            }
+            _ => None,
+        }
+    }
+
+    fn optics(&mut self, p: &Params, parts: &mut OpticsParts) -> Option<()> {
+        if !p.check_constraints(&mut self.out) {
+            return None;
+        }
+        match p.ty.code {
+            -201 => {
+                let [kd, ks, kt] = p.numbers(0);
+                parts.optics = Some(Optics {
+                    kd: [kd; 3],
+                    ks: [ks; 3],
+                    kt: [kt; 3],
+                });
+            }
+            -202 => {
+                let of = |k: usize| [p.number(k), p.number(k + 3), p.number(k + 6)];
+                parts.optics = Some(Optics {
+                    kd: of(0),
+                    ks: of(1),
+                    kt: of(2),
+                });
+            }
+            _ => parts.index = Some(p.numbers(0)),
+        }
+        Some(())
+    }
+
+    fn texture(&mut self, p: &Params) -> Option<Texture> {
+        match p.ty.code {
+            -301 => {
+                let file = p.text_of(0).trim_matches('"').to_owned();
+                let span = p.span_of(0, 1);
+                super::image_file::check(&file, span, self.folder, &mut self.out)
+                    .then_some(Texture::Image { file, span })
+            }
+            -302 => {
+                let sound = p.check_constraints(&mut self.out);
+                if p.len() == 0 {
+                    return Some(Texture::Solid {
+                        colours: [[0.0; 3], [1.0; 3]],
+                        size: 1.0,
+                    });
+                }
+                let colours = [self.colour(p, 0), self.colour(p, 1)];
+                let size = p.number(2);
+                sound.then_some(())?;
+                Some(Texture::Solid {
+                    colours: [colours[0]?, colours[1]?],
+                    size,
+                })
+            }
+            _ => {
+                let sound = p.check_constraints(&mut self.out);
+                let colours = [self.colour(p, 2), self.colour(p, 3)];
+                sound.then_some(())?;
+                Some(Texture::Checkerboard {
+                    n: u32::try_from(p.integer(0)).ok()?,
+                    m: u32::try_from(p.integer(1)).ok()?,
+                    colours: [colours[0]?, colours[1]?],
+                })
+            }
+        }
+    }
+
+    /// Applies a changing record to an entity.
+    fn change(&mut self, p: &Params, kinds: &'static [Kind]) {
+        let Some(state) = self.changed(p, kinds) else {
+            return;
+        };
+        match p.ty.code {
+            -4..=-1 => {
+                if let Some(m) = super::camera::transformation(p, &mut self.out) {
+                    self.transform(p, &state, &m);
+                }
+            }
+            -99 => {
+                let m = Matrix::from_rows(&p.numbers(0));
+                let m = geometry::invertible(p, m, &mut self.out);
+                if let (Some(m), Some(State::Camera(c))) = (m, self.entities.get_mut(&p.id)) {
+                    c.projection = Some(m);
+                }
+            }
+            -203..=-201 => {
+                let mut parts = match &state {
+                    State::Optics(parts) => *parts,
+                    _ => OpticsParts::default(),
+                };
+                if self.optics(p, &mut parts).is_some() {
+                    match state {
+                        State::Optics(_) => {
+                            self.entities.insert(p.id, State::Optics(parts));
+                        }
+                        _ => self.paint(p.id, |paint| {
+                            paint.optics = parts.optics.or(paint.optics);
+                            paint.index = parts.index.or(paint.index);
+                        }),
+                    }
+                }
+            }
+            -299 => self.assign(p),
+            -301 | -302 | -399 => {
+                if let Some(texture) = self.texture(p) {
+                    match state {
+                        State::Texture(_) => {
+                            self.entities.insert(p.id, State::Texture(texture));
+                        }
+                        _ => self.paint(p.id, |paint| paint.texture = Some(texture)),
+                    }
+                }
+            }
+            -701 => {
+                let rgb = p.numbers(0);
+                match self.entities.get_mut(&p.id) {
+                    Some(State::Colour(c)) => *c = rgb,
+                    Some(State::AmbientLight(l)) => l.colour = rgb,
+                    Some(State::PointLight(l)) => l.colour = rgb,
+                    _ => self.paint(p.id, |paint| paint.texture = Some(Texture::Colour(rgb))),
+                }
+            }
+            _ => self.promise(p, &state),
+        }
+    }
+
+    /// -601 and -602.
+    fn promise(&mut self, p: &Params, state: &State) {
+        let volume = match p.ty.code {
+            -601 => match geometry::ordered(p, 0, 3, &mut self.out) {
+                Some(()) => Volume::Box {
+                    min: p.numbers(0),
+                    max: p.numbers(3),
+                },
+                None => return,
+            },
+            _ if !p.check_constraints(&mut self.out) => return,
+            _ => Volume::Sphere {
+                centre: p.numbers(0),
+                radius: p.number(3),
+            },
+        };
+        if let State::Object(node) = *state {
+            self.scene.promises.push(Promise {
+                id: p.id,
+                node,
+                volume,
+                span: p.span,
+            });
+        }
+    }
+
+    /// -299.
+    fn assign(&mut self, p: &Params) {
+        let texture = self.reference(p, 0, false);
+        let optics = self.reference(p, 1, false);
+        let (Some(texture), Some(optics)) = (texture, optics) else {
+            return;
+        };
+        let texture = match texture.and_then(|id| self.entities.get(&id)) {
+            Some(State::Texture(t)) => t.clone(),
+            Some(State::Colour(c)) => Texture::Colour(*c),
+            _ => Texture::Colour(DEFAULT_COLOUR),
+        };
+        let parts = match optics.and_then(|id| self.entities.get(&id)) {
+            Some(State::Optics(parts)) => *parts,
+            _ => OpticsParts::default(),
+        };
+        self.paint(p.id, |paint| {
+            paint.texture = Some(texture);
+            paint.optics = Some(parts.optics.unwrap_or_default());
+            paint.index = Some(parts.index.unwrap_or(DEFAULT_INDEX));
+        });
+    }
+
+    /// Puts properties on the object with this ID.
+    fn paint(&mut self, id: u32, set: impl FnOnce(&mut Paint)) {
+        let Some(State::Object(node)) = self.entities.get(&id) else {
+            return;
+        };
+        let node = *node;
+        // Properties given one after the other are one paint.
+        let (child, mut paint) = match self.scene.nodes[node as usize] {
+            Node::Paint { child, paint } if self.scene.paints[paint as usize].owner == id => {
+                (child, self.scene.paints[paint as usize].clone())
+            }
+            _ => (
+                node,
+                Paint {
+                    owner: id,
+                    ..Paint::default()
+                },
+            ),
+        };
+        set(&mut paint);
+        self.scene.paints.push(paint);
+        let paint = self.scene.paints.len() as u32 - 1;
+        let node = self.node(Node::Paint { child, paint });
+        self.entities.insert(id, State::Object(node));
+    }
+
+    fn transform(&mut self, p: &Params, state: &State, m: &Matrix) {
+        let moved = match state {
+            State::Object(node) => {
+                // Moves one after the other are one matrix.
+                let (child, matrix) = match self.scene.nodes[*node as usize] {
+                    Node::Transform { child, matrix } => {
+                        (child, m.after(&self.scene.matrices[matrix as usize]))
+                    }
+                    _ => (*node, *m),
+                };
+                matrix.inverse().map(|_| {
+                    self.scene.matrices.push(matrix);
+                    let matrix = self.scene.matrices.len() as u32 - 1;
+                    State::Object(self.node(Node::Transform { child, matrix }))
+                })
+            }
+            State::PointLight(light) => {
+                let position = m.point(light.position);
+                let finite = position.iter().all(|x| x.is_finite());
+                finite.then_some(State::PointLight(PointLight { position, ..*light }))
+            }
+            State::Camera(camera) => super::camera::moved(camera, m).map(State::Camera),
+            _ => None,
+        };
+        match moved {
+            Some(state) => {
+                self.entities.insert(p.id, state);
+            }
+            None if matches!(state, State::Broken(_)) => {}
+            None => self.out.push(
+                Diagnostic::new(
+                    Code::E204,
+                    p.span,
+                    format!(
+                        "with this {}, the transformations of {} have no inverse",
+                        p.ty.title, p.id
+                    ),
+                )
+                .here("numbers became too large or too small for double precision"),
+            ),
+        }
+    }
+
+    fn node(&mut self, node: Node) -> NodeId {
+        self.scene.nodes.push(node);
+        self.scene.nodes.len() as NodeId - 1
+    }
+}

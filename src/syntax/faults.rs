@@ -1,0 +1,316 @@
+//! What is wrong with a stretch of tokens that is no record, and how to say it.
+
+use super::ast::{Broken, Item};
+use super::layout::{FAULT, Piece, record_type};
+use super::lexer::TokenKind;
+use super::reader::{self, Reading, fits};
+use super::stream::Stream;
+use super::table::{ParamKind, RecordType};
+
+/// What a piece of the text is.
+#[derive(Debug, Clone, Copy)]
+pub enum Verdict {
+    Void,
+    Whole(Reading),
+    /// A record with the right number of parameters, some of them reported by themselves; tokens
+    /// that can be no parameter are passed over.
+    Damaged {
+        ty: &'static RecordType,
+    },
+    /// Too few or too many parameters.
+    Count {
+        ty: &'static RecordType,
+        got: usize,
+        expected: usize,
+    },
+    /// The count of a counted type is missing or cannot be used.
+    BadCount {
+        ty: &'static RecordType,
+    },
+    /// There is no such type.
+    UnknownType,
+    /// The token in the type's place is no integer.
+    BadType,
+    /// Nothing behind the ID.
+    MissingType,
+    /// A complete record but for the ID in front.
+    LostId {
+        ty: &'static RecordType,
+    },
+    /// The token in the ID's place cannot be one; the rest may be right.
+    BadId {
+        ty: Option<&'static RecordType>,
+    },
+    /// The record was cut off by a comment that nobody closed, which is error enough.
+    CutOff {
+        ty: Option<&'static RecordType>,
+    },
+}
+
+/// The type that a token stands for, also where it is spelled as a real (`9.0`).
+fn type_at(stream: &Stream, i: usize) -> Option<&'static RecordType> {
+    record_type(stream, i).or_else(|| RecordType::by_code(integral(stream, i)?))
+}
+
+/// The value of a token that is a real with a whole value.
+fn integral(stream: &Stream, i: usize) -> Option<i64> {
+    let s = stream.sigs.get(i).filter(|s| s.kind == TokenKind::Real)?;
+    let x = stream.tokens[s.token as usize].number(stream.text)?;
+    (x.fract() == 0.0 && x.abs() < 1e9).then_some(x as i64)
+}
+
+/// The count parameter of the counted record at `i`: `Err` where it cannot be used.
+fn count(stream: &Stream, i: usize) -> Result<u64, ()> {
+    let s = stream.sigs.get(i).ok_or(())?;
+    let n = s.int.map(i64::from).or_else(|| integral(stream, i));
+    u64::try_from(n.ok_or(())?)
+        .ok()
+        .filter(|&n| n >= 2)
+        .ok_or(())
+}
+
+/// Whether the record at `i` is of a counted type without a count that could be used.
+pub fn lacks_count(stream: &Stream, i: usize) -> bool {
+    let usable = |at: usize| count(stream, at).is_ok() && stream.line(at) == stream.line(at - 1);
+    type_at(stream, i + 1).is_some_and(|t| t.is_counted())
+        && !(i + 2 < stream.len() && usable(i + 2))
+}
+
+/// Where the record that begins at `i` should end, by all ways to understand its head; never
+/// behind the end of the text.
+pub fn expected_ends(stream: &Stream, i: usize) -> Vec<usize> {
+    let mut out = Vec::new();
+    let mut add = |first: usize, ty: Option<&'static RecordType>| {
+        let Some(ty) = ty else { return };
+        let n = if ty.is_counted() {
+            match count(stream, first) {
+                Ok(n) => n,
+                Err(()) => return,
+            }
+        } else {
+            0
+        };
+        let end = (first as u64).saturating_add(ty.arity(n));
+        if end <= stream.len() as u64 + 8 {
+            out.push((end as usize).min(stream.len()));
+        }
+    };
+    add(i + 2, type_at(stream, i + 1));
+    add(i + 1, type_at(stream, i));
+    if type_at(stream, i + 1).is_none() {
+        // Of an unknown type all that is known is how long records over several lines are.
+        for params in [9, 12, 16, 18] {
+            out.push((i + 2 + params).min(stream.len()));
+        }
+        if let Ok(n) = count(stream, i + 2) {
+            for per in [2, 5] {
+                let end = (i as u64 + 3).saturating_add(n.saturating_mul(per));
+                if end <= stream.len() as u64 {
+                    out.push(end as usize);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// Finds what is wrong with tokens `start..end`, and its price. `bad(a, b)` counts the bad tokens
+/// of a stretch.
+pub fn judge(
+    stream: &Stream,
+    start: usize,
+    end: usize,
+    bad: impl Fn(usize, usize) -> u32,
+) -> (Verdict, u32) {
+    let id = &stream.sigs[start];
+    let good_id = id.int.is_some_and(|id| id > 0);
+    let ty = (start + 1 < end)
+        .then(|| type_at(stream, start + 1))
+        .flatten();
+    let with_id = match ty {
+        Some(ty) => judge_params(stream, ty, start + 2, end, &bad),
+        None => untyped(stream, start, end),
+    };
+    if good_id {
+        let lost = lost_id(stream, start, end, &bad);
+        return match lost {
+            Some(lost) if lost.1 < with_id.1 => lost,
+            _ => with_id,
+        };
+    }
+    if let Some(lost) = lost_id(stream, start, end, &bad) {
+        return lost;
+    }
+    // The ID itself is the fault; what is behind it may be right.
+    match with_id {
+        (Verdict::Damaged { ty }, _) | (Verdict::Whole(Reading { ty, .. }), _) => (
+            Verdict::BadId { ty: Some(ty) },
+            FAULT + FAULT * bad(start + 2, end),
+        ),
+        (Verdict::CutOff { ty }, price) => (Verdict::BadId { ty }, price + FAULT),
+        (_, price) => {
+            let ty = ty.filter(|t| t.code != 0);
+            (Verdict::BadId { ty }, FAULT + 200 + price.min(200))
+        }
+    }
+}
+
+fn untyped(stream: &Stream, start: usize, end: usize) -> (Verdict, u32) {
+    let Some(t) = stream.sigs.get(start + 1).filter(|_| start + 1 < end) else {
+        let cut = stream.has_unclosed_comment(start, end);
+        return match cut {
+            true => (Verdict::CutOff { ty: None }, FAULT / 10),
+            false => (Verdict::MissingType, FAULT + 60),
+        };
+    };
+    let length = 10 * (end - start).min(20) as u32;
+    // Over several lines only what is as long as such records are.
+    let over_lines = stream.line(end - 1) > stream.line(start);
+    let plausible = !over_lines || expected_ends(stream, start).contains(&end);
+    let penalty = if plausible { 0 } else { 2 * FAULT };
+    match t.int {
+        Some(_) => (Verdict::UnknownType, FAULT + 30 + penalty),
+        None => (Verdict::BadType, FAULT + 30 + length / 10 + penalty),
+    }
+}
+
+/// The parameters `first..end` of a record whose type is known.
+fn judge_params(
+    stream: &Stream,
+    ty: &'static RecordType,
+    first: usize,
+    end: usize,
+    bad: impl Fn(usize, usize) -> u32,
+) -> (Verdict, u32) {
+    let got = end - first;
+    let cut_off = || stream.has_unclosed_comment(first - 1, end.max(first));
+    let mut real_type = 0;
+    if stream.sigs[first - 1].int.is_none() {
+        real_type = FAULT;
+    }
+    let n = match ty.is_counted() {
+        true if got == 0 => {
+            return match cut_off() {
+                true => (Verdict::CutOff { ty: Some(ty) }, FAULT / 10),
+                false => (Verdict::BadCount { ty }, FAULT + real_type),
+            };
+        }
+        true => match count(stream, first) {
+            Ok(n) if stream.line(first) == stream.line(first - 1) => n,
+            Ok(n) if ty.arity(n) == got as u64 => n,
+            _ => return (Verdict::BadCount { ty }, FAULT + real_type),
+        },
+        false => 0,
+    };
+    // A file name is a word, and no bad one.
+    let named = ty
+        .params
+        .first()
+        .is_some_and(|p| p.kind == ParamKind::FileName)
+        && first < end
+        && fits(stream.sigs[first].kind, ParamKind::FileName);
+    let bad = bad(first, end) as usize - usize::from(named);
+    let base = ty.arity(n);
+    let full = base + ty.optional.len() as u64;
+    for expected in [base, full] {
+        let (got, bad) = (got as u64, bad as u64);
+        if got.saturating_sub(bad) <= expected && expected <= got {
+            let kinds = wrong_kinds(stream, ty, first, end);
+            let mistakes = (bad as u32).max(kinds) * FAULT + real_type;
+            // With no mistake in it, it would have been read as it is.
+            return (Verdict::Damaged { ty }, mistakes.max(FAULT));
+        }
+    }
+    if cut_off() && (got as u64) < full {
+        return (Verdict::CutOff { ty: Some(ty) }, FAULT / 10);
+    }
+    let expected = match full.abs_diff(got as u64) < base.abs_diff(got as u64) {
+        true => full,
+        false => base,
+    };
+    let off = expected.abs_diff(got as u64).min(20) as u32;
+    let verdict = Verdict::Count {
+        ty,
+        got,
+        expected: usize::try_from(expected).unwrap_or(usize::MAX),
+    };
+    (
+        verdict,
+        FAULT + real_type + 20 * off + FAULT * bad.min(8) as u32,
+    )
+}
+
+/// How many parameters are numbers of the wrong kind (a real for an integer, a number for a name).
+fn wrong_kinds(stream: &Stream, ty: &'static RecordType, first: usize, end: usize) -> u32 {
+    stream.sigs[first..end]
+        .iter()
+        .zip(ty.params.iter().chain(ty.optional))
+        .filter(|(s, p)| !fits(s.kind, p.kind))
+        .count() as u32
+}
+
+/// Tokens that would be a whole record if an ID stood in front.
+fn lost_id(
+    stream: &Stream,
+    start: usize,
+    end: usize,
+    bad: impl Fn(usize, usize) -> u32,
+) -> Option<(Verdict, u32)> {
+    let ty = record_type(stream, start).filter(|t| t.code != 0)?;
+    if !stream.starts_line(start) || !stream.ends_line(end) || bad(start, end) > 1 {
+        return None;
+    }
+    let n = match ty.is_counted() {
+        true => count(stream, start + 1).ok()?,
+        false => 0,
+    };
+    let got = (end - start - 1) as u64;
+    let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
+    let kinds = wrong_kinds(stream, ty, start + 1, end);
+    (exact && kinds == 0).then_some((Verdict::LostId { ty }, FAULT - 10))
+}
+
+impl Piece {
+    /// The piece as an item of the tree.
+    pub fn item(&self, stream: &Stream) -> Item {
+        let sig = |i: usize| stream.sigs[i];
+        let mut broken = Broken {
+            first: sig(self.start).token,
+            last: sig(self.end - 1).token,
+            id: sig(self.start).int.filter(|&id| id > 0).map(|id| id as u32),
+            ty: None,
+            fault: super::ast::Fault::Form,
+        };
+        match self.verdict {
+            Verdict::Void => Item::Void {
+                token: sig(self.start).token,
+            },
+            Verdict::Whole(r) => Item::Record(reader::whole(stream, self.start, &r)),
+            Verdict::Damaged { ty } | Verdict::Count { ty, .. } | Verdict::BadCount { ty } => {
+                broken.ty = Some(ty);
+                Item::Broken(broken)
+            }
+            Verdict::LostId { ty } => {
+                broken.id = (ty.code == 9999).then_some(1);
+                broken.ty = Some(ty);
+                broken.fault = super::ast::Fault::LostId;
+                Item::Broken(broken)
+            }
+            Verdict::UnknownType => {
+                broken.fault = super::ast::Fault::UnknownType;
+                Item::Broken(broken)
+            }
+            Verdict::BadId { ty } => {
+                broken.id = None;
+                broken.ty = ty;
+                broken.fault = super::ast::Fault::LostId;
+                Item::Broken(broken)
+            }
+            Verdict::CutOff { ty } => {
+                broken.ty = ty;
+                Item::Broken(broken)
+            }
+            Verdict::BadType | Verdict::MissingType => Item::Broken(broken),
+        }
+    }
+}

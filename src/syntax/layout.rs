@@ -1,0 +1,428 @@
+//! Arity first, layout as witness: what to make of a text that cannot be read by arity alone, or
+//! whose reading looks odd.
+//!
+//! A missing or extra number shifts everything behind it, and the shifted numbers may even parse.
+//! So all readings compete: the text is cut into records, VOIDs and broken stretches at the least
+//! total price, found by dynamic programming over the tokens. A fault costs [`FAULT`]; a record
+//! that begins behind another one and ends on a later line costs little where the text is free-form,
+//! and more than a fault where a line says that it is a record of its own.
+
+use super::faults::{self, Verdict};
+use super::lexer::TokenKind;
+use super::reader::{self, Reading};
+use super::stream::Stream;
+use super::table::{Effect, RecordType};
+use std::collections::HashMap;
+
+/// The price of one error. All other prices are in relation to this one.
+pub const FAULT: u32 = 1000;
+/// The price of what is likelier a mistake than meant: more than one error, less than two.
+const IMPLAUSIBLE: u32 = 1200;
+/// The price of a reading that only a second look would doubt: a little less than an error.
+const DOUBTFUL: u32 = 900;
+/// Prices are added up above this many bits, which count what tells equal readings apart.
+const HINT_BITS: u32 = 24;
+
+/// One piece of the text: tokens `start..end`.
+#[derive(Debug, Clone, Copy)]
+pub struct Piece {
+    pub start: usize,
+    pub end: usize,
+    pub verdict: Verdict,
+}
+
+/// What the lines of a text say about its layout.
+pub struct Witnesses {
+    /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
+    /// Holds one past the record's last token, 0 where the line is no witness.
+    ends: Vec<u32>,
+    /// The text is laid out with records beginning and ending with lines.
+    pub in_lines: bool,
+    /// How many witness lines define each ID anew.
+    heads: HashMap<i32, u32>,
+}
+
+impl Witnesses {
+    pub fn new(stream: &Stream) -> Witnesses {
+        let lines = stream.line_count();
+        let mut ends = vec![0u32; lines];
+        let mut heads = HashMap::new();
+        for (line, end) in ends.iter_mut().enumerate() {
+            let start = stream.line_start(line);
+            if stream.sigs[start].int == Some(0) {
+                let alone = stream.line_end(line) == start + 1;
+                if alone && stream.sigs[start].before_comment {
+                    *end = start as u32 + 1;
+                }
+            } else if let Some(r) = reader::read(stream, start)
+                && stream.ends_line(r.end)
+                && r.end - start > 2
+            {
+                *end = r.end as u32;
+            }
+        }
+        // How much of the text is laid out in lines: a walk from record to record. One disturbed
+        // stretch is what one mistake makes, however long the record is that it spoils.
+        let (mut line, mut covered, mut stretches, mut disturbed) = (0, 0, 0, false);
+        let mut steps = 0;
+        while line < lines {
+            let next = match ends[line] {
+                0 if run_to_line_end(stream, line) => line + 1,
+                0 => {
+                    stretches += usize::from(!disturbed);
+                    disturbed = true;
+                    line += 1;
+                    continue;
+                }
+                end => {
+                    let start = stream.line_start(line);
+                    if defines(stream, start) {
+                        let id = stream.sigs[start].int.unwrap_or(0);
+                        *heads.entry(id).or_insert(0) += 1;
+                    }
+                    stream.line(end as usize - 1) + 1
+                }
+            };
+            disturbed = false;
+            steps += 1;
+            covered += next - line;
+            line = next;
+        }
+        let mostly = 5 * covered >= 2 * lines || (stretches == 1 && steps >= 4);
+        Witnesses {
+            in_lines: steps > 0 && steps + 2 >= 3 * stretches && mostly,
+            ends,
+            heads,
+        }
+    }
+
+    /// Whether a line would be a complete record by itself.
+    pub fn is_complete_line(&self, stream: &Stream, line: usize) -> bool {
+        self.ends[line] as usize == stream.line_end(line)
+    }
+
+    fn is_void_line(&self, stream: &Stream, line: usize) -> bool {
+        self.ends[line] > 0 && stream.sigs[stream.line_start(line)].int == Some(0)
+    }
+
+    /// Whether the record at tokens `start..end` takes its last parameters from the head of a line
+    /// that says it is a record of its own. A line in a table of equally long lines says nothing.
+    pub fn takes_over(&self, stream: &Stream, start: usize, end: usize) -> bool {
+        let (first, last) = (stream.line(start), stream.line(end - 1));
+        if first == last || self.ends[last] == 0 {
+            return false;
+        }
+        let length = |l: usize| stream.line_end(l) - stream.line_start(l);
+        !(last > first + 1 && length(last) == length(last - 1))
+    }
+}
+
+/// Whether the record that begins here defines a new entity.
+fn defines(stream: &Stream, start: usize) -> bool {
+    record_type(stream, start + 1).is_some_and(|t| matches!(t.effect, Effect::Defines(_)))
+}
+
+pub fn record_type(stream: &Stream, i: usize) -> Option<&'static RecordType> {
+    RecordType::by_code(stream.sigs.get(i)?.int?.into())
+}
+
+/// Whether a line is a row of several records that ends with its last one.
+fn run_to_line_end(stream: &Stream, line: usize) -> bool {
+    let (mut i, end) = (stream.line_start(line), stream.line_end(line));
+    while i < end {
+        let sig = &stream.sigs[i];
+        if sig.int == Some(0) && sig.before_comment {
+            i += 1;
+        } else if let Some(r) = reader::read(stream, i).filter(|r| r.end <= end && r.end > i + 2) {
+            i = r.end;
+        } else {
+            return false;
+        }
+    }
+    true
+}
+
+/// Whether a reading without faults leaves nothing to ask the layout: every record begins with a
+/// line, and none takes over the head of a line that says it is a record of its own.
+pub fn is_undisturbed(stream: &Stream, starts: impl Iterator<Item = (usize, usize)>) -> bool {
+    let mut previous_void = false;
+    for (start, end) in starts {
+        if !stream.starts_line(start) && !previous_void {
+            return false;
+        }
+        previous_void = end == start + 1 && stream.sigs[start].before_comment;
+        let last = stream.line(end - 1);
+        if last != stream.line(start) {
+            let head = stream.line_start(last);
+            let looks = stream.sigs[head].int == Some(0) && stream.sigs[head].before_comment
+                || reader::read(stream, head).is_some_and(|r| stream.ends_line(r.end));
+            if looks {
+                return false;
+            }
+        }
+    }
+    true
+}
+
+/// The reading with the least damage.
+pub fn cut(stream: &Stream, witnesses: &Witnesses, doubt_takeovers: bool) -> Vec<Piece> {
+    let search = Search {
+        stream,
+        witnesses,
+        bad_before: bad_before(stream),
+        doubt_takeovers,
+    };
+    search.run()
+}
+
+/// For each token the number of bad tokens before it.
+fn bad_before(stream: &Stream) -> Vec<u32> {
+    let mut n = 0;
+    let mut out = Vec::with_capacity(stream.len() + 1);
+    out.push(0);
+    for s in &stream.sigs {
+        n += u32::from(s.kind.is_bad());
+        out.push(n);
+    }
+    out
+}
+
+struct Search<'a, 's> {
+    stream: &'a Stream<'s>,
+    witnesses: &'a Witnesses,
+    bad_before: Vec<u32>,
+    doubt_takeovers: bool,
+}
+
+impl Search<'_, '_> {
+    fn run(&self) -> Vec<Piece> {
+        let n = self.stream.len();
+        let mut price = vec![u64::MAX; n + 1];
+        let mut from = vec![0u32; n + 1];
+        price[0] = 0;
+        let mut ends = Vec::new();
+        for i in 0..n {
+            if price[i] == u64::MAX {
+                continue;
+            }
+            ends.clear();
+            let exact = reader::read(self.stream, i);
+            let mut offer = |end: usize, p: u32| {
+                // In the low bits, to choose among equals: pieces that do not begin with a line.
+                let hint = u64::from(!self.stream.starts_line(i));
+                let total = price[i] + (u64::from(p) << HINT_BITS) + hint;
+                if total < price[end] {
+                    price[end] = total;
+                    from[end] = i as u32;
+                }
+            };
+            if self.stream.sigs[i].int == Some(0) {
+                offer(i + 1, self.void_price(i));
+            }
+            if let Some(r) = &exact {
+                offer(r.end, self.record_price(i, r));
+            }
+            self.fault_ends(i, &mut ends);
+            for &end in &ends {
+                offer(end, self.fault(i, end).1);
+            }
+        }
+        let mut pieces = Vec::new();
+        let mut end = n;
+        while end > 0 {
+            let start = from[end] as usize;
+            pieces.push(Piece {
+                start,
+                end,
+                verdict: self.verdict(start, end),
+            });
+            end = start;
+        }
+        pieces.reverse();
+        pieces
+    }
+
+    /// The verdict behind a step of the cheapest way.
+    fn verdict(&self, start: usize, end: usize) -> Verdict {
+        let fault = self.fault(start, end);
+        if end == start + 1
+            && self.stream.sigs[start].int == Some(0)
+            && self.void_price(start) <= fault.1
+        {
+            return Verdict::Void;
+        }
+        match reader::read(self.stream, start) {
+            Some(r) if r.end == end && self.record_price(start, &r) <= fault.1 => Verdict::Whole(r),
+            _ => fault.0,
+        }
+    }
+
+    fn in_lines(&self) -> bool {
+        self.witnesses.in_lines
+    }
+
+    fn void_price(&self, i: usize) -> u32 {
+        let behind = !self.stream.starts_line(i);
+        if self.stream.sigs[i].before_comment {
+            return 0;
+        }
+        match (self.in_lines(), behind) {
+            (true, true) => IMPLAUSIBLE,
+            (true, false) if self.stream.ends_line(i + 1) => 20,
+            (true, false) => 150,
+            (false, _) => 0,
+        }
+    }
+
+    /// The price of a record that is right in form.
+    fn record_price(&self, start: usize, r: &Reading) -> u32 {
+        let stream = self.stream;
+        let (first, last) = (stream.line(start), stream.line(r.end - 1));
+        let behind = !stream.starts_line(start);
+        if !behind && first == last && stream.ends_line(r.end) {
+            return 0;
+        }
+        let mut price = 0;
+        if behind {
+            price += if self.in_lines() { 5 } else { 0 };
+            if r.end == start + 2 && r.ty.code == 0 {
+                price += if self.in_lines() { 150 } else { 0 };
+            }
+        }
+        if last > first {
+            let witness = self.witnesses.takes_over(stream, start, r.end);
+            price += match (self.in_lines(), behind, witness) {
+                (true, true, true) => IMPLAUSIBLE,
+                (true, false, true) if self.witnesses.is_void_line(stream, last) => IMPLAUSIBLE,
+                (true, false, true) if self.doubt_takeovers => IMPLAUSIBLE,
+                (true, false, true) if r.end == stream.line_end(last) => DOUBTFUL,
+                (true, false, true) => IMPLAUSIBLE,
+                (true, true, false) => 300,
+                (true, false, false) if !stream.ends_line(r.end) => 200,
+                (false, ..) | (true, false, false) => 0,
+            };
+            if self.in_lines() {
+                price += self.swallowed(start, first + 1, last).min(600);
+            }
+        }
+        // What the resolver would object to counts too, but never as much as a fault of form.
+        price + self.objections(start, r)
+    }
+
+    /// The price of complete records among the lines `from..to` of a record.
+    fn swallowed(&self, start: usize, from: usize, to: usize) -> u32 {
+        let mut price = 0;
+        for line in from..to {
+            let complete = self.witnesses.is_complete_line(self.stream, line)
+                && !self.witnesses.is_void_line(self.stream, line);
+            let previous = self.stream.line(start).max(line - 1);
+            let length = |l: usize| self.stream.line_end(l) - self.stream.line_start(l);
+            if complete && (previous == self.stream.line(start) || length(previous) != length(line))
+            {
+                price += 200;
+                if price >= 600 {
+                    break;
+                }
+            }
+        }
+        price
+    }
+
+    fn objections(&self, start: usize, r: &Reading) -> u32 {
+        let id = self.stream.sigs[start].int.unwrap_or(0);
+        let mut price = 0;
+        if (id == 1) != (r.ty.code == 9999) {
+            price += 600;
+        }
+        let defined = self.witnesses.heads.get(&id).copied().unwrap_or(0);
+        let itself = u32::from(
+            self.stream.starts_line(start)
+                && self.witnesses.ends[self.stream.line(start)] as usize == r.end,
+        );
+        if matches!(r.ty.effect, Effect::Defines(_)) && defined > itself {
+            price += 300;
+        }
+        price.min(DOUBTFUL)
+    }
+
+    /// The price of tokens `start..end` as one broken stretch, and what is wrong with it.
+    fn fault(&self, start: usize, end: usize) -> (Verdict, u32) {
+        let stream = self.stream;
+        let bad = |from: usize, to: usize| self.bad_before[to] - self.bad_before[from.min(to)];
+        let (verdict, mut price) = faults::judge(stream, start, end, bad);
+        let (first, last) = (stream.line(start), stream.line(end - 1));
+        if !stream.starts_line(start) {
+            price += if self.in_lines() { 300 } else { 20 };
+        }
+        if !stream.ends_line(end) {
+            price += if self.in_lines() { 150 } else { 20 };
+        }
+        if last > first {
+            price += 5 * (last - first).min(12) as u32;
+            for line in first + 1..=last {
+                if self.witnesses.ends[line] > 0 || self.looks_like_a_head(line) {
+                    price += FAULT + FAULT / 2;
+                    if price > 8 * FAULT {
+                        break;
+                    }
+                }
+            }
+        }
+        (verdict, price)
+    }
+
+    /// Whether a line begins like a record that no table of numbers would begin like.
+    fn looks_like_a_head(&self, line: usize) -> bool {
+        let start = self.stream.line_start(line);
+        let id = self.stream.sigs[start].int.is_some_and(|id| id > 0);
+        id && record_type(self.stream, start + 1).is_some_and(|t| t.code <= -99 || t.code == 9999)
+    }
+
+    /// Where a broken stretch that begins at `i` may end.
+    fn fault_ends(&self, i: usize, ends: &mut Vec<usize>) {
+        let stream = self.stream;
+        let line = stream.line(i);
+        let line_end = stream.line_end(line);
+        ends.push(line_end);
+        let expected = faults::expected_ends(stream, i);
+        // Inside the line (anywhere, in a free-form text), where another record could begin.
+        let reach = expected.iter().copied().max().unwrap_or(i + 2) + 6;
+        let reach = reach.min(i + 40).min(stream.len());
+        let limit = if self.in_lines() {
+            reach.min(line_end)
+        } else {
+            reach
+        };
+        for end in i + 1..limit {
+            if end != line_end && reader::read(stream, end).is_some() {
+                ends.push(end);
+            }
+        }
+        // At the end of a later line, if the record was laid out over several.
+        let on_line = line_end - i;
+        for &e in &expected {
+            if e <= line_end + 3 || 2 * on_line > (e - i) + 4 {
+                continue;
+            }
+            let at = stream.line(e.min(stream.len()) - 1);
+            for l in [at.saturating_sub(1), at, at + 1] {
+                if l > line && l < stream.line_count() {
+                    ends.push(stream.line_end(l));
+                }
+            }
+        }
+        if faults::lacks_count(stream, i) {
+            // The table of points may be of any length.
+            let mut l = line;
+            while l + 1 < stream.line_count()
+                && self.witnesses.ends[l + 1] == 0
+                && !self.looks_like_a_head(l + 1)
+                && (stream.sigs[stream.line_start(l + 1)..stream.line_end(l + 1)].iter())
+                    .all(|s| matches!(s.kind, TokenKind::Integer | TokenKind::Real))
+            {
+                l += 1;
+            }
+            ends.push(stream.line_end(l));
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! The command line from outside: what is printed where, and the exit status.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+const GOOD: &str = "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
+
+/// Runs zpg in a folder.
+fn zpg(folder: &Path, args: &[&str]) -> Output {
+    zpg_with(folder, args, b"")
+}
+
+fn zpg_with(folder: &Path, args: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .args(args)
+        .current_dir(folder)
+        .env_remove("NO_COLOR")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A command that does not read closes the pipe.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    child.wait_with_output().unwrap()
+}
+
+fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    for (name, bytes) in files {
+        fs::write(dir.path().join(name), bytes).unwrap();
+    }
+    dir
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+#[test]
+fn a_good_scene_is_clean() {
+    let dir = folder(&[("a.zpg", GOOD.as_bytes())]);
+    let run = zpg(dir.path(), &["check", "a.zpg"]);
+    assert_eq!(run.status.code(), Some(0));
+    assert_eq!(text(&run.stdout), "All checks passed!\n");
+    assert_eq!(text(&run.stderr), "");
+}
+
+#[test]
+fn json_is_written_even_when_nothing_is_found() {
+    let dir = folder(&[("a.zpg", GOOD.as_bytes())]);
+    let run = zpg(dir.path(), &["check", "--format", "json", "."]);
+    assert_eq!(run.status.code(), Some(0));
+    let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(json["version"], 1);
+    assert_eq!(json["files"][0]["diagnostics"], serde_json::json!([]));
+    assert_eq!(
+        json["summary"],
+        serde_json::json!({"files": 1, "errors": 0, "warnings": 0, "notes": 0, "style": 0})
+    );
+}
+
+#[test]
+fn an_unreadable_file_does_not_stop_the_others() {
+    let dir = folder(&[("b.zpg", b"# \xf8 #")]);
+    let run = zpg(
+        dir.path(),
+        &["check", "--format", "short", "a.zpg", "b.zpg"],
+    );
+    assert_eq!(run.status.code(), Some(2));
+    assert_eq!(
+        text(&run.stderr),
+        "error: cannot read a.zpg: No such file or directory\n"
+    );
+    assert!(text(&run.stdout).contains("b.zpg:1:3: N601 note: "));
+}
+
+#[test]
+fn standard_input_is_a_dash() {
+    let dir = folder(&[]);
+    let run = zpg_with(
+        dir.path(),
+        &["check", "--format=json", "-"],
+        GOOD.as_bytes(),
+    );
+    assert_eq!(run.status.code(), Some(0));
+    let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(json["files"][0]["path"], "-");
+}
+
+#[test]
+fn colour_is_a_choice() {
+    let dir = folder(&[("b.zpg", b"# \xf8 #")]);
+    let coloured = |args: &[&str]| text(&zpg(dir.path(), args).stdout).contains('\u{1b}');
+    assert!(!coloured(&["check", "b.zpg"]));
+    assert!(!coloured(&["check", "b.zpg", "--color", "never"]));
+    assert!(coloured(&["check", "b.zpg", "--color", "always"]));
+}
+
+#[test]
+fn wrong_usage_is_2() {
+    let dir = folder(&[]);
+    for args in [
+        &["check"][..],
+        &["check", "--format", "xml", "a"],
+        &["nonsense"],
+        &["explain", "E999"],
+        &["explain", "-400"],
+        &[],
+    ] {
+        let run = zpg(dir.path(), args);
+        assert_eq!(run.status.code(), Some(2), "{args:?}");
+        assert!(!run.stderr.is_empty(), "{args:?}");
+    }
+}
+
+#[test]
+fn explain_suggests() {
+    let dir = folder(&[]);
+    let run = zpg(dir.path(), &["explain", "chekerboard"]);
+    assert_eq!(
+        text(&run.stderr),
+        "error: there is no finding or record type `chekerboard`; did you mean `checkerboard`?\n"
+    );
+    for topic in ["-399", "checkerboard", "E101", "undefined-id"] {
+        let run = zpg(dir.path(), &["explain", topic]);
+        assert_eq!(run.status.code(), Some(0), "{topic}");
+        assert!(text(&run.stdout).starts_with("# "));
+    }
+}
+
+#[test]
+fn completions_name_the_commands() {
+    let dir = folder(&[]);
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let run = zpg(dir.path(), &["completions", shell]);
+        assert_eq!(run.status.code(), Some(0));
+        assert!(text(&run.stdout).contains("explain"), "{shell}");
+    }
+}
+
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    let dir = folder(&[]);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .args(["completions", "zsh"])
+        .current_dir(dir.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let run = child.wait_with_output().unwrap();
+    assert_eq!(text(&run.stderr), "");
+    assert_eq!(run.status.code(), Some(0));
+}
