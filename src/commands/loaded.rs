@@ -8,6 +8,7 @@ use std::path::Path;
 use super::terminal::reason;
 use crate::diagnostics::source::{Encoding, MAX_FILE_BYTES};
 use crate::diagnostics::{self, Code, Diagnostic, Severity, SourceFile, Span};
+use crate::lint;
 use crate::scene::{self, Render, Scene};
 use crate::syntax::{self, Document};
 
@@ -44,8 +45,15 @@ impl Loaded {
         let not_utf8 = std::str::from_utf8(&bytes).err().map(|e| e.valid_up_to());
         let source = SourceFile::new(path, bytes);
         let (document, mut diagnostics) = syntax::parse(&source.text);
-        let (scene, more) = scene::resolve(&document, &source);
-        diagnostics.extend(more);
+        let scene = scene::resolve(&document, &source, &mut diagnostics);
+        lint::run(
+            &lint::Context {
+                text: &source.text,
+                document: &document,
+                scene: &scene,
+            },
+            &mut diagnostics,
+        );
         if let (Encoding::Windows1250, Some(at)) = (source.encoding, not_utf8) {
             diagnostics.push(not_utf8_note(&source, at));
         }

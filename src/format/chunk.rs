@@ -119,11 +119,7 @@ fn elements<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item = E
 
 /// Whether an item could not be read in full.
 fn is_doubtful(item: &Item) -> bool {
-    match item {
-        Item::Void { .. } => false,
-        Item::Record(record) => record.damaged,
-        Item::Broken(_) => true,
-    }
+    matches!(item, Item::Broken(_))
 }
 
 /// Whether a token is a comment that nothing but the end of its line ends.

@@ -34,7 +34,6 @@ fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
             x.id == y.id
                 && x.ty.code == y.ty.code
                 && x.params == y.params
-                && x.damaged == y.damaged
                 && a.1
                     .params(x)
                     .zip(b.1.params(y))

@@ -24,7 +24,7 @@ pub struct Lost {
     pub span: Span,
 }
 
-/// An ID that is used and defined nowhere.
+/// An ID that is used and defined nowhere, or perhaps by a record that lost its ID.
 struct Dangling {
     id: u32,
     kinds: &'static [Kind],
@@ -168,8 +168,33 @@ impl Resolver<'_> {
             None => finding,
         };
         let finding = self.with_proposal(finding, id, span, kinds, p.id);
-        self.out.push(finding);
+        match self.entities.get(&id).cloned() {
+            Some(state) => self.say_unless_lost(state, finding, id, kinds),
+            None => self.out.push(finding),
+        }
         None
+    }
+
+    /// Says that something is of the wrong kind. A property by that ID may only be one because the
+    /// object's own record lost its ID; that is settled at the end.
+    fn say_unless_lost(
+        &mut self,
+        state: State,
+        finding: Diagnostic,
+        id: u32,
+        kinds: &'static [Kind],
+    ) {
+        let property = matches!(
+            state,
+            State::Optics(_) | State::Texture(_) | State::Colour(_)
+        );
+        if property && !self.references.lost.is_empty() {
+            self.references
+                .dangling
+                .push(Dangling { id, kinds, finding });
+        } else {
+            self.out.push(finding);
+        }
     }
 
     fn entity_span(&self, id: u32) -> Option<Span> {
@@ -180,16 +205,21 @@ impl Resolver<'_> {
     /// E107 or E101.
     fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, own: u32) {
         if let (false, Some(&at)) = (late, self.references.definition.get(&id)) {
-            self.out.push(
-                Diagnostic::new(
-                    Code::E107,
-                    span,
-                    format!("{id} is used before it is defined"),
-                )
-                .here("not defined yet")
-                .label(at, "defined here")
-                .help("move the definition up: a scene is read from top to bottom"),
-            );
+            let finding = Diagnostic::new(
+                Code::E107,
+                span,
+                format!("{id} is used before it is defined"),
+            )
+            .here("not defined yet")
+            .label(at, "defined here")
+            .help("move the definition up: a scene is read from top to bottom");
+            if self.references.lost.is_empty() {
+                self.out.push(finding);
+            } else {
+                self.references
+                    .dangling
+                    .push(Dangling { id, kinds, finding });
+            }
             return;
         }
         let finding = Diagnostic::new(Code::E101, span, format!("{id} is not defined"))
@@ -231,7 +261,7 @@ impl Resolver<'_> {
             Some(at) => finding.label(at, format!("{} is defined here", p.id)),
             None => finding,
         };
-        self.out.push(finding);
+        self.say_unless_lost(state.clone(), finding, p.id, kinds);
         None
     }
 

@@ -5,7 +5,7 @@ use super::layout::{FAULT, Piece, record_type};
 use super::lexer::TokenKind;
 use super::reader::{self, Reading, fits};
 use super::stream::Stream;
-use super::table::{ParamKind, RecordType};
+use super::table::{Constraint, Param, ParamKind, RecordType};
 
 /// What a piece of the text is.
 #[derive(Debug, Clone, Copy)]
@@ -69,11 +69,24 @@ fn count(stream: &Stream, i: usize) -> Result<u64, ()> {
         .ok_or(())
 }
 
-/// Whether the record at `i` is of a counted type without a count that could be used.
-pub fn lacks_count(stream: &Stream, i: usize) -> bool {
-    let usable = |at: usize| count(stream, at).is_ok() && stream.line(at) == stream.line(at - 1);
-    type_at(stream, i + 1).is_some_and(|t| t.is_counted())
-        && !(i + 2 < stream.len() && usable(i + 2))
+/// Whether the record at `i` is of a type whose length depends on a count.
+pub fn is_counted(stream: &Stream, i: usize) -> bool {
+    type_at(stream, i + 1).is_some_and(RecordType::is_counted)
+}
+
+/// Where a record should end whose parameters begin at `first`: `None` where nobody can tell.
+fn end_of(stream: &Stream, first: usize, ty: &RecordType) -> Option<u64> {
+    let n = match ty.is_counted() {
+        true => count(stream, first).ok()?,
+        false => 0,
+    };
+    Some((first as u64).saturating_add(ty.arity(n)))
+}
+
+/// Where the record that begins at `i` with an ID should end, perhaps behind the end of the text.
+pub fn expected_end(stream: &Stream, i: usize) -> Option<usize> {
+    let end = end_of(stream, i + 2, type_at(stream, i + 1)?)?;
+    Some(usize::try_from(end).unwrap_or(usize::MAX))
 }
 
 /// Where the record that begins at `i` should end, by all ways to understand its head; never
@@ -81,17 +94,8 @@ pub fn lacks_count(stream: &Stream, i: usize) -> bool {
 pub fn expected_ends(stream: &Stream, i: usize) -> Vec<usize> {
     let mut out = Vec::new();
     let mut add = |first: usize, ty: Option<&'static RecordType>| {
-        let Some(ty) = ty else { return };
-        let n = if ty.is_counted() {
-            match count(stream, first) {
-                Ok(n) => n,
-                Err(()) => return,
-            }
-        } else {
-            0
-        };
-        let end = (first as u64).saturating_add(ty.arity(n));
-        if end <= stream.len() as u64 + 8 {
+        let end = ty.and_then(|ty| end_of(stream, first, ty));
+        if let Some(end) = end.filter(|&e| e <= stream.len() as u64 + 8) {
             out.push((end as usize).min(stream.len()));
         }
     };
@@ -121,8 +125,12 @@ pub fn judge(
     start: usize,
     end: usize,
     bad: impl Fn(usize, usize) -> u32,
+    is_id: impl Fn(i32) -> bool,
 ) -> (Verdict, u32) {
     let id = &stream.sigs[start];
+    if end == start + 1 && id.kind.is_bad() {
+        return (Verdict::BadId { ty: None }, FAULT + 10);
+    }
     let good_id = id.int.is_some_and(|id| id > 0);
     let ty = (start + 1 < end)
         .then(|| type_at(stream, start + 1))
@@ -132,25 +140,33 @@ pub fn judge(
         None => untyped(stream, start, end),
     };
     if good_id {
-        let lost = lost_id(stream, start, end, &bad);
+        let lost = lost_id(stream, start, end).filter(|_| !id.int.is_some_and(is_id));
         return match lost {
             Some(lost) if lost.1 < with_id.1 => lost,
             _ => with_id,
         };
     }
-    if let Some(lost) = lost_id(stream, start, end, &bad) {
+    if let Some(lost) = lost_id(stream, start, end) {
         return lost;
     }
-    // The ID itself is the fault; what is behind it may be right.
+    // The ID itself is the fault; what is behind it may be right. A `0` that introduces a comment
+    // is no ID gone wrong.
+    let void = if id.int == Some(0) && id.before_comment {
+        FAULT
+    } else {
+        0
+    };
     match with_id {
-        (Verdict::Damaged { ty }, _) | (Verdict::Whole(Reading { ty, .. }), _) => (
-            Verdict::BadId { ty: Some(ty) },
-            FAULT + FAULT * bad(start + 2, end),
-        ),
-        (Verdict::CutOff { ty }, price) => (Verdict::BadId { ty }, price + FAULT),
+        (Verdict::Damaged { ty }, _) => {
+            // A mere sign or word is likelier to stand in front of the ID than in its place.
+            let extra = matches!(id.kind, TokenKind::Word | TokenKind::Invalid);
+            let price = FAULT + FAULT * bad(start + 2, end) + if extra { 50 } else { 0 };
+            (Verdict::BadId { ty: Some(ty) }, price + void)
+        }
+        (Verdict::CutOff { ty }, price) => (Verdict::BadId { ty }, price + FAULT + void),
         (_, price) => {
             let ty = ty.filter(|t| t.code != 0);
-            (Verdict::BadId { ty }, FAULT + 200 + price.min(200))
+            (Verdict::BadId { ty }, FAULT + 200 + price.min(200) + void)
         }
     }
 }
@@ -249,15 +265,14 @@ fn wrong_kinds(stream: &Stream, ty: &'static RecordType, first: usize, end: usiz
         .count() as u32
 }
 
-/// Tokens that would be a whole record if an ID stood in front.
-fn lost_id(
-    stream: &Stream,
-    start: usize,
-    end: usize,
-    bad: impl Fn(usize, usize) -> u32,
-) -> Option<(Verdict, u32)> {
+/// Whether the tokens would be a whole record if an ID stood in front.
+pub fn has_lost_id(stream: &Stream, start: usize, end: usize) -> bool {
+    lost_id(stream, start, end).is_some()
+}
+
+fn lost_id(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> {
     let ty = record_type(stream, start).filter(|t| t.code != 0)?;
-    if !stream.starts_line(start) || !stream.ends_line(end) || bad(start, end) > 1 {
+    if !stream.starts_line(start) || !stream.ends_line(end) {
         return None;
     }
     let n = match ty.is_counted() {
@@ -266,8 +281,36 @@ fn lost_id(
     };
     let got = (end - start - 1) as u64;
     let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
-    let kinds = wrong_kinds(stream, ty, start + 1, end);
-    (exact && kinds == 0).then_some((Verdict::LostId { ty }, FAULT - 10))
+    let right = || {
+        (start + 1..end).enumerate().all(|(i, at)| {
+            let param = ty.param(i, n as usize);
+            param.is_some_and(|p| fits(stream.sigs[at].kind, p.kind) && allows(stream, at, p))
+        })
+    };
+    (exact && right()).then_some((Verdict::LostId { ty }, FAULT - 10))
+}
+
+/// Whether all values of a record are such as its type allows.
+pub fn values_allowed(stream: &Stream, start: usize, r: &Reading) -> bool {
+    (start + 2..r.end)
+        .enumerate()
+        .all(|(i, at)| (r.ty.param(i, r.count as usize)).is_none_or(|p| allows(stream, at, p)))
+}
+
+/// Whether the value of a token is one that the parameter may have.
+fn allows(stream: &Stream, i: usize, param: &Param) -> bool {
+    let Some(x) = stream.token(i).number(stream.text) else {
+        return true;
+    };
+    match param.constraint {
+        Constraint::Any => !matches!(param.kind, ParamKind::Reference { .. }) || x >= 0.0,
+        Constraint::Positive => x > 0.0,
+        Constraint::ProfileRadius => x >= 0.0,
+        Constraint::NonZeroScale => x != 0.0,
+        Constraint::Between(a, b) | Constraint::Within(a, b) => a <= x && x <= b,
+        Constraint::AtLeast(a) => x >= a,
+        Constraint::Axis => (1.0..=3.0).contains(&x),
+    }
 }
 
 impl Piece {

@@ -10,9 +10,10 @@
 use super::faults::{self, Verdict};
 use super::lexer::TokenKind;
 use super::reader::{self, Reading};
+use super::references;
 use super::stream::Stream;
 use super::table::{Effect, RecordType};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The price of one error. All other prices are in relation to this one.
 pub const FAULT: u32 = 1000;
@@ -31,6 +32,9 @@ pub struct Piece {
     pub verdict: Verdict,
 }
 
+/// Records with at least this many parameters are often laid out over several lines.
+const LONG: usize = 9;
+
 /// What the lines of a text say about its layout.
 pub struct Witnesses {
     /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
@@ -38,8 +42,31 @@ pub struct Witnesses {
     ends: Vec<u32>,
     /// The text is laid out with records beginning and ending with lines.
     pub in_lines: bool,
-    /// How many witness lines define each ID anew.
-    heads: HashMap<i32, u32>,
+    /// What the witness lines say about each ID they define.
+    heads: HashMap<i32, Head>,
+    /// The IDs that witness lines use or change.
+    used: HashSet<i32>,
+    /// Comments behind a record on its line are introduced by `0` here.
+    voids_behind_records: bool,
+}
+
+/// The witness lines that define one ID.
+struct Head {
+    first_line: usize,
+    /// How many can only be definitions, so that all but one are too many; and how many of these
+    /// also read well as a record without its ID.
+    definitions: u32,
+    may_be_lost: u32,
+}
+
+impl Head {
+    fn at(first_line: usize) -> Head {
+        Head {
+            first_line,
+            definitions: 0,
+            may_be_lost: 0,
+        }
+    }
 }
 
 impl Witnesses {
@@ -55,8 +82,7 @@ impl Witnesses {
                     *end = start as u32 + 1;
                 }
             } else if let Some(r) = reader::read(stream, start)
-                && stream.ends_line(r.end)
-                && r.end - start > 2
+                && testifies(stream, start, &r)
             {
                 *end = r.end as u32;
             }
@@ -65,6 +91,7 @@ impl Witnesses {
         // stretch is what one mistake makes, however long the record is that it spoils.
         let (mut line, mut covered, mut stretches, mut disturbed) = (0, 0, 0, false);
         let mut steps = 0;
+        let mut used = HashSet::new();
         while line < lines {
             let next = match ends[line] {
                 0 if run_to_line_end(stream, line) => line + 1,
@@ -76,10 +103,23 @@ impl Witnesses {
                 }
                 end => {
                     let start = stream.line_start(line);
-                    if defines(stream, start) {
-                        let id = stream.sigs[start].int.unwrap_or(0);
-                        *heads.entry(id).or_insert(0) += 1;
+                    let id = stream.sigs[start].int.unwrap_or(0);
+                    match record_type(stream, start + 1).map(|t| t.effect) {
+                        Some(Effect::Defines(_)) => {
+                            let lost = faults::has_lost_id(stream, start, end as usize);
+                            let head = heads.entry(id).or_insert(Head::at(line));
+                            head.definitions += 1;
+                            head.may_be_lost += u32::from(lost);
+                        }
+                        Some(Effect::DefinesOrChanges(..)) => {
+                            heads.entry(id).or_insert(Head::at(line));
+                        }
+                        Some(Effect::Changes(_)) => {
+                            used.insert(id);
+                        }
+                        None => {}
                     }
+                    used.extend(references::of_record(stream, start, end as usize));
                     stream.line(end as usize - 1) + 1
                 }
             };
@@ -93,7 +133,15 @@ impl Witnesses {
             in_lines: steps > 0 && steps + 2 >= 3 * stretches && mostly,
             ends,
             heads,
+            used,
+            voids_behind_records: voids_behind_records(stream),
         }
+    }
+
+    /// Whether a number is used as an ID elsewhere and defined by no line of its own: if a record
+    /// begins with it, then it is that record's ID.
+    pub fn is_missing(&self, id: i32) -> bool {
+        self.used.contains(&id) && !self.heads.contains_key(&id)
     }
 
     /// Whether a line would be a complete record by itself.
@@ -117,9 +165,36 @@ impl Witnesses {
     }
 }
 
-/// Whether the record that begins here defines a new entity.
-fn defines(stream: &Stream, start: usize) -> bool {
-    record_type(stream, start + 1).is_some_and(|t| matches!(t.effect, Effect::Defines(_)))
+/// Whether a record that begins with a line says something about the layout: it ends with a line
+/// too, and it is no row of a table by chance. Short records over several lines are rare, and so is
+/// an ID 1 without the type 9999.
+fn testifies(stream: &Stream, start: usize, r: &Reading) -> bool {
+    let one_line = stream.line(start) == stream.line(r.end - 1);
+    let long = r.ty.is_counted() || r.ty.params.len() >= LONG;
+    let render = (stream.sigs[start].int == Some(1)) == (r.ty.code == 9999);
+    stream.ends_line(r.end)
+        && r.end - start > 2
+        && (one_line || long)
+        && render
+        && faults::values_allowed(stream, start, r)
+}
+
+/// Whether people here write `2 9 1 0 # a sphere #`: several do, or nobody does without the `0`.
+fn voids_behind_records(stream: &Stream) -> bool {
+    let (mut with, mut without) = (0, 0);
+    for line in 0..stream.line_count() {
+        let (start, end) = (stream.line_start(line), stream.line_end(line));
+        let last = &stream.sigs[end - 1];
+        if end - start > 2 && last.before_comment {
+            let read = |end: usize| reader::read(stream, start).is_some_and(|r| r.end == end);
+            if last.int == Some(0) && read(end - 1) {
+                with += 1;
+            } else if read(end) {
+                without += 1;
+            }
+        }
+    }
+    with > 1 || without == 0
 }
 
 pub fn record_type(stream: &Stream, i: usize) -> Option<&'static RecordType> {
@@ -146,7 +221,17 @@ fn run_to_line_end(stream: &Stream, line: usize) -> bool {
 /// line, and none takes over the head of a line that says it is a record of its own.
 pub fn is_undisturbed(stream: &Stream, starts: impl Iterator<Item = (usize, usize)>) -> bool {
     let mut previous_void = false;
+    let mut defined = HashMap::new();
     for (start, end) in starts {
+        if let Some(Effect::Defines(_)) = record_type(stream, start + 1).map(|t| t.effect)
+            && end > start + 1
+            && let Some(other) = defined.insert(stream.sigs[start].int, (start, end))
+            && [other, (start, end)]
+                .iter()
+                .any(|&(s, e)| faults::has_lost_id(stream, s, e))
+        {
+            return false;
+        }
         if !stream.starts_line(start) && !previous_void {
             return false;
         }
@@ -264,7 +349,12 @@ impl Search<'_, '_> {
     fn void_price(&self, i: usize) -> u32 {
         let behind = !self.stream.starts_line(i);
         if self.stream.sigs[i].before_comment {
-            return 0;
+            let odd = behind && self.in_lines() && !self.witnesses.voids_behind_records;
+            return if odd && self.stream.ends_line(i + 1) {
+                IMPLAUSIBLE
+            } else {
+                0
+            };
         }
         match (self.in_lines(), behind) {
             (true, true) => IMPLAUSIBLE,
@@ -280,7 +370,17 @@ impl Search<'_, '_> {
         let (first, last) = (stream.line(start), stream.line(r.end - 1));
         let behind = !stream.starts_line(start);
         if !behind && first == last && stream.ends_line(r.end) {
-            return 0;
+            // One of several definitions of an ID, on a line that also reads well without its ID.
+            let id = stream.sigs[start].int.unwrap_or(0);
+            let too_many = matches!(r.ty.effect, Effect::Defines(_))
+                && (self.witnesses.heads.get(&id)).is_some_and(|h| {
+                    h.definitions > 1 && (h.may_be_lost == 1 || h.first_line < first)
+                });
+            return if too_many && faults::has_lost_id(stream, start, r.end) {
+                FAULT
+            } else {
+                0
+            };
         }
         let mut price = 0;
         if behind {
@@ -302,7 +402,7 @@ impl Search<'_, '_> {
                 (false, ..) | (true, false, false) => 0,
             };
             if self.in_lines() {
-                price += self.swallowed(start, first + 1, last).min(600);
+                price += self.swallowed(start, first + 1, last);
             }
         }
         // What the resolver would object to counts too, but never as much as a fault of form.
@@ -319,8 +419,8 @@ impl Search<'_, '_> {
             let length = |l: usize| self.stream.line_end(l) - self.stream.line_start(l);
             if complete && (previous == self.stream.line(start) || length(previous) != length(line))
             {
-                price += 200;
-                if price >= 600 {
+                price += 400;
+                if price >= 3 * FAULT {
                     break;
                 }
             }
@@ -334,13 +434,13 @@ impl Search<'_, '_> {
         if (id == 1) != (r.ty.code == 9999) {
             price += 600;
         }
-        let defined = self.witnesses.heads.get(&id).copied().unwrap_or(0);
-        let itself = u32::from(
-            self.stream.starts_line(start)
-                && self.witnesses.ends[self.stream.line(start)] as usize == r.end,
-        );
-        if matches!(r.ty.effect, Effect::Defines(_)) && defined > itself {
+        let line = self.stream.line(start);
+        let elsewhere = (self.witnesses.heads.get(&id)).is_some_and(|h| h.first_line != line);
+        if matches!(r.ty.effect, Effect::Defines(_)) && elsewhere {
             price += 300;
+        }
+        if !faults::values_allowed(self.stream, start, r) {
+            price += 500;
         }
         price.min(DOUBTFUL)
     }
@@ -349,12 +449,14 @@ impl Search<'_, '_> {
     fn fault(&self, start: usize, end: usize) -> (Verdict, u32) {
         let stream = self.stream;
         let bad = |from: usize, to: usize| self.bad_before[to] - self.bad_before[from.min(to)];
-        let (verdict, mut price) = faults::judge(stream, start, end, bad);
+        let is_id = |id: i32| self.witnesses.is_missing(id);
+        let (verdict, mut price) = faults::judge(stream, start, end, bad, is_id);
         let (first, last) = (stream.line(start), stream.line(end - 1));
         if !stream.starts_line(start) {
             price += if self.in_lines() { 300 } else { 20 };
         }
-        if !stream.ends_line(end) {
+        let passed_over = end == start + 1 && stream.sigs[start].kind.is_bad();
+        if !stream.ends_line(end) && !passed_over {
             price += if self.in_lines() { 150 } else { 20 };
         }
         if last > first {
@@ -411,7 +513,9 @@ impl Search<'_, '_> {
                 }
             }
         }
-        if faults::lacks_count(stream, i) {
+        if faults::is_counted(stream, i)
+            && faults::expected_end(stream, i).is_none_or(|e| e > line_end)
+        {
             // The table of points may be of any length.
             let mut l = line;
             while l + 1 < stream.line_count()

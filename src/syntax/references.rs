@@ -3,9 +3,18 @@
 use std::collections::HashSet;
 
 use super::faults::Verdict;
-use super::layout::Piece;
+use super::layout::{Piece, record_type};
 use super::stream::Stream;
 use super::table::ParamKind;
+
+/// The IDs that the record at tokens `start..end` refers to.
+pub fn of_record(stream: &Stream, start: usize, end: usize) -> impl Iterator<Item = i32> {
+    let params = record_type(stream, start + 1).map_or(&[][..], |t| t.params);
+    (start + 2..end)
+        .zip(params)
+        .filter(|(_, p)| matches!(p.kind, ParamKind::Reference { .. }))
+        .filter_map(|(i, _)| stream.sigs[i].int.filter(|&id| id > 0))
+}
 
 /// How many errors a reading of a text amounts to: its faults, and the IDs that are used and
 /// defined nowhere; each record that lost its ID accounts for one of these.
@@ -19,11 +28,7 @@ pub fn damage(stream: &Stream, pieces: &[Piece]) -> usize {
             Verdict::Void => {}
             Verdict::Whole(r) => {
                 defined.extend(id);
-                for (i, param) in (p.start + 2..p.end).zip(r.ty.params) {
-                    if let ParamKind::Reference { .. } = param.kind {
-                        used.extend(stream.sigs[i].int.filter(|&id| id > 0));
-                    }
-                }
+                used.extend(of_record(stream, p.start, r.end));
             }
             Verdict::LostId { .. } | Verdict::BadId { .. } => {
                 faults += 1;

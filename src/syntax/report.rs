@@ -374,35 +374,39 @@ impl Reporter<'_, '_> {
             })
             .collect();
         let off = got as i64 - expected as i64;
-        let length = |r: &(usize, usize)| (r.1 - r.0) as i64;
-        // The usual length of a line: the one most of them have.
-        let mut lengths: Vec<i64> = rows[1..].iter().map(length).collect();
-        lengths.sort_unstable();
-        let usual = *lengths
-            .chunk_by(|a, b| a == b)
-            .max_by_key(|c| (c.len(), c[0]))?
-            .first()?;
-        let line = |r: &(usize, usize)| {
-            let from = stream.line_start(stream.line(r.1.max(1) - 1));
-            (from.max(piece.start), r.1)
-        };
-        if let Some(r) = rows[1..rows.len() - 1]
-            .iter()
-            .find(|r| length(r) == usual + off)
-        {
-            return Some(line(r));
-        }
-        let whole_head = length(&rows[0]);
-        if whole_head == off && off > 0 || whole_head > 0 && whole_head == usual + off {
+        let lengths: Vec<i64> = rows.iter().map(|r| (r.1 - r.0) as i64).collect();
+        if lengths[0] == off && off > 0 {
             return Some((piece.start, rows[0].1));
         }
-        let points = expected as i64 - i64::from(ty.is_counted()) - whole_head;
-        let rest = match points.rem_euclid(usual.max(1)) {
-            0 => usual,
-            r => r,
+        // How uneven the table is with row `r` put right: how often the length changes from row to
+        // row (a short last row is none), and whether points and colours part at a row's end.
+        let points = ty.repeats.first().map_or(0, |g| g.len() as i64);
+        let points = points * stream.sigs[(head - 1).min(piece.end - 1)].int.unwrap_or(0) as i64;
+        let uneven = |r: usize| {
+            let right = |i: usize| lengths[i] - if i == r { off } else { 0 };
+            let begin = usize::from(lengths[0] == 0);
+            let changes = (begin + 1..lengths.len())
+                .filter(|&i| {
+                    let (before, now) = (right(i - 1), right(i));
+                    now > before || now < before && i + 1 < lengths.len()
+                })
+                .count();
+            let mut sum = 0;
+            let parted = (0..lengths.len()).any(|i| {
+                sum += right(i);
+                sum == points
+            });
+            let mut distinct: Vec<i64> = (begin..lengths.len()).map(right).collect();
+            distinct.sort_unstable();
+            distinct.dedup();
+            (changes, !parted, distinct.len(), r + 1 == lengths.len())
         };
-        let tail = rows.last().filter(|r| length(r) == rest + off)?;
-        Some(line(tail))
+        let first_row = usize::from(lengths[0] == 0);
+        let best = (first_row..rows.len())
+            .filter(|&r| lengths[r] - off > 0)
+            .min_by_key(|&r| uneven(r))?;
+        let from = stream.line_start(first + best).max(piece.start);
+        Some((from, rows[best].1))
     }
 
     fn bad_count(&self, ty: &RecordType, start: usize, end: usize, out: &mut Vec<Diagnostic>) {

@@ -1,0 +1,56 @@
+//! S502: a stand-alone comment that no VOID record introduces.
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
+use crate::lint::Context;
+use crate::syntax::Item;
+use crate::syntax::lexer::{Token, TokenKind};
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let tokens = &context.document.tokens;
+    let mut items = context.document.items.iter().peekable();
+    // The item that ended last before the token at hand.
+    let mut previous: Option<&Item> = None;
+    for (i, t) in tokens.iter().enumerate() {
+        while let Some(item) = items.next_if(|item| (item.ends().1 as usize) < i) {
+            previous = Some(item);
+        }
+        let inside = items
+            .peek()
+            .is_some_and(|item| (item.ends().0 as usize) < i);
+        if t.kind != TokenKind::Comment || inside || !stands_alone(tokens, i) {
+            continue;
+        }
+        let introduced = matches!(previous, Some(Item::Void { token })
+            if tokens[*token as usize + 1..i].iter().all(|t| t.kind == TokenKind::Newline));
+        if introduced || is_directive(t, context.text) {
+            continue;
+        }
+        out.push(
+            Diagnostic::new(
+                Code::S502,
+                t.span(),
+                "a comment of its own is introduced by `0`",
+            )
+            .fix(Fix::replace(
+                "put `0` in front",
+                Applicability::Safe,
+                Span::new(t.start, t.start),
+                "0 ",
+            )),
+        );
+    }
+}
+
+/// Whether nothing else stands on the comment's line.
+fn stands_alone(tokens: &[Token], i: usize) -> bool {
+    let edge = |t: &Token| matches!(t.kind, TokenKind::Newline | TokenKind::ByteOrderMark);
+    tokens[..i].last().is_none_or(edge) && tokens.get(i + 1).is_none_or(edge)
+}
+
+/// Comments that talk to zpg, `# zpg: … #`, need no introduction.
+fn is_directive(t: &Token, text: &str) -> bool {
+    t.text(text)
+        .trim_start_matches('#')
+        .trim_start()
+        .starts_with("zpg:")
+}

@@ -1,0 +1,32 @@
+//! N602: the scene is framed automatically.
+
+use crate::diagnostics::{Code, Diagnostic};
+use crate::lint::Context;
+use crate::scene::View;
+use crate::syntax::Item;
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let Some(render) = context.scene.render else {
+        return;
+    };
+    // A camera that could not be read is no reason to say there is none.
+    let broken = |item: &Item| matches!(item, Item::Broken(b) if b.ty.is_none_or(|t| matches!(t.code, -501 | -99)));
+    if context.scene.view == View::Automatic
+        && context.scene.cameras.is_empty()
+        && !context.document.items.iter().any(broken)
+        && !context
+            .scene
+            .entities
+            .iter()
+            .any(|e| e.kind == Some(crate::syntax::table::Kind::Camera))
+    {
+        out.push(
+            Diagnostic::new(
+                Code::N602,
+                render.span,
+                "there is no camera; the scene is framed automatically",
+            )
+            .help("a camera is written `ID -501 x y z dx dy dz ux uy uz fovy`"),
+        );
+    }
+}

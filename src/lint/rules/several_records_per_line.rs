@@ -1,0 +1,55 @@
+//! S503: more than one record on a line.
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
+use crate::lint::Context;
+use crate::syntax::Item;
+use crate::syntax::lexer::TokenKind;
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let document = context.document;
+    let tokens = &document.tokens;
+    // One finding a line, with all records that begin on it behind another one.
+    let mut line: Vec<&Item> = Vec::new();
+    for pair in document.items.windows(2) {
+        let between = pair[0].ends().1 as usize + 1..pair[1].ends().0 as usize;
+        let same_line = !tokens[between].iter().any(|t| t.kind == TokenKind::Newline);
+        // A broken stretch was reported; where it ends is only a guess.
+        let sound = !matches!(pair[0], Item::Broken(_)) && !matches!(pair[1], Item::Broken(_));
+        if same_line && sound {
+            line.push(&pair[1]);
+        } else if !same_line {
+            report(context, &mut line, out);
+        }
+    }
+    report(context, &mut line, out);
+}
+
+fn report(context: &Context, line: &mut Vec<&Item>, out: &mut Vec<Diagnostic>) {
+    let Some(first) = line.first() else { return };
+    let starts: Vec<u32> = line
+        .iter()
+        .map(|item| context.document.item_span(item).start)
+        .collect();
+    out.push(
+        Diagnostic::new(
+            Code::S503,
+            context.document.item_span(first),
+            match line.len() {
+                1 => "a second record on the same line".to_owned(),
+                n => format!("{n} more records on the same line"),
+            },
+        )
+        .fix(Fix {
+            title: "one record a line".to_owned(),
+            applicability: Applicability::Safe,
+            edits: starts
+                .iter()
+                .map(|&at| Edit {
+                    span: Span::new(at, at),
+                    text: "\n".to_owned(),
+                })
+                .collect(),
+        }),
+    );
+    line.clear();
+}
