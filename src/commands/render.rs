@@ -117,7 +117,7 @@ impl FromStr for CropArg {
     fn from_str(s: &str) -> Result<CropArg, String> {
         let numbers: Result<Vec<u32>, _> = s.split(',').map(|n| n.trim().parse()).collect();
         match numbers.as_deref() {
-            Ok(&[x, y, width @ 1.., height @ 1..]) => Ok(CropArg(Crop {
+            Ok(&[x, y, width, height]) if width > 0 && height > 0 => Ok(CropArg(Crop {
                 x,
                 y,
                 width,
