@@ -106,7 +106,7 @@ fn random_trees_agree_with_their_definition() {
         let mut b = Builder::default();
         let root = random_tree(&mut b, &mut r, 2 + round % 9);
         let tracer = root_only(&b.scene, root);
-        for _ in 0..40 {
+        for _ in 0..100 {
             let ray = r.ray(4.0);
             let found = crossings(&tracer, &ray);
             checked += found.len();
