@@ -1,7 +1,9 @@
 //! `zpg render`: the reference ray tracer.
 
+mod output;
+
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::time::Instant;
@@ -9,11 +11,11 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
-use super::terminal::reason;
 use super::{ColorChoice, Loaded, Status, complain, load, report};
 use crate::scene::{Camera, Scene, View};
 use crate::trace::stats::{Intersections, Rays};
 use crate::trace::{Crop, Film, Picture, Settings, Tracer, Unsupported, selected_camera};
+use output::{Draft, Output, unwritable};
 
 /// Draw a scene
 #[derive(Debug, clap::Args)]
@@ -141,6 +143,12 @@ enum Failure {
     Scene(Unsupported),
     /// Wrong usage, or a file that cannot be written.
     Usage(String),
+}
+
+impl From<String> for Failure {
+    fn from(message: String) -> Failure {
+        Failure::Usage(message)
+    }
 }
 
 impl From<Unsupported> for Failure {
@@ -379,111 +387,6 @@ fn progress_bar(rows: u64) -> ProgressBar {
     bar
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Format {
-    Png,
-    Pfm,
-}
-
-/// A picture file to be: a temporary file beside it until the picture is complete.
-struct Output {
-    path: PathBuf,
-    format: Format,
-    file: Draft,
-}
-
-enum Draft {
-    Temporary(tempfile::NamedTempFile),
-    /// What exists and is not a plain file, a pipe for instance, is written to as it is.
-    Direct(fs::File),
-}
-
-impl Output {
-    fn create(path: &Path) -> Result<Output, Failure> {
-        let extension = path.extension().unwrap_or_default().to_string_lossy();
-        let format = match extension.to_lowercase().as_str() {
-            "png" => Format::Png,
-            "pfm" => Format::Pfm,
-            _ => {
-                return Err(Failure::Usage(format!(
-                    "cannot tell the format of {}: expected a name that ends in .png or .pfm",
-                    path.display()
-                )));
-            }
-        };
-        let file = Draft::create(path).map_err(|e| unwritable(path, &e))?;
-        Ok(Output {
-            path: path.to_owned(),
-            format,
-            file,
-        })
-    }
-
-    fn finish(self, film: &Film) -> Result<(), Failure> {
-        let write = |out: &mut dyn Write| match self.format {
-            Format::Png => film.write_png(out),
-            Format::Pfm => film.write_pfm(out),
-        };
-        self.file
-            .finish(&self.path, write)
-            .map_err(|e| unwritable(&self.path, &e))
-    }
-}
-
-impl Draft {
-    fn create(path: &Path) -> io::Result<Draft> {
-        match fs::metadata(path) {
-            Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
-            Ok(found) if !found.is_file() => {
-                return fs::File::options()
-                    .write(true)
-                    .open(path)
-                    .map(Draft::Direct);
-            }
-            _ => {}
-        }
-        let folder = match path.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
-        let mut builder = tempfile::Builder::new();
-        // Like any new file: readable for whom the user's mask allows.
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        builder.tempfile_in(folder).map(Draft::Temporary)
-    }
-
-    fn finish(
-        self,
-        path: &Path,
-        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    ) -> io::Result<()> {
-        match self {
-            Draft::Temporary(mut file) => {
-                let mut out = BufWriter::new(file.as_file_mut());
-                write(&mut out)?;
-                out.flush()?;
-                drop(out);
-                file.persist(path)?;
-            }
-            Draft::Direct(file) => {
-                let mut out = BufWriter::new(file);
-                write(&mut out)?;
-                out.flush()?;
-            }
-        }
-        Ok(())
-    }
-}
-
-fn unwritable(path: &Path, error: &io::Error) -> Failure {
-    Failure::Usage(format!(
-        "cannot write {}: {}",
-        path.display(),
-        reason(error)
-    ))
-}
-
 fn write_stats(path: &Path, stats: &Stats) -> Result<(), Failure> {
     let write = |out: &mut dyn Write| {
         serde_json::to_writer_pretty(&mut *out, stats)?;
@@ -491,7 +394,7 @@ fn write_stats(path: &Path, stats: &Stats) -> Result<(), Failure> {
     };
     Draft::create(path)
         .and_then(|draft| draft.finish(path, write))
-        .map_err(|e| unwritable(path, &e))
+        .map_err(|e| Failure::Usage(unwritable(path, &e)))
 }
 
 /// The most memory the process has held, in bytes; 0 where the system does not tell.

@@ -1,6 +1,5 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
-use super::graph::Target;
 use super::ray::{Left, Ray};
 use super::shapes::Root;
 use super::spans::{Event, Kind, State};
@@ -16,8 +15,6 @@ pub struct Hit {
     pub point: Vec3,
     /// Unit geometric normal, outwards of the shape.
     pub normal: Vec3,
-    /// Surface coordinates of the shape.
-    pub uv: [f64; 2],
     /// Linear RGB.
     pub colour: Rgb,
     pub optics: Optics,
@@ -68,19 +65,14 @@ impl Walker<'_> {
             return self.first_visible(ray, from, to);
         }
         let first = self.nearest(ray, from, to, false)?;
-        let opaque = {
-            let kt = self.graph.optics[self.optics(first.owner) as usize].kt;
-            kt == [0.0; 3]
-        };
-        if ray.outside && opaque {
-            let hit = self.resolve(ray, first.leaf, first.root, first.owner);
-            let inside = self.is_solid(first.leaf);
+        let hit = self.resolve(ray, first.leaf, first.root, first.owner);
+        if ray.outside && hit.optics.kt == [0.0; 3] {
+            let inside = self.shape(first.leaf).is_solid();
             return Some(Hit {
                 inside: [false, inside],
                 ..hit
             });
         }
-        let hit = self.resolve(ray, first.leaf, first.root, first.owner);
         // Far enough to see what else cannot be told from this crossing.
         let reach = hit.skin / hit.normal.dot(ray.line.direction).abs();
         let near = first.root.t + reach;
@@ -103,12 +95,11 @@ impl Walker<'_> {
             _ => Some(events[found - 1].state),
         };
         let rest: Vec<Event> = events[found + 1..].to_vec();
-        let hit = self.resolve(ray, event.leaf, event.root, event.owner.leaf);
-        let (event, after) = settle(event, &rest, &hit, ray);
-        let hit = match event.kind {
-            Kind::Sheet => hit,
-            _ => self.resolve(ray, event.leaf, event.root, event.owner.leaf),
-        };
+        let mut hit = self.resolve(ray, event.leaf, event.root, event.owner.leaf);
+        let (shown, after) = settle(event, &rest, &hit, ray);
+        if shown.leaf != event.leaf {
+            hit = self.resolve(ray, shown.leaf, shown.root, shown.owner.leaf);
+        }
         let index = |state: Option<State>| match state {
             Some(s) if s.inside => self.graph.indices[s.owner.index as usize],
             _ => self.graph.indices[0],
@@ -120,24 +111,13 @@ impl Walker<'_> {
         })
     }
 
-    fn is_solid(&self, leaf: Leaf) -> bool {
-        match self.part(leaf.part).target {
-            Target::Shape(p) => self.graph.primitives[p as usize].shape().is_solid(),
-            Target::Object(_) => true,
-        }
-    }
-
     /// The place of a crossing of the shape `leaf` with the properties of `owner`; media and sides
     /// are left at their defaults.
     pub fn resolve(&self, ray: &Ray, leaf: Leaf, root: Root, owner: Leaf) -> Hit {
         let part = self.part(leaf.part);
         let line = self.placed(&self.contexts[leaf.context as usize].line, part);
-        let Target::Shape(primitive) = part.target else {
-            unreachable!("only shapes are crossed");
-        };
-        let shape = self.graph.primitives[primitive as usize].shape();
+        let shape = self.shape(leaf);
         let located = shape.locate(&line, root);
-        let uv = shape.uv(located.point, root.face);
         let (mut point, mut error, mut normal) = (located.point, located.error, located.normal);
         self.climb(leaf, |placement| {
             error = placement.out.point_error(point, error);
@@ -150,8 +130,7 @@ impl Walker<'_> {
             t: root.t,
             point,
             normal,
-            uv,
-            colour: self.colour(owner, point, uv),
+            colour: self.colour(owner, point, || shape.uv(located.point, root.face)),
             optics,
             indices: [self.graph.indices[0]; 2],
             inside: [false; 2],
@@ -162,7 +141,16 @@ impl Walker<'_> {
         }
     }
 
-    fn colour(&self, owner: Leaf, point: Vec3, uv: [f64; 2]) -> Rgb {
+    /// Surface coordinates of a crossing of the shape `leaf`.
+    pub fn uv(&self, leaf: Leaf, root: Root) -> [f64; 2] {
+        let line = &self.contexts[leaf.context as usize].line;
+        let shape = self.shape(leaf);
+        let located = shape.locate(&self.placed(line, self.part(leaf.part)), root);
+        shape.uv(located.point, root.face)
+    }
+
+    /// The colour of a point, in the scene's space; surface coordinates where a texture asks.
+    fn colour(&self, owner: Leaf, point: Vec3, uv: impl FnOnce() -> [f64; 2]) -> Rgb {
         let Some(painted) = self.texture(owner) else {
             return DEFAULT_COLOUR;
         };
@@ -171,6 +159,7 @@ impl Walker<'_> {
         match &self.graph.textures[painted.texture as usize] {
             Texture::Colour(c) => *c,
             Texture::Checkerboard { n, m, colours } => {
+                let uv = uv();
                 colours[odd(&[uv[0] * *n as f64, uv[1] * *m as f64]) as usize]
             }
             Texture::Solid { colours, size } => {

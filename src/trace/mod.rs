@@ -13,6 +13,7 @@ pub mod camera;
 mod compile;
 mod effects;
 pub mod film;
+mod finish;
 pub mod graph;
 pub mod hit;
 mod intern;
@@ -82,6 +83,8 @@ pub struct Tracer {
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing {
     pub hit: Hit,
+    /// Surface coordinates of the shape.
+    pub uv: [f64; 2],
     /// `None` for surfaces without inside.
     pub entering: Option<bool>,
 }
@@ -155,6 +158,7 @@ impl Tracer {
             if event.kind != Kind::Silent {
                 out.push(Crossing {
                     hit: walker.resolve(ray, event.leaf, event.root, event.owner.leaf),
+                    uv: walker.uv(event.leaf, event.root),
                     entering: (event.kind == Kind::Boundary)
                         .then_some(event.state.inside && !before),
                 });

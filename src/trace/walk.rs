@@ -3,7 +3,7 @@
 use super::graph::{Coat, Graph, Part, Target};
 use super::nearest::Entry;
 use super::ray::{Left, Line, Ray};
-use super::shapes::{Root, Roots};
+use super::shapes::{Root, Roots, Shape};
 use super::spans::Spans;
 use super::stats::Intersections;
 use super::vec::{UNIT_ROUNDOFF, Vec3};
@@ -100,6 +100,14 @@ impl<'g> Walker<'g> {
 
     pub fn part(&self, part: u32) -> &'g Part {
         &self.graph.parts[part as usize]
+    }
+
+    /// The shape of a leaf. Leaves are made of shapes only, when they are crossed.
+    pub fn shape(&self, leaf: Leaf) -> &'g dyn Shape {
+        match self.part(leaf.part).target {
+            Target::Shape(p) => self.graph.primitives[p as usize].shape(),
+            Target::Object(_) => unreachable!("objects have no surface of their own"),
+        }
     }
 
     fn coat(&self, part: &Part) -> &'g Coat {
@@ -236,12 +244,7 @@ impl<'g> Walker<'g> {
 
     /// The unit normal at a root, outwards, in the scene's space.
     fn world_normal(&self, leaf: Leaf, line: &Line, root: Root) -> Vec3 {
-        let part = self.part(leaf.part);
-        let Target::Shape(primitive) = part.target else {
-            return Vec3::ZERO;
-        };
-        let shape = self.graph.primitives[primitive as usize].shape();
-        let mut normal = shape.locate(line, root).normal;
+        let mut normal = self.shape(leaf).locate(line, root).normal;
         self.climb(leaf, |placement| {
             normal = placement.back.transposed(normal);
         });
