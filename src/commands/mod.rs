@@ -10,6 +10,7 @@ pub mod explain;
 pub mod fmt;
 pub mod loaded;
 pub mod paths;
+pub mod render;
 pub mod terminal;
 
 pub use loaded::{LoadError, Loaded, load};
