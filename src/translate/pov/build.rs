@@ -20,6 +20,8 @@ pub(super) struct Builder<'a> {
     pub report: Report,
     /// The entity each node belongs to, 0 where none does.
     pub ids: Vec<u32>,
+    /// The render box cuts through the scene: what lies inside of opaque objects can be seen.
+    pub cut_open: bool,
     /// An index that differs by channel was written.
     pub dispersive: bool,
     /// An index was written.
@@ -30,11 +32,18 @@ impl<'a> Builder<'a> {
     pub fn new(scene: &'a Scene, root: NodeId) -> Builder<'a> {
         let mut aspects = Aspects::of(scene);
         let facts = facts::facts(scene, &mut aspects, root);
+        let bounds = node_bounds(scene);
+        let all = bounds.get(root as usize).map_or(Aabb::EMPTY, |b| b.all);
+        let cut_open = scene
+            .render
+            .and_then(|r| r.clip)
+            .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all));
         Builder {
             scene,
             aspects,
             facts,
-            bounds: node_bounds(scene),
+            bounds,
+            cut_open,
             looks: Looks::default(),
             report: Report::new("pov"),
             ids: names::node_ids(scene),

@@ -1,13 +1,12 @@
 //! Differences. All of the boundary of A − B has the properties of A, cut faces too, so B is
 //! written with A's look. Where A is a union of different looks, each of its parts is cut by itself.
 
-use std::collections::HashMap;
-
 use super::aspects::DEFAULT;
 use super::build::{Builder, inside_medium};
 use super::descend::End;
+use super::grouping::{self, meet};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
-use super::union::{meet, non_empty};
+use super::union::non_empty;
 use crate::scene::{Aabb, Matrix, NodeId};
 use crate::translate::fidelity::Fidelity;
 
@@ -126,23 +125,16 @@ impl Builder<'_> {
     }
 
     fn by_substance(&self, parts: &[(NodeId, State)]) -> Vec<Cut> {
-        let mut groups: Vec<Cut> = Vec::new();
-        let mut known = HashMap::new();
-        for &(node, state) in parts {
-            let substance = self.substance(node, state);
-            let next = groups.len();
-            let group = substance.map_or(next, |s| *known.entry(s).or_insert(next));
-            if group == next {
-                groups.push(Cut {
-                    substance,
-                    nodes: Vec::new(),
-                    boxes: Vec::new(),
-                });
-            }
-            groups[group].nodes.push((node, state));
-            groups[group].boxes.push(self.box_of(node));
-        }
-        groups
+        let operands: Vec<_> = parts
+            .iter()
+            .map(|&(node, state)| (self.substance(node, state), self.box_of(node)))
+            .collect();
+        let cut = |group: &Vec<usize>| Cut {
+            substance: group.first().and_then(|i| operands[*i].0),
+            nodes: group.iter().map(|i| parts[*i]).collect(),
+            boxes: group.iter().map(|i| operands[*i].1).collect(),
+        };
+        grouping::in_order(&operands).iter().map(cut).collect()
     }
 
     /// Where parts of different substance overlap, the first one owns the overlap.

@@ -5,7 +5,7 @@
 //! light is that of the reference ray tracer, except at total internal reflection.
 //!
 //! From the resolved scene to text: [`facts`] about every node, bottom-up; [`build`] with
-//! [`descend`], [`union`] and [`difference`] says what each object consists of, as [`piece`]s;
+//! [`descend`], [`union`], [`difference`] and [`grouping`] says what each object consists of, as [`piece`]s;
 //! [`emit`] orders, names and prints them; [`look`], [`uv`] and [`shape`] know POV-Ray's textures
 //! and primitives; [`scenery`] does cameras and lights.
 
@@ -15,6 +15,7 @@ mod descend;
 mod difference;
 mod emit;
 mod facts;
+mod grouping;
 mod look;
 mod names;
 mod piece;

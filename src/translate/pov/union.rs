@@ -3,6 +3,7 @@
 
 use super::aspects::DEFAULT;
 use super::build::{Builder, inside_medium};
+use super::grouping::{self, meet, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use crate::scene::{Aabb, NodeId};
 use crate::translate::fidelity::Fidelity;
@@ -16,21 +17,18 @@ pub(super) struct Members {
     medium: Option<(u32, u32)>,
     pub nodes: Operands,
     pub boxes: Vec<Aabb>,
-    transparent: bool,
-    /// Position of the first and last among all operands.
-    first: usize,
-    last: usize,
+    seen_into: bool,
 }
 
 impl Builder<'_> {
     /// The union of operands that are no unions themselves.
     pub(super) fn union(&mut self, members: Vec<(NodeId, State)>) -> Option<Piece> {
-        let transparent = |&(node, state): &(NodeId, State)| {
+        let seen_into = |&(node, state): &(NodeId, State)| {
             self.facts[node as usize].has_solid
                 && state.part != Part::Surface
-                && self.is_transparent(node, state.look)
+                && self.is_seen_into(node, state)
         };
-        if !members.iter().any(transparent) {
+        if !members.iter().any(seen_into) {
             let pieces = self.pieces(&members);
             return non_empty(Group::Union, pieces);
         }
@@ -40,7 +38,7 @@ impl Builder<'_> {
         for i in 0..groups.len() {
             let mut clips = Vec::new();
             for earlier in 0..i {
-                if groups[earlier].transparent && meet(&groups[earlier].boxes, &groups[i].boxes) {
+                if groups[earlier].seen_into && meet(&groups[earlier].boxes, &groups[i].boxes) {
                     self.overlap(&groups[earlier], &groups[i]);
                     clips.extend(self.outside_of(&groups[earlier]));
                 }
@@ -68,27 +66,25 @@ impl Builder<'_> {
     }
 
     fn by_medium(&self, solids: &[(NodeId, State)]) -> Vec<Members> {
-        let mut groups: Vec<Members> = Vec::new();
-        let mut known = std::collections::HashMap::new();
-        for (at, &(node, state)) in solids.iter().enumerate() {
-            let medium = self.medium(node, state);
-            let next = groups.len();
-            let group = medium.map_or(next, |m| *known.entry(m).or_insert(next));
-            if group == next {
-                groups.push(Members {
-                    medium,
-                    nodes: Vec::new(),
-                    boxes: Vec::new(),
-                    transparent: self.is_transparent(node, state.look),
-                    first: at,
-                    last: at,
-                });
-            }
-            groups[group].nodes.push((node, state));
-            groups[group].boxes.push(self.box_of(node));
-            groups[group].last = at;
-        }
-        groups
+        let operands: Vec<_> = solids
+            .iter()
+            .map(|&(node, state)| (self.medium(node, state), self.box_of(node)))
+            .collect();
+        let members = |group: &Vec<usize>| Members {
+            medium: group.first().and_then(|i| operands[*i].0),
+            nodes: group.iter().map(|i| solids[*i]).collect(),
+            boxes: group.iter().map(|i| operands[*i].1).collect(),
+            seen_into: group.iter().any(|i| {
+                let (node, state) = solids[*i];
+                self.is_seen_into(node, state)
+            }),
+        };
+        grouping::in_order(&operands).iter().map(members).collect()
+    }
+
+    /// Whether faces inside a node can be seen.
+    fn is_seen_into(&self, node: NodeId, state: State) -> bool {
+        self.cut_open || self.is_transparent(node, state.look)
     }
 
     /// The optics and index of a node that is one medium. What an object around the node gives is
@@ -111,7 +107,7 @@ impl Builder<'_> {
 
     /// Operands of one medium as one object; its inside is one, too.
     fn one_medium_union(&mut self, group: &mut Members) -> Option<Piece> {
-        let merged = group.transparent && group.nodes.len() > 1 && meet_each_other(&group.boxes);
+        let merged = group.seen_into && group.nodes.len() > 1 && meet_each_other(&group.boxes);
         if !merged {
             let pieces = self.pieces(&group.nodes);
             return non_empty(Group::Union, pieces);
@@ -151,11 +147,11 @@ impl Builder<'_> {
         if index(earlier) != Some(DEFAULT) || index(later) != Some(DEFAULT) {
             self.media_are_approximate();
         }
-        if earlier.last > later.first {
+        if earlier.medium.is_some() && earlier.medium == later.medium {
             self.report.count(
-                "order of overlapping media",
-                Fidelity::Approximate("overlaps may belong to another part".to_owned()),
-                "parts of one medium are joined first",
+                "parts of one medium that overlap, with another medium between them",
+                Fidelity::Approximate("a face inside the overlap shows".to_owned()),
+                "",
             );
         }
     }
@@ -163,63 +159,4 @@ impl Builder<'_> {
 
 pub(super) fn non_empty(kind: Group, pieces: Vec<Piece>) -> Option<Piece> {
     (!pieces.is_empty()).then(|| Piece::group(kind, pieces))
-}
-
-/// So many pairs of boxes are looked at before two sets are taken to meet.
-const PATIENCE: usize = 1 << 20;
-
-/// Whether a box of one set touches one of the other.
-pub(super) fn meet(a: &[Aabb], b: &[Aabb]) -> bool {
-    sweep(a, b)
-}
-
-/// Whether two boxes of a set touch.
-fn meet_each_other(boxes: &[Aabb]) -> bool {
-    sweep(boxes, &[])
-}
-
-/// Sweeps a plane along x over both sets and compares boxes that it cuts at the same time: each of
-/// one set with each of the other, or, where the other set is empty, all with all.
-fn sweep(a: &[Aabb], b: &[Aabb]) -> bool {
-    let tagged = |set: &[Aabb], tag: bool| -> Vec<(Aabb, bool)> {
-        let full = set.iter().filter(|s| !s.is_empty());
-        full.map(|s| (*s, tag)).collect()
-    };
-    let mut all = tagged(a, false);
-    all.extend(tagged(b, true));
-    all.sort_by(|x, y| x.0.min[0].total_cmp(&y.0.min[0]));
-    let within = b.is_empty();
-    let mut open: Vec<(Aabb, bool)> = Vec::new();
-    let mut compared = 0;
-    for (this, tag) in all {
-        open.retain(|(o, _)| o.max[0] >= this.min[0]);
-        compared += open.len();
-        let hit = |(o, t): &(Aabb, bool)| (within || *t != tag) && o.overlaps(&this);
-        if compared > PATIENCE || open.iter().any(hit) {
-            return true;
-        }
-        open.push((this, tag));
-    }
-    false
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn cube(x: f64, y: f64) -> Aabb {
-        Aabb::new([x, y, 0.0], [x + 1.0, y + 1.0, 1.0])
-    }
-
-    #[test]
-    fn boxes_meet() {
-        assert!(!meet(&[cube(0.0, 0.0)], &[cube(0.5, 2.0), cube(3.0, 0.0)]));
-        assert!(meet(&[cube(0.0, 0.0)], &[cube(5.0, 0.0), cube(0.5, 0.5)]));
-        assert!(!meet_each_other(&[cube(0.0, 0.0), cube(0.0, 3.0)]));
-        assert!(meet_each_other(&[
-            cube(0.0, 0.0),
-            cube(0.0, 3.0),
-            Aabb::ALL
-        ]));
-    }
 }
