@@ -68,6 +68,11 @@ impl Aabb {
         (0..3).all(|i| self.min[i] <= p[i] && p[i] <= self.max[i])
     }
 
+    /// Whether all of the other box lies in this one.
+    pub fn holds(&self, other: &Aabb) -> bool {
+        other.is_empty() || (self.contains(other.min) && self.contains(other.max))
+    }
+
     /// The middle of a finite box that is not empty.
     pub fn centre(&self) -> Vec3 {
         std::array::from_fn(|i| self.min[i] / 2.0 + self.max[i] / 2.0)
