@@ -97,7 +97,7 @@ fn the_file_keeps_its_form() {
 #[test]
 fn file_names_are_left_alone() {
     check(
-        "2 -301   01.50\n3 -301 \"a  b.png\"\n",
-        "2 -301 01.50\n3 -301 \"a  b.png\"\n",
+        "2 -301   01.png\n3 -301 \"a  b.png\"\n",
+        "2 -301 01.png\n3 -301 \"a  b.png\"\n",
     );
 }
