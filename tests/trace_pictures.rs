@@ -310,15 +310,15 @@ fn shadows_through_glass_are_kt_squared() {
 
 #[test]
 fn touching_glass_is_one_block() {
-    // Two blocks of glass, face to face, placed differently: no air between them, so nothing is
-    // totally reflected and the second medium follows the first.
+    // Two blocks of glass, face to face but for less than the rounding of their coordinates: no air
+    // between them, so nothing is totally reflected and the second medium follows the first.
     let mut r = Random(8);
     for round in 0..200 {
         let mut b = Builder::default();
         let turn = Matrix::rotation(r.within(0.0, 360.0), round % 3);
+        let turn = Matrix::translation(3.0, 3.0, 3.0).after(&turn);
         let left = b.cuboid([-1.0, -4.0, -4.0], [0.0, 4.0, 4.0]);
-        let right = b.cuboid([0.1, -4.0, -4.0], [1.1, 4.0, 4.0]);
-        let right = b.moved(right, Matrix::translation(-0.1, 0.0, 0.0));
+        let right = b.cuboid([7e-16, -4.0, -4.0], [1.0, 4.0, 4.0]);
         let [left, right] = [left, right].map(|n| b.moved(n, turn));
         let left = b.made_of(left, CLEAR, 1.5);
         let right = b.made_of(right, CLEAR, 1.25);
