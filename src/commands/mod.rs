@@ -1,5 +1,7 @@
 //! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`.
 
+pub mod convert;
+
 use crate::diagnostics::{Diagnostic, SourceFile};
 use crate::scene::Scene;
 use crate::syntax::Document;
@@ -22,3 +24,38 @@ pub struct Loaded {
     pub scene: Scene,
     pub diagnostics: Vec<Diagnostic>,
 }
+
+// Stand-ins, until the modules that load and report are there.
+
+impl Loaded {
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(Diagnostic::is_error)
+    }
+
+    pub fn require_render(&mut self) -> Option<crate::scene::Render> {
+        self.scene.render
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+pub enum ColorChoice {
+    Auto,
+}
+
+pub fn complain(message: &str) {
+    eprintln!("error: {message}");
+}
+
+pub fn load(path: &std::path::Path) -> std::io::Result<Loaded> {
+    Ok(Loaded {
+        source: SourceFile::new(path.to_string_lossy(), std::fs::read(path)?),
+        document: Document {
+            tokens: Vec::new(),
+            items: Vec::new(),
+        },
+        scene: Scene::default(),
+        diagnostics: Vec::new(),
+    })
+}
+
+pub fn report(_: &Loaded, _: ColorChoice) {}
