@@ -6,6 +6,7 @@
 
 pub mod check;
 pub mod completions;
+pub mod convert;
 pub mod explain;
 pub mod fmt;
 pub mod loaded;

@@ -1,7 +1,7 @@
 //! From nodes to objects: which `#declare`s a scene becomes, and what each consists of.
 
 use super::aspects::{Aspects, DEFAULT};
-use super::descend::End;
+use super::descend::{End, Stop};
 use super::facts::{self, Facts};
 use super::look::Looks;
 use super::names;
@@ -54,7 +54,7 @@ impl<'a> Builder<'a> {
 
     /// The object that a key is declared as; `None` where there is nothing in it.
     pub fn definition(&mut self, key: Key) -> Option<Piece> {
-        let descent = self.descend(key.node, key.state, false);
+        let descent = self.descend(key.node, key.state, Stop::BelowStart);
         let piece = match descent.end {
             End::Nothing => return None,
             End::Everything => Piece::new(Body::Everything, 0),
@@ -94,7 +94,7 @@ impl<'a> Builder<'a> {
     /// The object that stands for a node inside another object: a shape is written out, an
     /// operation is declared before.
     pub fn piece(&mut self, node: NodeId, state: State) -> Option<Piece> {
-        let descent = self.descend(node, state, false);
+        let descent = self.descend(node, state, Stop::AtShared);
         let piece = match descent.end {
             End::Nothing => return None,
             End::Everything => Piece::new(Body::Everything, 0),
@@ -143,7 +143,7 @@ impl<'a> Builder<'a> {
         let mut out = Vec::new();
         let mut seen = std::collections::HashSet::new();
         while let Some((node, state)) = todo.pop() {
-            let descent = self.descend(node, state, false);
+            let descent = self.descend(node, state, Stop::AtShared);
             match (descent.bare_union(), descent.end) {
                 (Some((a, b, state)), _) => todo.extend([(b, state), (a, state)]),
                 (None, End::Nothing) => {}
@@ -166,7 +166,10 @@ impl<'a> Builder<'a> {
         let mut todo = vec![(b, state), (a, state)];
         let mut out = Vec::new();
         while let Some((node, state)) = todo.pop() {
-            match self.descend(node, state, false).bare_intersection() {
+            match self
+                .descend(node, state, Stop::AtShared)
+                .bare_intersection()
+            {
                 Some((a, b, state)) => todo.extend([(b, state), (a, state)]),
                 None => out.push((node, state)),
             }

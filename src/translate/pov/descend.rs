@@ -27,6 +27,15 @@ pub(super) enum End {
     Split(NodeId, State),
 }
 
+/// Which nodes that others use too end the way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Stop {
+    AtShared,
+    /// As `AtShared`, but not at the start: it is what is being declared.
+    BelowStart,
+    Never,
+}
+
 pub(super) struct Descent {
     pub end: End,
     /// What was met on the way, in the order to be written: the innermost first.
@@ -85,9 +94,8 @@ impl Way {
 }
 
 impl Builder<'_> {
-    /// Goes down from a node as far as one object reaches, or, `past_shared`, even into nodes that
-    /// others use too.
-    pub(super) fn descend(&mut self, start: NodeId, state: State, past_shared: bool) -> Descent {
+    /// Goes down from a node as far as one object reaches.
+    pub(super) fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent {
         let (mut node, mut state) = (start, state);
         let mut way = Way::default();
         loop {
@@ -107,7 +115,12 @@ impl Builder<'_> {
             let (look, modifier) = self.settle_look(node, state.look);
             state.look = look;
             modifier.into_iter().for_each(|m| way.push(m));
-            if node != start && f.uses > 1 && !past_shared {
+            let may_stop = match stop {
+                Stop::AtShared => true,
+                Stop::BelowStart => node != start,
+                Stop::Never => false,
+            };
+            if may_stop && f.uses > 1 {
                 return way.end(End::Shared(Key { node, state }));
             }
             match self.scene.nodes[node as usize] {

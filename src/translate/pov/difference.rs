@@ -3,7 +3,7 @@
 
 use super::aspects::DEFAULT;
 use super::build::{Builder, inside_medium};
-use super::descend::End;
+use super::descend::{End, Stop};
 use super::grouping::{self, meet};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::union::non_empty;
@@ -34,7 +34,10 @@ impl Builder<'_> {
     fn cut_chain(&mut self, a: NodeId, b: NodeId, state: State) -> ((NodeId, State), Vec<NodeId>) {
         let mut base = (a, state);
         let mut cutters = vec![b];
-        while let Some((a, b, state)) = self.descend(base.0, base.1, false).bare_difference() {
+        while let Some((a, b, state)) = self
+            .descend(base.0, base.1, Stop::AtShared)
+            .bare_difference()
+        {
             cutters.push(b);
             base = (a, state);
         }
@@ -97,7 +100,7 @@ impl Builder<'_> {
 
     /// A base of several substances: its parts are cut one by one.
     fn cut_by_part(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Piece> {
-        let descent = self.descend(base.0, base.1, true);
+        let descent = self.descend(base.0, base.1, Stop::Never);
         let mut moved = Some(Matrix::IDENTITY);
         for modifier in &descent.modifiers {
             moved = match (moved, modifier) {

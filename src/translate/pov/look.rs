@@ -91,8 +91,10 @@ impl Looks {
                 texture: aspects.texture(look.texture.texture),
                 frame: aspects.frame(look.texture.frame),
                 shape: look.shape.map(|s| &scene.shapes[s as usize]),
+                name,
                 owner: aspects.owner(look.texture.texture, look.optics),
             };
+            out.push_str(&pigments.functions()?);
             out.push_str(&format!("#declare {name} ="));
             out.push_str(&layers(&pigments, aspects.optics(look.optics))?);
             out.push_str(";\n");
@@ -132,6 +134,7 @@ struct Pigments<'a> {
     texture: &'a Texture,
     frame: &'a Matrix,
     shape: Option<&'a crate::scene::Shape>,
+    name: &'a str,
     owner: u32,
 }
 
@@ -140,6 +143,28 @@ struct Pigments<'a> {
 const NUDGE: &str = "1e-9";
 
 impl Pigments<'_> {
+    /// The declarations of the surface coordinates that a checkerboard needs.
+    fn functions(&self) -> Result<String, Unsupported> {
+        if !matches!(self.texture, Texture::Checkerboard { .. }) {
+            return Ok(String::new());
+        }
+        let uv = self.shape.and_then(|s| uv::expressions(&s.geometry));
+        let Some([u, v]) = uv else {
+            return Err(Unsupported {
+                id: self.owner,
+                span: self.shape.map(|s| s.span),
+                message: format!(
+                    "the checkerboard of {} cannot be laid on this shape in POV-Ray yet",
+                    self.owner
+                ),
+            });
+        };
+        let name = self.name;
+        Ok(format!(
+            "#declare {name}_u = function {{ {u} }}\n#declare {name}_v = function {{ {v} }}\n"
+        ))
+    }
+
     /// `pigment { … }` with all colours multiplied by `tint`.
     fn write(&self, tint: Rgb, transmit: f64) -> Result<String, Unsupported> {
         let colour = |c: &Rgb| {
@@ -175,21 +200,10 @@ impl Pigments<'_> {
                 Ok(cells(&sum, colours, &frame))
             }
             Texture::Checkerboard { n, m, colours } => {
-                let uv = self.shape.and_then(|s| uv::expressions(&s.geometry));
-                let Some([u, v]) = uv else {
-                    return Err(Unsupported {
-                        id: self.owner,
-                        span: self.shape.map(|s| s.span),
-                        message: format!(
-                            "the checkerboard of {} cannot be laid on this shape in POV-Ray yet",
-                            self.owner
-                        ),
-                    });
-                };
                 let sum = format!(
                     "{} + {}",
-                    floor(&format!("{n}*({u})")),
-                    floor(&format!("{m}*({v})"))
+                    floor(&format!("{n}*{}_u(x, y, z)", self.name)),
+                    floor(&format!("{m}*{}_v(x, y, z)", self.name))
                 );
                 Ok(cells(&sum, colours, ""))
             }

@@ -12,8 +12,8 @@ pub fn expressions(geometry: &Geometry) -> Option<[String; 2]> {
             let height = format!("{y}/{}", number(*radius));
             Some([
                 // The angle mod 1, so that it is never negative.
-                format!("select(-({z}), atan2(-({z}), {x})/(2*pi) + 1, atan2(-({z}), {x})/(2*pi))"),
-                format!("acos(max(-1, min(1, -({height}))))/pi"),
+                format!("select(-{z}, 1, 0) + atan2(-{z}, {x})/(2*pi)"),
+                format!("acos(max(-1, min(1, -{height})))/pi"),
             ])
         }
         Geometry::Box { min, max } => Some(box_faces(*min, *max)),
@@ -112,7 +112,11 @@ fn dot(c: Vec3) -> String {
         .iter()
         .zip(c)
         .filter(|(_, c)| *c != 0.0)
-        .map(|(axis, c)| format!("({})*{axis}", number(c)))
+        .map(|(axis, c)| match c {
+            1.0 => (*axis).to_owned(),
+            -1.0 => format!("(-{axis})"),
+            c => format!("({})*{axis}", number(c)),
+        })
         .collect();
     if terms.is_empty() {
         "0".to_owned()
