@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use zpg::commands::{ColorChoice, check, completions, explain, fmt};
+use zpg::commands::{ColorChoice, check, completions, convert, explain, fmt, render};
 
 /// Tools for scenes in the ZPG scene language
 #[derive(Debug, Parser)]
@@ -19,6 +19,8 @@ a file cannot be read or written.
 Examples:
   zpg check scene.zpg       what is wrong with a scene
   zpg fmt scene.zpg         one record a line, numbers in their shortest spelling
+  zpg render scene.zpg      a picture, scene.png
+  zpg convert scene.zpg --to pov -o scene.pov
   zpg explain E101          what a finding means and how to fix it
   zpg explain checkerboard  what a record type means and how it is written"
 )]
@@ -35,6 +37,8 @@ struct Cli {
 enum Command {
     Check(check::Args),
     Fmt(fmt::Args),
+    Convert(convert::Args),
+    Render(render::Args),
     Explain(explain::Args),
     Completions(completions::Args),
 }
@@ -44,6 +48,8 @@ fn main() -> ExitCode {
     let status = match &cli.command {
         Command::Check(args) => check::run(args, cli.color),
         Command::Fmt(args) => fmt::run(args, cli.color),
+        Command::Convert(args) => convert::run(args, cli.color),
+        Command::Render(args) => render::run(args, cli.color),
         Command::Explain(args) => explain::run(args),
         Command::Completions(args) => completions::run(args, Cli::command()),
     };

@@ -6,10 +6,12 @@
 
 pub mod check;
 pub mod completions;
+pub mod convert;
 pub mod explain;
 pub mod fmt;
 pub mod loaded;
 pub mod paths;
+pub mod render;
 pub mod terminal;
 
 pub use loaded::{LoadError, Loaded, load};

@@ -6,8 +6,11 @@
 //! Shared operands are shared nodes; nothing is ever copied or expanded, and children always have
 //! smaller indices than their parents.
 
+pub mod aabb;
+pub mod bounds;
 mod camera;
 mod entity;
+pub mod frame;
 mod geometry;
 mod image_file;
 pub mod matrix;
@@ -16,6 +19,7 @@ mod record;
 mod references;
 mod resolve;
 
+pub use aabb::Aabb;
 pub use matrix::Matrix;
 pub use resolve::resolve;
 

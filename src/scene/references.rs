@@ -1,6 +1,6 @@
 //! References from record to record: following them, and what to say where they lead nowhere.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, VecDeque};
 
 use super::entity::State;
 use super::record::Params;
@@ -12,7 +12,7 @@ use crate::syntax::{Document, Item};
 
 /// How many defined IDs are compared, in all, to find the ones that may have been meant: proposals
 /// for the first few thousand errors of a large file, none for a million of them.
-const COMPARISONS_MAX: usize = 20_000_000;
+const COMPARISONS_MAX: usize = 5_000_000;
 
 /// How many records without an ID are tried for one undefined ID.
 const LOST_MAX: usize = 64;
@@ -76,7 +76,7 @@ impl References {
 
     /// At the end: each record that lost its ID accounts for one undefined ID; what is left is E101.
     pub fn settle(resolver: &mut Resolver, diagnostics: &mut [Diagnostic]) {
-        let mut lost = std::mem::take(&mut resolver.references.lost);
+        let mut lost = VecDeque::from(std::mem::take(&mut resolver.references.lost));
         let mut found: HashMap<u32, bool> = HashMap::new();
         for d in std::mem::take(&mut resolver.references.dangling) {
             let is_found = *found.entry(d.id).or_insert_with(|| {
@@ -90,7 +90,9 @@ impl References {
                 let Some(at) = lost.iter().take(LOST_MAX).position(defines) else {
                     return false;
                 };
-                let record = lost.remove(at);
+                let Some(record) = lost.remove(at) else {
+                    return false;
+                };
                 if let Some(f) = finding_at(diagnostics, record.span) {
                     f.labels.push(crate::diagnostics::Label {
                         span: d.finding.span,

@@ -282,17 +282,22 @@ fn lost_id(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> 
     let got = (end - start - 1) as u64;
     let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
     let right = || {
-        (start + 1..end).enumerate().all(|(i, at)| {
-            let param = ty.param(i, n as usize);
-            param.is_some_and(|p| fits(stream.sigs[at].kind, p.kind) && allows(stream, at, p))
-        })
+        (start + 1..end.min(start + 1 + VALUES_MAX))
+            .enumerate()
+            .all(|(i, at)| {
+                let param = ty.param(i, n as usize);
+                param.is_some_and(|p| fits(stream.sigs[at].kind, p.kind) && allows(stream, at, p))
+            })
     };
     (exact && right()).then_some((Verdict::LostId { ty }, FAULT - 10))
 }
 
-/// Whether all values of a record are such as its type allows.
+/// How many values of a long record are looked at to judge whether it is plausible.
+const VALUES_MAX: usize = 64;
+
+/// Whether the values of a record are such as its type allows.
 pub fn values_allowed(stream: &Stream, start: usize, r: &Reading) -> bool {
-    (start + 2..r.end)
+    (start + 2..r.end.min(start + 2 + VALUES_MAX))
         .enumerate()
         .all(|(i, at)| (r.ty.param(i, r.count as usize)).is_none_or(|p| allows(stream, at, p)))
 }

@@ -8,7 +8,6 @@
 //! and more than a fault where a line says that it is a record of its own.
 
 use super::faults::{self, Verdict};
-use super::lexer::TokenKind;
 use super::reader::{self, Reading};
 use super::references;
 use super::stream::Stream;
@@ -255,6 +254,7 @@ pub fn cut(stream: &Stream, witnesses: &Witnesses, doubt_takeovers: bool) -> Vec
         stream,
         witnesses,
         bad_before: bad_before(stream),
+        lines: LineSums::new(stream, witnesses),
         doubt_takeovers,
     };
     search.run()
@@ -262,20 +262,68 @@ pub fn cut(stream: &Stream, witnesses: &Witnesses, doubt_takeovers: bool) -> Vec
 
 /// For each token the number of bad tokens before it.
 fn bad_before(stream: &Stream) -> Vec<u32> {
-    let mut n = 0;
-    let mut out = Vec::with_capacity(stream.len() + 1);
-    out.push(0);
-    for s in &stream.sigs {
-        n += u32::from(s.kind.is_bad());
-        out.push(n);
+    sums(stream.sigs.iter().map(|s| s.kind.is_bad()))
+}
+
+/// Sums over lines, so that long stretches are judged at once.
+struct LineSums {
+    /// How many lines before each one say that they are records of their own.
+    own_before: Vec<u32>,
+    /// How many of those are complete, and no row of a table of equally long lines.
+    complete_before: Vec<u32>,
+    /// The last line of the table of numbers that begins behind each line; the line itself if none.
+    table_end: Vec<u32>,
+}
+
+impl LineSums {
+    fn new(stream: &Stream, witnesses: &Witnesses) -> LineSums {
+        let lines = 0..stream.line_count();
+        let length = |l: usize| stream.line_end(l) - stream.line_start(l);
+        let own = |l: usize| witnesses.ends[l] > 0 || looks_like_a_head(stream, l);
+        let complete = |l: usize| {
+            witnesses.is_complete_line(stream, l)
+                && !witnesses.is_void_line(stream, l)
+                && (l == 0 || length(l) != length(l - 1))
+        };
+        let mut table_end: Vec<u32> = lines.clone().map(|l| l as u32).collect();
+        for l in lines.clone().rev().skip(1) {
+            let row =
+                !own(l + 1) && stream.all_numbers(stream.line_start(l + 1), stream.line_end(l + 1));
+            if row {
+                table_end[l] = table_end[l + 1];
+            }
+        }
+        LineSums {
+            own_before: sums(lines.clone().map(own)),
+            complete_before: sums(lines.map(complete)),
+            table_end,
+        }
     }
-    out
+}
+
+/// How often it was true before each place, and in all.
+fn sums(flags: impl Iterator<Item = bool>) -> Vec<u32> {
+    let mut n = 0;
+    std::iter::once(0)
+        .chain(flags.map(|f| {
+            n += u32::from(f);
+            n
+        }))
+        .collect()
+}
+
+/// Whether a line begins like a record that no table of numbers would begin like.
+fn looks_like_a_head(stream: &Stream, line: usize) -> bool {
+    let start = stream.line_start(line);
+    let id = stream.sigs[start].int.is_some_and(|id| id > 0);
+    id && record_type(stream, start + 1).is_some_and(|t| t.code <= -99 || t.code == 9999)
 }
 
 struct Search<'a, 's> {
     stream: &'a Stream<'s>,
     witnesses: &'a Witnesses,
     bad_before: Vec<u32>,
+    lines: LineSums,
     doubt_takeovers: bool,
 }
 
@@ -402,30 +450,14 @@ impl Search<'_, '_> {
                 (false, ..) | (true, false, false) => 0,
             };
             if self.in_lines() {
-                price += self.swallowed(start, first + 1, last);
+                // Complete records among its lines.
+                let swallowed =
+                    self.lines.complete_before[last] - self.lines.complete_before[first + 1];
+                price += 400 * swallowed.min(8);
             }
         }
         // What the resolver would object to counts too, but never as much as a fault of form.
         price + self.objections(start, r)
-    }
-
-    /// The price of complete records among the lines `from..to` of a record.
-    fn swallowed(&self, start: usize, from: usize, to: usize) -> u32 {
-        let mut price = 0;
-        for line in from..to {
-            let complete = self.witnesses.is_complete_line(self.stream, line)
-                && !self.witnesses.is_void_line(self.stream, line);
-            let previous = self.stream.line(start).max(line - 1);
-            let length = |l: usize| self.stream.line_end(l) - self.stream.line_start(l);
-            if complete && (previous == self.stream.line(start) || length(previous) != length(line))
-            {
-                price += 400;
-                if price >= 3 * FAULT {
-                    break;
-                }
-            }
-        }
-        price
     }
 
     fn objections(&self, start: usize, r: &Reading) -> u32 {
@@ -461,23 +493,11 @@ impl Search<'_, '_> {
         }
         if last > first {
             price += 5 * (last - first).min(12) as u32;
-            for line in first + 1..=last {
-                if self.witnesses.ends[line] > 0 || self.looks_like_a_head(line) {
-                    price += FAULT + FAULT / 2;
-                    if price > 8 * FAULT {
-                        break;
-                    }
-                }
-            }
+            // Lines that say they are records of their own.
+            let own = self.lines.own_before[last + 1] - self.lines.own_before[first + 1];
+            price += (FAULT + FAULT / 2) * own.min(8);
         }
         (verdict, price)
-    }
-
-    /// Whether a line begins like a record that no table of numbers would begin like.
-    fn looks_like_a_head(&self, line: usize) -> bool {
-        let start = self.stream.line_start(line);
-        let id = self.stream.sigs[start].int.is_some_and(|id| id > 0);
-        id && record_type(self.stream, start + 1).is_some_and(|t| t.code <= -99 || t.code == 9999)
     }
 
     /// Where a broken stretch that begins at `i` may end.
@@ -517,15 +537,7 @@ impl Search<'_, '_> {
             && faults::expected_end(stream, i).is_none_or(|e| e > line_end)
         {
             // The table of points may be of any length.
-            let mut l = line;
-            while l + 1 < stream.line_count()
-                && self.witnesses.ends[l + 1] == 0
-                && !self.looks_like_a_head(l + 1)
-                && (stream.sigs[stream.line_start(l + 1)..stream.line_end(l + 1)].iter())
-                    .all(|s| matches!(s.kind, TokenKind::Integer | TokenKind::Real))
-            {
-                l += 1;
-            }
+            let l = self.lines.table_end[line] as usize;
             ends.push(stream.line_end(l));
         }
     }

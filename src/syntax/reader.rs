@@ -55,17 +55,15 @@ pub fn read(stream: &Stream, i: usize) -> Option<Reading> {
             end += left;
         }
     }
-    let right = |(n, s): (usize, &Sig)| match ty.params.get(n) {
-        Some(p) => fits(s.kind, p.kind),
-        // Repeated parameters are real; optional ones are told by their place behind them.
-        None if ty.is_counted() => fits(s.kind, ParamKind::Real),
-        None => (ty.optional.get(n - ty.params.len())).is_some_and(|p| fits(s.kind, p.kind)),
+    // Repeated parameters are real, all of them; the others are looked at one by one.
+    let right = match ty.is_counted() {
+        true => stream.all_numbers(first, end),
+        false => sigs[first..end]
+            .iter()
+            .zip(ty.params.iter().chain(ty.optional))
+            .all(|(s, p)| fits(s.kind, p.kind)),
     };
-    sigs[first..end]
-        .iter()
-        .enumerate()
-        .all(right)
-        .then_some(Reading { end, ty, count })
+    right.then_some(Reading { end, ty, count })
 }
 
 type Extra = extra::Err<Cheap>;

@@ -28,6 +28,8 @@ pub struct Stream<'s> {
     line_starts: Vec<u32>,
     /// The lines on which a comment is given up.
     unclosed_lines: Vec<u32>,
+    /// For each token how many before it are no plain numbers.
+    odd_before: Vec<u32>,
 }
 
 impl<'s> Stream<'s> {
@@ -73,13 +75,26 @@ impl<'s> Stream<'s> {
             }
         }
         line_starts.push(sigs.len() as u32);
+        let mut odd_before = Vec::with_capacity(sigs.len() + 1);
+        let mut odd = 0;
+        odd_before.push(0);
+        for s in &sigs {
+            odd += u32::from(!matches!(s.kind, TokenKind::Integer | TokenKind::Real));
+            odd_before.push(odd);
+        }
         Stream {
             text,
             tokens,
             sigs,
             line_starts,
             unclosed_lines,
+            odd_before,
         }
+    }
+
+    /// Whether tokens `from..to` are plain numbers, all of them.
+    pub fn all_numbers(&self, from: usize, to: usize) -> bool {
+        self.odd_before[from] == self.odd_before[to]
     }
 
     pub fn len(&self) -> usize {

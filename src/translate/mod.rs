@@ -1,1 +1,36 @@
-//! The scene for other programs.
+//! The scene for other programs: one folder per target, and what each translation costs
+//! ([`fidelity`]).
+
+pub mod fidelity;
+pub mod pov;
+
+pub use fidelity::{Fidelity, Report};
+
+use std::fmt;
+
+use crate::diagnostics::Span;
+
+/// A finished translation.
+#[derive(Debug)]
+pub struct Translation {
+    pub text: String,
+    pub report: Report,
+}
+
+/// What a target cannot express.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unsupported {
+    /// The entity at fault; 0 where it is the scene as a whole.
+    pub id: u32,
+    /// Where it is written, if that is known.
+    pub span: Option<Span>,
+    pub message: String,
+}
+
+impl fmt::Display for Unsupported {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Unsupported {}

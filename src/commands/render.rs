@@ -1,0 +1,406 @@
+//! `zpg render`: the reference ray tracer.
+
+mod output;
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Serialize;
+
+use super::{ColorChoice, Loaded, Status, complain, load, report};
+use crate::scene::{Camera, Scene, View};
+use crate::trace::stats::{Intersections, Rays};
+use crate::trace::{Crop, Film, Picture, Settings, Tracer, Unsupported, selected_camera};
+use output::{Draft, Output, unwritable};
+
+/// Draw a scene
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Without -o the picture of SCENE.zpg is written to SCENE.png in the current folder. PNG is 8-bit sRGB,
+PFM linear and unclamped. A scene with a stereo camera makes two pictures, SCENE_left.png and
+SCENE_right.png, unless --stereo says otherwise.
+
+Examples:
+  zpg render scene.zpg
+  zpg render scene.zpg -o big.png --size 1920x1080 --samples 16
+  zpg render scene.zpg --crop 200,100,64,64 --stats cost.json")]
+pub struct Args {
+    /// The scene; `-` is standard input
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+
+    /// Where to write the picture: .png or .pfm
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "640x480")]
+    size: Size,
+
+    /// Samples in each pixel; one lies in its centre
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_048_576))]
+    samples: u32,
+
+    /// How often a ray may be reflected or refracted
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    depth: u32,
+
+    /// Leave out what counts for less than this; 0 leaves out nothing [default: 1/4096]
+    #[arg(long, value_name = "W", value_parser = cutoff)]
+    cutoff: Option<f64>,
+
+    /// Draw this part of the picture only
+    #[arg(long, value_name = "X,Y,W,H")]
+    crop: Option<CropArg>,
+
+    /// Take the picture with this camera of the scene
+    #[arg(long, value_name = "ID")]
+    camera: Option<u32>,
+
+    /// How the two pictures of a stereo camera are put
+    #[arg(long, value_enum, default_value_t)]
+    stereo: Stereo,
+
+    /// Threads to work with; 0: as many as there are processors
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    threads: usize,
+
+    /// Write what it has cost to this file, as JSON
+    #[arg(long, value_name = "FILE")]
+    stats: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+enum Stereo {
+    /// Two files, NAME_left and NAME_right
+    #[default]
+    Pair,
+    /// One picture, left beside right
+    SideBySide,
+    /// One picture for red and cyan glasses
+    Anaglyph,
+}
+
+/// Pictures of more pixels than this would need more memory than a machine can be taken to have.
+const MAX_PIXELS: u64 = 1 << 28;
+
+#[derive(Debug, Clone, Copy)]
+struct Size {
+    width: u32,
+    height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(s: &str) -> Result<Size, String> {
+        let (w, h) = s
+            .split_once(['x', 'X'])
+            .ok_or("expected WxH, as in 640x480")?;
+        let side = |s: &str| match s.parse() {
+            Ok(n @ 1..) => Ok(n),
+            _ => Err(format!("`{s}` is not a number of pixels")),
+        };
+        let (width, height) = (side(w)?, side(h)?);
+        Ok(Size { width, height })
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+struct CropArg(Crop);
+
+impl FromStr for CropArg {
+    type Err = String;
+
+    fn from_str(s: &str) -> Result<CropArg, String> {
+        let numbers: Result<Vec<u32>, _> = s.split(',').map(|n| n.trim().parse()).collect();
+        match numbers.as_deref() {
+            Ok(&[x, y, width, height]) if width > 0 && height > 0 => Ok(CropArg(Crop {
+                x,
+                y,
+                width,
+                height,
+            })),
+            _ => Err("expected X,Y,W,H in pixels, as in 200,100,64,64".into()),
+        }
+    }
+}
+
+fn cutoff(s: &str) -> Result<f64, String> {
+    match s.parse() {
+        Ok(x) if (0.0..=1.0).contains(&x) => Ok(x),
+        _ => Err("expected a number from 0 to 1".into()),
+    }
+}
+
+/// Why there is no picture.
+enum Failure {
+    /// The scene cannot be drawn.
+    Scene(Unsupported),
+    /// Wrong usage, or a file that cannot be written.
+    Usage(String),
+}
+
+impl From<String> for Failure {
+    fn from(message: String) -> Failure {
+        Failure::Usage(message)
+    }
+}
+
+impl From<Unsupported> for Failure {
+    fn from(e: Unsupported) -> Failure {
+        Failure::Scene(e)
+    }
+}
+
+/// The answer to `--stats`.
+#[derive(Serialize)]
+struct Stats {
+    size: [u32; 2],
+    precision: &'static str,
+    threads: usize,
+    samples: Samples,
+    seconds: Seconds,
+    rays: Rays,
+    intersections: Intersections,
+    effects: Vec<&'static str>,
+    peak_memory_bytes: u64,
+}
+
+#[derive(Serialize)]
+struct Samples {
+    min: u32,
+    max: u32,
+    mean: f64,
+}
+
+#[derive(Serialize, Default)]
+struct Seconds {
+    load: f64,
+    plan: f64,
+    build: f64,
+    trace: f64,
+    encode: f64,
+}
+
+pub fn run(args: &Args, color: ColorChoice) -> Status {
+    let start = Instant::now();
+    let mut loaded = match load(&args.file) {
+        Ok(loaded) => loaded,
+        Err(e) => {
+            complain(&e.to_string());
+            return Status::Failure;
+        }
+    };
+    let render = loaded.require_render();
+    report(&loaded, color);
+    if loaded.has_errors() || render.is_none() {
+        return Status::Negative;
+    }
+    let load = start.elapsed().as_secs_f64();
+    match draw(args, &loaded, load) {
+        Ok(()) => Status::Clean,
+        Err(Failure::Scene(e)) => {
+            let place = loaded.source.position(e.span.start);
+            complain(&format!(
+                "{}:{}:{}: {e}",
+                args.file.display(),
+                place.line,
+                place.column
+            ));
+            Status::Negative
+        }
+        Err(Failure::Usage(message)) => {
+            complain(&message);
+            Status::Failure
+        }
+    }
+}
+
+fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
+    let scene = &loaded.scene;
+    let settings = settings(args)?;
+    let cameras = cameras(args, scene)?;
+    let paths = output_paths(args, cameras.len());
+    // What cannot be written is known before anything is drawn.
+    let outputs = paths
+        .iter()
+        .map(|path| Output::create(path))
+        .collect::<Result<Vec<_>, _>>()?;
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(args.threads)
+        .build()
+        .map_err(|e| Failure::Usage(format!("cannot start threads: {e}")))?;
+
+    let mut seconds = Seconds {
+        load,
+        ..Seconds::default()
+    };
+    let start = Instant::now();
+    let tracer = Tracer::new(scene)?;
+    seconds.build = start.elapsed().as_secs_f64();
+
+    let start = Instant::now();
+    let rows = settings.crop.map_or(settings.height, |c| c.height);
+    let bar = progress_bar(u64::from(rows) * cameras.len() as u64);
+    let mut pictures = Vec::new();
+    for camera in &cameras {
+        pictures.push(pool.install(|| tracer.render(camera, &settings, || bar.inc(1)))?);
+    }
+    bar.finish_and_clear();
+    seconds.trace = start.elapsed().as_secs_f64();
+
+    let start = Instant::now();
+    let (films, counts) = compose(pictures, args.stereo, outputs.len());
+    for (output, film) in outputs.into_iter().zip(&films) {
+        output.finish(film)?;
+    }
+    seconds.encode = start.elapsed().as_secs_f64();
+
+    if let Some(path) = &args.stats {
+        let n = settings.samples;
+        let stats = Stats {
+            size: [settings.width, settings.height],
+            precision: "f64",
+            threads: pool.current_num_threads(),
+            samples: Samples {
+                min: n,
+                max: n,
+                mean: f64::from(n),
+            },
+            seconds,
+            rays: counts.rays,
+            intersections: counts.intersections,
+            effects: tracer.effects().to_vec(),
+            peak_memory_bytes: peak_memory(),
+        };
+        write_stats(path, &stats)?;
+    }
+    Ok(())
+}
+
+fn settings(args: &Args) -> Result<Settings, Failure> {
+    let Size { width, height } = args.size;
+    let crop = args.crop.map(|c| c.0);
+    if let Some(c) = crop {
+        let fits =
+            |at: u32, extent: u32, side: u32| at.checked_add(extent).is_some_and(|end| end <= side);
+        if !fits(c.x, c.width, width) || !fits(c.y, c.height, height) {
+            return Err(Failure::Usage(format!(
+                "--crop reaches beyond the picture of {width}x{height} pixels"
+            )));
+        }
+    }
+    let (w, h) = crop.map_or((width, height), |c| (c.width, c.height));
+    if u64::from(w) * u64::from(h) > MAX_PIXELS {
+        return Err(Failure::Usage(format!(
+            "a picture has at most {MAX_PIXELS} pixels"
+        )));
+    }
+    let default = Settings::default();
+    Ok(Settings {
+        width,
+        height,
+        crop,
+        samples: args.samples,
+        depth: args.depth,
+        cutoff: args.cutoff.unwrap_or(default.cutoff),
+    })
+}
+
+/// The cameras that take the picture: one, or left and right.
+fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Failure> {
+    if let Some(id) = args.camera {
+        let found = scene.cameras.iter().find(|c| c.id == id);
+        return match found {
+            Some(camera) => Ok(vec![*camera]),
+            None => Err(Failure::Usage(format!("the scene has no camera {id}"))),
+        };
+    }
+    if let View::Stereo { left, right } = scene.view
+        && let (Some(left), Some(right)) = (scene.cameras.get(left), scene.cameras.get(right))
+    {
+        return Ok(vec![*left, *right]);
+    }
+    let aspect = f64::from(args.size.width) / f64::from(args.size.height);
+    Ok(vec![selected_camera(scene, aspect)])
+}
+
+/// One path, or two for a stereo pair.
+fn output_paths(args: &Args, cameras: usize) -> Vec<PathBuf> {
+    let path = args.output.clone().unwrap_or_else(|| {
+        let stem = args.file.file_stem().filter(|stem| *stem != "-");
+        PathBuf::from(stem.unwrap_or("scene".as_ref())).with_added("", "png")
+    });
+    if cameras < 2 || args.stereo != Stereo::Pair {
+        return vec![path];
+    }
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    ["_left", "_right"]
+        .map(|side| path.with_extension("").with_added(side, &extension))
+        .into()
+}
+
+trait WithAdded {
+    /// The path with something added to its file name, and an extension.
+    fn with_added(&self, name: &str, extension: &str) -> PathBuf;
+}
+
+impl WithAdded for PathBuf {
+    fn with_added(&self, name: &str, extension: &str) -> PathBuf {
+        let mut path = self.clone().into_os_string();
+        path.push(format!("{name}.{extension}"));
+        path.into()
+    }
+}
+
+/// Puts the pictures of one or two cameras into as many films as there are files.
+fn compose(
+    mut pictures: Vec<Picture>,
+    stereo: Stereo,
+    files: usize,
+) -> (Vec<Film>, crate::trace::stats::Counts) {
+    let mut counts = crate::trace::stats::Counts::default();
+    for picture in &pictures {
+        counts += picture.counts;
+    }
+    let films = match pictures.as_slice() {
+        [left, right] if files == 1 => vec![match stereo {
+            Stereo::Anaglyph => left.film.anaglyph(&right.film),
+            Stereo::SideBySide | Stereo::Pair => left.film.beside(&right.film),
+        }],
+        _ => pictures.drain(..).map(|p| p.film).collect(),
+    };
+    (films, counts)
+}
+
+fn progress_bar(rows: u64) -> ProgressBar {
+    // Draws on standard error, and only where that is a terminal.
+    let bar = ProgressBar::with_draw_target(Some(rows), ProgressDrawTarget::stderr_with_hz(10));
+    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta:>4} left") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn write_stats(path: &Path, stats: &Stats) -> Result<(), Failure> {
+    let write = |out: &mut dyn Write| {
+        serde_json::to_writer_pretty(&mut *out, stats)?;
+        writeln!(out)
+    };
+    Draft::create(path)
+        .and_then(|draft| draft.finish(path, write))
+        .map_err(|e| Failure::Usage(unwritable(path, &e)))
+}
+
+/// The most memory the process has held, in bytes; 0 where the system does not tell.
+fn peak_memory() -> u64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"));
+    let kibibytes: Option<u64> = line.and_then(|l| l.split_whitespace().next()?.parse().ok());
+    kibibytes.unwrap_or(0) * 1024
+}

@@ -1,0 +1,126 @@
+//! What a scene without a camera or without a light is seen and lit by.
+
+use super::bounds::NodeBounds;
+use super::{Aabb, Camera, PointLight, Scene, Vec3};
+
+/// The vertical field of view of the automatic camera, in degrees.
+const AUTOMATIC_FOVY: f64 = 45.0;
+/// The bounding sphere is seen as if it were larger by this factor.
+const MARGIN: f64 = 1.05;
+
+/// The camera of a scene that has none: it looks along −z at the centre of what is to be seen, and
+/// the sphere around that fits into the picture both ways. `aspect` is width by height.
+pub fn automatic_camera(scene: &Scene, bounds: &[NodeBounds], aspect: f64) -> Camera {
+    let seen = seen_box(scene, bounds);
+    let (centre, radius) = if seen.is_empty() {
+        ([0.0; 3], 1.0)
+    } else {
+        (seen.centre(), seen.radius())
+    };
+    let radius = if radius > 0.0 { radius } else { 1.0 };
+    let vertical = (AUTOMATIC_FOVY / 2.0).to_radians();
+    let horizontal = (vertical.tan() * aspect).atan();
+    let distance = MARGIN * radius / vertical.min(horizontal).sin();
+    Camera {
+        id: 0,
+        position: [centre[0], centre[1], centre[2] + distance],
+        direction: [0.0, 0.0, -1.0],
+        up: [0.0, 1.0, 0.0],
+        fovy: AUTOMATIC_FOVY,
+        projection: None,
+    }
+}
+
+/// The box that the automatic camera frames: the render record's, else that of the bounded parts
+/// of the scene. Finite; empty where nothing is bounded.
+pub fn seen_box(scene: &Scene, bounds: &[NodeBounds]) -> Aabb {
+    match &scene.render {
+        Some(render) => match render.clip {
+            Some((min, max)) => Aabb::new(min, max),
+            None => bounds
+                .get(render.root as usize)
+                .map_or(Aabb::EMPTY, |b| b.bounded),
+        },
+        None => Aabb::EMPTY,
+    }
+}
+
+/// The light of a scene that has none: white, of intensity 1, at the camera.
+pub fn headlight(scene: &Scene, camera: &Camera) -> Option<PointLight> {
+    (scene.ambient_lights.is_empty() && scene.point_lights.is_empty()).then_some(PointLight {
+        id: 0,
+        position: camera.position,
+        intensity: 1.0,
+        colour: [1.0; 3],
+    })
+}
+
+/// The orthonormal directions of a camera: right = forward × up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Basis {
+    pub forward: Vec3,
+    pub right: Vec3,
+    pub up: Vec3,
+}
+
+impl Basis {
+    /// `None` where direction and up are parallel or not finite.
+    pub fn of(camera: &Camera) -> Option<Basis> {
+        let forward = unit(camera.direction)?;
+        let right = unit(cross(forward, unit(camera.up)?))?;
+        Some(Basis {
+            forward,
+            right,
+            up: cross(right, forward),
+        })
+    }
+}
+
+/// A vector's direction, whatever its length.
+fn unit(v: Vec3) -> Option<Vec3> {
+    let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    if !(largest > 0.0 && largest.is_finite()) {
+        return None;
+    }
+    let v = v.map(|x| x / largest);
+    let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+    Some(v.map(|x| x / length))
+}
+
+fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_empty_scene_is_framed_about_the_origin() {
+        let camera = automatic_camera(&Scene::default(), &[], 4.0 / 3.0);
+        assert_eq!(camera.position[..2], [0.0, 0.0]);
+        // The unit sphere with its margin touches the upper edge: sin 22.5° = 1.05 / distance.
+        assert!((camera.position[2] * 22.5f64.to_radians().sin() - 1.05).abs() < 1e-12);
+        let narrow = automatic_camera(&Scene::default(), &[], 0.5);
+        assert!(narrow.position[2] > camera.position[2]);
+    }
+
+    #[test]
+    fn directions_of_any_length() {
+        let camera = Camera {
+            id: 2,
+            position: [0.0; 3],
+            direction: [0.0, 0.0, -1e300],
+            up: [0.0, 1e-300, 1e-301],
+            fovy: 30.0,
+            projection: None,
+        };
+        let basis = Basis::of(&camera).unwrap();
+        assert_eq!(basis.right, [1.0, 0.0, 0.0]);
+        assert_eq!(basis.up, [0.0, 1.0, 0.0]);
+    }
+}

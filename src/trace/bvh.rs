@@ -1,0 +1,115 @@
+//! A bounding volume hierarchy over boxes.
+
+use super::bounds::Bounds;
+
+/// Boxes in one leaf at most, unless they all have the same centre.
+const LEAF: usize = 4;
+/// Bins of the surface area heuristic.
+const BINS: usize = 16;
+
+#[derive(Debug, Clone, Copy)]
+pub struct Node {
+    pub bounds: Bounds,
+    /// An inner node (`count` = 0): its right child; the left one comes next. A leaf: where its
+    /// items begin in [`Bvh::items`].
+    pub index: u32,
+    pub count: u32,
+}
+
+/// Nodes in depth-first order, the root first; no nodes where there are no items.
+#[derive(Debug, Default)]
+pub struct Bvh {
+    pub nodes: Vec<Node>,
+    pub items: Vec<u32>,
+}
+
+impl Bvh {
+    /// Builds the tree over items with finite boxes: binned surface area heuristic along the axis
+    /// in which the centres spread most (Wald, "On fast Construction of SAH-based Bounding Volume
+    /// Hierarchies", 2007). Without recursion, since equal boxes can make any tree deep.
+    pub fn new(mut boxes: Vec<(u32, Bounds)>) -> Bvh {
+        let mut nodes: Vec<Node> = Vec::with_capacity(boxes.len());
+        // Ranges of `boxes` still to be made nodes of, and the parent whose right child each is.
+        let mut pending = vec![(0, boxes.len(), None)];
+        while let Some((start, end, parent)) = pending.pop() {
+            let slice = &mut boxes[start..end];
+            if slice.is_empty() {
+                continue;
+            }
+            if let Some(parent) = parent {
+                let here = nodes.len() as u32;
+                let node: &mut Node = &mut nodes[parent as usize];
+                node.index = here;
+            }
+            let bounds = slice.iter().fold(Bounds::EMPTY, |b, x| b.union(&x.1));
+            let here = nodes.len() as u32;
+            let middle = (slice.len() > LEAF).then(|| split(slice)).flatten();
+            nodes.push(Node {
+                bounds,
+                index: start as u32,
+                count: if middle.is_some() {
+                    0
+                } else {
+                    (end - start) as u32
+                },
+            });
+            if let Some(middle) = middle {
+                pending.push((start + middle, end, Some(here)));
+                pending.push((start, start + middle, None));
+            }
+        }
+        nodes.shrink_to_fit();
+        Bvh {
+            nodes,
+            items: boxes.into_iter().map(|b| b.0).collect(),
+        }
+    }
+}
+
+/// Parts the boxes in two and says where the second half begins; `None` where all centres agree.
+fn split(boxes: &mut [(u32, Bounds)]) -> Option<usize> {
+    let mut centres = Bounds::EMPTY;
+    for (_, b) in boxes.iter() {
+        let c = b.centre();
+        centres = centres.union(&Bounds::new(c, c));
+    }
+    let extent = centres.extent();
+    let axis = (0..3).fold(0, |a, i| if extent[i] > extent[a] { i } else { a });
+    let scale = BINS as f64 / extent[axis];
+    if extent[axis] <= 0.0 || !scale.is_finite() {
+        return None;
+    }
+    let low = centres.min[axis];
+    let bin = |b: &Bounds| (((b.centre()[axis] - low) * scale) as usize).min(BINS - 1);
+
+    let mut bins = [(0usize, Bounds::EMPTY); BINS];
+    for (_, b) in boxes.iter() {
+        let slot = &mut bins[bin(b)];
+        slot.0 += 1;
+        slot.1 = slot.1.union(b);
+    }
+    let cost = |part: &[(usize, Bounds)]| {
+        let (count, bounds) = part
+            .iter()
+            .fold((0, Bounds::EMPTY), |(n, b), x| (n + x.0, b.union(&x.1)));
+        (count, count as f64 * bounds.half_area())
+    };
+    let mut best = (f64::INFINITY, 0);
+    for cut in 1..BINS {
+        let (left, right) = (cost(&bins[..cut]), cost(&bins[cut..]));
+        if left.0 > 0 && right.0 > 0 && left.1 + right.1 < best.0 {
+            best = (left.1 + right.1, cut);
+        }
+    }
+    if best.1 == 0 {
+        return None;
+    }
+    let mut middle = 0;
+    for i in 0..boxes.len() {
+        if bin(&boxes[i].1) < best.1 {
+            boxes.swap(i, middle);
+            middle += 1;
+        }
+    }
+    Some(middle)
+}

@@ -1,0 +1,360 @@
+//! From the resolved scene to the [`Graph`] the tracer walks.
+//!
+//! Three passes, none of them recursive: count how often each reachable node is used; cut the
+//! scene into objects, each a flattened chain of one operation, where a node that is used more than
+//! once becomes an object of its own; finish the objects, operands first, with bounds and trees.
+//!
+//! Complements are driven inwards by De Morgan's laws, so −(−A ∪ −B) and A ∩ B become the same
+//! graph; −(A − B) is −A ∪ B. An operand that occurs twice in a union or intersection counts once.
+
+use super::Unsupported;
+use super::graph::{Coat, Graph, Part, Target};
+use super::intern::Interner;
+use super::shapes::Primitive;
+use crate::scene::{Matrix, Node, NodeId, Scene, Texture};
+use std::collections::HashMap;
+
+/// Builds the graph of what is reachable from `root`.
+pub fn compile(scene: &Scene, root: NodeId) -> Result<Graph, Unsupported> {
+    let mut graph = Graph::default();
+    let mut compiler = Compiler {
+        scene,
+        uses: count_uses(scene, root),
+        interner: Interner::new(&mut graph),
+        graph,
+        shared: HashMap::new(),
+        textures: HashMap::new(),
+        pending: Vec::new(),
+        drafts: Vec::new(),
+    };
+    compiler.draft_all(root)?;
+    compiler.finish_all()
+}
+
+/// How often each node is an operand of reachable ones, counted from the last node down: children
+/// have smaller indices than their parents.
+fn count_uses(scene: &Scene, root: NodeId) -> Vec<u32> {
+    let mut uses = vec![0u32; root as usize + 1];
+    uses[root as usize] = 1;
+    for i in (0..=root as usize).rev().filter(|&i| i < scene.nodes.len()) {
+        if uses[i] == 0 {
+            continue;
+        }
+        let mut operand = |n: NodeId| uses[n as usize] = uses[n as usize].saturating_add(1);
+        match scene.nodes[i] {
+            Node::Shape(_) => {}
+            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
+                operand(a);
+                operand(b);
+            }
+            Node::Complement(child)
+            | Node::Transform { child, .. }
+            | Node::Paint { child, .. }
+            | Node::Copy { child, .. } => operand(child),
+        }
+    }
+    uses
+}
+
+/// A node as seen from the object that is being drafted: below transformations, properties and
+/// complements that have been folded.
+#[derive(Clone, Copy)]
+struct Place {
+    node: NodeId,
+    negated: bool,
+    matrix: Matrix,
+    coat: Coat,
+    /// Something on the way down is used elsewhere too.
+    shared: bool,
+}
+
+/// An operation with its operands, before their sizes are known.
+pub(super) struct Draft {
+    /// Operands of drafts lie below: finishing in this order finishes operands first.
+    pub rank: u64,
+    pub kind: Kind,
+    pub first: Vec<Part>,
+    pub cuts: Vec<Part>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Kind {
+    Union,
+    Intersection,
+    Difference,
+}
+
+pub(super) struct Compiler<'a> {
+    scene: &'a Scene,
+    uses: Vec<u32>,
+    pub graph: Graph,
+    pub interner: Interner,
+    /// Objects of shared nodes, by node and complement.
+    shared: HashMap<(NodeId, bool), u32>,
+    /// Paint records whose texture is in the graph.
+    textures: HashMap<u32, u32>,
+    /// Objects to be drafted.
+    pending: Vec<(u32, Place)>,
+    pub drafts: Vec<Draft>,
+}
+
+impl Compiler<'_> {
+    /// Drafts the root, as a union whatever it is, and all that it needs.
+    fn draft_all(&mut self, root: NodeId) -> Result<(), Unsupported> {
+        let top = Place {
+            node: root,
+            negated: false,
+            matrix: Matrix::IDENTITY,
+            coat: Coat::default(),
+            shared: false,
+        };
+        self.drafts.push(Draft {
+            rank: u64::MAX,
+            kind: Kind::Union,
+            first: Vec::new(),
+            cuts: Vec::new(),
+        });
+        self.draft_union(0, top)?;
+        while let Some((object, place)) = self.pending.pop() {
+            match self.kind(&place) {
+                Kind::Union => self.draft_union(object, place)?,
+                Kind::Intersection => self.draft_intersection(object, place)?,
+                Kind::Difference => self.draft_difference(object, place)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Folds transformations, properties, copies and complements down to a shape or an operation.
+    fn resolve(&mut self, mut place: Place) -> Result<Place, Unsupported> {
+        loop {
+            let node = self.scene.nodes[place.node as usize];
+            place.shared |= self.uses[place.node as usize] > 1;
+            match node {
+                Node::Shape(_)
+                | Node::Union(..)
+                | Node::Intersection(..)
+                | Node::Difference(..) => return Ok(place),
+                Node::Complement(child) => {
+                    place.negated = !place.negated;
+                    place.node = child;
+                }
+                Node::Copy { child, .. } => place.node = child,
+                Node::Transform { child, matrix } => {
+                    place.matrix = place.matrix.after(&self.scene.matrices[matrix as usize]);
+                    place.node = child;
+                }
+                Node::Paint { child, paint } => {
+                    self.fold_paint(&mut place, paint)?;
+                    place.node = child;
+                }
+            }
+        }
+    }
+
+    /// Adds to the coat what the paint sets and nothing above has set.
+    fn fold_paint(&mut self, place: &mut Place, paint: u32) -> Result<(), Unsupported> {
+        let record = &self.scene.paints[paint as usize];
+        if let (None, Some(texture)) = (place.coat.texture, &record.texture) {
+            if let Texture::Image { span, .. } = texture {
+                return Err(Unsupported {
+                    what: "an image texture".into(),
+                    span: *span,
+                    id: record.owner,
+                });
+            }
+            let graph = &mut self.graph;
+            let number = *self.textures.entry(paint).or_insert_with(|| {
+                graph.textures.push(texture.clone());
+                graph.textures.len() as u32 - 1
+            });
+            place.coat.texture = Some((number, self.matrix(&place.matrix)?));
+        }
+        if let (None, Some(optics)) = (place.coat.optics, record.optics) {
+            place.coat.optics = Some(self.interner.optics(&mut self.graph, optics));
+        }
+        if let (None, Some(index)) = (place.coat.index, record.index) {
+            place.coat.index = Some(self.interner.index(&mut self.graph, index));
+        }
+        Ok(())
+    }
+
+    /// Number of a matrix.
+    pub fn matrix(&mut self, m: &Matrix) -> Result<u32, Unsupported> {
+        self.interner
+            .matrix(&mut self.graph, m)
+            .ok_or_else(|| Unsupported {
+                what: "a transformation whose inverse is out of range".into(),
+                span: self.scene.render.map(|r| r.span).unwrap_or_default(),
+                id: self.scene.render.map_or(0, |r| r.root_id),
+            })
+    }
+
+    /// The operation a resolved place stands for once its complement is driven inwards.
+    fn kind(&self, place: &Place) -> Kind {
+        match (self.scene.nodes[place.node as usize], place.negated) {
+            (Node::Intersection(..) | Node::Difference(..), true) => Kind::Union,
+            (Node::Union(..), true) | (Node::Intersection(..), false) => Kind::Intersection,
+            (Node::Difference(..), false) => Kind::Difference,
+            _ => Kind::Union,
+        }
+    }
+
+    /// The two operands of the operation at a place, complements driven inwards; a difference is
+    /// read as A ∩ −B. `None` for a shape.
+    fn operands(&self, place: &Place) -> Option<[Place; 2]> {
+        let (a, b, flip) = match self.scene.nodes[place.node as usize] {
+            Node::Union(a, b) | Node::Intersection(a, b) => (a, b, false),
+            Node::Difference(a, b) => (a, b, true),
+            _ => return None,
+        };
+        let operand = |node, flip: bool| Place {
+            node,
+            negated: place.negated != flip,
+            shared: false,
+            ..*place
+        };
+        Some([operand(a, false), operand(b, flip)])
+    }
+
+    /// A part for a resolved place: a shape, or an object that is drafted now or already shared.
+    fn part(&mut self, place: &Place) -> Result<Part, Unsupported> {
+        let paint = self.interner.paint(&mut self.graph, place.coat);
+        if let Node::Shape(shape) = self.scene.nodes[place.node as usize] {
+            let record = &self.scene.shapes[shape as usize];
+            let primitive = Primitive::new(&record.geometry).ok_or_else(|| Unsupported {
+                what: format!("the shape “{}”", record.ty.title),
+                span: record.span,
+                id: record.id,
+            })?;
+            return Ok(Part {
+                target: Target::Shape(self.interner.primitive(&mut self.graph, primitive)),
+                placement: self.matrix(&place.matrix)?,
+                paint,
+                inverted: place.negated,
+            });
+        }
+        if !place.shared {
+            return Ok(Part {
+                target: Target::Object(self.draft(*place)),
+                placement: 0,
+                paint: 0,
+                inverted: false,
+            });
+        }
+        let key = (place.node, place.negated);
+        let object = match self.shared.get(&key) {
+            Some(&object) => object,
+            None => {
+                let object = self.draft(Place {
+                    matrix: Matrix::IDENTITY,
+                    coat: Coat::default(),
+                    ..*place
+                });
+                self.shared.insert(key, object);
+                object
+            }
+        };
+        Ok(Part {
+            target: Target::Object(object),
+            placement: self.matrix(&place.matrix)?,
+            paint,
+            inverted: false,
+        })
+    }
+
+    /// Reserves an object for the operation at a place.
+    fn draft(&mut self, place: Place) -> u32 {
+        let object = self.drafts.len() as u32;
+        self.drafts.push(Draft {
+            rank: place.node as u64,
+            kind: self.kind(&place),
+            first: Vec::new(),
+            cuts: Vec::new(),
+        });
+        self.pending.push((object, place));
+        object
+    }
+
+    /// Collects the operands of a chain of unions, in order.
+    fn draft_union(&mut self, object: u32, top: Place) -> Result<(), Unsupported> {
+        let mut parts = Vec::new();
+        let mut stack = vec![top];
+        let mut at_top = object != 0;
+        while let Some(place) = stack.pop() {
+            let place = self.resolve(place)?;
+            let open = at_top || !place.shared;
+            at_top = false;
+            match self.operands(&place) {
+                Some([a, b]) if open && self.kind(&place) == Kind::Union => stack.extend([b, a]),
+                _ => parts.push(self.part(&place)?),
+            }
+        }
+        self.drafts[object as usize].first = parts;
+        Ok(())
+    }
+
+    /// Collects the operands of a chain of intersections, in order; complements become cuts.
+    fn draft_intersection(&mut self, object: u32, top: Place) -> Result<(), Unsupported> {
+        let (mut first, mut cuts) = (Vec::new(), Vec::new());
+        let mut stack = vec![top];
+        let mut at_top = true;
+        while let Some(place) = stack.pop() {
+            let place = self.resolve(place)?;
+            let open = at_top || !place.shared;
+            at_top = false;
+            match self.operands(&place) {
+                Some([a, b]) if open && self.kind(&place) == Kind::Intersection => {
+                    stack.extend([b, a]);
+                }
+                _ if place.negated => {
+                    let positive = Place {
+                        negated: false,
+                        ..place
+                    };
+                    cuts.push(self.part(&positive)?);
+                }
+                _ => first.push(self.part(&place)?),
+            }
+        }
+        let draft = &mut self.drafts[object as usize];
+        (draft.first, draft.cuts) = (first, cuts);
+        Ok(())
+    }
+
+    /// A − B − C is A − (B ∪ C): goes down the left side, collecting what is taken away.
+    fn draft_difference(&mut self, object: u32, top: Place) -> Result<(), Unsupported> {
+        let mut taken = Vec::new();
+        let mut place = top;
+        let mut at_top = true;
+        loop {
+            place = self.resolve(place)?;
+            let open = at_top || !place.shared;
+            at_top = false;
+            match self.operands(&place) {
+                Some([a, b]) if open && self.kind(&place) == Kind::Difference => {
+                    // `operands` has read B as −B; what is taken away is B itself.
+                    taken.push(Place {
+                        negated: !b.negated,
+                        ..b
+                    });
+                    place = a;
+                }
+                _ => break,
+            }
+        }
+        let first = vec![self.part(&place)?];
+        let mut cuts = Vec::new();
+        while let Some(cut) = taken.pop() {
+            let cut = self.resolve(cut)?;
+            match self.operands(&cut) {
+                // What is taken away piece by piece may be taken away in any order.
+                Some(both) if !cut.shared && self.kind(&cut) == Kind::Union => taken.extend(both),
+                _ => cuts.push(self.part(&cut)?),
+            }
+        }
+        let draft = &mut self.drafts[object as usize];
+        (draft.first, draft.cuts) = (first, cuts);
+        Ok(())
+    }
+}

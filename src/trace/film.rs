@@ -1,0 +1,85 @@
+//! Pictures, and the files they go into.
+
+use crate::scene::Rgb;
+use std::io::{self, Write};
+
+/// A picture of linear RGB, row by row from the top.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Film {
+    pub width: u32,
+    pub height: u32,
+    /// Finite, and not less than 0.
+    pub pixels: Vec<[f32; 3]>,
+}
+
+/// A linear colour as it is kept: what is too bright for a number of single precision is as bright
+/// as one can be.
+pub fn developed(colour: Rgb) -> [f32; 3] {
+    colour.map(|x| {
+        let x = x.max(0.0).min(f32::MAX as f64);
+        x as f32
+    })
+}
+
+/// The sRGB transfer function (IEC 61966-2-1), to 8 bits, with what is out of range clipped.
+pub fn srgb8(linear: f32) -> u8 {
+    let x = f64::from(linear).clamp(0.0, 1.0);
+    let y = if x <= 0.003_130_8 {
+        12.92 * x
+    } else {
+        1.055 * x.powf(1.0 / 2.4) - 0.055
+    };
+    (y * 255.0).round() as u8
+}
+
+impl Film {
+    pub fn pixel(&self, x: u32, y: u32) -> [f32; 3] {
+        self.pixels[y as usize * self.width as usize + x as usize]
+    }
+
+    /// 8-bit sRGB.
+    pub fn write_png(&self, out: impl Write) -> io::Result<()> {
+        let mut encoder = png::Encoder::new(out, self.width, self.height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        let bytes: Vec<u8> = self.pixels.iter().flatten().map(|&x| srgb8(x)).collect();
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(&bytes)?;
+        writer.finish()?;
+        Ok(())
+    }
+
+    /// Portable float map: linear, unclamped, little-endian, from the bottom row up.
+    pub fn write_pfm(&self, mut out: impl Write) -> io::Result<()> {
+        write!(out, "PF\n{} {}\n-1.0\n", self.width, self.height)?;
+        let mut bytes = Vec::with_capacity(self.pixels.len() * 12);
+        for row in self.pixels.chunks_exact(self.width.max(1) as usize).rev() {
+            bytes.extend(row.iter().flatten().flat_map(|x| x.to_le_bytes()));
+        }
+        out.write_all(&bytes)
+    }
+}
+
+impl Film {
+    /// Two pictures of one size: this one on the left, the other on the right.
+    pub fn beside(&self, right: &Film) -> Film {
+        let width = self.width.max(1) as usize;
+        let rows = self.pixels.chunks(width).zip(right.pixels.chunks(width));
+        Film {
+            width: self.width + right.width,
+            height: self.height,
+            pixels: rows.flat_map(|(l, r)| [l, r].concat()).collect(),
+        }
+    }
+
+    /// Red of this one, green and blue of the other: for glasses of red and cyan.
+    pub fn anaglyph(&self, right: &Film) -> Film {
+        let both = self.pixels.iter().zip(&right.pixels);
+        Film {
+            width: self.width,
+            height: self.height,
+            pixels: both.map(|(l, r)| [l[0], r[1], r[2]]).collect(),
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Equal values get equal numbers.
+
+use super::affine::{Affine, Placement};
+use super::graph::{Coat, Graph};
+use super::shapes::Primitive;
+use crate::scene::{Matrix, Optics, Rgb};
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// Fills the tables of a [`Graph`], each value once. Values are equal if they compare equal, so
+/// that 0 and −0 are one number here.
+#[derive(Default)]
+pub struct Interner {
+    primitives: HashMap<u64, u32>,
+    matrices: HashMap<[u64; 12], u32>,
+    paints: HashMap<Coat, u32>,
+    optics: HashMap<[u64; 9], u32>,
+    indices: HashMap<[u64; 3], u32>,
+}
+
+/// The bits of a number, the same for both zeros.
+fn bits(x: f64) -> u64 {
+    (x + 0.0).to_bits()
+}
+
+impl Interner {
+    /// Numbers 0 mean: no placement, no paint, default optics, default index.
+    pub fn new(graph: &mut Graph) -> Interner {
+        let mut interner = Interner::default();
+        interner.matrix(graph, &Matrix::IDENTITY);
+        interner.paint(graph, Coat::default());
+        interner.optics(graph, Optics::default());
+        interner.index(graph, crate::scene::DEFAULT_INDEX);
+        interner
+    }
+
+    /// Shapes are found by a hash of their numbers. Should two different shapes ever have the same
+    /// one, the later is entered without being findable, which costs sharing and nothing else.
+    pub fn primitive(&mut self, graph: &mut Graph, primitive: Primitive) -> u32 {
+        let mut hasher = DefaultHasher::new();
+        std::mem::discriminant(&primitive).hash(&mut hasher);
+        primitive.shape().feed(&mut |x| bits(x).hash(&mut hasher));
+        let here = graph.primitives.len() as u32;
+        let found = *self.primitives.entry(hasher.finish()).or_insert(here);
+        if found != here && graph.primitives[found as usize] == primitive {
+            return found;
+        }
+        graph.primitives.push(primitive);
+        here
+    }
+
+    /// `None` where the inverse is not finite.
+    pub fn matrix(&mut self, graph: &mut Graph, m: &Matrix) -> Option<u32> {
+        let key = std::array::from_fn(|i| bits(m.0[i / 4][i % 4]));
+        if let Some(&found) = self.matrices.get(&key) {
+            return Some(found);
+        }
+        let here = graph.matrices.len() as u32;
+        let back = m.inverse()?;
+        self.matrices.insert(key, here);
+        graph.matrices.push(*m);
+        graph.placements.push(Placement {
+            out: Affine::new(m),
+            back: Affine::new(&back),
+        });
+        Some(here)
+    }
+
+    pub fn paint(&mut self, graph: &mut Graph, paint: Coat) -> u32 {
+        *self.paints.entry(paint).or_insert_with(|| {
+            graph.paints.push(paint);
+            graph.paints.len() as u32 - 1
+        })
+    }
+
+    pub fn optics(&mut self, graph: &mut Graph, o: Optics) -> u32 {
+        let all = [o.kd, o.ks, o.kt];
+        let key = std::array::from_fn(|i| bits(all[i / 3][i % 3]));
+        *self.optics.entry(key).or_insert_with(|| {
+            graph.optics.push(o);
+            graph.optics.len() as u32 - 1
+        })
+    }
+
+    pub fn index(&mut self, graph: &mut Graph, index: Rgb) -> u32 {
+        *self.indices.entry(index.map(bits)).or_insert_with(|| {
+            graph.indices.push(index);
+            graph.indices.len() as u32 - 1
+        })
+    }
+}

@@ -1,0 +1,226 @@
+//! Lists of events joined into one. Events at exactly the same t are one event, judged by the
+//! states before and after it, so what identical surfaces do at the same place cancels out.
+
+use super::spans::{Event, Kind, List, Owner, Spans, State};
+
+/// Buffers that are kept from one join to the next.
+#[derive(Debug, Default)]
+pub(super) struct Scratch {
+    /// t, list, event: the events of all lists, to be sorted.
+    order: Vec<(f64, u32, u32)>,
+    before: Vec<State>,
+    after: Vec<State>,
+    group: Vec<(usize, Event)>,
+    out: Vec<Event>,
+}
+
+impl Scratch {
+    /// Sorts the events of the lists from `base` on; operands keep their order at equal t.
+    fn sort(&mut self, spans: &Spans, base: usize) {
+        self.order.clear();
+        self.before.clear();
+        self.out.clear();
+        for (i, list) in spans.lists[base..].iter().enumerate() {
+            self.before.push(list.start);
+            for (j, event) in spans.of(base + i).iter().enumerate() {
+                self.order
+                    .push((event.root.t, i as u32, (list.begin + j) as u32));
+            }
+        }
+        let rank = |i: u32| spans.lists[base + i as usize].part;
+        self.order.sort_unstable_by(|a, b| {
+            a.0.total_cmp(&b.0)
+                .then_with(|| rank(a.1).cmp(&rank(b.1)))
+                .then_with(|| a.2.cmp(&b.2))
+        });
+        self.after.clone_from(&self.before);
+    }
+
+    /// Takes the next events at one t: fills `group`, brings `after` up to date.
+    fn next_group(&mut self, spans: &Spans, next: &mut usize) -> bool {
+        self.group.clear();
+        self.before.clone_from(&self.after);
+        let Some(&(t, ..)) = self.order.get(*next) else {
+            return false;
+        };
+        // Zeros of both signs are one place.
+        while let Some(&(_, list, event)) = self.order.get(*next).filter(|e| e.0 == t) {
+            let event = spans.events[event as usize];
+            if event.kind != Kind::Sheet {
+                self.after[list as usize] = event.state;
+            }
+            self.group.push((list as usize, event));
+            *next += 1;
+        }
+        true
+    }
+}
+
+/// Replaces the lists from `base` on by one.
+fn replace(spans: &mut Spans, scratch: &mut Scratch, base: usize, part: u32, start: State) {
+    let begin = spans.lists[base].begin;
+    spans.events.truncate(begin);
+    spans.lists.truncate(base);
+    if start.inside || !scratch.out.is_empty() {
+        spans.events.append(&mut scratch.out);
+        spans.lists.push(List { part, start, begin });
+    }
+}
+
+/// The union of the lists from `base` on: the first operand that is inside owns the point.
+pub(super) fn join_union(spans: &mut Spans, part: u32, base: usize) {
+    match spans.lists.len() - base {
+        0 => return,
+        1 => {
+            spans.lists[base].part = part;
+            return;
+        }
+        _ => {}
+    }
+    let mut scratch = std::mem::take(&mut spans.scratch);
+    scratch.sort(spans, base);
+    let ranks: Vec<u32> = spans.lists[base..].iter().map(|l| l.part).collect();
+    let holder = |states: &[State]| {
+        (0..states.len())
+            .filter(|&i| states[i].inside)
+            .min_by_key(|&i| ranks[i])
+    };
+    let outside = State {
+        inside: false,
+        ..spans.lists[base].start
+    };
+    let state = |states: &[State], holder: Option<usize>| holder.map_or(outside, |i| states[i]);
+
+    let start = state(&scratch.before, holder(&scratch.before));
+    let mut now = (holder(&scratch.before), start);
+    let mut next = 0;
+    while scratch.next_group(spans, &mut next) {
+        let then = holder(&scratch.after);
+        let after = state(&scratch.after, then);
+        let (before_holder, before) = now;
+        for &(_, event) in scratch.group.iter().filter(|e| e.1.kind == Kind::Sheet) {
+            scratch.out.push(Event {
+                state: before,
+                ..event
+            });
+        }
+        let of = |list: Option<usize>| {
+            let list = list?;
+            let mut events = scratch.group.iter();
+            events.find(|e| e.0 == list && e.1.kind != Kind::Sheet)
+        };
+        // Of the boundaries at this place, the one of what is entered, else of what is left.
+        let entered = of(then);
+        if let Some(&(_, event)) = entered.or_else(|| of(before_holder)) {
+            let seen = before.inside != after.inside
+                || (before.inside && !before.owner.same_medium(&after.owner));
+            let owner = if entered.is_none() && after.inside {
+                after.owner
+            } else {
+                event.owner
+            };
+            scratch.out.push(Event {
+                kind: if seen { Kind::Boundary } else { Kind::Silent },
+                owner,
+                state: after,
+                ..event
+            });
+        }
+        now = (then, after);
+    }
+    replace(spans, &mut scratch, base, part, start);
+    spans.scratch = scratch;
+}
+
+/// The intersection of the `first` lists from `base` on less all others. The first operand owns
+/// the points; a face keeps the properties of its shape or, with `inherit`, takes those of the
+/// first operand where a cut made it.
+pub(super) fn join_intersection(
+    spans: &mut Spans,
+    part: u32,
+    base: usize,
+    first: usize,
+    inherit: bool,
+    lead: Owner,
+) {
+    if spans.lists.len() - base == 1 && first == 1 {
+        spans.lists[base].part = part;
+        return;
+    }
+    let nowhere = spans.lists.len() == base;
+    if nowhere {
+        // No operands but cuts, and none of those on the way: all of space.
+        let start = State {
+            inside: true,
+            owner: lead,
+        };
+        let begin = spans.events.len();
+        spans.lists.push(List { part, start, begin });
+        return;
+    }
+    let mut scratch = std::mem::take(&mut spans.scratch);
+    scratch.sort(spans, base);
+    let state = |states: &[State]| State {
+        inside: states[..first].iter().all(|s| s.inside)
+            && !states[first..].iter().any(|s| s.inside),
+        owner: if first > 0 { states[0].owner } else { lead },
+    };
+    let start = state(&scratch.before);
+    let mut before = start;
+    let mut next = 0;
+    while scratch.next_group(spans, &mut next) {
+        let after = state(&scratch.after);
+        for &(list, event) in scratch.group.iter().filter(|e| e.1.kind == Kind::Sheet) {
+            if list >= first {
+                continue;
+            }
+            // A surface that lies in a face of an operand counts as inside of it.
+            let (a, b) = (&scratch.before, &scratch.after);
+            let inside = (0..first).all(|i| i == list || a[i].inside || b[i].inside)
+                && (first..a.len()).all(|i| !a[i].inside || !b[i].inside);
+            if inside {
+                scratch.out.push(Event {
+                    state: before,
+                    ..event
+                });
+            }
+        }
+        let turned = |&&(list, ref event): &&(usize, Event)| {
+            event.kind != Kind::Sheet && scratch.before[list].inside != scratch.after[list].inside
+        };
+        if before.inside != after.inside {
+            // A face of an operand goes before one made by a cut at the same place.
+            let mut candidates = scratch.group.iter().filter(turned);
+            let face = candidates.clone().find(|e| e.0 < first);
+            if let Some(&(list, event)) = face.or_else(|| candidates.next()) {
+                let within = if after.inside { after } else { before };
+                let owner = if list >= first && inherit {
+                    within.owner
+                } else {
+                    event.owner
+                };
+                scratch.out.push(Event {
+                    kind: Kind::Boundary,
+                    owner,
+                    state: after,
+                    ..event
+                });
+            }
+        } else if after.inside {
+            // The owner within the first operand may have changed.
+            let change = scratch
+                .group
+                .iter()
+                .find(|e| e.0 == 0 && e.1.kind != Kind::Sheet);
+            if let (true, Some(&(_, event))) = (first > 0, change) {
+                scratch.out.push(Event {
+                    state: after,
+                    ..event
+                });
+            }
+        }
+        before = after;
+    }
+    replace(spans, &mut scratch, base, part, start);
+    spans.scratch = scratch;
+}

@@ -1,0 +1,180 @@
+//! The nearest crossing with anything: all that is needed while a ray is outside of every solid,
+//! since then the first boundary it meets is a boundary of the scene.
+
+use super::graph::{Operation, Target};
+use super::ray::Ray;
+use super::shapes::Root;
+use super::walk::{Leaf, Walker};
+
+/// Something to be visited, and the least t at which it may be met.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entry {
+    near: f64,
+    context: u32,
+    item: Item,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Item {
+    /// A node of the hierarchy of the context's object.
+    Node(u32),
+    /// A part of the context's object that is itself an object.
+    Part(u32, u32),
+}
+
+/// A crossing with a shape that may or may not be a boundary of the scene.
+#[derive(Debug, Clone, Copy)]
+pub struct Crossing {
+    pub leaf: Leaf,
+    pub root: Root,
+    /// Whose properties apply.
+    pub owner: Leaf,
+}
+
+impl Walker<'_> {
+    /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked
+    /// into; of intersections only their own boundary counts. Among crossings at the same t the
+    /// first operand's wins. With `any` the first one found will do.
+    pub fn nearest(&mut self, ray: &Ray, from: f64, to: f64, any: bool) -> Option<Crossing> {
+        self.begin(ray);
+        self.entries.clear();
+        let mut best: Option<Crossing> = None;
+        let mut limit = to;
+        self.open_union(ray, 0, from, &mut limit, &mut best);
+        while let Some(entry) = self.entries.pop() {
+            if entry.near > limit || (any && best.is_some()) {
+                continue;
+            }
+            match entry.item {
+                Item::Node(node) => self.visit(ray, entry, node, from, &mut limit, &mut best),
+                Item::Part(part, object) => {
+                    let context = self.enter(entry.context, part, object);
+                    match &self.graph.objects[object as usize].operation {
+                        Operation::Union(_) => {
+                            self.open_union(ray, context, from, &mut limit, &mut best);
+                        }
+                        Operation::Intersection { .. } => {
+                            if let Some(found) = self.first_of(ray, context, from, limit) {
+                                self.consider(found, &mut limit, &mut best);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    /// Meets the parts of a union that have no bounds, and puts the rest on the stack.
+    fn open_union(
+        &mut self,
+        ray: &Ray,
+        context: u32,
+        from: f64,
+        limit: &mut f64,
+        best: &mut Option<Crossing>,
+    ) {
+        let graph = self.graph;
+        let object = self.contexts[context as usize].object;
+        let Operation::Union(group) = &graph.objects[object as usize].operation else {
+            return;
+        };
+        for &part in &group.loose {
+            self.meet(ray, Leaf { part, context }, from, from, limit, best);
+        }
+        if let Some(root) = group.bvh.nodes.first() {
+            let line = &self.contexts[context as usize].line;
+            self.counts.boxes += 1;
+            if let Some((near, _)) = root.bounds.clip(line, from, *limit) {
+                self.entries.push(Entry {
+                    near,
+                    context,
+                    item: Item::Node(0),
+                });
+            }
+        }
+    }
+
+    fn visit(
+        &mut self,
+        ray: &Ray,
+        entry: Entry,
+        node: u32,
+        from: f64,
+        limit: &mut f64,
+        best: &mut Option<Crossing>,
+    ) {
+        let graph = self.graph;
+        let context = entry.context;
+        let object = self.contexts[context as usize].object;
+        let Operation::Union(group) = &graph.objects[object as usize].operation else {
+            return;
+        };
+        let bvh = &group.bvh;
+        let here = &bvh.nodes[node as usize];
+        if here.count > 0 {
+            let items = here.index as usize..(here.index + here.count) as usize;
+            for &part in &bvh.items[items] {
+                self.meet(ray, Leaf { part, context }, entry.near, from, limit, best);
+            }
+            return;
+        }
+        let line = self.contexts[context as usize].line;
+        self.counts.boxes += 2;
+        let [left, right] = [node + 1, here.index].map(|child| {
+            let bounds = &bvh.nodes[child as usize].bounds;
+            let (near, _) = bounds.clip(&line, from, *limit)?;
+            Some(Entry {
+                near,
+                context,
+                item: Item::Node(child),
+            })
+        });
+        match (left, right) {
+            (Some(a), Some(b)) if b.near < a.near => self.entries.extend([a, b]),
+            (a, b) => self.entries.extend(b.into_iter().chain(a)),
+        }
+    }
+
+    /// A shape is crossed at once, an object put on the stack.
+    fn meet(
+        &mut self,
+        ray: &Ray,
+        leaf: Leaf,
+        near: f64,
+        from: f64,
+        limit: &mut f64,
+        best: &mut Option<Crossing>,
+    ) {
+        match self.part(leaf.part).target {
+            Target::Object(object) => self.entries.push(Entry {
+                near,
+                context: leaf.context,
+                item: Item::Part(leaf.part, object),
+            }),
+            Target::Shape(primitive) => {
+                let behind = self.cross(ray, leaf, primitive, from);
+                if let Some(&root) = self.roots.list.get(behind) {
+                    let found = Crossing {
+                        leaf,
+                        root,
+                        owner: leaf,
+                    };
+                    self.consider(found, limit, best);
+                }
+            }
+        }
+    }
+
+    fn consider(&self, found: Crossing, limit: &mut f64, best: &mut Option<Crossing>) {
+        let better = match best {
+            _ if found.root.t > *limit => false,
+            Some(old) if old.root.t == found.root.t => self.precedes(found.leaf, old.leaf),
+            _ => true,
+        };
+        if better {
+            *limit = found.root.t;
+            *best = Some(found);
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! The light that comes back along a ray.
+
+use super::Tracer;
+use super::hit::Hit;
+use super::ray::Ray;
+use super::spans::Kind;
+use super::stats::{Counts, Rays};
+use super::vec::Vec3;
+use super::walk::Walker;
+use crate::scene::Rgb;
+
+/// A point light, its colour times its intensity.
+#[derive(Debug, Clone, Copy)]
+pub struct Light {
+    pub position: Vec3,
+    pub power: Vec3,
+}
+
+/// When a path of light is given up.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// Rays deeper than this contribute nothing; a camera ray has depth 0.
+    pub depth: u32,
+    /// Branches that count for less than this in every channel contribute nothing.
+    pub cutoff: f64,
+}
+
+/// A ray still to be followed, and how much its light counts, per channel.
+#[derive(Debug, Clone, Copy)]
+struct Branch {
+    ray: Ray,
+    weight: Vec3,
+    depth: u32,
+}
+
+/// The scratch of one thread.
+pub struct Shader<'t> {
+    tracer: &'t Tracer,
+    /// Ambient light of the scene, and its point lights or the headlight.
+    ambient: Vec3,
+    lights: &'t [Light],
+    limits: Limits,
+    pub walker: Walker<'t>,
+    pub rays: Rays,
+    branches: Vec<Branch>,
+}
+
+impl<'t> Shader<'t> {
+    pub fn new(tracer: &'t Tracer, lights: &'t [Light], limits: Limits) -> Shader<'t> {
+        Shader {
+            tracer,
+            ambient: tracer.ambient,
+            lights,
+            limits,
+            walker: tracer.walker(),
+            rays: Rays::default(),
+            branches: Vec::new(),
+        }
+    }
+
+    /// Forgets what was counted.
+    pub fn reset(&mut self) {
+        self.rays = Rays::default();
+        self.walker.counts = Default::default();
+    }
+
+    /// What was counted since the last reset.
+    pub fn counts(&self) -> Counts {
+        Counts {
+            rays: self.rays,
+            intersections: self.walker.counts,
+        }
+    }
+
+    /// The light along a camera ray.
+    ///
+    /// Rays that are reflected and refracted wait on a stack with their weights, so no depth is
+    /// too deep.
+    pub fn radiance(&mut self, ray: Ray) -> Rgb {
+        self.rays.camera += 1;
+        let mut sum = Vec3::ZERO;
+        self.branches.push(Branch {
+            ray,
+            weight: Vec3::ONE,
+            depth: 0,
+        });
+        while let Some(branch) = self.branches.pop() {
+            let light = match self.tracer.hit(&mut self.walker, &branch.ray) {
+                Some(hit) => {
+                    self.follow(&branch, &hit);
+                    self.direct(&hit)
+                }
+                None => self.tracer.background,
+            };
+            sum = sum + light.times(branch.weight);
+        }
+        sum.0
+    }
+
+    /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V)
+    fn direct(&mut self, hit: &Hit) -> Vec3 {
+        let albedo = Vec3(hit.optics.kd).times(Vec3(hit.colour));
+        if !albedo.any() {
+            return Vec3::ZERO;
+        }
+        let normal = hit.facing();
+        let mut light = self.ambient;
+        for &Light { position, power } in self.lights {
+            let way = position - hit.point;
+            let cosine = normal.dot(way.unit());
+            if cosine > 0.0 && power.any() {
+                let seen = self.visibility(hit, way);
+                light = light + power.times(seen) * cosine;
+            }
+        }
+        albedo.times(light)
+    }
+
+    /// The share of light that gets through from hit + way: the product of kt over all surfaces.
+    fn visibility(&mut self, hit: &Hit, way: Vec3) -> Vec3 {
+        if self.tracer.lone_convex && !hit.inside[0] {
+            return Vec3::ONE;
+        }
+        self.rays.shadow += 1;
+        let ray = hit.leave(way, false);
+        let Some((from, to)) = self.tracer.window(&ray, 1.0) else {
+            return Vec3::ONE;
+        };
+        let walker = &mut self.walker;
+        if ray.outside && self.tracer.clip.is_none() {
+            let opaque = !self.tracer.transparent;
+            match walker.nearest(&ray, from, to, opaque) {
+                None => return Vec3::ONE,
+                Some(_) if opaque => return Vec3::ZERO,
+                Some(first) => {
+                    let optics = walker.graph.optics[walker.optics(first.owner) as usize];
+                    if optics.kt == [0.0; 3] {
+                        return Vec3::ZERO;
+                    }
+                }
+            }
+        }
+        let (_, events) = walker.trace_spans(&ray, from, to);
+        let mut seen = Vec3::ONE;
+        let mut surfaces = events.iter().filter(|e| e.kind != Kind::Silent);
+        while let (true, Some(event)) = (seen.any(), surfaces.next()) {
+            let optics = &self.tracer.graph.optics[event.owner.optics as usize];
+            seen = seen.times(Vec3(optics.kt));
+        }
+        seen
+    }
+
+    /// Sends on what is mirrored and what goes through.
+    fn follow(&mut self, branch: &Branch, hit: &Hit) {
+        let direction = branch.ray.line.direction;
+        let mut mirrored = Vec3(hit.optics.ks);
+        let mut todo = Vec3(hit.optics.kt);
+        while let Some(c) = (0..3).find(|&c| todo[c] != 0.0) {
+            // The channels that go the same way go together.
+            let ratio = |c: usize| (hit.indices[0][c], hit.indices[1][c]);
+            let mut through = Vec3::ZERO;
+            for other in (c..3).filter(|&o| ratio(o) == ratio(c)) {
+                through[other] = std::mem::take(&mut todo[other]);
+            }
+            let (before, behind) = ratio(c);
+            if before == behind {
+                // Straight on: not a step deeper.
+                let ray = hit.leave(direction, true);
+                self.branch(ray, branch, through, branch.depth);
+                self.rays.refraction += 1;
+            } else if let Some(refracted) = refract(direction, hit.facing(), before / behind) {
+                let ray = hit.leave(refracted, true);
+                if self.branch(ray, branch, through, branch.depth + 1) {
+                    self.rays.refraction += 1;
+                }
+            } else {
+                mirrored = mirrored + through;
+            }
+        }
+        if mirrored.any() {
+            let normal = hit.normal;
+            let reflected = direction - normal * (2.0 * normal.dot(direction));
+            let ray = hit.leave(reflected.unit(), false);
+            if self.branch(ray, branch, mirrored, branch.depth + 1) {
+                self.rays.reflection += 1;
+            }
+        }
+    }
+
+    /// Puts a ray on the stack unless it is too deep or counts for too little.
+    fn branch(&mut self, ray: Ray, from: &Branch, share: Vec3, depth: u32) -> bool {
+        let weight = from.weight.times(share);
+        let counts = weight.any() && weight.max_component() >= self.limits.cutoff;
+        let goes = counts && depth <= self.limits.depth && ray.line.direction.any();
+        if goes {
+            self.branches.push(Branch { ray, weight, depth });
+        }
+        goes
+    }
+}
+
+/// Snell's law: the direction behind a surface whose unit normal `n` faces the ray, of a ray of
+/// unit direction `d`, with the ratio of the index before to the one behind. `None`: all of the
+/// light is reflected.
+pub fn refract(d: Vec3, n: Vec3, ratio: f64) -> Option<Vec3> {
+    let cosine = -d.dot(n);
+    let square = 1.0 - ratio * ratio * (1.0 - cosine * cosine).max(0.0);
+    (square > 0.0).then(|| (d * ratio + n * (ratio * cosine - square.sqrt())).unit())
+}

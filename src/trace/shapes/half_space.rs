@@ -1,0 +1,59 @@
+//! The half-space.
+
+use super::plane::Plane;
+use super::{Located, Root, Roots, Shape};
+use crate::trace::bounds::Bounds;
+use crate::trace::ray::Line;
+use crate::trace::vec::Vec3;
+
+/// ax + by + cz + d ≤ 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HalfSpace {
+    face: Plane,
+}
+
+impl HalfSpace {
+    pub fn new(abcd: [f64; 4]) -> HalfSpace {
+        HalfSpace {
+            face: Plane::new(abcd),
+        }
+    }
+}
+
+impl Shape for HalfSpace {
+    /// The flat box of the face, reaching to infinity against the normal.
+    fn bounds(&self) -> Bounds {
+        let mut bounds = self.face.bounds();
+        for i in 0..3 {
+            if bounds.min[i].is_finite() {
+                if self.face.normal()[i] > 0.0 {
+                    bounds.min[i] = f64::NEG_INFINITY;
+                } else {
+                    bounds.max[i] = f64::INFINITY;
+                }
+            }
+        }
+        bounds
+    }
+
+    fn crossings(&self, line: &Line, roots: &mut Roots) {
+        self.face.crossings(line, roots);
+        roots.inside = if roots.list.is_empty() {
+            self.face.value(line.origin) <= 0.0
+        } else {
+            self.face.normal().dot(line.direction) > 0.0
+        };
+    }
+
+    fn locate(&self, line: &Line, root: Root) -> Located {
+        self.face.locate(line, root)
+    }
+
+    fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
+        self.face.uv(point, face)
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        self.face.feed(sink);
+    }
+}

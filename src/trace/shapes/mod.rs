@@ -1,0 +1,144 @@
+//! The shapes: where a line crosses them, and what is to be known at such a point.
+//!
+//! A shape is one file here that implements [`Shape`], one variant of [`Primitive`] and one arm in
+//! each of its functions.
+
+mod cuboid;
+mod half_space;
+mod plane;
+mod rectangle;
+mod sphere;
+
+use super::bounds::Bounds;
+use super::ray::Line;
+use super::vec::Vec3;
+use crate::scene::Geometry;
+
+/// One crossing of a line with a shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Root {
+    /// Finite.
+    pub t: f64,
+    /// Which part of the surface, for shapes that have several; the shape alone reads it.
+    pub face: u32,
+}
+
+/// All crossings of a line with a shape, ascending in t. For a solid they alternate: the line is
+/// inside before the first one exactly if `inside` says so, and changes sides at each.
+#[derive(Debug, Clone, Default)]
+pub struct Roots {
+    /// Whether the line comes from inside, at t = −∞.
+    pub inside: bool,
+    pub list: Vec<Root>,
+}
+
+impl Roots {
+    pub fn clear(&mut self) {
+        self.inside = false;
+        self.list.clear();
+    }
+
+    fn push(&mut self, t: f64, face: u32) {
+        self.list.push(Root { t, face });
+    }
+
+    /// A chord of a convex solid. One of no length, a touch, has no inside and is dropped.
+    fn chord(&mut self, (t0, face0): (f64, u32), (t1, face1): (f64, u32)) {
+        if t0 < t1 && t0.is_finite() && t1.is_finite() {
+            self.push(t0, face0);
+            self.push(t1, face1);
+        }
+    }
+}
+
+/// A point on a shape's surface, in the shape's space.
+#[derive(Debug, Clone, Copy)]
+pub struct Located {
+    pub point: Vec3,
+    /// Bounds on the error of the point, component by component: somewhere in this box around it
+    /// is the true surface.
+    pub error: Vec3,
+    /// The geometric normal, outwards for a solid, of any length but zero.
+    pub normal: Vec3,
+}
+
+/// What the tracer asks of a shape. Everything is in the shape's own space; directions are of any
+/// length.
+pub trait Shape {
+    /// A box that holds the shape, rounded outwards.
+    fn bounds(&self) -> Bounds;
+
+    /// Appends all crossings to the cleared `roots`.
+    fn crossings(&self, line: &Line, roots: &mut Roots);
+
+    /// The point of one of the line's crossings.
+    fn locate(&self, line: &Line, root: Root) -> Located;
+
+    /// Surface coordinates of a point on the surface.
+    fn uv(&self, point: Vec3, face: u32) -> [f64; 2];
+
+    /// Whether it has an inside.
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    /// Whether no straight line between two points outside that starts away from the shape, from a
+    /// point on its surface, meets it again.
+    fn is_convex(&self) -> bool {
+        true
+    }
+
+    /// Feeds the numbers that make the shape what it is; equal shapes feed equal numbers.
+    fn feed(&self, sink: &mut dyn FnMut(f64));
+}
+
+/// A shape of the language.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Primitive {
+    Sphere(sphere::Sphere),
+    Cuboid(cuboid::Cuboid),
+    HalfSpace(half_space::HalfSpace),
+    Plane(plane::Plane),
+    Rectangle(rectangle::Rectangle),
+}
+
+impl Primitive {
+    /// The shape with this geometry; `None` where the tracer does not know the shape.
+    pub fn new(geometry: &Geometry) -> Option<Primitive> {
+        Some(match *geometry {
+            Geometry::Sphere { centre, radius } => {
+                Primitive::Sphere(sphere::Sphere::new(centre.into(), radius))
+            }
+            Geometry::Box { min, max } => {
+                Primitive::Cuboid(cuboid::Cuboid::new(min.into(), max.into()))
+            }
+            Geometry::HalfSpace(abcd) => Primitive::HalfSpace(half_space::HalfSpace::new(abcd)),
+            Geometry::Plane(abcd) => Primitive::Plane(plane::Plane::new(abcd)),
+            Geometry::Rectangle { min, max } => {
+                Primitive::Rectangle(rectangle::Rectangle::new(min, max))
+            }
+            _ => return None,
+        })
+    }
+
+    pub fn shape(&self) -> &dyn Shape {
+        match self {
+            Primitive::Sphere(s) => s,
+            Primitive::Cuboid(s) => s,
+            Primitive::HalfSpace(s) => s,
+            Primitive::Plane(s) => s,
+            Primitive::Rectangle(s) => s,
+        }
+    }
+
+    /// The name of the shape in counts and plans.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Primitive::Sphere(_) => "sphere",
+            Primitive::Cuboid(_) => "box",
+            Primitive::HalfSpace(_) => "half-space",
+            Primitive::Plane(_) => "plane",
+            Primitive::Rectangle(_) => "rectangle",
+        }
+    }
+}

@@ -1,0 +1,329 @@
+//! Spans: where along a ray an object is, and whose it is there (Roth, "Ray Casting for Modeling
+//! Solids", 1982). Sorted events, each with the state behind it; no tolerance merges any of them.
+
+use super::graph::{Group, Operation, Target};
+use super::join::{join_intersection, join_union};
+use super::ray::Ray;
+use super::shapes::Root;
+use super::walk::{Leaf, Walker};
+
+/// Whose point it is: the part, and what makes its medium.
+#[derive(Debug, Clone, Copy)]
+pub struct Owner {
+    pub leaf: Leaf,
+    pub optics: u32,
+    pub index: u32,
+}
+
+impl Owner {
+    /// Whether light notices a boundary between the two.
+    pub fn same_medium(&self, other: &Owner) -> bool {
+        self.optics == other.optics && self.index == other.index
+    }
+}
+
+/// The state between two events. The owner means something inside only.
+#[derive(Debug, Clone, Copy)]
+pub struct State {
+    pub inside: bool,
+    pub owner: Owner,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A boundary of the object.
+    Boundary,
+    /// A surface without inside.
+    Sheet,
+    /// The owner changes and nothing else does: not to be seen.
+    Silent,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub struct Event {
+    pub kind: Kind,
+    /// The shape whose surface it is.
+    pub leaf: Leaf,
+    pub root: Root,
+    /// Whose properties the surface has.
+    pub owner: Owner,
+    /// The state behind it.
+    pub state: State,
+}
+
+/// A list of events, ending where the next one begins.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct List {
+    /// Which operand it is of the operation it goes into.
+    pub part: u32,
+    pub start: State,
+    pub begin: usize,
+}
+
+/// The lists under way: a stack, and so are their events.
+#[derive(Debug, Default)]
+pub(super) struct Spans {
+    tasks: Vec<Task>,
+    pub lists: Vec<List>,
+    pub events: Vec<Event>,
+    pub scratch: super::join::Scratch,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Task {
+    Part {
+        part: u32,
+        context: u32,
+    },
+    Object {
+        context: u32,
+    },
+    /// Operand `part` of an intersection, unless those before were empty.
+    Operand {
+        part: u32,
+        context: u32,
+        base: usize,
+    },
+    JoinUnion {
+        context: u32,
+        base: usize,
+    },
+    JoinIntersection {
+        context: u32,
+        base: usize,
+        first: usize,
+    },
+}
+
+impl Walker<'_> {
+    /// The state of the whole scene at the ray's start, at t = `from`, and its events up to `to`.
+    pub fn trace_spans(&mut self, ray: &Ray, from: f64, to: f64) -> (Option<State>, &[Event]) {
+        self.begin(ray);
+        self.evaluate(ray, 0, from, to)
+    }
+
+    /// The first boundary or sheet of an intersection.
+    pub(super) fn first_of(
+        &mut self,
+        ray: &Ray,
+        context: u32,
+        from: f64,
+        to: f64,
+    ) -> Option<super::nearest::Crossing> {
+        let (_, events) = self.evaluate(ray, context, from, to);
+        let event = events.iter().find(|e| e.kind != Kind::Silent)?;
+        Some(super::nearest::Crossing {
+            leaf: event.leaf,
+            root: event.root,
+            owner: event.owner.leaf,
+        })
+    }
+
+    /// Start state (`None`: outside, and nothing ahead) and events of the object of a context.
+    fn evaluate(
+        &mut self,
+        ray: &Ray,
+        context: u32,
+        from: f64,
+        to: f64,
+    ) -> (Option<State>, &[Event]) {
+        self.spans.tasks.clear();
+        self.spans.lists.clear();
+        self.spans.events.clear();
+        self.spans.tasks.push(Task::Object { context });
+        while let Some(task) = self.spans.tasks.pop() {
+            match task {
+                Task::Part { part, context } => {
+                    self.part_spans(ray, Leaf { part, context }, from, to)
+                }
+                Task::Object { context } => self.object_spans(context, from, to),
+                Task::Operand {
+                    part,
+                    context,
+                    base,
+                } => self.operand(part, context, base, from, to),
+                Task::JoinUnion { context, base } => {
+                    let part = self.contexts[context as usize].part;
+                    join_union(&mut self.spans, part, base);
+                }
+                Task::JoinIntersection {
+                    context,
+                    base,
+                    first,
+                } => {
+                    self.join_intersection(context, base, first);
+                }
+            }
+        }
+        let start = self.spans.lists.last().map(|l| l.start);
+        (start, &self.spans.events)
+    }
+
+    fn owner(&self, leaf: Leaf) -> Owner {
+        Owner {
+            leaf,
+            optics: self.optics(leaf),
+            index: self.index(leaf),
+        }
+    }
+
+    /// A shape becomes a list at once, an object is entered.
+    fn part_spans(&mut self, ray: &Ray, leaf: Leaf, from: f64, to: f64) {
+        let part = self.part(leaf.part);
+        let primitive = match part.target {
+            Target::Object(object) => {
+                let context = self.enter(leaf.context, leaf.part, object);
+                self.spans.tasks.push(Task::Object { context });
+                return;
+            }
+            Target::Shape(primitive) => primitive,
+        };
+        let solid = self.graph.primitives[primitive as usize].shape().is_solid();
+        let behind = self.cross(ray, leaf, primitive, from);
+        let owner = self.owner(leaf);
+        let begin = self.spans.events.len();
+        let mut inside = part.inverted != (solid && (self.roots.inside != (behind % 2 == 1)));
+        let start = State { inside, owner };
+        // The complement of a surface is all of space: losing a surface does not show.
+        if solid || !part.inverted {
+            for &root in self.roots.list[behind..].iter().take_while(|r| r.t <= to) {
+                inside ^= solid;
+                self.spans.events.push(Event {
+                    kind: if solid { Kind::Boundary } else { Kind::Sheet },
+                    leaf,
+                    root,
+                    owner,
+                    state: State { inside, owner },
+                });
+            }
+        }
+        if start.inside || self.spans.events.len() > begin {
+            self.spans.lists.push(List {
+                part: leaf.part,
+                start,
+                begin,
+            });
+        }
+    }
+
+    fn object_spans(&mut self, context: u32, from: f64, to: f64) {
+        let graph = self.graph;
+        let object = self.contexts[context as usize].object;
+        let base = self.spans.lists.len();
+        match &graph.objects[object as usize].operation {
+            Operation::Union(group) => {
+                self.spans.tasks.push(Task::JoinUnion { context, base });
+                self.gather(context, group, from, to);
+            }
+            Operation::Intersection { first, .. } => self.spans.tasks.push(Task::Operand {
+                part: first.start,
+                context,
+                base,
+            }),
+        }
+    }
+
+    /// Puts all parts of a group that the ray may meet in [from, to] on the stack.
+    fn gather(&mut self, context: u32, group: &Group, from: f64, to: f64) {
+        let task = |&part: &u32| Task::Part { part, context };
+        self.spans.tasks.extend(group.loose.iter().map(task));
+        let line = self.contexts[context as usize].line;
+        self.nodes.clear();
+        self.nodes.extend(group.bvh.nodes.first().map(|_| 0));
+        while let Some(node) = self.nodes.pop() {
+            let here = &group.bvh.nodes[node as usize];
+            self.counts.boxes += 1;
+            if here.bounds.clip(&line, from, to).is_none() {
+                continue;
+            }
+            if here.count > 0 {
+                let items = here.index as usize..(here.index + here.count) as usize;
+                self.spans
+                    .tasks
+                    .extend(group.bvh.items[items].iter().map(task));
+            } else {
+                self.nodes.extend([here.index, node + 1]);
+            }
+        }
+    }
+
+    /// Goes on with an intersection whose operands before `part` are on the stack of lists.
+    fn operand(&mut self, part: u32, context: u32, base: usize, from: f64, to: f64) {
+        let graph = self.graph;
+        let object = self.contexts[context as usize].object;
+        let Operation::Intersection { first, cuts, .. } = &graph.objects[object as usize].operation
+        else {
+            return;
+        };
+        let done = (part - first.start) as usize;
+        if self.spans.lists.len() < base + done {
+            // An operand is nowhere on this ray, so the whole is not.
+            if let Some(list) = self.spans.lists.get(base) {
+                self.spans.events.truncate(list.begin);
+                self.spans.lists.truncate(base);
+            }
+            return;
+        }
+        if part < first.end {
+            self.spans.tasks.push(Task::Operand {
+                part: part + 1,
+                context,
+                base,
+            });
+            self.spans.tasks.push(Task::Part { part, context });
+            return;
+        }
+        self.spans.tasks.push(Task::JoinIntersection {
+            context,
+            base,
+            first: done,
+        });
+        let (near, far) = self.spans.extent(base, from, to);
+        if near <= far {
+            self.gather(context, cuts, near, far);
+        }
+    }
+
+    fn join_intersection(&mut self, context: u32, base: usize, first: usize) {
+        let Operation::Intersection {
+            first: operands,
+            inherit,
+            ..
+        } = &self.graph.objects[self.contexts[context as usize].object as usize].operation
+        else {
+            return;
+        };
+        // Where there are complements only, the medium is that of the first operand, which is the
+        // part behind the empty range.
+        let lead = self.owner(Leaf {
+            part: operands.start,
+            context,
+        });
+        let part = self.contexts[context as usize].part;
+        join_intersection(&mut self.spans, part, base, first, *inherit, lead);
+    }
+}
+
+impl Spans {
+    /// The events of list `i`.
+    pub fn of(&self, i: usize) -> &[Event] {
+        let end = self.lists.get(i + 1).map_or(self.events.len(), |l| l.begin);
+        &self.events[self.lists[i].begin..end]
+    }
+
+    /// The stretch outside of which not all of the lists from `base` on can be inside or have a
+    /// sheet.
+    fn extent(&self, base: usize, from: f64, to: f64) -> (f64, f64) {
+        let (mut near, mut far) = (from, to);
+        for i in base..self.lists.len() {
+            let events = self.of(i);
+            if let (false, Some(first)) = (self.lists[i].start.inside, events.first()) {
+                near = near.max(first.root.t);
+            }
+            if let Some(last) = events.last().filter(|e| !e.state.inside) {
+                far = far.min(last.root.t);
+            }
+        }
+        (near, far)
+    }
+}

@@ -1,0 +1,218 @@
+//! Textures, optics and indices as small numbers, equal values with equal numbers; and where a
+//! texture lies.
+
+use std::collections::HashMap;
+
+use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Matrix, Optics, Rgb, Scene, Texture};
+
+/// What nobody gave a value has number 0 in every table.
+pub const DEFAULT: u32 = 0;
+
+/// A texture and the matrix from the coordinates it was given in to those of the node at hand.
+/// Only textures in space have a frame; the others have number 0, the identity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct TextureUse {
+    pub texture: u32,
+    pub frame: u32,
+}
+
+impl TextureUse {
+    pub const DEFAULT: TextureUse = TextureUse {
+        texture: DEFAULT,
+        frame: DEFAULT,
+    };
+
+    /// A texture given to the node at hand.
+    pub fn here(texture: u32) -> TextureUse {
+        TextureUse {
+            texture,
+            frame: DEFAULT,
+        }
+    }
+}
+
+/// The aspects that a paint sets.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct PaintAspects {
+    pub texture: Option<u32>,
+    pub optics: Option<u32>,
+    pub index: Option<u32>,
+}
+
+/// The values of all aspects in a scene.
+#[derive(Debug)]
+pub struct Aspects {
+    textures: Table<Texture>,
+    optics: Table<Optics>,
+    indices: Table<Rgb>,
+    frames: Table<Matrix>,
+    /// For each paint of the scene.
+    paints: Vec<PaintAspects>,
+    /// For each texture and each optics, the entity that was given it first.
+    texture_owners: Vec<u32>,
+    optics_owners: Vec<u32>,
+}
+
+impl Aspects {
+    pub fn of(scene: &Scene) -> Aspects {
+        let mut out = Aspects {
+            textures: Table::with(Texture::Colour(DEFAULT_COLOUR)),
+            optics: Table::with(Optics::default()),
+            indices: Table::with(DEFAULT_INDEX),
+            frames: Table::with(Matrix::IDENTITY),
+            paints: Vec::with_capacity(scene.paints.len()),
+            texture_owners: vec![0],
+            optics_owners: vec![0],
+        };
+        for paint in &scene.paints {
+            let aspects = PaintAspects {
+                texture: paint.texture.as_ref().map(|t| out.textures.number(t)),
+                optics: paint.optics.as_ref().map(|o| out.optics.number(o)),
+                index: paint.index.as_ref().map(|i| out.indices.number(i)),
+            };
+            out.texture_owners
+                .resize(out.textures.values.len(), paint.owner);
+            out.optics_owners
+                .resize(out.optics.values.len(), paint.owner);
+            out.paints.push(aspects);
+        }
+        out
+    }
+
+    pub fn paint(&self, paint: u32) -> PaintAspects {
+        self.paints[paint as usize]
+    }
+
+    pub fn texture(&self, number: u32) -> &Texture {
+        &self.textures.values[number as usize]
+    }
+
+    pub fn optics(&self, number: u32) -> &Optics {
+        &self.optics.values[number as usize]
+    }
+
+    pub fn index(&self, number: u32) -> Rgb {
+        self.indices.values[number as usize]
+    }
+
+    pub fn frame(&self, number: u32) -> &Matrix {
+        &self.frames.values[number as usize]
+    }
+
+    /// The entity after which a look is named.
+    pub fn owner(&self, texture: u32, optics: u32) -> u32 {
+        match self.texture_owners[texture as usize] {
+            0 => self.optics_owners[optics as usize],
+            owner => owner,
+        }
+    }
+
+    pub fn is_transparent(&self, optics: u32) -> bool {
+        self.optics(optics).kt.iter().any(|k| *k > 0.0)
+    }
+
+    /// Whether the texture is laid on each shape by the shape's own coordinates.
+    pub fn is_laid_on_shapes(&self, texture: u32) -> bool {
+        matches!(
+            self.texture(texture),
+            Texture::Checkerboard { .. } | Texture::Image { .. }
+        )
+    }
+
+    /// The use of a texture seen from coordinates that `m` leads to.
+    pub fn moved(&mut self, used: TextureUse, m: &Matrix) -> TextureUse {
+        if !self.lies_in_space(used) {
+            return used;
+        }
+        let frame = m.after(self.frame(used.frame));
+        TextureUse {
+            frame: self.frames.number(&frame),
+            ..used
+        }
+    }
+
+    /// The use of a texture seen from coordinates that `m` leads away from.
+    pub fn moved_back(&mut self, used: TextureUse, m: &Matrix) -> TextureUse {
+        let inverse = self.lies_in_space(used).then(|| m.inverse()).flatten();
+        inverse.map_or(used, |inverse| self.moved(used, &inverse))
+    }
+
+    fn lies_in_space(&self, used: TextureUse) -> bool {
+        matches!(self.texture(used.texture), Texture::Solid { .. })
+    }
+}
+
+/// Values by number.
+#[derive(Debug)]
+struct Table<T> {
+    values: Vec<T>,
+    numbers: HashMap<Vec<u64>, u32>,
+}
+
+impl<T: Bits + Clone> Table<T> {
+    fn with(first: T) -> Table<T> {
+        Table {
+            numbers: HashMap::from([(first.bits(), 0)]),
+            values: vec![first],
+        }
+    }
+
+    fn number(&mut self, value: &T) -> u32 {
+        let next = self.values.len() as u32;
+        let number = *self.numbers.entry(value.bits()).or_insert(next);
+        if number == next {
+            self.values.push(value.clone());
+        }
+        number
+    }
+}
+
+/// A value as a key to look it up by.
+trait Bits {
+    fn bits(&self) -> Vec<u64>;
+}
+
+fn bits<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> Vec<u64> {
+    // Adding zero makes one of the two zeros.
+    numbers.into_iter().map(|x| (x + 0.0).to_bits()).collect()
+}
+
+impl Bits for Rgb {
+    fn bits(&self) -> Vec<u64> {
+        bits(self)
+    }
+}
+
+impl Bits for Matrix {
+    fn bits(&self) -> Vec<u64> {
+        bits(self.0.iter().flatten())
+    }
+}
+
+impl Bits for Optics {
+    fn bits(&self) -> Vec<u64> {
+        bits(self.kd.iter().chain(&self.ks).chain(&self.kt))
+    }
+}
+
+impl Bits for Texture {
+    fn bits(&self) -> Vec<u64> {
+        match self {
+            Texture::Colour(c) => bits(c),
+            Texture::Checkerboard { n, m, colours } => {
+                let mut key = bits(colours.iter().flatten());
+                key.extend([u64::from(*n), u64::from(*m)]);
+                key
+            }
+            Texture::Solid { colours, size } => {
+                bits(colours.iter().flatten().chain(std::iter::once(size)))
+            }
+            // One byte a number, longer than any other key, the end marked.
+            Texture::Image { file, .. } => {
+                let mut key = vec![u64::MAX; 9];
+                key.extend(file.bytes().map(u64::from));
+                key
+            }
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! From nodes to objects: which `#declare`s a scene becomes, and what each consists of.
+
+use super::aspects::{Aspects, DEFAULT};
+use super::descend::{End, Stop};
+use super::facts::{self, Facts};
+use super::look::Looks;
+use super::names;
+use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
+use crate::scene::bounds::{NodeBounds, node_bounds};
+use crate::scene::{Aabb, NodeId, Scene};
+use crate::translate::fidelity::{Fidelity, Report};
+
+/// What the objects of a scene are built from.
+pub(super) struct Builder<'a> {
+    pub scene: &'a Scene,
+    pub aspects: Aspects,
+    pub facts: Vec<Facts>,
+    pub bounds: Vec<NodeBounds>,
+    pub looks: Looks,
+    pub report: Report,
+    /// The entity each node belongs to, 0 where none does.
+    pub ids: Vec<u32>,
+    /// The render box cuts through the scene: what lies inside of opaque objects can be seen.
+    pub cut_open: bool,
+    /// An index that differs by channel was written.
+    pub dispersive: bool,
+    /// An index was written.
+    pub refractive: bool,
+}
+
+impl<'a> Builder<'a> {
+    pub fn new(scene: &'a Scene, root: NodeId) -> Builder<'a> {
+        let mut aspects = Aspects::of(scene);
+        let facts = facts::facts(scene, &mut aspects, root);
+        let bounds = node_bounds(scene);
+        let all = bounds.get(root as usize).map_or(Aabb::EMPTY, |b| b.all);
+        let cut_open = scene
+            .render
+            .and_then(|r| r.clip)
+            .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all));
+        Builder {
+            scene,
+            aspects,
+            facts,
+            bounds,
+            cut_open,
+            looks: Looks::default(),
+            report: Report::new("pov"),
+            ids: names::node_ids(scene),
+            dispersive: false,
+            refractive: false,
+        }
+    }
+
+    /// The object that a key is declared as; `None` where there is nothing in it.
+    pub fn definition(&mut self, key: Key) -> Option<Piece> {
+        let descent = self.descend(key.node, key.state, Stop::BelowStart);
+        let piece = match descent.end {
+            End::Nothing => return None,
+            End::Everything => Piece::new(Body::Everything, 0),
+            End::Shape(shape, state) => self.shape(shape, state),
+            End::Shared(shared) => Piece::new(Body::Declared(shared), 0),
+            End::Union(a, b, state) => {
+                let members = self.flat_union(&[a, b], state);
+                self.union(members)?
+            }
+            End::Intersection(a, b, state) => {
+                let members = self.flat_intersection(a, b, state);
+                Piece::group(Group::Intersection, self.pieces(&members))
+            }
+            End::Difference(a, b, state) => self.difference(a, b, state)?,
+            End::CrossedSurfaces(a, b, state) => {
+                let mut members = Vec::new();
+                for (shown, by) in [(a, b), (b, a)] {
+                    let piece = self.piece(shown, state);
+                    let clip = self.clip(by, false);
+                    members.extend(piece.map(|p| p.with(clip)));
+                }
+                Piece::group(Group::Union, members)
+            }
+            End::Split(node, state) => {
+                let parts = [
+                    (node, state.part(Part::Solid)),
+                    (node, state.part(Part::Surface)),
+                ];
+                Piece::group(Group::Union, self.pieces(&parts))
+            }
+        };
+        let mut piece = piece.with(descent.modifiers);
+        piece.id = self.ids[key.node as usize];
+        Some(piece)
+    }
+
+    /// The object that stands for a node inside another object: a shape is written out, an
+    /// operation is declared before.
+    pub fn piece(&mut self, node: NodeId, state: State) -> Option<Piece> {
+        let descent = self.descend(node, state, Stop::AtShared);
+        let piece = match descent.end {
+            End::Nothing => return None,
+            End::Everything => Piece::new(Body::Everything, 0),
+            End::Shape(shape, state) => self.shape(shape, state),
+            End::Shared(shared) => Piece::new(Body::Declared(shared), 0),
+            _ => return Some(Piece::new(Body::Declared(Key { node, state }), 0)),
+        };
+        Some(piece.with(descent.modifiers))
+    }
+
+    pub fn pieces(&mut self, members: &[(NodeId, State)]) -> Vec<Piece> {
+        members
+            .iter()
+            .filter_map(|&(node, state)| self.piece(node, state))
+            .collect()
+    }
+
+    fn shape(&mut self, shape: u32, state: State) -> Piece {
+        let record = &self.scene.shapes[shape as usize];
+        let piece = Piece::new(Body::Shape(shape), record.id);
+        match state.look {
+            // A texture that lies on shapes was handed down to here.
+            Look::Own { texture, optics } => {
+                let texture = texture.unwrap_or_default();
+                let optics = optics.unwrap_or(DEFAULT);
+                let on = Some((shape, record.id));
+                let look = self.looks.number(&self.aspects, texture, optics, on);
+                piece.with(look.map(Modifier::Look))
+            }
+            Look::Above { .. } => piece,
+        }
+    }
+
+    /// Keeps of an object what lies inside a node, or outside; `None` where that is all of it.
+    pub fn clip(&mut self, by: NodeId, outside: bool) -> Option<Modifier> {
+        let by = self.piece(by, State::GEOMETRY)?;
+        Some(Modifier::Clip {
+            by: std::boxed::Box::new(by),
+            outside,
+        })
+    }
+
+    /// The operands of a union and of the unions among them, in order, each once.
+    pub fn flat_union(&mut self, roots: &[NodeId], state: State) -> Vec<(NodeId, State)> {
+        let mut todo: Vec<_> = roots.iter().rev().map(|&node| (node, state)).collect();
+        let mut out = Vec::new();
+        let mut seen = std::collections::HashSet::new();
+        while let Some((node, state)) = todo.pop() {
+            let descent = self.descend(node, state, Stop::AtShared);
+            match (descent.bare_union(), descent.end) {
+                (Some((a, b, state)), _) => todo.extend([(b, state), (a, state)]),
+                (None, End::Nothing) => {}
+                (None, end) => {
+                    // The same thing twice is the same thing.
+                    let same = match end {
+                        End::Shared(key) if descent.modifiers.is_empty() => (key.node, key.state),
+                        _ => (node, state),
+                    };
+                    if seen.insert(same) {
+                        out.push((node, state));
+                    }
+                }
+            }
+        }
+        out
+    }
+
+    fn flat_intersection(&mut self, a: NodeId, b: NodeId, state: State) -> Vec<(NodeId, State)> {
+        let mut todo = vec![(b, state), (a, state)];
+        let mut out = Vec::new();
+        while let Some((node, state)) = todo.pop() {
+            match self
+                .descend(node, state, Stop::AtShared)
+                .bare_intersection()
+            {
+                Some((a, b, state)) => todo.extend([(b, state), (a, state)]),
+                None => out.push((node, state)),
+            }
+        }
+        out
+    }
+
+    /// Whether any of a node lets light through.
+    pub fn is_transparent(&self, node: NodeId, look: Look) -> bool {
+        match look {
+            Look::Above { transparent } => transparent,
+            Look::Own {
+                optics: Some(o), ..
+            } => self.aspects.is_transparent(o),
+            Look::Own { optics: None, .. } => self.facts[node as usize].transparent,
+        }
+    }
+
+    pub fn box_of(&self, node: NodeId) -> Aabb {
+        self.bounds[node as usize].all
+    }
+
+    pub fn media_are_approximate(&mut self) {
+        self.report.count(
+            "operations on media of different index",
+            Fidelity::Approximate(
+                "refracted rays may take another direction at faces between the media".to_owned(),
+            ),
+            "an object has one index there",
+        );
+    }
+}
+
+/// The state of a part whose medium something around it gives.
+pub(super) fn inside_medium(state: State) -> State {
+    state.medium(Medium::Above)
+}

@@ -1,0 +1,283 @@
+//! The way down from a node to the shape or operation it stands for, past everything that is
+//! written as a modifier or not at all: transformations, properties, copies, complements, operands
+//! without a say.
+
+use super::aspects::{DEFAULT, TextureUse};
+use super::build::Builder;
+use super::piece::{Key, Look, Medium, Modifier, Part, State};
+use crate::scene::{Node, NodeId};
+
+/// What lies at the end of the way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum End {
+    /// There is nothing to draw or to cut with.
+    Nothing,
+    /// All of space.
+    Everything,
+    Shape(u32, State),
+    /// A node that others use too.
+    Shared(Key),
+    /// Both operands count.
+    Union(NodeId, NodeId, State),
+    Intersection(NodeId, NodeId, State),
+    Difference(NodeId, NodeId, State),
+    /// The surfaces of each, where the solids of the other are.
+    CrossedSurfaces(NodeId, NodeId, State),
+    /// The node's solids and surfaces have to be written separately.
+    Split(NodeId, State),
+}
+
+/// Which nodes that others use too end the way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Stop {
+    AtShared,
+    /// As `AtShared`, but not at the start: it is what is being declared.
+    BelowStart,
+    Never,
+}
+
+pub(super) struct Descent {
+    pub end: End,
+    /// What was met on the way, in the order to be written: the innermost first.
+    pub modifiers: Vec<Modifier>,
+}
+
+impl Descent {
+    /// The union at the end, if nothing stands before it.
+    pub fn bare_union(&self) -> Option<(NodeId, NodeId, State)> {
+        match self.end {
+            End::Union(a, b, state) if self.modifiers.is_empty() => Some((a, b, state)),
+            _ => None,
+        }
+    }
+
+    pub fn bare_intersection(&self) -> Option<(NodeId, NodeId, State)> {
+        match self.end {
+            End::Intersection(a, b, state) if self.modifiers.is_empty() => Some((a, b, state)),
+            _ => None,
+        }
+    }
+
+    pub fn bare_difference(&self) -> Option<(NodeId, NodeId, State)> {
+        match self.end {
+            End::Difference(a, b, state) if self.modifiers.is_empty() => Some((a, b, state)),
+            _ => None,
+        }
+    }
+}
+
+/// Modifiers as they are met: the outermost first.
+#[derive(Default)]
+struct Way {
+    modifiers: Vec<Modifier>,
+    inverse: bool,
+}
+
+impl Way {
+    fn push(&mut self, modifier: Modifier) {
+        match (self.modifiers.last_mut(), modifier) {
+            (Some(Modifier::Matrix(outer)), Modifier::Matrix(m)) => *outer = outer.after(&m),
+            (_, modifier) => self.modifiers.push(modifier),
+        }
+    }
+
+    fn end(mut self, end: End) -> Descent {
+        if self.inverse {
+            self.modifiers.push(Modifier::Inverse);
+        }
+        self.modifiers.reverse();
+        Descent {
+            end,
+            modifiers: self.modifiers,
+        }
+    }
+}
+
+impl Builder<'_> {
+    /// Goes down from a node as far as one object reaches.
+    pub(super) fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent {
+        let (mut node, mut state) = (start, state);
+        let mut way = Way::default();
+        loop {
+            let f = self.facts[node as usize];
+            let solid = f.has_solid && state.part != Part::Surface;
+            let surface = f.has_surface && state.part != Part::Solid;
+            if !solid && !surface {
+                return way.end(End::Nothing);
+            }
+            if !(f.has_solid && f.has_surface) {
+                // One name for the one part there is.
+                state.part = Part::All;
+            }
+            if !self.settle_medium(node, &mut state, surface, &mut way) {
+                return way.end(End::Split(node, state));
+            }
+            let (look, modifier) = self.settle_look(node, state.look);
+            state.look = look;
+            modifier.into_iter().for_each(|m| way.push(m));
+            let may_stop = match stop {
+                Stop::AtShared => true,
+                Stop::BelowStart => node != start,
+                Stop::Never => false,
+            };
+            if may_stop && f.uses > 1 {
+                return way.end(End::Shared(Key { node, state }));
+            }
+            match self.scene.nodes[node as usize] {
+                Node::Shape(shape) => return way.end(End::Shape(shape, state)),
+                Node::Copy { child, .. } => node = child,
+                Node::Transform { child, matrix } => {
+                    way.push(Modifier::Matrix(self.scene.matrices[matrix as usize]));
+                    state.look = self.look_below(state.look, matrix);
+                    node = child;
+                }
+                Node::Paint { child, paint } => {
+                    // What the paint sets was looked at in the facts about this node already, when
+                    // it was uniform; here it is handed down.
+                    let given = self.aspects.paint(paint);
+                    if let Look::Own { texture, optics } = &mut state.look {
+                        *texture = texture.or(given.texture.map(TextureUse::here));
+                        *optics = optics.or(given.optics);
+                    }
+                    node = child;
+                }
+                Node::Complement(child) => {
+                    if !self.facts[child as usize].has_solid {
+                        return way.end(End::Everything);
+                    }
+                    way.inverse = !way.inverse;
+                    state.part = Part::Solid;
+                    node = child;
+                }
+                Node::Union(a, b) => {
+                    let shows = |id: NodeId| {
+                        let f = self.facts[id as usize];
+                        (f.has_solid && solid) || (f.has_surface && surface)
+                    };
+                    match (a == b, shows(a), shows(b)) {
+                        (false, true, true) => return way.end(End::Union(a, b, state)),
+                        (_, true, _) => node = a,
+                        _ => node = b,
+                    }
+                }
+                Node::Intersection(..) | Node::Difference(..) if solid && surface => {
+                    return way.end(End::Split(node, state));
+                }
+                Node::Intersection(a, b) if solid => {
+                    state.part = Part::Solid;
+                    if a != b {
+                        self.one_medium(a, &mut state, &mut way);
+                        return way.end(End::Intersection(a, b, state));
+                    }
+                    node = a;
+                }
+                Node::Intersection(a, b) => {
+                    state.part = Part::Surface;
+                    let (of_a, of_b) = (self.facts[a as usize], self.facts[b as usize]);
+                    let a_shows = of_a.has_surface && of_b.has_solid;
+                    let b_shows = of_b.has_surface && of_a.has_solid;
+                    if a_shows && b_shows && a != b {
+                        return way.end(End::CrossedSurfaces(a, b, state));
+                    }
+                    let (shown, by) = if a_shows { (a, b) } else { (b, a) };
+                    if let Some(clip) = self.clip(by, false) {
+                        way.push(clip);
+                    }
+                    node = shown;
+                }
+                Node::Difference(a, b) if solid => {
+                    state.part = Part::Solid;
+                    if self.facts[b as usize].has_solid {
+                        return way.end(End::Difference(a, b, state));
+                    }
+                    node = a;
+                }
+                Node::Difference(a, b) => {
+                    state.part = Part::Surface;
+                    if let Some(clip) = self.clip(b, true) {
+                        way.push(clip);
+                    }
+                    node = a;
+                }
+            }
+        }
+    }
+
+    /// Gives the node's inside its index, where that is the same everywhere. `false` where this
+    /// would also give one to surfaces.
+    fn settle_medium(
+        &mut self,
+        node: NodeId,
+        state: &mut State,
+        surface: bool,
+        way: &mut Way,
+    ) -> bool {
+        let f = self.facts[node as usize];
+        if state.medium == Medium::Above {
+            return true;
+        }
+        if !f.has_solid || state.part == Part::Surface {
+            state.medium = Medium::Above;
+        } else if f.index.uniform {
+            if f.index.first != DEFAULT && self.is_transparent(node, state.look) {
+                if surface {
+                    return false;
+                }
+                way.push(Modifier::Interior(f.index.first));
+            }
+            state.medium = Medium::Above;
+        }
+        true
+    }
+
+    /// One solid has one inside: the first operand's.
+    fn one_medium(&mut self, first: NodeId, state: &mut State, way: &mut Way) {
+        if state.medium == Medium::Own {
+            let index = self.facts[first as usize].index.first;
+            if index != DEFAULT && self.is_transparent(first, state.look) {
+                way.push(Modifier::Interior(index));
+            }
+            state.medium = Medium::Above;
+            self.media_are_approximate();
+        }
+    }
+
+    /// The modifier that gives a node its look, where that is the same for all of it and can be
+    /// said from outside; and the look that is left to say below.
+    pub(super) fn settle_look(&mut self, node: NodeId, look: Look) -> (Look, Option<Modifier>) {
+        let Look::Own { texture, optics } = look else {
+            return (look, None);
+        };
+        let f = self.facts[node as usize];
+        let texture = texture.or((!f.has_texture).then_some(TextureUse::DEFAULT));
+        let optics = optics.or((!f.has_optics).then_some(DEFAULT));
+        match (texture, optics) {
+            (Some(t), Some(o)) if !self.aspects.is_laid_on_shapes(t.texture) => (
+                Look::Above {
+                    transparent: self.aspects.is_transparent(o),
+                },
+                self.looks
+                    .number(&self.aspects, t, o, None)
+                    .map(Modifier::Look),
+            ),
+            _ => (Look::Own { texture, optics }, None),
+        }
+    }
+
+    /// A look seen from inside a transformation.
+    fn look_below(&mut self, look: Look, matrix: u32) -> Look {
+        match look {
+            Look::Own {
+                texture: Some(texture),
+                optics,
+            } => Look::Own {
+                texture: Some(
+                    self.aspects
+                        .moved_back(texture, &self.scene.matrices[matrix as usize]),
+                ),
+                optics,
+            },
+            _ => look,
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! Differences. All of the boundary of A − B has the properties of A, cut faces too, so B is
+//! written with A's look. Where A is a union of different looks, each of its parts is cut by itself.
+
+use super::aspects::DEFAULT;
+use super::build::{Builder, inside_medium};
+use super::descend::{End, Stop};
+use super::grouping::{self, meet};
+use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
+use super::union::non_empty;
+use crate::scene::{Aabb, Matrix, NodeId};
+use crate::translate::fidelity::Fidelity;
+
+/// A look that is fully known, and the index behind it.
+type Substance = (Look, u32);
+
+/// Parts of the object that is cut, all of one substance.
+struct Cut {
+    substance: Option<Substance>,
+    nodes: Vec<(NodeId, State)>,
+    boxes: Vec<Aabb>,
+}
+
+impl Builder<'_> {
+    /// A − B, with everything that is taken from A before.
+    pub(super) fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Piece> {
+        let (base, cutters) = self.cut_chain(a, b, state);
+        match self.substance(a, state) {
+            Some((look, _)) => self.cut(base, &cutters, look),
+            None => self.cut_by_part(base, &cutters),
+        }
+    }
+
+    /// ((A − B) − C) − D as A and B, C, D.
+    fn cut_chain(&mut self, a: NodeId, b: NodeId, state: State) -> ((NodeId, State), Vec<NodeId>) {
+        let mut base = (a, state);
+        let mut cutters = vec![b];
+        while let Some((a, b, state)) = self
+            .descend(base.0, base.1, Stop::AtShared)
+            .bare_difference()
+        {
+            cutters.push(b);
+            base = (a, state);
+        }
+        cutters.reverse();
+        (base, cutters)
+    }
+
+    /// What all of a node consists of, if it is the same everywhere.
+    fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
+        let f = &self.facts[node as usize];
+        let look = match state.look {
+            Look::Above { .. } => state.look,
+            Look::Own { texture, optics } => Look::Own {
+                texture: Some(texture.or(f.texture.uniform.then_some(f.texture.first))?),
+                optics: Some(optics.or(f.optics.uniform.then_some(f.optics.first))?),
+            },
+        };
+        let index = match state.medium {
+            Medium::Above => DEFAULT,
+            Medium::Own => f.index.uniform.then_some(f.index.first)?,
+        };
+        Some((look, index))
+    }
+
+    /// The base without the cutters; the cut faces look like `look`.
+    fn cut(&mut self, base: (NodeId, State), cutters: &[NodeId], look: Look) -> Option<Piece> {
+        let base = self.piece(base.0, base.1)?;
+        let taken = self.cutters(cutters, look);
+        Some(difference(base, taken, &[]))
+    }
+
+    /// The objects to be taken away, with the look of what they are taken from.
+    fn cutters(&mut self, nodes: &[NodeId], look: Look) -> Vec<Piece> {
+        let state = State {
+            part: Part::Solid,
+            look,
+            medium: Medium::Above,
+        };
+        let mut out = Vec::new();
+        // Nobody looks at the properties that the cutters have themselves: a look that can be said
+        // from outside is said of each of them.
+        let (look, modifier) = match look {
+            Look::Own {
+                texture: Some(t),
+                optics: Some(o),
+            } if !self.aspects.is_laid_on_shapes(t.texture) => (
+                State::GEOMETRY.look,
+                self.looks
+                    .number(&self.aspects, t, o, None)
+                    .map(Modifier::Look),
+            ),
+            look => (look, None),
+        };
+        for (node, state) in self.flat_union(nodes, state.look(look)) {
+            let piece = self.piece(node, state);
+            out.extend(piece.map(|p| p.with(modifier.clone())));
+        }
+        out
+    }
+
+    /// A base of several substances: its parts are cut one by one.
+    fn cut_by_part(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Piece> {
+        let descent = self.descend(base.0, base.1, Stop::Never);
+        let mut moved = Some(Matrix::IDENTITY);
+        for modifier in &descent.modifiers {
+            moved = match (moved, modifier) {
+                (Some(before), Modifier::Matrix(m)) => Some(m.after(&before)),
+                _ => None,
+            };
+        }
+        let back = moved.and_then(|m| m.inverse());
+        let (End::Union(a, b, state), Some(back)) = (descent.end, back) else {
+            return self.cut_away(base, cutters);
+        };
+        let parts = self.flat_union(&[a, b], state);
+        let groups = self.by_substance(&parts);
+        let mut pieces = Vec::new();
+        for (i, group) in groups.iter().enumerate() {
+            let mut others = Vec::new();
+            for earlier in &groups[..i] {
+                if meet(&earlier.boxes, &group.boxes) {
+                    others.extend(self.taken_first(earlier, group));
+                }
+            }
+            pieces.extend(self.cut_group(group, cutters, &back, others));
+        }
+        Some(non_empty(Group::Union, pieces)?.with(descent.modifiers))
+    }
+
+    fn by_substance(&self, parts: &[(NodeId, State)]) -> Vec<Cut> {
+        let operands: Vec<_> = parts
+            .iter()
+            .map(|&(node, state)| (self.substance(node, state), self.box_of(node)))
+            .collect();
+        let cut = |group: &Vec<usize>| Cut {
+            substance: group.first().and_then(|i| operands[*i].0),
+            nodes: group.iter().map(|i| parts[*i]).collect(),
+            boxes: group.iter().map(|i| operands[*i].1).collect(),
+        };
+        grouping::in_order(&operands).iter().map(cut).collect()
+    }
+
+    /// Where parts of different substance overlap, the first one owns the overlap.
+    fn taken_first(&mut self, earlier: &Cut, later: &Cut) -> Vec<Piece> {
+        let both = earlier.nodes.iter().chain(&later.nodes);
+        if both
+            .into_iter()
+            .any(|&(node, state)| self.is_transparent(node, state.look))
+        {
+            self.report.count(
+                "cut faces through overlapping transparent parts",
+                Fidelity::Approximate("faces between the parts may show twice".to_owned()),
+                "",
+            );
+        }
+        let bare: Vec<_> = earlier
+            .nodes
+            .iter()
+            .map(|&(node, _)| (node, State::GEOMETRY))
+            .collect();
+        self.pieces(&bare)
+    }
+
+    fn cut_group(
+        &mut self,
+        group: &Cut,
+        cutters: &[NodeId],
+        back: &Matrix,
+        others: Vec<Piece>,
+    ) -> Option<Piece> {
+        let Some((look, index)) = group.substance else {
+            let base = self.union(group.nodes.clone())?;
+            return Some(self.cut_away_piece(base, cutters, back, &others));
+        };
+        let nodes: Vec<_> = group
+            .nodes
+            .iter()
+            .map(|&(node, state)| (node, inside_medium(state)))
+            .collect();
+        let base = self.union(nodes)?;
+        let transparent = match group.nodes.first() {
+            Some(&(node, _)) => self.is_transparent(node, look),
+            None => false,
+        };
+        let look = match look {
+            Look::Own {
+                texture: Some(t),
+                optics,
+            } => Look::Own {
+                // The cutters lie outside the transformations that the base is in.
+                texture: Some(self.aspects.moved_back(t, back)),
+                optics,
+            },
+            look => look,
+        };
+        let taken = moved(self.cutters(cutters, look), back);
+        let interior = (transparent && index != DEFAULT).then_some(Modifier::Interior(index));
+        Some(difference(base, taken, &others).with(interior))
+    }
+
+    /// The last resort for a base of several substances: POV-Ray finds out at every point of a cut
+    /// face what it cuts.
+    fn cut_away(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Piece> {
+        let base = self.piece(base.0, base.1)?;
+        Some(self.cut_away_piece(base, cutters, &Matrix::IDENTITY, &[]))
+    }
+
+    fn cut_away_piece(
+        &mut self,
+        base: Piece,
+        cutters: &[NodeId],
+        back: &Matrix,
+        others: &[Piece],
+    ) -> Piece {
+        self.report.count(
+            "cut faces of composite objects",
+            Fidelity::Approximate(
+                "where parts overlap the mean of their textures; textures laid on shapes are misplaced"
+                    .to_owned(),
+            ),
+            "cutaway_textures",
+        );
+        let taken = moved(self.cutters(cutters, State::GEOMETRY.look), back);
+        let mut members = vec![base];
+        members.extend(taken);
+        members.extend(others.iter().cloned());
+        Piece::group(Group::CutawayDifference, members)
+    }
+}
+
+fn difference(base: Piece, taken: Vec<Piece>, others: &[Piece]) -> Piece {
+    let mut members = vec![base];
+    members.extend(taken);
+    members.extend(others.iter().cloned());
+    Piece::group(Group::Difference, members)
+}
+
+fn moved(pieces: Vec<Piece>, m: &Matrix) -> Vec<Piece> {
+    if *m == Matrix::IDENTITY {
+        return pieces;
+    }
+    let moved = |p: Piece| p.with([Modifier::Matrix(*m)]);
+    pieces.into_iter().map(moved).collect()
+}

@@ -1,0 +1,230 @@
+//! Objects as text: every object is declared before it is used, operands first, without recursion
+//! on the depth of the scene.
+
+use std::collections::HashMap;
+
+use super::build::Builder;
+use super::piece::{Body, Group, Key, Modifier, Piece, State};
+use super::shape::primitive;
+use super::text::{matrix, number};
+use crate::scene::{Node, NodeId};
+use crate::syntax::table::RecordType;
+use crate::translate::Unsupported;
+use crate::translate::fidelity::Fidelity;
+
+/// What there is to do: look what a key needs, or write it, once that is written.
+enum Step {
+    Visit(Key),
+    Write(Key, Piece),
+}
+
+/// A piece within this many characters stands on one line.
+const WIDE: usize = 100;
+
+/// The declarations of all objects, and the names they go by.
+pub(super) struct Emitter<'b, 'a> {
+    builder: &'b mut Builder<'a>,
+    pub text: String,
+    names: HashMap<Key, Option<String>>,
+    /// How many objects of each entity there are.
+    times: HashMap<u32, u32>,
+}
+
+impl<'b, 'a> Emitter<'b, 'a> {
+    pub fn new(builder: &'b mut Builder<'a>) -> Emitter<'b, 'a> {
+        Emitter {
+            builder,
+            text: String::new(),
+            names: HashMap::new(),
+            times: HashMap::new(),
+        }
+    }
+
+    /// Declares the object of the root; its name, unless there is nothing in it.
+    ///
+    /// # Errors
+    /// A shape without a translation.
+    pub fn declare(&mut self, root: NodeId) -> Result<Option<String>, Unsupported> {
+        let root = Key {
+            node: root,
+            state: State::ROOT,
+        };
+        let mut todo = vec![Step::Visit(root)];
+        while let Some(step) = todo.pop() {
+            match step {
+                Step::Visit(key) => {
+                    if self.names.contains_key(&key) {
+                        continue;
+                    }
+                    self.names.insert(key, None);
+                    let piece = self.builder.definition(key);
+                    let mut needs = Vec::new();
+                    let Some(piece) = piece else { continue };
+                    piece.for_each_declared(&mut |k| needs.push(Step::Visit(k)));
+                    todo.push(Step::Write(key, piece));
+                    todo.extend(needs.into_iter().rev());
+                }
+                Step::Write(key, piece) => {
+                    let name = self.name(piece.id);
+                    let comment = self.comment(key.node, piece.id);
+                    let body = self.piece(&piece, 0)?;
+                    self.text
+                        .push_str(&format!("{comment}#declare {name} = {body}\n"));
+                    self.names.insert(key, Some(name));
+                }
+            }
+        }
+        Ok(self.names.get(&root).cloned().flatten())
+    }
+
+    fn name(&mut self, id: u32) -> String {
+        let times = self.times.entry(id).or_insert(0);
+        *times += 1;
+        match (id, *times) {
+            (0, n) => format!("Part_{n}"),
+            (id, 1) => format!("Object_{id}"),
+            (id, n) => format!("Object_{id}_{n}"),
+        }
+    }
+
+    /// What the scene calls the object: its ID and type of record.
+    fn comment(&mut self, node: NodeId, id: u32) -> String {
+        let mut at = node;
+        let scene = self.builder.scene;
+        // Only the state that the entity is in matters here, not the ones it went through: a few
+        // steps tell.
+        for _ in 0..64 {
+            let code = match scene.nodes[at as usize] {
+                Node::Transform { child, .. } | Node::Paint { child, .. } => {
+                    at = child;
+                    continue;
+                }
+                Node::Shape(shape) => i64::from(scene.shapes[shape as usize].ty.code),
+                Node::Union(..) => -101,
+                Node::Intersection(..) => -102,
+                Node::Difference(..) => -103,
+                Node::Complement(_) => -104,
+                Node::Copy { .. } => -105,
+            };
+            return match (id, RecordType::by_code(code)) {
+                (0, _) | (_, None) => String::new(),
+                (id, Some(ty)) => format!("// {id}: {}\n", ty.title),
+            };
+        }
+        String::new()
+    }
+
+    /// A piece as text. Groups nest a few levels deep at most.
+    fn piece(&mut self, piece: &Piece, depth: usize) -> Result<String, Unsupported> {
+        let (keyword, body) = match &piece.body {
+            Body::Shape(shape) => {
+                let record = &self.builder.scene.shapes[*shape as usize];
+                let (keyword, parameters) = primitive(record)?;
+                self.builder
+                    .report
+                    .count(record.ty.title, Fidelity::Exact, "");
+                (keyword, vec![parameters])
+            }
+            Body::Declared(key) => match self.names.get(key).cloned().flatten() {
+                Some(name) => ("object", vec![name]),
+                // Nothing was in it.
+                None => ("union", Vec::new()),
+            },
+            Body::Everything => ("plane", vec![EVERYTHING.to_owned()]),
+            Body::Group { kind, members } => {
+                let mut lines = Vec::with_capacity(members.len());
+                for member in members {
+                    let mut line = self.piece(member, depth + 1)?;
+                    if let (Body::Shape(_), id) = (&member.body, member.id) {
+                        line += &format!(" // {id}");
+                    }
+                    lines.push(line);
+                }
+                if *kind == Group::CutawayDifference {
+                    lines.push("cutaway_textures".to_owned());
+                }
+                self.builder
+                    .report
+                    .count(group_name(*kind), Fidelity::Exact, "");
+                (group_keyword(*kind), lines)
+            }
+        };
+        let modifiers = self.modifiers(&piece.modifiers, depth)?;
+        let flat = !matches!(piece.body, Body::Group { .. })
+            && !modifiers.iter().any(|m| m.contains('\n'))
+            && modifiers.iter().map(String::len).sum::<usize>()
+                + body.iter().map(String::len).sum::<usize>()
+                < WIDE;
+        let parts = body.into_iter().chain(modifiers);
+        if flat {
+            let parts: Vec<String> = parts.collect();
+            return Ok(format!("{keyword} {{ {} }}", parts.join(" ")));
+        }
+        let indent = "  ".repeat(depth);
+        let mut text = format!("{keyword} {{\n");
+        for part in parts {
+            text.push_str(&format!("{indent}  {part}\n"));
+        }
+        text.push_str(&format!("{indent}}}"));
+        Ok(text)
+    }
+
+    fn modifiers(
+        &mut self,
+        modifiers: &[Modifier],
+        depth: usize,
+    ) -> Result<Vec<String>, Unsupported> {
+        let mut out = Vec::with_capacity(modifiers.len());
+        for modifier in modifiers {
+            out.push(match modifier {
+                Modifier::Matrix(m) => matrix(m),
+                Modifier::Look(look) => {
+                    format!("texture {{ {} }}", self.builder.looks.name(*look))
+                }
+                Modifier::Interior(index) => {
+                    self.builder.refractive = true;
+                    match self.builder.aspects.index(*index) {
+                        [r, g, b] if r == g && g == b => {
+                            format!("interior {{ ior {} }}", number(r))
+                        }
+                        eta => {
+                            self.builder.dispersive = true;
+                            let [r, g, b] = eta.map(number);
+                            format!(
+                                "interior {{ ior (Channel = 0 ? {r} : (Channel = 1 ? {g} : {b})) }}"
+                            )
+                        }
+                    }
+                }
+                Modifier::Inverse => "inverse".to_owned(),
+                Modifier::Clip { by, outside } => {
+                    let by = self.piece(by, depth + 1)?;
+                    let inverse = if *outside { " inverse" } else { "" };
+                    format!("clipped_by {{ object {{ {by}{inverse} }} }}")
+                }
+            });
+        }
+        Ok(out)
+    }
+}
+
+/// A half-space whose boundary is beyond the farthest that POV-Ray looks.
+const EVERYTHING: &str = "<0, 1, 0>, 1e9";
+
+fn group_keyword(kind: Group) -> &'static str {
+    match kind {
+        Group::Union => "union",
+        Group::Merge => "merge",
+        Group::Intersection => "intersection",
+        Group::Difference | Group::CutawayDifference => "difference",
+    }
+}
+
+fn group_name(kind: Group) -> &'static str {
+    match kind {
+        Group::Union => "union",
+        Group::Merge => "union of transparent parts",
+        Group::Intersection => "intersection",
+        Group::Difference | Group::CutawayDifference => "difference",
+    }
+}

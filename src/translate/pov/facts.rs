@@ -1,0 +1,184 @@
+//! What has to be known of every node before anything can be written: what it contains, whose
+//! properties it shows, and how often it is used. Computed bottom-up in one pass over the arena.
+
+use super::aspects::{Aspects, DEFAULT, TextureUse};
+use crate::scene::{Node, NodeId, Scene};
+
+/// A property of the solids of a node, taken from whoever owns a point: of several operands the
+/// first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Owned<T> {
+    pub first: T,
+    /// Every point of the node has it.
+    pub uniform: bool,
+}
+
+impl<T: Copy + PartialEq> Owned<T> {
+    fn one(first: T) -> Owned<T> {
+        Owned {
+            first,
+            uniform: true,
+        }
+    }
+
+    fn or(self, other: Owned<T>) -> Owned<T> {
+        Owned {
+            first: self.first,
+            uniform: self.uniform && other.uniform && self.first == other.first,
+        }
+    }
+}
+
+/// The facts about one node, as it is without what its parents paint over it.
+#[derive(Debug, Clone, Copy)]
+pub struct Facts {
+    pub has_solid: bool,
+    pub has_surface: bool,
+    /// Something in it has been given a texture, or optics.
+    pub has_texture: bool,
+    pub has_optics: bool,
+    /// Some of it lets light through.
+    pub transparent: bool,
+    pub texture: Owned<TextureUse>,
+    pub optics: Owned<u32>,
+    pub index: Owned<u32>,
+    /// How many nodes under the root use it.
+    pub uses: u32,
+}
+
+const BARE: Facts = Facts {
+    has_solid: false,
+    has_surface: false,
+    has_texture: false,
+    has_optics: false,
+    transparent: false,
+    texture: Owned {
+        first: TextureUse::DEFAULT,
+        uniform: true,
+    },
+    optics: Owned {
+        first: DEFAULT,
+        uniform: true,
+    },
+    index: Owned {
+        first: DEFAULT,
+        uniform: true,
+    },
+    uses: 0,
+};
+
+/// The facts about all nodes up to the root; those that the root does not reach stay bare.
+pub fn facts(scene: &Scene, aspects: &mut Aspects, root: NodeId) -> Vec<Facts> {
+    let mut out = vec![BARE; root as usize + 1];
+    out[root as usize].uses = 1;
+    for id in (0..=root as usize).rev() {
+        if out[id].uses > 0 {
+            let (a, b) = children(&scene.nodes[id]);
+            for child in [a, b.filter(|_| a != b)].into_iter().flatten() {
+                out[child as usize].uses += 1;
+            }
+        }
+    }
+    for id in 0..=root as usize {
+        let uses = out[id].uses;
+        if uses > 0 {
+            out[id] = Facts {
+                uses,
+                ..one(scene, aspects, &out, &scene.nodes[id])
+            };
+        }
+    }
+    out
+}
+
+fn children(node: &Node) -> (Option<NodeId>, Option<NodeId>) {
+    match *node {
+        Node::Shape(_) => (None, None),
+        Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => (Some(a), Some(b)),
+        Node::Complement(child)
+        | Node::Transform { child, .. }
+        | Node::Paint { child, .. }
+        | Node::Copy { child, .. } => (Some(child), None),
+    }
+}
+
+fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Facts {
+    let of = |id: NodeId| done[id as usize];
+    match *node {
+        Node::Shape(shape) => {
+            let solid = scene.shapes[shape as usize].geometry.is_solid();
+            Facts {
+                has_solid: solid,
+                has_surface: !solid,
+                ..BARE
+            }
+        }
+        Node::Union(a, b) => union(of(a), of(b)),
+        Node::Intersection(a, b) => {
+            let (a, b) = (of(a), of(b));
+            Facts {
+                has_solid: a.has_solid && b.has_solid,
+                has_surface: (a.has_surface && b.has_solid) || (b.has_surface && a.has_solid),
+                // One solid has one inside: the first operand's.
+                texture: a.texture,
+                optics: a.optics,
+                index: a.index,
+                ..union(a, b)
+            }
+        }
+        Node::Difference(a, _) => of(a),
+        Node::Complement(child) => Facts {
+            has_solid: true,
+            has_surface: false,
+            ..of(child)
+        },
+        Node::Copy { child, .. } => of(child),
+        Node::Transform { child, matrix } => {
+            let mut facts = of(child);
+            let m = &scene.matrices[matrix as usize];
+            facts.texture.first = aspects.moved(facts.texture.first, m);
+            facts
+        }
+        Node::Paint { child, paint } => {
+            let mut facts = of(child);
+            let given = aspects.paint(paint);
+            if let Some(texture) = given.texture {
+                facts.has_texture = true;
+                facts.texture = Owned::one(TextureUse::here(texture));
+            }
+            if let Some(optics) = given.optics {
+                facts.has_optics = true;
+                facts.transparent = aspects.is_transparent(optics);
+                facts.optics = Owned::one(optics);
+            }
+            if let Some(index) = given.index {
+                facts.index = Owned::one(index);
+            }
+            facts
+        }
+    }
+}
+
+fn union(a: Facts, b: Facts) -> Facts {
+    // Surfaces own no points.
+    let (texture, optics, index) = match (a.has_solid, b.has_solid) {
+        (true, false) => (a.texture, a.optics, a.index),
+        (false, true) => (b.texture, b.optics, b.index),
+        _ => (
+            a.texture.or(b.texture),
+            a.optics.or(b.optics),
+            a.index.or(b.index),
+        ),
+    };
+    Facts {
+        has_solid: a.has_solid || b.has_solid,
+        has_surface: a.has_surface || b.has_surface,
+        has_texture: a.has_texture || b.has_texture,
+        has_optics: a.has_optics || b.has_optics,
+        transparent: a.transparent || b.transparent,
+        texture,
+        optics,
+        index,
+        uses: 0,
+    }
+}

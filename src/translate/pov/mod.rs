@@ -1,0 +1,245 @@
+//! POV-Ray 3.7 scenes.
+//!
+//! Coordinates stay as they are; the whole scene is scaled to a size of about 1 at the end, since
+//! POV-Ray's tolerances are absolute. With `assumed_gamma 1`, no attenuation and no highlights its
+//! light is that of the reference ray tracer, except at total internal reflection.
+//!
+//! From the resolved scene to text: [`facts`] about every node, bottom-up; [`build`] with
+//! [`descend`], [`union`], [`difference`] and [`grouping`] says what each object consists of, as [`piece`]s;
+//! [`emit`] orders, names and prints them; [`look`], [`uv`] and [`shape`] know POV-Ray's textures
+//! and primitives; [`scenery`] does cameras and lights.
+
+mod aspects;
+mod build;
+mod descend;
+mod difference;
+mod emit;
+mod facts;
+mod grouping;
+mod look;
+mod names;
+mod piece;
+mod scenery;
+mod shape;
+mod text;
+mod union;
+mod uv;
+
+use std::fmt::Write as _;
+
+use super::{Fidelity, Translation, Unsupported};
+use crate::scene::{Camera, Optics, Render, Scene};
+use build::Builder;
+use emit::Emitter;
+use text::{number, rgb, vector};
+
+/// What the scene itself does not say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Options {
+    /// Width and height of the picture in pixels.
+    pub size: (u32, u32),
+    /// How often a ray may be mirrored or refracted.
+    pub depth: u32,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            size: (640, 480),
+            depth: 10,
+        }
+    }
+}
+
+impl Options {
+    fn aspect(&self) -> f64 {
+        f64::from(self.size.0) / f64::from(self.size.1)
+    }
+}
+
+/// POV-Ray's own limit on `max_trace_level`.
+const MOST_LEVELS: u32 = 256;
+
+/// Translates a scene.
+///
+/// # Errors
+/// Something in it has no translation.
+pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupported> {
+    let render = scene.render.ok_or_else(|| Unsupported {
+        id: 0,
+        span: None,
+        message: "the scene has no render record: nothing is drawn".to_owned(),
+    })?;
+    let mut builder = Builder::new(scene, render.root);
+    let mut emitter = Emitter::new(&mut builder);
+    let root = emitter.declare(render.root)?;
+    let objects = emitter.text;
+    let cameras = scenery::cameras(scene, &builder.bounds, options)?;
+
+    let mut out = String::new();
+    header(&mut out, &builder, &cameras, options);
+    settings(&mut out, &builder, &render, &cameras, options);
+    view(&mut out, &cameras, options)?;
+    out.push_str(&scenery::point_lights(scene, &cameras));
+    out.push('\n');
+    builder.looks.write(&mut out, &builder.aspects, scene)?;
+    out.push('\n');
+    out.push_str(&objects);
+    out.push_str(&picture(root, &render));
+    account(&mut builder, &render, &cameras, options);
+    Ok(Translation {
+        text: out,
+        report: builder.report,
+    })
+}
+
+/// How to render the file so that its pixels can be compared.
+fn header(out: &mut String, builder: &Builder, cameras: &[Camera], options: &Options) {
+    let (w, h) = options.size;
+    let mut switches = String::new();
+    if builder.dispersive {
+        switches += " Declare=Channel=0";
+    }
+    if cameras.len() > 1 {
+        switches += " Declare=Eye=0";
+    }
+    // Writing to a string does not fail.
+    let _ = write!(
+        out,
+        "// A scene for POV-Ray 3.7. For linear values, one ray through the middle of each pixel:\n\
+         //   povray +Iscene.pov +Oscene.png +W{w} +H{h} -A -D +FN16 File_Gamma=1.0{switches}\n"
+    );
+    if builder.dispersive {
+        out.push_str(
+            "// Some index differs by channel. Render three times, with Channel 0, 1 and 2, and keep\n\
+             // red of the first picture, green of the second and blue of the third.\n\
+             #ifndef (Channel) #declare Channel = 0; #end\n",
+        );
+    }
+    if cameras.len() > 1 {
+        out.push_str(
+            "// A stereo pair: render with Eye 0 (left) and Eye 1 (right).\n\
+             #ifndef (Eye) #declare Eye = 0; #end\n",
+        );
+    }
+}
+
+/// Scales, global settings, defaults, background.
+fn settings(
+    out: &mut String,
+    builder: &Builder,
+    render: &Render,
+    cameras: &[Camera],
+    options: &Options,
+) {
+    let scene = builder.scene;
+    let default = Optics::default();
+    let looks: Vec<&Optics> = builder
+        .looks
+        .optics()
+        .map(|o| builder.aspects.optics(o))
+        .chain(std::iter::once(&default))
+        .collect();
+    let scale = scenery::light_scale(scene, render, cameras, looks.iter().copied(), options.depth);
+    let unit = scenery::unit(scene, &builder.bounds, cameras);
+    let levels = options.depth.saturating_add(1).min(MOST_LEVELS);
+    let ambient = rgb(scenery::ambient(scene));
+    let background = rgb(render.background);
+    let _ = write!(
+        out,
+        "#version 3.7;\n\n\
+         // All light is multiplied by this, so that no pixel exceeds what an image file can hold.\n\
+         #declare Light_Scale = {};\n\
+         // The finished scene is scaled by this to a size of about 1, because tolerances are absolute.\n\
+         #declare Unit = {};\n\n\
+         global_settings {{\n  assumed_gamma 1\n  ambient_light {ambient}*Light_Scale\n  \
+         max_trace_level {levels}\n  adc_bailout 0\n}}\n\
+         #default {{ texture {{ pigment {{ rgb 1 }} finish {{ ambient 1 diffuse 1 emission 0 }} }} }}\n\
+         background {{ {background}*Light_Scale }}\n\n",
+        number(scale),
+        number(unit),
+    );
+}
+
+fn view(out: &mut String, cameras: &[Camera], options: &Options) -> Result<(), Unsupported> {
+    for (i, camera) in cameras.iter().enumerate() {
+        let text = scenery::camera(camera, options.aspect())?;
+        let comment = match camera.id {
+            0 => " // the scene has no camera".to_owned(),
+            id => format!(" // {id}"),
+        };
+        let text = format!("camera {{{comment}\n{text}  scale Unit\n}}\n");
+        out.push_str(&if cameras.len() > 1 {
+            format!("#if (Eye = {i})\n{text}#end\n")
+        } else {
+            text
+        });
+    }
+    Ok(())
+}
+
+/// The object that is drawn.
+fn picture(root: Option<String>, render: &Render) -> String {
+    let Some(root) = root else {
+        return "\n// There is nothing to draw.\n".to_owned();
+    };
+    let clip = match render.clip {
+        Some((min, max)) => format!(
+            "  // only what lies in this box is drawn\n  clipped_by {{ box {{ {}, {} }} }}\n",
+            vector(&min),
+            vector(&max)
+        ),
+        None => String::new(),
+    };
+    format!(
+        "\n// the scene: {}\nobject {{\n  {root}\n{clip}  scale Unit\n}}\n",
+        render.root_id
+    )
+}
+
+/// What the report says about the scene as a whole.
+fn account(builder: &mut Builder, render: &Render, cameras: &[Camera], options: &Options) {
+    let report = &mut builder.report;
+    let scene = builder.scene;
+    for _ in &scene.point_lights {
+        report.count("point light", Fidelity::Exact, "");
+    }
+    for _ in &scene.ambient_lights {
+        report.count("ambient light", Fidelity::Exact, "");
+    }
+    report.state("camera", Fidelity::Exact, "");
+    if cameras.len() > 1 {
+        report.state(
+            "stereo camera",
+            Fidelity::Exact,
+            "rendered twice, Eye 0 and 1",
+        );
+    }
+    if render.clip.is_some() {
+        report.state("render box", Fidelity::Exact, "clipped_by");
+    }
+    if builder.dispersive {
+        report.state(
+            "refractive index by channel",
+            Fidelity::Exact,
+            "three passes, Channel 0, 1 and 2",
+        );
+    }
+    let refracts = |o: u32| builder.aspects.is_transparent(o);
+    if builder.looks.optics().any(refracts) && builder.refractive {
+        report.state(
+            "total internal reflection",
+            Fidelity::Approximate(
+                "the mirrored ray counts with weight 1 instead of ks + kt".to_owned(),
+            ),
+            "",
+        );
+    }
+    if options.depth >= MOST_LEVELS {
+        report.state(
+            "depth",
+            Fidelity::Approximate(format!("rays end at depth {}", MOST_LEVELS - 1)),
+            "",
+        );
+    }
+}

@@ -1,0 +1,62 @@
+//! Numbers, vectors and colours as POV-Ray reads them.
+
+use crate::scene::Matrix;
+
+/// The shortest decimal that reads back as the same number.
+pub fn number(x: f64) -> String {
+    let size = x.abs();
+    if x == 0.0 {
+        "0".to_owned()
+    } else if (1e-5..1e15).contains(&size) {
+        x.to_string()
+    } else {
+        format!("{x:e}")
+    }
+}
+
+/// `<1, 2, 3>`.
+pub fn vector(v: &[f64]) -> String {
+    let parts: Vec<String> = v.iter().map(|x| number(*x)).collect();
+    format!("<{}>", parts.join(", "))
+}
+
+/// `rgb 0.5` or `rgb <1, 0, 0>`.
+pub fn rgb(c: [f64; 3]) -> String {
+    if c[0] == c[1] && c[1] == c[2] {
+        format!("rgb {}", number(c[0]))
+    } else {
+        format!("rgb {}", vector(&c))
+    }
+}
+
+/// A matrix of ours acts on columns, POV-Ray's on rows: the transpose, without its last column.
+pub fn matrix(m: &Matrix) -> String {
+    let r = &m.0;
+    let columns: Vec<String> = (0..4)
+        .map(|j| {
+            let column: Vec<String> = (0..3).map(|i| number(r[i][j])).collect();
+            column.join(", ")
+        })
+        .collect();
+    format!("matrix <{}>", columns.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_back() {
+        for x in [0.0, -0.0, 1.0, -0.1, 1.0 / 3.0, 1e-300, 1e300, 123456.75] {
+            assert_eq!(number(x).parse::<f64>().unwrap(), x);
+        }
+        assert_eq!(number(1e-7), "1e-7");
+        assert_eq!(rgb([0.5; 3]), "rgb 0.5");
+    }
+
+    #[test]
+    fn matrices_are_transposed() {
+        let m = Matrix::translation(1.0, 2.0, 3.0).after(&Matrix::rotation(90.0, 2));
+        assert_eq!(matrix(&m), "matrix <0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 2, 3>");
+    }
+}

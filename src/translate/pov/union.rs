@@ -1,0 +1,162 @@
+//! Unions. Opaque ones are plain: what lies inside is never seen. In transparent ones the faces
+//! inside have to go, except where two media meet; there the first medium owns the overlap.
+
+use super::aspects::DEFAULT;
+use super::build::{Builder, inside_medium};
+use super::grouping::{self, meet, meet_each_other};
+use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
+use crate::scene::{Aabb, NodeId};
+use crate::translate::fidelity::Fidelity;
+
+/// Operands of an operation.
+type Operands = Vec<(NodeId, State)>;
+
+/// Operands of a union that are one medium.
+pub(super) struct Members {
+    /// Optics and index; `None` where the one operand is of several media by itself.
+    medium: Option<(u32, u32)>,
+    pub nodes: Operands,
+    pub boxes: Vec<Aabb>,
+    seen_into: bool,
+}
+
+impl Builder<'_> {
+    /// The union of operands that are no unions themselves.
+    pub(super) fn union(&mut self, members: Vec<(NodeId, State)>) -> Option<Piece> {
+        let seen_into = |&(node, state): &(NodeId, State)| {
+            self.facts[node as usize].has_solid
+                && state.part != Part::Surface
+                && self.is_seen_into(node, state)
+        };
+        if !members.iter().any(seen_into) {
+            let pieces = self.pieces(&members);
+            return non_empty(Group::Union, pieces);
+        }
+        let (solids, surfaces) = self.by_part(&members);
+        let mut groups = self.by_medium(&solids);
+        let mut pieces = Vec::new();
+        for i in 0..groups.len() {
+            let mut clips = Vec::new();
+            for earlier in 0..i {
+                if groups[earlier].seen_into && meet(&groups[earlier].boxes, &groups[i].boxes) {
+                    self.overlap(&groups[earlier], &groups[i]);
+                    clips.extend(self.outside_of(&groups[earlier]));
+                }
+            }
+            let piece = self.one_medium_union(&mut groups[i]);
+            pieces.extend(piece.map(|p| p.with(clips)));
+        }
+        pieces.extend(self.pieces(&surfaces));
+        non_empty(Group::Union, pieces)
+    }
+
+    /// Solids and surfaces apart: a merge has no place for surfaces.
+    fn by_part(&self, members: &[(NodeId, State)]) -> (Operands, Operands) {
+        let (mut solids, mut surfaces) = (Vec::new(), Vec::new());
+        for &(node, state) in members {
+            let f = self.facts[node as usize];
+            if f.has_solid && state.part != Part::Surface {
+                solids.push((node, state.part(Part::Solid)));
+            }
+            if f.has_surface && state.part != Part::Solid {
+                surfaces.push((node, state.part(Part::Surface)));
+            }
+        }
+        (solids, surfaces)
+    }
+
+    fn by_medium(&self, solids: &[(NodeId, State)]) -> Vec<Members> {
+        let operands: Vec<_> = solids
+            .iter()
+            .map(|&(node, state)| (self.medium(node, state), self.box_of(node)))
+            .collect();
+        let members = |group: &Vec<usize>| Members {
+            medium: group.first().and_then(|i| operands[*i].0),
+            nodes: group.iter().map(|i| solids[*i]).collect(),
+            boxes: group.iter().map(|i| operands[*i].1).collect(),
+            seen_into: group.iter().any(|i| {
+                let (node, state) = solids[*i];
+                self.is_seen_into(node, state)
+            }),
+        };
+        grouping::in_order(&operands).iter().map(members).collect()
+    }
+
+    /// Whether faces inside a node can be seen.
+    fn is_seen_into(&self, node: NodeId, state: State) -> bool {
+        self.cut_open || self.is_transparent(node, state.look)
+    }
+
+    /// The optics and index of a node that is one medium. What an object around the node gives is
+    /// the same for all operands and counts as the default.
+    fn medium(&self, node: NodeId, state: State) -> Option<(u32, u32)> {
+        let f = &self.facts[node as usize];
+        let optics = match state.look {
+            Look::Above { .. } => Some(DEFAULT),
+            Look::Own {
+                optics: Some(o), ..
+            } => Some(o),
+            Look::Own { optics: None, .. } => f.optics.uniform.then_some(f.optics.first),
+        };
+        let index = match state.medium {
+            Medium::Above => Some(DEFAULT),
+            Medium::Own => f.index.uniform.then_some(f.index.first),
+        };
+        optics.zip(index)
+    }
+
+    /// Operands of one medium as one object; its inside is one, too.
+    fn one_medium_union(&mut self, group: &mut Members) -> Option<Piece> {
+        let merged = group.seen_into && group.nodes.len() > 1 && meet_each_other(&group.boxes);
+        if !merged {
+            let pieces = self.pieces(&group.nodes);
+            return non_empty(Group::Union, pieces);
+        }
+        let index = group.medium.map_or(DEFAULT, |(_, index)| index);
+        for (_, state) in &mut group.nodes {
+            *state = inside_medium(*state);
+        }
+        let pieces = self.pieces(&group.nodes);
+        let piece = non_empty(Group::Merge, pieces)?;
+        Some(piece.with((index != DEFAULT).then_some(Modifier::Interior(index))))
+    }
+
+    /// Keeps of an object what no operand of a group holds.
+    fn outside_of(&mut self, group: &Members) -> Option<Modifier> {
+        let by = self.geometry(group)?;
+        Some(Modifier::Clip {
+            by: std::boxed::Box::new(by),
+            outside: true,
+        })
+    }
+
+    /// The bare solid of a group.
+    pub(super) fn geometry(&mut self, group: &Members) -> Option<Piece> {
+        let members: Vec<_> = group
+            .nodes
+            .iter()
+            .map(|&(node, _)| (node, State::GEOMETRY))
+            .collect();
+        let pieces = self.pieces(&members);
+        non_empty(Group::Union, pieces)
+    }
+
+    /// Says what two overlapping media cost.
+    pub(super) fn overlap(&mut self, earlier: &Members, later: &Members) {
+        let index = |g: &Members| g.medium.map(|(_, index)| index);
+        if index(earlier) != Some(DEFAULT) || index(later) != Some(DEFAULT) {
+            self.media_are_approximate();
+        }
+        if earlier.medium.is_some() && earlier.medium == later.medium {
+            self.report.count(
+                "parts of one medium that overlap, with another medium between them",
+                Fidelity::Approximate("a face inside the overlap shows".to_owned()),
+                "",
+            );
+        }
+    }
+}
+
+pub(super) fn non_empty(kind: Group, pieces: Vec<Piece>) -> Option<Piece> {
+    (!pieces.is_empty()).then(|| Piece::group(kind, pieces))
+}

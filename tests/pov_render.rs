@@ -1,0 +1,393 @@
+//! Translations rendered by the real POV-Ray, pixel by pixel against an independent evaluator.
+
+mod support;
+
+use support::make::Make;
+use support::naive::Naive;
+use support::povray;
+use zpg::scene::bounds::node_bounds;
+use zpg::scene::frame::automatic_camera;
+use zpg::scene::{Matrix, Scene, Texture, View};
+use zpg::translate::pov::{self, Options};
+
+const SIZE: (u32, u32) = (96, 72);
+/// Pixels may differ by so much.
+const BAR: f64 = 2.0 / 255.0;
+/// A pixel whose value changes by more than the bar within this part of a pixel lies on an edge.
+const NEAR: f64 = 0.02;
+
+/// Renders a scene with both and compares all pixels off edges, and off total reflection, where
+/// POV-Ray is known to differ.
+fn compare(name: &str, scene: &Scene) {
+    let options = Options {
+        size: SIZE,
+        ..Options::default()
+    };
+    let translation = pov::write(scene, &options).expect("a translation");
+    let theirs = povray::render(name, &translation.text, SIZE);
+    assert_eq!(theirs.size, SIZE);
+    let camera = match scene.view {
+        View::Mono(i) => scene.cameras[i],
+        _ => automatic_camera(
+            scene,
+            &node_bounds(scene),
+            f64::from(SIZE.0) / f64::from(SIZE.1),
+        ),
+    };
+    let ours = Naive::new(scene, camera, options.depth);
+    let (mut edges, mut total, mut wrong, mut worst) = (0, 0, Vec::new(), 0.0f64);
+    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+    for y in 0..SIZE.1 {
+        for x in 0..SIZE.0 {
+            let (px, py) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
+            let here = ours.at(px, py, SIZE);
+            let near = [(NEAR, NEAR), (-NEAR, NEAR), (NEAR, -NEAR), (-NEAR, -NEAR)]
+                .map(|(dx, dy)| ours.at(px + dx, py + dy, SIZE));
+            if here.total_reflection || near.iter().any(|s| s.total_reflection) {
+                total += 1;
+                continue;
+            }
+            if near.iter().any(|s| difference(s.rgb, here.rgb) > BAR / 2.0) {
+                edges += 1;
+                continue;
+            }
+            let pixel = theirs.pixels[(y * SIZE.0 + x) as usize];
+            let d = difference(pixel, here.rgb);
+            worst = worst.max(d);
+            range = [range[0].min(here.rgb[1]), range[1].max(here.rgb[1])];
+            if d > BAR {
+                wrong.push((x, y, pixel, here.rgb));
+            }
+        }
+    }
+    println!(
+        "{name}: worst {:.2}/255, {} wrong, {edges} on edges, {total} with total reflection, green {range:.2?}",
+        worst * 255.0,
+        wrong.len()
+    );
+    assert!(range[1] > range[0], "{name}: the picture is empty");
+    let pixels = SIZE.0 * SIZE.1;
+    assert!(
+        edges < pixels / 5,
+        "{name}: {edges} of {pixels} pixels on edges"
+    );
+    assert!(
+        wrong.is_empty(),
+        "{name}: {} pixels differ, as (x, y, povray, ours): {:.4?}\n{}",
+        wrong.len(),
+        &wrong[..wrong.len().min(5)],
+        translation.report
+    );
+}
+
+fn difference(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f64::max)
+}
+
+const RED: [f64; 3] = [0.9, 0.2, 0.1];
+const GREEN: [f64; 3] = [0.2, 0.8, 0.3];
+const BLUE: [f64; 3] = [0.2, 0.3, 0.9];
+
+#[test]
+fn opaque_shapes() {
+    let mut m = Make::lit();
+    let a = m.sphere([-1.2, 0.0, 0.0], 1.0);
+    let a = m.coloured(a, RED);
+    let b = m.cube([0.2, -1.0, -1.0], [1.6, 0.6, 0.5]);
+    let b = m.moved(b, Matrix::rotation(30.0, 1));
+    let b = m.coloured(b, GREEN);
+    let c = m.rectangle([-1.0, 0.0], [1.0, 1.0]);
+    let turn = Matrix::translation(0.0, 0.8, -2.0).after(&Matrix::rotation(-20.0, 0));
+    let c = m.moved(c, turn);
+    let ab = m.union(a, b);
+    let all = m.union(ab, c);
+    let root = m.on_floor(all);
+    compare("opaque_shapes", &m.done(root));
+}
+
+#[test]
+fn mirrors() {
+    let mut m = Make::lit();
+    let a = m.sphere([-1.0, 0.0, 0.0], 1.2);
+    let a = m.coloured(a, RED);
+    let a = m.mono(a, 0.3, 0.6, 0.0);
+    let b = m.cube([0.7, -1.2, -1.0], [1.9, 0.6, 0.5]);
+    let b = m.optics(b, [0.1, 0.5, 0.2], [0.9, 0.3, 0.5], [0.0; 3]);
+    let ab = m.union(a, b);
+    let root = m.on_floor(ab);
+    compare("mirrors", &m.done(root));
+}
+
+#[test]
+fn glass_with_index() {
+    let mut m = Make::lit();
+    let a = m.sphere([0.0; 3], 1.2);
+    let a = m.coloured(a, GREEN);
+    let a = m.mono(a, 0.2, 0.2, 0.6);
+    let a = m.index(a, [1.3; 3]);
+    let root = m.on_floor(a);
+    compare("glass_with_index", &m.done(root));
+}
+
+#[test]
+fn dispersion() {
+    let mut m = Make::lit();
+    let a = m.sphere([0.0; 3], 1.2);
+    let a = m.mono(a, 0.1, 0.1, 0.8);
+    let a = m.index(a, [1.2, 1.35, 1.5]);
+    let root = m.on_floor(a);
+    compare("dispersion", &m.done(root));
+}
+
+#[test]
+fn coloured_transmission_and_shadows() {
+    let mut m = Make::lit();
+    let a = m.sphere([0.3, 0.6, 0.5], 1.0);
+    let a = m.coloured(a, GREEN);
+    let a = m.optics(a, [0.3, 0.1, 0.2], [0.1, 0.2, 0.0], [0.5, 0.6, 0.3]);
+    let b = m.rectangle([-2.0, -1.0], [0.0, 1.0]);
+    let b = m.moved(b, Matrix::translation(0.0, 0.3, -1.0));
+    let b = m.optics(b, [0.4; 3], [0.0; 3], [0.1, 0.6, 0.6]);
+    let ab = m.union(a, b);
+    let root = m.on_floor(ab);
+    compare("coloured_transmission", &m.done(root));
+}
+
+#[test]
+fn checkers_on_each_shape() {
+    let mut m = Make::lit();
+    let a = m.sphere([0.3, 0.2, 0.0], 0.9);
+    let turn = Matrix::translation(-1.6, 0.0, 0.0).after(&Matrix::rotation(50.0, 2));
+    let a = m.moved(a, turn);
+    let a = m.checkered(a, 7, 5);
+    let b = m.cube([0.1, -0.7, -0.9], [1.3, 0.9, 0.5]);
+    let b = m.moved(b, Matrix::rotation(30.0, 1));
+    let b = m.checkered(b, 3, 5);
+    let c = m.rectangle([-1.0, 0.5], [2.0, 1.8]);
+    let c = m.moved(c, Matrix::translation(0.0, 0.0, -2.0));
+    let c = m.checkered(c, 6, 2);
+    let d = m.half_space([1.0, 0.5, 2.0, 12.0]);
+    let d = m.checkered(d, 1, 2);
+    let ab = m.union(a, b);
+    let cd = m.union(c, d);
+    let all = m.union(ab, cd);
+    let root = m.on_floor(all);
+    compare("checkers", &m.done(root));
+}
+
+#[test]
+fn all_faces_of_a_box() {
+    for (name, turn) in [
+        ("box_below", Matrix::rotation(110.0, 0)),
+        ("box_behind", Matrix::rotation(160.0, 1)),
+        ("box_left", Matrix::rotation(70.0, 1)),
+    ] {
+        let mut m = Make::lit();
+        let b = m.cube([-1.0, -0.7, -0.9], [1.2, 1.1, 0.9]);
+        let b = m.checkered(b, 3, 5);
+        let b = m.moved(b, turn);
+        compare(name, &m.done(b));
+    }
+}
+
+#[test]
+fn solid_texture_stays_where_it_was_given() {
+    let mut m = Make::lit();
+    let a = m.cube([-1.0; 3], [1.0; 3]);
+    let a = m.moved(a, Matrix::rotation(25.0, 1));
+    let texture = Texture::Solid {
+        colours: [RED, BLUE],
+        size: 0.4,
+    };
+    let a = m.textured(a, texture.clone());
+    let a = m.moved(a, Matrix::rotation(25.0, 2));
+    // Given to a whole whose parts have optics of their own.
+    let b = m.sphere([1.5, 1.0, 0.0], 0.6);
+    let b = m.mono(b, 0.7, 0.2, 0.0);
+    let c = m.sphere([2.0, 0.0, 0.0], 0.6);
+    let c = m.moved(c, Matrix::rotation(20.0, 2));
+    let bc = m.union(b, c);
+    let bc = m.textured(bc, texture);
+    let ab = m.union(a, bc);
+    let root = m.on_floor(ab);
+    compare("solid_texture", &m.done(root));
+}
+
+#[test]
+fn operations_on_painted_operands() {
+    let mut m = Make::lit();
+    let a = m.sphere([-1.2, 0.0, 0.0], 1.0);
+    let a = m.coloured(a, RED);
+    let b = m.cube([-1.2, -0.6, -0.6], [0.6, 0.6, 0.6]);
+    let b = m.coloured(b, GREEN);
+    let i = m.intersection(a, b);
+    let c = m.sphere([1.2, 0.2, 0.0], 1.0);
+    let c = m.coloured(c, BLUE);
+    let d = m.sphere([1.2, 0.6, 0.9], 0.8);
+    let d = m.coloured(d, RED);
+    let cd = m.difference(c, d);
+    let all = m.union(i, cd);
+    let root = m.on_floor(all);
+    compare("operations", &m.done(root));
+}
+
+#[test]
+fn a_painted_union_is_cut() {
+    let mut m = Make::lit();
+    let a = m.sphere([-0.7, 0.0, 0.0], 1.0);
+    let a = m.coloured(a, RED);
+    let b = m.cube([0.0, -0.9, -0.9], [1.6, 0.5, 0.8]);
+    let b = m.checkered(b, 4, 4);
+    let ab = m.union(a, b);
+    let ab = m.moved(ab, Matrix::rotation(20.0, 1));
+    let c = m.sphere([0.3, 0.9, 0.8], 1.1);
+    let c = m.coloured(c, BLUE);
+    let d = m.half_space([1.0, 0.0, 0.0, 1.1]);
+    let cut = m.difference(ab, c);
+    let cut = m.difference(cut, d);
+    let root = m.on_floor(cut);
+    compare("painted_union_cut", &m.done(root));
+}
+
+#[test]
+fn complements_and_half_spaces() {
+    let mut m = Make::lit();
+    let a = m.sphere([0.0; 3], 1.3);
+    let a = m.coloured(a, RED);
+    let h = m.half_space([0.0, -1.0, -1.0, 0.2]);
+    let h = m.coloured(h, GREEN);
+    let cut = m.intersection(a, h);
+    let b = m.cube([-2.0, -0.5, -0.5], [2.0, 0.5, 0.5]);
+    let b = m.coloured(b, BLUE);
+    let not_b = m.complement(b);
+    let rest = m.intersection(cut, not_b);
+    let root = m.on_floor(rest);
+    compare("complements", &m.done(root));
+}
+
+#[test]
+fn surfaces_in_operations() {
+    let mut m = Make::lit();
+    let s = m.rectangle([-2.0, -1.0], [2.0, 1.5]);
+    let s = m.coloured(s, RED);
+    let a = m.sphere([-0.8, 0.2, 0.0], 0.9);
+    let inside = m.intersection(s, a);
+    let inside = m.moved(inside, Matrix::rotation(20.0, 1));
+    let t = m.rectangle([-2.0, -1.0], [2.0, 1.5]);
+    let t = m.checkered(t, 8, 6);
+    let hole = m.sphere([0.0, 0.0, 0.2], 0.6);
+    let outside = m.difference(t, hole);
+    let outside = m.moved(outside, Matrix::translation(0.8, 0.3, -1.5));
+    // Solid and surface together, cut: the surface is cut as well.
+    let u = m.plane([1.0, 0.0, 0.2, -1.2]);
+    let u = m.coloured(u, GREEN);
+    let v = m.sphere([1.4, -0.4, 0.6], 0.7);
+    let v = m.coloured(v, BLUE);
+    let uv = m.union(u, v);
+    let cube = m.cube([0.5, -1.0, -0.5], [1.7, 0.6, 1.0]);
+    let uv = m.intersection(uv, cube);
+    // A surface takes nothing away.
+    let w = m.sphere([-1.6, 1.0, -0.5], 0.5);
+    let p = m.plane([0.0, 0.0, 1.0, 0.5]);
+    let w = m.difference(w, p);
+    let x = m.union(inside, outside);
+    let y = m.union(uv, w);
+    let all = m.union(x, y);
+    let root = m.on_floor(all);
+    compare("surfaces", &m.done(root));
+}
+
+#[test]
+fn transparent_unions_and_differences() {
+    let mut m = Make::lit();
+    let a = m.sphere([-0.5, 0.0, 0.0], 0.9);
+    let a = m.coloured(a, RED);
+    let b = m.sphere([0.5, 0.2, 0.0], 0.9);
+    let b = m.coloured(b, GREEN);
+    let ab = m.union(a, b);
+    let c = m.sphere([0.0, 0.6, 0.5], 0.6);
+    let d = m.sphere([0.6, 0.8, 0.5], 0.4);
+    let cd = m.union(c, d);
+    let cut = m.difference(ab, cd);
+    let cut = m.mono(cut, 0.4, 0.1, 0.5);
+    let cut = m.coloured(cut, BLUE);
+    let cut = m.index(cut, [1.1; 3]);
+    let root = m.on_floor(cut);
+    compare("transparent_operations", &m.done(root));
+}
+
+#[test]
+fn transparent_parts_of_two_colours() {
+    let mut m = Make::lit();
+    let a = m.sphere([-0.5, 0.0, 0.0], 0.9);
+    let a = m.coloured(a, RED);
+    let b = m.sphere([0.5, 0.2, 0.0], 0.9);
+    let b = m.coloured(b, GREEN);
+    let ab = m.union(a, b);
+    let ab = m.mono(ab, 0.4, 0.1, 0.5);
+    let root = m.on_floor(ab);
+    compare("two_colours", &m.done(root));
+}
+
+#[test]
+fn media_in_each_other() {
+    let mut m = Make::lit();
+    // An opaque core in glass, and glass that bites into an opaque box.
+    let core = m.sphere([-0.9, 0.0, 0.0], 0.4);
+    let core = m.coloured(core, RED);
+    let shell = m.sphere([-0.9, 0.0, 0.0], 0.9);
+    let shell = m.mono(shell, 0.3, 0.0, 0.7);
+    let shell = m.index(shell, [1.15; 3]);
+    let left = m.union(core, shell);
+    let bite = m.sphere([0.7, 0.5, 0.5], 0.8);
+    let bite = m.mono(bite, 0.3, 0.1, 0.6);
+    let block = m.cube([0.4, -1.0, -0.8], [1.7, 0.4, 0.5]);
+    let block = m.coloured(block, GREEN);
+    let right = m.union(bite, block);
+    let all = m.union(left, right);
+    let root = m.on_floor(all);
+    compare("media", &m.done(root));
+}
+
+#[test]
+fn coloured_and_bright_lights() {
+    let mut m = Make::default();
+    m.camera([1.0, 1.5, 6.0], [-1.0, -1.5, -6.0]);
+    m.ambient(0.3, [1.0, 0.5, 0.2]);
+    m.ambient(0.2, [0.0, 0.5, 1.0]);
+    m.light([4.0, 6.0, 5.0], 1.5, [1.0, 0.9, 0.2]);
+    m.light([-4.0, 3.0, 5.0], 0.9, [0.2, 0.4, 1.0]);
+    let a = m.sphere([0.0; 3], 1.2);
+    let a = m.mono(a, 0.8, 0.4, 0.0);
+    let root = m.on_floor(a);
+    compare("lights", &m.done(root));
+}
+
+#[test]
+fn automatic_camera_headlight_and_box() {
+    let mut m = Make::default();
+    let a = m.sphere([10.0, 20.0, -5.0], 30.0);
+    let a = m.checkered(a, 8, 6);
+    let b = m.half_space([0.0, 1.0, 0.0, 0.0]);
+    let b = m.coloured(b, GREEN);
+    let root = m.union(a, b);
+    let scene = m.render(
+        root,
+        [0.3, 0.1, 0.4],
+        Some(([-25.0, -12.0, -40.0], [40.0, 40.0, 10.0])),
+    );
+    compare("automatic", &scene);
+}
+
+#[test]
+fn large_and_small_scenes() {
+    for (name, size) in [("huge", 1e5), ("tiny", 1e-5)] {
+        let mut m = Make::default();
+        let a = m.sphere([0.0; 3], size);
+        let a = m.mono(a, 0.4, 0.2, 0.4);
+        let b = m.cube([-2.0 * size, -1.5 * size, -size], [2.0 * size, -size, size]);
+        let b = m.checkered(b, 8, 8);
+        let root = m.union(a, b);
+        compare(name, &m.done(root));
+    }
+}

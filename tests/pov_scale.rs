@@ -1,0 +1,193 @@
+//! Translations of scenes that are shared or deep beyond all measure.
+
+use std::time::{Duration, Instant};
+
+use zpg::diagnostics::Span;
+use zpg::scene::{Geometry, Matrix, Node, NodeId, Optics, Paint, Render, Scene, Shape, Texture};
+use zpg::syntax::table::RecordType;
+use zpg::translate::pov::{self, Options};
+
+/// Some spheres in a row; the node of each has its number.
+fn spheres(n: u32) -> Scene {
+    let mut scene = Scene::default();
+    for i in 0..n {
+        scene.shapes.push(Shape {
+            id: i + 2,
+            ty: RecordType::by_code(11).unwrap(),
+            span: Span::default(),
+            geometry: Geometry::Sphere {
+                centre: [f64::from(i), 0.0, 0.0],
+                radius: 1.0,
+            },
+        });
+        scene.nodes.push(Node::Shape(i));
+    }
+    scene
+}
+
+fn push(scene: &mut Scene, node: Node) -> NodeId {
+    scene.nodes.push(node);
+    scene.nodes.len() as NodeId - 1
+}
+
+fn translate(mut scene: Scene) -> String {
+    scene.render = Some(Render {
+        root: scene.nodes.len() as NodeId - 1,
+        root_id: 0,
+        background: [0.0; 3],
+        clip: None,
+        span: Span::default(),
+    });
+    pov::write(&scene, &Options::default()).unwrap().text
+}
+
+/// The deepest nesting of braces.
+fn nesting(text: &str) -> i32 {
+    let mut depth = 0;
+    let depths = text.chars().map(|c| {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        depth
+    });
+    depths.max().unwrap_or(0)
+}
+
+const LONG: u32 = 300_000;
+
+/// A left-deep chain over the spheres.
+fn chain(link: impl Fn(u32, NodeId, NodeId) -> Node) -> String {
+    let mut scene = spheres(LONG);
+    let mut last = 0;
+    for i in 1..LONG {
+        last = push(&mut scene, link(i, last, i));
+    }
+    let start = Instant::now();
+    let text = translate(scene);
+    assert!(start.elapsed() < Duration::from_secs(60));
+    assert!(nesting(&text) < 10, "{}", nesting(&text));
+    text
+}
+
+#[test]
+fn long_unions_are_flat() {
+    let text = chain(|_, a, b| Node::Union(a, b));
+    assert_eq!(text.matches("union {").count(), 1);
+    assert_eq!(text.matches("sphere {").count(), LONG as usize);
+}
+
+#[test]
+fn long_differences_and_intersections_are_flat() {
+    let text = chain(|_, a, b| Node::Difference(a, b));
+    assert_eq!(text.matches("difference {").count(), 1);
+    let text = chain(|_, a, b| Node::Intersection(a, b));
+    assert_eq!(text.matches("intersection {").count(), 1);
+}
+
+#[test]
+fn long_mixed_chains_are_declared() {
+    chain(|i, a, b| match i % 2 {
+        0 => Node::Union(a, b),
+        _ => Node::Difference(a, b),
+    });
+}
+
+#[test]
+fn long_chains_of_changes() {
+    for even in [true, false] {
+        let mut scene = spheres(1);
+        scene.matrices.push(Matrix::translation(1.0, 0.0, 0.0));
+        for i in 0..LONG + u32::from(even) {
+            let child = scene.nodes.len() as NodeId - 1;
+            push(&mut scene, Node::Complement(child));
+            if i % 2 == 0 {
+                let child = child + 1;
+                push(&mut scene, Node::Transform { child, matrix: 0 });
+            }
+        }
+        let text = translate(scene);
+        assert_eq!(text.contains("inverse"), even);
+        assert!(text.len() < 2000, "{text}");
+    }
+}
+
+/// Sixty times A := B ∪ m(B), with paints in between.
+fn doubled(paint: impl Fn(u32) -> Option<Paint>, moved: bool) -> String {
+    let mut scene = spheres(1);
+    scene
+        .matrices
+        .push(Matrix::translation(0.5, 0.0, 0.0).after(&Matrix::rotation(40.0, 2)));
+    for i in 0..60 {
+        let mut last = scene.nodes.len() as NodeId - 1;
+        if let Some(p) = paint(i) {
+            scene.paints.push(p);
+            let paint = scene.paints.len() as u32 - 1;
+            last = push(&mut scene, Node::Paint { child: last, paint });
+        }
+        let other = if moved {
+            push(
+                &mut scene,
+                Node::Transform {
+                    child: last,
+                    matrix: 0,
+                },
+            )
+        } else {
+            last
+        };
+        push(&mut scene, Node::Union(last, other));
+    }
+    translate(scene)
+}
+
+#[test]
+fn shared_nodes_are_never_expanded() {
+    assert!(doubled(|_| None, false).len() < 2000);
+    let moved = doubled(|_| None, true);
+    assert!(
+        moved.len() < 40_000,
+        "{} bytes: {}",
+        moved.len(),
+        &moved[..moved.len().min(6000)]
+    );
+    let glass = |i: u32| Paint {
+        owner: 100 + i,
+        optics: Some(Optics {
+            kd: [0.1; 3],
+            ks: [0.0; 3],
+            kt: [0.8; 3],
+        }),
+        index: Some([1.5; 3]),
+        ..Paint::default()
+    };
+    assert!(doubled(|i| Some(glass(i)), true).len() < 40_000);
+    let solid = |i: u32| Paint {
+        owner: 100 + i,
+        texture: Some(Texture::Solid {
+            colours: [[0.0; 3], [1.0; 3]],
+            size: 1.0 + f64::from(i),
+        }),
+        ..Paint::default()
+    };
+    assert!(doubled(|i| (i % 7 == 0).then(|| solid(i)), true).len() < 40_000);
+}
+
+#[test]
+fn what_has_no_translation_is_named() {
+    let mut scene = spheres(2);
+    scene.shapes[1].geometry = Geometry::Torus {
+        major: 2.0,
+        minor: 1.0,
+    };
+    scene.shapes[1].ty = RecordType::by_code(14).unwrap();
+    scene.shapes[1].span = Span::new(10, 20);
+    scene.nodes.push(Node::Union(0, 1));
+    scene.render = Some(Render {
+        root: 2,
+        root_id: 4,
+        background: [0.0; 3],
+        clip: None,
+        span: Span::default(),
+    });
+    let error = pov::write(&scene, &Options::default()).unwrap_err();
+    assert_eq!((error.id, error.span), (3, Some(Span::new(10, 20))));
+    assert!(error.message.contains("torus 3"), "{error}");
+}

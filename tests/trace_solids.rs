@@ -1,0 +1,356 @@
+//! Sets along rays: what the tracer says about crossings against point-by-point evaluation.
+
+mod trace_support;
+
+use trace_support::*;
+use zpg::scene::*;
+use zpg::trace::vec::Vec3;
+use zpg::trace::{Ray, Tracer};
+
+/// Whether a point is in a node, from the definition of each shape and operation.
+fn inside(scene: &Scene, node: NodeId, p: [f64; 3]) -> bool {
+    match scene.nodes[node as usize] {
+        Node::Shape(s) => match scene.shapes[s as usize].geometry {
+            Geometry::Sphere { centre: c, radius } => {
+                (0..3).map(|i| (p[i] - c[i]).powi(2)).sum::<f64>() <= radius * radius
+            }
+            Geometry::Box { min, max } => (0..3).all(|i| min[i] <= p[i] && p[i] <= max[i]),
+            Geometry::HalfSpace([a, b, c, d]) => a * p[0] + b * p[1] + c * p[2] + d <= 0.0,
+            _ => false,
+        },
+        Node::Union(a, b) => inside(scene, a, p) || inside(scene, b, p),
+        Node::Intersection(a, b) => inside(scene, a, p) && inside(scene, b, p),
+        Node::Difference(a, b) => inside(scene, a, p) && !inside(scene, b, p),
+        Node::Complement(a) => !inside(scene, a, p),
+        Node::Transform { child, matrix } => {
+            let back = scene.matrices[matrix as usize].inverse().unwrap();
+            inside(scene, child, back.point(p))
+        }
+        Node::Paint { child, .. } | Node::Copy { child, .. } => inside(scene, child, p),
+    }
+}
+
+fn random_matrix(r: &mut Random) -> Matrix {
+    let turn = Matrix::rotation(r.within(-180.0, 180.0), r.below(3) as usize);
+    let scale = Matrix::scaling(r.within(0.5, 2.0), -r.within(0.5, 2.0), r.within(0.5, 2.0));
+    let p = r.point(1.0);
+    Matrix::translation(p[0], p[1], p[2]).after(&turn.after(&scale))
+}
+
+fn random_shape(b: &mut Builder, r: &mut Random) -> NodeId {
+    let p = r.point(2.0);
+    match r.below(5) {
+        0 | 1 => b.sphere(p[0], p[1], p[2], r.within(0.2, 1.5)),
+        2 | 3 => {
+            let q = r.point(1.0).abs();
+            b.cuboid(p.0, (p + q).0)
+        }
+        _ => b.half_space(p[0], p[1], p[2], r.within(-1.0, 1.0)),
+    }
+}
+
+/// A random tree over `n` shapes; nodes may be used more than once.
+fn random_tree(b: &mut Builder, r: &mut Random, n: usize) -> NodeId {
+    let mut pool: Vec<NodeId> = (0..n).map(|_| random_shape(b, r)).collect();
+    for _ in 0..n {
+        let pick = |r: &mut Random, pool: &[NodeId]| pool[r.below(pool.len() as u64) as usize];
+        let (x, y) = (pick(r, &pool), pick(r, &pool));
+        let node = match r.below(6) {
+            0 | 1 => b.union(x, y),
+            2 => b.intersection(x, y),
+            3 => b.difference(x, y),
+            4 => b.complement(x),
+            _ => {
+                let m = random_matrix(r);
+                b.moved(x, m)
+            }
+        };
+        pool.push(node);
+    }
+    pool.into_iter()
+        .skip(n)
+        .reduce(|a, c| b.union(a, c))
+        .unwrap()
+}
+
+/// Where a ray changes sides, and which way.
+fn crossings(tracer: &Tracer, ray: &Ray) -> Vec<(f64, bool)> {
+    let all = tracer.crossings(&mut tracer.walker(), ray);
+    let sides = all.iter().filter_map(|c| Some((c.hit.t, c.entering?)));
+    sides.collect()
+}
+
+fn root_only(scene: &Scene, node: NodeId) -> Tracer {
+    let copy = Scene {
+        nodes: scene.nodes.clone(),
+        shapes: scene.shapes.clone(),
+        matrices: scene.matrices.clone(),
+        paints: scene.paints.clone(),
+        render: Some(Render {
+            root: node,
+            root_id: 0,
+            background: [0.0; 3],
+            clip: None,
+            span: Default::default(),
+        }),
+        ..Scene::default()
+    };
+    Tracer::new(&copy).unwrap()
+}
+
+#[test]
+fn random_trees_agree_with_their_definition() {
+    let mut r = Random(11);
+    let mut checked = 0;
+    for round in 0..300 {
+        let mut b = Builder::default();
+        let root = random_tree(&mut b, &mut r, 2 + round % 9);
+        let tracer = root_only(&b.scene, root);
+        for _ in 0..100 {
+            let ray = r.ray(4.0);
+            let found = crossings(&tracer, &ray);
+            checked += found.len();
+            let mut now = tracer.holds(&mut tracer.walker(), ray.line.origin);
+            assert_eq!(now, inside(&b.scene, root, ray.line.origin.0));
+            let mut last = 0.0;
+            for &(t, entering) in &found {
+                assert!(t > last && entering != now, "{found:?}");
+                let middle = ray.line.at(0.5 * (last + t));
+                if t - last > 1e-9 {
+                    assert_eq!(inside(&b.scene, root, middle.0), now, "{found:?}");
+                }
+                (last, now) = (t, entering);
+            }
+            let beyond = ray.line.at(last + 1.0);
+            assert_eq!(inside(&b.scene, root, beyond.0), now);
+        }
+    }
+    assert!(checked > 5000, "{checked}");
+}
+
+#[test]
+fn first_hits_are_first_crossings() {
+    let mut r = Random(5);
+    for _ in 0..200 {
+        let mut b = Builder::default();
+        let root = random_tree(&mut b, &mut r, 5);
+        let tracer = root_only(&b.scene, root);
+        let mut walker = tracer.walker();
+        for _ in 0..50 {
+            let mut ray = r.ray(5.0);
+            let all = tracer.crossings(&mut walker, &ray);
+            ray.outside = !tracer.holds(&mut walker, ray.line.origin);
+            let hit = tracer.hit(&mut walker, &ray);
+            assert_eq!(hit.map(|h| h.t), all.first().map(|c| c.hit.t));
+        }
+    }
+}
+
+#[test]
+fn set_identities() {
+    let mut r = Random(77);
+    for _ in 0..200 {
+        let mut b = Builder::default();
+        let x = random_tree(&mut b, &mut r, 4);
+        let y = random_tree(&mut b, &mut r, 4);
+        let nothing = b.difference(x, x);
+        let both = b.intersection(x, x);
+        let either = b.union(x, x);
+        let not_x = b.complement(x);
+        let twice = b.complement(not_x);
+        let not_y = b.complement(y);
+        let united = b.union(not_x, not_y);
+        let morgan = b.complement(united);
+        let plain = b.intersection(x, y);
+        let swapped = b.intersection(y, x);
+        let less = b.difference(x, y);
+        let less_morgan = b.intersection(x, not_y);
+        let everything = b.union(x, not_x);
+        let trace = |node| root_only(&b.scene, node);
+        let same = [
+            (trace(both), trace(x)),
+            (trace(either), trace(x)),
+            (trace(twice), trace(x)),
+            (trace(morgan), trace(plain)),
+            (trace(swapped), trace(plain)),
+            (trace(less_morgan), trace(less)),
+        ];
+        let (nothing, everything) = (trace(nothing), trace(everything));
+        for _ in 0..50 {
+            let ray = r.ray(4.0);
+            assert_eq!(crossings(&nothing, &ray), []);
+            assert!(!nothing.holds(&mut nothing.walker(), ray.line.origin));
+            assert_eq!(crossings(&everything, &ray), []);
+            assert!(everything.holds(&mut everything.walker(), ray.line.origin));
+            for (a, b) in &same {
+                assert_eq!(crossings(a, &ray), crossings(b, &ray));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_box_less_one_with_a_common_face_is_open() {
+    let mut b = Builder::default();
+    let outer = b.cuboid([-1.0; 3], [1.0; 3]);
+    let inner = b.cuboid([-0.5, -0.5, -0.5], [0.5, 0.5, 1.0]);
+    let root = b.difference(outer, inner);
+    let tracer = b.tracer(root);
+    let down = Ray::new(Vec3::new(0.1, 0.2, 5.0), Vec3::new(0.0, 0.0, -1.0));
+    assert_eq!(crossings(&tracer, &down), [(5.5, true), (6.0, false)]);
+}
+
+#[test]
+fn surfaces_are_cut_and_never_cut() {
+    let mut b = Builder::default();
+    let plane = b.shape(Geometry::Plane([0.0, 0.0, 1.0, 0.0]));
+    let ball = b.sphere(0.0, 0.0, 0.0, 1.0);
+    let disc = b.intersection(plane, ball);
+    let holed = b.difference(plane, ball);
+    let whole = b.difference(ball, plane);
+    let count = |node, x: f64| {
+        let tracer = root_only(&b.scene, node);
+        let ray = Ray::new(Vec3::new(x, 0.0, 5.0), Vec3::new(0.0, 0.0, -1.0));
+        let all = tracer.crossings(&mut tracer.walker(), &ray);
+        all.iter()
+            .map(|c| (c.hit.t, c.entering))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(count(disc, 0.25), [(5.0, None)]);
+    assert_eq!(count(disc, 1.25), []);
+    assert_eq!(count(holed, 0.25), []);
+    assert_eq!(count(holed, 1.25), [(5.0, None)]);
+    assert_eq!(count(whole, 0.0), [(4.0, Some(true)), (6.0, Some(false))]);
+}
+
+#[test]
+fn sixty_doublings_are_one_sphere() {
+    let mut b = Builder::default();
+    let mut a = b.sphere(0.0, 0.0, 0.0, 1.0);
+    for _ in 0..60 {
+        a = b.union(a, a);
+    }
+    let tracer = b.tracer(a);
+    assert_eq!(tracer.graph.parts.len(), 1);
+    let ray = Ray::new(Vec3::new(0.0, 0.0, 3.0), Vec3::new(0.0, 0.0, -1.0));
+    assert_eq!(crossings(&tracer, &ray), [(2.0, true), (4.0, false)]);
+}
+
+#[test]
+fn a_billion_spheres_from_thirty_moved_copies() {
+    let mut b = Builder::default();
+    let mut a = b.sphere(0.0, 0.0, 0.0, 0.4);
+    for i in 0..30 {
+        let step = f64::from(1 << (i / 3));
+        let m = match i % 3 {
+            0 => Matrix::translation(step, 0.0, 0.0),
+            1 => Matrix::translation(0.0, step, 0.0),
+            _ => Matrix::translation(0.0, 0.0, step),
+        };
+        let copy = b.moved(a, m);
+        a = b.union(a, copy);
+    }
+    let tracer = b.tracer(a);
+    assert!(tracer.graph.parts.len() <= 61);
+    let mut r = Random(3);
+    let mut walker = tracer.walker();
+    for _ in 0..2000 {
+        // Spheres stand on all whole numbers from 0 to 1023.
+        let cell = Vec3([0; 3].map(|_| r.below(1024) as f64));
+        let height = r.within(0.45, 0.55);
+        let origin = cell + Vec3::new(r.within(-0.2, 0.2), r.within(-0.2, 0.2), height);
+        let mut ray = Ray::new(origin, Vec3::new(0.0, 0.0, -1.0));
+        ray.outside = true;
+        let hit = tracer.hit(&mut walker, &ray).expect("a sphere below");
+        let d = origin - cell;
+        let t = d[2] - (0.16 - d[0] * d[0] - d[1] * d[1]).sqrt();
+        assert!((hit.t - t).abs() < 1e-12);
+    }
+}
+
+/// Chains as long as files can make them: nothing may recurse on them.
+#[test]
+fn long_chains() {
+    const N: usize = 300_000;
+    let settings = small(16, 12);
+    let chain = |b: &mut Builder, operation: fn(&mut Builder, NodeId, NodeId) -> NodeId| {
+        let mut r = Random(9);
+        let mut a = b.sphere(0.0, 0.0, 0.0, 10.0);
+        for _ in 0..N {
+            let p = r.point(1.0).unit() * 10.0;
+            let s = b.sphere(p[0], p[1], p[2], 0.2);
+            a = operation(b, a, s);
+        }
+        a
+    };
+    let operations: [fn(&mut Builder, NodeId, NodeId) -> NodeId; 3] =
+        [Builder::union, Builder::difference, |b, a, _| {
+            b.complement(a)
+        }];
+    for operation in operations {
+        let mut b = Builder::default();
+        let a = chain(&mut b, operation);
+        b.camera([0.0, 0.0, 40.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0], 45.0);
+        let film = picture(&b.render(a, [0.0; 3]), &settings).film;
+        assert!(film.pixel(8, 6)[0] > 0.5);
+        assert_eq!(film.pixel(0, 0), [0.0; 3]);
+    }
+    // Both kinds in turn cannot be flattened: as deep as it gets.
+    let mut b = Builder::default();
+    let mut a = b.sphere(0.0, 0.0, 0.0, 10.0);
+    for i in 0..20_000 {
+        let s = b.sphere(20.0, f64::from(i), 0.0, 0.2);
+        let t = b.sphere(0.0, 0.0, 10.0, 0.1 + f64::from(i) * 1e-5);
+        a = b.difference(a, t);
+        a = b.union(a, s);
+    }
+    let tracer = b.tracer(a);
+    let ray = Ray::new(Vec3::new(1.0, 0.0, 30.0), Vec3::new(0.0, 0.0, -1.0));
+    assert_eq!(crossings(&tracer, &ray).len(), 2);
+}
+
+/// Reflected and transmitted rays never meet again the surface they leave, wherever and however
+/// large it is (pbrt's Reintersect test).
+#[test]
+fn rays_leave_for_good() {
+    let mut r = Random(39);
+    let mut left = 0;
+    for round in 0..600 {
+        let mut b = Builder::default();
+        let size = 10f64.powf(r.within(-4.0, 4.0));
+        let p = r.point(1.0) * 10f64.powf(r.within(-4.0, 4.0));
+        let shape = match round % 3 {
+            0 => b.sphere(p[0], p[1], p[2], size),
+            1 => b.cuboid(p.0, (p + r.point(size).abs()).0),
+            _ => b.half_space(p[0], p[1], p[2], size),
+        };
+        let m = random_matrix(&mut r);
+        let root = b.moved(shape, m);
+        let tracer = b.tracer(root);
+        let mut walker = tracer.walker();
+        let centre = Vec3(m.point((p + Vec3::ONE * (0.3 * size)).0));
+        for _ in 0..50 {
+            let away = r.point(1.0).unit() * size * 10f64.powf(r.within(0.0, 4.0));
+            let aim = centre + r.point(size) - (centre + away);
+            let mut ray = Ray::new(centre + away, aim.unit());
+            ray.outside = !tracer.holds(&mut walker, ray.line.origin);
+            let Some(hit) = tracer.hit(&mut walker, &ray) else {
+                continue;
+            };
+            left += 1;
+            for _ in 0..20 {
+                let d = r.point(1.0).unit();
+                let outwards = d.dot(hit.normal) > 0.0;
+                // `onwards` is inwards for a ray that came from outside.
+                let next = hit.leave(d, hit.entering != outwards);
+                let again = tracer.hit(&mut walker, &next);
+                if outwards {
+                    assert!(again.is_none(), "round {round}: {again:?}");
+                } else if let Some(again) = again {
+                    assert!(!again.entering && again.t > 0.0);
+                }
+            }
+        }
+    }
+    assert!(left > 5000, "{left}");
+}
