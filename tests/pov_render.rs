@@ -7,7 +7,8 @@ use support::naive::Naive;
 use support::povray;
 use zpg::scene::bounds::node_bounds;
 use zpg::scene::frame::automatic_camera;
-use zpg::scene::{Matrix, Scene, Texture, View};
+use zpg::scene::{Camera, Matrix, Scene, Texture, View};
+use zpg::translate::Translation;
 use zpg::translate::pov::{self, Options};
 
 const SIZE: (u32, u32) = (96, 72);
@@ -24,8 +25,6 @@ fn compare(name: &str, scene: &Scene) {
         ..Options::default()
     };
     let translation = pov::write(scene, &options).expect("a translation");
-    let theirs = povray::render(name, &translation.text, SIZE);
-    assert_eq!(theirs.size, SIZE);
     let camera = match scene.view {
         View::Mono(i) => scene.cameras[i],
         _ => automatic_camera(
@@ -34,7 +33,14 @@ fn compare(name: &str, scene: &Scene) {
             f64::from(SIZE.0) / f64::from(SIZE.1),
         ),
     };
-    let ours = Naive::new(scene, camera, options.depth);
+    compare_view(name, scene, &translation, camera);
+}
+
+/// Compares what one camera sees.
+fn compare_view(name: &str, scene: &Scene, translation: &Translation, camera: Camera) {
+    let theirs = povray::render(name, &translation.text, SIZE);
+    assert_eq!(theirs.size, SIZE);
+    let ours = Naive::new(scene, camera, Options::default().depth);
     let (mut edges, mut total, mut wrong, mut worst) = (0, 0, Vec::new(), 0.0f64);
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     for y in 0..SIZE.1 {
@@ -377,6 +383,133 @@ fn automatic_camera_headlight_and_box() {
         Some(([-25.0, -12.0, -40.0], [40.0, 40.0, 10.0])),
     );
     compare("automatic", &scene);
+}
+
+/// A small generator of numbers (xorshift); the scenes must be the same every time.
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self, sides: u64) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0 % sides
+    }
+
+    /// From −1 to 1, never in step with anything.
+    fn unit(&mut self) -> f64 {
+        self.roll(1 << 20) as f64 / f64::from(1 << 19) - 1.0
+    }
+}
+
+/// A random object: shapes, operations, paints, turns; some nodes are used several times.
+fn random_object(m: &mut Make, dice: &mut Dice, transparent: bool) -> u32 {
+    let mut nodes = Vec::new();
+    for _ in 0..5 {
+        let c = [dice.unit(), dice.unit(), dice.unit()];
+        let size = 0.6 + 0.4 * dice.unit().abs();
+        nodes.push(match dice.roll(5) {
+            0 | 1 => m.sphere(c, size),
+            2 | 3 => m.cube(c.map(|x| x - size), c.map(|x| x + 0.7 * size)),
+            _ => {
+                let flat = m.rectangle([c[0] - 1.0, c[1] - 1.0], [c[0] + 1.0, c[1] + 1.0]);
+                let turn = Matrix::rotation(50.0 * c[2], 1);
+                m.moved(flat, Matrix::translation(0.0, 0.0, c[1]).after(&turn))
+            }
+        });
+    }
+    // Operands are used up, or moved before they are used again, so that no two faces coincide.
+    while nodes.len() > 1 {
+        let a = nodes.swap_remove(dice.roll(nodes.len() as u64) as usize);
+        let colour = [dice.unit().abs(), dice.unit().abs(), dice.unit().abs()];
+        let kt = if transparent && dice.roll(2) == 0 {
+            0.5
+        } else {
+            0.0
+        };
+        let changed = match dice.roll(12) {
+            n @ 0..=5 => {
+                let b = nodes.swap_remove(dice.roll(nodes.len() as u64) as usize);
+                match n {
+                    0..=2 => m.union(a, b),
+                    3 | 4 => m.difference(a, b),
+                    _ => m.intersection(a, b),
+                }
+            }
+            6 => m.coloured(a, colour),
+            7 => m.checkered(a, 3, 2),
+            8 => m.mono(a, 0.5, 0.1, kt),
+            9 => {
+                let texture = Texture::Solid {
+                    colours: [colour, RED],
+                    size: 0.37,
+                };
+                m.textured(a, texture)
+            }
+            10 if nodes.len() < 5 => {
+                nodes.push(a);
+                let turn = Matrix::rotation(80.0 * dice.unit(), 1);
+                m.moved(
+                    a,
+                    Matrix::translation(dice.unit(), 0.3, dice.unit()).after(&turn),
+                )
+            }
+            _ => m.moved(
+                a,
+                Matrix::rotation(80.0 * dice.unit(), dice.roll(3) as usize),
+            ),
+        };
+        nodes.push(changed);
+    }
+    nodes[0]
+}
+
+fn random_scenes(name: &str, seeds: std::ops::Range<u64>, transparent: bool) {
+    for seed in seeds {
+        let mut m = Make::lit();
+        let object = random_object(
+            &mut m,
+            &mut Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
+            transparent,
+        );
+        let root = m.on_floor(object);
+        let scene = m.done(root);
+        let _ = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+            compare(&format!("{name}_{seed}"), &scene);
+        }));
+    }
+}
+
+#[test]
+fn random_opaque_scenes() {
+    random_scenes("random_opaque", 1..11, false);
+}
+
+#[test]
+fn random_transparent_scenes() {
+    random_scenes("random_transparent", 1..11, true);
+}
+
+#[test]
+fn both_eyes() {
+    let mut m = Make::lit();
+    let a = m.sphere([0.0; 3], 1.0);
+    let root = m.on_floor(a);
+    let mut scene = m.done(root);
+    let mut right = scene.cameras[0];
+    right.position[0] += 0.5;
+    scene.cameras.push(right);
+    scene.view = View::Stereo { left: 0, right: 1 };
+    let options = Options {
+        size: SIZE,
+        ..Options::default()
+    };
+    for (eye, camera) in scene.cameras.iter().enumerate() {
+        let mut translation = pov::write(&scene, &options).expect("a translation");
+        let switch = format!("#declare Eye = {eye};\n");
+        translation.text.insert_str(0, &switch);
+        compare_view(&format!("eye_{eye}"), &scene, &translation, *camera);
+    }
 }
 
 #[test]

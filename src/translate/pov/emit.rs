@@ -198,9 +198,9 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 }
                 Modifier::Inverse => "inverse".to_owned(),
                 Modifier::Clip { by, outside } => {
-                    let by = self.piece(by, depth + 1)?;
-                    let inverse = if *outside { " inverse" } else { "" };
-                    format!("clipped_by {{ object {{ {by}{inverse} }} }}")
+                    let inverse = outside.then_some(Modifier::Inverse);
+                    let by = Piece::clone(by).with(inverse);
+                    format!("clipped_by {{ {} }}", self.piece(&by, depth + 1)?)
                 }
             });
         }
