@@ -32,7 +32,11 @@ fn run(arguments: &[&str], input: &[u8]) -> (i32, String) {
     let writer = std::thread::spawn(move || stdin.write_all(&input));
     let output = child.wait_with_output().unwrap();
     let _ = writer.join();
-    assert!(start.elapsed() < SOON, "{arguments:?}: {:?}", start.elapsed());
+    assert!(
+        start.elapsed() < SOON,
+        "{arguments:?}: {:?}",
+        start.elapsed()
+    );
     let code = output.status.code().unwrap_or(-1);
     (code, String::from_utf8_lossy(&output.stderr).into_owned())
 }
@@ -57,8 +61,14 @@ fn answers(name: &str, input: &[u8]) {
             .map(|(i, a)| if i == 3 && *a == "-" { picture } else { *a })
             .collect();
         let (code, errors) = run(&arguments, input);
-        assert!((0..=2).contains(&code), "{name}: {arguments:?} ended with {code}\n{errors:.2000}");
-        assert!(!errors.contains("panicked"), "{name}: {arguments:?}\n{errors:.2000}");
+        assert!(
+            (0..=2).contains(&code),
+            "{name}: {arguments:?} ended with {code}\n{errors:.2000}"
+        );
+        assert!(
+            !errors.contains("panicked"),
+            "{name}: {arguments:?}\n{errors:.2000}"
+        );
     }
 }
 
@@ -76,7 +86,9 @@ fn bytes_that_are_no_scene() {
     let mut state = 1u64;
     let noise: Vec<u8> = (0..200_000)
         .map(|_| {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
             (state >> 56) as u8
         })
         .collect();
@@ -96,45 +108,120 @@ fn claims_that_no_file_can_hold() {
     answers("N", b"2 2 2000000000 0 1 1 0\n1 9999 2 0\n");
     answers("N", b"2 1 9223372036854775807 0 1\n");
     answers("N", b"2 1 99999999999999999999999999 0 1\n");
-    answers("cells", b"2 -701 1 1 1\n3 9 1\n3 -399 2147483647 2147483647 2 2\n1 9999 3 0\n");
-    answers("cells", b"2 -701 1 1 1\n3 9 1\n3 -399 99999999999 2 2 2\n1 9999 3 0\n");
-    answers("numbers", b"2 11 1e308 -1e308 1e-320 1e308\n2 -3 1e200 1e200 1e200\n2 -3 1e200 1 1\n1 9999 2 0\n");
+    answers(
+        "cells",
+        b"2 -701 1 1 1\n3 9 1\n3 -399 2147483647 2147483647 2 2\n1 9999 3 0\n",
+    );
+    answers(
+        "cells",
+        b"2 -701 1 1 1\n3 9 1\n3 -399 99999999999 2 2 2\n1 9999 3 0\n",
+    );
+    answers(
+        "numbers",
+        b"2 11 1e308 -1e308 1e-320 1e308\n2 -3 1e200 1e200 1e200\n2 -3 1e200 1 1\n1 9999 2 0\n",
+    );
 }
 
 #[test]
 fn long_chains() {
     const N: u32 = 300_000;
     for op in [-101, -102, -103] {
-        answers(&op.to_string(), &chain(|i, b| format!("{i} {op} {b} 3\n"), N));
+        answers(
+            &op.to_string(),
+            &chain(|i, b| format!("{i} {op} {b} 3\n"), N),
+        );
     }
     answers("complement", &chain(|i, b| format!("{i} -104 {b}\n"), N));
     answers("copy", &chain(|i, b| format!("{i} -105 {b}\n"), N));
-    answers("mixed", &chain(|i, b| format!("{i} {} {b} 3\n", -101 - i as i32 % 3), N));
-    answers("moves", &chain(|_, _| "3 -1 0.1 0 0\n3 -701 1 0 0\n".into(), N));
+    answers(
+        "mixed",
+        &chain(|i, b| format!("{i} {} {b} 3\n", -101 - i as i32 % 3), N),
+    );
+    answers(
+        "moves",
+        &chain(|_, _| "3 -1 0.1 0 0\n3 -701 1 0 0\n".into(), N),
+    );
 }
 
 #[test]
 fn sixty_doublings() {
-    answers("doublings", &chain(|i, b| format!("{i} -101 {b} {b}\n"), 60));
-    answers("intersections", &chain(|i, b| format!("{i} -102 {b} {b}\n"), 60));
-    answers("differences", &chain(|i, b| format!("{i} -103 {b} {b}\n"), 60));
+    answers(
+        "doublings",
+        &chain(|i, b| format!("{i} -101 {b} {b}\n"), 60),
+    );
+    answers(
+        "intersections",
+        &chain(|i, b| format!("{i} -102 {b} {b}\n"), 60),
+    );
+    answers(
+        "differences",
+        &chain(|i, b| format!("{i} -103 {b} {b}\n"), 60),
+    );
 }
 
 #[test]
 fn many_mistakes() {
     let lines = |f: &dyn Fn(u32) -> String| (2..50_000).map(f).collect::<String>().into_bytes();
-    answers("undefined", &lines(&|i| format!("{i} -101 {} {}\n", i + 500_000, i + 600_000)));
+    answers(
+        "undefined",
+        &lines(&|i| format!("{i} -101 {} {}\n", i + 500_000, i + 600_000)),
+    );
     answers("duplicates", &lines(&|_| "2 9 1\n".into()));
-    answers("lost", &lines(&|i| format!("-101 2 3\n{i} -104 {}\n", i + 500_000)));
+    answers(
+        "lost",
+        &lines(&|i| format!("-101 2 3\n{i} -104 {}\n", i + 500_000)),
+    );
     answers("unknown", &lines(&|i| format!("{i} 77 1 2 3\n")));
     answers("counts", &lines(&|i| format!("{i} 1 50000 1 2 3\n")));
 }
 
 /// Pieces of scenes, to get further into the parser than random bytes do.
 const PIECES: &[&str] = &[
-    "0", "1", "2", "3", "9", "11", "15", "18", "20", "-1", "-2", "-101", "-103", "-202", "-299", "-301",
-    "-302", "-399", "-501", "9999", "0.5", "1e9", "-0", "+7", "1e999", "1.2.3", "0,5", "x", "@", "\"a b\"",
-    "wood.png", "#", "# a #", "# zpg: x #", "\n", "\n", "\r\n", "\t", ",", "<", ">", "\u{feff}", "\u{0}", "ž", "−1",
+    "0",
+    "1",
+    "2",
+    "3",
+    "9",
+    "11",
+    "15",
+    "18",
+    "20",
+    "-1",
+    "-2",
+    "-101",
+    "-103",
+    "-202",
+    "-299",
+    "-301",
+    "-302",
+    "-399",
+    "-501",
+    "9999",
+    "0.5",
+    "1e9",
+    "-0",
+    "+7",
+    "1e999",
+    "1.2.3",
+    "0,5",
+    "x",
+    "@",
+    "\"a b\"",
+    "wood.png",
+    "#",
+    "# a #",
+    "# zpg: x #",
+    "\n",
+    "\n",
+    "\r\n",
+    "\t",
+    ",",
+    "<",
+    ">",
+    "\u{feff}",
+    "\u{0}",
+    "ž",
+    "−1",
 ];
 
 proptest! {

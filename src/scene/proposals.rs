@@ -30,8 +30,9 @@ impl Resolver<'_> {
         let finding = finding_at(diagnostics, written.span()).filter(|d| d.code == Code::E007);
         if let (Some(ty), Some(finding)) = (best, finding) {
             finding.help = Some(format!(
-                "{} takes these parameters: `{}` is a {}",
-                ty.code, ty.code, ty.title
+                "these parameters fit type {}, {}",
+                ty.code,
+                ty.with_article()
             ));
             finding.fixes.push(Fix::replace(
                 format!("write `{}` ({})", ty.code, ty.title),

@@ -246,15 +246,15 @@ impl Resolver<'_> {
                 p.id_span,
                 format!("{} is declared, but not defined yet", p.id),
             )
-            .here(format!("a {} needs something to change", p.ty.title)),
+            .here(format!("{} needs something to change", p.ty.with_article())),
             Some(kind) => Diagnostic::new(
                 Code::E103,
                 p.id_span,
                 format!(
-                    "{} is {}; a {} does not apply to it",
+                    "{} is {}; {} does not apply to it",
                     p.id,
                     kind.with_article(),
-                    p.ty.title
+                    p.ty.with_article()
                 ),
             )
             .here(format!("{} was expected", one_of(kinds))),

@@ -135,8 +135,8 @@ impl<'a> Resolver<'a> {
                 Code::E105,
                 p.id_span,
                 format!(
-                    "the ID 1 is reserved for the render record, not for a {}",
-                    p.ty.title
+                    "the ID 1 is reserved for the render record, not for {}",
+                    p.ty.with_article()
                 ),
             )
             .here("this ID")

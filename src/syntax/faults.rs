@@ -1,7 +1,7 @@
 //! What is wrong with a stretch of tokens that is no record, and how to say it.
 
 use super::ast::{Broken, Item};
-use super::layout::{FAULT, Piece, record_type};
+use super::layout::{FAULT, LONG, Piece, record_type};
 use super::lexer::TokenKind;
 use super::reader::{self, Reading, fits};
 use super::stream::Stream;
@@ -50,6 +50,13 @@ pub enum Verdict {
 /// The type that a token stands for, also where it is spelled as a real (`9.0`).
 fn type_at(stream: &Stream, i: usize) -> Option<&'static RecordType> {
     record_type(stream, i).or_else(|| RecordType::by_code(integral(stream, i)?))
+}
+
+/// The type that follows a sign or word that stands in its place.
+fn type_behind_stray(stream: &Stream, i: usize) -> Option<&'static RecordType> {
+    let stray = |k| matches!(k, TokenKind::Word | TokenKind::Invalid);
+    stream.sigs.get(i).filter(|s| stray(s.kind))?;
+    type_at(stream, i + 1)
 }
 
 /// The value of a token that is a real with a whole value.
@@ -101,9 +108,12 @@ pub fn expected_ends(stream: &Stream, i: usize) -> Vec<usize> {
     };
     add(i + 2, type_at(stream, i + 1));
     add(i + 1, type_at(stream, i));
+    if let Some(ty) = type_behind_stray(stream, i + 1) {
+        add(i + 3, Some(ty));
+    }
     if type_at(stream, i + 1).is_none() {
         // Of an unknown type all that is known is how long records over several lines are.
-        for params in [9, 12, 16, 18] {
+        for params in [9, 10, 12, 16, 18] {
             out.push((i + 2 + params).min(stream.len()));
         }
         if let Ok(n) = count(stream, i + 2) {
@@ -135,9 +145,16 @@ pub fn judge(
     let ty = (start + 1 < end)
         .then(|| type_at(stream, start + 1))
         .flatten();
-    let with_id = match ty {
-        Some(ty) => judge_params(stream, ty, start + 2, end, &bad),
-        None => untyped(stream, start, end),
+    let behind_stray = type_behind_stray(stream, start + 1).filter(|_| start + 2 < end);
+    let with_id = match (ty, behind_stray) {
+        (Some(ty), _) => judge_params(stream, ty, start + 2, end, &bad),
+        (None, Some(ty)) => {
+            // The error is the stray token; if the rest is right, it is the only one.
+            let exact = end_of(stream, start + 3, ty) == Some(end as u64);
+            let off = if exact { 0 } else { FAULT };
+            (Verdict::BadType, FAULT + off)
+        }
+        (None, None) => untyped(stream, start, end),
     };
     if good_id {
         let lost = lost_id(stream, start, end).filter(|_| !id.int.is_some_and(is_id));
@@ -218,13 +235,7 @@ fn judge_params(
         },
         false => 0,
     };
-    // A file name is a word, and no bad one.
-    let named = ty
-        .params
-        .first()
-        .is_some_and(|p| p.kind == ParamKind::FileName)
-        && first < end
-        && fits(stream.sigs[first].kind, ParamKind::FileName);
+    let named = file_name(stream, ty, first, end).is_some();
     let bad = bad(first, end) as usize - usize::from(named);
     let base = ty.arity(n);
     let full = base + ty.optional.len() as u64;
@@ -244,7 +255,9 @@ fn judge_params(
         true => full,
         false => base,
     };
-    let off = expected.abs_diff(got as u64).min(20) as u32;
+    // A little more or less is a slip of the pen; hundreds are other records.
+    let off = expected.abs_diff(got as u64).min(100_000) as u32;
+    let off = if ty.is_counted() { off.min(40) } else { off };
     let verdict = Verdict::Count {
         ty,
         got,
@@ -254,6 +267,12 @@ fn judge_params(
         verdict,
         FAULT + real_type + 20 * off + FAULT * bad.min(8) as u32,
     )
+}
+
+/// The token that is the file name of a record that has one: a word, and no bad one.
+pub fn file_name(stream: &Stream, ty: &RecordType, first: usize, end: usize) -> Option<usize> {
+    let wanted = ty.params.first()?.kind == ParamKind::FileName;
+    (first..end).find(|&i| wanted && fits(stream.sigs[i].kind, ParamKind::FileName))
 }
 
 /// How many parameters are numbers of the wrong kind (a real for an integer, a number for a name).
@@ -281,6 +300,10 @@ fn lost_id(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> 
     };
     let got = (end - start - 1) as u64;
     let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
+    let over_lines = stream.line(start) != stream.line(end - 1);
+    if over_lines && !(ty.is_counted() || ty.params.len() >= LONG) {
+        return None;
+    }
     let right = || {
         (start + 1..end.min(start + 1 + VALUES_MAX))
             .enumerate()
@@ -325,7 +348,10 @@ impl Piece {
         let mut broken = Broken {
             first: sig(self.start).token,
             last: sig(self.end - 1).token,
-            id: sig(self.start).int.filter(|&id| id > 0).map(|id| id as u32),
+            // What is left over from another record is no ID.
+            id: (sig(self.start).int)
+                .filter(|&id| id > 0 && stream.starts_line(self.start))
+                .map(|id| id as u32),
             ty: None,
             fault: super::ast::Fault::Form,
         };

@@ -32,7 +32,7 @@ pub struct Piece {
 }
 
 /// Records with at least this many parameters are often laid out over several lines.
-const LONG: usize = 9;
+pub const LONG: usize = 9;
 
 /// What the lines of a text say about its layout.
 pub struct Witnesses {
@@ -248,6 +248,41 @@ pub fn is_undisturbed(stream: &Stream, starts: impl Iterator<Item = (usize, usiz
     true
 }
 
+/// A reading without faults as pieces.
+pub fn whole_pieces(stream: &Stream, extents: impl Iterator<Item = (usize, usize)>) -> Vec<Piece> {
+    extents
+        .map(|(start, end)| Piece {
+            start,
+            end,
+            verdict: match reader::read(stream, start) {
+                Some(r) if r.end == end => Verdict::Whole(r),
+                _ => Verdict::Void,
+            },
+        })
+        .collect()
+}
+
+/// Whether a reading without faults has something in it that people do not write in a text laid out
+/// in lines: a record that straddles, a VOID without a comment behind a record, a heading's `0`
+/// taken for a number.
+pub fn is_odd(stream: &Stream, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
+    witnesses.in_lines
+        && pieces.iter().any(|p| {
+            let behind = !stream.starts_line(p.start);
+            let last = stream.line(p.end - 1);
+            let over_lines = stream.line(p.start) != last;
+            match p.verdict {
+                Verdict::Void => behind,
+                _ => {
+                    (behind && (over_lines || p.end == p.start + 2))
+                        || over_lines
+                            && witnesses.is_void_line(stream, last)
+                            && witnesses.takes_over(stream, p.start, p.end)
+                }
+            }
+        })
+}
+
 /// The reading with the least damage.
 pub fn cut(stream: &Stream, witnesses: &Witnesses, doubt_takeovers: bool) -> Vec<Piece> {
     let search = Search {
@@ -273,9 +308,16 @@ struct LineSums {
     complete_before: Vec<u32>,
     /// The last line of the table of numbers that begins behind each line; the line itself if none.
     table_end: Vec<u32>,
+    /// For each token: its line is whole records up to it, or from it on.
+    whole_until: Vec<bool>,
+    whole_from: Vec<bool>,
 }
 
 impl LineSums {
+    fn is_own(&self, line: usize) -> bool {
+        self.own_before[line + 1] > self.own_before[line]
+    }
+
     fn new(stream: &Stream, witnesses: &Witnesses) -> LineSums {
         let lines = 0..stream.line_count();
         let length = |l: usize| stream.line_end(l) - stream.line_start(l);
@@ -293,12 +335,40 @@ impl LineSums {
                 table_end[l] = table_end[l + 1];
             }
         }
+        let (whole_until, whole_from) = whole(stream);
         LineSums {
+            whole_until,
+            whole_from,
             own_before: sums(lines.clone().map(own)),
             complete_before: sums(lines.map(complete)),
             table_end,
         }
     }
+}
+
+/// For each token (and the end): whether its line is whole records up to it, and from it on.
+fn whole(stream: &Stream) -> (Vec<bool>, Vec<bool>) {
+    let n = stream.len();
+    let (mut until, mut from) = (vec![false; n + 1], vec![false; n + 1]);
+    let step = |i: usize| {
+        if stream.sigs[i].int == Some(0) {
+            return stream.sigs[i].before_comment.then_some(i + 1);
+        }
+        let end = reader::read(stream, i)?.end;
+        (end > i + 2 && end <= stream.line_end(stream.line(i))).then_some(end)
+    };
+    for i in (0..n).rev() {
+        from[i] = step(i).is_some_and(|end| stream.ends_line(end) || from[end]);
+    }
+    for i in 0..n {
+        until[i] |= stream.starts_line(i);
+        if until[i]
+            && let Some(end) = step(i).filter(|&e| e < n && !stream.starts_line(e))
+        {
+            until[end] = true;
+        }
+    }
+    (until, from)
 }
 
 /// How often it was true before each place, and in all.
@@ -432,9 +502,9 @@ impl Search<'_, '_> {
         }
         let mut price = 0;
         if behind {
-            price += if self.in_lines() { 5 } else { 0 };
-            if r.end == start + 2 && r.ty.code == 0 {
-                price += if self.in_lines() { 150 } else { 0 };
+            // The low bits of the sum count what begins behind something else.
+            if r.end == start + 2 && r.ty.code == 0 && self.in_lines() {
+                price += 400;
             }
         }
         if last > first {
@@ -469,7 +539,7 @@ impl Search<'_, '_> {
         let line = self.stream.line(start);
         let elsewhere = (self.witnesses.heads.get(&id)).is_some_and(|h| h.first_line != line);
         if matches!(r.ty.effect, Effect::Defines(_)) && elsewhere {
-            price += 300;
+            price += 700;
         }
         if !faults::values_allowed(self.stream, start, r) {
             price += 500;
@@ -484,17 +554,30 @@ impl Search<'_, '_> {
         let is_id = |id: i32| self.witnesses.is_missing(id);
         let (verdict, mut price) = faults::judge(stream, start, end, bad, is_id);
         let (first, last) = (stream.line(start), stream.line(end - 1));
-        if !stream.starts_line(start) {
-            price += if self.in_lines() { 300 } else { 20 };
-        }
+        // A single token that can be nothing is passed over wherever it stands. Else a fault is
+        // likelier to be a whole line, unless the rest of the line is whole records.
         let passed_over = end == start + 1 && stream.sigs[start].kind.is_bad();
-        if !stream.ends_line(end) && !passed_over {
-            price += if self.in_lines() { 150 } else { 20 };
+        if !passed_over {
+            price += match (stream.starts_line(start), self.in_lines()) {
+                (true, _) => 0,
+                (false, true) if self.lines.whole_until[start] => 60,
+                (false, true) => 300,
+                (false, false) => 20,
+            };
+            price += match (stream.ends_line(end), self.in_lines()) {
+                (true, _) => 0,
+                (false, true) if self.lines.whole_from[end] => 60,
+                (false, true) => 150,
+                (false, false) => 20,
+            };
         }
         if last > first {
             price += 5 * (last - first).min(12) as u32;
             // Lines that say they are records of their own.
-            let own = self.lines.own_before[last + 1] - self.lines.own_before[first + 1];
+            let mut own = self.lines.own_before[last + 1] - self.lines.own_before[first + 1];
+            own += u32::from(
+                stream.starts_line(start) && self.witnesses.is_complete_line(stream, first),
+            );
             price += (FAULT + FAULT / 2) * own.min(8);
         }
         (verdict, price)
@@ -531,6 +614,14 @@ impl Search<'_, '_> {
                 if l > line && l < stream.line_count() {
                     ends.push(stream.line_end(l));
                 }
+            }
+        }
+        // What is left of a short record may stand on the next line.
+        if line + 1 < stream.line_count() && !self.lines.is_own(line + 1) {
+            let next = stream.line_end(line + 1);
+            let near = |&e: &usize| e.abs_diff(next) <= 1;
+            if next - line_end <= 3 && expected.iter().any(near) {
+                ends.push(next);
             }
         }
         if faults::is_counted(stream, i)

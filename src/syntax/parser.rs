@@ -5,7 +5,7 @@ use chumsky::Parser;
 use super::ast::{Document, Item};
 use super::faults::Verdict;
 use super::layout::{self, Piece, Witnesses};
-use super::lexer::{self, Token};
+use super::lexer::{self, Token, TokenKind};
 use super::stream::Stream;
 use super::{comments, reader, references, report};
 use crate::diagnostics::{self, Diagnostic};
@@ -29,26 +29,41 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
 
 fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec<Item> {
     let stream = Stream::new(text, tokens);
-    if let Some(items) = reader::records(&stream).parse(&stream.sigs).into_output() {
-        // The reading is right; where the layout agrees, there is nothing more to ask.
-        if layout::is_undisturbed(&stream, extents(&items)) {
-            return items;
-        }
+    let strict = reader::records(&stream).parse(&stream.sigs).into_output();
+    if let Some(items) = &strict
+        && layout::is_undisturbed(&stream, extents(items))
+    {
+        // The reading is right and the layout agrees: there is nothing more to ask.
+        return strict.unwrap_or_default();
     }
     let witnesses = Witnesses::new(&stream);
     let mut pieces = layout::cut(&stream, &witnesses, false);
     let takes_over = |p: &Piece| {
         matches!(p.verdict, Verdict::Whole(_)) && witnesses.takes_over(&stream, p.start, p.end)
     };
-    if pieces.iter().any(takes_over) {
-        // A record took numbers from a line that looks like one of its own. If something is
+    let mut damage = references::damage(&stream, &pieces);
+    if damage > 0 && pieces.iter().any(takes_over) {
+        // A record took numbers from a line that looks like one of its own. As something is
         // missing now, believe the line.
-        let damage = references::damage(&stream, &pieces);
-        if damage > 0 {
-            let doubting = layout::cut(&stream, &witnesses, true);
-            if references::damage(&stream, &doubting) <= damage {
-                pieces = doubting;
-            }
+        let doubting = layout::cut(&stream, &witnesses, true);
+        let other = references::damage(&stream, &doubting);
+        if other <= damage {
+            (pieces, damage) = (doubting, other);
+        }
+    }
+    let cut_off = tokens
+        .iter()
+        .any(|t| t.kind == TokenKind::UnterminatedComment);
+    if damage > 0
+        && !cut_off
+        && let Some(items) = &strict
+    {
+        // The arity has a reading without faults. If nothing is undefined or defined twice in it,
+        // it stands against two errors, and against one where no line was crossed.
+        let plain = layout::whole_pieces(&stream, extents(items));
+        let sound = references::damage(&stream, &plain) == 0;
+        if sound && (damage > 1 || !layout::is_odd(&stream, &witnesses, &plain)) {
+            pieces = plain;
         }
     }
     report::pieces(&stream, &witnesses, &pieces, diagnostics);

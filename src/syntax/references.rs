@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use super::faults::Verdict;
 use super::layout::{Piece, record_type};
 use super::stream::Stream;
-use super::table::ParamKind;
+use super::table::{Effect, ParamKind};
 
 /// The IDs that the record at tokens `start..end` refers to.
 pub fn of_record(stream: &Stream, start: usize, end: usize) -> impl Iterator<Item = i32> {
@@ -16,18 +16,24 @@ pub fn of_record(stream: &Stream, start: usize, end: usize) -> impl Iterator<Ite
         .filter_map(|(i, _)| stream.sigs[i].int.filter(|&id| id > 0))
 }
 
-/// How many errors a reading of a text amounts to: its faults, and the IDs that are used and
-/// defined nowhere; each record that lost its ID accounts for one of these.
+/// How many errors a reading of a text amounts to: its faults, the IDs that are defined
+/// twice, and those that are used and defined nowhere; each record that lost its ID accounts for one of these.
 pub fn damage(stream: &Stream, pieces: &[Piece]) -> usize {
     let mut defined = HashSet::new();
     let mut used = HashSet::new();
-    let (mut faults, mut lost) = (0, 0);
+    let (mut faults, mut lost, mut twice) = (0, 0, 0);
     for p in pieces {
         let id = stream.sigs[p.start].int.filter(|&id| id > 0);
         match p.verdict {
             Verdict::Void => {}
             Verdict::Whole(r) => {
-                defined.extend(id);
+                let changes = matches!(r.ty.effect, Effect::Changes(_));
+                let again = !changes && id.is_some_and(|id| !defined.insert(id));
+                match r.ty.effect {
+                    Effect::Defines(_) => twice += usize::from(again),
+                    Effect::Changes(_) => used.extend(id),
+                    Effect::DefinesOrChanges(..) => {}
+                }
                 used.extend(of_record(stream, p.start, r.end));
             }
             Verdict::LostId { .. } | Verdict::BadId { .. } => {
@@ -40,5 +46,5 @@ pub fn damage(stream: &Stream, pieces: &[Piece]) -> usize {
             }
         }
     }
-    faults + used.difference(&defined).count().saturating_sub(lost)
+    faults + twice + used.difference(&defined).count().saturating_sub(lost)
 }

@@ -1,6 +1,6 @@
 //! Findings of the parser: what is wrong with the broken pieces of a text, in words.
 
-use super::faults::Verdict;
+use super::faults::{self, Verdict};
 use super::layout::{Piece, Witnesses};
 use super::lexer::{Token, TokenKind};
 use super::reader::fits;
@@ -160,7 +160,7 @@ impl Reporter<'_, '_> {
                     "this is the type, {}; an ID belongs in front of it",
                     ty.code
                 ))
-                .help(format!("a {} is written {}", ty.title, header(ty))),
+                .help(format!("{} is written {}", ty.with_article(), header(ty))),
             ),
             Verdict::BadId { ty } => {
                 self.bad_id(start, out);
@@ -234,11 +234,9 @@ impl Reporter<'_, '_> {
     }
 
     fn bad_tokens(&self, ty: &RecordType, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
-        for i in first..end {
-            let name = ty.params.get(i - first).map(|p| p.kind) == Some(ParamKind::FileName);
-            if !(name && fits(self.stream.sigs[i].kind, ParamKind::FileName)) {
-                self.bad_token(i, out);
-            }
+        let name = faults::file_name(self.stream, ty, first, end);
+        for i in (first..end).filter(|&i| Some(i) != name) {
+            self.bad_token(i, out);
         }
     }
 
@@ -314,8 +312,8 @@ impl Reporter<'_, '_> {
                 Code::E008,
                 self.span(from, to),
                 format!(
-                    "too few numbers: a {} takes {wanted}, here are {got}",
-                    ty.title
+                    "too few numbers: {} takes {wanted}, here are {got}",
+                    ty.with_article()
                 ),
             )
             .here(match row {
@@ -328,8 +326,8 @@ impl Reporter<'_, '_> {
                 Code::E009,
                 self.span(from, to),
                 format!(
-                    "too many numbers: a {} takes {wanted}, here are {got}",
-                    ty.title
+                    "too many numbers: {} takes {wanted}, here are {got}",
+                    ty.with_article()
                 ),
             )
             .here(match row {
@@ -399,7 +397,7 @@ impl Reporter<'_, '_> {
             let mut distinct: Vec<i64> = (begin..lengths.len()).map(right).collect();
             distinct.sort_unstable();
             distinct.dedup();
-            (changes, !parted, distinct.len(), r + 1 == lengths.len())
+            (!parted, changes, distinct.len(), r + 1 == lengths.len())
         };
         let first_row = usize::from(lengths[0] == 0);
         let best = (first_row..rows.len())
@@ -433,7 +431,7 @@ impl Reporter<'_, '_> {
             Some(value) => Diagnostic::new(
                 Code::E206,
                 self.stream.token(n).span(),
-                format!("a {} cannot have {value} points", ty.title),
+                format!("{} cannot have {value} points", ty.with_article()),
             )
             .here("N, the number of profile points, must be at least 2"),
             None if sig.kind == TokenKind::Integer => Diagnostic::new(
@@ -528,7 +526,7 @@ fn repaired(text: &str) -> Option<String> {
     let plain = text.replace(['−', '–'], "-");
     let kept: String = plain
         .chars()
-        .filter(|c| c.is_ascii_digit() || "+-.eE".contains(*c))
+        .filter(|c| c.is_alphanumeric() || "+-.".contains(*c))
         .collect();
     [plain, kept].into_iter().find(|t| {
         t.len() < 40

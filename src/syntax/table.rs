@@ -208,6 +208,14 @@ impl RecordType {
         RECORD_TYPES.iter().find(|t| t.keyword == keyword)
     }
 
+    /// The title with its article: "a sphere", "an ellipsoid".
+    pub fn with_article(&self) -> String {
+        // "a union", but "an undefined object".
+        let vowel = self.title.starts_with(['a', 'e', 'i', 'o'])
+            || self.title.starts_with("un") && !self.title.starts_with("uni");
+        format!("{} {}", if vowel { "an" } else { "a" }, self.title)
+    }
+
     /// Whether the record's length depends on a count.
     pub fn is_counted(&self) -> bool {
         !self.repeats.is_empty()
@@ -796,7 +804,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
                     "the angle, counter-clockwise seen from the tip of the axis",
                 )
             },
-            integer("axis", Constraint::Axis, "1 = x, 2 = y, 3 = z"),
+            integer("axis", Constraint::Axis, "the axis (1 = x, 2 = y, 3 = z)"),
         ],
         "Turns the object, point light or camera with this ID about a coordinate axis.",
         "2 -2 10 1",
