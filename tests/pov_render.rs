@@ -1,4 +1,5 @@
-//! Translations rendered by the real POV-Ray, pixel by pixel against an independent evaluator.
+//! One scene, three pictures: the real POV-Ray's of the translation, our tracer's, and that of an
+//! independent evaluator. They must agree pixel by pixel.
 
 mod support;
 
@@ -8,6 +9,7 @@ use support::povray;
 use zpg::scene::bounds::node_bounds;
 use zpg::scene::frame::automatic_camera;
 use zpg::scene::{Camera, Matrix, Scene, Texture, View};
+use zpg::trace::{Settings, Tracer};
 use zpg::translate::Translation;
 use zpg::translate::pov::{self, Options};
 
@@ -17,8 +19,12 @@ const BAR: f64 = 2.0 / 255.0;
 /// A pixel whose value changes by more than the bar within this part of a pixel lies on an edge.
 const NEAR: f64 = 0.02;
 
-/// Renders a scene with both and compares all pixels off edges, and off total reflection, where
-/// POV-Ray is known to differ.
+/// The tracer and the evaluator compute the same in double precision; the picture is stored in
+/// single precision.
+const SAME: f64 = 1e-5;
+
+/// Renders a scene with all three and compares all pixels off edges; those with total reflection,
+/// where POV-Ray is known to differ, without POV-Ray.
 fn compare(name: &str, scene: &Scene) {
     let options = Options {
         size: SIZE,
@@ -40,29 +46,46 @@ fn compare(name: &str, scene: &Scene) {
 fn compare_view(name: &str, scene: &Scene, translation: &Translation, camera: Camera) {
     let theirs = povray::render(name, &translation.text, SIZE);
     assert_eq!(theirs.size, SIZE);
-    let ours = Naive::new(scene, camera, Options::default().depth);
+    let depth = Options::default().depth;
+    let naive = Naive::new(scene, camera, depth);
+    let settings = Settings {
+        width: SIZE.0,
+        height: SIZE.1,
+        depth,
+        cutoff: 0.0,
+        ..Settings::default()
+    };
+    let ours = Tracer::new(scene)
+        .and_then(|t| t.render(&camera, &settings, || ()))
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
     let (mut edges, mut total, mut wrong, mut worst) = (0, 0, Vec::new(), 0.0f64);
+    let mut unlike = Vec::new();
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     for y in 0..SIZE.1 {
         for x in 0..SIZE.0 {
             let (px, py) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
-            let here = ours.at(px, py, SIZE);
+            let here = naive.at(px, py, SIZE);
             let near = [(NEAR, NEAR), (-NEAR, NEAR), (NEAR, -NEAR), (-NEAR, -NEAR)]
-                .map(|(dx, dy)| ours.at(px + dx, py + dy, SIZE));
+                .map(|(dx, dy)| naive.at(px + dx, py + dy, SIZE));
+            let traced = ours.film.pixel(x, y).map(f64::from);
+            let on_edge = near.iter().any(|s| difference(s.rgb, here.rgb) > BAR / 2.0);
+            if !on_edge && difference(traced, here.rgb) > SAME {
+                unlike.push((x, y, traced, here.rgb));
+            }
             if here.total_reflection || near.iter().any(|s| s.total_reflection) {
                 total += 1;
                 continue;
             }
-            if near.iter().any(|s| difference(s.rgb, here.rgb) > BAR / 2.0) {
+            if on_edge {
                 edges += 1;
                 continue;
             }
             let pixel = theirs.pixels[(y * SIZE.0 + x) as usize];
-            let d = difference(pixel, here.rgb);
+            let d = difference(pixel, traced);
             worst = worst.max(d);
             range = [range[0].min(here.rgb[1]), range[1].max(here.rgb[1])];
             if d > BAR {
-                wrong.push((x, y, pixel, here.rgb));
+                wrong.push((x, y, pixel, traced));
             }
         }
     }
@@ -76,6 +99,12 @@ fn compare_view(name: &str, scene: &Scene, translation: &Translation, camera: Ca
     assert!(
         edges < pixels / 5,
         "{name}: {edges} of {pixels} pixels on edges"
+    );
+    assert!(
+        unlike.is_empty(),
+        "{name}: {} pixels of the tracer differ, as (x, y, traced, evaluated): {:.6?}",
+        unlike.len(),
+        &unlike[..unlike.len().min(5)]
     );
     assert!(
         wrong.is_empty(),
@@ -523,4 +552,21 @@ fn large_and_small_scenes() {
         let root = m.union(a, b);
         compare(name, &m.done(root));
     }
+}
+
+#[test]
+fn the_scenes_of_the_handout() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/handout");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|e| e == "zpg") {
+            let loaded = zpg::commands::load(&path).unwrap();
+            assert!(!loaded.has_errors(), "{}", path.display());
+            let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+            compare(&name, &loaded.scene);
+            count += 1;
+        }
+    }
+    assert_eq!(count, 4);
 }

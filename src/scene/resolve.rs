@@ -151,7 +151,8 @@ impl<'a> Resolver<'a> {
         let Some(state) = self.entities.get(&p.id) else {
             return false;
         };
-        if matches!(state, State::Undefined) && p.ty.code != 0 {
+        // A placeholder may be defined, and so may what a broken record may have meant.
+        if matches!(state, State::Undefined | State::Broken(_)) && p.ty.code != 0 {
             return false;
         }
         let mut d = Diagnostic::new(

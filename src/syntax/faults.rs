@@ -47,9 +47,23 @@ pub enum Verdict {
     },
 }
 
-/// The type that a token stands for, also where it is spelled as a real (`9.0`).
+/// The type that a token stands for, also where it is spelled as a real (`9.0`) or with a sign or
+/// letter glued to it (`11?`).
 fn type_at(stream: &Stream, i: usize) -> Option<&'static RecordType> {
-    record_type(stream, i).or_else(|| RecordType::by_code(integral(stream, i)?))
+    record_type(stream, i)
+        .or_else(|| RecordType::by_code(integral(stream, i).or_else(|| spoiled(stream, i))?))
+}
+
+/// The integer in a token with one sign or letter glued to it. An `e` is half an exponent.
+fn spoiled(stream: &Stream, i: usize) -> Option<i64> {
+    let word = |k| matches!(k, TokenKind::MalformedNumber | TokenKind::Word);
+    stream.sigs.get(i).filter(|s| word(s.kind))?;
+    let text = stream.token(i).text(stream.text);
+    let glue = |c: char| !c.is_ascii_digit() && !"+-.eE".contains(c);
+    text.strip_prefix(glue)
+        .or_else(|| text.strip_suffix(glue))?
+        .parse()
+        .ok()
 }
 
 /// The type that follows a sign or word that stands in its place.
@@ -291,7 +305,8 @@ pub fn has_lost_id(stream: &Stream, start: usize, end: usize) -> bool {
 
 fn lost_id(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> {
     let ty = record_type(stream, start).filter(|t| t.code != 0)?;
-    if !stream.starts_line(start) || !stream.ends_line(end) {
+    // A negative number can be nothing but a type; others are one only for a whole line.
+    if ty.code > 0 && !(stream.starts_line(start) && stream.ends_line(end)) {
         return None;
     }
     let n = match ty.is_counted() {
@@ -348,9 +363,8 @@ impl Piece {
         let mut broken = Broken {
             first: sig(self.start).token,
             last: sig(self.end - 1).token,
-            // What is left over from another record is no ID.
             id: (sig(self.start).int)
-                .filter(|&id| id > 0 && stream.starts_line(self.start))
+                .filter(|&id| id > 0)
                 .map(|id| id as u32),
             ty: None,
             fault: super::ast::Fault::Form,
@@ -375,9 +389,12 @@ impl Piece {
                 Item::Broken(broken)
             }
             Verdict::BadId { ty } => {
-                broken.id = None;
+                let spoiled = spoiled(stream, self.start).and_then(|id| u32::try_from(id).ok());
+                broken.id = spoiled.filter(|&id| id > 0);
                 broken.ty = ty;
-                broken.fault = super::ast::Fault::LostId;
+                if broken.id.is_none() {
+                    broken.fault = super::ast::Fault::LostId;
+                }
                 Item::Broken(broken)
             }
             Verdict::CutOff { ty } => {

@@ -560,19 +560,32 @@ impl Search<'_, '_> {
         if !passed_over {
             price += match (stream.starts_line(start), self.in_lines()) {
                 (true, _) => 0,
-                (false, true) if self.lines.whole_until[start] => 60,
+                (false, true) if self.lines.whole_until[start] => 30,
                 (false, true) => 300,
                 (false, false) => 20,
             };
             price += match (stream.ends_line(end), self.in_lines()) {
                 (true, _) => 0,
-                (false, true) if self.lines.whole_from[end] => 60,
+                (false, true) if self.lines.whole_from[end] => 30,
                 (false, true) => 150,
                 (false, false) => 20,
             };
         }
+        // An unknown type ends with its line, unless whole records follow on it.
+        if matches!(verdict, Verdict::UnknownType | Verdict::BadType) {
+            let strong = |p: usize| {
+                self.lines.whole_from[p]
+                    && record_type(stream, p + 1).is_some_and(|t| t.code < 0 || t.code == 9999)
+            };
+            if (start + 2..end.min(start + 40)).any(strong) {
+                price += 50;
+            }
+        }
         if last > first {
             price += 5 * (last - first).min(12) as u32;
+            if self.in_lines() && !(stream.starts_line(start) && stream.ends_line(end)) {
+                price += 300;
+            }
             // Lines that say they are records of their own.
             let mut own = self.lines.own_before[last + 1] - self.lines.own_before[first + 1];
             own += u32::from(
@@ -590,15 +603,9 @@ impl Search<'_, '_> {
         let line_end = stream.line_end(line);
         ends.push(line_end);
         let expected = faults::expected_ends(stream, i);
-        // Inside the line (anywhere, in a free-form text), where another record could begin.
+        // Where another record could begin.
         let reach = expected.iter().copied().max().unwrap_or(i + 2) + 6;
-        let reach = reach.min(i + 40).min(stream.len());
-        let limit = if self.in_lines() {
-            reach.min(line_end)
-        } else {
-            reach
-        };
-        for end in i + 1..limit {
+        for end in i + 1..reach.min(i + 40).min(stream.len()) {
             if end != line_end && reader::read(stream, end).is_some() {
                 ends.push(end);
             }

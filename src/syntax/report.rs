@@ -291,10 +291,10 @@ impl Reporter<'_, '_> {
         }
     }
 
-    /// E010 where the type is written as a real with a whole value.
+    /// Reports a type that can be understood though it is not written as an integer.
     fn real_type(&self, start: usize, out: &mut Vec<Diagnostic>) {
-        if self.stream.sigs[start + 1].kind == TokenKind::Real {
-            out.push(self.not_an_integer(start + 1, "a record type"));
+        if self.stream.sigs[start + 1].int.is_none() {
+            self.bad_type(start + 1, out);
         }
     }
 
