@@ -34,6 +34,9 @@ pub struct Piece {
 /// Records with at least this many parameters are often laid out over several lines.
 pub const LONG: usize = 9;
 
+/// No record without a count has more tokens.
+const LONGEST_FIXED: usize = 20;
+
 /// What the lines of a text say about its layout.
 pub struct Witnesses {
     /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
@@ -127,9 +130,15 @@ impl Witnesses {
             covered += next - line;
             line = next;
         }
-        let mostly = 5 * covered >= 2 * lines || (stretches == 1 && steps >= 4);
+        let mostly = 20 * covered >= 13 * lines || (stretches <= 1 && steps >= 4) || lines < 12;
+        let in_lines = steps > 0 && steps + 2 >= 3 * stretches && mostly;
+        if !in_lines {
+            // What looks like a record at the head of a line is one by chance.
+            heads.clear();
+            used.clear();
+        }
         Witnesses {
-            in_lines: steps > 0 && steps + 2 >= 3 * stretches && mostly,
+            in_lines,
             ends,
             heads,
             used,
@@ -580,6 +589,10 @@ impl Search<'_, '_> {
             if (start + 2..end.min(start + 40)).any(strong) {
                 price += 50;
             }
+            price += (end - start).saturating_sub(LONGEST_FIXED).min(100_000) as u32;
+        }
+        if matches!(verdict, Verdict::BadCount { .. }) {
+            price += (end - start).min(1_000_000) as u32 / 4;
         }
         if last > first {
             price += 5 * (last - first).min(12) as u32;

@@ -109,19 +109,17 @@ pub(super) fn join_union(spans: &mut Spans, part: u32, base: usize) {
             let mut events = scratch.group.iter();
             events.find(|e| e.0 == list && e.1.kind != Kind::Sheet)
         };
-        // Of the boundaries at this place, the one of what is entered, else of what is left.
-        let entered = of(then);
-        if let Some(&(_, event)) = entered.or_else(|| of(before_holder)) {
+        // The boundary belongs to the operand whose surface it is, on both sides; where the surfaces
+        // of both lie here, to the first of them, which holds the points of its surface.
+        let by_rank = match (before_holder, then) {
+            (Some(a), Some(b)) if ranks[b] < ranks[a] => [then, before_holder],
+            _ => [before_holder, then],
+        };
+        if let Some(&(_, event)) = by_rank.into_iter().find_map(of) {
             let seen = before.inside != after.inside
                 || (before.inside && !before.owner.same_medium(&after.owner));
-            let owner = if entered.is_none() && after.inside {
-                after.owner
-            } else {
-                event.owner
-            };
             scratch.out.push(Event {
                 kind: if seen { Kind::Boundary } else { Kind::Silent },
-                owner,
                 state: after,
                 ..event
             });

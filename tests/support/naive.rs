@@ -35,8 +35,8 @@ pub struct Seen {
     pub total_reflection: bool,
 }
 
-/// Rays start this far from the surface they leave, as a part of the distance from the camera to
-/// the origin; media are looked up this far from a boundary.
+/// Rays start this far from the surface they leave, as a part of the largest distance of a light or
+/// the camera from the origin; media are looked up this far from a boundary.
 const STEP: f64 = 1e-7;
 
 impl<'a> Naive<'a> {
@@ -50,12 +50,17 @@ impl<'a> Naive<'a> {
                 colour: [1.0; 3],
             });
         }
+        let far = |p: Vec3| dot(p, p).sqrt();
+        let size = lights
+            .iter()
+            .map(|l| far(l.position))
+            .fold(far(camera.position), f64::max);
         Naive {
             scene,
             camera,
             lights,
             depth,
-            step: STEP * dot(camera.position, camera.position).sqrt(),
+            step: STEP * size,
         }
     }
 
