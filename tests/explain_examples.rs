@@ -6,7 +6,6 @@ use zpg::diagnostics::Code;
 
 /// Codes that no scene in a text can show, and why.
 const NOT_SHOWN: &[(Code, &str)] = &[
-    (Code::E013, "the scene would have to be enormous"),
     (Code::E210, "it depends on the files beside the scene"),
     (Code::N601, "the page is UTF-8 itself"),
 ];

@@ -1,5 +1,6 @@
 //! Image files that a scene names: only from the scene's own folder.
 
+use std::io::Read;
 use std::path::{Component, Path};
 
 use crate::diagnostics::{Code, Diagnostic, Span};
@@ -39,13 +40,24 @@ pub fn check(file: &str, span: Span, folder: Option<&Path>, out: &mut Vec<Diagno
             );
             false
         }
-        Ok((_, path)) => match std::fs::File::open(&path).and_then(|f| f.metadata()) {
-            Ok(m) if m.is_file() => true,
-            Ok(_) => unreadable(span, "it is no file", out),
+        Ok((_, path)) => match is_picture(&path) {
+            Ok(true) => true,
+            Ok(false) => unreadable(span, "it is neither a PNG nor a JPEG picture", out),
             Err(e) => unreadable(span, &e.to_string(), out),
         },
         Err(e) => unreadable(span, &e.to_string(), out),
     }
+}
+
+/// Whether a file begins like a PNG or JPEG picture.
+fn is_picture(path: &Path) -> std::io::Result<bool> {
+    let mut start = Vec::new();
+    // Only what lies on disk: opening a pipe would wait for somebody to write.
+    if std::fs::metadata(path)?.is_file() {
+        let file = std::fs::File::open(path)?;
+        file.take(8).read_to_end(&mut start)?;
+    }
+    Ok(start == b"\x89PNG\r\n\x1a\n" || start.starts_with(&[0xff, 0xd8, 0xff]))
 }
 
 fn unreadable(span: Span, why: &str, out: &mut Vec<Diagnostic>) -> bool {

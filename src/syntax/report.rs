@@ -8,6 +8,9 @@ use super::stream::Stream;
 use super::table::{ParamKind, RecordType};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
 
+/// The most numbers that one record may claim to have.
+const NUMBERS_MAX: usize = 100_000_000;
+
 /// The longest stretch of the user's text that a message quotes, in characters.
 const QUOTE_MAX: usize = 24;
 
@@ -306,6 +309,18 @@ impl Reporter<'_, '_> {
             all => format!("{} or {}", ty.params.len(), numbers(all)),
         };
         let title = capitalised(ty.title);
+        if expected > NUMBERS_MAX {
+            let n = piece.start + 2;
+            return Diagnostic::new(
+                Code::E013,
+                self.span(n, n + 1),
+                format!("{} points are more than can be handled", self.text(n)),
+            )
+            .here(format!(
+                "N, the number of points; {} follow",
+                numbers(got - 1)
+            ));
+        }
         let mut d = if got < expected {
             let (from, to) = row.unwrap_or((start, end));
             Diagnostic::new(

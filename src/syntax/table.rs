@@ -516,8 +516,7 @@ const fn shape(
 
 const fn record(
     code: i32,
-    keyword: &'static str,
-    title: &'static str,
+    [keyword, title]: [&'static str; 2],
     family: Family,
     effect: Effect,
     params: &'static [Param],
@@ -545,8 +544,7 @@ const TEXTURE: Effect = Effect::DefinesOrChanges(Kind::Texture, &[Kind::Texture,
 pub static RECORD_TYPES: &[RecordType] = &[
     record(
         0,
-        "undefined",
-        "undefined object",
+        ["undefined", "undefined object"],
         Family::Void,
         Effect::Defines(Kind::Undefined),
         &[],
@@ -778,8 +776,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     },
     record(
         -1,
-        "translate",
-        "translation",
+        ["translate", "translation"],
         Family::Transformation,
         Effect::Changes(MOVABLE),
         &[
@@ -792,8 +789,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -2,
-        "rotate",
-        "rotation",
+        ["rotate", "rotation"],
         Family::Transformation,
         Effect::Changes(MOVABLE),
         &[
@@ -811,8 +807,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -3,
-        "scale",
-        "scaling",
+        ["scale", "scaling"],
         Family::Transformation,
         Effect::Changes(MOVABLE),
         &[
@@ -834,8 +829,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -4,
-        "rotation-matrix",
-        "rotation matrix",
+        ["rotation-matrix", "rotation matrix"],
         Family::Transformation,
         Effect::Changes(MOVABLE),
         &MATRIX,
@@ -844,8 +838,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -99,
-        "projection-matrix",
-        "projection matrix",
+        ["projection-matrix", "projection matrix"],
         Family::Transformation,
         Effect::DefinesOrChanges(Kind::Camera, CAMERA),
         &MATRIX,
@@ -855,8 +848,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -101,
-        "union",
-        "union",
+        ["union", "union"],
         Family::Operation,
         Effect::Defines(Kind::Object),
         TWO_OBJECTS,
@@ -865,8 +857,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -102,
-        "intersection",
-        "intersection",
+        ["intersection", "intersection"],
         Family::Operation,
         Effect::Defines(Kind::Object),
         TWO_OBJECTS,
@@ -875,8 +866,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -103,
-        "difference",
-        "difference",
+        ["difference", "difference"],
         Family::Operation,
         Effect::Defines(Kind::Object),
         TWO_OBJECTS,
@@ -885,8 +875,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -104,
-        "complement",
-        "complement",
+        ["complement", "complement"],
         Family::Operation,
         Effect::Defines(Kind::Object),
         &[reference("B", OBJECT, "the operand")],
@@ -895,8 +884,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -105,
-        "copy",
-        "copy",
+        ["copy", "copy"],
         Family::Operation,
         Effect::Defines(Kind::Object),
         &[reference("B", ANYTHING, "what is copied")],
@@ -905,8 +893,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -201,
-        "optics",
-        "optical property",
+        ["optics", "optical property"],
         Family::Property,
         PROPERTY,
         &[
@@ -919,8 +906,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -202,
-        "optics-rgb",
-        "optical property per channel",
+        ["optics-rgb", "optical property per channel"],
         Family::Property,
         PROPERTY,
         &OPTICS_RGB,
@@ -929,8 +915,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -203,
-        "refractive-index",
-        "refractive index",
+        ["refractive-index", "refractive index"],
         Family::Property,
         PROPERTY,
         &[
@@ -952,8 +937,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -299,
-        "assign",
-        "assignment of properties",
+        ["assign", "assignment of properties"],
         Family::Property,
         Effect::Changes(OBJECT),
         &[
@@ -965,8 +949,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -301,
-        "image-texture",
-        "image texture",
+        ["image-texture", "image texture"],
         Family::Texture,
         TEXTURE,
         &[Param {
@@ -990,8 +973,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
         ],
         ..record(
             -302,
-            "solid-texture",
-            "solid texture",
+            ["solid-texture", "solid texture"],
             Family::Texture,
             TEXTURE,
             &[],
@@ -1001,8 +983,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     },
     record(
         -399,
-        "checkerboard",
-        "checkerboard",
+        ["checkerboard", "checkerboard"],
         Family::Texture,
         TEXTURE,
         &[
@@ -1016,8 +997,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -401,
-        "ambient-light",
-        "ambient light",
+        ["ambient-light", "ambient light"],
         Family::Light,
         Effect::Defines(Kind::AmbientLight),
         &[Param {
@@ -1029,8 +1009,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -402,
-        "point-light",
-        "point light",
+        ["point-light", "point light"],
         Family::Light,
         Effect::Defines(Kind::PointLight),
         &[Param {
@@ -1042,8 +1021,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -501,
-        "camera",
-        "camera",
+        ["camera", "camera"],
         Family::Camera,
         Effect::Defines(Kind::Camera),
         &CAMERA_PARAMS,
@@ -1052,8 +1030,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -502,
-        "mono-camera",
-        "mono camera",
+        ["mono-camera", "mono camera"],
         Family::Camera,
         Effect::Defines(Kind::Selection),
         &[reference("camera", CAMERA, "the camera")],
@@ -1062,8 +1039,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -503,
-        "stereo-camera",
-        "stereo camera",
+        ["stereo-camera", "stereo camera"],
         Family::Camera,
         Effect::Defines(Kind::Selection),
         &[
@@ -1075,8 +1051,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -601,
-        "bounding-box",
-        "bounding box",
+        ["bounding-box", "bounding box"],
         Family::Bound,
         Effect::Changes(OBJECT),
         &CORNERS,
@@ -1085,8 +1060,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -602,
-        "bounding-sphere",
-        "bounding sphere",
+        ["bounding-sphere", "bounding sphere"],
         Family::Bound,
         Effect::Changes(OBJECT),
         &SPHERE,
@@ -1095,8 +1069,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     record(
         -701,
-        "colour",
-        "colour",
+        ["colour", "colour"],
         Family::Colour,
         Effect::DefinesOrChanges(
             Kind::Colour,
@@ -1115,8 +1088,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
         optional: &CORNERS,
         ..record(
             9999,
-            "render",
-            "render record",
+            ["render", "render record"],
             Family::Render,
             Effect::Defines(Kind::Render),
             &[
