@@ -9,6 +9,8 @@
 pub mod aabb;
 pub mod bounds;
 mod camera;
+mod change;
+mod define;
 mod entity;
 pub mod frame;
 mod geometry;

@@ -1,11 +1,12 @@
 //! What is wrong with a stretch of tokens that is no record, and how to say it.
 
 use super::ast::{Broken, Item};
-use super::layout::{FAULT, LONG, Piece, record_type};
+use super::layout::{FAULT, Piece};
 use super::lexer::TokenKind;
 use super::reader::{self, Reading, fits};
 use super::stream::Stream;
 use super::table::{Constraint, Param, ParamKind, RecordType};
+use super::witness::{LONG, record_type};
 
 /// What a piece of the text is.
 #[derive(Debug, Clone, Copy)]
@@ -285,8 +286,10 @@ fn judge_params(
 
 /// The token that is the file name of a record that has one: a word, and no bad one.
 pub fn file_name(stream: &Stream, ty: &RecordType, first: usize, end: usize) -> Option<usize> {
-    let wanted = ty.params.first()?.kind == ParamKind::FileName;
-    (first..end).find(|&i| wanted && fits(stream.sigs[i].kind, ParamKind::FileName))
+    if ty.params.first()?.kind != ParamKind::FileName {
+        return None;
+    }
+    (first..end).find(|&i| fits(stream.sigs[i].kind, ParamKind::FileName))
 }
 
 /// How many parameters are numbers of the wrong kind (a real for an integer, a number for a name).

@@ -14,7 +14,9 @@ mod reader;
 mod references;
 mod report;
 mod stream;
+mod sums;
 pub mod table;
+mod witness;
 
 pub use ast::{Document, Item, Record};
 pub use parser::parse;

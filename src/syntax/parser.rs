@@ -4,9 +4,10 @@ use chumsky::Parser;
 
 use super::ast::{Document, Item};
 use super::faults::Verdict;
-use super::layout::{self, Piece, Witnesses};
+use super::layout::{self, Piece};
 use super::lexer::{self, Token, TokenKind};
 use super::stream::Stream;
+use super::witness::{self, Witnesses};
 use super::{comments, reader, references, report};
 use crate::diagnostics::{self, Diagnostic};
 
@@ -31,7 +32,7 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
     let stream = Stream::new(text, tokens);
     let strict = reader::records(&stream).parse(&stream.sigs).into_output();
     if let Some(items) = &strict
-        && layout::is_undisturbed(&stream, extents(items))
+        && witness::is_undisturbed(&stream, extents(items))
     {
         // The reading is right and the layout agrees: there is nothing more to ask.
         return strict.unwrap_or_default();
@@ -62,7 +63,7 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
         // it stands against two errors, and against one where no line was crossed.
         let plain = layout::whole_pieces(&stream, extents(items));
         let sound = references::damage(&stream, &plain) == 0;
-        if sound && (damage > 1 || !layout::is_odd(&stream, &witnesses, &plain)) {
+        if sound && (damage > 1 || !witness::is_odd(&stream, &witnesses, &plain)) {
             pieces = plain;
         }
     }

@@ -3,9 +3,10 @@
 use std::collections::HashSet;
 
 use super::faults::Verdict;
-use super::layout::{Piece, record_type};
+use super::layout::Piece;
 use super::stream::Stream;
 use super::table::{Effect, ParamKind};
+use super::witness::record_type;
 
 /// The IDs that the record at tokens `start..end` refers to.
 pub fn of_record(stream: &Stream, start: usize, end: usize) -> impl Iterator<Item = i32> {

@@ -1,11 +1,12 @@
 //! Findings of the parser: what is wrong with the broken pieces of a text, in words.
 
 use super::faults::{self, Verdict};
-use super::layout::{Piece, Witnesses};
+use super::layout::Piece;
 use super::lexer::{Token, TokenKind};
 use super::reader::fits;
 use super::stream::Stream;
 use super::table::{ParamKind, RecordType};
+use super::witness::Witnesses;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
 
 /// The most numbers that one record may claim to have.

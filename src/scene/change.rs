@@ -1,0 +1,186 @@
+//! What changing records do: transformations, properties, textures, colours, bounding volumes.
+
+use super::entity::{OpticsParts, State};
+use super::record::Params;
+use super::resolve::Resolver;
+use super::*;
+use crate::diagnostics::{Code, Diagnostic};
+
+impl Resolver<'_> {
+    /// Applies a changing record to an entity.
+    pub(super) fn change(&mut self, p: &Params, kinds: &'static [Kind]) {
+        let Some(state) = self.changed(p, kinds) else {
+            return;
+        };
+        match p.ty.code {
+            -4..=-1 => {
+                if let Some(m) = super::camera::transformation(p, &mut self.out) {
+                    self.transform(p, &state, &m);
+                }
+            }
+            -99 => {
+                let m = Matrix::from_rows(&p.numbers(0));
+                let m = geometry::invertible(p, m, &mut self.out);
+                if let (Some(m), Some(State::Camera(c))) = (m, self.entities.get_mut(&p.id)) {
+                    c.projection = Some(m);
+                }
+            }
+            -203..=-201 => {
+                let mut parts = match &state {
+                    State::Optics(parts) => *parts,
+                    _ => OpticsParts::default(),
+                };
+                if self.optics(p, &mut parts).is_some() {
+                    match state {
+                        State::Optics(_) => {
+                            self.entities.insert(p.id, State::Optics(parts));
+                        }
+                        _ => self.paint(p.id, |paint| {
+                            paint.optics = parts.optics.or(paint.optics);
+                            paint.index = parts.index.or(paint.index);
+                        }),
+                    }
+                }
+            }
+            -299 => self.assign(p),
+            -301 | -302 | -399 => {
+                if let Some(texture) = self.texture(p) {
+                    match state {
+                        State::Texture(_) => {
+                            self.entities.insert(p.id, State::Texture(texture));
+                        }
+                        _ => self.paint(p.id, |paint| paint.texture = Some(texture)),
+                    }
+                }
+            }
+            -701 => {
+                let rgb = p.numbers(0);
+                match self.entities.get_mut(&p.id) {
+                    Some(State::Colour(c)) => *c = rgb,
+                    Some(State::AmbientLight(l)) => l.colour = rgb,
+                    Some(State::PointLight(l)) => l.colour = rgb,
+                    _ => self.paint(p.id, |paint| paint.texture = Some(Texture::Colour(rgb))),
+                }
+            }
+            _ => self.promise(p, &state),
+        }
+    }
+
+    /// -601 and -602.
+    fn promise(&mut self, p: &Params, state: &State) {
+        let volume = match p.ty.code {
+            -601 => match geometry::ordered(p, 0, 3, &mut self.out) {
+                Some(()) => Volume::Box {
+                    min: p.numbers(0),
+                    max: p.numbers(3),
+                },
+                None => return,
+            },
+            _ if !p.check_constraints(&mut self.out) => return,
+            _ => Volume::Sphere {
+                centre: p.numbers(0),
+                radius: p.number(3),
+            },
+        };
+        if let State::Object(node) = *state {
+            self.scene.promises.push(Promise {
+                id: p.id,
+                node,
+                volume,
+                span: p.span,
+            });
+        }
+    }
+
+    /// -299.
+    fn assign(&mut self, p: &Params) {
+        let texture = self.reference(p, 0, false);
+        let optics = self.reference(p, 1, false);
+        let (Some(texture), Some(optics)) = (texture, optics) else {
+            return;
+        };
+        let texture = match texture.and_then(|id| self.entities.get(&id)) {
+            Some(State::Texture(t)) => t.clone(),
+            Some(State::Colour(c)) => Texture::Colour(*c),
+            _ => Texture::Colour(DEFAULT_COLOUR),
+        };
+        let parts = match optics.and_then(|id| self.entities.get(&id)) {
+            Some(State::Optics(parts)) => *parts,
+            _ => OpticsParts::default(),
+        };
+        self.paint(p.id, |paint| {
+            paint.texture = Some(texture);
+            paint.optics = Some(parts.optics.unwrap_or_default());
+            paint.index = Some(parts.index.unwrap_or(DEFAULT_INDEX));
+        });
+    }
+
+    /// Puts properties on the object with this ID.
+    fn paint(&mut self, id: u32, set: impl FnOnce(&mut Paint)) {
+        let Some(State::Object(node)) = self.entities.get(&id) else {
+            return;
+        };
+        let node = *node;
+        // Properties given one after the other are one paint.
+        let (child, mut paint) = match self.scene.nodes[node as usize] {
+            Node::Paint { child, paint } if self.scene.paints[paint as usize].owner == id => {
+                (child, self.scene.paints[paint as usize].clone())
+            }
+            _ => (
+                node,
+                Paint {
+                    owner: id,
+                    ..Paint::default()
+                },
+            ),
+        };
+        set(&mut paint);
+        self.scene.paints.push(paint);
+        let paint = self.scene.paints.len() as u32 - 1;
+        let node = self.node(Node::Paint { child, paint });
+        self.entities.insert(id, State::Object(node));
+    }
+
+    fn transform(&mut self, p: &Params, state: &State, m: &Matrix) {
+        let moved = match state {
+            State::Object(node) => {
+                // Moves one after the other are one matrix.
+                let (child, matrix) = match self.scene.nodes[*node as usize] {
+                    Node::Transform { child, matrix } => {
+                        (child, m.after(&self.scene.matrices[matrix as usize]))
+                    }
+                    _ => (*node, *m),
+                };
+                matrix.inverse().map(|_| {
+                    self.scene.matrices.push(matrix);
+                    let matrix = self.scene.matrices.len() as u32 - 1;
+                    State::Object(self.node(Node::Transform { child, matrix }))
+                })
+            }
+            State::PointLight(light) => {
+                let position = m.point(light.position);
+                let finite = position.iter().all(|x| x.is_finite());
+                finite.then_some(State::PointLight(PointLight { position, ..*light }))
+            }
+            State::Camera(camera) => super::camera::moved(camera, m).map(State::Camera),
+            _ => None,
+        };
+        match moved {
+            Some(state) => {
+                self.entities.insert(p.id, state);
+            }
+            None if matches!(state, State::Broken(_)) => {}
+            None => self.out.push(
+                Diagnostic::new(
+                    Code::E204,
+                    p.span,
+                    format!(
+                        "with this {}, the transformations of {} have no inverse",
+                        p.ty.title, p.id
+                    ),
+                )
+                .here("numbers became too large or too small for double precision"),
+            ),
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! What defining records make.
+
+use super::entity::{OpticsParts, State};
+use super::record::Params;
+use super::resolve::Resolver;
+use super::*;
+
+impl Resolver<'_> {
+    /// The state that a defining record gives its ID; `None` where it is broken, with findings.
+    pub(super) fn definition(&mut self, p: &Params) -> Option<State> {
+        match p.ty.code {
+            1..=21 => {
+                let geometry = geometry::shape(p, &mut self.out)?;
+                self.scene.shapes.push(Shape {
+                    id: p.id,
+                    ty: p.ty,
+                    span: p.span,
+                    geometry,
+                });
+                let shape = self.scene.shapes.len() as u32 - 1;
+                Some(State::Object(self.node(Node::Shape(shape))))
+            }
+            -103..=-101 => {
+                let (b, c) = (self.object(p, 0), self.object(p, 1));
+                let (b, c) = (b?, c?);
+                let node = match p.ty.code {
+                    -101 => Node::Union(b, c),
+                    -102 => Node::Intersection(b, c),
+                    _ => Node::Difference(b, c),
+                };
+                Some(State::Object(self.node(node)))
+            }
+            -104 => {
+                let b = self.object(p, 0)?;
+                Some(State::Object(self.node(Node::Complement(b))))
+            }
+            -105 => {
+                let original = self.reference(p, 0, false)??;
+                let mut state = self.entities.get(&original)?.clone();
+                match &mut state {
+                    State::Object(child) => {
+                        let copy = Node::Copy {
+                            child: *child,
+                            id: p.id,
+                        };
+                        *child = self.node(copy);
+                    }
+                    State::Camera(c) => c.id = p.id,
+                    State::PointLight(l) => l.id = p.id,
+                    State::AmbientLight(l) => l.id = p.id,
+                    _ => {}
+                }
+                Some(state)
+            }
+            -402 | -401 => {
+                let sound = p.check_constraints(&mut self.out);
+                let (id, intensity, colour) = (p.id, p.number(0), DEFAULT_COLOUR);
+                sound.then_some(match p.ty.code {
+                    -401 => State::AmbientLight(AmbientLight {
+                        id,
+                        intensity,
+                        colour,
+                    }),
+                    _ => State::PointLight(PointLight {
+                        id,
+                        position: [0.0; 3],
+                        intensity,
+                        colour,
+                    }),
+                })
+            }
+            -501 => super::camera::camera(p, &mut self.out).map(State::Camera),
+            _ => None,
+        }
+    }
+
+    /// The state of a new property, texture, colour or projection.
+    pub(super) fn new_property(&mut self, p: &Params) -> Option<State> {
+        match p.ty.code {
+            -203..=-201 => {
+                let mut parts = OpticsParts::default();
+                self.optics(p, &mut parts)?;
+                Some(State::Optics(parts))
+            }
+            -301 | -302 | -399 => self.texture(p).map(State::Texture),
+            -701 => Some(State::Colour(p.numbers(0))),
+            -99 => {
+                let m = Matrix::from_rows(&p.numbers(0));
+                let m = geometry::invertible(p, m, &mut self.out)?;
+                Some(State::Camera(super::camera::projecting(p.id, m)))
+            }
+            _ => None,
+        }
+    }
+
+    pub(super) fn optics(&mut self, p: &Params, parts: &mut OpticsParts) -> Option<()> {
+        if !p.check_constraints(&mut self.out) {
+            return None;
+        }
+        match p.ty.code {
+            -201 => {
+                let [kd, ks, kt] = p.numbers(0);
+                parts.optics = Some(Optics {
+                    kd: [kd; 3],
+                    ks: [ks; 3],
+                    kt: [kt; 3],
+                });
+            }
+            -202 => {
+                let of = |k: usize| [p.number(k), p.number(k + 3), p.number(k + 6)];
+                parts.optics = Some(Optics {
+                    kd: of(0),
+                    ks: of(1),
+                    kt: of(2),
+                });
+            }
+            _ => parts.index = Some(p.numbers(0)),
+        }
+        Some(())
+    }
+
+    pub(super) fn texture(&mut self, p: &Params) -> Option<Texture> {
+        match p.ty.code {
+            -301 => {
+                let file = p.text_of(0).trim_matches('"').to_owned();
+                let span = p.span_of(0, 1);
+                super::image_file::check(&file, span, self.folder, &mut self.out)
+                    .then_some(Texture::Image { file, span })
+            }
+            -302 => {
+                let sound = p.check_constraints(&mut self.out);
+                if p.len() == 0 {
+                    return Some(Texture::Solid {
+                        colours: [[0.0; 3], [1.0; 3]],
+                        size: 1.0,
+                    });
+                }
+                let colours = [self.colour(p, 0), self.colour(p, 1)];
+                let size = p.number(2);
+                sound.then_some(())?;
+                Some(Texture::Solid {
+                    colours: [colours[0]?, colours[1]?],
+                    size,
+                })
+            }
+            _ => {
+                let sound = p.check_constraints(&mut self.out);
+                let colours = [self.colour(p, 2), self.colour(p, 3)];
+                sound.then_some(())?;
+                Some(Texture::Checkerboard {
+                    n: u32::try_from(p.integer(0)).ok()?,
+                    m: u32::try_from(p.integer(1)).ok()?,
+                    colours: [colours[0]?, colours[1]?],
+                })
+            }
+        }
+    }
+}

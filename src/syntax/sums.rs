@@ -1,0 +1,97 @@
+//! Sums and marks over the lines and tokens of a text, so that any stretch is judged at once, however
+//! long it is.
+
+use super::reader;
+use super::stream::Stream;
+use super::witness::{Witnesses, record_type};
+
+pub struct Sums {
+    /// For each token how many before it are bad.
+    pub bad_before: Vec<u32>,
+    /// How many lines before each one say that they are records of their own.
+    pub own_before: Vec<u32>,
+    /// How many of those are complete, and no row of a table of equally long lines.
+    pub complete_before: Vec<u32>,
+    /// The last line of the table of numbers that begins behind each line; the line itself if none.
+    pub table_end: Vec<u32>,
+    /// For each token: its line is whole records up to it, or from it on.
+    pub whole_until: Vec<bool>,
+    pub whole_from: Vec<bool>,
+}
+
+impl Sums {
+    pub fn is_own(&self, line: usize) -> bool {
+        self.own_before[line + 1] > self.own_before[line]
+    }
+
+    pub fn new(stream: &Stream, witnesses: &Witnesses) -> Sums {
+        let lines = 0..stream.line_count();
+        let length = |l: usize| stream.line_end(l) - stream.line_start(l);
+        let own = |l: usize| witnesses.ends[l] > 0 || looks_like_a_head(stream, l);
+        let complete = |l: usize| {
+            witnesses.is_complete_line(stream, l)
+                && !witnesses.is_void_line(stream, l)
+                && (l == 0 || length(l) != length(l - 1))
+        };
+        let mut table_end: Vec<u32> = lines.clone().map(|l| l as u32).collect();
+        for l in lines.clone().rev().skip(1) {
+            let row =
+                !own(l + 1) && stream.all_numbers(stream.line_start(l + 1), stream.line_end(l + 1));
+            if row {
+                table_end[l] = table_end[l + 1];
+            }
+        }
+        let (whole_until, whole_from) = whole(stream);
+        Sums {
+            bad_before: sums(stream.sigs.iter().map(|s| s.kind.is_bad())),
+            whole_until,
+            whole_from,
+            own_before: sums(lines.clone().map(own)),
+            complete_before: sums(lines.map(complete)),
+            table_end,
+        }
+    }
+}
+
+/// For each token (and the end): whether its line is whole records up to it, and from it on.
+fn whole(stream: &Stream) -> (Vec<bool>, Vec<bool>) {
+    let n = stream.len();
+    let (mut until, mut from) = (vec![false; n + 1], vec![false; n + 1]);
+    let step = |i: usize| {
+        if stream.sigs[i].int == Some(0) {
+            return stream.sigs[i].before_comment.then_some(i + 1);
+        }
+        let end = reader::read(stream, i)?.end;
+        (end > i + 2 && end <= stream.line_end(stream.line(i))).then_some(end)
+    };
+    for i in (0..n).rev() {
+        from[i] = step(i).is_some_and(|end| stream.ends_line(end) || from[end]);
+    }
+    for i in 0..n {
+        until[i] |= stream.starts_line(i);
+        if until[i]
+            && let Some(end) = step(i).filter(|&e| e < n && !stream.starts_line(e))
+        {
+            until[end] = true;
+        }
+    }
+    (until, from)
+}
+
+/// How often it was true before each place, and in all.
+fn sums(flags: impl Iterator<Item = bool>) -> Vec<u32> {
+    let mut n = 0;
+    std::iter::once(0)
+        .chain(flags.map(|f| {
+            n += u32::from(f);
+            n
+        }))
+        .collect()
+}
+
+/// Whether a line begins like a record that no table of numbers would begin like.
+fn looks_like_a_head(stream: &Stream, line: usize) -> bool {
+    let start = stream.line_start(line);
+    let id = stream.sigs[start].int.is_some_and(|id| id > 0);
+    id && record_type(stream, start + 1).is_some_and(|t| t.code <= -99 || t.code == 9999)
+}

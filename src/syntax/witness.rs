@@ -1,0 +1,254 @@
+//! What the lines of a text say about its layout.
+
+use std::collections::{HashMap, HashSet};
+
+use super::faults::{self, Verdict};
+use super::layout::Piece;
+use super::reader::{self, Reading};
+use super::references;
+use super::stream::Stream;
+use super::table::{Effect, RecordType};
+
+/// Records with at least this many parameters are often laid out over several lines.
+pub const LONG: usize = 9;
+
+/// What the lines of a text say about its layout.
+pub struct Witnesses {
+    /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
+    /// Holds one past the record's last token, 0 where the line is no witness.
+    pub ends: Vec<u32>,
+    /// The text is laid out with records beginning and ending with lines.
+    pub in_lines: bool,
+    /// What the witness lines say about each ID they define.
+    pub heads: HashMap<i32, Head>,
+    /// The IDs that witness lines use or change.
+    used: HashSet<i32>,
+    /// Comments behind a record on its line are introduced by `0` here.
+    pub voids_behind_records: bool,
+}
+
+/// The witness lines that define one ID.
+pub struct Head {
+    pub first_line: usize,
+    /// How many can only be definitions, so that all but one are too many; and how many of these
+    /// also read well as a record without its ID.
+    pub definitions: u32,
+    pub may_be_lost: u32,
+}
+
+impl Head {
+    fn at(first_line: usize) -> Head {
+        Head {
+            first_line,
+            definitions: 0,
+            may_be_lost: 0,
+        }
+    }
+}
+
+impl Witnesses {
+    pub fn new(stream: &Stream) -> Witnesses {
+        let lines = stream.line_count();
+        let mut ends = vec![0u32; lines];
+        let mut heads = HashMap::new();
+        for (line, end) in ends.iter_mut().enumerate() {
+            let start = stream.line_start(line);
+            if stream.sigs[start].int == Some(0) {
+                let alone = stream.line_end(line) == start + 1;
+                if alone && stream.sigs[start].before_comment {
+                    *end = start as u32 + 1;
+                }
+            } else if let Some(r) = reader::read(stream, start)
+                && testifies(stream, start, &r)
+            {
+                *end = r.end as u32;
+            }
+        }
+        // How much of the text is laid out in lines: a walk from record to record. One disturbed
+        // stretch is what one mistake makes, however long the record is that it spoils.
+        let (mut line, mut covered, mut stretches, mut disturbed) = (0, 0, 0, false);
+        let mut steps = 0;
+        let mut used = HashSet::new();
+        while line < lines {
+            let next = match ends[line] {
+                0 if run_to_line_end(stream, line) => line + 1,
+                0 => {
+                    stretches += usize::from(!disturbed);
+                    disturbed = true;
+                    line += 1;
+                    continue;
+                }
+                end => {
+                    let start = stream.line_start(line);
+                    let id = stream.sigs[start].int.unwrap_or(0);
+                    match record_type(stream, start + 1).map(|t| t.effect) {
+                        Some(Effect::Defines(_)) => {
+                            let lost = faults::has_lost_id(stream, start, end as usize);
+                            let head = heads.entry(id).or_insert(Head::at(line));
+                            head.definitions += 1;
+                            head.may_be_lost += u32::from(lost);
+                        }
+                        Some(Effect::DefinesOrChanges(..)) => {
+                            heads.entry(id).or_insert(Head::at(line));
+                        }
+                        Some(Effect::Changes(_)) => {
+                            used.insert(id);
+                        }
+                        None => {}
+                    }
+                    used.extend(references::of_record(stream, start, end as usize));
+                    stream.line(end as usize - 1) + 1
+                }
+            };
+            disturbed = false;
+            steps += 1;
+            covered += next - line;
+            line = next;
+        }
+        let mostly = 20 * covered >= 13 * lines || (stretches <= 1 && steps >= 4) || lines < 12;
+        let in_lines = steps > 0 && steps + 2 >= 3 * stretches && mostly;
+        if !in_lines {
+            // What looks like a record at the head of a line is one by chance.
+            heads.clear();
+            used.clear();
+        }
+        Witnesses {
+            in_lines,
+            ends,
+            heads,
+            used,
+            voids_behind_records: voids_behind_records(stream),
+        }
+    }
+
+    /// Whether a number is used as an ID elsewhere and defined by no line of its own: if a record
+    /// begins with it, then it is that record's ID.
+    pub fn is_missing(&self, id: i32) -> bool {
+        self.used.contains(&id) && !self.heads.contains_key(&id)
+    }
+
+    /// Whether a line would be a complete record by itself.
+    pub fn is_complete_line(&self, stream: &Stream, line: usize) -> bool {
+        self.ends[line] as usize == stream.line_end(line)
+    }
+
+    pub fn is_void_line(&self, stream: &Stream, line: usize) -> bool {
+        self.ends[line] > 0 && stream.sigs[stream.line_start(line)].int == Some(0)
+    }
+
+    /// Whether the record at tokens `start..end` takes its last parameters from the head of a line
+    /// that says it is a record of its own. A line in a table of equally long lines says nothing.
+    pub fn takes_over(&self, stream: &Stream, start: usize, end: usize) -> bool {
+        let (first, last) = (stream.line(start), stream.line(end - 1));
+        if first == last || self.ends[last] == 0 {
+            return false;
+        }
+        let length = |l: usize| stream.line_end(l) - stream.line_start(l);
+        !(last > first + 1 && length(last) == length(last - 1))
+    }
+}
+
+/// Whether a record that begins with a line says something about the layout: it ends with a line
+/// too, and it is no row of a table by chance. Short records over several lines are rare, and so is
+/// an ID 1 without the type 9999.
+fn testifies(stream: &Stream, start: usize, r: &Reading) -> bool {
+    let one_line = stream.line(start) == stream.line(r.end - 1);
+    let long = r.ty.is_counted() || r.ty.params.len() >= LONG;
+    let render = (stream.sigs[start].int == Some(1)) == (r.ty.code == 9999);
+    stream.ends_line(r.end)
+        && r.end - start > 2
+        && (one_line || long)
+        && render
+        && faults::values_allowed(stream, start, r)
+}
+
+/// Whether people here write `2 9 1 0 # a sphere #`: several do, or nobody does without the `0`.
+fn voids_behind_records(stream: &Stream) -> bool {
+    let (mut with, mut without) = (0, 0);
+    for line in 0..stream.line_count() {
+        let (start, end) = (stream.line_start(line), stream.line_end(line));
+        let last = &stream.sigs[end - 1];
+        if end - start > 2 && last.before_comment {
+            let read = |end: usize| reader::read(stream, start).is_some_and(|r| r.end == end);
+            if last.int == Some(0) && read(end - 1) {
+                with += 1;
+            } else if read(end) {
+                without += 1;
+            }
+        }
+    }
+    with > 1 || without == 0
+}
+
+pub fn record_type(stream: &Stream, i: usize) -> Option<&'static RecordType> {
+    RecordType::by_code(stream.sigs.get(i)?.int?.into())
+}
+
+/// Whether a line is a row of several records that ends with its last one.
+fn run_to_line_end(stream: &Stream, line: usize) -> bool {
+    let (mut i, end) = (stream.line_start(line), stream.line_end(line));
+    while i < end {
+        let sig = &stream.sigs[i];
+        if sig.int == Some(0) && sig.before_comment {
+            i += 1;
+        } else if let Some(r) = reader::read(stream, i).filter(|r| r.end <= end && r.end > i + 2) {
+            i = r.end;
+        } else {
+            return false;
+        }
+    }
+    true
+}
+
+/// Whether a reading without faults leaves nothing to ask the layout: every record begins with a
+/// line, and none takes over the head of a line that says it is a record of its own.
+pub fn is_undisturbed(stream: &Stream, starts: impl Iterator<Item = (usize, usize)>) -> bool {
+    let mut previous_void = false;
+    let mut defined = HashMap::new();
+    for (start, end) in starts {
+        if let Some(Effect::Defines(_)) = record_type(stream, start + 1).map(|t| t.effect)
+            && end > start + 1
+            && let Some(other) = defined.insert(stream.sigs[start].int, (start, end))
+            && [other, (start, end)]
+                .iter()
+                .any(|&(s, e)| faults::has_lost_id(stream, s, e))
+        {
+            return false;
+        }
+        if !stream.starts_line(start) && !previous_void {
+            return false;
+        }
+        previous_void = end == start + 1 && stream.sigs[start].before_comment;
+        let last = stream.line(end - 1);
+        if last != stream.line(start) {
+            let head = stream.line_start(last);
+            let looks = stream.sigs[head].int == Some(0) && stream.sigs[head].before_comment
+                || reader::read(stream, head).is_some_and(|r| stream.ends_line(r.end));
+            if looks {
+                return false;
+            }
+        }
+    }
+    true
+}
+
+/// Whether a reading without faults has something in it that people do not write in a text laid out
+/// in lines: a record that straddles, a VOID without a comment behind a record, a heading's `0`
+/// taken for a number.
+pub fn is_odd(stream: &Stream, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
+    witnesses.in_lines
+        && pieces.iter().any(|p| {
+            let behind = !stream.starts_line(p.start);
+            let last = stream.line(p.end - 1);
+            let over_lines = stream.line(p.start) != last;
+            match p.verdict {
+                Verdict::Void => behind,
+                _ => {
+                    (behind && (over_lines || p.end == p.start + 2))
+                        || over_lines
+                            && witnesses.is_void_line(stream, last)
+                            && witnesses.takes_over(stream, p.start, p.end)
+                }
+            }
+        })
+}
