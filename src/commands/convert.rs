@@ -1,10 +1,11 @@
 //! `zpg convert`: the scene for other programs.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::commands::{ColorChoice, Status, complain, load, report};
+use super::draft::{Draft, unwritable};
+use super::size::Size;
+use super::{ColorChoice, Status, complain, load_sound};
 use crate::translate::{Report, Translation, Unsupported, pov};
 
 /// Translate a scene for another program
@@ -22,8 +23,8 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Size of the picture the camera is for, in pixels
-    #[arg(long, default_value = "640x480", value_name = "WxH", value_parser = parse_size)]
-    size: (u32, u32),
+    #[arg(long, default_value = "640x480", value_name = "WxH")]
+    size: Size,
 
     /// How often a ray may be mirrored or refracted
     #[arg(long, default_value_t = 10, value_name = "N")]
@@ -43,18 +44,10 @@ pub enum Target {
 
 /// Reads the scene, translates it, says how well it went.
 pub fn run(args: &Args, color: ColorChoice) -> Status {
-    let mut loaded = match load(&args.file) {
+    let loaded = match load_sound(&args.file, color) {
         Ok(loaded) => loaded,
-        Err(e) => {
-            complain(&e.to_string());
-            return Status::Failure;
-        }
+        Err(status) => return status,
     };
-    let render = loaded.require_render();
-    report(&loaded, color);
-    if render.is_none() || loaded.has_errors() {
-        return Status::Negative;
-    }
     match translate(args, &loaded.scene) {
         Ok(translation) => deliver(args, &translation),
         Err(unsupported) => {
@@ -73,7 +66,7 @@ fn translate(args: &Args, scene: &crate::scene::Scene) -> Result<Translation, Un
         Target::Pov => pov::write(
             scene,
             &pov::Options {
-                size: args.size,
+                size: (args.size.width, args.size.height),
                 depth: args.depth,
             },
         ),
@@ -83,7 +76,7 @@ fn translate(args: &Args, scene: &crate::scene::Scene) -> Result<Translation, Un
 /// Writes the translation and its report.
 fn deliver(args: &Args, translation: &Translation) -> Status {
     let written = match &args.output {
-        Some(path) => fs::write(path, &translation.text).map_err(|e| (path.clone(), e)),
+        Some(path) => write_file(path, &translation.text).map_err(|e| (path.clone(), e)),
         None => match io::stdout().lock().write_all(translation.text.as_bytes()) {
             // Nobody reads any more: that is their choice.
             Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {
@@ -101,7 +94,7 @@ fn deliver(args: &Args, translation: &Translation) -> Status {
     match written {
         Ok(()) => Status::Clean,
         Err((path, e)) => {
-            complain(&format!("cannot write {}: {e}", path.display()));
+            complain(&unwritable(&path, &e));
             Status::Failure
         }
     }
@@ -110,26 +103,9 @@ fn deliver(args: &Args, translation: &Translation) -> Status {
 fn write_report(path: &Path, report: &Report) -> io::Result<()> {
     let mut text = serde_json::to_string_pretty(&report.to_json())?;
     text.push('\n');
-    fs::write(path, text)
+    write_file(path, &text)
 }
 
-/// `640x480`.
-fn parse_size(text: &str) -> Result<(u32, u32), String> {
-    let side = |s: &str| s.parse::<u32>().ok().filter(|n| (1..=65536).contains(n));
-    text.split_once(['x', 'X'])
-        .and_then(|(w, h)| side(w).zip(side(h)))
-        .ok_or_else(|| "expected a width and a height from 1 to 65536, like 640x480".to_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sizes() {
-        assert_eq!(parse_size("320x200"), Ok((320, 200)));
-        for wrong in ["320", "0x200", "320x-1", "320x200x1", "99999x1"] {
-            assert!(parse_size(wrong).is_err(), "{wrong}");
-        }
-    }
+fn write_file(path: &Path, text: &str) -> io::Result<()> {
+    Draft::create(path)?.finish(path, |out| out.write_all(text.as_bytes()))
 }

@@ -5,7 +5,8 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::terminal::reason;
+use super::Status;
+use super::terminal::{ColorChoice, complain, reason, report};
 use crate::diagnostics::source::{Encoding, MAX_FILE_BYTES};
 use crate::diagnostics::{self, Code, Diagnostic, Severity, SourceFile, Span};
 use crate::lint;
@@ -81,6 +82,21 @@ impl Loaded {
         }
         self.scene.render
     }
+}
+
+/// Reads a scene for a command that needs a sound one: says everything there is to say about it, and
+/// gives the exit status where there are errors or nothing to draw.
+pub fn load_sound(path: &Path, color: ColorChoice) -> Result<Loaded, Status> {
+    let mut loaded = load(path).map_err(|e| {
+        complain(&e.to_string());
+        Status::Failure
+    })?;
+    let render = loaded.require_render();
+    report(&loaded, color);
+    if loaded.has_errors() || render.is_none() {
+        return Err(Status::Negative);
+    }
+    Ok(loaded)
 }
 
 /// The note on a file in the old encoding, at its first byte that is not UTF-8.

@@ -1,20 +1,23 @@
 //! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`, which
 //! returns the exit [`Status`].
 //!
-//! What they share: [`loaded`] reads a scene, [`paths`] expands folders, [`terminal`] knows about
-//! colour and about output that nobody reads any more.
+//! What they share: [`loaded`] reads a scene, [`paths`] expands folders, [`draft`] writes files that
+//! appear when they are complete, [`size`] reads `640x480`, [`terminal`] knows about colour and about
+//! output that nobody reads any more.
 
 pub mod check;
 pub mod completions;
 pub mod convert;
+pub mod draft;
 pub mod explain;
 pub mod fmt;
 pub mod loaded;
 pub mod paths;
 pub mod render;
+pub mod size;
 pub mod terminal;
 
-pub use loaded::{LoadError, Loaded, load};
+pub use loaded::{LoadError, Loaded, load, load_sound};
 pub use terminal::{ColorChoice, complain, report};
 
 /// How a command ended; its number is the exit status.

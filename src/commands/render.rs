@@ -11,11 +11,13 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
-use super::{ColorChoice, Loaded, Status, complain, load, report};
+use super::draft::{Draft, unwritable};
+use super::size::Size;
+use super::{ColorChoice, Loaded, Status, complain, load_sound};
 use crate::scene::{Camera, Scene, View};
 use crate::trace::stats::{Intersections, Rays};
 use crate::trace::{Crop, Film, Picture, Settings, Tracer, Unsupported, selected_camera};
-use output::{Draft, Output, unwritable};
+use output::Output;
 
 /// Draw a scene
 #[derive(Debug, clap::Args)]
@@ -87,28 +89,6 @@ enum Stereo {
 
 /// Pictures of more pixels than this would need more memory than a machine can be taken to have.
 const MAX_PIXELS: u64 = 1 << 28;
-
-#[derive(Debug, Clone, Copy)]
-struct Size {
-    width: u32,
-    height: u32,
-}
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(s: &str) -> Result<Size, String> {
-        let (w, h) = s
-            .split_once(['x', 'X'])
-            .ok_or("expected WxH, as in 640x480")?;
-        let side = |s: &str| match s.parse() {
-            Ok(n @ 1..) => Ok(n),
-            _ => Err(format!("`{s}` is not a number of pixels")),
-        };
-        let (width, height) = (side(w)?, side(h)?);
-        Ok(Size { width, height })
-    }
-}
 
 #[derive(Debug, Clone, Copy)]
 struct CropArg(Crop);
@@ -189,18 +169,10 @@ struct Seconds {
 
 pub fn run(args: &Args, color: ColorChoice) -> Status {
     let start = Instant::now();
-    let mut loaded = match load(&args.file) {
+    let loaded = match load_sound(&args.file, color) {
         Ok(loaded) => loaded,
-        Err(e) => {
-            complain(&e.to_string());
-            return Status::Failure;
-        }
+        Err(status) => return status,
     };
-    let render = loaded.require_render();
-    report(&loaded, color);
-    if loaded.has_errors() || render.is_none() {
-        return Status::Negative;
-    }
     let load = start.elapsed().as_secs_f64();
     match draw(args, &loaded, load) {
         Ok(()) => Status::Clean,

@@ -1,10 +1,9 @@
-//! Files that appear when they are complete.
+//! Picture files.
 
-use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use crate::commands::terminal::reason;
+use crate::commands::draft::{Draft, unwritable};
 use crate::trace::Film;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,13 +17,6 @@ pub struct Output {
     path: PathBuf,
     format: Format,
     file: Draft,
-}
-
-/// A file under way.
-pub enum Draft {
-    Temporary(tempfile::NamedTempFile),
-    /// What exists and is not a plain file, a pipe for instance, is written to as it is.
-    Direct(fs::File),
 }
 
 impl Output {
@@ -58,56 +50,4 @@ impl Output {
             .finish(&self.path, write)
             .map_err(|e| unwritable(&self.path, &e))
     }
-}
-
-impl Draft {
-    pub fn create(path: &Path) -> io::Result<Draft> {
-        match fs::metadata(path) {
-            Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
-            Ok(found) if !found.is_file() => {
-                return fs::File::options()
-                    .write(true)
-                    .open(path)
-                    .map(Draft::Direct);
-            }
-            _ => {}
-        }
-        let folder = match path.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
-        let mut builder = tempfile::Builder::new();
-        // Like any new file: readable for whom the user's mask allows.
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        builder.tempfile_in(folder).map(Draft::Temporary)
-    }
-
-    /// Writes the file and puts it in its place, complete or not at all.
-    pub fn finish(
-        self,
-        path: &Path,
-        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    ) -> io::Result<()> {
-        match self {
-            Draft::Temporary(mut file) => {
-                let mut out = BufWriter::new(file.as_file_mut());
-                write(&mut out)?;
-                out.flush()?;
-                drop(out);
-                file.persist(path)?;
-            }
-            Draft::Direct(file) => {
-                let mut out = BufWriter::new(file);
-                write(&mut out)?;
-                out.flush()?;
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Why a file could not be written, for people.
-pub fn unwritable(path: &Path, error: &io::Error) -> String {
-    format!("cannot write {}: {}", path.display(), reason(error))
 }

@@ -1,0 +1,40 @@
+//! The size of a picture on the command line: `640x480`.
+
+use std::str::FromStr;
+
+/// Width and height in pixels, at least 1.
+#[derive(Debug, Clone, Copy)]
+pub struct Size {
+    pub width: u32,
+    pub height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(s: &str) -> Result<Size, String> {
+        let (w, h) = s
+            .split_once(['x', 'X'])
+            .ok_or("expected WxH, as in 640x480")?;
+        let side = |s: &str| match s.parse() {
+            Ok(n @ 1..) => Ok(n),
+            _ => Err(format!("`{s}` is not a number of pixels")),
+        };
+        let (width, height) = (side(w)?, side(h)?);
+        Ok(Size { width, height })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes() {
+        let size = "320x200".parse::<Size>().map(|s| (s.width, s.height));
+        assert_eq!(size, Ok((320, 200)));
+        for wrong in ["320", "0x200", "320x-1", "320x200x1", "x"] {
+            assert!(wrong.parse::<Size>().is_err(), "{wrong}");
+        }
+    }
+}
