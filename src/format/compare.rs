@@ -16,8 +16,7 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
 }
 
 fn comments<'a>((text, document): (&'a str, &'a Document)) -> impl Iterator<Item = &'a str> {
-    let comments = document.tokens.iter().filter(|t| t.kind.is_comment());
-    comments.map(move |t| t.text(text))
+    document.comments().map(move |t| t.text(text))
 }
 
 fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {

@@ -300,7 +300,7 @@ impl Resolver<'_> {
             .filter(|e| e.kind.is_some_and(|k| kinds.contains(&k)))
             .map(|e| {
                 (
-                    edit_distance(&written, &e.id.to_string()),
+                    strsim::osa_distance(&written, &e.id.to_string()),
                     e.id.abs_diff(id),
                     e.id,
                 )
@@ -347,43 +347,5 @@ fn one_of(kinds: &[Kind]) -> String {
         Some((last, [])) => (*last).to_owned(),
         Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
         None => String::new(),
-    }
-}
-
-/// The number of insertions, deletions, replacements and swaps of neighbours between two short
-/// texts (optimal string alignment).
-fn edit_distance(a: &str, b: &str) -> usize {
-    let (a, b) = (a.as_bytes(), b.as_bytes());
-    let mut rows = [[0usize; 12]; 12];
-    let (n, m) = (a.len().min(11), b.len().min(11));
-    for i in 0..=n {
-        for j in 0..=m {
-            rows[i][j] = if i == 0 || j == 0 {
-                i + j
-            } else {
-                let same = usize::from(a[i - 1] != b[j - 1]);
-                let mut best = (rows[i - 1][j] + 1)
-                    .min(rows[i][j - 1] + 1)
-                    .min(rows[i - 1][j - 1] + same);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    best = best.min(rows[i - 2][j - 2] + 1);
-                }
-                best
-            };
-        }
-    }
-    rows[n][m]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::edit_distance;
-
-    #[test]
-    fn distances() {
-        assert_eq!(edit_distance("55", "15"), 1);
-        assert_eq!(edit_distance("55", "14"), 2);
-        assert_eq!(edit_distance("12", "21"), 1);
-        assert_eq!(edit_distance("", "2147483647"), 10);
     }
 }

@@ -1,7 +1,7 @@
 //! The typed syntax tree. Nothing of the source is lost in it: a [`Document`] keeps the whole token
 //! stream, comments and all, and its items are ranges of it.
 
-use super::lexer::{Token, TokenKind};
+use super::lexer::Token;
 use super::table::RecordType;
 use crate::diagnostics::Span;
 
@@ -125,8 +125,8 @@ impl Document {
         out
     }
 
-    /// The comments, in order.
+    /// The comments, closed or not, in order.
     pub fn comments(&self) -> impl Iterator<Item = &Token> {
-        self.tokens.iter().filter(|t| t.kind == TokenKind::Comment)
+        self.tokens.iter().filter(|t| t.kind.is_comment())
     }
 }
