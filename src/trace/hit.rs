@@ -1,7 +1,7 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
 use super::ray::{Left, Ray};
-use super::shapes::Root;
+use super::shapes::{Root, Shape};
 use super::spans::{Event, Kind, State};
 use super::vec::Vec3;
 use super::walk::{Leaf, Walker};
@@ -15,6 +15,8 @@ pub struct Hit {
     pub point: Vec3,
     /// Unit geometric normal, outwards of the shape.
     pub normal: Vec3,
+    /// Unit normal that light is reckoned with; the geometric one unless the shape smooths it.
+    pub shading: Vec3,
     /// Linear RGB.
     pub colour: Rgb,
     pub optics: Optics,
@@ -43,12 +45,12 @@ impl Hit {
         ray
     }
 
-    /// The unit normal on the side the ray came from.
+    /// The unit normal that light is reckoned with, on the side the ray came from.
     pub fn facing(&self) -> Vec3 {
         if self.entering {
-            self.normal
+            self.shading
         } else {
-            -self.normal
+            -self.shading
         }
     }
 }
@@ -67,7 +69,7 @@ impl Walker<'_> {
         let first = self.nearest(ray, from, to, false)?;
         let hit = self.resolve(ray, first.leaf, first.root, first.owner);
         if ray.outside && hit.optics.kt == [0.0; 3] {
-            let inside = self.shape(first.leaf).is_solid();
+            let inside = self.primitive(first.leaf).shape().is_solid();
             return Some(Hit {
                 inside: [false, inside],
                 ..hit
@@ -116,13 +118,16 @@ impl Walker<'_> {
     pub fn resolve(&self, ray: &Ray, leaf: Leaf, root: Root, owner: Leaf) -> Hit {
         let part = self.part(leaf.part);
         let line = self.placed(&self.contexts[leaf.context as usize].line, part);
-        let shape = self.shape(leaf);
-        let located = shape.locate(&line, root);
+        let primitive = self.primitive(leaf);
+        let located = primitive.intersect().locate(&line, root);
         let (mut point, mut error, mut normal) = (located.point, located.error, located.normal);
+        let shape = primitive.shape();
+        let mut shading = shape.shading_normal(located.point, root.face);
         self.climb(leaf, |placement| {
             error = placement.out.point_error(point, error);
             point = placement.out.point(point);
             normal = placement.back.transposed(normal).unit();
+            shading = shading.map(|n| placement.back.transposed(n).unit());
         });
         let normal = normal.unit();
         let optics = self.graph.optics[self.optics(owner) as usize];
@@ -130,7 +135,8 @@ impl Walker<'_> {
             t: root.t,
             point,
             normal,
-            colour: self.colour(owner, point, || shape.uv(located.point, root.face)),
+            shading: shading.map_or(normal, Vec3::unit),
+            colour: self.colour(owner, point, shape, located.point, root.face),
             optics,
             indices: [self.graph.indices[0]; 2],
             inside: [false; 2],
@@ -144,22 +150,24 @@ impl Walker<'_> {
     /// Surface coordinates of a crossing of the shape `leaf`.
     pub fn uv(&self, leaf: Leaf, root: Root) -> [f64; 2] {
         let line = &self.contexts[leaf.context as usize].line;
-        let shape = self.shape(leaf);
-        let located = shape.locate(&self.placed(line, self.part(leaf.part)), root);
-        shape.uv(located.point, root.face)
+        let primitive = self.primitive(leaf);
+        let located = primitive
+            .intersect()
+            .locate(&self.placed(line, self.part(leaf.part)), root);
+        primitive.shape().uv(located.point, root.face)
     }
 
-    /// The colour of a point, in the scene's space; surface coordinates where a texture asks.
-    fn colour(&self, owner: Leaf, point: Vec3, uv: impl FnOnce() -> [f64; 2]) -> Rgb {
+    /// The colour of a point, in the scene's space and in that of the shape whose surface it is on.
+    fn colour(&self, owner: Leaf, point: Vec3, shape: &dyn Shape, local: Vec3, face: u32) -> Rgb {
         let Some(painted) = self.texture(owner) else {
-            return DEFAULT_COLOUR;
+            return shape.colour(local, face).unwrap_or(DEFAULT_COLOUR);
         };
         let odd =
             |cells: &[f64]| cells.iter().map(|x| x.floor()).sum::<f64>().rem_euclid(2.0) >= 1.0;
         match &self.graph.textures[painted.texture as usize] {
             Texture::Colour(c) => *c,
             Texture::Checkerboard { n, m, colours } => {
-                let uv = uv();
+                let uv = shape.uv(local, face);
                 colours[odd(&[uv[0] * *n as f64, uv[1] * *m as f64]) as usize]
             }
             Texture::Solid { colours, size } => {

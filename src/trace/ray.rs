@@ -1,31 +1,34 @@
 //! Lines in an object's space, and rays with what they know about where they start.
 
 use super::affine::Affine;
+use super::number::Real;
 use super::vec::Vec3;
 
 /// A line o + t·d. Affine maps keep t, so all spaces share one parameter.
 #[derive(Debug, Clone, Copy)]
-pub struct Line {
-    pub origin: Vec3,
+pub struct Line<R = f64> {
+    pub origin: Vec3<R>,
     /// Of any length but zero.
-    pub direction: Vec3,
+    pub direction: Vec3<R>,
     /// 1 / direction, component by component; infinite where that is zero.
-    pub inverse: Vec3,
+    pub inverse: Vec3<R>,
 }
 
-impl Line {
-    pub fn new(origin: Vec3, direction: Vec3) -> Line {
+impl<R: Real> Line<R> {
+    pub fn new(origin: Vec3<R>, direction: Vec3<R>) -> Line<R> {
         Line {
             origin,
             direction,
-            inverse: direction.map(f64::recip),
+            inverse: direction.map(R::recip),
         }
     }
 
-    pub fn at(&self, t: f64) -> Vec3 {
+    pub fn at(&self, t: R) -> Vec3<R> {
         self.origin + self.direction * t
     }
+}
 
+impl Line {
     pub fn through(&self, map: &Affine) -> Line {
         Line::new(map.point(self.origin), map.vector(self.direction))
     }

@@ -178,7 +178,7 @@ impl<'t> Shader<'t> {
             }
         }
         if mirrored.any() {
-            let normal = hit.normal;
+            let normal = hit.shading;
             let reflected = direction - normal * (2.0 * normal.dot(direction));
             let ray = hit.leave(reflected.unit(), false);
             if self.branch(ray, branch, mirrored, branch.depth + 1) {

@@ -1,5 +1,6 @@
 //! Vectors of three numbers, and the constants of rounding.
 
+use super::number::Real;
 use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
 
 /// The unit roundoff u: a correctly rounded operation returns x(1 + e) with |e| ≤ u.
@@ -14,23 +15,23 @@ pub const fn gamma(n: u32) -> f64 {
 
 /// A point, a vector or a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Vec3(pub [f64; 3]);
+pub struct Vec3<R = f64>(pub [R; 3]);
 
-impl Vec3 {
-    pub const ZERO: Vec3 = Vec3([0.0; 3]);
-    pub const ONE: Vec3 = Vec3([1.0; 3]);
+impl<R: Real> Vec3<R> {
+    pub const ZERO: Vec3<R> = Vec3([R::ZERO; 3]);
+    pub const ONE: Vec3<R> = Vec3([R::ONE; 3]);
 
-    pub const fn new(x: f64, y: f64, z: f64) -> Vec3 {
+    pub const fn new(x: R, y: R, z: R) -> Vec3<R> {
         Vec3([x, y, z])
     }
 
     /// The same function of every component.
-    pub fn map(self, f: impl Fn(f64) -> f64) -> Vec3 {
+    pub fn map(self, f: impl Fn(R) -> R) -> Vec3<R> {
         Vec3(self.0.map(f))
     }
 
     /// A function of the components of two vectors.
-    pub fn zip(self, other: Vec3, f: impl Fn(f64, f64) -> f64) -> Vec3 {
+    pub fn zip(self, other: Vec3<R>, f: impl Fn(R, R) -> R) -> Vec3<R> {
         Vec3([
             f(self.0[0], other.0[0]),
             f(self.0[1], other.0[1]),
@@ -38,31 +39,31 @@ impl Vec3 {
         ])
     }
 
-    pub fn dot(self, other: Vec3) -> f64 {
+    pub fn dot(self, other: Vec3<R>) -> R {
         self.0[0] * other.0[0] + self.0[1] * other.0[1] + self.0[2] * other.0[2]
     }
 
-    pub fn cross(self, other: Vec3) -> Vec3 {
+    pub fn cross(self, other: Vec3<R>) -> Vec3<R> {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Vec3([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
     /// The product, component by component.
-    pub fn times(self, other: Vec3) -> Vec3 {
+    pub fn times(self, other: Vec3<R>) -> Vec3<R> {
         self.zip(other, |a, b| a * b)
     }
 
-    pub fn abs(self) -> Vec3 {
-        self.map(f64::abs)
+    pub fn abs(self) -> Vec3<R> {
+        self.map(R::abs)
     }
 
-    pub fn max_component(self) -> f64 {
+    pub fn max_component(self) -> R {
         self.0[0].max(self.0[1]).max(self.0[2])
     }
 
-    pub fn length(self) -> f64 {
+    pub fn length(self) -> R {
         let scale = self.abs().max_component();
-        if scale == 0.0 || !scale.is_finite() {
+        if scale == R::ZERO || !scale.is_finite() {
             return scale;
         }
         // Scaled, so that neither large nor small components overflow in their squares.
@@ -71,9 +72,9 @@ impl Vec3 {
     }
 
     /// The vector of length 1 in this direction; zero stays zero.
-    pub fn unit(self) -> Vec3 {
+    pub fn unit(self) -> Vec3<R> {
         let scale = self.abs().max_component();
-        if scale == 0.0 || !scale.is_finite() {
+        if scale == R::ZERO || !scale.is_finite() {
             return Vec3::ZERO;
         }
         let v = self / scale;
@@ -86,60 +87,65 @@ impl Vec3 {
 
     /// Whether some component differs from zero.
     pub fn any(self) -> bool {
-        self.0.iter().any(|&x| x != 0.0)
+        self.0.iter().any(|&x| x != R::ZERO)
+    }
+
+    /// In another kind of number, each component rounded.
+    pub fn cast<S: Real>(self) -> Vec3<S> {
+        Vec3(self.0.map(|x| S::of(x.to_f64())))
     }
 }
 
-impl From<[f64; 3]> for Vec3 {
-    fn from(v: [f64; 3]) -> Vec3 {
+impl<R> From<[R; 3]> for Vec3<R> {
+    fn from(v: [R; 3]) -> Vec3<R> {
         Vec3(v)
     }
 }
 
-impl Index<usize> for Vec3 {
-    type Output = f64;
-    fn index(&self, i: usize) -> &f64 {
+impl<R> Index<usize> for Vec3<R> {
+    type Output = R;
+    fn index(&self, i: usize) -> &R {
         &self.0[i]
     }
 }
 
-impl IndexMut<usize> for Vec3 {
-    fn index_mut(&mut self, i: usize) -> &mut f64 {
+impl<R> IndexMut<usize> for Vec3<R> {
+    fn index_mut(&mut self, i: usize) -> &mut R {
         &mut self.0[i]
     }
 }
 
-impl Add for Vec3 {
-    type Output = Vec3;
-    fn add(self, other: Vec3) -> Vec3 {
+impl<R: Real> Add for Vec3<R> {
+    type Output = Vec3<R>;
+    fn add(self, other: Vec3<R>) -> Vec3<R> {
         self.zip(other, |a, b| a + b)
     }
 }
 
-impl Sub for Vec3 {
-    type Output = Vec3;
-    fn sub(self, other: Vec3) -> Vec3 {
+impl<R: Real> Sub for Vec3<R> {
+    type Output = Vec3<R>;
+    fn sub(self, other: Vec3<R>) -> Vec3<R> {
         self.zip(other, |a, b| a - b)
     }
 }
 
-impl Neg for Vec3 {
-    type Output = Vec3;
-    fn neg(self) -> Vec3 {
+impl<R: Real> Neg for Vec3<R> {
+    type Output = Vec3<R>;
+    fn neg(self) -> Vec3<R> {
         self.map(|a| -a)
     }
 }
 
-impl Mul<f64> for Vec3 {
-    type Output = Vec3;
-    fn mul(self, s: f64) -> Vec3 {
+impl<R: Real> Mul<R> for Vec3<R> {
+    type Output = Vec3<R>;
+    fn mul(self, s: R) -> Vec3<R> {
         self.map(|a| a * s)
     }
 }
 
-impl Div<f64> for Vec3 {
-    type Output = Vec3;
-    fn div(self, s: f64) -> Vec3 {
+impl<R: Real> Div<R> for Vec3<R> {
+    type Output = Vec3<R>;
+    fn div(self, s: R) -> Vec3<R> {
         self.map(|a| a / s)
     }
 }

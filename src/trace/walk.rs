@@ -3,7 +3,7 @@
 use super::graph::{Coat, Graph, Part, Target};
 use super::nearest::Entry;
 use super::ray::{Left, Line, Ray};
-use super::shapes::{Root, Roots, Shape};
+use super::shapes::{Primitive, Root, Roots};
 use super::spans::Spans;
 use super::stats::Intersections;
 use super::vec::{UNIT_ROUNDOFF, Vec3};
@@ -103,9 +103,9 @@ impl<'g> Walker<'g> {
     }
 
     /// The shape of a leaf. Leaves are made of shapes only, when they are crossed.
-    pub fn shape(&self, leaf: Leaf) -> &'g dyn Shape {
+    pub fn primitive(&self, leaf: Leaf) -> &'g Primitive {
         match self.part(leaf.part).target {
-            Target::Shape(p) => self.graph.primitives[p as usize].shape(),
+            Target::Shape(p) => &self.graph.primitives[p as usize],
             Target::Object(_) => unreachable!("objects have no surface of their own"),
         }
     }
@@ -191,16 +191,16 @@ impl<'g> Walker<'g> {
     pub fn cross(&mut self, ray: &Ray, leaf: Leaf, primitive: u32, from: f64) -> usize {
         let part = self.part(leaf.part);
         let line = self.placed(&self.contexts[leaf.context as usize].line, part);
-        let shape = self.graph.primitives[primitive as usize].shape();
+        let shape = &self.graph.primitives[primitive as usize];
         let mut roots = std::mem::take(&mut self.roots);
         roots.clear();
-        shape.crossings(&line, &mut roots);
+        shape.intersect().crossings(&line, &mut roots);
         self.counts.shape += 1;
         let passed = roots.list.partition_point(|r| r.t <= from);
         let behind = match ray.left {
             Some(left) if from <= 0.0 && !roots.list.is_empty() => {
                 if self.surface(leaf) == left.surface {
-                    left_behind(&roots, &left, shape.is_solid()).unwrap_or(passed)
+                    left_behind(&roots, &left, shape.shape().is_solid()).unwrap_or(passed)
                 } else {
                     self.pass_skin(leaf, &line, &roots.list, passed, &left)
                 }
@@ -244,7 +244,7 @@ impl<'g> Walker<'g> {
 
     /// The unit normal at a root, outwards, in the scene's space.
     fn world_normal(&self, leaf: Leaf, line: &Line, root: Root) -> Vec3 {
-        let mut normal = self.shape(leaf).locate(line, root).normal;
+        let mut normal = self.primitive(leaf).intersect().locate(line, root).normal;
         self.climb(leaf, |placement| {
             normal = placement.back.transposed(normal);
         });

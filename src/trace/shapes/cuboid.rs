@@ -1,6 +1,6 @@
 //! The axis-aligned box.
 
-use super::{Located, Root, Roots, Shape};
+use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::ray::Line;
 use crate::trace::vec::{Vec3, gamma};
@@ -23,6 +23,34 @@ impl Shape for Cuboid {
         Bounds::new(self.min, self.max).padded()
     }
 
+    /// To the right and up as each face is seen from outside; on top and bottom u follows x.
+    fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
+        let share = |i: usize| {
+            let extent = self.max[i] - self.min[i];
+            if extent > 0.0 {
+                (point[i] - self.min[i]) / extent
+            } else {
+                0.0
+            }
+        };
+        let (x, y, z) = (share(0), share(1), share(2));
+        match face {
+            0 => [z, y],
+            1 => [1.0 - z, y],
+            2 => [x, z],
+            3 => [x, 1.0 - z],
+            4 => [1.0 - x, y],
+            _ => [x, y],
+        }
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        self.min.0.into_iter().for_each(&mut *sink);
+        self.max.0.into_iter().for_each(&mut *sink);
+    }
+}
+
+impl Intersect for Cuboid {
     fn crossings(&self, line: &Line, roots: &mut Roots) {
         let mut near = (f64::NEG_INFINITY, 0);
         let mut far = (f64::INFINITY, 0);
@@ -72,31 +100,5 @@ impl Shape for Cuboid {
             error,
             normal,
         }
-    }
-
-    /// To the right and up as each face is seen from outside; on top and bottom u follows x.
-    fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
-        let share = |i: usize| {
-            let extent = self.max[i] - self.min[i];
-            if extent > 0.0 {
-                (point[i] - self.min[i]) / extent
-            } else {
-                0.0
-            }
-        };
-        let (x, y, z) = (share(0), share(1), share(2));
-        match face {
-            0 => [z, y],
-            1 => [1.0 - z, y],
-            2 => [x, z],
-            3 => [x, 1.0 - z],
-            4 => [1.0 - x, y],
-            _ => [x, y],
-        }
-    }
-
-    fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        self.min.0.into_iter().for_each(&mut *sink);
-        self.max.0.into_iter().for_each(&mut *sink);
     }
 }

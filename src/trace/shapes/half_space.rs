@@ -1,7 +1,7 @@
 //! The half-space.
 
 use super::plane::Plane;
-use super::{Located, Root, Roots, Shape};
+use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::ray::Line;
 use crate::trace::vec::Vec3;
@@ -36,6 +36,16 @@ impl Shape for HalfSpace {
         bounds
     }
 
+    fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
+        self.face.uv(point, face)
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        self.face.feed(sink);
+    }
+}
+
+impl Intersect for HalfSpace {
     fn crossings(&self, line: &Line, roots: &mut Roots) {
         self.face.crossings(line, roots);
         roots.inside = if roots.list.is_empty() {
@@ -47,13 +57,5 @@ impl Shape for HalfSpace {
 
     fn locate(&self, line: &Line, root: Root) -> Located {
         self.face.locate(line, root)
-    }
-
-    fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
-        self.face.uv(point, face)
-    }
-
-    fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        self.face.feed(sink);
     }
 }

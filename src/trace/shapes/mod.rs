@@ -1,7 +1,7 @@
 //! The shapes: where a line crosses them, and what is to be known at such a point.
 //!
-//! A shape is one file here that implements [`Shape`], one variant of [`Primitive`] and one arm in
-//! each of its functions.
+//! A shape is one file here that implements [`Shape`] and [`Intersect`], one variant of [`Primitive`]
+//! and one arm in each of its functions.
 
 mod cuboid;
 mod half_space;
@@ -10,15 +10,16 @@ mod rectangle;
 mod sphere;
 
 use super::bounds::Bounds;
+use super::number::Real;
 use super::ray::Line;
 use super::vec::Vec3;
-use crate::scene::Geometry;
+use crate::scene::{Geometry, Rgb};
 
 /// One crossing of a line with a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Root {
+pub struct Root<R = f64> {
     /// Finite.
-    pub t: f64,
+    pub t: R,
     /// Which part of the surface, for shapes that have several; the shape alone reads it.
     pub face: u32,
 }
@@ -26,24 +27,28 @@ pub struct Root {
 /// All crossings of a line with a shape, ascending in t. For a solid they alternate: the line is
 /// inside before the first one exactly if `inside` says so, and changes sides at each.
 #[derive(Debug, Clone, Default)]
-pub struct Roots {
+pub struct Roots<R = f64> {
     /// Whether the line comes from inside, at t = −∞.
     pub inside: bool,
-    pub list: Vec<Root>,
+    /// A decision was closer than the rounding errors behind it: how many crossings there are, or
+    /// their order, may be wrong.
+    pub uncertain: bool,
+    pub list: Vec<Root<R>>,
 }
 
-impl Roots {
+impl<R: Real> Roots<R> {
     pub fn clear(&mut self) {
         self.inside = false;
+        self.uncertain = false;
         self.list.clear();
     }
 
-    fn push(&mut self, t: f64, face: u32) {
+    fn push(&mut self, t: R, face: u32) {
         self.list.push(Root { t, face });
     }
 
     /// A chord of a convex solid. One of no length, a touch, has no inside and is dropped.
-    fn chord(&mut self, (t0, face0): (f64, u32), (t1, face1): (f64, u32)) {
+    fn chord(&mut self, (t0, face0): (R, u32), (t1, face1): (R, u32)) {
         if t0 < t1 && t0.is_finite() && t1.is_finite() {
             self.push(t0, face0);
             self.push(t1, face1);
@@ -53,29 +58,43 @@ impl Roots {
 
 /// A point on a shape's surface, in the shape's space.
 #[derive(Debug, Clone, Copy)]
-pub struct Located {
-    pub point: Vec3,
+pub struct Located<R = f64> {
+    pub point: Vec3<R>,
     /// Bounds on the error of the point, component by component: somewhere in this box around it
     /// is the true surface.
-    pub error: Vec3,
+    pub error: Vec3<R>,
     /// The geometric normal, outwards for a solid, of any length but zero.
-    pub normal: Vec3,
+    pub normal: Vec3<R>,
 }
 
-/// What the tracer asks of a shape. Everything is in the shape's own space; directions are of any
-/// length.
+/// What the tracer asks of a shape, with rays of one kind of number. Everything is in the shape's
+/// own space; directions are of any length.
+pub trait Intersect<R: Real = f64> {
+    /// Appends all crossings to the cleared `roots`.
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>);
+
+    /// The point of one of the line's crossings.
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R>;
+}
+
+/// What a shape is, whatever the rays are made of.
 pub trait Shape {
     /// A box that holds the shape, rounded outwards.
     fn bounds(&self) -> Bounds;
 
-    /// Appends all crossings to the cleared `roots`.
-    fn crossings(&self, line: &Line, roots: &mut Roots);
-
-    /// The point of one of the line's crossings.
-    fn locate(&self, line: &Line, root: Root) -> Located;
-
     /// Surface coordinates of a point on the surface.
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2];
+
+    /// The normal that light is reckoned with, where it differs from the geometric one: of any
+    /// length but zero, on the geometric normal's side.
+    fn shading_normal(&self, _point: Vec3, _face: u32) -> Option<Vec3> {
+        None
+    }
+
+    /// The colour that the shape itself gives a point.
+    fn colour(&self, _point: Vec3, _face: u32) -> Option<Rgb> {
+        None
+    }
 
     /// Whether it has an inside.
     fn is_solid(&self) -> bool {
@@ -102,6 +121,19 @@ pub enum Primitive {
     Rectangle(rectangle::Rectangle),
 }
 
+/// The same expression for the shape in every variant.
+macro_rules! each {
+    ($primitive:expr, $s:ident => $e:expr) => {
+        match $primitive {
+            Primitive::Sphere($s) => $e,
+            Primitive::Cuboid($s) => $e,
+            Primitive::HalfSpace($s) => $e,
+            Primitive::Plane($s) => $e,
+            Primitive::Rectangle($s) => $e,
+        }
+    };
+}
+
 impl Primitive {
     /// The shape with this geometry; `None` where the tracer does not know the shape.
     pub fn new(geometry: &Geometry) -> Option<Primitive> {
@@ -121,14 +153,12 @@ impl Primitive {
         })
     }
 
+    pub fn intersect(&self) -> &dyn Intersect {
+        each!(self, s => s)
+    }
+
     pub fn shape(&self) -> &dyn Shape {
-        match self {
-            Primitive::Sphere(s) => s,
-            Primitive::Cuboid(s) => s,
-            Primitive::HalfSpace(s) => s,
-            Primitive::Plane(s) => s,
-            Primitive::Rectangle(s) => s,
-        }
+        each!(self, s => s)
     }
 
     /// The name of the shape in counts and plans.

@@ -1,6 +1,6 @@
 //! The plane, a surface without inside.
 
-use super::{Located, Root, Roots, Shape};
+use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::ray::Line;
 use crate::trace::vec::{UNIT_ROUNDOFF, Vec3, gamma};
@@ -45,30 +45,6 @@ impl Shape for Plane {
         bounds.padded()
     }
 
-    fn crossings(&self, line: &Line, roots: &mut Roots) {
-        let slope = self.normal.dot(line.direction);
-        let t = -self.value(line.origin) / slope;
-        if slope != 0.0 && t.is_finite() {
-            roots.push(t, 0);
-        }
-    }
-
-    /// The point on the line, moved along the normal by the distance it is found to be off. What
-    /// remains is the rounding of that distance, γ₅(Σ|nᵢ pᵢ| + |d|) / |n|² along n, and of the
-    /// point itself.
-    fn locate(&self, line: &Line, root: Root) -> Located {
-        let n = self.normal;
-        let p = line.at(root.t);
-        let square = n.dot(n);
-        let point = p - n * (self.value(p) / square);
-        let noise = gamma(5) * (n.abs().dot(p.abs()) + self.d.abs()) / square;
-        Located {
-            point,
-            error: n.abs() * noise + point.abs() * UNIT_ROUNDOFF,
-            normal: n,
-        }
-    }
-
     /// Scene units from the point nearest the origin.
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         let n = self.normal.unit();
@@ -91,5 +67,31 @@ impl Shape for Plane {
     fn feed(&self, sink: &mut dyn FnMut(f64)) {
         self.normal.0.into_iter().for_each(&mut *sink);
         sink(self.d);
+    }
+}
+
+impl Intersect for Plane {
+    fn crossings(&self, line: &Line, roots: &mut Roots) {
+        let slope = self.normal.dot(line.direction);
+        let t = -self.value(line.origin) / slope;
+        if slope != 0.0 && t.is_finite() {
+            roots.push(t, 0);
+        }
+    }
+
+    /// The point on the line, moved along the normal by the distance it is found to be off. What
+    /// remains is the rounding of that distance, γ₅(Σ|nᵢ pᵢ| + |d|) / |n|² along n, and of the
+    /// point itself.
+    fn locate(&self, line: &Line, root: Root) -> Located {
+        let n = self.normal;
+        let p = line.at(root.t);
+        let square = n.dot(n);
+        let point = p - n * (self.value(p) / square);
+        let noise = gamma(5) * (n.abs().dot(p.abs()) + self.d.abs()) / square;
+        Located {
+            point,
+            error: n.abs() * noise + point.abs() * UNIT_ROUNDOFF,
+            normal: n,
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The rectangle in the plane z = 0, a surface without inside.
 
-use super::{Located, Root, Roots, Shape};
+use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::ray::Line;
 use crate::trace::vec::{Vec3, gamma};
@@ -26,6 +26,28 @@ impl Shape for Rectangle {
         .padded()
     }
 
+    fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
+        [0, 1].map(|i| {
+            let extent = self.max[i] - self.min[i];
+            if extent > 0.0 {
+                (point[i] - self.min[i]) / extent
+            } else {
+                0.0
+            }
+        })
+    }
+
+    fn is_solid(&self) -> bool {
+        false
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        self.min.into_iter().for_each(&mut *sink);
+        self.max.into_iter().for_each(&mut *sink);
+    }
+}
+
+impl Intersect for Rectangle {
     fn crossings(&self, line: &Line, roots: &mut Roots) {
         let t = -line.origin[2] / line.direction[2];
         if line.direction[2] == 0.0 || !t.is_finite() {
@@ -49,25 +71,5 @@ impl Shape for Rectangle {
             error,
             normal: Vec3::new(0.0, 0.0, 1.0),
         }
-    }
-
-    fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
-        [0, 1].map(|i| {
-            let extent = self.max[i] - self.min[i];
-            if extent > 0.0 {
-                (point[i] - self.min[i]) / extent
-            } else {
-                0.0
-            }
-        })
-    }
-
-    fn is_solid(&self) -> bool {
-        false
-    }
-
-    fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        self.min.into_iter().for_each(&mut *sink);
-        self.max.into_iter().for_each(&mut *sink);
     }
 }

@@ -1,6 +1,6 @@
 //! The sphere.
 
-use super::{Located, Root, Roots, Shape};
+use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::ray::Line;
 use crate::trace::vec::{UNIT_ROUNDOFF, Vec3, gamma};
@@ -24,6 +24,19 @@ impl Shape for Sphere {
         Bounds::new(self.centre - r, self.centre + r).padded()
     }
 
+    fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
+        let p = point - self.centre;
+        let v = (-p[1] / self.radius).clamp(-1.0, 1.0).acos() / PI;
+        [(-p[2]).atan2(p[0]).rem_euclid(TAU) / TAU, v]
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        self.centre.0.into_iter().for_each(&mut *sink);
+        sink(self.radius);
+    }
+}
+
+impl Intersect for Sphere {
     /// The discriminant comes from the part of the centre's offset that is perpendicular to the
     /// line, which is where the origin would be at its closest approach (Haines, Günther and
     /// Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
@@ -63,17 +76,6 @@ impl Shape for Sphere {
             error: p.abs() * gamma(5) + point.abs() * UNIT_ROUNDOFF,
             normal: p,
         }
-    }
-
-    fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
-        let p = point - self.centre;
-        let v = (-p[1] / self.radius).clamp(-1.0, 1.0).acos() / PI;
-        [(-p[2]).atan2(p[0]).rem_euclid(TAU) / TAU, v]
-    }
-
-    fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        self.centre.0.into_iter().for_each(&mut *sink);
-        sink(self.radius);
     }
 }
 
