@@ -2,8 +2,9 @@
 
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
+use crate::trace::number::Real;
 use crate::trace::ray::Line;
-use crate::trace::vec::{Vec3, gamma};
+use crate::trace::vec::Vec3;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cuboid {
@@ -50,21 +51,22 @@ impl Shape for Cuboid {
     }
 }
 
-impl Intersect for Cuboid {
-    fn crossings(&self, line: &Line, roots: &mut Roots) {
-        let mut near = (f64::NEG_INFINITY, 0);
-        let mut far = (f64::INFINITY, 0);
+impl<R: Real> Intersect<R> for Cuboid {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        let mut near = (-R::INFINITY, 0);
+        let mut far = (R::INFINITY, 0);
+        let (min, max) = (self.min.cast::<R>(), self.max.cast::<R>());
         for i in 0..3 {
             let (o, d) = (line.origin[i], line.direction[i]);
-            if d == 0.0 {
-                if o < self.min[i] || o > self.max[i] {
+            if d == R::ZERO {
+                if o < min[i] || o > max[i] {
                     return;
                 }
                 continue;
             }
-            let mut a = ((self.min[i] - o) / d, 2 * i as u32);
-            let mut b = ((self.max[i] - o) / d, 2 * i as u32 + 1);
-            if d < 0.0 {
+            let mut a = ((min[i] - o) / d, 2 * i as u32);
+            let mut b = ((max[i] - o) / d, 2 * i as u32 + 1);
+            if d < R::ZERO {
                 std::mem::swap(&mut a, &mut b);
             }
             if a.0 > near.0 {
@@ -79,22 +81,19 @@ impl Intersect for Cuboid {
 
     /// The coordinate across the face is the face's own, exactly. The others come from a t of two
     /// roundings, times d and added to o: off by at most γ₄(|o| + |t d|).
-    fn locate(&self, line: &Line, root: Root) -> Located {
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let (axis, upper) = (root.face as usize / 2, root.face % 2 == 1);
         let step = line.direction * root.t;
         let mut point = line.origin + step;
-        let mut error = (line.origin.abs() + step.abs()) * gamma(4);
+        let mut error = (line.origin.abs() + step.abs()) * R::gamma(4);
+        let (min, max) = (self.min.cast::<R>(), self.max.cast::<R>());
         for i in 0..3 {
-            point[i] = point[i].max(self.min[i]).min(self.max[i]);
+            point[i] = point[i].max(min[i]).min(max[i]);
         }
-        point[axis] = if upper {
-            self.max[axis]
-        } else {
-            self.min[axis]
-        };
-        error[axis] = 0.0;
+        point[axis] = if upper { max[axis] } else { min[axis] };
+        error[axis] = R::ZERO;
         let mut normal = Vec3::ZERO;
-        normal[axis] = if upper { 1.0 } else { -1.0 };
+        normal[axis] = if upper { R::ONE } else { -R::ONE };
         Located {
             point,
             error,

@@ -3,6 +3,7 @@
 use super::plane::Plane;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
+use crate::trace::number::Real;
 use crate::trace::ray::Line;
 use crate::trace::vec::Vec3;
 
@@ -45,17 +46,17 @@ impl Shape for HalfSpace {
     }
 }
 
-impl Intersect for HalfSpace {
-    fn crossings(&self, line: &Line, roots: &mut Roots) {
+impl<R: Real> Intersect<R> for HalfSpace {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         self.face.crossings(line, roots);
         roots.inside = if roots.list.is_empty() {
-            self.face.value(line.origin) <= 0.0
+            self.face.value(line.origin) <= R::ZERO
         } else {
-            self.face.normal().dot(line.direction) > 0.0
+            self.face.normal().cast().dot(line.direction) > R::ZERO
         };
     }
 
-    fn locate(&self, line: &Line, root: Root) -> Located {
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         self.face.locate(line, root)
     }
 }

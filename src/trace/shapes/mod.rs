@@ -153,7 +153,8 @@ impl Primitive {
         })
     }
 
-    pub fn intersect(&self) -> &dyn Intersect {
+    /// Where it meets lines of one kind of number.
+    pub fn intersect<R: Real>(&self) -> &dyn Intersect<R> {
         each!(self, s => s)
     }
 

@@ -2,8 +2,9 @@
 
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
+use crate::trace::number::Real;
 use crate::trace::ray::Line;
-use crate::trace::vec::{UNIT_ROUNDOFF, Vec3, gamma};
+use crate::trace::vec::Vec3;
 
 /// ax + by + cz + d = 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,8 +27,8 @@ impl Plane {
     }
 
     /// The left side of the equation.
-    pub fn value(&self, p: Vec3) -> f64 {
-        self.normal.dot(p) + self.d
+    pub fn value<R: Real>(&self, p: Vec3<R>) -> R {
+        self.normal.cast().dot(p) + R::of(self.d)
     }
 }
 
@@ -70,11 +71,11 @@ impl Shape for Plane {
     }
 }
 
-impl Intersect for Plane {
-    fn crossings(&self, line: &Line, roots: &mut Roots) {
-        let slope = self.normal.dot(line.direction);
+impl<R: Real> Intersect<R> for Plane {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        let slope = self.normal.cast().dot(line.direction);
         let t = -self.value(line.origin) / slope;
-        if slope != 0.0 && t.is_finite() {
+        if slope != R::ZERO && t.is_finite() {
             roots.push(t, 0);
         }
     }
@@ -82,15 +83,15 @@ impl Intersect for Plane {
     /// The point on the line, moved along the normal by the distance it is found to be off. What
     /// remains is the rounding of that distance, γ₅(Σ|nᵢ pᵢ| + |d|) / |n|² along n, and of the
     /// point itself.
-    fn locate(&self, line: &Line, root: Root) -> Located {
-        let n = self.normal;
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
+        let n = self.normal.cast::<R>();
         let p = line.at(root.t);
         let square = n.dot(n);
         let point = p - n * (self.value(p) / square);
-        let noise = gamma(5) * (n.abs().dot(p.abs()) + self.d.abs()) / square;
+        let noise = R::gamma(5) * (n.abs().dot(p.abs()) + R::of(self.d.abs())) / square;
         Located {
             point,
-            error: n.abs() * noise + point.abs() * UNIT_ROUNDOFF,
+            error: n.abs() * noise + point.abs() * R::ROUNDOFF,
             normal: n,
         }
     }

@@ -2,8 +2,9 @@
 
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
+use crate::trace::number::Real;
 use crate::trace::ray::Line;
-use crate::trace::vec::{Vec3, gamma};
+use crate::trace::vec::Vec3;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rectangle {
@@ -47,29 +48,29 @@ impl Shape for Rectangle {
     }
 }
 
-impl Intersect for Rectangle {
-    fn crossings(&self, line: &Line, roots: &mut Roots) {
+impl<R: Real> Intersect<R> for Rectangle {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let t = -line.origin[2] / line.direction[2];
-        if line.direction[2] == 0.0 || !t.is_finite() {
+        if line.direction[2] == R::ZERO || !t.is_finite() {
             return;
         }
         let p = line.at(t);
-        if (0..2).all(|i| self.min[i] <= p[i] && p[i] <= self.max[i]) {
+        if (0..2).all(|i| R::of(self.min[i]) <= p[i] && p[i] <= R::of(self.max[i])) {
             roots.push(t, 0);
         }
     }
 
     /// z = 0 exactly; x and y as in the box.
-    fn locate(&self, line: &Line, root: Root) -> Located {
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let step = line.direction * root.t;
         let mut point = line.origin + step;
-        let mut error = (line.origin.abs() + step.abs()) * gamma(4);
-        point[2] = 0.0;
-        error[2] = 0.0;
+        let mut error = (line.origin.abs() + step.abs()) * R::gamma(4);
+        point[2] = R::ZERO;
+        error[2] = R::ZERO;
         Located {
             point,
             error,
-            normal: Vec3::new(0.0, 0.0, 1.0),
+            normal: Vec3::new(R::ZERO, R::ZERO, R::ONE),
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
+use crate::trace::number::Real;
 use crate::trace::ray::Line;
-use crate::trace::vec::{UNIT_ROUNDOFF, Vec3, gamma};
+use crate::trace::vec::Vec3;
 use std::f64::consts::{PI, TAU};
 
 #[derive(Debug, Clone, PartialEq)]
@@ -36,24 +37,24 @@ impl Shape for Sphere {
     }
 }
 
-impl Intersect for Sphere {
+impl<R: Real> Intersect<R> for Sphere {
     /// The discriminant comes from the part of the centre's offset that is perpendicular to the
     /// line, which is where the origin would be at its closest approach (Haines, Günther and
     /// Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
     /// chapter 7); the root near the origin from the product of the roots, so that it does not
     /// lose its digits to the far one.
     #[inline]
-    fn crossings(&self, line: &Line, roots: &mut Roots) {
-        let f = line.origin - self.centre;
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        let f = line.origin - self.centre.cast();
         let d = line.direction;
         let a = d.dot(d);
         let b = -f.dot(d);
         let perpendicular = f + d * (b / a);
-        let r = self.radius;
+        let r = R::of(self.radius);
         let discriminant = r * r - perpendicular.dot(perpendicular);
-        if discriminant > 0.0 {
+        if discriminant > R::ZERO {
             let s = (a * discriminant).sqrt();
-            let q = if b < 0.0 { b - s } else { b + s };
+            let q = if b < R::ZERO { b - s } else { b + s };
             let c = self.power(line.origin, f);
             let (near, far) = (c / q, q / a);
             roots.chord((near.min(far), 0), (near.max(far), 0));
@@ -62,18 +63,19 @@ impl Intersect for Sphere {
 
     /// The point on the line, pushed along the radius onto the sphere: off by at most γ₅|p|
     /// whatever t was (pbrt-v4, section 6.8.4), plus the rounding of adding the centre.
-    fn locate(&self, line: &Line, root: Root) -> Located {
-        let p = (line.origin - self.centre) + line.direction * root.t;
-        let p = p * (self.radius / p.length());
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
+        let (centre, radius) = (self.centre.cast(), R::of(self.radius));
+        let p = (line.origin - centre) + line.direction * root.t;
+        let p = p * (radius / p.length());
         let p = if p.is_finite() {
             p
         } else {
-            Vec3::new(self.radius, 0.0, 0.0)
+            Vec3::new(radius, R::ZERO, R::ZERO)
         };
-        let point = self.centre + p;
+        let point = centre + p;
         Located {
             point,
-            error: p.abs() * gamma(5) + point.abs() * UNIT_ROUNDOFF,
+            error: p.abs() * R::gamma(5) + point.abs() * R::ROUNDOFF,
             normal: p,
         }
     }
@@ -85,26 +87,30 @@ impl Sphere {
     /// Close to the surface the terms cancel and the rounding of f = o − c shows; there the sum is
     /// done in twice the working precision (Ogita, Rump and Oishi, "Accurate Sum and Dot Product",
     /// 2005, algorithm 5.3), with the part of f that the subtraction lost.
-    fn power(&self, origin: Vec3, f: Vec3) -> f64 {
-        let r2 = self.radius * self.radius;
+    fn power<R: Real>(&self, origin: Vec3<R>, f: Vec3<R>) -> R {
+        let radius = R::of(self.radius);
+        let r2 = radius * radius;
         let plain = f.dot(f) - r2;
         // Half of the digits at stake: below that the plain sum is as good as the compensated one
         // to within 2⁻¹⁰ of its own size at worst, hence better than the square root that follows.
         const CANCELLED: f64 = 1.0 / 1024.0;
-        if plain.abs() > CANCELLED * r2 {
+        if plain.abs() > R::of(CANCELLED) * r2 {
             return plain;
         }
-        let (mut sum, mut lost) = (-r2, -self.radius.mul_add(self.radius, -r2));
+        let (mut sum, mut lost) = (-r2, -radius.mul_add(radius, -r2));
         for i in 0..3 {
             let square = f[i] * f[i];
             let square_error = f[i].mul_add(f[i], -square);
             // o − c = f + e exactly (Knuth's two-sum).
-            let c = -self.centre[i];
+            let c = R::of(-self.centre[i]);
             let back = f[i] - origin[i];
             let e = (origin[i] - (f[i] - back)) + (c - back);
             let next = sum + square;
             let carried = next - sum;
-            lost += (sum - (next - carried)) + (square - carried) + square_error + 2.0 * f[i] * e;
+            lost += (sum - (next - carried))
+                + (square - carried)
+                + square_error
+                + R::of(2.0) * f[i] * e;
             sum = next;
         }
         sum + lost
