@@ -63,6 +63,8 @@ impl<R: Real> Chord<R> {
         let (o, far) = normalised(line.origin, 1.0);
         let offset = o.zip(unit, |x, s| x / s);
         let back = -(offset.dot(direction) / direction.dot(direction)) * far / stretch;
+        // As a double, so that its product with another one is exact in double-double, too.
+        let back = R::of(back.to_f64());
         let moved = line.origin.zip(d, |o, d| d.mul_add(back, o));
         let (start, moved) = if moved.is_finite() && back.is_finite() {
             (back, moved)
@@ -83,14 +85,16 @@ impl<R: Real> Chord<R> {
             stretch,
             length,
         };
-        let slack = if is_hardware::<R>() {
-            R::ZERO
-        } else {
-            // The move is not fused: its error is relative to what was added.
-            let lost = (line.origin.abs() + (d * back).abs()).zip(unit, |x, s| x / s) * w;
-            let lost = lost.max_component() * R::gamma(4);
-            if lost.is_finite() { lost } else { R::ZERO }
-        };
+        // Where the move is not fused, its error is relative to what is added, unless that is exact.
+        let lost = d.map(|x| {
+            if is_hardware::<R>() || x == R::of(x.to_f64()) {
+                R::ZERO
+            } else {
+                (x * back).abs() * R::gamma(4)
+            }
+        });
+        let slack = (lost.zip(unit, |x, s| (x / s).abs()) * w).max_component();
+        let slack = if slack.is_finite() { slack } else { R::ZERO };
         chord.solve(form, slack);
         chord
     }
@@ -158,7 +162,9 @@ impl<R: Real> Chord<R> {
             + four * a.error * c.error;
         self.uncertain = discriminant.abs() <= error || av.abs() <= a.error;
         self.middle = -(bv / (two * av));
-        if !(discriminant > R::ZERO) {
+        // In double-double numbers the decision is final: what cannot be told from a touch is one.
+        let touch = if is_hardware::<R>() { R::ZERO } else { error };
+        if !(discriminant > touch) {
             self.inside = if av < R::ZERO {
                 Inside::Everywhere
             } else {
