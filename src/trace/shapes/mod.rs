@@ -6,6 +6,7 @@
 mod cuboid;
 mod half_space;
 mod plane;
+pub mod quadric;
 mod rectangle;
 mod sphere;
 
@@ -119,6 +120,9 @@ pub enum Primitive {
     HalfSpace(half_space::HalfSpace),
     Plane(plane::Plane),
     Rectangle(rectangle::Rectangle),
+    Ellipsoid(quadric::ellipsoid::Ellipsoid),
+    Quadric(quadric::Quadric),
+    Cone(quadric::cone::Cone),
 }
 
 /// The same expression for the shape in every variant.
@@ -130,6 +134,9 @@ macro_rules! each {
             Primitive::HalfSpace($s) => $e,
             Primitive::Plane($s) => $e,
             Primitive::Rectangle($s) => $e,
+            Primitive::Ellipsoid($s) => $e,
+            Primitive::Quadric($s) => $e,
+            Primitive::Cone($s) => $e,
         }
     };
 }
@@ -148,6 +155,22 @@ impl Primitive {
             Geometry::Plane(abcd) => Primitive::Plane(plane::Plane::new(abcd)),
             Geometry::Rectangle { min, max } => {
                 Primitive::Rectangle(rectangle::Rectangle::new(min, max))
+            }
+            Geometry::Ellipsoid { semi_axes } => {
+                Primitive::Ellipsoid(quadric::ellipsoid::Ellipsoid::new(semi_axes))
+            }
+            Geometry::Cone { height, radius } => {
+                Primitive::Cone(quadric::cone::Cone::single(height, radius))
+            }
+            Geometry::DoubleCone { height, radius } => {
+                Primitive::Cone(quadric::cone::Cone::double(height, radius))
+            }
+            Geometry::Quadric(_)
+            | Geometry::ParabolicCylinder { .. }
+            | Geometry::HyperbolicCylinder { .. }
+            | Geometry::Hyperboloid { .. }
+            | Geometry::HyperbolicParaboloid { .. } => {
+                Primitive::Quadric(quadric::Quadric::new(geometry)?)
             }
             _ => return None,
         })
@@ -170,6 +193,9 @@ impl Primitive {
             Primitive::HalfSpace(_) => "half-space",
             Primitive::Plane(_) => "plane",
             Primitive::Rectangle(_) => "rectangle",
+            Primitive::Ellipsoid(_) => "ellipsoid",
+            Primitive::Quadric(s) => s.name(),
+            Primitive::Cone(s) => s.name(),
         }
     }
 }

@@ -1,0 +1,209 @@
+//! The cone and the double cone about the y axis, apex at the origin.
+
+use super::line::{Chord, Inside, push_all};
+use super::{Form, bounds_of, turn};
+use crate::scene::Geometry;
+use crate::trace::bounds::Bounds;
+use crate::trace::number::Real;
+use crate::trace::ray::Line;
+use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
+use crate::trace::vec::Vec3;
+
+/// The part of x² + z² ≤ y² between the apex and y = 1, or between y = ±1, scaled by the base
+/// radius across and by the height along its axis, which may be negative.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cone {
+    form: Form,
+    height: f64,
+    radius: f64,
+    double: bool,
+    bounds: Bounds,
+}
+
+/// The faces: the lateral surface, the base disc at the height, and the one opposite.
+const SIDE: u32 = 0;
+const BASE: u32 = 1;
+const OPPOSITE: u32 = 2;
+
+impl Cone {
+    pub fn single(height: f64, radius: f64) -> Cone {
+        Cone::new(height, radius, false)
+    }
+
+    pub fn double(height: f64, radius: f64) -> Cone {
+        Cone::new(height, radius, true)
+    }
+
+    fn new(height: f64, radius: f64, double: bool) -> Cone {
+        let geometry = if double {
+            Geometry::DoubleCone { height, radius }
+        } else {
+            Geometry::Cone { height, radius }
+        };
+        Cone {
+            form: Form::canonical([1.0, -1.0, 1.0], 0.0, 0.0, [radius, height, radius]),
+            height,
+            radius,
+            double,
+            bounds: bounds_of(&geometry),
+        }
+    }
+
+    pub fn name(&self) -> &'static str {
+        if self.double { "double cone" } else { "cone" }
+    }
+}
+
+impl Shape for Cone {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn uv(&self, p: Vec3, face: u32) -> [f64; 2] {
+        let v = if face != SIDE {
+            p[0].hypot(p[2]) / self.radius
+        } else if self.double {
+            (p[1] + self.height) / (2.0 * self.height)
+        } else {
+            p[1] / self.height
+        };
+        [turn(p), v]
+    }
+
+    fn is_convex(&self) -> bool {
+        !self.double
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        sink(self.height);
+        sink(self.radius);
+        sink(f64::from(u8::from(self.double)));
+    }
+}
+
+/// A stretch of a line in one half of the infinite double cone, the one where y has the sign of
+/// `half`; its ends may be infinite.
+struct Stretch<R> {
+    from: R,
+    to: R,
+    /// The bounds on the errors of the finite ends.
+    error: R,
+    half: R,
+}
+
+impl Cone {
+    /// Cuts a stretch where it passes the base disc of its half, and appends it.
+    fn cut<R: Real>(&self, chord: &Chord<R>, stretch: Stretch<R>, roots: &mut Roots<R>) {
+        let Stretch {
+            from,
+            to,
+            error,
+            half,
+        } = stretch;
+        let rising = half * chord.direction[1];
+        let height = half * chord.origin[1];
+        let disc = if half > R::ZERO { BASE } else { OPPOSITE };
+        if half < R::ZERO && !self.double {
+            return;
+        }
+        // Height along the half's axis is height + τ·rising, of which up to w is in the cone. A
+        // line in the plane of the disc has no inside.
+        let left = chord.w - height;
+        let slack = R::gamma(4) * (chord.w + height.abs());
+        if rising == R::ZERO {
+            roots.uncertain |= left.abs() <= slack;
+            if left > R::ZERO {
+                push_all(roots, [(chord.t(from), SIDE), (chord.t(to), SIDE)]);
+            }
+            return;
+        }
+        let at = left / rising;
+        let error = error + slack / rising.abs() + R::gamma(3) * at.abs();
+        roots.uncertain |= (from - at).abs() <= error || (to - at).abs() <= error;
+        let (mut from, mut to) = ((from, SIDE), (to, SIDE));
+        if rising > R::ZERO && at < to.0 {
+            to = (at, disc);
+        } else if rising < R::ZERO && at > from.0 {
+            from = (at, disc);
+        }
+        if from.0 < to.0 {
+            push_all(roots, [(chord.t(from.0), from.1), (chord.t(to.0), to.1)]);
+        }
+    }
+}
+
+impl<R: Real> Intersect<R> for Cone {
+    /// The stretches of the line in the infinite double cone each lie in one half of it. Which one
+    /// is the sign of y in the middle of a bounded stretch, and at the infinite end of another;
+    /// the apex is never compared with a plane through it.
+    ///
+    /// In the space of the form of x² + z² − y², a plane that holds the origin and a line steeper
+    /// than the cone has signature (1, 1), so the discriminant of such a line is never negative,
+    /// and zero only where it meets the apex: what is inside everywhere goes through the apex.
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        let chord = Chord::new(&self.form, line);
+        roots.uncertain |= chord.uncertain;
+        let up = if chord.direction[1] < R::ZERO {
+            -R::ONE
+        } else {
+            R::ONE
+        };
+        let stretch = |from, to, error, half| Stretch {
+            from,
+            to,
+            error,
+            half,
+        };
+        let infinite = R::INFINITY;
+        match chord.inside {
+            Inside::Nowhere => {}
+            Inside::Between(x, y) => {
+                let middle = chord.origin[1] + chord.middle * chord.direction[1];
+                let half = if middle < R::ZERO { -R::ONE } else { R::ONE };
+                let error = x.error.max(y.error);
+                self.cut(&chord, stretch(x.value, y.value, error, half), roots);
+            }
+            Inside::Below(x) => {
+                self.cut(&chord, stretch(-infinite, x.value, x.error, -up), roots);
+            }
+            Inside::Above(x) => {
+                self.cut(&chord, stretch(x.value, infinite, x.error, up), roots);
+            }
+            Inside::Around(x, y) => {
+                self.cut(&chord, stretch(-infinite, x.value, x.error, -up), roots);
+                self.cut(&chord, stretch(y.value, infinite, y.error, up), roots);
+            }
+            Inside::Everywhere => {
+                // Two stretches that meet at the apex: there the crossings of both halves cancel.
+                let apex = chord.middle;
+                self.cut(&chord, stretch(-infinite, apex, R::ZERO, -up), roots);
+                self.cut(&chord, stretch(apex, infinite, R::ZERO, up), roots);
+            }
+        }
+    }
+
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
+        let height = R::of(self.height);
+        if root.face == SIDE {
+            let mut located: Located<R> = self.form.locate(line, root.t);
+            // At the apex of a cone the axis is as good a normal as any.
+            if !self.double && !located.point.any() {
+                located.normal = Vec3::new(R::ZERO, -height, R::ZERO);
+            }
+            return located;
+        }
+        // y is the disc's own, exactly; the others come from a t of a few roundings, times d and
+        // added to o.
+        let side = if root.face == BASE { height } else { -height };
+        let step = line.direction * root.t;
+        let mut point = line.origin + step;
+        point[1] = side;
+        let mut error = (line.origin.abs() + step.abs()) * R::gamma(8);
+        error[1] = R::ZERO;
+        Located {
+            point,
+            error,
+            normal: Vec3::new(R::ZERO, side, R::ZERO),
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! The ellipsoid about the origin.
+
+use super::line::Chord;
+use super::{Form, bounds_of, turn};
+use crate::scene::Geometry;
+use crate::trace::bounds::Bounds;
+use crate::trace::number::Real;
+use crate::trace::ray::Line;
+use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
+use crate::trace::vec::Vec3;
+use std::f64::consts::PI;
+
+/// The unit sphere, scaled. A line is taken to the sphere's space and its origin to the closest
+/// approach to the centre there, so the discriminant comes from the part of the offset that is
+/// perpendicular to the line (Haines, Günther and Akenine-Möller, "Precision Improvements for
+/// Ray/Sphere Intersection", Ray Tracing Gems, chapter 7).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ellipsoid {
+    form: Form,
+    semi_axes: [f64; 3],
+    bounds: Bounds,
+}
+
+impl Ellipsoid {
+    pub fn new(semi_axes: [f64; 3]) -> Ellipsoid {
+        Ellipsoid {
+            form: Form::canonical([1.0; 3], 0.0, -1.0, semi_axes),
+            semi_axes,
+            bounds: bounds_of(&Geometry::Ellipsoid { semi_axes }),
+        }
+    }
+}
+
+impl Shape for Ellipsoid {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
+        // The sphere's, at the same place: y over its own semi-axis, the angle as it is.
+        let v = (-point[1] / self.semi_axes[1]).clamp(-1.0, 1.0).acos() / PI;
+        [turn(point), v]
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        self.semi_axes.into_iter().for_each(sink);
+    }
+}
+
+impl<R: Real> Intersect<R> for Ellipsoid {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        Chord::new(&self.form, line).append(roots);
+    }
+
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
+        self.form.locate(line, root.t)
+    }
+}

@@ -1,0 +1,106 @@
+//! Surfaces of second degree: the ellipsoid, the general quadric and the canonical ones, which
+//! share a [`Form`] and its meeting with a line ([`Chord`](line::Chord)), and the cones.
+
+pub mod cone;
+pub mod ellipsoid;
+mod form;
+mod line;
+
+pub use form::Form;
+
+use super::{Intersect, Located, Root, Roots, Shape};
+use crate::scene::bounds::shape_bounds;
+use crate::scene::{Geometry, Matrix};
+use crate::trace::bounds::Bounds;
+use crate::trace::number::Real;
+use crate::trace::ray::Line;
+use crate::trace::vec::Vec3;
+use line::Chord;
+use std::f64::consts::TAU;
+
+/// The solid F(x) ≤ 0 of a polynomial of second degree, bounded or not.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quadric {
+    form: Form,
+    bounds: Bounds,
+    convex: bool,
+    name: &'static str,
+}
+
+impl Quadric {
+    /// Types 15 and 18 to 21; `None` for other shapes.
+    pub fn new(geometry: &Geometry) -> Option<Quadric> {
+        let (form, name) = match *geometry {
+            Geometry::Quadric(ref q) => (Form::symmetric_part(q), "quadric"),
+            Geometry::ParabolicCylinder { a } => (
+                Form::canonical([1.0, 0.0, 0.0], -1.0, 0.0, [a, 1.0, 1.0]),
+                "parabolic cylinder",
+            ),
+            Geometry::HyperbolicCylinder { a, b } => (
+                Form::canonical([1.0, -1.0, 0.0], 0.0, -1.0, [a, b, 1.0]),
+                "hyperbolic cylinder",
+            ),
+            Geometry::Hyperboloid { a, b, c, sheets } => {
+                let constant = if sheets == 2 { 1.0 } else { -1.0 };
+                (
+                    Form::canonical([1.0, -1.0, 1.0], 0.0, constant, [a, b, c]),
+                    "hyperboloid",
+                )
+            }
+            Geometry::HyperbolicParaboloid { a, b } => (
+                Form::canonical([1.0, 0.0, -1.0], -1.0, 0.0, [a, 1.0, b]),
+                "hyperbolic paraboloid",
+            ),
+            _ => return None,
+        };
+        Some(Quadric {
+            form,
+            bounds: bounds_of(geometry),
+            convex: matches!(geometry, Geometry::ParabolicCylinder { .. }),
+            name,
+        })
+    }
+
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+}
+
+/// The bounds that the scene knows for a shape where it is defined.
+fn bounds_of(geometry: &Geometry) -> Bounds {
+    let b = shape_bounds(geometry, &Matrix::IDENTITY);
+    Bounds::new(b.min.into(), b.max.into()).padded()
+}
+
+/// The angle about the y axis, as a share of a full turn.
+fn turn(p: Vec3) -> f64 {
+    (-p[2]).atan2(p[0]).rem_euclid(TAU) / TAU
+}
+
+impl Shape for Quadric {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
+        [turn(point), point[1]]
+    }
+
+    fn is_convex(&self) -> bool {
+        self.convex
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        self.form.feed(sink);
+    }
+}
+
+impl<R: Real> Intersect<R> for Quadric {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        Chord::new(&self.form, line).append(roots);
+    }
+
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
+        self.form.locate(line, root.t)
+    }
+}
