@@ -8,6 +8,7 @@ mod half_space;
 mod plane;
 mod rectangle;
 mod sphere;
+mod torus;
 
 use super::bounds::Bounds;
 use super::number::Real;
@@ -116,6 +117,7 @@ pub trait Shape {
 pub enum Primitive {
     Sphere(sphere::Sphere),
     Cuboid(cuboid::Cuboid),
+    Torus(torus::Torus),
     HalfSpace(half_space::HalfSpace),
     Plane(plane::Plane),
     Rectangle(rectangle::Rectangle),
@@ -127,6 +129,7 @@ macro_rules! each {
         match $primitive {
             Primitive::Sphere($s) => $e,
             Primitive::Cuboid($s) => $e,
+            Primitive::Torus($s) => $e,
             Primitive::HalfSpace($s) => $e,
             Primitive::Plane($s) => $e,
             Primitive::Rectangle($s) => $e,
@@ -144,6 +147,7 @@ impl Primitive {
             Geometry::Box { min, max } => {
                 Primitive::Cuboid(cuboid::Cuboid::new(min.into(), max.into()))
             }
+            Geometry::Torus { major, minor } => Primitive::Torus(torus::Torus::new(major, minor)),
             Geometry::HalfSpace(abcd) => Primitive::HalfSpace(half_space::HalfSpace::new(abcd)),
             Geometry::Plane(abcd) => Primitive::Plane(plane::Plane::new(abcd)),
             Geometry::Rectangle { min, max } => {
@@ -166,6 +170,7 @@ impl Primitive {
         match self {
             Primitive::Sphere(_) => "sphere",
             Primitive::Cuboid(_) => "box",
+            Primitive::Torus(_) => "torus",
             Primitive::HalfSpace(_) => "half-space",
             Primitive::Plane(_) => "plane",
             Primitive::Rectangle(_) => "rectangle",
