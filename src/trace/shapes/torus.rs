@@ -380,3 +380,7 @@ fn multiply_add_rounds_once<R: Real>() -> bool {
     let x = R::ONE + R::of(8.0) * R::ROUNDOFF;
     x.mul_add(x, -(x * x)) != R::ZERO
 }
+
+#[cfg(test)]
+#[path = "torus_tests.rs"]
+mod tests;
