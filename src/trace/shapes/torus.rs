@@ -343,11 +343,14 @@ impl<R: Real> Scaled<R> {
     /// The one crossing in a bracket between two sides.
     fn root(&self, quartic: &Quartic<R>, bracket: (R, R), enters: bool, lemon: bool) -> R {
         let (low, high) = bracket;
+        // One end, the one inside if the line grazes the torus, is where the quartic turns: a
+        // parabola with its vertex there and through the other end is close to the root.
+        let (inner, outer) = if enters { (high, low) } else { (low, high) };
+        let (depth, height) = (quartic.at(inner).0.abs(), quartic.at(outer).0.abs());
+        let start = inner + (outer - inner) * (depth / (depth + height)).sqrt();
         // What the quartic is good for is half of the digits; two Newton steps make the rest.
-        let span = high - low;
-        let coarse = R::ROUNDOFF.sqrt() * span;
-        let middle = low + span * R::of(0.5);
-        let start = root_between(|t| quartic.at(t), bracket, !enters, middle, coarse);
+        let coarse = R::ROUNDOFF.sqrt() * (high - low);
+        let start = root_between(|t| quartic.at(t), bracket, !enters, start, coarse);
         // Leaving the tube into the lemon, g₊ falls.
         let (centre, rising) = if lemon {
             (-self.major, enters)
@@ -355,13 +358,15 @@ impl<R: Real> Scaled<R> {
             (self.major, !enters)
         };
         let precision = R::ROUNDOFF * low.abs().max(high.abs());
-        root_between(
-            |t| self.distance(t, centre),
-            bracket,
-            rising,
-            start,
-            precision,
-        )
+        // The least that rounding a point on the surface, where |h| and |y| are up to r, does to
+        // its g: nothing is to be gained below it.
+        let noise = R::ROUNDOFF * self.minor * (self.major + self.minor);
+        let g = |t| {
+            let (value, slope) = self.distance(t, centre);
+            let value = if value.abs() <= noise { R::ZERO } else { value };
+            (value, slope)
+        };
+        root_between(g, bracket, rising, start, precision)
     }
 }
 
