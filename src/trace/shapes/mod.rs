@@ -9,6 +9,7 @@ mod plane;
 pub mod quadric;
 mod rectangle;
 mod sphere;
+mod torus;
 
 use super::bounds::Bounds;
 use super::number::Real;
@@ -117,6 +118,7 @@ pub trait Shape {
 pub enum Primitive {
     Sphere(sphere::Sphere),
     Cuboid(cuboid::Cuboid),
+    Torus(torus::Torus),
     HalfSpace(half_space::HalfSpace),
     Plane(plane::Plane),
     Rectangle(rectangle::Rectangle),
@@ -131,6 +133,7 @@ macro_rules! each {
         match $primitive {
             Primitive::Sphere($s) => $e,
             Primitive::Cuboid($s) => $e,
+            Primitive::Torus($s) => $e,
             Primitive::HalfSpace($s) => $e,
             Primitive::Plane($s) => $e,
             Primitive::Rectangle($s) => $e,
@@ -151,6 +154,7 @@ impl Primitive {
             Geometry::Box { min, max } => {
                 Primitive::Cuboid(cuboid::Cuboid::new(min.into(), max.into()))
             }
+            Geometry::Torus { major, minor } => Primitive::Torus(torus::Torus::new(major, minor)),
             Geometry::HalfSpace(abcd) => Primitive::HalfSpace(half_space::HalfSpace::new(abcd)),
             Geometry::Plane(abcd) => Primitive::Plane(plane::Plane::new(abcd)),
             Geometry::Rectangle { min, max } => {
@@ -190,6 +194,7 @@ impl Primitive {
         match self {
             Primitive::Sphere(_) => "sphere",
             Primitive::Cuboid(_) => "box",
+            Primitive::Torus(_) => "torus",
             Primitive::HalfSpace(_) => "half-space",
             Primitive::Plane(_) => "plane",
             Primitive::Rectangle(_) => "rectangle",

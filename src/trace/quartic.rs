@@ -1,0 +1,272 @@
+//! Quartics on an interval, by the cascade of their derivatives.
+//!
+//! Between two neighbouring roots of its derivative a polynomial is monotone, so that the roots of
+//! each derivative bracket those of the next one up; a bracket is closed by Newton's method, kept
+//! in it by bisection (Yuksel, "High-Performance Polynomial Root Finding for Graphics", Proc. ACM
+//! Comput. Graph. Interact. Tech. 5(3), 2022; the safeguard is that of Press et al., Numerical
+//! Recipes, section 9.4).
+
+use super::number::Real;
+
+/// The most points an interval falls apart at: two of inflection, three stationary, two ends.
+pub const MOST_POINTS: usize = 7;
+
+/// Up to [`MOST_POINTS`] numbers, ascending.
+#[derive(Debug, Clone, Copy)]
+pub struct Points<R> {
+    list: [R; MOST_POINTS],
+    length: usize,
+}
+
+impl<R: Real> Points<R> {
+    fn new() -> Points<R> {
+        Points {
+            list: [R::ZERO; MOST_POINTS],
+            length: 0,
+        }
+    }
+
+    /// Adds a number that exceeds all before it; others add nothing.
+    fn push(&mut self, x: R) {
+        if self.length == 0 || x > self.list[self.length - 1] {
+            self.list[self.length] = x;
+            self.length += 1;
+        }
+    }
+
+    pub fn as_slice(&self) -> &[R] {
+        &self.list[..self.length]
+    }
+}
+
+/// c₄t⁴ + c₃t³ + c₂t² + c₁t + c₀. Any of the coefficients may vanish.
+#[derive(Debug, Clone, Copy)]
+pub struct Quartic<R> {
+    /// c₄ first.
+    pub c: [R; 5],
+}
+
+impl<R: Real> Quartic<R> {
+    /// The value and the slope.
+    #[inline]
+    pub fn at(&self, t: R) -> (R, R) {
+        let [a, b, c, d, e] = self.c;
+        let (p, q) = (a, a);
+        let p = p.mul_add(t, b);
+        let q = q.mul_add(t, p);
+        let p = p.mul_add(t, c);
+        let q = q.mul_add(t, p);
+        let p = p.mul_add(t, d);
+        let q = q.mul_add(t, p);
+        (p.mul_add(t, e), q)
+    }
+
+    /// The slope and the slope's slope.
+    #[inline]
+    fn slope_at(&self, [a, b, c]: [R; 3], t: R) -> (R, R) {
+        let d = self.c[3];
+        let p = a.mul_add(t, b);
+        let q = a.mul_add(t, p);
+        let p = p.mul_add(t, c);
+        (p.mul_add(t, d), q.mul_add(t, p))
+    }
+
+    /// Points from `from` to `to`, both included, between any two of which the quartic is monotone
+    /// and its curvature keeps its sign, as far as rounding tells. Where it hides a pair of
+    /// stationary points, they are so close to each other and to one of these points that the
+    /// slope between is as small as its own rounding error.
+    ///
+    /// # Inputs
+    /// `from < to`, both finite. Whatever the coefficients, the points are numbers in between.
+    pub fn pieces(&self, from: R, to: R) -> Points<R> {
+        let [a, b, c, ..] = self.c;
+        let (two, three) = (R::of(2.0), R::of(3.0));
+        let slope = [R::of(4.0) * a, three * b, two * c];
+        let mut bends = Points::new();
+        bends.push(from);
+        for t in quadratic(three * slope[0], two * slope[1], slope[2]) {
+            if t > from && t < to {
+                bends.push(t);
+            }
+        }
+        bends.push(to);
+
+        let mut points = Points::new();
+        let mut before: Option<(R, R)> = None;
+        for &t in bends.as_slice() {
+            let s = self.slope_at(slope, t).0;
+            if let Some((last, last_slope)) = before
+                && (last_slope < R::ZERO && s > R::ZERO || last_slope > R::ZERO && s < R::ZERO)
+            {
+                let precision = R::ROUNDOFF * (to - from);
+                let start = (last + t) * R::of(0.5);
+                let f = |x| self.slope_at(slope, x);
+                points.push(root_between(f, (last, t), s > R::ZERO, start, precision));
+            }
+            points.push(t);
+            before = Some((t, s));
+        }
+        points
+    }
+}
+
+/// The roots of at² + bt + c, ascending; one that is double, or is missed by rounding, twice or
+/// once. Where there is none, the place of the extremum, twice. Not finite where a vanishes.
+fn quadratic<R: Real>(a: R, b: R, c: R) -> [R; 2] {
+    let b = -b * R::of(0.5);
+    let discriminant = R::difference_of_products(b, b, a, c);
+    if discriminant > R::ZERO {
+        let s = discriminant.sqrt();
+        let q = if b < R::ZERO { b - s } else { b + s };
+        let (t0, t1) = (c / q, q / a);
+        if t0 < t1 || t1.is_nan() {
+            [t0, t1]
+        } else {
+            [t1, t0]
+        }
+    } else {
+        [b / a; 2]
+    }
+}
+
+/// The root of a function that changes sign between the two ends of a bracket, to within the given
+/// precision; where it does not change sign, some number between them.
+///
+/// Newton's method from `start`; it bisects wherever a step would leave the bracket or exceeds half
+/// of the one before, so that every step halves either the steps or the bracket.
+#[inline]
+pub fn root_between<R: Real>(
+    f: impl Fn(R) -> (R, R),
+    (mut low, mut high): (R, R),
+    rising: bool,
+    start: R,
+    precision: R,
+) -> R {
+    // Twice the bits of the finest number, since a bracket that tight has nothing left to halve.
+    const MOST_STEPS: u32 = 256;
+    let half = R::of(0.5);
+    let middle = |low: R, high: R| low + (high - low) * half;
+    let mut x = if start > low && start < high {
+        start
+    } else {
+        middle(low, high)
+    };
+    let mut last = high - low;
+    for _ in 0..MOST_STEPS {
+        let (value, slope) = f(x);
+        if value == R::ZERO {
+            break;
+        }
+        if (value > R::ZERO) == rising {
+            high = x;
+        } else {
+            low = x;
+        }
+        let step = -value / slope;
+        let newton = x + step;
+        // A NaN fails the comparisons.
+        let (next, size) = if newton >= low && newton <= high && step.abs() <= last * half {
+            (newton, step.abs())
+        } else {
+            (middle(low, high), (high - low) * half)
+        };
+        let moved = next != x;
+        x = next;
+        if size <= precision || !moved {
+            break;
+        }
+        last = size;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace::dd::Dd;
+
+    /// All roots, by the sign of the quartic at the points its interval falls apart at.
+    fn roots<R: Real>(c: [f64; 5], from: f64, to: f64) -> Vec<f64> {
+        let q = Quartic { c: c.map(R::of) };
+        let points = q.pieces(R::of(from), R::of(to));
+        points
+            .as_slice()
+            .windows(2)
+            .filter_map(|p| {
+                let (a, b) = (q.at(p[0]).0, q.at(p[1]).0);
+                let precision = R::ROUNDOFF * R::of(to - from);
+                ((a < R::ZERO) != (b < R::ZERO)).then(|| {
+                    let start = (p[0] + p[1]) * R::of(0.5);
+                    let f = |t| q.at(t);
+                    root_between(f, (p[0], p[1]), b > a, start, precision).to_f64()
+                })
+            })
+            .collect()
+    }
+
+    #[test]
+    fn two_quartics_that_closed_forms_get_wrong() {
+        let c = [1.0, -240.0, 25449.0, -1325880.0, 26471900.25];
+        for found in [roots::<f64>(c, -1e3, 1e3), roots::<Dd>(c, -1e3, 1e3)] {
+            assert_eq!(found.len(), 2);
+            assert!((found[0] - 50.6451127).abs() < 1e-7, "{found:?}");
+            assert!((found[1] - 69.3548873).abs() < 1e-7, "{found:?}");
+        }
+        let c = [1.0, -198.995, 15006.6, -508127.0, 6.52025e6];
+        assert!(roots::<f64>(c, -1e3, 1e3).is_empty());
+        assert!(roots::<Dd>(c, -1e3, 1e3).is_empty());
+    }
+
+    /// (t − 1)(t − 2)(t − 3)(t − 4) and those with fewer factors, over twice the range of scales
+    /// of a float.
+    #[test]
+    fn lower_degrees_and_scales() {
+        let all = [1.0, -10.0, 35.0, -50.0, 24.0];
+        let cases: [([f64; 5], &[f64]); 5] = [
+            (all, &[1.0, 2.0, 3.0, 4.0]),
+            ([0.0, 1.0, -6.0, 11.0, -6.0], &[1.0, 2.0, 3.0]),
+            ([0.0, 0.0, 1.0, -3.0, 2.0], &[1.0, 2.0]),
+            ([0.0, 0.0, 0.0, 2.0, -3.0], &[1.5]),
+            ([0.0; 5], &[]),
+        ];
+        for (c, expected) in cases {
+            for scale in [1e-80, 1.0, 1e80] {
+                for stretch in [1e-15, 1.0, 1e15f64] {
+                    let c: [f64; 5] =
+                        std::array::from_fn(|i| scale * c[i] * stretch.powi(i as i32));
+                    let found = roots::<f64>(c, -10.0 * stretch, 9.0 * stretch);
+                    assert_eq!(found.len(), expected.len(), "{c:?}");
+                    for (x, y) in found.iter().zip(expected) {
+                        assert!((x / stretch - y).abs() < 1e-12, "{x} {y} {stretch}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn points_are_numbers_in_order_whatever_the_coefficients() {
+        let values = [
+            0.0,
+            1.0,
+            -1.0,
+            1e-320,
+            -1e308,
+            1e308,
+            1e-160,
+            f64::NAN,
+            f64::INFINITY,
+        ];
+        let n = values.len();
+        for i in 0..n.pow(5) {
+            let c = std::array::from_fn(|k| values[i / n.pow(k as u32) % n]);
+            let q = Quartic { c };
+            let points = q.pieces(-3.0, 1e9);
+            let p = points.as_slice();
+            assert!(p.first() == Some(&-3.0) && p.last() == Some(&1e9));
+            assert!(p.windows(2).all(|w| w[0] < w[1]), "{c:?} {p:?}");
+            let root = root_between(|t| q.at(t), (-3.0, 1e9), true, 0.0, 1e-7);
+            assert!((-3.0..=1e9).contains(&root));
+        }
+    }
+}
