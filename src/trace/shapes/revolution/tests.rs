@@ -46,7 +46,7 @@ fn cast<R: Real>(line: &Line) -> Line<R> {
 }
 
 fn roots<R: Real>(shape: &Revolution, line: &Line) -> Roots<R> {
-    let mut roots = Roots::default();
+    let mut roots: Roots<R> = Roots::default();
     shape.crossings(&cast(line), &mut roots);
     assert!(!roots.inside);
     assert_eq!(roots.list.len() % 2, 0);
@@ -58,7 +58,7 @@ fn roots<R: Real>(shape: &Revolution, line: &Line) -> Roots<R> {
 fn ts(profile: &[[f64; 2]], origin: [f64; 3], direction: [f64; 3]) -> Vec<f64> {
     let shape = Revolution::new(profile, &[]);
     let line = Line::new(origin.into(), direction.into());
-    let fine: Vec<f64> = list(&roots::<Dd>(&shape, &line));
+    let fine = list(&roots::<Dd>(&shape, &line));
     let plain = list(&roots::<f64>(&shape, &line));
     assert_eq!(fine.len(), plain.len());
     for (a, b) in fine.iter().zip(&plain) {
