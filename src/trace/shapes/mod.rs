@@ -8,6 +8,7 @@ mod half_space;
 mod plane;
 pub mod quadric;
 mod rectangle;
+mod revolution;
 mod sphere;
 mod torus;
 
@@ -116,6 +117,7 @@ pub trait Shape {
 /// A shape of the language.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Primitive {
+    Revolution(revolution::Revolution),
     Sphere(sphere::Sphere),
     Cuboid(cuboid::Cuboid),
     Torus(torus::Torus),
@@ -131,6 +133,7 @@ pub enum Primitive {
 macro_rules! each {
     ($primitive:expr, $s:ident => $e:expr) => {
         match $primitive {
+            Primitive::Revolution($s) => $e,
             Primitive::Sphere($s) => $e,
             Primitive::Cuboid($s) => $e,
             Primitive::Torus($s) => $e,
@@ -148,6 +151,10 @@ impl Primitive {
     /// The shape with this geometry; `None` where the tracer does not know the shape.
     pub fn new(geometry: &Geometry) -> Option<Primitive> {
         Some(match *geometry {
+            Geometry::Revolution {
+                ref profile,
+                ref colours,
+            } => Primitive::Revolution(revolution::Revolution::new(profile, colours)),
             Geometry::Sphere { centre, radius } => {
                 Primitive::Sphere(sphere::Sphere::new(centre.into(), radius))
             }
@@ -192,6 +199,7 @@ impl Primitive {
     /// The name of the shape in counts and plans.
     pub fn name(&self) -> &'static str {
         match self {
+            Primitive::Revolution(_) => "surface of revolution",
             Primitive::Sphere(_) => "sphere",
             Primitive::Cuboid(_) => "box",
             Primitive::Torus(_) => "torus",

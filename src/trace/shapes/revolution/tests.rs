@@ -1,0 +1,334 @@
+use super::*;
+use crate::trace::dd::Dd;
+
+/// splitmix64.
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.bits() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn point(&mut self, size: f64) -> Vec3 {
+        Vec3([(); 3].map(|()| self.within(-size, size)))
+    }
+
+    fn below(&mut self, n: u64) -> u64 {
+        self.bits() % n
+    }
+}
+
+/// Whether (ρ, y) is in the closed profile: the even-odd rule, counted towards ρ = ∞.
+fn inside(profile: &[[f64; 2]], p: Vec3) -> bool {
+    let (rho, y) = (p[0].hypot(p[2]), p[1]);
+    let mut closed = profile.to_vec();
+    if profile.first() != profile.last() {
+        closed.insert(0, [0.0, profile[0][1]]);
+        closed.push([0.0, profile[profile.len() - 1][1]]);
+    }
+    let crossed = closed.windows(2).filter(|s| {
+        let ([x0, y0], [x1, y1]) = (s[0], s[1]);
+        (y0 > y) != (y1 > y) && x0 + (x1 - x0) * (y - y0) / (y1 - y0) > rho
+    });
+    crossed.count() % 2 == 1
+}
+
+fn cast<R: Real>(line: &Line) -> Line<R> {
+    Line::new(line.origin.cast(), line.direction.cast())
+}
+
+fn roots<R: Real>(shape: &Revolution, line: &Line) -> Roots<R> {
+    let mut roots: Roots<R> = Roots::default();
+    shape.crossings(&cast(line), &mut roots);
+    assert!(!roots.inside);
+    assert_eq!(roots.list.len() % 2, 0);
+    assert!(roots.list.windows(2).all(|w| w[0].t < w[1].t));
+    assert!(roots.list.iter().all(|r| r.t.is_finite()));
+    roots
+}
+
+fn ts(profile: &[[f64; 2]], origin: [f64; 3], direction: [f64; 3]) -> Vec<f64> {
+    let shape = Revolution::new(profile, &[]);
+    let line = Line::new(origin.into(), direction.into());
+    let fine = list(&roots::<Dd>(&shape, &line));
+    let plain = list(&roots::<f64>(&shape, &line));
+    assert_eq!(fine.len(), plain.len());
+    for (a, b) in fine.iter().zip(&plain) {
+        assert!(
+            (a - b).abs() <= 1e-12 * a.abs().max(1.0),
+            "{fine:?} {plain:?}"
+        );
+    }
+    fine
+}
+
+fn list<R: Real>(roots: &Roots<R>) -> Vec<f64> {
+    roots.list.iter().map(|r| r.t.to_f64()).collect()
+}
+
+/// Profiles with coordinates on a coarse grid, so that points repeat, segments are level, upright,
+/// on the axis and on one another.
+fn random_profile(r: &mut Random, grid: bool) -> Vec<[f64; 2]> {
+    let n = 2 + r.below(9) as usize;
+    let mut profile: Vec<[f64; 2]> = (0..n)
+        .map(|_| match grid {
+            true => [r.below(4) as f64 / 2.0, r.below(5) as f64 / 2.0 - 1.0],
+            false => [r.within(0.0, 1.5), r.within(-1.0, 1.0)],
+        })
+        .collect();
+    if r.below(3) == 0 {
+        profile.push(profile[0]);
+    }
+    profile
+}
+
+/// Lines of all kinds past a shape of size 2.
+fn random_line(r: &mut Random, grid: bool) -> Line {
+    let mut from = r.point(2.0);
+    let mut to = r.point(2.0);
+    if grid {
+        (from, to) = (
+            from.map(|x| (2.0 * x).round() / 2.0),
+            to.map(|x| (2.0 * x).round() / 2.0),
+        );
+    }
+    if from == to {
+        to = from + Vec3::new(0.0, 0.0, 1.0);
+    }
+    Line::new(from, to - from)
+}
+
+/// Along the line the parity of the crossings is that of the definition, wherever the next
+/// crossing is farther than `margin`.
+fn agrees(profile: &[[f64; 2]], line: &Line, t: &[f64], margin: f64) {
+    let (low, high) = (-30.0, 30.0);
+    for i in 0..=240 {
+        let at = low + (high - low) * (f64::from(i) + 0.37) / 241.0;
+        let near = t.iter().any(|t| (t - at).abs() <= margin);
+        if !near {
+            let odd = t.iter().filter(|&&t| t < at).count() % 2 == 1;
+            assert_eq!(
+                odd,
+                inside(profile, line.at(at)),
+                "{profile:?} {line:?} {at} {t:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn random_profiles_agree_with_the_definition() {
+    let mut r = Random(1);
+    for _ in 0..3000 {
+        let profile = random_profile(&mut r, false);
+        let shape = Revolution::new(&profile, &[]);
+        let line = random_line(&mut r, false);
+        let plain = roots::<f64>(&shape, &line);
+        agrees(&profile, &line, &list(&plain), 1e-9);
+        let fine = roots::<Dd>(&shape, &line);
+        agrees(&profile, &line, &list(&fine), 1e-9);
+        if !plain.uncertain {
+            assert_eq!(plain.list.len(), fine.list.len());
+            for (a, b) in plain.list.iter().zip(&fine.list) {
+                assert_eq!(a.face, b.face);
+                assert!((a.t - b.t.to_f64()).abs() <= 1e-7, "{a:?} {b:?}");
+            }
+        }
+    }
+}
+
+/// Everything at once: lines through points, along segments and surfaces, level and upright.
+#[test]
+fn lines_through_seams_agree_with_the_definition() {
+    let mut r = Random(2);
+    for _ in 0..6000 {
+        let profile = random_profile(&mut r, true);
+        let shape = Revolution::new(&profile, &[]);
+        let line = random_line(&mut r, true);
+        roots::<f64>(&shape, &line);
+        roots::<f32>(&shape, &line);
+        // Off the surface by what no rounding reaches, so that membership is well defined.
+        let apart = Line::new(line.origin + r.point(1e-4), line.direction);
+        agrees(&profile, &apart, &list(&roots::<f64>(&shape, &apart)), 1e-6);
+    }
+}
+
+#[test]
+fn grazing_a_wall_is_no_crossing() {
+    // The lathe (0,2)(1,1)(1,0)(0,0).
+    let lathe = [[0.0, 2.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
+    assert!(ts(&lathe, [1.0, 5.0, 0.0], [0.0, -1.0, 0.0]).is_empty());
+    // Half-way in: the cone at y = 1.5, the floor at 0.
+    assert_eq!(ts(&lathe, [0.5, 5.0, 0.0], [0.0, -1.0, 0.0]), [3.5, 5.0]);
+    assert_eq!(ts(&lathe, [0.5, 5.0, 0.0], [0.0, -1e-6, 0.0]), [3.5e6, 5e6]);
+    // Level with a seam: the circle of radius 1.
+    assert_eq!(ts(&lathe, [-5.0, 1.0, 0.0], [1.0, 0.0, 0.0]), [4.0, 6.0]);
+    // Down the axis, through the apex.
+    assert_eq!(ts(&lathe, [0.0, 5.0, 0.0], [0.0, -1.0, 0.0]), [3.0, 5.0]);
+    // A touch of the apex from the side.
+    assert!(ts(&lathe, [-5.0, 2.0, 0.0], [1.0, 0.0, 0.0]).is_empty());
+}
+
+#[test]
+fn rings_discs_and_doubled_layers() {
+    // A tube of square section: 1 ≤ ρ ≤ 2, 0 ≤ y ≤ 1.
+    let tube = [[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
+    let across = ts(&tube, [-4.0, 0.5, 0.0], [1.0, 0.0, 0.0]);
+    assert_eq!(across, [2.0, 3.0, 5.0, 6.0]);
+    assert!(ts(&tube, [0.0, 4.0, 0.0], [0.0, -1.0, 0.0]).is_empty());
+    // A cylinder: one upright segment, closed by two discs.
+    let cylinder = [[1.0, 0.0], [1.0, 1.0]];
+    assert_eq!(
+        ts(&cylinder, [0.25, 4.0, 0.0], [0.0, -2.0, 0.0]),
+        [1.5, 2.0]
+    );
+    // There and back again: nothing.
+    let doubled = [[0.0, 0.0], [1.0, 0.5], [0.0, 1.0], [1.0, 0.5], [0.0, 0.0]];
+    assert!(ts(&doubled, [-3.0, 0.6, 0.1], [1.0, 0.01, 0.0]).is_empty());
+}
+
+#[test]
+fn a_thousand_seams_alternate() {
+    let mut r = Random(3);
+    let profile: Vec<[f64; 2]> = (0..=1000)
+        .map(|i| {
+            let a = std::f64::consts::PI * f64::from(i) / 1000.0;
+            [a.sin().abs(), -a.cos()]
+        })
+        .collect();
+    let shape = Revolution::new(&profile, &[]);
+    for _ in 0..3000 {
+        let [x, y] = profile[1 + r.below(999) as usize];
+        let a = r.within(0.0, TAU);
+        let seam = Vec3::new(x * a.cos(), y, x * a.sin());
+        let mut from = r.point(4.0);
+        if r.below(4) == 0 {
+            from[1] = y;
+        }
+        let line = Line::new(from, seam - from);
+        let found = roots::<f64>(&shape, &line);
+        assert!(found.list.len() <= 2);
+        // The chord of the unit sphere, if there is one worth the name: it is the polygon's to
+        // within the sagitta 1 − cos(π/2000) < 1.3e-6.
+        let d = line.direction;
+        let b = line.origin.dot(d) / d.length();
+        let chord2 = b * b - line.origin.dot(line.origin) + 1.0;
+        if chord2 > 1e-2 {
+            assert_eq!(found.list.len(), 2);
+            for (root, sign) in found.list.iter().zip([-1.0, 1.0]) {
+                let t = (-b + sign * chord2.sqrt()) / d.length();
+                assert!((root.t - t).abs() * d.length() < 1e-4);
+            }
+        }
+    }
+}
+
+#[test]
+fn located_points_lie_on_the_surface_and_normals_look_outwards() {
+    let mut r = Random(4);
+    for _ in 0..3000 {
+        let profile = random_profile(&mut r, false);
+        let size = [1e-3, 1.0, 1e3][r.below(3) as usize];
+        let scaled: Vec<[f64; 2]> = profile.iter().map(|p| p.map(|x| x * size)).collect();
+        let shape = Revolution::new(&scaled, &[]);
+        let line = random_line(&mut r, false);
+        let far = [0.0, -100.0, 1e6][r.below(3) as usize];
+        let stretch = [1e-6, 1.0, 1e6][r.below(3) as usize];
+        let line = Line::new(
+            (line.origin + line.direction * far) * size,
+            line.direction * stretch,
+        );
+        for (i, root) in roots::<f64>(&shape, &line).list.into_iter().enumerate() {
+            let at = Intersect::<f64>::locate(&shape, &line, root);
+            assert!(at.point.is_finite() && at.error.is_finite() && at.normal.any());
+            let sure = at.normal.unit().dot(line.direction.unit());
+            if sure.abs() > 1e-6 {
+                assert_eq!(sure < 0.0, i % 2 == 0);
+            }
+            // To the rounding of the origin.
+            let off = (at.point - line.at(root.t)).length();
+            assert!(off <= 1e-9 * size * (1.0 + far.abs()), "{off} {size} {far}");
+            let [u, v] = shape.uv(at.point, root.face);
+            assert!((0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v));
+        }
+    }
+}
+
+#[test]
+fn any_finite_line_gives_finite_crossings() {
+    let lathe = [[0.0, 2.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
+    let sizes = [0.0, 1e-320, 1e-160, 1.0, 1e6, 1e160, 1e308];
+    for scale in [1e-300, 1e-3, 1.0, 1e300] {
+        let shape = Revolution::new(&lathe.map(|p| p.map(|x| x * scale)), &[]);
+        for i in 0..7usize.pow(4) {
+            let [a, b, c, d] = [i % 7, i / 7 % 7, i / 49 % 7, i / 343].map(|k| sizes[k]);
+            if c == 0.0 && d == 0.0 {
+                continue;
+            }
+            let line = Line::new(Vec3::new(a, b, 0.0), Vec3::new(c, -d, c));
+            roots::<f64>(&shape, &line);
+            roots::<f32>(&shape, &line);
+            roots::<Dd>(&shape, &line);
+        }
+    }
+}
+
+#[test]
+fn colours_and_coordinates_follow_the_arc() {
+    let colours = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    // Arc lengths 2 and 1.
+    let shape = Revolution::new(&[[1.0, 0.0], [1.0, 2.0], [2.0, 2.0]], &colours);
+    let wall = Vec3::new(0.0, 0.5, -1.0);
+    assert_eq!(shape.colour(wall, 0), Some([0.75, 0.25, 0.0]));
+    assert_eq!(shape.uv(wall, 0), [0.25, 0.5 / 3.0]);
+    assert_eq!(
+        shape.colour(Vec3::new(1.5, 2.0, 0.0), 1),
+        Some([0.0, 0.5, 0.5])
+    );
+    assert_eq!(shape.uv(Vec3::new(1.5, 2.0, 0.0), 1), [0.0, 2.5 / 3.0]);
+    // The discs.
+    assert_eq!(shape.colour(Vec3::new(0.5, 0.0, 0.0), 2), Some(colours[0]));
+    assert_eq!(shape.uv(Vec3::new(0.5, 0.0, 0.0), 2), [0.0, 0.0]);
+    assert_eq!(shape.colour(Vec3::new(0.5, 2.0, 0.0), 3), Some(colours[2]));
+    assert_eq!(shape.uv(Vec3::new(0.5, 2.0, 0.0), 3), [0.0, 1.0]);
+}
+
+/// A spring of 100 000 segments: few runs of the tree concern a line.
+#[test]
+fn long_profiles_are_searched_by_the_tree() {
+    let n = 100_000;
+    let profile: Vec<[f64; 2]> = (0..=n)
+        .map(|i| {
+            let y = f64::from(i) / f64::from(n);
+            [1.0 + 0.1 * (40.0 * y).sin(), y]
+        })
+        .collect();
+    let shape = Revolution::new(&profile, &[]);
+    let mut r = Random(5);
+    let mut seen = 0;
+    for _ in 0..1000 {
+        let (from, to) = (r.point(3.0), r.point(1.0));
+        let line = Line::new(from, to - from);
+        let path = Path::new(&line, shape.scale, shape.centre).unwrap();
+        let mut i = 0;
+        while let Some(run) = shape.tree.get(i) {
+            seen += 1;
+            i = if path.misses(run) {
+                run.next as usize
+            } else {
+                i + 1
+            };
+        }
+        roots::<f64>(&shape, &line);
+    }
+    // Seventeen levels, some crossings each.
+    assert!(seen / 1000 < 400, "{seen}");
+}

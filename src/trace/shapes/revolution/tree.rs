@@ -1,0 +1,83 @@
+//! A hierarchy over a long profile: runs of consecutive segments, boxed in (ρ, y).
+
+/// Segments in one leaf.
+const LEAF: usize = 4;
+
+/// A run of consecutive segments.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// The segments `first .. end`.
+    pub first: u32,
+    pub end: u32,
+    /// Where to go on if none of them matters: the first run that begins at `end` or later.
+    pub next: u32,
+    /// Lowest and highest distance from the axis.
+    pub radius: [f64; 2],
+    pub y: [f64; 2],
+}
+
+impl Run {
+    pub fn is_leaf(&self) -> bool {
+        (self.end - self.first) as usize <= LEAF
+    }
+
+    fn join(&mut self, radius: [f64; 2], y: [f64; 2]) {
+        for (mine, other) in [(&mut self.radius, radius), (&mut self.y, y)] {
+            *mine = [mine[0].min(other[0]), mine[1].max(other[1])];
+        }
+    }
+}
+
+/// The tree over the segments between neighbouring points, in preorder: runs are halved until they
+/// are leaves.
+pub fn build(points: &[[f64; 2]]) -> Vec<Run> {
+    let segments = points.len().saturating_sub(1) as u32;
+    let mut runs: Vec<Run> = Vec::new();
+    // Runs whose `next` is not known yet, the innermost last.
+    let mut open: Vec<usize> = Vec::new();
+    let mut pending = vec![(0, segments)];
+    while let Some((first, end)) = pending.pop() {
+        if first == end {
+            continue;
+        }
+        let here = runs.len();
+        while let Some(&last) = open.last()
+            && runs[last].end <= first
+        {
+            runs[last].next = here as u32;
+            open.pop();
+        }
+        let run = Run {
+            first,
+            end,
+            next: 0,
+            radius: [f64::INFINITY, f64::NEG_INFINITY],
+            y: [f64::INFINITY, f64::NEG_INFINITY],
+        };
+        if !run.is_leaf() {
+            let middle = first + (end - first) / 2;
+            pending.push((middle, end));
+            pending.push((first, middle));
+        }
+        open.push(here);
+        runs.push(run);
+    }
+    for last in open {
+        runs[last].next = runs.len() as u32;
+    }
+    for i in (0..runs.len()).rev() {
+        let (first, end) = (runs[i].first as usize, runs[i].end as usize);
+        if runs[i].is_leaf() {
+            for p in &points[first..=end] {
+                runs[i].join([p[0]; 2], [p[1]; 2]);
+            }
+        } else {
+            let right = runs[i + 1].next as usize;
+            for child in [i + 1, right] {
+                let (radius, y) = (runs[child].radius, runs[child].y);
+                runs[i].join(radius, y);
+            }
+        }
+    }
+    runs
+}
