@@ -4,10 +4,13 @@
 //! and one arm in each of its functions.
 
 mod cuboid;
+mod facet;
+mod geodesic_sphere;
 mod half_space;
 mod plane;
 mod rectangle;
 mod sphere;
+mod triangle;
 
 use super::bounds::Bounds;
 use super::number::Real;
@@ -114,8 +117,10 @@ pub trait Shape {
 /// A shape of the language.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Primitive {
+    Triangle(triangle::Triangle),
     Sphere(sphere::Sphere),
     Cuboid(cuboid::Cuboid),
+    GeodesicSphere(geodesic_sphere::GeodesicSphere),
     HalfSpace(half_space::HalfSpace),
     Plane(plane::Plane),
     Rectangle(rectangle::Rectangle),
@@ -125,8 +130,10 @@ pub enum Primitive {
 macro_rules! each {
     ($primitive:expr, $s:ident => $e:expr) => {
         match $primitive {
+            Primitive::Triangle($s) => $e,
             Primitive::Sphere($s) => $e,
             Primitive::Cuboid($s) => $e,
+            Primitive::GeodesicSphere($s) => $e,
             Primitive::HalfSpace($s) => $e,
             Primitive::Plane($s) => $e,
             Primitive::Rectangle($s) => $e,
@@ -149,6 +156,12 @@ impl Primitive {
             Geometry::Rectangle { min, max } => {
                 Primitive::Rectangle(rectangle::Rectangle::new(min, max))
             }
+            Geometry::Triangle { vertices, normals } => {
+                Primitive::Triangle(triangle::Triangle::new(vertices, normals))
+            }
+            Geometry::GeodesicSphere { radius, splits } => Primitive::GeodesicSphere(
+                geodesic_sphere::GeodesicSphere::new(radius, splits),
+            ),
             _ => return None,
         })
     }
@@ -164,8 +177,10 @@ impl Primitive {
     /// The name of the shape in counts and plans.
     pub fn name(&self) -> &'static str {
         match self {
+            Primitive::Triangle(_) => "triangle",
             Primitive::Sphere(_) => "sphere",
             Primitive::Cuboid(_) => "box",
+            Primitive::GeodesicSphere(_) => "geodesic sphere",
             Primitive::HalfSpace(_) => "half-space",
             Primitive::Plane(_) => "plane",
             Primitive::Rectangle(_) => "rectangle",
