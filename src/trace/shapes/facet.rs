@@ -79,17 +79,14 @@ impl<R: Real> Projected<R> {
 /// Twice the signed area of the triangle of the origin and two projected points: which side of the
 /// edge from p to q the line passes.
 ///
-/// Rounding keeps the order of the two products, so a difference other than zero has the right sign.
-/// Where the rounded products are equal, the difference of their rounding errors decides, which
-/// `mul_add` gives exactly. Both forms turn into their exact negatives when p and q are swapped.
+/// The rounded products' difference, plus the difference of their rounding errors, which `mul_add`
+/// gives exactly: off by one rounding of the result and a rounding of the errors, so that weights
+/// keep their digits where a facet is seen at a flat angle. Rounding keeps the order of numbers, so
+/// the sign is never the wrong one, and swapping p and q turns each step into its exact negative.
 #[inline]
 fn edge<R: Real>(p: Projected<R>, q: Projected<R>) -> R {
     let (a, b) = (p.x * q.y, p.y * q.x);
-    let difference = a - b;
-    if difference != R::ZERO {
-        return difference;
-    }
-    p.x.mul_add(q.y, -a) - p.y.mul_add(q.x, -b)
+    (a - b) + (p.x.mul_add(q.y, -a) - p.y.mul_add(q.x, -b))
 }
 
 /// Which way a line goes through a facet whose corners run counter-clockwise around its normal.
@@ -166,7 +163,8 @@ impl<R: Real> Facet<R> {
     /// most `noise`.
     ///
     /// p × q is then off by at most noise (|p|₁ + |q|₁) + 2 noise², and its own rounding adds
-    /// γ₂|p|₁|q|₁: less than the first term again, since `noise` exceeds γ₂ times any coordinate.
+    /// γ₂|p|₁|q|₁ at most: less than the first term again, since `noise` exceeds γ₂ times any
+    /// coordinate.
     pub fn verdicts(&self, noise: R) -> [Verdict; 2] {
         let two = R::of(2.0);
         let [a, b, c] = self.corners.map(|c| c.reach());

@@ -65,7 +65,7 @@ struct View<R> {
     shear: Shear<R>,
     /// The line's point closest to the centre.
     nearest: Vec3<R>,
-    /// The depth of that point, from the line's origin.
+    /// The depth of that point, from the line's origin; in radii, as all lengths here.
     depth: R,
     /// Bound on the error of projected coordinates.
     noise: R,
@@ -242,14 +242,16 @@ impl<R: Real> View<R> {
         let size = origin[0].abs() + origin[1].abs() + origin[2].abs();
         let noise = R::gamma(20) * size + R::of(SLACK) * R::ROUNDOFF;
         let beyond = R::ONE + noise;
-        // False for NaN.
-        (nearest.dot(nearest) <= beyond * beyond * (R::ONE + R::gamma(4)) && depth.is_finite())
-            .then_some(View {
-                shear,
-                nearest,
-                depth,
-                noise,
-            })
+        // False for NaN. The radius may be too large for f32.
+        (radius.is_finite()
+            && nearest.dot(nearest) <= beyond * beyond * (R::ONE + R::gamma(4))
+            && depth.is_finite())
+        .then_some(View {
+            shear,
+            nearest,
+            depth,
+            noise,
+        })
     }
 
     fn vertex(&self, at: Vec3<R>) -> Vertex<R> {
@@ -324,7 +326,8 @@ impl<R: Real> Intersect<R> for GeodesicSphere {
         let (Some(near), Some(far)) = (near, far) else {
             return;
         };
-        let t = |(z, face): (R, u32)| ((view.depth + z) / view.shear.pace, face);
+        let radius = R::of(self.radius);
+        let t = |(z, face)| ((view.depth + z) * radius / view.shear.pace, face);
         let (near, far) = (t(near), t(far));
         if view.shear.pace > R::ZERO {
             roots.chord(near, far);

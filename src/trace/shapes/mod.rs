@@ -159,9 +159,9 @@ impl Primitive {
             Geometry::Triangle { vertices, normals } => {
                 Primitive::Triangle(triangle::Triangle::new(vertices, normals))
             }
-            Geometry::GeodesicSphere { radius, splits } => Primitive::GeodesicSphere(
-                geodesic_sphere::GeodesicSphere::new(radius, splits),
-            ),
+            Geometry::GeodesicSphere { radius, splits } => {
+                Primitive::GeodesicSphere(geodesic_sphere::GeodesicSphere::new(radius, splits))
+            }
             _ => return None,
         })
     }

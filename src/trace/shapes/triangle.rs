@@ -139,7 +139,9 @@ impl Shape for Triangle {
             TriangleNormals::One(n) => Vec3::from(*n),
             TriangleNormals::PerVertex(n) => {
                 let n = n.map(Vec3::from);
-                let size = n.iter().fold(0.0, |m: f64, n| m.max(n.abs().max_component()));
+                let size = n
+                    .iter()
+                    .fold(0.0, |m: f64, n| m.max(n.abs().max_component()));
                 let w = self.weights(point);
                 (0..3).fold(Vec3::ZERO, |sum, i| sum + n[i] / size * w[i])
             }

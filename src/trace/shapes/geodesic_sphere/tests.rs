@@ -154,7 +154,11 @@ fn agrees_with_all_facets_one_by_one() {
                 let steep = n.dot(direction.unit()).abs();
                 let bound = 32.0 * f64::EPSILON * (away + 4.0 * radius) / steep;
                 let bound = bound / direction.length();
-                assert!((Dd::of(f.t) - *t).abs().to_f64() <= bound);
+                let off = (Dd::of(f.t) - *t).abs().to_f64();
+                assert!(
+                    off <= bound,
+                    "{splits}: {off:e} {bound:e} {steep:e} {away:e} {radius:e}"
+                );
                 assert!((e.t - *t).abs().to_f64() <= bound * 1e-9);
                 let located: Located = sphere.locate(&line, *f);
                 let off = lift::<Dd>(located.point) - scaled(sphere.corners::<Dd>(f.face)[0]);
@@ -241,7 +245,11 @@ fn scale_does_not_matter() {
                 let [a, b, c] = one.corners::<f64>(p.face);
                 let steep = (b - a).cross(c - a).unit().dot(line.direction).abs();
                 // Lengths up to 6, a few roundings.
-                assert!((f.t - p.t).abs() <= 6.0 * 32.0 * f64::EPSILON / steep);
+                let bound = 6.0 * 32.0 * f64::EPSILON / steep;
+                assert!(
+                    (f.t - p.t).abs() <= bound,
+                    "{f:?} {p:?} {bound:e} {steep:e}"
+                );
             }
         }
     }
@@ -293,4 +301,28 @@ fn surface_coordinates_are_the_spheres() {
     assert_eq!(sphere.uv(Vec3::new(0.0, 0.0, -1.9), 0), [0.25, 0.5]);
     assert_eq!(sphere.uv(Vec3::new(0.0, 1.9, 0.0), 0)[1], 1.0);
     assert_eq!(sphere.uv(Vec3::new(0.0, -1.9, 0.0), 0)[1], 0.0);
+}
+
+#[test]
+#[ignore]
+fn speed() {
+    for splits in [0, 3, 6, 9] {
+        let sphere = GeodesicSphere::new(1.0, splits);
+        let mut random = Random(12);
+        let lines: Vec<Line> = (0..20_000)
+            .map(|_| {
+                let o = random.point(1.0).unit() * 3.0;
+                Line::new(o, random.point(0.55) - o)
+            })
+            .collect();
+        let start = std::time::Instant::now();
+        let mut hits = 0;
+        let mut r = Roots::default();
+        for line in &lines {
+            r.clear();
+            sphere.crossings(line, &mut r);
+            hits += r.list.len();
+        }
+        println!("{splits}: {hits} {:?}/ray", start.elapsed() / 20_000);
+    }
 }

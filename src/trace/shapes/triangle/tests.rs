@@ -179,5 +179,8 @@ fn shading_normals_are_on_the_geometric_side() {
     // They cancel in the middle.
     let opposite = TriangleNormals::PerVertex([up, [0.0, 0.0, -1.0], up]);
     assert_eq!(at(opposite, 0.5, 0.0), None);
-    assert_eq!(at(TriangleNormals::PerVertex([[0.0; 3]; 3]), 0.5, 0.0), None);
+    assert_eq!(
+        at(TriangleNormals::PerVertex([[0.0; 3]; 3]), 0.5, 0.0),
+        None
+    );
 }
