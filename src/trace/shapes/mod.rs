@@ -4,6 +4,8 @@
 //! and one arm in each of its functions.
 
 mod cuboid;
+mod facet;
+mod geodesic_sphere;
 mod half_space;
 mod plane;
 pub mod quadric;
@@ -11,6 +13,7 @@ mod rectangle;
 mod revolution;
 mod sphere;
 mod torus;
+mod triangle;
 
 use super::bounds::Bounds;
 use super::number::Real;
@@ -118,13 +121,15 @@ pub trait Shape {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Primitive {
     Revolution(revolution::Revolution),
-    Sphere(sphere::Sphere),
-    Cuboid(cuboid::Cuboid),
-    Torus(torus::Torus),
-    HalfSpace(half_space::HalfSpace),
     Plane(plane::Plane),
+    HalfSpace(half_space::HalfSpace),
     Rectangle(rectangle::Rectangle),
+    Triangle(triangle::Triangle),
+    Sphere(sphere::Sphere),
     Ellipsoid(quadric::ellipsoid::Ellipsoid),
+    Cuboid(cuboid::Cuboid),
+    GeodesicSphere(geodesic_sphere::GeodesicSphere),
+    Torus(torus::Torus),
     Quadric(quadric::Quadric),
     Cone(quadric::cone::Cone),
 }
@@ -134,13 +139,15 @@ macro_rules! each {
     ($primitive:expr, $s:ident => $e:expr) => {
         match $primitive {
             Primitive::Revolution($s) => $e,
-            Primitive::Sphere($s) => $e,
-            Primitive::Cuboid($s) => $e,
-            Primitive::Torus($s) => $e,
-            Primitive::HalfSpace($s) => $e,
             Primitive::Plane($s) => $e,
+            Primitive::HalfSpace($s) => $e,
             Primitive::Rectangle($s) => $e,
+            Primitive::Triangle($s) => $e,
+            Primitive::Sphere($s) => $e,
             Primitive::Ellipsoid($s) => $e,
+            Primitive::Cuboid($s) => $e,
+            Primitive::GeodesicSphere($s) => $e,
+            Primitive::Torus($s) => $e,
             Primitive::Quadric($s) => $e,
             Primitive::Cone($s) => $e,
         }
@@ -183,7 +190,12 @@ impl Primitive {
             | Geometry::HyperbolicParaboloid { .. } => {
                 Primitive::Quadric(quadric::Quadric::new(geometry)?)
             }
-            _ => return None,
+            Geometry::Triangle { vertices, normals } => {
+                Primitive::Triangle(triangle::Triangle::new(vertices, normals))
+            }
+            Geometry::GeodesicSphere { radius, splits } => {
+                Primitive::GeodesicSphere(geodesic_sphere::GeodesicSphere::new(radius, splits))
+            }
         })
     }
 
@@ -200,13 +212,15 @@ impl Primitive {
     pub fn name(&self) -> &'static str {
         match self {
             Primitive::Revolution(_) => "surface of revolution",
-            Primitive::Sphere(_) => "sphere",
-            Primitive::Cuboid(_) => "box",
-            Primitive::Torus(_) => "torus",
-            Primitive::HalfSpace(_) => "half-space",
             Primitive::Plane(_) => "plane",
+            Primitive::HalfSpace(_) => "half-space",
             Primitive::Rectangle(_) => "rectangle",
+            Primitive::Triangle(_) => "triangle",
+            Primitive::Sphere(_) => "sphere",
             Primitive::Ellipsoid(_) => "ellipsoid",
+            Primitive::Cuboid(_) => "box",
+            Primitive::GeodesicSphere(_) => "geodesic sphere",
+            Primitive::Torus(_) => "torus",
             Primitive::Quadric(s) => s.name(),
             Primitive::Cone(s) => s.name(),
         }

@@ -1,0 +1,187 @@
+//! Flat triangular facets that lines cannot slip between.
+//!
+//! The method is that of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1),
+//! 2013: space is sheared so that the line becomes the z axis, and the facet is met where its
+//! projection holds the origin of the xy plane. A projected corner depends on the line and that
+//! corner alone, and an edge function changes nothing but its sign when its ends are swapped; so the
+//! facets on both sides of an edge always agree about the side on which the line passes it.
+
+use crate::trace::dd::Dd;
+use crate::trace::number::Real;
+use crate::trace::vec::Vec3;
+
+/// A vector of doubles in another kind of number.
+pub(super) fn lift<R: Real>(v: Vec3) -> Vec3<R> {
+    Vec3(v.0.map(R::of))
+}
+
+/// A double-double number in another kind of number, rounded.
+pub(super) fn narrow<R: Real>(x: Dd) -> R {
+    let (high, low) = x.parts();
+    R::of(high) + R::of(low)
+}
+
+/// The map that turns a direction into the z axis and keeps the other two axes where they are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shear<R> {
+    /// The axes that become x, y and z; z is the direction's longest one.
+    axes: [usize; 3],
+    /// The direction over its longest component; that component is 1.
+    pub slope: Vec3<R>,
+    /// The direction's longest component, signed: the depth gained while t grows by 1.
+    pub pace: R,
+}
+
+/// A point in the sheared space; its z, the depth, is in units of [`Shear::slope`].
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Projected<R> {
+    pub x: R,
+    pub y: R,
+    pub depth: R,
+}
+
+impl<R: Real> Shear<R> {
+    pub fn along(direction: Vec3<R>) -> Shear<R> {
+        let size = direction.abs();
+        let mut z = 0;
+        for i in 1..3 {
+            if size[i] > size[z] {
+                z = i;
+            }
+        }
+        Shear {
+            axes: [(z + 1) % 3, (z + 2) % 3, z],
+            slope: direction / direction[z],
+            pace: direction[z],
+        }
+    }
+
+    /// A point given relative to one on the line, which becomes the origin.
+    #[inline]
+    pub fn project(&self, p: Vec3<R>) -> Projected<R> {
+        let [x, y, z] = self.axes;
+        let depth = p[z];
+        Projected {
+            x: p[x] - self.slope[x] * depth,
+            y: p[y] - self.slope[y] * depth,
+            depth,
+        }
+    }
+}
+
+impl<R: Real> Projected<R> {
+    /// |x| + |y|.
+    fn reach(&self) -> R {
+        self.x.abs() + self.y.abs()
+    }
+}
+
+/// Twice the signed area of the triangle of the origin and two projected points: which side of the
+/// edge from p to q the line passes.
+///
+/// The rounded products' difference, plus the difference of their rounding errors, which `mul_add`
+/// gives exactly: off by one rounding of the result and a rounding of the errors, so that weights
+/// keep their digits where a facet is seen at a flat angle. Rounding keeps the order of numbers, so
+/// the sign is never the wrong one, and swapping p and q turns each step into its exact negative.
+#[inline]
+fn edge<R: Real>(p: Projected<R>, q: Projected<R>) -> R {
+    let (a, b) = (p.x * q.y, p.y * q.x);
+    (a - b) + (p.x.mul_add(q.y, -a) - p.y.mul_add(q.x, -b))
+}
+
+/// Which way a line goes through a facet whose corners run counter-clockwise around its normal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Way {
+    /// Along slope and normal against each other.
+    In,
+    Out,
+}
+
+/// A line's passage through a facet.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Passage<R> {
+    pub way: Way,
+    /// Barycentric weights of the corners; none negative, their sum 1 but for rounding.
+    pub weights: [R; 3],
+    pub depth: R,
+}
+
+/// How a line passes a facet, for either way through it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Verdict {
+    /// Rounding may make it a passage.
+    pub possible: bool,
+    /// Rounding cannot undo the passage.
+    pub certain: bool,
+}
+
+/// A facet's projection and its edge functions, each opposite to the corner of the same number.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Facet<R> {
+    corners: [Projected<R>; 3],
+    edges: [R; 3],
+}
+
+impl<R: Real> Facet<R> {
+    #[inline]
+    pub fn new(corners: [Projected<R>; 3]) -> Facet<R> {
+        let [a, b, c] = corners;
+        Facet {
+            corners,
+            edges: [edge(b, c), edge(c, a), edge(a, b)],
+        }
+    }
+
+    /// Where the line passes the facet, its edges and corners included. None for a facet that is
+    /// seen edge-on, and where numbers overflow: every comparison with NaN fails.
+    #[inline]
+    pub fn passage(&self) -> Option<Passage<R>> {
+        let e = self.edges;
+        let area = e[0] + e[1] + e[2];
+        let way = if area > R::ZERO && e.iter().all(|&e| e >= R::ZERO) {
+            Way::Out
+        } else if area < R::ZERO && e.iter().all(|&e| e <= R::ZERO) {
+            Way::In
+        } else {
+            return None;
+        };
+        let weights = e.map(|e| e / area);
+        let z = self.corners.map(|c| c.depth);
+        let depth = weights[0] * z[0] + weights[1] * z[1] + weights[2] * z[2];
+        // The exact depth is between those of the corners.
+        let depth = depth
+            .max(z[0].min(z[1]).min(z[2]))
+            .min(z[0].max(z[1]).max(z[2]));
+        depth.is_finite().then_some(Passage {
+            way,
+            weights,
+            depth,
+        })
+    }
+
+    /// What can be said about the ways in and out when every projected coordinate is off by at
+    /// most `noise`.
+    ///
+    /// p × q is then off by at most noise (|p|₁ + |q|₁) + 2 noise², and its own rounding adds
+    /// γ₂|p|₁|q|₁ at most: less than the first term again, since `noise` exceeds γ₂ times any
+    /// coordinate.
+    pub fn verdicts(&self, noise: R) -> [Verdict; 2] {
+        let two = R::of(2.0);
+        let [a, b, c] = self.corners.map(|c| c.reach());
+        let bounds = [b + c, c + a, a + b].map(|sum| two * noise * (sum + noise));
+        let all = |holds: fn(R, R) -> bool| (0..3).all(|i| holds(self.edges[i], bounds[i]));
+        [
+            Verdict {
+                possible: all(|e, bound| e <= bound),
+                certain: all(|e, bound| e < -bound),
+            },
+            Verdict {
+                possible: all(|e, bound| e >= -bound),
+                certain: all(|e, bound| e > bound),
+            },
+        ]
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests;

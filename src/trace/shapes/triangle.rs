@@ -1,0 +1,217 @@
+//! The triangle, a surface without inside.
+
+use super::facet::{Facet, Passage, Shear, lift, narrow};
+use super::{Intersect, Located, Root, Roots, Shape};
+use crate::scene::TriangleNormals;
+use crate::trace::bounds::Bounds;
+use crate::trace::dd::Dd;
+use crate::trace::number::Real;
+use crate::trace::ray::Line;
+use crate::trace::vec::Vec3;
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Triangle {
+    vertices: [Vec3; 3],
+    normals: TriangleNormals,
+    /// Of length 1; `None` where the vertices lie on one line.
+    normal: Option<Vec3<Dd>>,
+}
+
+/// A triangle and a line in the sheared space.
+struct View<R> {
+    facet: Facet<R>,
+    /// Bound on the error of its projected coordinates.
+    noise: R,
+    /// The depth gained while t grows by 1.
+    pace: R,
+}
+
+impl Triangle {
+    pub fn new(vertices: [[f64; 3]; 3], normals: TriangleNormals) -> Triangle {
+        let vertices = vertices.map(Vec3::from);
+        Triangle {
+            vertices,
+            normals,
+            normal: normal(vertices),
+        }
+    }
+
+    /// The projection is scaled by a power of two where its products could leave the range of the
+    /// numbers: exact, and so of no influence on the sign of an edge function.
+    ///
+    /// The line's origin is not moved: what is shared with neighbours must not depend on this
+    /// triangle alone. Nor would it help, for the rounding of v − o is that of moving o.
+    fn view<R: Real>(&self, line: &Line<R>) -> View<R> {
+        let shear = Shear::along(line.direction);
+        let offsets = self.vertices.map(|v| lift::<R>(v) - line.origin);
+        let mut corners = offsets.map(|p| shear.project(p));
+        let sum = |p: Vec3<R>| p[0].abs() + p[1].abs() + p[2].abs();
+        let size = sum(offsets[0]).max(sum(offsets[1])).max(sum(offsets[2]));
+        let mut scale = R::ONE;
+        let widest = corners
+            .iter()
+            .fold(R::ZERO, |m, c| m.max(c.x.abs()).max(c.y.abs()))
+            .to_f64();
+        // Products of two such numbers, and their rounding errors, are normal even in f32.
+        const COMFORTABLE: std::ops::Range<f64> = 1.0 / 4294967296.0..4294967296.0;
+        if widest > 0.0 && widest.is_finite() && !COMFORTABLE.contains(&widest) {
+            // In two steps, as the factor of a subnormal number is itself out of range.
+            let half = R::of((-widest.log2() / 2.0).round().exp2());
+            for c in &mut corners {
+                c.x = c.x * half * half;
+                c.y = c.y * half * half;
+            }
+            scale = half;
+        }
+        View {
+            facet: Facet::new(corners),
+            // One rounding of v − o, one of the slope, of the product and of the difference.
+            noise: R::gamma(4) * size * scale * scale,
+            pace: shear.pace,
+        }
+    }
+
+    fn passage<R: Real>(&self, line: &Line<R>) -> Option<Passage<R>> {
+        self.view(line).facet.passage()
+    }
+
+    /// The barycentric weights of the vertices at a point of the triangle.
+    fn weights(&self, point: Vec3) -> [f64; 3] {
+        const CENTRE: [f64; 3] = [1.0 / 3.0; 3];
+        let Some(n) = self.normal else {
+            return CENTRE;
+        };
+        // Seen along the normal's longest axis, where the triangle is at its largest; edges are
+        // scaled so that no product leaves the range of doubles.
+        let n: Vec3 = Vec3(n.0.map(narrow));
+        let z = (0..3).fold(0, |z, i| if n[i].abs() > n[z].abs() { i } else { z });
+        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
+        let [a, b, c] = self.vertices;
+        let (ab, ac) = (b * 0.5 - a * 0.5, c * 0.5 - a * 0.5);
+        let size = ab.abs().max_component().max(ac.abs().max_component());
+        let [ab, ac, ap] = [ab, ac, point * 0.5 - a * 0.5].map(|e| e / size);
+        let area = |p: Vec3, q: Vec3| f64::difference_of_products(p[x], q[y], p[y], q[x]);
+        let whole = area(ab, ac);
+        let second = (area(ap, ac) / whole).clamp(0.0, 1.0);
+        let third = (area(ab, ap) / whole).clamp(0.0, 1.0 - second);
+        if second.is_nan() || third.is_nan() {
+            return CENTRE;
+        }
+        [1.0 - second - third, second, third]
+    }
+}
+
+/// The unit normal of the triangle that runs counter-clockwise around it. Vertices so close to one
+/// line that even 32 digits cannot tell them from it have none.
+fn normal([a, b, c]: [Vec3; 3]) -> Option<Vec3<Dd>> {
+    // Halved first, so that the difference of finite vertices is finite.
+    let half = |v: Vec3| lift::<Dd>(v * 0.5);
+    let scaled = |e: Vec3<Dd>| {
+        let size = e.abs().max_component();
+        (size > Dd::ZERO).then(|| e / size)
+    };
+    let (p, q) = (scaled(half(b) - half(a))?, scaled(half(c) - half(a))?);
+    let cross = p.cross(q);
+    // Components up to 1, each off by a subtraction and a division: their products and the
+    // difference of two of these add up to γ₈ · 2.
+    let told = Dd::of(2.0) * Dd::gamma(8);
+    (cross.abs().max_component() > told).then(|| cross.unit())
+}
+
+impl Shape for Triangle {
+    fn bounds(&self) -> Bounds {
+        self.vertices
+            .iter()
+            .fold(Bounds::EMPTY, |b, &v| b.union(&Bounds::new(v, v)))
+            .padded()
+    }
+
+    /// The barycentric weights of the second and the third vertex.
+    fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
+        let [_, u, v] = self.weights(point);
+        [u, v]
+    }
+
+    /// One that has no length, or lies in the triangle's plane, is of no side.
+    fn shading_normal(&self, point: Vec3, _: u32) -> Option<Vec3> {
+        let n = match &self.normals {
+            TriangleNormals::Flat => return None,
+            TriangleNormals::One(n) => Vec3::from(*n),
+            TriangleNormals::PerVertex(n) => {
+                let n = n.map(Vec3::from);
+                let size = n
+                    .iter()
+                    .fold(0.0, |m: f64, n| m.max(n.abs().max_component()));
+                let w = self.weights(point);
+                (0..3).fold(Vec3::ZERO, |sum, i| sum + n[i] / size * w[i])
+            }
+        };
+        let n = n.unit();
+        let side = n.dot(Vec3(self.normal?.0.map(narrow)));
+        if side > 0.0 {
+            Some(n)
+        } else if side < 0.0 {
+            Some(-n)
+        } else {
+            None
+        }
+    }
+
+    fn is_solid(&self) -> bool {
+        false
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        self.vertices.iter().flat_map(|v| v.0).for_each(&mut *sink);
+        match &self.normals {
+            TriangleNormals::Flat => {}
+            TriangleNormals::One(n) => n.iter().copied().for_each(&mut *sink),
+            TriangleNormals::PerVertex(n) => n.iter().flatten().copied().for_each(&mut *sink),
+        }
+    }
+}
+
+impl<R: Real> Intersect<R> for Triangle {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        if self.normal.is_none() {
+            return;
+        }
+        let view = self.view(line);
+        let verdicts = view.facet.verdicts(view.noise);
+        roots.uncertain =
+            verdicts.iter().any(|v| v.possible) && !verdicts.iter().any(|v| v.certain);
+        if let Some(passage) = view.facet.passage() {
+            let t = passage.depth / view.pace;
+            if t.is_finite() {
+                roots.push(t, 0);
+            }
+        }
+    }
+
+    /// The weighted mean of the vertices: off the plane by at most γ₇ Σ|wᵢ vᵢ|, however far away
+    /// the line began (pbrt-v4, section 6.8.5).
+    fn locate(&self, line: &Line<R>, _: Root<R>) -> Located<R> {
+        let weights = match self.passage(line) {
+            Some(passage) => passage.weights,
+            None => [R::ONE / R::of(3.0); 3],
+        };
+        let (mut point, mut size) = (Vec3::ZERO, Vec3::ZERO);
+        for (v, w) in self.vertices.iter().zip(weights) {
+            let part = lift::<R>(*v) * w;
+            point = point + part;
+            size = size + part.abs();
+        }
+        let normal = match self.normal {
+            Some(n) => Vec3(n.0.map(narrow)),
+            None => Vec3::new(R::ZERO, R::ZERO, R::ONE),
+        };
+        Located {
+            point,
+            error: size * R::gamma(7),
+            normal,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
