@@ -12,11 +12,14 @@ use super::loaded::STDIN;
 use super::size::Size;
 use super::terminal::{print, reason};
 use super::{ColorChoice, Loaded, Status, complain, load_sound, load_without_render};
+use crate::diagnostics::Span;
 use crate::scene::{Camera, Render, Scene};
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
 use crate::trace::vec::Vec3;
-use crate::trace::{Crop, Ray, Settings, Tracer, Unsupported, members, selected_camera};
+use crate::trace::{
+    Crop, Ray, Settings, Tracer, Unanswered, Unsupported, members, selected_camera,
+};
 use answer::{PixelAnswer, PointAnswer, RayAnswer};
 use rays::{BadRay, Input};
 
@@ -137,13 +140,20 @@ impl FromStr for PixelArg {
 
 /// Why there is no answer.
 enum Failure {
-    Scene(Unsupported),
+    /// What it is about the scene, and where.
+    Scene(String, Span),
     Usage(String),
 }
 
 impl From<Unsupported> for Failure {
     fn from(e: Unsupported) -> Failure {
-        Failure::Scene(e)
+        Failure::Scene(e.to_string(), e.span)
+    }
+}
+
+impl From<Unanswered> for Failure {
+    fn from(e: Unanswered) -> Failure {
+        Failure::Scene(e.reason, e.span)
     }
 }
 
@@ -168,8 +178,8 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
     };
     match answer(args, &mut loaded) {
         Ok(status) => status,
-        Err(Failure::Scene(e)) => {
-            let place = loaded.source.position(e.span.start);
+        Err(Failure::Scene(e, span)) => {
+            let place = loaded.source.position(span.start);
             complain(&format!(
                 "{}:{}:{}: {e}",
                 args.file.display(),

@@ -4,13 +4,15 @@
 //! what lies below a node keep the walk away from occurrences that are elsewhere, and what a shared
 //! node has once answered for a point is not asked again.
 
-use super::Unsupported;
 use super::ray::Line;
 use super::shapes::{Primitive, Roots};
 use super::vec::Vec3;
+use crate::diagnostics::Span;
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
+use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, HashMap};
+use std::fmt;
 
 /// Answers beyond this many, besides a few for every node of the scene, are not sought: the point
 /// is then in the bounds of millions of occurrences of shared objects.
@@ -35,6 +37,22 @@ pub struct Membership {
     pub in_root: bool,
 }
 
+/// Why there is no telling where a point is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unanswered {
+    pub reason: String,
+    /// The record concerned.
+    pub span: Span,
+}
+
+impl fmt::Display for Unanswered {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.reason)
+    }
+}
+
+impl std::error::Error for Unanswered {}
+
 /// Finds the solids at `root` and below it that hold a point.
 ///
 /// Shapes are closed: a point on the boundary of one is in it, and operations are those of sets, so
@@ -46,7 +64,7 @@ pub struct Membership {
 ///
 /// Names a shape that the tracer does not know, a transformation that takes the point out of range,
 /// or says that too many occurrences would have to be asked.
-pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, Unsupported> {
+pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, Unanswered> {
     let mut walk = Walk {
         scene,
         reach: reaches(scene, root),
@@ -141,7 +159,7 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    fn run(&mut self, root: NodeId, point: Vec3) -> Result<bool, Unsupported> {
+    fn run(&mut self, root: NodeId, point: Vec3) -> Result<bool, Unanswered> {
         let limit = STEPS_MAX + 4 * self.scene.nodes.len();
         let mut steps = 0;
         self.tasks.push(Task::Ask(root, point));
@@ -152,7 +170,9 @@ impl Walk<'_> {
             }
             steps += 1;
             if steps > limit {
-                return Err(self.refusal("a point in so many occurrences of shared objects"));
+                return Err(self.refusal(
+                    "the point is in the bounds of too many occurrences of shared objects",
+                ));
             }
         }
         Ok(self.values.pop().unwrap_or(false))
@@ -160,7 +180,7 @@ impl Walk<'_> {
 
     /// Goes down to the shape or operation of the entity a node is the state of, and answers for it
     /// or has its operands asked.
-    fn ask(&mut self, node: NodeId, point: Vec3) -> Result<(), Unsupported> {
+    fn ask(&mut self, node: NodeId, point: Vec3) -> Result<(), Unanswered> {
         let scene = self.scene;
         let (mut node, mut point, mut copy) = (node, point, 0);
         loop {
@@ -236,13 +256,13 @@ impl Walk<'_> {
     }
 
     /// A point above a transformation in the space below it.
-    fn back(&mut self, matrix: u32, point: Vec3) -> Result<Vec3, Unsupported> {
+    fn back(&mut self, matrix: u32, point: Vec3) -> Result<Vec3, Unanswered> {
         let inverse = match self.inverses.get(&matrix) {
             Some(m) => *m,
             None => {
                 let inverse = self.scene.matrices[matrix as usize].inverse();
                 let inverse = inverse.ok_or_else(|| {
-                    self.refusal("a transformation whose inverse is out of range")
+                    self.refusal("a transformation has no inverse in double precision")
                 })?;
                 self.inverses.insert(matrix, inverse);
                 inverse
@@ -252,26 +272,32 @@ impl Walk<'_> {
         if point.is_finite() {
             Ok(point)
         } else {
-            Err(self.refusal("a point that a transformation takes out of range"))
+            Err(self
+                .refusal("a transformation takes the point out of the range of double precision"))
         }
     }
 
     /// Whether a point of its space is in a shape: from the number of boundaries on one side of it,
     /// and on the boundary itself.
-    fn shape_holds(&mut self, shape: u32, point: Vec3) -> Result<bool, Unsupported> {
+    fn shape_holds(&mut self, shape: u32, point: Vec3) -> Result<bool, Unanswered> {
         let record = &self.scene.shapes[shape as usize];
         if !record.geometry.is_solid() {
             return Ok(false);
         }
-        if !self.primitives.contains_key(&shape) {
-            let primitive = Primitive::new(&record.geometry).ok_or_else(|| Unsupported {
-                what: format!("the shape “{}”", record.ty.title),
-                span: record.span,
-                id: record.id,
-            })?;
-            self.primitives.insert(shape, primitive);
-        }
-        let primitive = &self.primitives[&shape];
+        let primitive = match self.primitives.entry(shape) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => {
+                let primitive = Primitive::new(&record.geometry);
+                new.insert(primitive.ok_or_else(|| Unanswered {
+                    reason: format!(
+                        "object {} is {}, which cannot be traced yet",
+                        record.id,
+                        record.ty.with_article()
+                    ),
+                    span: record.span,
+                })?)
+            }
+        };
         self.roots.clear();
         let line = Line::new(point, DIRECTION);
         primitive.intersect().crossings(&line, &mut self.roots);
@@ -281,12 +307,10 @@ impl Walk<'_> {
         Ok(behind || on_boundary)
     }
 
-    fn refusal(&self, what: &str) -> Unsupported {
-        let render = self.scene.render;
-        Unsupported {
-            what: what.to_owned(),
-            span: render.map(|r| r.span).unwrap_or_default(),
-            id: render.map_or(0, |r| r.root_id),
+    fn refusal(&self, reason: &str) -> Unanswered {
+        Unanswered {
+            reason: reason.to_owned(),
+            span: self.scene.render.map(|r| r.span).unwrap_or_default(),
         }
     }
 }

@@ -36,7 +36,7 @@ pub mod walk;
 
 pub use film::Film;
 pub use hit::Hit;
-pub use membership::{Membership, members};
+pub use membership::{Membership, Unanswered, members};
 pub use picture::{Crop, Picture, Settings, selected_camera};
 pub use probe::{Crossing, Probe};
 pub use ray::Ray;
