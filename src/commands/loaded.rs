@@ -87,13 +87,22 @@ impl Loaded {
 /// Reads a scene for a command that needs a sound one: says everything there is to say about it, and
 /// gives the exit status where there are errors or nothing to draw.
 pub fn load_sound(path: &Path, color: ColorChoice) -> Result<Loaded, Status> {
+    load_reporting(path, color, true)
+}
+
+/// As [`load_sound`], for a command that can do without a render record.
+pub fn load_without_render(path: &Path, color: ColorChoice) -> Result<Loaded, Status> {
+    load_reporting(path, color, false)
+}
+
+fn load_reporting(path: &Path, color: ColorChoice, needs_render: bool) -> Result<Loaded, Status> {
     let mut loaded = load(path).map_err(|e| {
         complain(&e.to_string());
         Status::Failure
     })?;
-    let render = loaded.require_render();
+    let complete = !needs_render || loaded.require_render().is_some();
     report(&loaded, color);
-    if loaded.has_errors() || render.is_none() {
+    if loaded.has_errors() || !complete {
         return Err(Status::Negative);
     }
     Ok(loaded)

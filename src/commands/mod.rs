@@ -13,11 +13,12 @@ pub mod explain;
 pub mod fmt;
 pub mod loaded;
 pub mod paths;
+pub mod probe;
 pub mod render;
 pub mod size;
 pub mod terminal;
 
-pub use loaded::{LoadError, Loaded, load, load_sound};
+pub use loaded::{LoadError, Loaded, load, load_sound, load_without_render};
 pub use terminal::{ColorChoice, complain, report};
 
 /// How a command ended; its number is the exit status.

@@ -6,6 +6,9 @@
 //!
 //! Complements are driven inwards by De Morgan's laws, so −(−A ∪ −B) and A ∩ B become the same
 //! graph; −(A − B) is −A ∪ B. An operand that occurs twice in a union or intersection counts once.
+//!
+//! Parts know the IDs of what they come from. A copy owns what the copied entity itself owned: its
+//! surface if it is a shape, its properties, but not its operands, which are entities of their own.
 
 use super::Unsupported;
 use super::graph::{Coat, Graph, Part, Target};
@@ -29,6 +32,11 @@ pub fn compile(scene: &Scene, root: NodeId) -> Result<Graph, Unsupported> {
     };
     compiler.draft_all(root)?;
     compiler.finish_all()
+}
+
+/// Of two IDs, one above the other, the upper one if there is one; 0 is none.
+pub(super) fn outermost(above: u32, below: u32) -> u32 {
+    if above == 0 { below } else { above }
 }
 
 /// How often each node is an operand of reachable ones, counted from the last node down: children
@@ -64,6 +72,10 @@ struct Place {
     negated: bool,
     matrix: Matrix,
     coat: Coat,
+    /// The outermost entity above that was given properties; 0: none.
+    owner: u32,
+    /// The outermost entity above that is a copy of this node's entity; 0: none.
+    copy: u32,
     /// Something on the way down is used elsewhere too.
     shared: bool,
 }
@@ -106,6 +118,8 @@ impl Compiler<'_> {
             negated: false,
             matrix: Matrix::IDENTITY,
             coat: Coat::default(),
+            owner: 0,
+            copy: 0,
             shared: false,
         };
         self.drafts.push(Draft {
@@ -137,14 +151,20 @@ impl Compiler<'_> {
                 | Node::Difference(..) => return Ok(place),
                 Node::Complement(child) => {
                     place.negated = !place.negated;
+                    place.copy = 0;
                     place.node = child;
                 }
-                Node::Copy { child, .. } => place.node = child,
+                Node::Copy { child, id } => {
+                    place.copy = outermost(place.copy, id);
+                    place.node = child;
+                }
                 Node::Transform { child, matrix } => {
                     place.matrix = place.matrix.after(&self.scene.matrices[matrix as usize]);
                     place.node = child;
                 }
                 Node::Paint { child, paint } => {
+                    let giver = self.scene.paints[paint as usize].owner;
+                    place.owner = outermost(place.owner, outermost(place.copy, giver));
                     self.fold_paint(&mut place, paint)?;
                     place.node = child;
                 }
@@ -211,6 +231,7 @@ impl Compiler<'_> {
         let operand = |node, flip: bool| Place {
             node,
             negated: place.negated != flip,
+            copy: 0,
             shared: false,
             ..*place
         };
@@ -232,6 +253,8 @@ impl Compiler<'_> {
                 placement: self.matrix(&place.matrix)?,
                 paint,
                 inverted: place.negated,
+                shape: outermost(place.copy, record.id),
+                owner: place.owner,
             });
         }
         if !place.shared {
@@ -240,6 +263,8 @@ impl Compiler<'_> {
                 placement: 0,
                 paint: 0,
                 inverted: false,
+                shape: 0,
+                owner: 0,
             });
         }
         let key = (place.node, place.negated);
@@ -249,6 +274,7 @@ impl Compiler<'_> {
                 let object = self.draft(Place {
                     matrix: Matrix::IDENTITY,
                     coat: Coat::default(),
+                    owner: 0,
                     ..*place
                 });
                 self.shared.insert(key, object);
@@ -260,6 +286,8 @@ impl Compiler<'_> {
             placement: self.matrix(&place.matrix)?,
             paint,
             inverted: false,
+            shape: 0,
+            owner: place.owner,
         })
     }
 

@@ -3,7 +3,7 @@
 use super::Unsupported;
 use super::bounds::Bounds;
 use super::bvh::Bvh;
-use super::compile::{Compiler, Draft, Kind};
+use super::compile::{Compiler, Draft, Kind, outermost};
 use super::graph::{Coat, Graph, Group, Object, Operation, Part, Target};
 use std::collections::HashSet;
 
@@ -93,6 +93,7 @@ impl Compiler<'_> {
                 Ok(Some(Part {
                     placement: self.matrix(&matrix)?,
                     paint: self.interner.paint(&mut self.graph, coat),
+                    owner: outermost(part.owner, inner.owner),
                     ..inner
                 }))
             }
@@ -109,7 +110,7 @@ impl Compiler<'_> {
             ..
         } = draft;
         let mut seen = HashSet::with_capacity(first.len());
-        first.retain(|p| seen.insert(*p));
+        first.retain(|p| seen.insert(p.unnamed()));
         if kind == Kind::Union {
             if may_vanish {
                 match first[..] {
@@ -135,12 +136,14 @@ impl Compiler<'_> {
         // A solid less itself is empty, and so is one less something that does not leave a trace.
         let erased = cuts
             .iter()
-            .any(|cut| seen.contains(cut) && self.is_solid_shape(cut));
+            .any(|cut| seen.contains(&cut.unnamed()) && self.is_solid_shape(cut));
         if may_vanish && (bounds.is_empty() || erased) {
             return Err(Finished::Empty);
         }
         let mut seen = HashSet::with_capacity(cuts.len());
-        cuts.retain(|cut| seen.insert(*cut) && !self.bounds(cut).intersection(&bounds).is_empty());
+        cuts.retain(|cut| {
+            seen.insert(cut.unnamed()) && !self.bounds(cut).intersection(&bounds).is_empty()
+        });
         if let ([only], true, true) = (&first[..], cuts.is_empty(), may_vanish) {
             return Err(Finished::Alias(*only));
         }
@@ -154,6 +157,8 @@ impl Compiler<'_> {
                 placement: 0,
                 paint: 0,
                 inverted: false,
+                shape: 0,
+                owner: 0,
             });
         }
         let cuts = self.group(cuts);

@@ -29,6 +29,22 @@ pub struct Part {
     pub paint: u32,
     /// The complement of a shape; never set for an object.
     pub inverted: bool,
+    /// ID of the entity whose record made the shape; 0 for an object.
+    pub shape: u32,
+    /// ID of the outermost entity above the part, within the object it belongs to, that was given
+    /// properties; 0 where there is none.
+    pub owner: u32,
+}
+
+impl Part {
+    /// The part without its IDs: equal for parts that cannot be told apart in a picture.
+    pub fn unnamed(self) -> Part {
+        Part {
+            shape: 0,
+            owner: 0,
+            ..self
+        }
+    }
 }
 
 /// What is painted over a part, per aspect; `None` leaves the part's own.

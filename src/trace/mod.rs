@@ -4,7 +4,8 @@
 //! holds that and everything else a picture needs, and knows what cannot be drawn before the first
 //! ray. In the order in which a pixel comes about: [`camera`] and [`sampling`] make rays,
 //! [`nearest`] and [`spans`] find what they meet in the graph ([`walk`], [`bvh`], [`shapes`],
-//! [`join`]), [`hit`] says what is there, [`shade`] adds up the light, [`film`] keeps it.
+//! [`join`]), [`hit`] says what is there, [`shade`] adds up the light, [`film`] keeps it. [`probe`]
+//! and [`membership`] answer questions about single rays and points.
 
 pub mod affine;
 pub mod bounds;
@@ -20,9 +21,11 @@ pub mod graph;
 pub mod hit;
 mod intern;
 mod join;
+pub mod membership;
 pub mod nearest;
 pub mod number;
 mod picture;
+mod probe;
 mod quartic;
 pub mod ray;
 pub mod sampling;
@@ -35,7 +38,9 @@ pub mod walk;
 
 pub use film::Film;
 pub use hit::Hit;
+pub use membership::{Membership, Unanswered, members};
 pub use picture::{Crop, Picture, Settings, selected_camera};
+pub use probe::{Crossing, Probe};
 pub use ray::Ray;
 
 use crate::diagnostics::Span;
@@ -43,7 +48,7 @@ use crate::scene::Scene;
 use bounds::Bounds;
 use graph::{Graph, Operation, Target};
 use shade::Light;
-use spans::{Event, Kind, State};
+use spans::State;
 use std::fmt;
 use vec::Vec3;
 use walk::Walker;
@@ -81,16 +86,6 @@ pub struct Tracer {
     /// Nothing can be in the way of anything.
     lone_convex: bool,
     effects: Vec<&'static str>,
-}
-
-/// A crossing of a boundary or a surface, for those who ask about geometry.
-#[derive(Debug, Clone, Copy)]
-pub struct Crossing {
-    pub hit: Hit,
-    /// Surface coordinates of the shape.
-    pub uv: [f64; 2],
-    /// `None` for surfaces without inside.
-    pub entering: Option<bool>,
 }
 
 impl Tracer {
@@ -149,27 +144,6 @@ impl Tracer {
     pub fn hit(&self, walker: &mut Walker, ray: &Ray) -> Option<Hit> {
         let (from, to) = self.window(ray, f64::INFINITY)?;
         walker.first_hit(ray, from, to, self.clip.is_some())
-    }
-
-    /// All boundary crossings on a ray with t > 0, ascending, as if every surface let it through;
-    /// the region that is drawn does not apply.
-    pub fn crossings(&self, walker: &mut Walker, ray: &Ray) -> Vec<Crossing> {
-        let (start, events) = walker.trace_spans(ray, 0.0, f64::INFINITY);
-        let events: Vec<Event> = events.to_vec();
-        let mut before = start.is_some_and(|s| s.inside);
-        let mut out = Vec::new();
-        for event in events {
-            if event.kind != Kind::Silent {
-                out.push(Crossing {
-                    hit: walker.resolve(ray, event.leaf, event.root, event.owner.leaf),
-                    uv: walker.uv(event.leaf, event.root),
-                    entering: (event.kind == Kind::Boundary)
-                        .then_some(event.state.inside && !before),
-                });
-            }
-            before = event.state.inside;
-        }
-        out
     }
 
     /// Whether a point is inside some solid of the scene.

@@ -1,6 +1,7 @@
 //! Walking the graph along one ray: the spaces entered on the way, and where shapes are crossed.
 
-use super::graph::{Coat, Graph, Part, Target};
+use super::compile::outermost;
+use super::graph::{Coat, Graph, Operation, Part, Target};
 use super::nearest::Entry;
 use super::ray::{Left, Line, Ray};
 use super::shapes::{Primitive, Root, Roots};
@@ -39,6 +40,8 @@ pub struct Context {
     texture: Option<Painted>,
     optics: Option<u32>,
     index: Option<u32>,
+    /// The outermost entity that was given properties; 0: none.
+    owner: u32,
 }
 
 /// The scratch of one thread, and what it has counted.
@@ -95,6 +98,7 @@ impl<'g> Walker<'g> {
             texture: None,
             optics: None,
             index: None,
+            owner: 0,
         });
     }
 
@@ -129,6 +133,7 @@ impl<'g> Walker<'g> {
             texture: self.texture(leaf),
             optics: self.own_optics(leaf),
             index: self.own_index(leaf),
+            owner: outermost(above.owner, p.owner),
         };
         self.contexts.push(next);
         self.contexts.len() as u32 - 1
@@ -173,6 +178,41 @@ impl<'g> Walker<'g> {
     /// Number of the part's refractive index.
     pub fn index(&self, leaf: Leaf) -> u32 {
         self.own_index(leaf).unwrap_or(0)
+    }
+
+    /// ID of the entity whose record made the surface of a leaf.
+    pub fn shape_id(&self, leaf: Leaf) -> u32 {
+        self.part(leaf.part).shape
+    }
+
+    /// ID of the entity whose properties a leaf has: the outermost one that was given any, or else
+    /// the shape itself.
+    pub fn object_id(&self, leaf: Leaf) -> u32 {
+        let part = self.part(leaf.part);
+        let above = self.contexts[leaf.context as usize].owner;
+        outermost(outermost(above, part.owner), part.shape)
+    }
+
+    /// Whether the inside of a leaf's shape is on the outer side of the scene's solid there: its
+    /// complement takes part, or it is taken away.
+    pub fn is_turned(&self, leaf: Leaf) -> bool {
+        let Leaf {
+            mut part,
+            mut context,
+        } = leaf;
+        let mut turned = self.part(part).inverted;
+        loop {
+            let c = &self.contexts[context as usize];
+            if let Operation::Intersection { first, .. } =
+                &self.graph.objects[c.object as usize].operation
+            {
+                turned ^= !first.contains(&part);
+            }
+            if context == 0 {
+                return turned;
+            }
+            (part, context) = (c.part, c.parent);
+        }
     }
 
     /// A number for the surface of a part that is a shape: equal for equal shapes placed equally.

@@ -1,0 +1,321 @@
+//! `zpg probe`: what is on a ray, in a pixel or at a point.
+
+mod answer;
+mod rays;
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use super::loaded::STDIN;
+use super::size::Size;
+use super::terminal::{print, reason};
+use super::{ColorChoice, Loaded, Status, complain, load_sound, load_without_render};
+use crate::diagnostics::Span;
+use crate::scene::{Camera, Render, Scene};
+use crate::syntax::table::Kind;
+use crate::trace::camera::View;
+use crate::trace::vec::Vec3;
+use crate::trace::{
+    Crop, Ray, Settings, Tracer, Unanswered, Unsupported, members, selected_camera,
+};
+use answer::{PixelAnswer, PointAnswer, RayAnswer};
+use rays::{BadRay, Input};
+
+/// Answer questions about rays and points
+#[derive(Debug, clap::Args)]
+#[command(
+    group = clap::ArgGroup::new("question").required(true).args(["ray", "rays", "pixel", "point"]),
+    after_help = "\
+Prints one JSON object a line, in the order of the rays. A ray's has all boundary crossings with t > 0,
+ascending, as if every surface let it through; t is in units of the direction's length. A file of rays
+has one a line, `ox oy oz dx dy dz`; empty lines and what follows a # are skipped.
+
+`shape` is the ID whose record made the surface, a copy's own for a copied shape; `object` is the
+outermost entity above it that was given properties, or else the shape. The normal points out of the
+solid, also where a cut made the boundary. What lies outside of the render record's box is not
+reported, but counts for `inside_at_origin`, the state just behind the origin.
+
+--point lists the IDs of the solids, shapes and operations, that contain the point; boundaries of
+shapes belong to them. `in_scene`: whether the whole does, within the render record's box.
+
+Examples:
+  zpg probe scene.zpg --ray \"0 0 9  0 0 -1\"
+  zpg probe scene.zpg --rays rays.txt > hits.jsonl
+  zpg probe scene.zpg --pixel 320,240 --size 640x480
+  zpg probe scene.zpg --point \"0 1 0\" --object 4"
+)]
+pub struct Args {
+    /// The scene; `-` is standard input
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+
+    /// Origin and direction of one ray
+    #[arg(long, value_name = "OX OY OZ DX DY DZ", allow_hyphen_values = true)]
+    ray: Option<RayArg>,
+
+    /// A file of rays; `-` is standard input
+    #[arg(long, value_name = "FILE")]
+    rays: Option<PathBuf>,
+
+    /// The ray through the centre of a pixel, counted from 0 at the upper left
+    #[arg(long, value_name = "X,Y")]
+    pixel: Option<PixelArg>,
+
+    /// A point
+    #[arg(long, value_name = "X Y Z", allow_hyphen_values = true)]
+    point: Option<PointArg>,
+
+    /// Width and height of the picture that --pixel is in
+    #[arg(
+        long,
+        value_name = "WxH",
+        default_value = "640x480",
+        requires = "pixel"
+    )]
+    size: Size,
+
+    /// The camera that --pixel is seen by; of a stereo pair the left one, if nothing is said
+    #[arg(long, value_name = "ID", requires = "pixel")]
+    camera: Option<u32>,
+
+    /// Ask about this object as it stands at the end of the file, not about the whole scene; the
+    /// render record's box does not apply
+    #[arg(long, value_name = "ID")]
+    object: Option<u32>,
+
+    /// The numbers to compute with
+    #[arg(long, value_enum, default_value_t)]
+    precision: Precision,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+enum Precision {
+    /// Single precision
+    F32,
+    /// Double precision
+    #[default]
+    F64,
+    /// Double-double, about 32 digits
+    Dd,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct RayArg(Ray);
+
+impl FromStr for RayArg {
+    type Err = String;
+
+    fn from_str(s: &str) -> Result<RayArg, String> {
+        rays::parse(s).map(RayArg)
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+struct PointArg(Vec3);
+
+impl FromStr for PointArg {
+    type Err = String;
+
+    fn from_str(s: &str) -> Result<PointArg, String> {
+        rays::numbers(s).map(|p| PointArg(Vec3(p)))
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+struct PixelArg([u32; 2]);
+
+impl FromStr for PixelArg {
+    type Err = String;
+
+    fn from_str(s: &str) -> Result<PixelArg, String> {
+        let numbers: Result<Vec<u32>, _> = s.split(',').map(|n| n.trim().parse()).collect();
+        match numbers.as_deref() {
+            Ok(&[x, y]) => Ok(PixelArg([x, y])),
+            _ => Err("expected X,Y in pixels, as in 320,240".into()),
+        }
+    }
+}
+
+/// Why there is no answer.
+enum Failure {
+    /// What it is about the scene, and where.
+    Scene(String, Span),
+    Usage(String),
+}
+
+impl From<Unsupported> for Failure {
+    fn from(e: Unsupported) -> Failure {
+        Failure::Scene(e.to_string(), e.span)
+    }
+}
+
+impl From<Unanswered> for Failure {
+    fn from(e: Unanswered) -> Failure {
+        Failure::Scene(e.reason, e.span)
+    }
+}
+
+pub fn run(args: &Args, color: ColorChoice) -> Status {
+    let from_stdin = |path: &Path| path.as_os_str() == STDIN;
+    if args.precision != Precision::F64 {
+        complain("only --precision f64 is available yet");
+        return Status::Failure;
+    }
+    if from_stdin(&args.file) && args.rays.as_deref().is_some_and(from_stdin) {
+        complain("the scene and the rays cannot both be standard input");
+        return Status::Failure;
+    }
+    // An object needs no render record to be asked about.
+    let loaded = match args.object {
+        Some(_) => load_without_render(&args.file, color),
+        None => load_sound(&args.file, color),
+    };
+    let mut loaded = match loaded {
+        Ok(loaded) => loaded,
+        Err(status) => return status,
+    };
+    match answer(args, &mut loaded) {
+        Ok(status) => status,
+        Err(Failure::Scene(e, span)) => {
+            let place = loaded.source.position(span.start);
+            complain(&format!(
+                "{}:{}:{}: {e}",
+                args.file.display(),
+                place.line,
+                place.column
+            ));
+            Status::Negative
+        }
+        Err(Failure::Usage(message)) => {
+            complain(&message);
+            Status::Failure
+        }
+    }
+}
+
+fn answer(args: &Args, loaded: &mut Loaded) -> Result<Status, Failure> {
+    let scene = &mut loaded.scene;
+    if let Some(id) = args.object {
+        scene.render = Some(alone(scene, id)?);
+    }
+    let scene = &loaded.scene;
+    if let (Some(PointArg(point)), Some(render)) = (args.point, scene.render) {
+        let found = members(scene, render.root, point)?;
+        let shown = render
+            .clip
+            .is_none_or(|(min, max)| (0..3).all(|i| min[i] <= point[i] && point[i] <= max[i]));
+        let answer = PointAnswer::new(point, found, shown);
+        return Ok(print(Status::Clean, |out| answer::write(out, &answer)));
+    }
+    if let Some(path) = &args.rays {
+        let mut input = open(path)?;
+        let tracer = Tracer::new(scene)?;
+        let bad = |e: BadRay| complain(&format!("{}:{e}", path.display()));
+        return Ok(rays::stream(&tracer, &mut input, bad));
+    }
+    if let Some(PixelArg(pixel)) = args.pixel {
+        let answer = pixel_answer(args, scene, pixel)?;
+        return Ok(print(Status::Clean, |out| answer::write(out, &answer)));
+    }
+    let Some(RayArg(ray)) = args.ray else {
+        return Err(Failure::Usage("there is no question".into()));
+    };
+    let tracer = Tracer::new(scene)?;
+    let answer = RayAnswer::new(&tracer, &mut tracer.walker(), &ray).map_err(Failure::Usage)?;
+    Ok(print(Status::Clean, |out| answer::write(out, &answer)))
+}
+
+/// The rays of a file.
+fn open(path: &Path) -> Result<Input, Failure> {
+    let input: Box<dyn Read> = if path.as_os_str() == STDIN {
+        Box::new(io::stdin().lock())
+    } else {
+        let file = File::open(path).map_err(|e| {
+            Failure::Usage(format!("cannot read {}: {}", path.display(), reason(&e)))
+        })?;
+        Box::new(file)
+    };
+    Ok(Input::with_capacity(rays::BUFFER, input))
+}
+
+/// A render record for one object alone, with the background of the scene's own.
+fn alone(scene: &Scene, id: u32) -> Result<Render, Failure> {
+    let found = scene.entities.iter().find(|e| e.id == id);
+    match found {
+        Some(entity) => match entity.node {
+            Some(root) => Ok(Render {
+                root,
+                root_id: id,
+                background: scene.render.map_or([0.0; 3], |r| r.background),
+                clip: None,
+                span: entity.span,
+            }),
+            None => {
+                let kind = entity.kind.map_or("something else", Kind::with_article);
+                Err(Failure::Usage(format!("{id} is {kind}, not an object")))
+            }
+        },
+        None => Err(unknown(scene, id, Kind::Object)),
+    }
+}
+
+/// There is nothing of this kind with this ID; proposes the one nearest in spelling, and among
+/// those the nearest number.
+fn unknown(scene: &Scene, id: u32, kind: Kind) -> Failure {
+    let written = id.to_string();
+    let of_kind = scene.entities.iter().filter(|e| e.kind == Some(kind));
+    let near = of_kind.map(|e| {
+        let distance = strsim::osa_distance(&written, &e.id.to_string());
+        (distance, e.id.abs_diff(id), e.id)
+    });
+    let what = match kind {
+        Kind::Camera => "camera",
+        _ => "object",
+    };
+    let proposal = match near.min() {
+        Some((.., near)) => format!("; did you mean {near}?"),
+        None => String::new(),
+    };
+    Failure::Usage(format!("the scene has no {what} {id}{proposal}"))
+}
+
+fn pixel_answer(args: &Args, scene: &Scene, pixel: [u32; 2]) -> Result<PixelAnswer, Failure> {
+    let Size { width, height } = args.size;
+    let [x, y] = pixel;
+    if x >= width || y >= height {
+        return Err(Failure::Usage(format!(
+            "pixel {x},{y} is not in a picture of {width}x{height} pixels"
+        )));
+    }
+    let camera: Camera = match args.camera {
+        Some(id) => match scene.cameras.iter().find(|c| c.id == id) {
+            Some(camera) => *camera,
+            None => return Err(unknown(scene, id, Kind::Camera)),
+        },
+        None => selected_camera(scene, f64::from(width) / f64::from(height)),
+    };
+    let tracer = Tracer::new(scene)?;
+    let settings = Settings {
+        width,
+        height,
+        crop: Some(Crop {
+            x,
+            y,
+            width: 1,
+            height: 1,
+        }),
+        ..Settings::default()
+    };
+    let film = tracer.render(&camera, &settings, || ())?.film;
+    let centre = [x, y].map(|i| f64::from(i) + 0.5);
+    let ray = View::new(&camera, width, height).and_then(|v| v.ray(centre[0], centre[1]));
+    let ray = ray.ok_or_else(|| {
+        Failure::Usage(format!(
+            "the camera's projection has no ray in pixel {x},{y}"
+        ))
+    })?;
+    let answer = RayAnswer::new(&tracer, &mut tracer.walker(), &ray).map_err(Failure::Usage)?;
+    Ok(PixelAnswer::new(pixel, film.pixel(0, 0), answer))
+}

@@ -1,0 +1,117 @@
+//! The answers as JSON. No number in them is NaN or infinite, and no zero negative.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use crate::trace::vec::Vec3;
+use crate::trace::walk::Walker;
+use crate::trace::{Crossing, Membership, Ray, Tracer};
+
+/// What is on a ray.
+#[derive(Debug, Serialize)]
+pub struct RayAnswer {
+    ray: RayJson,
+    inside_at_origin: bool,
+    hits: Vec<HitJson>,
+}
+
+#[derive(Debug, Serialize)]
+struct RayJson {
+    origin: [f64; 3],
+    direction: [f64; 3],
+}
+
+#[derive(Debug, Serialize)]
+struct HitJson {
+    t: f64,
+    point: [f64; 3],
+    normal: [f64; 3],
+    uv: [f64; 2],
+    object: u32,
+    shape: u32,
+    entering: Option<bool>,
+}
+
+/// What is on the ray of a pixel, and its colour, linear RGB.
+#[derive(Debug, Serialize)]
+pub struct PixelAnswer {
+    pixel: [u32; 2],
+    color: [f32; 3],
+    #[serde(flatten)]
+    ray: RayAnswer,
+}
+
+/// What is at a point.
+#[derive(Debug, Serialize)]
+pub struct PointAnswer {
+    point: [f64; 3],
+    inside: Vec<u32>,
+    in_scene: bool,
+}
+
+/// Zero has no sign.
+fn plain<const N: usize>(numbers: [f64; N]) -> [f64; N] {
+    numbers.map(|x| x + 0.0)
+}
+
+impl RayAnswer {
+    /// Traces a ray; the error is a message about numbers out of range.
+    pub fn new(tracer: &Tracer, walker: &mut Walker, ray: &Ray) -> Result<RayAnswer, String> {
+        let probe = tracer.probe(walker, ray);
+        let hits: Option<Vec<HitJson>> = probe.crossings.iter().map(HitJson::new).collect();
+        Ok(RayAnswer {
+            ray: RayJson {
+                origin: plain(ray.line.origin.0),
+                direction: plain(ray.line.direction.0),
+            },
+            inside_at_origin: probe.inside_at_origin,
+            hits: hits.ok_or("this ray meets the scene out of the range of double precision")?,
+        })
+    }
+}
+
+impl HitJson {
+    /// `None` where a number is out of range.
+    fn new(crossing: &Crossing) -> Option<HitJson> {
+        let Crossing {
+            hit, normal, uv, ..
+        } = crossing;
+        let finite = hit.t.is_finite()
+            && hit.point.is_finite()
+            && normal.is_finite()
+            && uv.iter().all(|x| x.is_finite());
+        finite.then(|| HitJson {
+            t: hit.t,
+            point: plain(hit.point.0),
+            normal: plain(normal.0),
+            uv: plain(*uv),
+            object: crossing.object,
+            shape: crossing.shape,
+            entering: crossing.entering,
+        })
+    }
+}
+
+impl PixelAnswer {
+    pub fn new(pixel: [u32; 2], color: [f32; 3], ray: RayAnswer) -> PixelAnswer {
+        PixelAnswer { pixel, color, ray }
+    }
+}
+
+impl PointAnswer {
+    /// `shown`: the point lies in the region that is drawn.
+    pub fn new(point: Vec3, found: Membership, shown: bool) -> PointAnswer {
+        PointAnswer {
+            point: plain(point.0),
+            inside: found.inside.into_iter().collect(),
+            in_scene: found.in_root && shown,
+        }
+    }
+}
+
+/// Writes an answer on a line of its own.
+pub fn write(out: &mut dyn Write, answer: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, answer)?;
+    writeln!(out)
+}

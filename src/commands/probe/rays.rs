@@ -1,0 +1,193 @@
+//! Files of rays: read, traced and answered in batches, so that any number of them will do.
+
+use std::fmt;
+use std::io::{self, BufRead, BufReader, Read, Write};
+
+use rayon::prelude::*;
+
+use super::answer::{self, RayAnswer};
+use crate::commands::Status;
+use crate::commands::terminal::{complain, reason};
+use crate::trace::vec::Vec3;
+use crate::trace::{Ray, Tracer};
+
+/// Bytes that are read at once.
+pub const BUFFER: usize = 1 << 20;
+/// Rays that are held at once.
+const BATCH: usize = 1 << 14;
+/// Rays that a thread takes at once.
+const SHARE: usize = 64;
+/// Bytes that a line may have: there is no end to one without a line break.
+const LINE_MAX: u64 = 1 << 16;
+
+/// A line that holds no ray, or one that cannot be answered.
+#[derive(Debug)]
+pub struct BadRay {
+    line: u64,
+    reason: String,
+}
+
+impl fmt::Display for BadRay {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.line, self.reason)
+    }
+}
+
+/// Reads N numbers separated by white space.
+pub fn numbers<const N: usize>(s: &str) -> Result<[f64; N], String> {
+    let mut out = [0.0; N];
+    let mut count = 0;
+    for word in s.split_whitespace() {
+        let number = match word.parse::<f64>() {
+            Ok(x) if x.is_finite() => x,
+            // "inf" and "NaN" are words to us.
+            Ok(_) if word.bytes().any(|b| b.is_ascii_digit()) => {
+                return Err(format!("`{word}` is out of range"));
+            }
+            _ => return Err(format!("`{word}` is not a number")),
+        };
+        if let Some(slot) = out.get_mut(count) {
+            *slot = number;
+        }
+        count += 1;
+    }
+    if count == N {
+        Ok(out)
+    } else {
+        Err(format!("expected {N} numbers, found {count}"))
+    }
+}
+
+/// Reads a ray: origin and direction.
+pub fn parse(s: &str) -> Result<Ray, String> {
+    let [ox, oy, oz, dx, dy, dz] = numbers(s)?;
+    let direction = Vec3::new(dx, dy, dz);
+    if !direction.any() {
+        return Err("the direction is the zero vector".into());
+    }
+    Ok(Ray::new(Vec3::new(ox, oy, oz), direction))
+}
+
+/// Answers every ray of a file on standard output, in order. A line that holds no ray ends it, after
+/// all rays before it have been answered, and is told to `bad`.
+pub fn stream(tracer: &Tracer, input: &mut Input, bad: impl Fn(BadRay)) -> Status {
+    let mut lines = Lines {
+        input,
+        number: 0,
+        line: Vec::new(),
+    };
+    let mut out = io::stdout().lock();
+    loop {
+        let (batch, end) = lines.batch();
+        let (text, unanswered) = trace(tracer, &batch);
+        let written = out.write_all(&text).and_then(|()| out.flush());
+        match written {
+            Err(e) if e.kind() == io::ErrorKind::BrokenPipe => return Status::Clean,
+            Err(e) => {
+                complain(&format!("cannot write to standard output: {}", reason(&e)));
+                return Status::Failure;
+            }
+            Ok(()) => {}
+        }
+        match (unanswered, end) {
+            (Some(e), _) | (None, End::Bad(e)) => {
+                bad(e);
+                return Status::Failure;
+            }
+            (None, End::File) => return Status::Clean,
+            (None, End::Batch) => {}
+        }
+    }
+}
+
+/// A file of rays.
+pub type Input = BufReader<Box<dyn Read>>;
+
+/// Why a batch ends.
+enum End {
+    /// It is full, or nothing more has arrived yet.
+    Batch,
+    File,
+    Bad(BadRay),
+}
+
+/// The lines of a file of rays.
+struct Lines<'a> {
+    input: &'a mut Input,
+    /// Of the last line that was read, from 1.
+    number: u64,
+    line: Vec<u8>,
+}
+
+impl Lines<'_> {
+    /// The next rays with their lines. A batch ends where waiting for input would begin, so that
+    /// whoever waits for an answer before asking on gets it.
+    fn batch(&mut self) -> (Vec<(u64, Ray)>, End) {
+        let mut rays = Vec::new();
+        let mut ready = true;
+        while rays.is_empty() || (ready && rays.len() < BATCH) {
+            match self.next() {
+                Ok(None) => return (rays, End::File),
+                Ok(Some(ray)) => rays.extend(ray.map(|ray| (self.number, ray))),
+                Err(reason) => {
+                    let line = self.number;
+                    return (rays, End::Bad(BadRay { line, reason }));
+                }
+            }
+            ready = self.input.buffer().contains(&b'\n');
+        }
+        (rays, End::Batch)
+    }
+
+    /// The ray on the next line; `None` where the file ends, or where there is none on the line.
+    fn next(&mut self) -> Result<Option<Option<Ray>>, String> {
+        self.line.clear();
+        self.number += 1;
+        let mut limited = self.input.by_ref().take(LINE_MAX);
+        let read = limited.read_until(b'\n', &mut self.line);
+        let read = read.map_err(|e| format!("cannot be read: {}", reason(&e)))?;
+        if read == 0 {
+            return Ok(None);
+        }
+        if read as u64 == LINE_MAX && self.line.last() != Some(&b'\n') {
+            return Err(format!("the line is longer than {LINE_MAX} bytes"));
+        }
+        // Comments may be in any encoding, numbers are ASCII.
+        let text = String::from_utf8_lossy(&self.line);
+        let content = text.split('#').next().unwrap_or("").trim();
+        if content.is_empty() {
+            return Ok(Some(None));
+        }
+        parse(content).map(|ray| Some(Some(ray)))
+    }
+}
+
+/// The answers to a batch, up to the first ray that cannot be answered.
+fn trace(tracer: &Tracer, batch: &[(u64, Ray)]) -> (Vec<u8>, Option<BadRay>) {
+    let shares: Vec<(Vec<u8>, Option<BadRay>)> = batch
+        .par_chunks(SHARE)
+        .map_init(
+            || tracer.walker(),
+            |walker, rays| {
+                let mut text = Vec::new();
+                for &(line, ray) in rays {
+                    let answered = RayAnswer::new(tracer, walker, &ray).and_then(|answer| {
+                        answer::write(&mut text, &answer).map_err(|e| e.to_string())
+                    });
+                    if let Err(reason) = answered {
+                        return (text, Some(BadRay { line, reason }));
+                    }
+                }
+                (text, None)
+            },
+        )
+        .collect();
+    let mut all = Vec::new();
+    for (text, bad) in shares {
+        all.extend(text);
+        if bad.is_some() {
+            return (all, bad);
+        }
+    }
+    (all, None)
+}

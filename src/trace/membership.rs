@@ -1,0 +1,316 @@
+//! Which solids a point is in.
+//!
+//! Every occurrence of a node is asked in its own space, operands before operations. Boxes around
+//! what lies below a node keep the walk away from occurrences that are elsewhere, and what a shared
+//! node has once answered for a point is not asked again.
+
+use super::ray::Line;
+use super::shapes::{Primitive, Roots};
+use super::vec::Vec3;
+use crate::diagnostics::Span;
+use crate::scene::bounds::{NodeBounds, node_bounds};
+use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeSet, HashMap};
+use std::fmt;
+
+/// Answers beyond this many, besides a few for every node of the scene, are not sought: the point
+/// is then in the bounds of millions of occurrences of shared objects.
+const STEPS_MAX: usize = 1 << 22;
+
+/// The direction in which boundaries are counted, in the space of each shape. Any will do for a
+/// point off the boundary. A point on a face is found there unless the line runs along the face or
+/// touches it only: this one is not parallel to any face that is written with a few digits.
+const DIRECTION: Vec3 = Vec3([
+    std::f64::consts::FRAC_1_SQRT_2,
+    std::f64::consts::FRAC_1_PI,
+    std::f64::consts::LN_2,
+]);
+
+/// The solids that hold a point.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Membership {
+    /// IDs of the shapes and operations below the root, itself included, any occurrence of which
+    /// holds the point, ascending.
+    pub inside: BTreeSet<u32>,
+    /// Whether the root itself holds it.
+    pub in_root: bool,
+}
+
+/// Why there is no telling where a point is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unanswered {
+    pub reason: String,
+    /// The record concerned.
+    pub span: Span,
+}
+
+impl fmt::Display for Unanswered {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.reason)
+    }
+}
+
+impl std::error::Error for Unanswered {}
+
+/// Finds the solids at `root` and below it that hold a point.
+///
+/// Shapes are closed: a point on the boundary of one is in it, and operations are those of sets, so
+/// that it is in neither the complement nor in what the shape is taken away from. Surfaces hold
+/// nothing. A copy stands for what it copies: the original is not listed for it, the operands of
+/// both are.
+///
+/// # Errors
+///
+/// Names a shape that the tracer does not know, a transformation that takes the point out of range,
+/// or says that too many occurrences would have to be asked.
+pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, Unanswered> {
+    let mut walk = Walk {
+        scene,
+        reach: reaches(scene, root),
+        ids: operation_ids(scene),
+        inverses: HashMap::new(),
+        primitives: HashMap::new(),
+        answers: HashMap::new(),
+        values: Vec::new(),
+        tasks: Vec::new(),
+        inside: BTreeSet::new(),
+        roots: Roots::default(),
+    };
+    let in_root = walk.run(root, point)?;
+    Ok(Membership {
+        inside: walk.inside,
+        in_root,
+    })
+}
+
+/// For each node up to `root`: a box that holds every solid at and below it.
+fn reaches(scene: &Scene, root: NodeId) -> Vec<Aabb> {
+    let own: Vec<NodeBounds> = node_bounds(scene);
+    let mut reach: Vec<Aabb> = Vec::with_capacity(root as usize + 1);
+    // Below some nodes everything counts as it is; their own bounds are the tighter ones.
+    let mut plain: Vec<bool> = Vec::with_capacity(root as usize + 1);
+    for (node, own) in scene.nodes.iter().zip(&own).take(root as usize + 1) {
+        let of = |n: NodeId| reach[n as usize];
+        let simple = |n: NodeId| plain[n as usize];
+        let (all, is_plain) = match *node {
+            Node::Shape(_) => (own.all, true),
+            Node::Union(a, b) => (of(a).hull(&of(b)), simple(a) && simple(b)),
+            Node::Intersection(a, b) | Node::Difference(a, b) => (of(a).hull(&of(b)), false),
+            Node::Complement(_) => (Aabb::ALL, false),
+            Node::Transform { child, .. } if simple(child) => (own.all, true),
+            Node::Transform { child, matrix } => (
+                of(child).transformed(&scene.matrices[matrix as usize]),
+                false,
+            ),
+            Node::Paint { child, .. } | Node::Copy { child, .. } => (of(child), simple(child)),
+        };
+        reach.push(all);
+        plain.push(is_plain);
+    }
+    reach
+}
+
+/// The IDs of operations, by their nodes: below what was done to an entity later is the node its
+/// record made, which no other entity has.
+fn operation_ids(scene: &Scene) -> HashMap<NodeId, u32> {
+    let mut ids = HashMap::new();
+    for entity in &scene.entities {
+        let mut at = entity.node;
+        while let Some(node) = at {
+            at = match scene.nodes[node as usize] {
+                Node::Transform { child, .. } | Node::Paint { child, .. } => Some(child),
+                // Both say themselves whose they are.
+                Node::Copy { .. } | Node::Shape(_) => None,
+                _ => {
+                    ids.insert(node, entity.id);
+                    None
+                }
+            };
+        }
+    }
+    ids
+}
+
+/// A node and the bits of a point in its space, and the copy it stands for.
+type Question = (NodeId, u32, [u64; 3]);
+
+enum Task {
+    Ask(NodeId, Vec3),
+    /// Puts the answers of the operands of an operation together.
+    Combine {
+        core: NodeId,
+        id: u32,
+        question: Question,
+    },
+}
+
+struct Walk<'a> {
+    scene: &'a Scene,
+    reach: Vec<Aabb>,
+    ids: HashMap<NodeId, u32>,
+    inverses: HashMap<u32, Matrix>,
+    primitives: HashMap<u32, Primitive>,
+    answers: HashMap<Question, bool>,
+    values: Vec<bool>,
+    tasks: Vec<Task>,
+    inside: BTreeSet<u32>,
+    roots: Roots,
+}
+
+impl Walk<'_> {
+    fn run(&mut self, root: NodeId, point: Vec3) -> Result<bool, Unanswered> {
+        let limit = STEPS_MAX + 4 * self.scene.nodes.len();
+        let mut steps = 0;
+        self.tasks.push(Task::Ask(root, point));
+        while let Some(task) = self.tasks.pop() {
+            match task {
+                Task::Ask(node, point) => self.ask(node, point)?,
+                Task::Combine { core, id, question } => self.combine(core, id, question),
+            }
+            steps += 1;
+            if steps > limit {
+                return Err(self.refusal(
+                    "the point is in the bounds of too many occurrences of shared objects",
+                ));
+            }
+        }
+        Ok(self.values.pop().unwrap_or(false))
+    }
+
+    /// Goes down to the shape or operation of the entity a node is the state of, and answers for it
+    /// or has its operands asked.
+    fn ask(&mut self, node: NodeId, point: Vec3) -> Result<(), Unanswered> {
+        let scene = self.scene;
+        let (mut node, mut point, mut copy) = (node, point, 0);
+        loop {
+            if !self.reach[node as usize].contains(point.0) {
+                self.values.push(false);
+                return Ok(());
+            }
+            node = match scene.nodes[node as usize] {
+                Node::Paint { child, .. } => child,
+                Node::Copy { child, id } => {
+                    copy = super::compile::outermost(copy, id);
+                    child
+                }
+                Node::Transform { child, matrix } => {
+                    point = self.back(matrix, point)?;
+                    child
+                }
+                Node::Shape(shape) => {
+                    let id = super::compile::outermost(copy, scene.shapes[shape as usize].id);
+                    let holds = self.shape_holds(shape, point)?;
+                    self.answer(id, holds);
+                    return Ok(());
+                }
+                _ => break,
+            };
+        }
+        let own = self.ids.get(&node).copied().unwrap_or(0);
+        let id = super::compile::outermost(copy, own);
+        // Zeros of both signs are one place.
+        let question = (node, id, point.0.map(|x| (x + 0.0).to_bits()));
+        if let Some(&known) = self.answers.get(&question) {
+            self.values.push(known);
+            return Ok(());
+        }
+        self.tasks.push(Task::Combine {
+            core: node,
+            id,
+            question,
+        });
+        match scene.nodes[node as usize] {
+            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
+                self.tasks
+                    .extend([Task::Ask(b, point), Task::Ask(a, point)]);
+            }
+            Node::Complement(child) => self.tasks.push(Task::Ask(child, point)),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn combine(&mut self, core: NodeId, id: u32, question: Question) {
+        let mut next = || self.values.pop().unwrap_or(false);
+        // The last operand's answer is on top.
+        let holds = match self.scene.nodes[core as usize] {
+            Node::Union(..) => next() | next(),
+            Node::Intersection(..) => next() & next(),
+            Node::Difference(..) => {
+                let (b, a) = (next(), next());
+                a && !b
+            }
+            Node::Complement(_) => !next(),
+            _ => false,
+        };
+        self.answers.insert(question, holds);
+        self.answer(id, holds);
+    }
+
+    fn answer(&mut self, id: u32, holds: bool) {
+        if holds && id != 0 {
+            self.inside.insert(id);
+        }
+        self.values.push(holds);
+    }
+
+    /// A point above a transformation in the space below it.
+    fn back(&mut self, matrix: u32, point: Vec3) -> Result<Vec3, Unanswered> {
+        let inverse = match self.inverses.get(&matrix) {
+            Some(m) => *m,
+            None => {
+                let inverse = self.scene.matrices[matrix as usize].inverse();
+                let inverse = inverse.ok_or_else(|| {
+                    self.refusal("a transformation has no inverse in double precision")
+                })?;
+                self.inverses.insert(matrix, inverse);
+                inverse
+            }
+        };
+        let point = Vec3(inverse.point(point.0));
+        if point.is_finite() {
+            Ok(point)
+        } else {
+            Err(self
+                .refusal("a transformation takes the point out of the range of double precision"))
+        }
+    }
+
+    /// Whether a point of its space is in a shape: from the number of boundaries on one side of it,
+    /// and on the boundary itself.
+    fn shape_holds(&mut self, shape: u32, point: Vec3) -> Result<bool, Unanswered> {
+        let record = &self.scene.shapes[shape as usize];
+        if !record.geometry.is_solid() {
+            return Ok(false);
+        }
+        let primitive = match self.primitives.entry(shape) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => {
+                let primitive = Primitive::new(&record.geometry);
+                new.insert(primitive.ok_or_else(|| Unanswered {
+                    reason: format!(
+                        "object {} is {}, which cannot be traced yet",
+                        record.id,
+                        record.ty.with_article()
+                    ),
+                    span: record.span,
+                })?)
+            }
+        };
+        self.roots.clear();
+        let line = Line::new(point, DIRECTION);
+        primitive.intersect().crossings(&line, &mut self.roots);
+        let passed = self.roots.list.partition_point(|r| r.t <= 0.0);
+        let behind = self.roots.inside != (passed % 2 == 1);
+        let on_boundary = passed > 0 && self.roots.list[passed - 1].t == 0.0;
+        Ok(behind || on_boundary)
+    }
+
+    fn refusal(&self, reason: &str) -> Unanswered {
+        Unanswered {
+            reason: reason.to_owned(),
+            span: self.scene.render.map(|r| r.span).unwrap_or_default(),
+        }
+    }
+}
