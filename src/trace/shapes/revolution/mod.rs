@@ -169,6 +169,7 @@ impl Shape for Revolution {
     fn feed(&self, sink: &mut dyn FnMut(f64)) {
         sink(self.scale);
         sink(self.points.len() as f64);
+        sink(f64::from(u8::from(self.ring)));
         self.points.iter().flatten().copied().for_each(&mut *sink);
         self.colours.iter().flatten().copied().for_each(sink);
     }

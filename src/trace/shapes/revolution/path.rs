@@ -90,7 +90,7 @@ impl<R: Real> Path<R> {
         let mut point = origin;
         for _ in 0..2 {
             let relative = Vec3::new(point[0], point[1] - R::of(centre), point[2]);
-            start = start - relative.dot(direction);
+            start -= relative.dot(direction);
             point = origin.zip(direction, |o, d| start.mul_add(d, o));
         }
         let flat = Vec3::new(direction[0], R::ZERO, direction[2]);
