@@ -173,7 +173,9 @@ impl GeodesicSphere {
                 let corners = quarter(frame.corners.each_ref(), frame.middles.each_ref(), index);
                 let face = frame.face * 4 + index;
                 if !is_near(corners, margins[depth]) {
-                } else if depth == self.splits as usize {
+                    continue;
+                }
+                if depth == self.splits as usize {
                     leaf(corners.map(|c| c.seen), face);
                 } else {
                     stack[depth] = view.split(corners, face);
@@ -305,7 +307,7 @@ impl<R: Real> Intersect<R> for GeodesicSphere {
         let finest = R::of(1.0 / 16.0 / f64::from(1 << self.splits));
         let lost = view.noise > finest;
         let noise = if lost { R::ZERO } else { view.noise };
-        let (mut near, mut far): (Option<(R, u32)>, Option<(R, u32)>) = (None, None);
+        let (mut near, mut far) = (None::<(R, u32)>, None::<(R, u32)>);
         let (mut possible, mut certain) = (false, [false; 2]);
         self.visit(&view, noise, |corners, face| {
             let facet = Facet::new(corners);
