@@ -152,8 +152,8 @@ impl GeodesicSphere {
         let vertices = self.icosahedron().map(|at| view.vertex(at));
         let mut stack = [Frame::default(); MAX_SPLITS as usize];
         for (face, corners) in (0..).zip(FACES) {
-            let corners = corners.map(|i| vertices[i]);
-            if !is_near(&corners, margins[0]) {
+            let corners = corners.map(|i| &vertices[i]);
+            if !is_near(corners, margins[0]) {
                 continue;
             }
             if self.splits == 0 {
@@ -170,10 +170,12 @@ impl GeodesicSphere {
                     continue;
                 }
                 frame.next += 1;
-                let corners = quarter(frame.corners, frame.middles, index);
+                let corners = quarter(frame.corners.each_ref(), frame.middles.each_ref(), index);
                 let face = frame.face * 4 + index;
-                if !is_near(&corners, margins[depth]) {
-                } else if depth == self.splits as usize {
+                if !is_near(corners, margins[depth]) {
+                    continue;
+                }
+                if depth == self.splits as usize {
                     leaf(corners.map(|c| c.seen), face);
                 } else {
                     stack[depth] = view.split(corners, face);
@@ -213,8 +215,8 @@ const SLACK: f64 = 160.0;
 
 /// Whether the origin is in the box around the corners, widened by the margin.
 #[inline]
-fn is_near<R: Real>(corners: &[Vertex<R>; 3], margin: R) -> bool {
-    let [a, b, c] = corners.map(|c| c.seen);
+fn is_near<R: Real>([a, b, c]: [&Vertex<R>; 3], margin: R) -> bool {
+    let (a, b, c) = (&a.seen, &b.seen, &c.seen);
     a.x.min(b.x).min(c.x) <= margin
         && a.x.max(b.x).max(c.x) >= -margin
         && a.y.min(b.y).min(c.y) <= margin
@@ -261,10 +263,10 @@ impl<R: Real> View<R> {
         }
     }
 
-    fn split(&self, corners: [Vertex<R>; 3], face: u32) -> Frame<R> {
+    fn split(&self, corners: [&Vertex<R>; 3], face: u32) -> Frame<R> {
         let [a, b, c] = corners.map(|c| c.at);
         Frame {
-            corners,
+            corners: corners.map(|c| *c),
             middles: [middle(b, c), middle(c, a), middle(a, b)].map(|m| self.vertex(m)),
             face,
             next: 0,
@@ -305,7 +307,7 @@ impl<R: Real> Intersect<R> for GeodesicSphere {
         let finest = R::of(1.0 / 16.0 / f64::from(1 << self.splits));
         let lost = view.noise > finest;
         let noise = if lost { R::ZERO } else { view.noise };
-        let (mut near, mut far): (Option<(R, u32)>, Option<(R, u32)>) = (None, None);
+        let (mut near, mut far) = (None::<(R, u32)>, None::<(R, u32)>);
         let (mut possible, mut certain) = (false, [false; 2]);
         self.visit(&view, noise, |corners, face| {
             let facet = Facet::new(corners);

@@ -302,27 +302,3 @@ fn surface_coordinates_are_the_spheres() {
     assert_eq!(sphere.uv(Vec3::new(0.0, 1.9, 0.0), 0)[1], 1.0);
     assert_eq!(sphere.uv(Vec3::new(0.0, -1.9, 0.0), 0)[1], 0.0);
 }
-
-#[test]
-#[ignore]
-fn speed() {
-    for splits in [0, 3, 6, 9] {
-        let sphere = GeodesicSphere::new(1.0, splits);
-        let mut random = Random(12);
-        let lines: Vec<Line> = (0..20_000)
-            .map(|_| {
-                let o = random.point(1.0).unit() * 3.0;
-                Line::new(o, random.point(0.55) - o)
-            })
-            .collect();
-        let start = std::time::Instant::now();
-        let mut hits = 0;
-        let mut r = Roots::default();
-        for line in &lines {
-            r.clear();
-            sphere.crossings(line, &mut r);
-            hits += r.list.len();
-        }
-        println!("{splits}: {hits} {:?}/ray", start.elapsed() / 20_000);
-    }
-}
