@@ -56,6 +56,21 @@ fn a_touch_has_no_inside() {
     touches::<Dd>();
 }
 
+/// One unit in the last place inside the rim is within the rounding of doubles, 64 are not;
+/// double-double tells both.
+#[test]
+fn the_bound_at_its_edge() {
+    let torus = Torus::new(1.0, 0.25);
+    for (ulps, decided) in [(1.0, false), (64.0, true)] {
+        let x = 1.25 - ulps * f64::EPSILON;
+        let plain = meet::<f64>(&torus, [x, 0.0, -5.0], Z);
+        assert_eq!(plain.uncertain, !decided);
+        assert_eq!(plain.list.len(), if decided { 2 } else { 0 });
+        let exact = meet::<Dd>(&torus, [x, 0.0, -5.0], Z);
+        assert!(!exact.uncertain && exact.list.len() == 2);
+    }
+}
+
 #[test]
 fn a_thin_chord_is_found() {
     let torus = Torus::new(1.0, 0.25);
