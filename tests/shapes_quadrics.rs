@@ -210,7 +210,7 @@ fn random_lines_change_sides_where_the_definition_does() {
         }
     }
     assert!(met.iter().all(|&m| m > 500), "{met:?}");
-    // About one line in a thousand is too close to call.
+    // Random lines are rarely too close to call: fewer than one in 50.
     assert!(uncertain * 50 < rounds as u32, "{uncertain}");
 }
 

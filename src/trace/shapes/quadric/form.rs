@@ -1,4 +1,4 @@
-//! A polynomial of second degree in the plane of its own units, its value and its gradient.
+//! A polynomial of second degree, its value and its gradient.
 
 use crate::trace::number::Real;
 use crate::trace::ray::Line;

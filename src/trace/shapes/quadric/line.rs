@@ -164,7 +164,7 @@ impl<R: Real> Chord<R> {
         self.middle = -(bv / (two * av));
         // In double-double numbers the decision is final: what cannot be told from a touch is one.
         let touch = if is_hardware::<R>() { R::ZERO } else { error };
-        if !(discriminant > touch) {
+        if discriminant <= touch || discriminant.is_nan() {
             self.inside = if av < R::ZERO {
                 Inside::Everywhere
             } else {
