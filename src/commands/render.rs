@@ -13,10 +13,11 @@ use serde::Serialize;
 
 use super::draft::{Draft, unwritable};
 use super::size::Size;
-use super::{ColorChoice, Loaded, Status, complain, load_sound};
+use super::{ColorChoice, Loaded, Status, complain, load_sound, report};
+use crate::diagnostics::Diagnostic;
 use crate::scene::{Camera, Scene, View};
 use crate::trace::stats::{Intersections, Rays};
-use crate::trace::{Crop, Film, Picture, Settings, Tracer, Unsupported, selected_camera};
+use crate::trace::{Crop, Film, Images, Picture, Settings, Tracer, Unsupported, selected_camera};
 use output::Output;
 
 /// Draw a scene
@@ -121,6 +122,8 @@ fn cutoff(s: &str) -> Result<f64, String> {
 enum Failure {
     /// The scene cannot be drawn.
     Scene(Unsupported),
+    /// A picture the scene names cannot be used.
+    Image(Box<Diagnostic>),
     /// Wrong usage, or a file that cannot be written.
     Usage(String),
 }
@@ -169,7 +172,7 @@ struct Seconds {
 
 pub fn run(args: &Args, color: ColorChoice) -> Status {
     let start = Instant::now();
-    let loaded = match load_sound(&args.file, color) {
+    let mut loaded = match load_sound(&args.file, color) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
@@ -184,6 +187,11 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
                 place.line,
                 place.column
             ));
+            Status::Negative
+        }
+        Err(Failure::Image(error)) => {
+            loaded.diagnostics = vec![*error];
+            report(&loaded, color);
             Status::Negative
         }
         Err(Failure::Usage(message)) => {
@@ -213,7 +221,9 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
         ..Seconds::default()
     };
     let start = Instant::now();
-    let tracer = Tracer::new(scene)?;
+    let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))
+        .map_err(|e| Failure::Image(Box::new(e)))?;
+    let tracer = Tracer::with_images(scene, &images)?;
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();

@@ -17,6 +17,7 @@ pub mod film;
 mod finish;
 pub mod graph;
 pub mod hit;
+pub mod image;
 mod intern;
 mod join;
 pub mod nearest;
@@ -33,6 +34,7 @@ pub mod walk;
 
 pub use film::Film;
 pub use hit::Hit;
+pub use image::Images;
 pub use picture::{Crop, Picture, Settings, selected_camera};
 pub use ray::Ray;
 
@@ -97,7 +99,17 @@ impl Tracer {
     /// # Errors
     ///
     /// Names the first shape or texture found that cannot be drawn, or the missing render record.
+    /// Image textures cannot: their pictures come with [`Tracer::with_images`].
     pub fn new(scene: &Scene) -> Result<Tracer, Unsupported> {
+        Tracer::with_images(scene, &Images::default())
+    }
+
+    /// Compiles what the render record names, with its pictures.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::new`], but image textures only where their picture is missing.
+    pub fn with_images(scene: &Scene, images: &Images) -> Result<Tracer, Unsupported> {
         let Some(render) = &scene.render else {
             return Err(Unsupported {
                 what: "a scene without a render record".into(),
@@ -105,7 +117,7 @@ impl Tracer {
                 id: 0,
             });
         };
-        let graph = compile::compile(scene, render.root)?;
+        let graph = compile::compile(scene, images, render.root)?;
         let ambient = scene
             .ambient_lights
             .iter()
