@@ -6,11 +6,13 @@
 //! [`nearest`] and [`spans`] find what they meet in the graph ([`walk`], [`bvh`], [`shapes`],
 //! [`join`]), [`hit`] says what is there, [`shade`] adds up the light, [`film`] keeps it.
 
+pub mod adaptive;
 pub mod affine;
 pub mod bounds;
 pub mod bvh;
 pub mod camera;
 mod compile;
+pub mod costs;
 pub mod dd;
 mod effects;
 pub mod film;
@@ -32,6 +34,7 @@ pub mod stats;
 pub mod vec;
 pub mod walk;
 
+pub use costs::CostMap;
 pub use film::Film;
 pub use hit::Hit;
 pub use image::Images;
