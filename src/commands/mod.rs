@@ -30,6 +30,8 @@ pub enum Status {
     Negative = 1,
     /// Wrong usage, unreadable or unwritable file.
     Failure = 2,
+    /// Stopped by Ctrl-C: 128 and the number of the signal, as shells have it.
+    Interrupted = 130,
 }
 
 impl From<Status> for std::process::ExitCode {

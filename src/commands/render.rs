@@ -6,6 +6,8 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -13,29 +15,34 @@ use serde::Serialize;
 
 use super::draft::{Draft, unwritable};
 use super::size::Size;
-use super::{ColorChoice, Loaded, Status, complain, load_sound};
+use super::terminal::warn;
+use super::{ColorChoice, Loaded, Status, complain, load_sound, report};
+use crate::diagnostics::Diagnostic;
 use crate::scene::{Camera, Scene, View};
-use crate::trace::stats::{Intersections, Rays};
-use crate::trace::{Crop, Film, Picture, Settings, Tracer, Unsupported, selected_camera};
+use crate::trace::stats::{Counts, Intersections, Rays};
+use crate::trace::{
+    CostMap, Crop, Film, Images, Picture, Settings, Tracer, Unsupported, selected_camera,
+};
 use output::Output;
 
 /// Draw a scene
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Without -o the picture of SCENE.zpg is written to SCENE.png in the current folder. PNG is 8-bit sRGB,
-PFM linear and unclamped. A scene with a stereo camera makes two pictures, SCENE_left.png and
-SCENE_right.png, unless --stereo says otherwise.
+EXR and PFM are linear, unclamped 32-bit float. A scene with a stereo camera makes two pictures, SCENE_left.png and
+SCENE_right.png, unless --stereo says otherwise. Ctrl-C leaves no file.
 
 Examples:
   zpg render scene.zpg
   zpg render scene.zpg -o big.png --size 1920x1080 --samples 16
+  zpg render scene.zpg -o film.exr --adaptive 0.01
   zpg render scene.zpg --crop 200,100,64,64 --stats cost.json")]
 pub struct Args {
     /// The scene; `-` is standard input
     #[arg(value_name = "FILE")]
     file: PathBuf,
 
-    /// Where to write the picture: .png or .pfm
+    /// Where to write the picture: .png, .exr or .pfm
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
 
@@ -46,6 +53,10 @@ pub struct Args {
     /// Samples in each pixel; one lies in its centre
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_048_576))]
     samples: u32,
+
+    /// Up to 1024 samples, until a pixel's estimated error in linear RGB is below this
+    #[arg(long, value_name = "TOL", value_parser = tolerance, conflicts_with = "samples")]
+    adaptive: Option<f64>,
 
     /// How often a ray may be reflected or refracted
     #[arg(long, value_name = "N", default_value_t = 10)]
@@ -74,6 +85,10 @@ pub struct Args {
     /// Write what it has cost to this file, as JSON
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
+
+    /// Draw how many intersection tests each pixel took, in false colours
+    #[arg(long, value_name = "OUT.png")]
+    heatmap: Option<PathBuf>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
@@ -117,10 +132,21 @@ fn cutoff(s: &str) -> Result<f64, String> {
     }
 }
 
+fn tolerance(s: &str) -> Result<f64, String> {
+    match s.parse() {
+        Ok(x) if x > 0.0 && x <= 1.0 => Ok(x),
+        _ => Err("expected a number above 0, up to 1".into()),
+    }
+}
+
 /// Why there is no picture.
 enum Failure {
     /// The scene cannot be drawn.
     Scene(Unsupported),
+    /// A picture the scene names cannot be used.
+    Image(Box<Diagnostic>),
+    /// Somebody has pressed Ctrl-C.
+    Interrupted,
     /// Wrong usage, or a file that cannot be written.
     Usage(String),
 }
@@ -169,7 +195,7 @@ struct Seconds {
 
 pub fn run(args: &Args, color: ColorChoice) -> Status {
     let start = Instant::now();
-    let loaded = match load_sound(&args.file, color) {
+    let mut loaded = match load_sound(&args.file, color) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
@@ -186,6 +212,12 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
             ));
             Status::Negative
         }
+        Err(Failure::Image(error)) => {
+            loaded.diagnostics = vec![*error];
+            report(&loaded, color);
+            Status::Negative
+        }
+        Err(Failure::Interrupted) => Status::Interrupted,
         Err(Failure::Usage(message)) => {
             complain(&message);
             Status::Failure
@@ -195,13 +227,22 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
 
 fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
     let scene = &loaded.scene;
-    let settings = settings(args)?;
+    let stop = stop_on_interrupt();
+    let settings = Settings {
+        stop: Some(stop.clone()),
+        ..settings(args)?
+    };
     let cameras = cameras(args, scene)?;
-    let paths = output_paths(args, cameras.len());
+    let paths = per_camera(output_path(args), args, cameras.len());
+    let maps = args.heatmap.iter();
+    let maps = maps.flat_map(|path| per_camera(path.clone(), args, cameras.len()));
     // What cannot be written is known before anything is drawn.
     let outputs = paths
         .iter()
         .map(|path| Output::create(path))
+        .collect::<Result<Vec<_>, _>>()?;
+    let maps = maps
+        .map(|path| Output::create_map(&path))
         .collect::<Result<Vec<_>, _>>()?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(args.threads)
@@ -213,7 +254,9 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
         ..Seconds::default()
     };
     let start = Instant::now();
-    let tracer = Tracer::new(scene)?;
+    let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))
+        .map_err(|e| Failure::Image(Box::new(e)))?;
+    let tracer = Tracer::with_images(scene, &images)?;
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
@@ -224,26 +267,26 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
         pictures.push(pool.install(|| tracer.render(camera, &settings, || bar.inc(1)))?);
     }
     bar.finish_and_clear();
+    if stop.load(Ordering::Relaxed) {
+        return Err(Failure::Interrupted);
+    }
     seconds.trace = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
-    let (films, counts) = compose(pictures, args.stereo, outputs.len());
+    let (counts, samples) = totals(&pictures);
+    write_maps(maps, &pictures, args.stereo)?;
+    let films = compose(pictures, args.stereo, outputs.len());
     for (output, film) in outputs.into_iter().zip(&films) {
         output.finish(film)?;
     }
     seconds.encode = start.elapsed().as_secs_f64();
 
     if let Some(path) = &args.stats {
-        let n = settings.samples;
         let stats = Stats {
             size: [settings.width, settings.height],
             precision: "f64",
             threads: pool.current_num_threads(),
-            samples: Samples {
-                min: n,
-                max: n,
-                mean: f64::from(n),
-            },
+            samples,
             seconds,
             rays: counts.rays,
             intersections: counts.intersections,
@@ -279,8 +322,10 @@ fn settings(args: &Args) -> Result<Settings, Failure> {
         height,
         crop,
         samples: args.samples,
+        tolerance: args.adaptive,
         depth: args.depth,
         cutoff: args.cutoff.unwrap_or(default.cutoff),
+        stop: None,
     })
 }
 
@@ -302,12 +347,16 @@ fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Failure> {
     Ok(vec![selected_camera(scene, aspect)])
 }
 
-/// One path, or two for a stereo pair.
-fn output_paths(args: &Args, cameras: usize) -> Vec<PathBuf> {
-    let path = args.output.clone().unwrap_or_else(|| {
+/// Where the picture goes.
+fn output_path(args: &Args) -> PathBuf {
+    args.output.clone().unwrap_or_else(|| {
         let stem = args.file.file_stem().filter(|stem| *stem != "-");
         PathBuf::from(stem.unwrap_or("scene".as_ref())).with_added("", "png")
-    });
+    })
+}
+
+/// The path, or two for a stereo pair.
+fn per_camera(path: PathBuf, args: &Args, cameras: usize) -> Vec<PathBuf> {
     if cameras < 2 || args.stereo != Stereo::Pair {
         return vec![path];
     }
@@ -331,23 +380,64 @@ impl WithAdded for PathBuf {
 }
 
 /// Puts the pictures of one or two cameras into as many films as there are files.
-fn compose(
-    mut pictures: Vec<Picture>,
-    stereo: Stereo,
-    files: usize,
-) -> (Vec<Film>, crate::trace::stats::Counts) {
-    let mut counts = crate::trace::stats::Counts::default();
-    for picture in &pictures {
-        counts += picture.counts;
-    }
-    let films = match pictures.as_slice() {
+fn compose(mut pictures: Vec<Picture>, stereo: Stereo, files: usize) -> Vec<Film> {
+    match pictures.as_slice() {
         [left, right] if files == 1 => vec![match stereo {
             Stereo::Anaglyph => left.film.anaglyph(&right.film),
             Stereo::SideBySide | Stereo::Pair => left.film.beside(&right.film),
         }],
         _ => pictures.drain(..).map(|p| p.film).collect(),
+    }
+}
+
+/// What all pictures have cost, and the samples in their pixels.
+fn totals(pictures: &[Picture]) -> (Counts, Samples) {
+    let mut counts = Counts::default();
+    for picture in pictures {
+        counts += picture.counts;
+    }
+    let pixels: usize = pictures.iter().map(|p| p.film.pixels.len()).sum();
+    let total: u64 = pictures.iter().map(|p| p.samples.total).sum();
+    let samples = Samples {
+        min: pictures.iter().map(|p| p.samples.min).min().unwrap_or(0),
+        max: pictures.iter().map(|p| p.samples.max).max().unwrap_or(0),
+        mean: total as f64 / pixels.max(1) as f64,
     };
-    (films, counts)
+    (counts, samples)
+}
+
+/// Writes the maps of costs, if they are asked for, on one scale, and says which.
+fn write_maps(files: Vec<Output>, pictures: &[Picture], stereo: Stereo) -> Result<(), Failure> {
+    let maps: Vec<CostMap> = match pictures {
+        [left, right] if files.len() == 1 => vec![match stereo {
+            Stereo::Anaglyph => left.costs.plus(&right.costs),
+            Stereo::SideBySide | Stereo::Pair => left.costs.beside(&right.costs),
+        }],
+        _ if files.is_empty() => return Ok(()),
+        _ => pictures.iter().map(|p| p.costs.clone()).collect(),
+    };
+    let max = maps.iter().map(CostMap::max).max().unwrap_or(0);
+    for (file, map) in files.into_iter().zip(&maps) {
+        file.finish_map(map, max)?;
+    }
+    // Nobody is left to be told when standard error is gone.
+    let _ = writeln!(
+        std::io::stderr(),
+        "heatmap: intersection tests per pixel, from 0 (black) to {max} (light yellow), \
+         on the scale log(1 + n)"
+    );
+    Ok(())
+}
+
+/// A flag that Ctrl-C sets, so that the drawing ends and drafts of files are removed.
+fn stop_on_interrupt() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let flag = stop.clone();
+    let handler = move || flag.store(true, Ordering::Relaxed);
+    if let Err(e) = ctrlc::set_handler(handler) {
+        warn(&format!("Ctrl-C may leave temporary files: {e}"));
+    }
+    stop
 }
 
 fn progress_bar(rows: u64) -> ProgressBar {

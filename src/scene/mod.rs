@@ -14,7 +14,7 @@ mod define;
 mod entity;
 pub mod frame;
 mod geometry;
-mod image_file;
+pub(crate) mod image_file;
 pub mod matrix;
 mod proposals;
 mod record;

@@ -10,18 +10,19 @@
 //! Parts know the IDs of what they come from. A copy owns what the copied entity itself owned: its
 //! surface if it is a shape, its properties, but not its operands, which are entities of their own.
 
-use super::Unsupported;
 use super::graph::{Coat, Graph, Part, Target};
 use super::intern::Interner;
 use super::shapes::Primitive;
+use super::{Images, Unsupported};
 use crate::scene::{Matrix, Node, NodeId, Scene, Texture};
 use std::collections::HashMap;
 
 /// Builds the graph of what is reachable from `root`.
-pub fn compile(scene: &Scene, root: NodeId) -> Result<Graph, Unsupported> {
+pub fn compile(scene: &Scene, images: &Images, root: NodeId) -> Result<Graph, Unsupported> {
     let mut graph = Graph::default();
     let mut compiler = Compiler {
         scene,
+        images,
         uses: count_uses(scene, root),
         interner: Interner::new(&mut graph),
         graph,
@@ -98,6 +99,7 @@ pub(super) enum Kind {
 
 pub(super) struct Compiler<'a> {
     scene: &'a Scene,
+    images: &'a Images,
     uses: Vec<u32>,
     pub graph: Graph,
     pub interner: Interner,
@@ -176,16 +178,20 @@ impl Compiler<'_> {
     fn fold_paint(&mut self, place: &mut Place, paint: u32) -> Result<(), Unsupported> {
         let record = &self.scene.paints[paint as usize];
         if let (None, Some(texture)) = (place.coat.texture, &record.texture) {
-            if let Texture::Image { span, .. } = texture {
-                return Err(Unsupported {
-                    what: "an image texture".into(),
-                    span: *span,
-                    id: record.owner,
-                });
-            }
+            let bitmap = match texture {
+                Texture::Image { file, span } => {
+                    Some(self.images.get(file).ok_or_else(|| Unsupported {
+                        what: "an image texture without its picture".into(),
+                        span: *span,
+                        id: record.owner,
+                    })?)
+                }
+                _ => None,
+            };
             let graph = &mut self.graph;
             let number = *self.textures.entry(paint).or_insert_with(|| {
                 graph.textures.push(texture.clone());
+                graph.bitmaps.push(bitmap.cloned());
                 graph.textures.len() as u32 - 1
             });
             place.coat.texture = Some((number, self.matrix(&place.matrix)?));

@@ -40,6 +40,10 @@ impl Tracer {
             ("refraction", self.transparent),
             ("dispersion", self.transparent && uneven),
             (
+                "image-texture",
+                textured(|t| matches!(t, Texture::Image { .. })),
+            ),
+            (
                 "solid-texture",
                 textured(|t| matches!(t, Texture::Solid { .. })),
             ),

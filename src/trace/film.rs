@@ -32,6 +32,18 @@ pub fn srgb8(linear: f32) -> u8 {
     (y * 255.0).round() as u8
 }
 
+/// A PNG of 8-bit sRGB, from rows of red, green and blue from the top.
+pub(super) fn write_rgb8(out: impl Write, width: u32, height: u32, rgb: &[u8]) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(out, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(rgb)?;
+    writer.finish()?;
+    Ok(())
+}
+
 impl Film {
     pub fn pixel(&self, x: u32, y: u32) -> [f32; 3] {
         self.pixels[y as usize * self.width as usize + x as usize]
@@ -39,15 +51,8 @@ impl Film {
 
     /// 8-bit sRGB.
     pub fn write_png(&self, out: impl Write) -> io::Result<()> {
-        let mut encoder = png::Encoder::new(out, self.width, self.height);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         let bytes: Vec<u8> = self.pixels.iter().flatten().map(|&x| srgb8(x)).collect();
-        let mut writer = encoder.write_header()?;
-        writer.write_image_data(&bytes)?;
-        writer.finish()?;
-        Ok(())
+        write_rgb8(out, self.width, self.height, &bytes)
     }
 
     /// Portable float map: linear, unclamped, little-endian, from the bottom row up.
@@ -58,6 +63,26 @@ impl Film {
             bytes.extend(row.iter().flatten().flat_map(|x| x.to_le_bytes()));
         }
         out.write_all(&bytes)
+    }
+
+    /// OpenEXR: linear, unclamped, 32-bit float, losslessly compressed; the same bytes every time.
+    pub fn write_exr(&self, mut out: impl Write) -> io::Result<()> {
+        use exr::prelude::*;
+        let colour = |at: Vec2<usize>| {
+            let [r, g, b] = self.pixels[at.y() * self.width as usize + at.x()];
+            (r, g, b)
+        };
+        let size = (self.width as usize, self.height as usize);
+        let channels = SpecificChannels::rgb(colour);
+        let picture = Image::from_encoded_channels(size, Encoding::SMALL_LOSSLESS, channels);
+        // The format has a table of places at its start, which is filled in at the end.
+        let mut file = io::Cursor::new(Vec::new());
+        picture
+            .write()
+            .non_parallel()
+            .to_unbuffered(&mut file)
+            .map_err(io::Error::other)?;
+        out.write_all(file.get_ref())
     }
 }
 

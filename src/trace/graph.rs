@@ -6,9 +6,11 @@
 use super::affine::Placement;
 use super::bounds::Bounds;
 use super::bvh::Bvh;
+use super::image::Bitmap;
 use super::shapes::Primitive;
 use crate::scene::{Matrix, Optics, Rgb, Texture};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// What a part is an occurrence of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -98,6 +100,8 @@ pub struct Graph {
     pub placements: Vec<Placement>,
     pub paints: Vec<Coat>,
     pub textures: Vec<Texture>,
+    /// Beside `textures`: the pictures of image textures.
+    pub bitmaps: Vec<Option<Arc<Bitmap>>>,
     pub optics: Vec<Optics>,
     pub indices: Vec<Rgb>,
     /// Index of the object that is the scene, a union.

@@ -184,8 +184,10 @@ impl Walker<'_> {
                 });
                 colours[odd(&(p / *size).0) as usize]
             }
-            // Refused when the graph is built.
-            Texture::Image { .. } => DEFAULT_COLOUR,
+            Texture::Image { .. } => match &self.graph.bitmaps[painted.texture as usize] {
+                Some(bitmap) => bitmap.colour(shape.uv(local, face)),
+                None => DEFAULT_COLOUR,
+            },
         }
     }
 }

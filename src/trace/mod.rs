@@ -7,11 +7,13 @@
 //! [`join`]), [`hit`] says what is there, [`shade`] adds up the light, [`film`] keeps it. [`probe`]
 //! and [`membership`] answer questions about single rays and points.
 
+pub mod adaptive;
 pub mod affine;
 pub mod bounds;
 pub mod bvh;
 pub mod camera;
 mod compile;
+pub mod costs;
 pub mod dd;
 mod effects;
 mod exponent;
@@ -19,6 +21,7 @@ pub mod film;
 mod finish;
 pub mod graph;
 pub mod hit;
+pub mod image;
 mod intern;
 mod join;
 pub mod membership;
@@ -36,8 +39,10 @@ pub mod stats;
 pub mod vec;
 pub mod walk;
 
+pub use costs::CostMap;
 pub use film::Film;
 pub use hit::Hit;
+pub use image::Images;
 pub use membership::{Membership, Unanswered, members};
 pub use picture::{Crop, Picture, Settings, selected_camera};
 pub use probe::{Crossing, Probe};
@@ -94,7 +99,17 @@ impl Tracer {
     /// # Errors
     ///
     /// Names the first shape or texture found that cannot be drawn, or the missing render record.
+    /// Image textures cannot: their pictures come with [`Tracer::with_images`].
     pub fn new(scene: &Scene) -> Result<Tracer, Unsupported> {
+        Tracer::with_images(scene, &Images::default())
+    }
+
+    /// Compiles what the render record names, with its pictures.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::new`], but image textures only where their picture is missing.
+    pub fn with_images(scene: &Scene, images: &Images) -> Result<Tracer, Unsupported> {
         let Some(render) = &scene.render else {
             return Err(Unsupported {
                 what: "a scene without a render record".into(),
@@ -102,7 +117,7 @@ impl Tracer {
                 id: 0,
             });
         };
-        let graph = compile::compile(scene, render.root)?;
+        let graph = compile::compile(scene, images, render.root)?;
         let ambient = scene
             .ambient_lights
             .iter()

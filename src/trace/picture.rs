@@ -1,6 +1,8 @@
 //! A picture, row by row.
 
+use super::adaptive::{Estimate, FIRST, First, MOST, contrast};
 use super::camera::View;
+use super::costs::CostMap;
 use super::film::{Film, developed};
 use super::sampling::sample;
 use super::shade::{Light, Limits, Shader};
@@ -9,7 +11,8 @@ use super::vec::Vec3;
 use super::{Tracer, Unsupported};
 use crate::scene::{Camera, Scene, frame};
 use rayon::prelude::*;
-use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A rectangle of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,10 +33,15 @@ pub struct Settings {
     pub crop: Option<Crop>,
     /// Per pixel, at least 1.
     pub samples: u32,
+    /// Instead: as many samples as bring the estimated error of a pixel, in linear RGB, below this
+    /// number above 0; see [`super::adaptive`].
+    pub tolerance: Option<f64>,
     /// Rays deeper than this contribute nothing; a camera ray has depth 0.
     pub depth: u32,
     /// Branches that count for less than this contribute nothing; 0: all do.
     pub cutoff: f64,
+    /// Once this is set, no row is begun any more, and the picture is of no use.
+    pub stop: Option<Arc<AtomicBool>>,
 }
 
 impl Default for Settings {
@@ -43,8 +51,10 @@ impl Default for Settings {
             height: 480,
             crop: None,
             samples: 1,
+            tolerance: None,
             depth: 10,
             cutoff: 1.0 / 4096.0,
+            stop: None,
         }
     }
 }
@@ -52,7 +62,18 @@ impl Default for Settings {
 /// A film and what it has cost.
 pub struct Picture {
     pub film: Film,
+    pub samples: Samples,
+    pub costs: CostMap,
     pub counts: Counts,
+}
+
+/// Samples per pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Samples {
+    pub min: u32,
+    pub max: u32,
+    /// Of all pixels.
+    pub total: u64,
 }
 
 /// The camera a scene is seen by: the selected one, or one that frames the scene. Of a stereo pair
@@ -76,8 +97,8 @@ pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
 impl Tracer {
     /// Takes a picture. `progress` is told of every finished row, from any thread.
     ///
-    /// Every pixel is computed from the scene and its own place alone, so the result does not
-    /// depend on the number of threads.
+    /// Every pixel is computed from the scene and its own place alone, or with a tolerance from
+    /// those of its neighbours too, so the result does not depend on the number of threads.
     ///
     /// # Errors
     ///
@@ -98,72 +119,201 @@ impl Tracer {
             position: view.position(),
             power: Vec3::ONE,
         }];
-        let lights = self.lights.as_deref().unwrap_or(&headlight);
         let limits = Limits {
             depth: settings.depth,
             cutoff: settings.cutoff,
         };
-        let outside = self.clip.is_none()
-            && view.is_pinhole()
-            && !self.holds(&mut self.walker(), view.position());
+        let drawing = Drawing {
+            tracer: self,
+            lights: self.lights.as_deref().unwrap_or(&headlight),
+            limits,
+            outside: self.clip.is_none()
+                && view.is_pinhole()
+                && !self.holds(&mut self.walker(), view.position()),
+            view,
+            stop: settings.stop.as_deref(),
+        };
         let crop = settings.crop.unwrap_or(Crop {
             x: 0,
             y: 0,
             width,
             height,
         });
-        let columns = crop.x..crop.x + crop.width;
-        let rows: Vec<(Vec<[f32; 3]>, Counts)> = (crop.y..crop.y + crop.height)
-            .into_par_iter()
-            .map_init(
-                || Shader::new(self, lights, limits),
-                |shader, y| {
-                    shader.reset();
-                    let row =
-                        draw_row(shader, &view, outside, columns.clone(), y, settings.samples);
-                    progress();
-                    (row, shader.counts())
-                },
-            )
-            .collect();
         let mut counts = Counts::default();
-        let mut pixels = Vec::with_capacity(crop.width as usize * crop.height as usize);
-        for (row, cost) in rows {
-            pixels.extend(row);
-            counts += cost;
-        }
+        let pixels = match settings.tolerance {
+            None => drawing.rows(crop, &progress, &mut counts, |pen, x, y| {
+                pen.fixed(x, y, settings.samples.max(1))
+            }),
+            Some(tolerance) => {
+                // What is around the part that is drawn matters as much as within it.
+                let (left, top) = (crop.x.saturating_sub(1), crop.y.saturating_sub(1));
+                let around = Crop {
+                    x: left,
+                    y: top,
+                    width: (crop.x + crop.width).saturating_add(1).min(width) - left,
+                    height: (crop.y + crop.height).saturating_add(1).min(height) - top,
+                };
+                let first = drawing.rows(around, &|| (), &mut counts, |pen, x, y| pen.first(x, y));
+                drawing.rows(crop, &progress, &mut counts, |pen, x, y| {
+                    let (x0, y0) = (x - left, y - top);
+                    let at =
+                        |x: u32, y: u32| &first[y as usize * around.width as usize + x as usize];
+                    let columns = x0.saturating_sub(1)..(x0 + 2).min(around.width);
+                    let rows = y0.saturating_sub(1)..(y0 + 2).min(around.height);
+                    let near = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
+                    let contrast = contrast(near.map(|(x, y)| at(x, y)));
+                    pen.adaptive(x, y, at(x0, y0), contrast, tolerance)
+                })
+            }
+        };
+        let numbers = || pixels.iter().map(|p: &Pixel| p.samples);
         Ok(Picture {
             film: Film {
                 width: crop.width,
                 height: crop.height,
-                pixels,
+                pixels: pixels.iter().map(|p| p.colour).collect(),
+            },
+            samples: Samples {
+                min: numbers().min().unwrap_or(0),
+                max: numbers().max().unwrap_or(0),
+                total: numbers().map(u64::from).sum(),
+            },
+            costs: CostMap {
+                width: crop.width,
+                height: crop.height,
+                tests: pixels.iter().map(|p| p.tests).collect(),
             },
             counts,
         })
     }
 }
 
-fn draw_row(
-    shader: &mut Shader,
-    view: &View,
+/// What the rows of a picture have in common.
+struct Drawing<'t> {
+    tracer: &'t Tracer,
+    lights: &'t [Light],
+    limits: Limits,
+    view: View,
     outside: bool,
-    columns: Range<u32>,
-    y: u32,
+    stop: Option<&'t AtomicBool>,
+}
+
+impl<'t> Drawing<'t> {
+    /// Draws row by row, in parallel. Once it is to stop, no row is begun any more, and what comes
+    /// back is black.
+    fn rows<T: Send + Default + Clone>(
+        &self,
+        part: Crop,
+        progress: &(impl Fn() + Sync),
+        counts: &mut Counts,
+        draw: impl Fn(&mut Pen, u32, u32) -> T + Sync,
+    ) -> Vec<T> {
+        let rows: Vec<(Vec<T>, Counts)> = (part.y..part.y + part.height)
+            .into_par_iter()
+            .map_init(
+                || Pen {
+                    shader: Shader::new(self.tracer, self.lights, self.limits),
+                    drawing: self,
+                },
+                |pen, y| {
+                    if self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+                        let black = vec![T::default(); part.width as usize];
+                        return (black, Counts::default());
+                    }
+                    pen.shader.reset();
+                    let columns = part.x..part.x + part.width;
+                    let row = columns.map(|x| draw(pen, x, y)).collect();
+                    progress();
+                    (row, pen.shader.counts())
+                },
+            )
+            .collect();
+        let mut all = Vec::with_capacity(part.width as usize * part.height as usize);
+        for (row, cost) in rows {
+            all.extend(row);
+            *counts += cost;
+        }
+        all
+    }
+}
+
+/// A finished pixel.
+#[derive(Debug, Clone, Copy, Default)]
+struct Pixel {
+    colour: [f32; 3],
     samples: u32,
-) -> Vec<[f32; 3]> {
-    let samples = samples.max(1);
-    columns
-        .map(|x| {
-            let mut sum = Vec3::ZERO;
-            for i in 0..samples {
-                let [dx, dy] = sample(x, y, i, samples);
-                // Where a projection has no ray there is nothing to be seen.
-                if let Some(mut ray) = view.ray(f64::from(x) + dx, f64::from(y) + dy) {
-                    ray.outside = outside;
-                    sum = sum + Vec3(shader.radiance(ray));
-                }
+    tests: u32,
+}
+
+/// What draws pixels on one thread.
+struct Pen<'d, 't> {
+    shader: Shader<'t>,
+    drawing: &'d Drawing<'t>,
+}
+
+impl Pen<'_, '_> {
+    /// Intersection tests since the last reset.
+    fn tests(&self) -> u64 {
+        let counted = self.shader.counts().intersections;
+        counted.boxes + counted.shape
+    }
+
+    fn tests_since(&self, before: u64) -> u32 {
+        u32::try_from(self.tests() - before).unwrap_or(u32::MAX)
+    }
+
+    /// The light of sample `i` of `n`; where a projection has no ray there is nothing to be seen.
+    fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
+        let [dx, dy] = sample(x, y, i, n);
+        match self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy) {
+            Some(mut ray) => {
+                ray.outside = self.drawing.outside;
+                Vec3(self.shader.radiance(ray))
             }
-            developed((sum / f64::from(samples)).0)
-        })
-        .collect()
+            None => Vec3::ZERO,
+        }
+    }
+
+    /// The mean of `n` samples.
+    fn fixed(&mut self, x: u32, y: u32, n: u32) -> Pixel {
+        let before = self.tests();
+        let mut sum = Vec3::ZERO;
+        for i in 0..n {
+            sum = sum + self.sample(x, y, i, n);
+        }
+        Pixel {
+            colour: developed((sum / f64::from(n)).0),
+            samples: n,
+            tests: self.tests_since(before),
+        }
+    }
+
+    /// The first samples of a pixel that may get more.
+    fn first(&mut self, x: u32, y: u32) -> First {
+        let before = self.tests();
+        let samples = [0, 1, 2, 3].map(|i| developed(self.sample(x, y, i, MOST).0));
+        First {
+            samples,
+            tests: self.tests_since(before),
+        }
+    }
+
+    /// As many samples as the tolerance asks for, given the first ones.
+    fn adaptive(&mut self, x: u32, y: u32, first: &First, contrast: f64, tolerance: f64) -> Pixel {
+        let before = self.tests();
+        let mean = |batch: [Vec3; FIRST as usize]| {
+            batch.into_iter().fold(Vec3::ZERO, |sum, s| sum + s) / f64::from(FIRST)
+        };
+        let mut estimate = Estimate::new();
+        estimate.add(mean(first.samples.map(|s| Vec3(s.map(f64::from)))));
+        while !estimate.is_enough(contrast, tolerance) {
+            let n = estimate.samples();
+            estimate.add(mean([0, 1, 2, 3].map(|i| self.sample(x, y, n + i, MOST))));
+        }
+        Pixel {
+            colour: developed(estimate.mean.0),
+            samples: estimate.samples(),
+            tests: first.tests.saturating_add(self.tests_since(before)),
+        }
+    }
 }

@@ -4,11 +4,12 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::commands::draft::{Draft, unwritable};
-use crate::trace::Film;
+use crate::trace::{CostMap, Film};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Format {
     Png,
+    Exr,
     Pfm,
 }
 
@@ -25,10 +26,11 @@ impl Output {
         let extension = path.extension().unwrap_or_default().to_string_lossy();
         let format = match extension.to_lowercase().as_str() {
             "png" => Format::Png,
+            "exr" => Format::Exr,
             "pfm" => Format::Pfm,
             _ => {
                 return Err(format!(
-                    "cannot tell the format of {}: expected a name that ends in .png or .pfm",
+                    "cannot tell the format of {}: expected a name that ends in .png, .exr or .pfm",
                     path.display()
                 ));
             }
@@ -41,9 +43,29 @@ impl Output {
         })
     }
 
+    /// The same for a map of costs, which is a PNG.
+    pub fn create_map(path: &Path) -> Result<Output, String> {
+        let output = Output::create(path)?;
+        match output.format {
+            Format::Png => Ok(output),
+            _ => Err(format!(
+                "a heatmap is a PNG picture: expected a name that ends in .png, not {}",
+                path.display()
+            )),
+        }
+    }
+
+    /// Writes a map of costs whose scale ends at `max`.
+    pub fn finish_map(self, costs: &CostMap, max: u32) -> Result<(), String> {
+        self.file
+            .finish(&self.path, |out| costs.write_png(out, max))
+            .map_err(|e| unwritable(&self.path, &e))
+    }
+
     pub fn finish(self, film: &Film) -> Result<(), String> {
         let write = |out: &mut dyn Write| match self.format {
             Format::Png => film.write_png(out),
+            Format::Exr => film.write_exr(out),
             Format::Pfm => film.write_pfm(out),
         };
         self.file

@@ -1,0 +1,137 @@
+//! As many samples as a pixel needs.
+//!
+//! Every pixel takes [`FIRST`] samples. Where they and those of the eight neighbours agree within
+//! the tolerance, that is all; this is how thin things are found that a pixel's own samples have
+//! missed (Mitchell, "Generating Antialiased Images at Low Sampling Densities", SIGGRAPH 1987).
+//! The others go on until the larger of two estimates of the error is below the tolerance:
+//!
+//! - the standard error of the mean by batch means (Asmussen and Glynn, *Stochastic Simulation*,
+//!   2007, section IV.5): each [`FIRST`] samples in a row, which are well spread over the pixel, are
+//!   a batch;
+//! - the contrast among the neighbours over the number of samples: what n well-spread samples have
+//!   all missed is about a share of 1/n of the pixel, and as different as the neighbours are.
+//!
+//! Errors are in linear RGB, of the channel where they are largest.
+
+use super::vec::Vec3;
+
+/// Samples of a batch, and of a pixel where there is nothing to be seen.
+pub const FIRST: u32 = 4;
+/// The fewest samples of any other pixel: four batches, since fewer say little about their scatter.
+pub const LEAST: u32 = 4 * FIRST;
+/// The most samples of a pixel.
+pub const MOST: u32 = 1024;
+
+/// The first samples of a pixel.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct First {
+    pub samples: [[f32; 3]; FIRST as usize],
+    /// Intersection tests they took.
+    pub tests: u32,
+}
+
+/// The largest difference in one channel between samples of these pixels.
+pub fn contrast<'a>(pixels: impl Iterator<Item = &'a First>) -> f64 {
+    let (mut low, mut high) = ([f32::INFINITY; 3], [0.0f32; 3]);
+    for sample in pixels.flat_map(|p| &p.samples) {
+        for c in 0..3 {
+            low[c] = low[c].min(sample[c]);
+            high[c] = high[c].max(sample[c]);
+        }
+    }
+    (0..3).fold(0.0, |most, c| {
+        f64::max(most, f64::from(high[c]) - f64::from(low[c]))
+    })
+}
+
+/// The mean of a pixel's batches and its scatter, by Welford's recurrence.
+#[derive(Debug, Clone, Copy)]
+pub struct Estimate {
+    batches: f64,
+    pub mean: Vec3,
+    /// Sum of squared distances from the mean.
+    scatter: Vec3,
+}
+
+impl Estimate {
+    pub fn new() -> Estimate {
+        Estimate {
+            batches: 0.0,
+            mean: Vec3::ZERO,
+            scatter: Vec3::ZERO,
+        }
+    }
+
+    /// Adds the mean of a batch.
+    pub fn add(&mut self, batch: Vec3) {
+        self.batches += 1.0;
+        let before = batch - self.mean;
+        self.mean = self.mean + before / self.batches;
+        self.scatter = self.scatter + before.times(batch - self.mean);
+    }
+
+    pub fn samples(&self) -> u32 {
+        self.batches as u32 * FIRST
+    }
+
+    /// The estimated error of the mean, given the contrast among the neighbours.
+    fn error(&self, contrast: f64) -> f64 {
+        let variance = self.scatter.max_component() / (self.batches - 1.0).max(1.0);
+        let scattered = (variance / self.batches).sqrt();
+        scattered.max(contrast / f64::from(self.samples()))
+    }
+
+    /// Whether a pixel needs no more samples.
+    pub fn is_enough(&self, contrast: f64, tolerance: f64) -> bool {
+        let n = self.samples();
+        match n {
+            0 => false,
+            _ if n < LEAST => contrast <= tolerance,
+            _ => n >= MOST || self.error(contrast) <= tolerance,
+        }
+    }
+}
+
+impl Default for Estimate {
+    fn default() -> Estimate {
+        Estimate::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_even_pixel_has_enough_at_once() {
+        let mut estimate = Estimate::new();
+        assert!(!estimate.is_enough(0.0, 0.01));
+        estimate.add(Vec3::ONE);
+        assert!(estimate.is_enough(0.01, 0.01));
+        assert!(!estimate.is_enough(0.011, 0.01));
+    }
+
+    #[test]
+    fn contrast_among_neighbours_asks_for_samples_in_proportion() {
+        let mut estimate = Estimate::new();
+        while !estimate.is_enough(1.0, 0.01) {
+            estimate.add(Vec3::ONE);
+        }
+        assert_eq!(estimate.samples(), 100);
+        while !estimate.is_enough(1.0, 1e-9) {
+            estimate.add(Vec3::ONE);
+        }
+        assert_eq!(estimate.samples(), MOST);
+    }
+
+    #[test]
+    fn the_standard_error_is_that_of_the_batches() {
+        let mut estimate = Estimate::new();
+        for x in [0.0, 1.0, 0.0, 1.0] {
+            estimate.add(Vec3::ONE * x);
+        }
+        // Variance 1/3 of four batches.
+        let expected = (1.0f64 / 12.0).sqrt();
+        assert!((estimate.error(0.0) - expected).abs() < 1e-15);
+    }
+}
