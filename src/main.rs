@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use zpg::commands::{ColorChoice, check, completions, convert, explain, fmt, render};
+use zpg::commands::{ColorChoice, check, completions, convert, explain, fmt, plan, render};
 
 /// Tools for scenes in the ZPG scene language
 #[derive(Debug, Parser)]
@@ -20,6 +20,7 @@ Examples:
   zpg check scene.zpg       what is wrong with a scene
   zpg fmt scene.zpg         one record a line, numbers in their shortest spelling
   zpg render scene.zpg      a picture, scene.png
+  zpg plan scene.zpg        which effects the picture needs, and why
   zpg convert scene.zpg --to pov -o scene.pov
   zpg explain E101          what a finding means and how to fix it
   zpg explain checkerboard  what a record type means and how it is written"
@@ -39,6 +40,7 @@ enum Command {
     Fmt(fmt::Args),
     Convert(convert::Args),
     Render(render::Args),
+    Plan(plan::Args),
     Explain(explain::Args),
     Completions(completions::Args),
 }
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
         Command::Fmt(args) => fmt::run(args, cli.color),
         Command::Convert(args) => convert::run(args, cli.color),
         Command::Render(args) => render::run(args, cli.color),
+        Command::Plan(args) => plan::run(args, cli.color),
         Command::Explain(args) => explain::run(args),
         Command::Completions(args) => completions::run(args, Cli::command()),
     };

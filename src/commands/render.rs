@@ -14,7 +14,9 @@ use serde::Serialize;
 use super::draft::{Draft, unwritable};
 use super::size::Size;
 use super::{ColorChoice, Loaded, Status, complain, load_sound};
+use crate::diagnostics::SourceFile;
 use crate::scene::{Camera, Scene, View};
+use crate::trace::plan::Plan;
 use crate::trace::stats::{Intersections, Rays};
 use crate::trace::{Crop, Film, Picture, Settings, Tracer, Unsupported, selected_camera};
 use output::Output;
@@ -173,17 +175,13 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
+    // The records are not needed any more, and take more memory than the scene.
+    let Loaded { source, scene, .. } = loaded;
     let load = start.elapsed().as_secs_f64();
-    match draw(args, &loaded, load) {
+    match draw(args, &scene, load) {
         Ok(()) => Status::Clean,
         Err(Failure::Scene(e)) => {
-            let place = loaded.source.position(e.span.start);
-            complain(&format!(
-                "{}:{}:{}: {e}",
-                args.file.display(),
-                place.line,
-                place.column
-            ));
+            refuse(&args.file, &source, &e);
             Status::Negative
         }
         Err(Failure::Usage(message)) => {
@@ -193,8 +191,18 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
     }
 }
 
-fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
-    let scene = &loaded.scene;
+/// Says where the scene asks for what cannot be drawn.
+fn refuse(file: &Path, source: &SourceFile, e: &Unsupported) {
+    let place = source.position(e.span.start);
+    complain(&format!(
+        "{}:{}:{}: {e}",
+        file.display(),
+        place.line,
+        place.column
+    ));
+}
+
+fn draw(args: &Args, scene: &Scene, load: f64) -> Result<(), Failure> {
     let settings = settings(args)?;
     let cameras = cameras(args, scene)?;
     let paths = output_paths(args, cameras.len());
@@ -213,7 +221,10 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
         ..Seconds::default()
     };
     let start = Instant::now();
-    let tracer = Tracer::new(scene)?;
+    let plan = Plan::new(scene).ok_or_else(Unsupported::nothing)?;
+    seconds.plan = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let tracer = Tracer::planned(scene, plan)?;
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
@@ -247,7 +258,7 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
             seconds,
             rays: counts.rays,
             intersections: counts.intersections,
-            effects: tracer.effects().to_vec(),
+            effects: tracer.plan.names(),
             peak_memory_bytes: peak_memory(),
         };
         write_stats(path, &stats)?;

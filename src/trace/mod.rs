@@ -12,7 +12,6 @@ pub mod bvh;
 pub mod camera;
 mod compile;
 pub mod dd;
-mod effects;
 pub mod film;
 mod finish;
 pub mod graph;
@@ -22,6 +21,7 @@ mod join;
 pub mod nearest;
 pub mod number;
 mod picture;
+pub mod plan;
 pub mod ray;
 pub mod sampling;
 pub mod shade;
@@ -39,7 +39,8 @@ pub use ray::Ray;
 use crate::diagnostics::Span;
 use crate::scene::Scene;
 use bounds::Bounds;
-use graph::{Graph, Operation, Target};
+use graph::Graph;
+use plan::{Effect, Plan};
 use shade::Light;
 use spans::{Event, Kind, State};
 use std::fmt;
@@ -55,6 +56,17 @@ pub struct Unsupported {
     pub span: Span,
     /// The entity of that record.
     pub id: u32,
+}
+
+impl Unsupported {
+    /// What a scene without a render record is refused with.
+    pub fn nothing() -> Unsupported {
+        Unsupported {
+            what: "a scene without a render record".into(),
+            span: Span::default(),
+            id: 0,
+        }
+    }
 }
 
 impl fmt::Display for Unsupported {
@@ -74,11 +86,8 @@ pub struct Tracer {
     background: Vec3,
     /// The region that is drawn, where it cuts anything.
     clip: Option<Bounds>,
-    /// Some part lets light through.
-    transparent: bool,
-    /// Nothing can be in the way of anything.
-    lone_convex: bool,
-    effects: Vec<&'static str>,
+    /// Which effects there are.
+    pub plan: Plan,
 }
 
 /// A crossing of a boundary or a surface, for those who ask about geometry.
@@ -92,19 +101,22 @@ pub struct Crossing {
 }
 
 impl Tracer {
-    /// Compiles what the render record names.
+    /// Compiles what the render record names, by the plan of the scene.
     ///
     /// # Errors
     ///
     /// Names the first shape or texture found that cannot be drawn, or the missing render record.
     pub fn new(scene: &Scene) -> Result<Tracer, Unsupported> {
-        let Some(render) = &scene.render else {
-            return Err(Unsupported {
-                what: "a scene without a render record".into(),
-                span: Span::default(),
-                id: 0,
-            });
-        };
+        Tracer::planned(scene, Plan::new(scene).ok_or_else(Unsupported::nothing)?)
+    }
+
+    /// [`Tracer::new`] with the plan already made.
+    ///
+    /// # Errors
+    ///
+    /// As there.
+    pub fn planned(scene: &Scene, plan: Plan) -> Result<Tracer, Unsupported> {
+        let render = scene.render.ok_or_else(Unsupported::nothing)?;
         let graph = compile::compile(scene, render.root)?;
         let ambient = scene
             .ambient_lights
@@ -118,24 +130,14 @@ impl Tracer {
         let region = render
             .clip
             .map(|(min, max)| Bounds::new(min.into(), max.into()));
-        let transparent = effects::coats(&graph).any(|c| c.0.kt != [0.0; 3]);
-        let mut tracer = Tracer {
+        Ok(Tracer {
             ambient,
             lights: (!dark).then(|| points.collect()),
             background: render.background.into(),
-            clip: region.filter(|c| !c.holds(&graph.root().bounds)),
-            transparent,
-            lone_convex: graph.lone_convex(),
+            clip: region.filter(|_| plan.on(Effect::ClipBox)),
             graph,
-            effects: Vec::new(),
-        };
-        tracer.effects = tracer.list_effects();
-        Ok(tracer)
-    }
-
-    /// Names of the effects the scene calls for, in the order of `zpg plan`.
-    pub fn effects(&self) -> &[&'static str] {
-        &self.effects
+            plan,
+        })
     }
 
     /// Scratch for one thread.
@@ -145,8 +147,13 @@ impl Tracer {
 
     /// The first visible point on a ray.
     pub fn hit(&self, walker: &mut Walker, ray: &Ray) -> Option<Hit> {
+        self.hit_with::<true>(walker, ray)
+    }
+
+    /// The same, by code that knows whether anything is transparent.
+    fn hit_with<const GLASS: bool>(&self, walker: &mut Walker, ray: &Ray) -> Option<Hit> {
         let (from, to) = self.window(ray, f64::INFINITY)?;
-        walker.first_hit(ray, from, to, self.clip.is_some())
+        walker.first_hit::<GLASS>(ray, from, to, self.clip.is_some())
     }
 
     /// All boundary crossings on a ray with t > 0, ascending, as if every surface let it through;
@@ -183,19 +190,5 @@ impl Tracer {
             None => Some((0.0, to)),
             Some(clip) => clip.clip(&ray.line, 0.0, to),
         }
-    }
-}
-
-impl Graph {
-    fn shapes(&self) -> impl Iterator<Item = &shapes::Primitive> {
-        self.parts.iter().filter_map(|p| match p.target {
-            Target::Shape(p) => self.primitives.get(p as usize),
-            Target::Object(_) => None,
-        })
-    }
-
-    fn has_intersections(&self) -> bool {
-        let cut = |o: &graph::Object| matches!(o.operation, Operation::Intersection { .. });
-        self.objects.iter().any(cut) || self.parts.iter().any(|p| p.inverted)
     }
 }

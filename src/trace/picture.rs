@@ -2,12 +2,14 @@
 
 use super::camera::View;
 use super::film::{Film, developed};
+use super::plan::Effect;
+use super::ray::Ray;
 use super::sampling::sample;
-use super::shade::{Light, Limits, Shader};
+use super::shade::{DISPERSION, GLASS, Light, Limits, MIRROR, SHADOWS, Shader};
 use super::stats::Counts;
 use super::vec::Vec3;
 use super::{Tracer, Unsupported};
-use crate::scene::{Camera, Scene, frame};
+use crate::scene::{Camera, Rgb, Scene, frame};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -74,6 +76,20 @@ pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
 }
 
 impl Tracer {
+    /// What the plan calls for, as bits. From inside of a lone shape its other side is in the way.
+    fn features(&self, outside: bool) -> u8 {
+        let plan = &self.plan;
+        let inside = plan.lone_convex && !outside;
+        [
+            (SHADOWS, plan.on(Effect::Shadows) || inside),
+            (GLASS, plan.on(Effect::Refraction)),
+            (MIRROR, plan.on(Effect::Reflection)),
+            (DISPERSION, plan.on(Effect::Dispersion)),
+        ]
+        .into_iter()
+        .fold(0, |bits, (bit, on)| if on { bits | bit } else { bits })
+    }
+
     /// Takes a picture. `progress` is told of every finished row, from any thread.
     ///
     /// Every pixel is computed from the scene and its own place alone, so the result does not
@@ -112,6 +128,7 @@ impl Tracer {
             width,
             height,
         });
+        let radiance = radiance(self.features(outside));
         let columns = crop.x..crop.x + crop.width;
         let rows: Vec<(Vec<[f32; 3]>, Counts)> = (crop.y..crop.y + crop.height)
             .into_par_iter()
@@ -119,8 +136,16 @@ impl Tracer {
                 || Shader::new(self, lights, limits),
                 |shader, y| {
                     shader.reset();
-                    let row =
-                        draw_row(shader, &view, outside, columns.clone(), y, settings.samples);
+                    let row = draw_row(
+                        |mut ray| {
+                            ray.outside = outside;
+                            radiance(shader, ray)
+                        },
+                        &view,
+                        columns.clone(),
+                        y,
+                        settings.samples,
+                    );
                     progress();
                     (row, shader.counts())
                 },
@@ -143,10 +168,21 @@ impl Tracer {
     }
 }
 
+/// The shading code for these features.
+fn radiance<'t>(features: u8) -> fn(&mut Shader<'t>, Ray) -> Rgb {
+    macro_rules! table {
+        ($($f:literal)*) => {
+            [$(Shader::radiance::<$f>),*]
+        };
+    }
+    let table: [fn(&mut Shader<'t>, Ray) -> Rgb; 16] =
+        table!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+    table[usize::from(features) % table.len()]
+}
+
 fn draw_row(
-    shader: &mut Shader,
+    mut radiance: impl FnMut(Ray) -> Rgb,
     view: &View,
-    outside: bool,
     columns: Range<u32>,
     y: u32,
     samples: u32,
@@ -158,9 +194,8 @@ fn draw_row(
             for i in 0..samples {
                 let [dx, dy] = sample(x, y, i, samples);
                 // Where a projection has no ray there is nothing to be seen.
-                if let Some(mut ray) = view.ray(f64::from(x) + dx, f64::from(y) + dy) {
-                    ray.outside = outside;
-                    sum = sum + Vec3(shader.radiance(ray));
+                if let Some(ray) = view.ray(f64::from(x) + dx, f64::from(y) + dy) {
+                    sum = sum + Vec3(radiance(ray));
                 }
             }
             developed((sum / f64::from(samples)).0)

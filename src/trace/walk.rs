@@ -1,7 +1,7 @@
 //! Walking the graph along one ray: the spaces entered on the way, and where shapes are crossed.
 
 use super::graph::{Coat, Graph, Part, Target};
-use super::nearest::Entry;
+use super::nearest::{Entry, Search};
 use super::ray::{Left, Line, Ray};
 use super::shapes::{Primitive, Root, Roots};
 use super::spans::Spans;
@@ -37,7 +37,7 @@ pub struct Context {
     /// A number for the chain of placements above.
     key: u64,
     texture: Option<Painted>,
-    optics: Option<u32>,
+    pub(super) optics: Option<u32>,
     index: Option<u32>,
 }
 
@@ -48,6 +48,7 @@ pub struct Walker<'g> {
     pub roots: Roots,
     pub(super) entries: Vec<Entry>,
     pub(super) nodes: Vec<u32>,
+    pub(super) search: Search,
     pub(super) spans: Spans,
     pub counts: Intersections,
 }
@@ -77,6 +78,7 @@ impl<'g> Walker<'g> {
             roots: Roots::default(),
             entries: Vec::new(),
             nodes: Vec::new(),
+            search: Search::First,
             spans: Spans::default(),
             counts: Intersections::default(),
         }
