@@ -355,8 +355,8 @@ fn unbounded_shapes_and_complements() {
 #[test]
 fn a_region_counts_where_it_cuts() {
     let all = format!("{CAMERA}{SPHERES}4 -101 2 3\n");
-    let on = format!("{all}1 9999 4 0 0 0 0 0 0 9 9 9\n");
-    let off = format!("{all}1 9999 4 0 0 0 -9 -9 -9 9 9 9\n");
+    let on = format!("{all}1 9999 4 0 0 0 0 9 9 9\n");
+    let off = format!("{all}1 9999 4 0 -9 -9 -9 9 9 9\n");
     decides("clip-box", &on, (1, 5), &off);
 }
 
