@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use zpg::commands::{ColorChoice, check, completions, convert, explain, fmt, probe, render};
+use zpg::commands::{ColorChoice, check, completions, convert, explain, fmt, plan, probe, render};
 
 /// Tools for scenes in the ZPG scene language
 #[derive(Debug, Parser)]
@@ -20,6 +20,7 @@ Examples:
   zpg check scene.zpg       what is wrong with a scene
   zpg fmt scene.zpg         one record a line, numbers in their shortest spelling
   zpg render scene.zpg      a picture, scene.png
+  zpg plan scene.zpg        which effects the picture needs, and why
   zpg convert scene.zpg --to pov -o scene.pov
   zpg probe scene.zpg --ray \"0 0 9  0 0 -1\"
   zpg explain E101          what a finding means and how to fix it
@@ -41,6 +42,7 @@ enum Command {
     Convert(convert::Args),
     Render(render::Args),
     Probe(probe::Args),
+    Plan(plan::Args),
     Explain(explain::Args),
     Completions(completions::Args),
 }
@@ -53,6 +55,7 @@ fn main() -> ExitCode {
         Command::Convert(args) => convert::run(args, cli.color),
         Command::Render(args) => render::run(args, cli.color),
         Command::Probe(args) => probe::run(args, cli.color),
+        Command::Plan(args) => plan::run(args, cli.color),
         Command::Explain(args) => explain::run(args),
         Command::Completions(args) => completions::run(args, Cli::command()),
     };

@@ -13,6 +13,7 @@ pub mod explain;
 pub mod fmt;
 pub mod loaded;
 pub mod paths;
+pub mod plan;
 pub mod probe;
 pub mod render;
 pub mod size;

@@ -18,7 +18,7 @@ use crate::syntax::table::Kind;
 use crate::trace::camera::View;
 use crate::trace::vec::Vec3;
 use crate::trace::{
-    Crop, Ray, Settings, Tracer, Unanswered, Unsupported, members, selected_camera,
+    Crop, Images, Ray, Settings, Tracer, Unanswered, Unsupported, members, selected_camera,
 };
 use answer::{PixelAnswer, PointAnswer, RayAnswer};
 use rays::{BadRay, Input};
@@ -211,18 +211,18 @@ fn answer(args: &Args, loaded: &mut Loaded) -> Result<Status, Failure> {
     }
     if let Some(path) = &args.rays {
         let mut input = open(path)?;
-        let tracer = Tracer::new(scene)?;
+        let tracer = tracer(loaded)?;
         let bad = |e: BadRay| complain(&format!("{}:{e}", path.display()));
         return Ok(rays::stream(&tracer, &mut input, bad));
     }
     if let Some(PixelArg(pixel)) = args.pixel {
-        let answer = pixel_answer(args, scene, pixel)?;
+        let answer = pixel_answer(args, loaded, pixel)?;
         return Ok(print(Status::Clean, |out| answer::write(out, &answer)));
     }
     let Some(RayArg(ray)) = args.ray else {
         return Err(Failure::Usage("there is no question".into()));
     };
-    let tracer = Tracer::new(scene)?;
+    let tracer = tracer(loaded)?;
     let answer = RayAnswer::new(&tracer, &mut tracer.walker(), &ray).map_err(Failure::Usage)?;
     Ok(print(Status::Clean, |out| answer::write(out, &answer)))
 }
@@ -281,7 +281,16 @@ fn unknown(scene: &Scene, id: u32, kind: Kind) -> Failure {
     Failure::Usage(format!("the scene has no {what} {id}{proposal}"))
 }
 
-fn pixel_answer(args: &Args, scene: &Scene, pixel: [u32; 2]) -> Result<PixelAnswer, Failure> {
+/// The tracer of a scene, with its pictures.
+fn tracer(loaded: &Loaded) -> Result<Tracer, Failure> {
+    let folder = loaded.source.folder().unwrap_or(Path::new("."));
+    let images = Images::load(&loaded.scene, folder)
+        .map_err(|e| Failure::Scene(e.message.clone(), e.span))?;
+    Ok(Tracer::with_images(&loaded.scene, &images)?)
+}
+
+fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAnswer, Failure> {
+    let scene = &loaded.scene;
     let Size { width, height } = args.size;
     let [x, y] = pixel;
     if x >= width || y >= height {
@@ -296,7 +305,7 @@ fn pixel_answer(args: &Args, scene: &Scene, pixel: [u32; 2]) -> Result<PixelAnsw
         },
         None => selected_camera(scene, f64::from(width) / f64::from(height)),
     };
-    let tracer = Tracer::new(scene)?;
+    let tracer = tracer(loaded)?;
     let settings = Settings {
         width,
         height,

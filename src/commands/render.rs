@@ -19,6 +19,8 @@ use super::terminal::warn;
 use super::{ColorChoice, Loaded, Status, complain, load_sound, report};
 use crate::diagnostics::Diagnostic;
 use crate::scene::{Camera, Scene, View};
+use crate::syntax::Document;
+use crate::trace::plan::Plan;
 use crate::trace::stats::{Counts, Intersections, Rays};
 use crate::trace::{
     CostMap, Crop, Film, Images, Picture, Settings, Tracer, Unsupported, selected_camera,
@@ -199,6 +201,8 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
+    // The records are not needed any more, and take more memory than the scene.
+    loaded.document = Document::default();
     let load = start.elapsed().as_secs_f64();
     match draw(args, &loaded, load) {
         Ok(()) => Status::Clean,
@@ -254,9 +258,12 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
         ..Seconds::default()
     };
     let start = Instant::now();
+    let plan = Plan::new(scene).ok_or_else(Unsupported::nothing)?;
+    seconds.plan = start.elapsed().as_secs_f64();
+    let start = Instant::now();
     let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))
-        .map_err(|e| Failure::Image(Box::new(e)))?;
-    let tracer = Tracer::with_images(scene, &images)?;
+        .map_err(Failure::Image)?;
+    let tracer = Tracer::planned(scene, &images, plan)?;
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
@@ -290,7 +297,7 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
             seconds,
             rays: counts.rays,
             intersections: counts.intersections,
-            effects: tracer.effects().to_vec(),
+            effects: tracer.plan.names(),
             peak_memory_bytes: peak_memory(),
         };
         write_stats(path, &stats)?;

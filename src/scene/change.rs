@@ -27,13 +27,13 @@ impl Resolver<'_> {
             }
             -203..=-201 => {
                 let mut parts = match &state {
-                    State::Optics(parts) => *parts,
+                    State::Optics(parts) => **parts,
                     _ => OpticsParts::default(),
                 };
                 if self.optics(p, &mut parts).is_some() {
                     match state {
                         State::Optics(_) => {
-                            self.entities.insert(p.id, State::Optics(parts));
+                            self.entities.insert(p.id, State::Optics(Box::new(parts)));
                         }
                         _ => self.paint(p.id, |paint| {
                             paint.optics = parts.optics.or(paint.optics);
@@ -47,7 +47,8 @@ impl Resolver<'_> {
                 if let Some(texture) = self.texture(p) {
                     match state {
                         State::Texture(_) => {
-                            self.entities.insert(p.id, State::Texture(texture));
+                            self.entities
+                                .insert(p.id, State::Texture(Box::new(texture)));
                         }
                         _ => self.paint(p.id, |paint| paint.texture = Some(texture)),
                     }
@@ -100,12 +101,12 @@ impl Resolver<'_> {
             return;
         };
         let texture = match texture.and_then(|id| self.entities.get(&id)) {
-            Some(State::Texture(t)) => t.clone(),
+            Some(State::Texture(t)) => Texture::clone(t),
             Some(State::Colour(c)) => Texture::Colour(*c),
             _ => Texture::Colour(DEFAULT_COLOUR),
         };
         let parts = match optics.and_then(|id| self.entities.get(&id)) {
-            Some(State::Optics(parts)) => *parts,
+            Some(State::Optics(parts)) => **parts,
             _ => OpticsParts::default(),
         };
         self.paint(p.id, |paint| {
@@ -160,9 +161,16 @@ impl Resolver<'_> {
             State::PointLight(light) => {
                 let position = m.point(light.position);
                 let finite = position.iter().all(|x| x.is_finite());
-                finite.then_some(State::PointLight(PointLight { position, ..*light }))
+                finite.then(|| {
+                    State::PointLight(Box::new(PointLight {
+                        position,
+                        ..**light
+                    }))
+                })
             }
-            State::Camera(camera) => super::camera::moved(camera, m).map(State::Camera),
+            State::Camera(camera) => {
+                super::camera::moved(camera, m).map(|c| State::Camera(Box::new(c)))
+            }
             _ => None,
         };
         match moved {

@@ -56,20 +56,20 @@ impl Resolver<'_> {
                 let sound = p.check_constraints(&mut self.out);
                 let (id, intensity, colour) = (p.id, p.number(0), DEFAULT_COLOUR);
                 sound.then_some(match p.ty.code {
-                    -401 => State::AmbientLight(AmbientLight {
+                    -401 => State::AmbientLight(Box::new(AmbientLight {
                         id,
                         intensity,
                         colour,
-                    }),
-                    _ => State::PointLight(PointLight {
+                    })),
+                    _ => State::PointLight(Box::new(PointLight {
                         id,
                         position: [0.0; 3],
                         intensity,
                         colour,
-                    }),
+                    })),
                 })
             }
-            -501 => super::camera::camera(p, &mut self.out).map(State::Camera),
+            -501 => super::camera::camera(p, &mut self.out).map(|c| State::Camera(Box::new(c))),
             _ => None,
         }
     }
@@ -80,14 +80,14 @@ impl Resolver<'_> {
             -203..=-201 => {
                 let mut parts = OpticsParts::default();
                 self.optics(p, &mut parts)?;
-                Some(State::Optics(parts))
+                Some(State::Optics(Box::new(parts)))
             }
-            -301 | -302 | -399 => self.texture(p).map(State::Texture),
+            -301 | -302 | -399 => self.texture(p).map(|t| State::Texture(Box::new(t))),
             -701 => Some(State::Colour(p.numbers(0))),
             -99 => {
                 let m = Matrix::from_rows(&p.numbers(0));
                 let m = geometry::invertible(p, m, &mut self.out)?;
-                Some(State::Camera(super::camera::projecting(p.id, m)))
+                Some(State::Camera(Box::new(super::camera::projecting(p.id, m))))
             }
             _ => None,
         }

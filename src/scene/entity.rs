@@ -9,16 +9,17 @@ pub struct OpticsParts {
     pub index: Option<Rgb>,
 }
 
+/// Almost all of a large scene are objects: what is large and rare is boxed.
 #[derive(Debug, Clone)]
 pub enum State {
     Undefined,
     Object(NodeId),
-    Optics(OpticsParts),
-    Texture(Texture),
+    Optics(Box<OpticsParts>),
+    Texture(Box<Texture>),
     Colour(Rgb),
-    AmbientLight(AmbientLight),
-    PointLight(PointLight),
-    Camera(Camera),
+    AmbientLight(Box<AmbientLight>),
+    PointLight(Box<PointLight>),
+    Camera(Box<Camera>),
     Selection,
     Render,
     /// Defined by a record that could not be read: references to it are no errors.

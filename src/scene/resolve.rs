@@ -297,9 +297,9 @@ impl<'a> Resolver<'a> {
         entity.kind = state.kind();
         match state {
             State::Object(node) => entity.node = Some(node),
-            State::Camera(camera) => self.scene.cameras.push(camera),
-            State::PointLight(light) => self.scene.point_lights.push(light),
-            State::AmbientLight(light) => self.scene.ambient_lights.push(light),
+            State::Camera(camera) => self.scene.cameras.push(*camera),
+            State::PointLight(light) => self.scene.point_lights.push(*light),
+            State::AmbientLight(light) => self.scene.ambient_lights.push(*light),
             _ => {}
         }
     }

@@ -6,7 +6,7 @@ use super::table::RecordType;
 use crate::diagnostics::Span;
 
 /// A parsed scene text.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Document {
     /// Every token with trivia; white space is what lies between them.
     pub tokens: Vec<Token>,

@@ -4,7 +4,7 @@ use super::Unsupported;
 use super::bounds::Bounds;
 use super::bvh::Bvh;
 use super::compile::{Compiler, Draft, Kind, outermost};
-use super::graph::{Coat, Graph, Group, Object, Operation, Part, Target};
+use super::graph::{Coat, Graph, Group, Holds, Object, Operation, Part, Target};
 use std::collections::HashSet;
 
 /// What became of a draft.
@@ -123,10 +123,12 @@ impl Compiler<'_> {
             for part in &first {
                 bounds = bounds.union(&self.bounds(part));
             }
+            let holds = self.holds(&first);
             let group = self.group(first);
             return Ok(Object {
                 operation: Operation::Union(group),
                 bounds,
+                holds,
             });
         }
         let mut bounds = Bounds::EVERYTHING;
@@ -147,6 +149,11 @@ impl Compiler<'_> {
         if let ([only], true, true) = (&first[..], cuts.is_empty(), may_vanish) {
             return Err(Finished::Alias(*only));
         }
+        let inherit = kind == Kind::Difference;
+        let mut holds = self.holds(&first);
+        if !inherit {
+            holds = holds.and(self.holds(&cuts));
+        }
         let start = self.graph.parts.len() as u32;
         self.graph.parts.extend(first);
         let end = self.graph.parts.len() as u32;
@@ -166,9 +173,10 @@ impl Compiler<'_> {
             operation: Operation::Intersection {
                 first: start..end,
                 cuts,
-                inherit: kind == Kind::Difference,
+                inherit,
             },
             bounds,
+            holds,
         })
     }
 
@@ -196,8 +204,20 @@ impl Compiler<'_> {
 
     fn group(&mut self, parts: Vec<Part>) -> Group {
         let start = self.graph.parts.len() as u32;
-        let (mut loose, mut boxes) = (Vec::new(), Vec::with_capacity(parts.len()));
-        for (i, part) in (start..).zip(&parts) {
+        let whole = self.tree((start..).zip(&parts));
+        let holds_clear = |p: &Part| self.graph.holds(p).clear;
+        let clear = parts.iter().any(holds_clear).then(|| {
+            let clear = (start..).zip(&parts).filter(|(_, p)| holds_clear(p));
+            Box::new(self.tree(clear))
+        });
+        self.graph.parts.extend(parts);
+        Group { clear, ..whole }
+    }
+
+    /// Parts with their numbers: those with bounds in a tree, the others beside it.
+    fn tree<'p>(&self, parts: impl Iterator<Item = (u32, &'p Part)>) -> Group {
+        let (mut loose, mut boxes) = (Vec::new(), Vec::with_capacity(parts.size_hint().0));
+        for (i, part) in parts {
             let bounds = self.bounds(part);
             if bounds.is_finite() {
                 boxes.push((i, bounds));
@@ -205,10 +225,16 @@ impl Compiler<'_> {
                 loose.push(i);
             }
         }
-        self.graph.parts.extend(parts);
         Group {
             loose,
             bvh: Bvh::new(boxes),
+            clear: None,
         }
+    }
+
+    /// What some of these parts hold.
+    fn holds(&self, parts: &[Part]) -> Holds {
+        let each = parts.iter().map(|p| self.graph.holds(p));
+        each.fold(Holds::default(), Holds::and)
     }
 }

@@ -68,6 +68,25 @@ pub struct Group {
     pub loose: Vec<u32>,
     /// The others; its items are indices into [`Graph::parts`].
     pub bvh: Bvh,
+    /// Those of them that hold something transparent, if no paint above says otherwise; `None`
+    /// where there are none.
+    pub clear: Option<Box<Group>>,
+}
+
+/// What the surfaces of a thing may be made of, as far as it is not painted over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Holds {
+    pub opaque: bool,
+    pub clear: bool,
+}
+
+impl Holds {
+    pub fn and(self, other: Holds) -> Holds {
+        Holds {
+            opaque: self.opaque || other.opaque,
+            clear: self.clear || other.clear,
+        }
+    }
 }
 
 /// An operation. Parts with smaller indices are earlier operands.
@@ -88,6 +107,7 @@ pub struct Object {
     pub operation: Operation,
     /// Holds the object.
     pub bounds: Bounds,
+    pub holds: Holds,
 }
 
 #[derive(Debug, Default)]
@@ -109,27 +129,26 @@ pub struct Graph {
 }
 
 impl Graph {
-    pub fn root(&self) -> &Object {
-        &self.objects[self.root as usize]
+    /// What a part holds, unless something is painted over the object it belongs to. Objects come
+    /// after those that they are made of.
+    pub fn holds(&self, part: &Part) -> Holds {
+        match (self.paints[part.paint as usize].optics, part.target) {
+            (Some(optics), _) => self.made_of(optics),
+            (None, Target::Shape(_)) => self.made_of(0),
+            (None, Target::Object(o)) => self.objects[o as usize].holds,
+        }
     }
 
-    /// The one part of a scene that is a single convex shape: nothing could ever be in its own way.
-    pub fn lone_convex(&self) -> bool {
-        let Operation::Union(group) = &self.root().operation else {
-            return false;
-        };
-        let mut parts = group.loose.iter().chain(&group.bvh.items);
-        match (parts.next(), parts.next()) {
-            (Some(&only), None) => {
-                let part = self.parts[only as usize];
-                match part.target {
-                    Target::Shape(p) => {
-                        !part.inverted && self.primitives[p as usize].shape().is_convex()
-                    }
-                    Target::Object(_) => false,
-                }
-            }
-            _ => false,
+    /// What a thing with these optics holds.
+    pub fn made_of(&self, optics: u32) -> Holds {
+        let clear = self.optics[optics as usize].kt != [0.0; 3];
+        Holds {
+            opaque: !clear,
+            clear,
         }
+    }
+
+    pub fn root(&self) -> &Object {
+        &self.objects[self.root as usize]
     }
 }

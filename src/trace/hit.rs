@@ -1,7 +1,8 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
+use super::nearest::Search;
 use super::ray::{Left, Ray};
-use super::shapes::{Root, Shape};
+use super::shapes::Root;
 use super::spans::{Event, Kind, State};
 use super::vec::Vec3;
 use super::walk::{Leaf, Walker};
@@ -61,14 +62,20 @@ impl Walker<'_> {
     /// A ray that is outside of everything sees the nearest crossing, whatever it is. If that turns
     /// out to be transparent, or if the ray starts inside a solid, spans say what is a boundary and
     /// which media meet there. `clipped`: `from` is where the ray enters the region that is drawn,
-    /// maybe in the middle of a solid.
-    pub fn first_hit(&mut self, ray: &Ray, from: f64, to: f64, clipped: bool) -> Option<Hit> {
+    /// maybe in the middle of a solid. Without `GLASS` nothing is transparent.
+    pub fn first_hit<const GLASS: bool>(
+        &mut self,
+        ray: &Ray,
+        from: f64,
+        to: f64,
+        clipped: bool,
+    ) -> Option<Hit> {
         if clipped {
             return self.first_visible(ray, from, to);
         }
-        let first = self.nearest(ray, from, to, false)?;
+        let first = self.nearest(ray, from, to, Search::First)?;
         let hit = self.resolve(ray, first.leaf, first.root, first.owner);
-        if ray.outside && hit.optics.kt == [0.0; 3] {
+        if ray.outside && (!GLASS || hit.optics.kt == [0.0; 3]) {
             let inside = self.primitive(first.leaf).shape().is_solid();
             return Some(Hit {
                 inside: [false, inside],
@@ -136,7 +143,7 @@ impl Walker<'_> {
             point,
             normal,
             shading: shading.map_or(normal, Vec3::unit),
-            colour: self.colour(owner, point, shape, located.point, root.face),
+            colour: self.colour(owner, leaf, point, located.point, root.face),
             optics,
             indices: [self.graph.indices[0]; 2],
             inside: [false; 2],
@@ -158,9 +165,12 @@ impl Walker<'_> {
     }
 
     /// The colour of a point, in the scene's space and in that of the shape whose surface it is on.
-    fn colour(&self, owner: Leaf, point: Vec3, shape: &dyn Shape, local: Vec3, face: u32) -> Rgb {
+    /// A face made by a cut shows no colours of the tool.
+    fn colour(&self, owner: Leaf, leaf: Leaf, point: Vec3, local: Vec3, face: u32) -> Rgb {
+        let shape = self.primitive(leaf).shape();
         let Some(painted) = self.texture(owner) else {
-            return shape.colour(local, face).unwrap_or(DEFAULT_COLOUR);
+            let own = (owner == leaf).then(|| shape.colour(local, face));
+            return own.flatten().unwrap_or(DEFAULT_COLOUR);
         };
         let odd =
             |cells: &[f64]| cells.iter().map(|x| x.floor()).sum::<f64>().rem_euclid(2.0) >= 1.0;

@@ -24,7 +24,7 @@ impl Images {
     ///
     /// What is wrong with the first picture that cannot be used: it lies elsewhere, it cannot be
     /// decoded, or it is larger than [`MAX_SIDE`] or, with those before, [`MAX_BYTES`].
-    pub fn load(scene: &Scene, folder: &Path) -> Result<Images, Diagnostic> {
+    pub fn load(scene: &Scene, folder: &Path) -> Result<Images, Box<Diagnostic>> {
         let mut images = Images::default();
         let mut left = MAX_BYTES;
         for (file, span) in used(scene) {
@@ -35,10 +35,11 @@ impl Images {
             if !image_file::check(file, span, Some(folder), &mut found)
                 && let Some(first) = found.pop()
             {
-                return Err(first);
+                return Err(Box::new(first));
             }
             let bitmap = Bitmap::read(&folder.join(file), left).map_err(|e| {
-                Diagnostic::new(Code::E210, span, "the image cannot be read").here(e.to_string())
+                let refusal = Diagnostic::new(Code::E210, span, "the image cannot be read");
+                Box::new(refusal.here(e.to_string()))
             })?;
             left = left.saturating_sub(bitmap.bytes());
             images.0.insert(file.to_owned(), Arc::new(bitmap));

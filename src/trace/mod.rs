@@ -15,7 +15,6 @@ pub mod camera;
 mod compile;
 pub mod costs;
 pub mod dd;
-mod effects;
 mod exponent;
 pub mod film;
 mod finish;
@@ -28,6 +27,7 @@ pub mod membership;
 pub mod nearest;
 pub mod number;
 mod picture;
+pub mod plan;
 mod probe;
 mod quartic;
 pub mod ray;
@@ -51,7 +51,8 @@ pub use ray::Ray;
 use crate::diagnostics::Span;
 use crate::scene::Scene;
 use bounds::Bounds;
-use graph::{Graph, Operation, Target};
+use graph::Graph;
+use plan::{Effect, Plan};
 use shade::Light;
 use spans::State;
 use std::fmt;
@@ -67,6 +68,17 @@ pub struct Unsupported {
     pub span: Span,
     /// The entity of that record.
     pub id: u32,
+}
+
+impl Unsupported {
+    /// What a scene without a render record is refused with.
+    pub fn nothing() -> Unsupported {
+        Unsupported {
+            what: "a scene without a render record".into(),
+            span: Span::default(),
+            id: 0,
+        }
+    }
 }
 
 impl fmt::Display for Unsupported {
@@ -86,15 +98,12 @@ pub struct Tracer {
     background: Vec3,
     /// The region that is drawn, where it cuts anything.
     clip: Option<Bounds>,
-    /// Some part lets light through.
-    transparent: bool,
-    /// Nothing can be in the way of anything.
-    lone_convex: bool,
-    effects: Vec<&'static str>,
+    /// Which effects there are.
+    pub plan: Plan,
 }
 
 impl Tracer {
-    /// Compiles what the render record names.
+    /// Compiles what the render record names, by the plan of the scene.
     ///
     /// # Errors
     ///
@@ -110,13 +119,17 @@ impl Tracer {
     ///
     /// As [`Tracer::new`], but image textures only where their picture is missing.
     pub fn with_images(scene: &Scene, images: &Images) -> Result<Tracer, Unsupported> {
-        let Some(render) = &scene.render else {
-            return Err(Unsupported {
-                what: "a scene without a render record".into(),
-                span: Span::default(),
-                id: 0,
-            });
-        };
+        let plan = Plan::new(scene).ok_or_else(Unsupported::nothing)?;
+        Tracer::planned(scene, images, plan)
+    }
+
+    /// [`Tracer::with_images`] with the plan already made.
+    ///
+    /// # Errors
+    ///
+    /// As there.
+    pub fn planned(scene: &Scene, images: &Images, plan: Plan) -> Result<Tracer, Unsupported> {
+        let render = scene.render.ok_or_else(Unsupported::nothing)?;
         let graph = compile::compile(scene, images, render.root)?;
         let ambient = scene
             .ambient_lights
@@ -130,24 +143,14 @@ impl Tracer {
         let region = render
             .clip
             .map(|(min, max)| Bounds::new(min.into(), max.into()));
-        let transparent = effects::coats(&graph).any(|c| c.0.kt != [0.0; 3]);
-        let mut tracer = Tracer {
+        Ok(Tracer {
             ambient,
             lights: (!dark).then(|| points.collect()),
             background: render.background.into(),
-            clip: region.filter(|c| !c.holds(&graph.root().bounds)),
-            transparent,
-            lone_convex: graph.lone_convex(),
+            clip: region.filter(|_| plan.on(Effect::ClipBox)),
             graph,
-            effects: Vec::new(),
-        };
-        tracer.effects = tracer.list_effects();
-        Ok(tracer)
-    }
-
-    /// Names of the effects the scene calls for, in the order of `zpg plan`.
-    pub fn effects(&self) -> &[&'static str] {
-        &self.effects
+            plan,
+        })
     }
 
     /// Scratch for one thread.
@@ -157,8 +160,13 @@ impl Tracer {
 
     /// The first visible point on a ray.
     pub fn hit(&self, walker: &mut Walker, ray: &Ray) -> Option<Hit> {
+        self.hit_with::<true>(walker, ray)
+    }
+
+    /// The same, by code that knows whether anything is transparent.
+    fn hit_with<const GLASS: bool>(&self, walker: &mut Walker, ray: &Ray) -> Option<Hit> {
         let (from, to) = self.window(ray, f64::INFINITY)?;
-        walker.first_hit(ray, from, to, self.clip.is_some())
+        walker.first_hit::<GLASS>(ray, from, to, self.clip.is_some())
     }
 
     /// Whether a point is inside some solid of the scene.
@@ -174,19 +182,5 @@ impl Tracer {
             None => Some((0.0, to)),
             Some(clip) => clip.clip(&ray.line, 0.0, to),
         }
-    }
-}
-
-impl Graph {
-    fn shapes(&self) -> impl Iterator<Item = &shapes::Primitive> {
-        self.parts.iter().filter_map(|p| match p.target {
-            Target::Shape(p) => self.primitives.get(p as usize),
-            Target::Object(_) => None,
-        })
-    }
-
-    fn has_intersections(&self) -> bool {
-        let cut = |o: &graph::Object| matches!(o.operation, Operation::Intersection { .. });
-        self.objects.iter().any(cut) || self.parts.iter().any(|p| p.inverted)
     }
 }

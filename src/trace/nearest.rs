@@ -1,7 +1,7 @@
 //! The nearest crossing with anything: all that is needed while a ray is outside of every solid,
 //! since then the first boundary it meets is a boundary of the scene.
 
-use super::graph::{Operation, Target};
+use super::graph::{Group, Holds, Operation, Target};
 use super::ray::Ray;
 use super::shapes::Root;
 use super::walk::{Leaf, Walker};
@@ -31,18 +31,51 @@ pub struct Crossing {
     pub owner: Leaf,
 }
 
+/// Which crossing is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Search {
+    /// The first.
+    First,
+    /// Any.
+    Any,
+    /// Any with something opaque.
+    AnyOpaque,
+    /// Any with something transparent.
+    AnyClear,
+}
+
+impl Search {
+    /// Whether it matters what a thing is made of.
+    fn is_picky(self) -> bool {
+        matches!(self, Search::AnyOpaque | Search::AnyClear)
+    }
+
+    /// Whether something that holds this is looked at.
+    pub(super) fn wants(self, holds: Holds) -> bool {
+        match self {
+            Search::First | Search::Any => true,
+            Search::AnyOpaque => holds.opaque,
+            Search::AnyClear => holds.clear,
+        }
+    }
+}
+
 impl Walker<'_> {
     /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked
     /// into; of intersections only their own boundary counts. Among crossings at the same t the
-    /// first operand's wins. With `any` the first one found will do.
-    pub fn nearest(&mut self, ray: &Ray, from: f64, to: f64, any: bool) -> Option<Crossing> {
+    /// first operand's wins. A search for any crossing takes the first one found.
+    pub fn nearest(&mut self, ray: &Ray, from: f64, to: f64, search: Search) -> Option<Crossing> {
         self.begin(ray);
         self.entries.clear();
         let mut best: Option<Crossing> = None;
         let mut limit = to;
+        self.search = search;
         self.open_union(ray, 0, from, &mut limit, &mut best);
         while let Some(entry) = self.entries.pop() {
-            if entry.near > limit || (any && best.is_some()) {
+            if search != Search::First && best.is_some() {
+                break;
+            }
+            if entry.near > limit {
                 continue;
             }
             match entry.item {
@@ -76,7 +109,10 @@ impl Walker<'_> {
     ) {
         let graph = self.graph;
         let object = self.contexts[context as usize].object;
-        let Operation::Union(group) = &graph.objects[object as usize].operation else {
+        let Operation::Union(whole) = &graph.objects[object as usize].operation else {
+            return;
+        };
+        let Some(group) = self.searched(context, whole) else {
             return;
         };
         for &part in &group.loose {
@@ -95,6 +131,22 @@ impl Walker<'_> {
         }
     }
 
+    /// The parts of a context's union among which is what is looked for.
+    fn searched<'g>(&self, context: u32, whole: &'g Group) -> Option<&'g Group> {
+        if self.search == Search::AnyClear && self.contexts[context as usize].optics.is_none() {
+            return whole.clear.as_deref();
+        }
+        Some(whole)
+    }
+
+    /// What a part of a context's object holds, with what is painted over it.
+    fn holds(&self, leaf: Leaf) -> Holds {
+        match self.contexts[leaf.context as usize].optics {
+            Some(optics) => self.graph.made_of(optics),
+            None => self.graph.holds(self.part(leaf.part)),
+        }
+    }
+
     fn visit(
         &mut self,
         ray: &Ray,
@@ -107,7 +159,10 @@ impl Walker<'_> {
         let graph = self.graph;
         let context = entry.context;
         let object = self.contexts[context as usize].object;
-        let Operation::Union(group) = &graph.objects[object as usize].operation else {
+        let Operation::Union(whole) = &graph.objects[object as usize].operation else {
+            return;
+        };
+        let Some(group) = self.searched(context, whole) else {
             return;
         };
         let bvh = &group.bvh;
@@ -146,6 +201,9 @@ impl Walker<'_> {
         limit: &mut f64,
         best: &mut Option<Crossing>,
     ) {
+        if self.search.is_picky() && !self.search.wants(self.holds(leaf)) {
+            return;
+        }
         match self.part(leaf.part).target {
             Target::Object(object) => self.entries.push(Entry {
                 near,

@@ -4,12 +4,14 @@ use super::adaptive::{Estimate, FIRST, First, MOST, contrast};
 use super::camera::View;
 use super::costs::CostMap;
 use super::film::{Film, developed};
+use super::plan::Effect;
+use super::ray::Ray;
 use super::sampling::sample;
-use super::shade::{Light, Limits, Shader};
+use super::shade::{DISPERSION, GLASS, Light, Limits, MIRROR, SHADOWS, Shader};
 use super::stats::Counts;
 use super::vec::Vec3;
 use super::{Tracer, Unsupported};
-use crate::scene::{Camera, Scene, frame};
+use crate::scene::{Camera, Rgb, Scene, frame};
 use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -95,6 +97,20 @@ pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
 }
 
 impl Tracer {
+    /// What the plan calls for, as bits. From inside of a lone shape its other side is in the way.
+    fn features(&self, outside: bool) -> u8 {
+        let plan = &self.plan;
+        let inside = plan.lone_convex && !outside;
+        [
+            (SHADOWS, plan.on(Effect::Shadows) || inside),
+            (GLASS, plan.on(Effect::Refraction)),
+            (MIRROR, plan.on(Effect::Reflection)),
+            (DISPERSION, plan.on(Effect::Dispersion)),
+        ]
+        .into_iter()
+        .fold(0, |bits, (bit, on)| if on { bits | bit } else { bits })
+    }
+
     /// Takes a picture. `progress` is told of every finished row, from any thread.
     ///
     /// Every pixel is computed from the scene and its own place alone, or with a tolerance from
@@ -123,13 +139,15 @@ impl Tracer {
             depth: settings.depth,
             cutoff: settings.cutoff,
         };
+        let outside = self.clip.is_none()
+            && view.is_pinhole()
+            && !self.holds(&mut self.walker(), view.position());
         let drawing = Drawing {
             tracer: self,
             lights: self.lights.as_deref().unwrap_or(&headlight),
             limits,
-            outside: self.clip.is_none()
-                && view.is_pinhole()
-                && !self.holds(&mut self.walker(), view.position()),
+            outside,
+            radiance: radiance(self.features(outside)),
             view,
             stop: settings.stop.as_deref(),
         };
@@ -195,6 +213,8 @@ struct Drawing<'t> {
     limits: Limits,
     view: View,
     outside: bool,
+    /// The shading code for what the plan calls for.
+    radiance: fn(&mut Shader<'t>, Ray) -> Rgb,
     stop: Option<&'t AtomicBool>,
 }
 
@@ -268,7 +288,7 @@ impl Pen<'_, '_> {
         match self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy) {
             Some(mut ray) => {
                 ray.outside = self.drawing.outside;
-                Vec3(self.shader.radiance(ray))
+                Vec3((self.drawing.radiance)(&mut self.shader, ray))
             }
             None => Vec3::ZERO,
         }
@@ -316,4 +336,16 @@ impl Pen<'_, '_> {
             tests: first.tests.saturating_add(self.tests_since(before)),
         }
     }
+}
+
+/// The shading code for these features.
+fn radiance<'t>(features: u8) -> fn(&mut Shader<'t>, Ray) -> Rgb {
+    macro_rules! table {
+        ($($f:literal)*) => {
+            [$(Shader::radiance::<$f>),*]
+        };
+    }
+    let table: [fn(&mut Shader<'t>, Ray) -> Rgb; 16] =
+        table!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+    table[usize::from(features) % table.len()]
 }

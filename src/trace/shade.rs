@@ -2,6 +2,7 @@
 
 use super::Tracer;
 use super::hit::Hit;
+use super::nearest::Search;
 use super::ray::Ray;
 use super::spans::Kind;
 use super::stats::{Counts, Rays};
@@ -24,6 +25,13 @@ pub struct Limits {
     /// Branches that count for less than this in every channel contribute nothing.
     pub cutoff: f64,
 }
+
+/// Parts of the shading code that a plan calls for, as bits: code for what is off is left out.
+pub const SHADOWS: u8 = 1;
+pub const GLASS: u8 = 2;
+/// Mirrors and total reflection.
+pub const MIRROR: u8 = 4;
+pub const DISPERSION: u8 = 8;
 
 /// A ray still to be followed, and how much its light counts, per channel.
 #[derive(Debug, Clone, Copy)]
@@ -76,7 +84,7 @@ impl<'t> Shader<'t> {
     ///
     /// Rays that are reflected and refracted wait on a stack with their weights, so no depth is
     /// too deep.
-    pub fn radiance(&mut self, ray: Ray) -> Rgb {
+    pub fn radiance<const F: u8>(&mut self, ray: Ray) -> Rgb {
         self.rays.camera += 1;
         let mut sum = Vec3::ZERO;
         self.branches.push(Branch {
@@ -85,10 +93,16 @@ impl<'t> Shader<'t> {
             depth: 0,
         });
         while let Some(branch) = self.branches.pop() {
-            let light = match self.tracer.hit(&mut self.walker, &branch.ray) {
+            let hit = match F & GLASS {
+                0 => self.tracer.hit_with::<false>(&mut self.walker, &branch.ray),
+                _ => self.tracer.hit_with::<true>(&mut self.walker, &branch.ray),
+            };
+            let light = match hit {
                 Some(hit) => {
-                    self.follow(&branch, &hit);
-                    self.direct(&hit)
+                    if F & (GLASS | MIRROR) != 0 {
+                        self.follow::<F>(&branch, &hit);
+                    }
+                    self.direct::<F>(&hit)
                 }
                 None => self.tracer.background,
             };
@@ -98,7 +112,7 @@ impl<'t> Shader<'t> {
     }
 
     /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V)
-    fn direct(&mut self, hit: &Hit) -> Vec3 {
+    fn direct<const F: u8>(&mut self, hit: &Hit) -> Vec3 {
         let albedo = Vec3(hit.optics.kd).times(Vec3(hit.colour));
         if !albedo.any() {
             return Vec3::ZERO;
@@ -109,7 +123,7 @@ impl<'t> Shader<'t> {
             let way = position - hit.point;
             let cosine = normal.dot(way.unit());
             if cosine > 0.0 && power.any() {
-                let seen = self.visibility(hit, way);
+                let seen = self.visibility::<F>(hit, way);
                 light = light + power.times(seen) * cosine;
             }
         }
@@ -117,8 +131,13 @@ impl<'t> Shader<'t> {
     }
 
     /// The share of light that gets through from hit + way: the product of kt over all surfaces.
-    fn visibility(&mut self, hit: &Hit, way: Vec3) -> Vec3 {
-        if self.tracer.lone_convex && !hit.inside[0] {
+    ///
+    /// A ray that starts outside and crosses something opaque before anything transparent is
+    /// blocked: the first thing it meets is a boundary of the scene, and opaque. Which of the
+    /// opaque things that is does not matter, so the search stops at the first one found. Only
+    /// where something transparent comes before is there need to know what is inside of what.
+    fn visibility<const F: u8>(&mut self, hit: &Hit, way: Vec3) -> Vec3 {
+        if F & SHADOWS == 0 || (self.tracer.plan.lone_convex && !hit.inside[0]) {
             return Vec3::ONE;
         }
         self.rays.shadow += 1;
@@ -128,16 +147,21 @@ impl<'t> Shader<'t> {
         };
         let walker = &mut self.walker;
         if ray.outside && self.tracer.clip.is_none() {
-            let opaque = !self.tracer.transparent;
-            match walker.nearest(&ray, from, to, opaque) {
-                None => return Vec3::ONE,
-                Some(_) if opaque => return Vec3::ZERO,
-                Some(first) => {
-                    let optics = walker.graph.optics[walker.optics(first.owner) as usize];
-                    if optics.kt == [0.0; 3] {
-                        return Vec3::ZERO;
-                    }
-                }
+            if F & GLASS == 0 {
+                let blocked = walker.nearest(&ray, from, to, Search::Any).is_some();
+                return if blocked { Vec3::ZERO } else { Vec3::ONE };
+            }
+            let opaque = walker.nearest(&ray, from, to, Search::AnyOpaque);
+            let before = opaque.map_or(to, |o| o.root.t);
+            if walker
+                .nearest(&ray, from, before, Search::AnyClear)
+                .is_none()
+            {
+                return if opaque.is_some() {
+                    Vec3::ZERO
+                } else {
+                    Vec3::ONE
+                };
             }
         }
         let (_, events) = walker.trace_spans(&ray, from, to);
@@ -151,16 +175,23 @@ impl<'t> Shader<'t> {
     }
 
     /// Sends on what is mirrored and what goes through.
-    fn follow(&mut self, branch: &Branch, hit: &Hit) {
+    fn follow<const F: u8>(&mut self, branch: &Branch, hit: &Hit) {
         let direction = branch.ray.line.direction;
         let mut mirrored = Vec3(hit.optics.ks);
-        let mut todo = Vec3(hit.optics.kt);
+        let mut todo = match F & GLASS {
+            0 => Vec3::ZERO,
+            _ => Vec3(hit.optics.kt),
+        };
         while let Some(c) = (0..3).find(|&c| todo[c] != 0.0) {
             // The channels that go the same way go together.
             let ratio = |c: usize| (hit.indices[0][c], hit.indices[1][c]);
             let mut through = Vec3::ZERO;
-            for other in (c..3).filter(|&o| ratio(o) == ratio(c)) {
-                through[other] = std::mem::take(&mut todo[other]);
+            if F & DISPERSION == 0 {
+                through = std::mem::replace(&mut todo, Vec3::ZERO);
+            } else {
+                for other in (c..3).filter(|&o| ratio(o) == ratio(c)) {
+                    through[other] = std::mem::take(&mut todo[other]);
+                }
             }
             let (before, behind) = ratio(c);
             if before == behind {
@@ -177,7 +208,7 @@ impl<'t> Shader<'t> {
                 mirrored = mirrored + through;
             }
         }
-        if mirrored.any() {
+        if F & MIRROR != 0 && mirrored.any() {
             let normal = hit.shading;
             let reflected = direction - normal * (2.0 * normal.dot(direction));
             let ray = hit.leave(reflected.unit(), false);

@@ -102,7 +102,7 @@ impl Walker<'_> {
         self.evaluate(ray, 0, from, to)
     }
 
-    /// The first boundary or sheet of an intersection.
+    /// The first boundary or sheet of an intersection, of those that are looked for.
     pub(super) fn first_of(
         &mut self,
         ray: &Ray,
@@ -110,8 +110,11 @@ impl Walker<'_> {
         from: f64,
         to: f64,
     ) -> Option<super::nearest::Crossing> {
+        let (graph, search) = (self.graph, self.search);
         let (_, events) = self.evaluate(ray, context, from, to);
-        let event = events.iter().find(|e| e.kind != Kind::Silent)?;
+        let event = events
+            .iter()
+            .find(|e| e.kind != Kind::Silent && search.wants(graph.made_of(e.owner.optics)))?;
         Some(super::nearest::Crossing {
             leaf: event.leaf,
             root: event.root,

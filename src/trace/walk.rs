@@ -2,7 +2,7 @@
 
 use super::compile::outermost;
 use super::graph::{Coat, Graph, Operation, Part, Target};
-use super::nearest::Entry;
+use super::nearest::{Entry, Search};
 use super::ray::{Left, Line, Ray};
 use super::shapes::{Primitive, Root, Roots};
 use super::spans::Spans;
@@ -38,7 +38,7 @@ pub struct Context {
     /// A number for the chain of placements above.
     key: u64,
     texture: Option<Painted>,
-    optics: Option<u32>,
+    pub(super) optics: Option<u32>,
     index: Option<u32>,
     /// The outermost entity that was given properties; 0: none.
     owner: u32,
@@ -51,6 +51,7 @@ pub struct Walker<'g> {
     pub roots: Roots,
     pub(super) entries: Vec<Entry>,
     pub(super) nodes: Vec<u32>,
+    pub(super) search: Search,
     pub(super) spans: Spans,
     pub counts: Intersections,
 }
@@ -80,6 +81,7 @@ impl<'g> Walker<'g> {
             roots: Roots::default(),
             entries: Vec::new(),
             nodes: Vec::new(),
+            search: Search::First,
             spans: Spans::default(),
             counts: Intersections::default(),
         }

@@ -1,0 +1,145 @@
+//! `zpg plan`: which effects a scene calls for.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use serde::Serialize;
+
+use super::{ColorChoice, Status, complain, load_sound};
+use crate::diagnostics::SourceFile;
+use crate::trace::Unsupported;
+use crate::trace::plan::{Decision, Plan};
+
+/// Tell which effects a scene calls for, and why
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+An effect counts where it can be seen: properties painted over, the tools of differences and objects
+that the render record does not reach turn nothing on. Code for an effect that is off does not run.
+
+Examples:
+  zpg plan scene.zpg
+  zpg plan scene.zpg --json")]
+pub struct Args {
+    /// The scene; `-` is standard input
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    effects: Vec<Effect>,
+    unreached: &'a [u32],
+    shapes: &'a BTreeMap<&'static str, u32>,
+    operations: &'a BTreeMap<&'static str, u32>,
+    medium_depth: u32,
+}
+
+#[derive(Serialize)]
+struct Effect {
+    name: &'static str,
+    on: bool,
+    because: Vec<Because>,
+    note: &'static str,
+}
+
+#[derive(Serialize)]
+struct Because {
+    id: u32,
+    line: u32,
+    text: &'static str,
+}
+
+impl Effect {
+    fn new(decision: &Decision, source: &SourceFile) -> Effect {
+        let because = decision.because.iter().map(|b| Because {
+            id: b.id,
+            line: source.position(b.span.start).line,
+            text: b.text,
+        });
+        Effect {
+            name: decision.effect.name(),
+            on: decision.on,
+            because: because.collect(),
+            note: decision.note,
+        }
+    }
+}
+
+pub fn run(args: &Args, color: ColorChoice) -> Status {
+    let loaded = match load_sound(&args.file, color) {
+        Ok(loaded) => loaded,
+        Err(status) => return status,
+    };
+    let Some(plan) = Plan::new(&loaded.scene) else {
+        complain(&Unsupported::nothing().to_string());
+        return Status::Negative;
+    };
+    let decisions = plan.effects.iter();
+    let answer = Answer {
+        effects: decisions.map(|d| Effect::new(d, &loaded.source)).collect(),
+        unreached: &plan.unreached,
+        shapes: &plan.shapes,
+        operations: &plan.operations,
+        medium_depth: plan.medium_depth,
+    };
+    let mut out = io::stdout().lock();
+    let written = match args.json {
+        true => serde_json::to_writer_pretty(&mut out, &answer)
+            .map_err(io::Error::from)
+            .and_then(|()| writeln!(out)),
+        false => print(&mut out, &answer),
+    };
+    match written {
+        // Nobody reads any more.
+        Err(e) if e.kind() == io::ErrorKind::BrokenPipe => Status::Clean,
+        Err(e) => {
+            complain(&format!("cannot write: {e}"));
+            Status::Failure
+        }
+        Ok(()) => Status::Clean,
+    }
+}
+
+/// The answer for people: what is on with its reasons, what is off, what there is.
+fn print(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    for effect in &answer.effects {
+        let state = if effect.on { "on " } else { "off" };
+        writeln!(out, "{:<20} {state}  {}", effect.name, effect.note)?;
+        for b in &effect.because {
+            writeln!(out, "{:<20}      line {}: {} {}", "", b.line, b.id, b.text)?;
+        }
+    }
+    writeln!(out)?;
+    for (what, counts) in [("shapes", answer.shapes), ("operations", answer.operations)] {
+        let each: Vec<String> = counts
+            .iter()
+            .map(|(name, n)| format!("{n} {name}"))
+            .collect();
+        let list = if each.is_empty() {
+            "none".into()
+        } else {
+            each.join(", ")
+        };
+        writeln!(out, "{what:<20} {list}")?;
+    }
+    writeln!(out, "{:<20} {}", "media at once", answer.medium_depth)?;
+    /// So many IDs are printed; JSON has all.
+    const SHOWN: usize = 20;
+    let ids: Vec<String> = answer
+        .unreached
+        .iter()
+        .take(SHOWN)
+        .map(u32::to_string)
+        .collect();
+    let list = match answer.unreached.len() {
+        0 => "nothing".into(),
+        n if n > SHOWN => format!("{} and {} more", ids.join(", "), n - SHOWN),
+        _ => ids.join(", "),
+    };
+    writeln!(out, "{:<20} {list}", "not drawn")
+}

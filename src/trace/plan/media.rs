@@ -1,0 +1,51 @@
+//! How many media a ray can be in at most.
+
+use crate::scene::{Aabb, Node, NodeId, Scene, bounds};
+
+/// An upper bound on the number of transparent solids that hold one point.
+///
+/// A union counts the larger of its operands where their boxes lie apart, else both; an
+/// intersection and a difference count their first operand, to which their points belong. Where the
+/// scene has complements, which turn these operations into one another, every operation counts
+/// both. Each node keeps two numbers, with its own optics and as if all of it were transparent,
+/// because a paint above may make it so.
+pub fn depth(scene: &Scene, root: NodeId, complements: bool) -> u32 {
+    let boxes = match complements {
+        false => bounds::node_bounds(scene),
+        true => Vec::new(),
+    };
+    let apart = |a: NodeId, b: NodeId| {
+        let of = |n: NodeId| boxes.get(n as usize).map_or(Aabb::ALL, |b| b.all);
+        !of(a).overlaps(&of(b))
+    };
+    // Own optics, all transparent.
+    let mut depths: Vec<[u32; 2]> = Vec::with_capacity(root as usize + 1);
+    for node in scene.nodes.iter().take(root as usize + 1) {
+        let of = |n: NodeId| depths[n as usize];
+        let both = |a: NodeId, b: NodeId, f: fn(u32, u32) -> u32| {
+            let (a, b) = (of(a), of(b));
+            [f(a[0], b[0]), f(a[1], b[1])]
+        };
+        depths.push(match *node {
+            Node::Shape(s) => [0, u32::from(scene.shapes[s as usize].geometry.is_solid())],
+            Node::Union(a, b) if apart(a, b) => both(a, b, u32::max),
+            Node::Union(a, b) => both(a, b, u32::saturating_add),
+            Node::Intersection(a, b) | Node::Difference(a, b) if complements => {
+                both(a, b, u32::saturating_add)
+            }
+            Node::Intersection(a, _) | Node::Difference(a, _) => of(a),
+            // All of space, less something.
+            Node::Complement(child) => of(child).map(|n| n.max(1)),
+            Node::Transform { child, .. } | Node::Copy { child, .. } => of(child),
+            Node::Paint { child, paint } => {
+                let all = of(child)[1];
+                match scene.paints[paint as usize].optics {
+                    None => of(child),
+                    Some(optics) if optics.kt != [0.0; 3] => [all, all],
+                    Some(_) => [0, all],
+                }
+            }
+        });
+    }
+    depths[root as usize][0]
+}

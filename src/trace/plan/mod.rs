@@ -1,0 +1,400 @@
+//! Which effects a scene calls for, decided before the first ray from what is reachable from the
+//! render record, after overriding.
+//!
+//! The decision errs on one side only: an effect that is off is certainly not needed, and its code
+//! does not run.
+
+mod lone;
+mod media;
+mod notes;
+mod reach;
+
+use crate::diagnostics::Span;
+use crate::scene::{Geometry, Node, NodeId, Rgb, Scene, View, bounds};
+use reach::Reach;
+use std::collections::{BTreeMap, HashMap};
+
+/// So many of the entities that turn an effect on are named.
+pub const MAX_SOURCES: usize = 16;
+
+/// An effect; the order is that of plans.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effect {
+    Ambient,
+    Diffuse,
+    Shadows,
+    TransparentShadows,
+    Reflection,
+    Refraction,
+    Dispersion,
+    ImageTexture,
+    SolidTexture,
+    Checkerboard,
+    VertexColour,
+    SmoothNormals,
+    Csg,
+    Unbounded,
+    ClipBox,
+    Stereo,
+    ProjectionMatrix,
+}
+
+/// Who turns an effect on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Because {
+    pub id: u32,
+    /// Where the entity is defined.
+    pub span: Span,
+    pub text: &'static str,
+}
+
+/// What is decided about one effect.
+#[derive(Debug, Clone)]
+pub struct Decision {
+    pub effect: Effect,
+    pub on: bool,
+    /// The first [`MAX_SOURCES`]; none for an effect that is off.
+    pub because: Vec<Because>,
+    /// What it costs, or why it is off.
+    pub note: &'static str,
+}
+
+/// The plan of a scene.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// All effects, in their order.
+    pub effects: Vec<Decision>,
+    /// IDs of the objects that are not part of what is drawn, ascending.
+    pub unreached: Vec<u32>,
+    /// Reached shape records, by name.
+    pub shapes: BTreeMap<&'static str, u32>,
+    /// Reached operations, by name.
+    pub operations: BTreeMap<&'static str, u32>,
+    /// So many transparent solids hold one point at most.
+    pub medium_depth: u32,
+    /// The scene is one convex shape, seen from outside.
+    pub lone_convex: bool,
+}
+
+/// IDs of the first few entities that bring something in.
+#[derive(Debug, Clone, Default)]
+pub struct Sources(Vec<u32>);
+
+impl Sources {
+    fn add(&mut self, id: u32) {
+        if self.0.len() < MAX_SOURCES && !self.0.contains(&id) {
+            self.0.push(id);
+        }
+    }
+
+    fn some(&self) -> bool {
+        !self.0.is_empty()
+    }
+
+    fn of(ids: impl IntoIterator<Item = u32>) -> Sources {
+        let mut out = Sources::default();
+        ids.into_iter().for_each(|id| out.add(id));
+        out
+    }
+}
+
+impl Plan {
+    /// `None` where there is no render record.
+    pub fn new(scene: &Scene) -> Option<Plan> {
+        let render = scene.render.as_ref()?;
+        let reach = Reach::new(scene, render.root);
+        let mut plan = Plan {
+            effects: Vec::new(),
+            unreached: Vec::new(),
+            shapes: BTreeMap::new(),
+            operations: BTreeMap::new(),
+            medium_depth: 0,
+            lone_convex: lone::lone_convex(scene, render.root),
+        };
+        plan.count(scene, &reach, render.root);
+        let owners = plan.owners(scene, &reach);
+        let ids = |nodes: &[NodeId]| {
+            Sources::of(nodes.iter().map(|n| owners.get(n).copied().unwrap_or(0)))
+        };
+        if reach.glass.some() {
+            let complements = !reach.complements.is_empty();
+            plan.medium_depth = media::depth(scene, render.root, complements);
+        }
+
+        let lit = |power: Rgb, intensity: f64| power.iter().any(|c| c * intensity != 0.0);
+        let ambient = (scene.ambient_lights.iter()).filter(|l| lit(l.colour, l.intensity));
+        let ambient = Sources::of(ambient.map(|l| l.id));
+        let points = (scene.point_lights.iter()).filter(|l| lit(l.colour, l.intensity));
+        let points = Sources::of(points.map(|l| l.id));
+        let dark = scene.ambient_lights.is_empty() && scene.point_lights.is_empty();
+        let clipped = render.clip.is_some_and(|(min, max)| {
+            let all = bounds::node_bounds(scene)[render.root as usize].all;
+            (0..3).any(|i| min[i] > all.min[i] || max[i] < all.max[i])
+        });
+
+        let diffuse = reach.diffuse.some() && (dark || points.some());
+        let glass = reach.glass.some();
+        // Inside a lone shape that lets light in, and where it is cut open, its own far side is in
+        // the way.
+        let shadows = diffuse && (!plan.lone_convex || glass || clipped);
+        // Total reflection needs an index somewhere that is not that of the space outside.
+        let total = glass && reach.bent.some();
+        let cameras = match scene.view {
+            View::Automatic => vec![],
+            View::Mono(i) => vec![i],
+            View::Stereo { left, right } => vec![left, right],
+        };
+        let cameras: Vec<_> = cameras
+            .iter()
+            .filter_map(|&i| scene.cameras.get(i))
+            .collect();
+        let projecting = cameras.iter().filter(|c| c.projection.is_some());
+        let stereo = matches!(scene.view, View::Stereo { .. });
+
+        let headlight = Sources::of(dark.then_some(1));
+        let mut out = Decisions {
+            spans: HashMap::new(),
+            list: Vec::with_capacity(17),
+        };
+        use Effect::*;
+        let light = [
+            (&points, "is a point light"),
+            (
+                &headlight,
+                "draws a scene without any light, so the camera brings a headlight",
+            ),
+        ];
+        out.decide(
+            Ambient,
+            reach.diffuse.some() && ambient.some(),
+            &[
+                (&ambient, "is an ambient light"),
+                (&reach.diffuse, "is diffuse"),
+            ],
+        );
+        let lit_surfaces = [light[0], light[1], (&reach.diffuse, "is diffuse")];
+        out.decide(Diffuse, diffuse, &lit_surfaces);
+        out.decide(Shadows, shadows, &light);
+        out.decide(
+            TransparentShadows,
+            shadows && glass,
+            &[(
+                &reach.glass,
+                "lets light through, so its shadow is not black",
+            )],
+        );
+        let bent = match total {
+            true => reach.bent.clone(),
+            false => Sources::default(),
+        };
+        out.decide(
+            Reflection,
+            reach.mirror.some() || total,
+            &[
+                (&reach.mirror, "mirrors: its ks is not 0"),
+                (
+                    &bent,
+                    "has a refractive index that can reflect light totally",
+                ),
+            ],
+        );
+        out.decide(
+            Refraction,
+            glass,
+            &[(&reach.glass, "lets light through: its kt is not 0")],
+        );
+        out.decide(
+            Dispersion,
+            glass && reach.uneven.some(),
+            &[(
+                &reach.uneven,
+                "has refractive indices that differ between channels",
+            )],
+        );
+        out.decide(
+            ImageTexture,
+            reach.image.some(),
+            &[(&reach.image, "has an image texture")],
+        );
+        out.decide(
+            SolidTexture,
+            reach.solid_texture.some(),
+            &[(&reach.solid_texture, "has a solid texture")],
+        );
+        out.decide(
+            Checkerboard,
+            reach.checkerboard.some(),
+            &[(&reach.checkerboard, "has a checkerboard")],
+        );
+        out.decide(
+            VertexColour,
+            reach.vertex_colour.some(),
+            &[(
+                &reach.vertex_colour,
+                "has colours of its own, and none is painted over them",
+            )],
+        );
+        out.decide(
+            SmoothNormals,
+            reach.smooth.some(),
+            &[(&reach.smooth, "has normals of its own")],
+        );
+        let cuts = ids(&reach.cuts);
+        out.decide(
+            Csg,
+            !reach.cuts.is_empty(),
+            &[(&cuts, "is an intersection, a difference or a complement")],
+        );
+        let complements = ids(&reach.complements);
+        out.decide(
+            Unbounded,
+            reach.unbounded.some() || !reach.complements.is_empty(),
+            &[
+                (&reach.unbounded, "goes on without end"),
+                (&complements, "is a complement, which goes on without end"),
+            ],
+        );
+        let record = Sources::of([1]);
+        out.decide(
+            ClipBox,
+            clipped,
+            &[(&record, "draws a region that cuts the scene")],
+        );
+        let pair = Sources::of(cameras.iter().map(|c| c.id));
+        out.decide(Stereo, stereo, &[(&pair, "is one of the two cameras")]);
+        let projecting = Sources::of(projecting.map(|c| c.id));
+        out.decide(
+            ProjectionMatrix,
+            projecting.some(),
+            &[(&projecting, "has a projection matrix")],
+        );
+        plan.effects = out.placed(scene, render.span);
+        Some(plan)
+    }
+
+    /// Whether an effect is on.
+    pub fn on(&self, effect: Effect) -> bool {
+        self.effects.iter().any(|d| d.effect == effect && d.on)
+    }
+
+    /// Names of the effects that are on.
+    pub fn names(&self) -> Vec<&'static str> {
+        let on = self.effects.iter().filter(|d| d.on);
+        on.map(|d| d.effect.name()).collect()
+    }
+
+    fn count(&mut self, scene: &Scene, reach: &Reach, root: NodeId) {
+        for node in (0..=root).filter(|&n| reach.reaches(n)) {
+            let (counts, name) = match scene.nodes[node as usize] {
+                Node::Shape(s) => (
+                    &mut self.shapes,
+                    shape_name(&scene.shapes[s as usize].geometry),
+                ),
+                Node::Union(..) => (&mut self.operations, "union"),
+                Node::Intersection(..) => (&mut self.operations, "intersection"),
+                Node::Difference(..) => (&mut self.operations, "difference"),
+                Node::Complement(_) => (&mut self.operations, "complement"),
+                Node::Transform { .. } | Node::Paint { .. } | Node::Copy { .. } => continue,
+            };
+            *counts.entry(name).or_insert(0) += 1;
+        }
+    }
+
+    /// Lists the objects that are not reached, and finds out which entities made the operations
+    /// that reasons name.
+    fn owners(&mut self, scene: &Scene, reach: &Reach) -> HashMap<NodeId, u32> {
+        let mut owners = HashMap::new();
+        for entity in &scene.entities {
+            let Some(node) = entity.node else { continue };
+            let base = base(scene, entity.id, node);
+            if !reach.reaches(base) {
+                self.unreached.push(entity.id);
+            } else if reach.cuts.contains(&base) || reach.complements.contains(&base) {
+                owners.insert(base, entity.id);
+            }
+        }
+        self.unreached.sort_unstable();
+        owners
+    }
+}
+
+/// The node that the record defining an entity made: what is left without the changes since.
+fn base(scene: &Scene, id: u32, mut node: NodeId) -> NodeId {
+    loop {
+        match scene.nodes[node as usize] {
+            Node::Transform { child, .. } => node = child,
+            Node::Paint { child, paint } if scene.paints[paint as usize].owner == id => {
+                node = child;
+            }
+            _ => return node,
+        }
+    }
+}
+
+struct Decisions {
+    spans: HashMap<u32, Span>,
+    list: Vec<Decision>,
+}
+
+impl Decisions {
+    fn decide(&mut self, effect: Effect, on: bool, why: &[(&Sources, &'static str)]) {
+        let mut because = Vec::new();
+        if on {
+            for (sources, text) in why {
+                because.extend(sources.0.iter().map(|&id| Because {
+                    id,
+                    span: Span::default(),
+                    text,
+                }));
+            }
+            because.truncate(MAX_SOURCES);
+        }
+        for b in &because {
+            self.spans.insert(b.id, Span::default());
+        }
+        let note = if on { effect.cost() } else { effect.absence() };
+        self.list.push(Decision {
+            effect,
+            on,
+            because,
+            note,
+        });
+    }
+
+    /// The decisions with the places of all entities they name.
+    fn placed(mut self, scene: &Scene, render: Span) -> Vec<Decision> {
+        for entity in &scene.entities {
+            if let Some(span) = self.spans.get_mut(&entity.id) {
+                *span = entity.span;
+            }
+        }
+        self.spans.insert(1, render);
+        for because in self.list.iter_mut().flat_map(|d| &mut d.because) {
+            because.span = self.spans.get(&because.id).copied().unwrap_or_default();
+        }
+        self.list
+    }
+}
+
+/// The name of a shape in counts and plans.
+fn shape_name(geometry: &Geometry) -> &'static str {
+    match geometry {
+        Geometry::Revolution { .. } => "surface-of-revolution",
+        Geometry::Plane(_) => "plane",
+        Geometry::HalfSpace(_) => "half-space",
+        Geometry::Rectangle { .. } => "rectangle",
+        Geometry::Triangle { .. } => "triangle",
+        Geometry::Sphere { .. } => "sphere",
+        Geometry::Ellipsoid { .. } => "ellipsoid",
+        Geometry::Box { .. } => "box",
+        Geometry::GeodesicSphere { .. } => "geodesic-sphere",
+        Geometry::Torus { .. } => "torus",
+        Geometry::Quadric(_) => "quadric",
+        Geometry::Cone { .. } => "cone",
+        Geometry::DoubleCone { .. } => "double-cone",
+        Geometry::ParabolicCylinder { .. } => "parabolic-cylinder",
+        Geometry::HyperbolicCylinder { .. } => "hyperbolic-cylinder",
+        Geometry::Hyperboloid { .. } => "hyperboloid",
+        Geometry::HyperbolicParaboloid { .. } => "hyperbolic-paraboloid",
+    }
+}

@@ -1,0 +1,275 @@
+//! What of a scene can be seen at all: which aspects of which parts no paint above covers.
+//!
+//! One pass from the root to the leaves. A node is visited once with the set of all ways in which
+//! it occurs, so shared subtrees stay shared however often they are used.
+
+use super::{MAX_SOURCES, Sources};
+use crate::scene::{DEFAULT_INDEX, Geometry, Node, NodeId, Optics, Scene, Texture};
+
+/// A set of ways in which a node occurs; a bit for each.
+///
+/// A way is what the paints above say about optics (nothing, lit by diffuse light, or not), whether
+/// they give a texture and an index, and whether the node is complemented. One more bit stands for
+/// all occurrences as a tool of a difference, which lends its shape and nothing else.
+type Ways = u32;
+
+const TOOL: Ways = 1 << 24;
+
+/// One way.
+#[derive(Clone, Copy)]
+struct Way {
+    /// `Some(lit)` under a paint with optics: whether these have a diffuse part.
+    lit: Option<bool>,
+    textured: bool,
+    indexed: bool,
+    negated: bool,
+}
+
+impl Way {
+    fn bit(self) -> Ways {
+        let optics = match self.lit {
+            None => 0,
+            Some(false) => 1,
+            Some(true) => 2,
+        };
+        let flags = [self.textured, self.indexed, self.negated];
+        1 << flags.iter().fold(optics, |n, &f| 2 * n + u32::from(f))
+    }
+
+    fn from_index(n: u32) -> Way {
+        Way {
+            lit: [None, Some(false), Some(true)][(n >> 3) as usize],
+            textured: n & 4 != 0,
+            indexed: n & 2 != 0,
+            negated: n & 1 != 0,
+        }
+    }
+}
+
+/// The ways of a set, tools left out.
+fn each(ways: Ways) -> impl Iterator<Item = Way> {
+    let mut rest = ways & !TOOL;
+    std::iter::from_fn(move || {
+        let n = (rest != 0).then(|| rest.trailing_zeros())?;
+        rest &= rest - 1;
+        Some(Way::from_index(n))
+    })
+}
+
+fn map(ways: Ways, f: impl Fn(Way) -> Way) -> Ways {
+    each(ways).fold(ways & TOOL, |set, way| set | f(way).bit())
+}
+
+/// What can be seen, and who brings it in.
+#[derive(Default)]
+pub struct Reach {
+    ways: Vec<Ways>,
+    pub diffuse: Sources,
+    pub mirror: Sources,
+    pub glass: Sources,
+    /// Refractive indices of solids that differ between channels.
+    pub uneven: Sources,
+    /// Refractive indices of solids that are not that of the space outside.
+    pub bent: Sources,
+    pub image: Sources,
+    pub solid_texture: Sources,
+    pub checkerboard: Sources,
+    pub vertex_colour: Sources,
+    pub smooth: Sources,
+    pub unbounded: Sources,
+    /// Operation nodes other than unions, the first few; their IDs are not known yet.
+    pub cuts: Vec<NodeId>,
+    /// Complement nodes, the first few.
+    pub complements: Vec<NodeId>,
+}
+
+fn any(k: [f64; 3]) -> bool {
+    k != [0.0; 3]
+}
+
+impl Reach {
+    /// Walks down from `root`.
+    pub fn new(scene: &Scene, root: NodeId) -> Reach {
+        let solids = solids(scene, root);
+        let mut reach = Reach {
+            ways: vec![0; root as usize + 1],
+            ..Reach::default()
+        };
+        let top = Way {
+            lit: None,
+            textured: false,
+            indexed: false,
+            negated: false,
+        };
+        reach.ways[root as usize] = top.bit();
+        // Children stand before their parents.
+        for node in (0..=root).rev() {
+            let ways = reach.ways[node as usize];
+            if ways != 0 {
+                reach.visit(scene, node, ways, &solids);
+            }
+        }
+        reach
+    }
+
+    /// Whether a node is part of what is drawn, if only as a tool.
+    pub fn reaches(&self, node: NodeId) -> bool {
+        self.ways.get(node as usize).is_some_and(|&w| w != 0)
+    }
+
+    fn add(&mut self, node: NodeId, ways: Ways) {
+        self.ways[node as usize] |= ways;
+    }
+
+    fn visit(&mut self, scene: &Scene, node: NodeId, ways: Ways, solids: &[bool]) {
+        match scene.nodes[node as usize] {
+            Node::Shape(shape) => self.shape(scene, shape, ways),
+            Node::Union(a, b) => {
+                self.add(a, ways);
+                self.add(b, ways);
+            }
+            Node::Intersection(a, b) => {
+                self.cut(node);
+                self.add(a, ways);
+                self.add(b, ways);
+            }
+            Node::Difference(a, b) => {
+                self.cut(node);
+                self.add(a, ways);
+                // −(A − B) is −A ∪ B: there B is seen as it is.
+                let seen = each(ways).filter(|w| w.negated).map(|w| {
+                    let upright = Way {
+                        negated: false,
+                        ..w
+                    };
+                    upright.bit()
+                });
+                let seen = seen.fold(0, |set, bit| set | bit);
+                let tool = (ways & TOOL != 0) || each(ways).any(|w| !w.negated);
+                self.add(b, seen | if tool { TOOL } else { 0 });
+            }
+            Node::Complement(child) => {
+                self.cut(node);
+                if self.complements.len() < MAX_SOURCES {
+                    self.complements.push(node);
+                }
+                self.add(
+                    child,
+                    map(ways, |w| Way {
+                        negated: !w.negated,
+                        ..w
+                    }),
+                );
+            }
+            Node::Transform { child, .. } | Node::Copy { child, .. } => self.add(child, ways),
+            Node::Paint { child, paint } => {
+                let below = self.paint(scene, paint, ways, solids[child as usize]);
+                self.add(child, below);
+            }
+        }
+    }
+
+    fn cut(&mut self, node: NodeId) {
+        if self.cuts.len() < MAX_SOURCES {
+            self.cuts.push(node);
+        }
+    }
+
+    fn shape(&mut self, scene: &Scene, shape: u32, ways: Ways) {
+        let shape = &scene.shapes[shape as usize];
+        if !bounded(&shape.geometry) {
+            self.unbounded.add(shape.id);
+        }
+        let default_lit = any(Optics::default().kd);
+        for way in each(ways) {
+            if way.lit.is_none() && default_lit {
+                self.diffuse.add(shape.id);
+            }
+            let coloured = matches!(&shape.geometry, Geometry::Revolution { colours, .. } if !colours.is_empty());
+            if coloured && !way.textured && way.lit.unwrap_or(default_lit) {
+                self.vertex_colour.add(shape.id);
+            }
+        }
+        use crate::scene::TriangleNormals::Flat;
+        let smooth =
+            matches!(&shape.geometry, Geometry::Triangle { normals, .. } if *normals != Flat);
+        if smooth && ways & !TOOL != 0 {
+            self.smooth.add(shape.id);
+        }
+    }
+
+    /// Notes what of a paint shows, and says how its child occurs below it.
+    fn paint(&mut self, scene: &Scene, paint: u32, ways: Ways, on_solid: bool) -> Ways {
+        let record = &scene.paints[paint as usize];
+        let own_lit = record.optics.map(|o| any(o.kd));
+        for way in each(ways) {
+            if let (None, Some(optics)) = (way.lit, record.optics) {
+                self.optics(record.owner, &optics);
+            }
+            if let (false, true, Some(index)) = (way.indexed, on_solid, record.index) {
+                self.index(record.owner, index);
+            }
+            let lit = way.lit.or(own_lit).unwrap_or(true);
+            if let (false, true, Some(texture)) = (way.textured, lit, &record.texture) {
+                match texture {
+                    Texture::Colour(_) => {}
+                    Texture::Image { .. } => self.image.add(record.owner),
+                    Texture::Solid { .. } => self.solid_texture.add(record.owner),
+                    Texture::Checkerboard { .. } => self.checkerboard.add(record.owner),
+                }
+            }
+        }
+        map(ways, |way| Way {
+            lit: way.lit.or(own_lit),
+            textured: way.textured || record.texture.is_some(),
+            indexed: way.indexed || record.index.is_some(),
+            ..way
+        })
+    }
+
+    fn optics(&mut self, owner: u32, optics: &Optics) {
+        let kinds = [
+            (optics.kd, &mut self.diffuse),
+            (optics.ks, &mut self.mirror),
+            (optics.kt, &mut self.glass),
+        ];
+        for (k, sources) in kinds {
+            if any(k) {
+                sources.add(owner);
+            }
+        }
+    }
+
+    fn index(&mut self, owner: u32, index: [f64; 3]) {
+        if index[0] != index[1] || index[1] != index[2] {
+            self.uneven.add(owner);
+        }
+        if index != DEFAULT_INDEX {
+            self.bent.add(owner);
+        }
+    }
+}
+
+/// Which nodes up to `root` hold a shape with an inside.
+fn solids(scene: &Scene, root: NodeId) -> Vec<bool> {
+    let mut out: Vec<bool> = Vec::with_capacity(root as usize + 1);
+    for node in scene.nodes.iter().take(root as usize + 1) {
+        out.push(match *node {
+            Node::Shape(shape) => scene.shapes[shape as usize].geometry.is_solid(),
+            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
+                out[a as usize] || out[b as usize]
+            }
+            // The complement of a surface is all of space.
+            Node::Complement(_) => true,
+            Node::Transform { child, .. }
+            | Node::Paint { child, .. }
+            | Node::Copy { child, .. } => out[child as usize],
+        });
+    }
+    out
+}
+
+fn bounded(geometry: &Geometry) -> bool {
+    use crate::scene::{Matrix, bounds::shape_bounds};
+    shape_bounds(geometry, &Matrix::IDENTITY).is_finite()
+}
