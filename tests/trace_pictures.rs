@@ -367,20 +367,6 @@ fn straight_steps_do_not_count() {
 }
 
 #[test]
-fn what_is_not_drawn_yet_is_named() {
-    let mut b = Builder::default();
-    let torus = b.shape(Geometry::Torus {
-        major: 1.0,
-        minor: 0.25,
-    });
-    let error = zpg::trace::Tracer::new(&b.render(torus, [0.0; 3]))
-        .err()
-        .unwrap();
-    assert_eq!((error.id, error.span.start), (2, 2));
-    assert!(error.what.contains("torus"), "{error}");
-}
-
-#[test]
 fn the_region_that_is_drawn_cuts() {
     let mut b = Builder::default();
     let ball = b.sphere(0.0, 0.0, 0.0, 1.0);
