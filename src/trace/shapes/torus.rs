@@ -3,7 +3,9 @@
 //! In a half-plane through the axis, with ρ = √(x² + z²), the tube is a circle around (R, 0) and
 //! its image beyond the axis one around (−R, 0):
 //!
-//!     g₋ = (ρ − R)² + y² − r²,    g₊ = (ρ + R)² + y² − r² = g₋ + 4Rρ.
+//! ```text
+//! g₋ = (ρ − R)² + y² − r²,    g₊ = (ρ + R)² + y² − r² = g₋ + 4Rρ.
+//! ```
 //!
 //! Their product is the quartic (x² + y² + z² + R² − r²)² − 4R²(x² + z²). With r > R the tube runs
 //! through itself, and g₊ ≤ 0 in the lemon around the axis: that is inside twice, hence outside by

@@ -1,5 +1,5 @@
 //! Surfaces of second degree: the ellipsoid, the general quadric and the canonical ones, which
-//! share a [`Form`] and its meeting with a line ([`Chord`](line::Chord)), and the cones.
+//! share a [`Form`] and its meeting with a line ([`Chord`]), and the cones.
 
 pub mod cone;
 pub mod ellipsoid;
