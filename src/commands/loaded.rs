@@ -41,6 +41,13 @@ impl fmt::Display for LoadError {
 impl std::error::Error for LoadError {}
 
 impl Loaded {
+    /// Says on standard error what about the scene stands in the way, and where.
+    pub fn refuse(&self, file: &Path, span: Span, why: &dyn fmt::Display) {
+        let place = self.source.position(span.start);
+        let (line, column) = (place.line, place.column);
+        complain(&format!("{}:{line}:{column}: {why}", file.display()));
+    }
+
     /// Reads a scene from the bytes of its file; never fails.
     pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> Loaded {
         let not_utf8 = std::str::from_utf8(&bytes).err().map(|e| e.valid_up_to());

@@ -179,13 +179,7 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
     match answer(args, &mut loaded) {
         Ok(status) => status,
         Err(Failure::Scene(e, span)) => {
-            let place = loaded.source.position(span.start);
-            complain(&format!(
-                "{}:{}:{}: {e}",
-                args.file.display(),
-                place.line,
-                place.column
-            ));
+            loaded.refuse(&args.file, span, &e);
             Status::Negative
         }
         Err(Failure::Usage(message)) => {

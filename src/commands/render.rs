@@ -207,13 +207,7 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
     match draw(args, &loaded, load) {
         Ok(()) => Status::Clean,
         Err(Failure::Scene(e)) => {
-            let place = loaded.source.position(e.span.start);
-            complain(&format!(
-                "{}:{}:{}: {e}",
-                args.file.display(),
-                place.line,
-                place.column
-            ));
+            loaded.refuse(&args.file, e.span, &e);
             Status::Negative
         }
         Err(Failure::Image(error)) => {
