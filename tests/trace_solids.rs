@@ -16,7 +16,23 @@ fn inside(scene: &Scene, node: NodeId, p: [f64; 3]) -> bool {
             }
             Geometry::Box { min, max } => (0..3).all(|i| min[i] <= p[i] && p[i] <= max[i]),
             Geometry::HalfSpace([a, b, c, d]) => a * p[0] + b * p[1] + c * p[2] + d <= 0.0,
-            _ => false,
+            Geometry::Torus { major, minor } => (p[0].hypot(p[2]) - major).hypot(p[1]) <= minor,
+            Geometry::Ellipsoid { semi_axes: a } => {
+                (0..3).map(|i| (p[i] / a[i]).powi(2)).sum::<f64>() <= 1.0
+            }
+            Geometry::Cone { height, radius } => {
+                let share = p[1] / height;
+                (0.0..=1.0).contains(&share) && p[0].hypot(p[2]) <= share * radius
+            }
+            Geometry::Hyperboloid { a, b, c, sheets } => {
+                let side = if sheets == 1 { -1.0 } else { 1.0 };
+                (p[0] / a).powi(2) - (p[1] / b).powi(2) + (p[2] / c).powi(2) + side <= 0.0
+            }
+            Geometry::HyperbolicParaboloid { a, b } => {
+                (p[0] / a).powi(2) - (p[2] / b).powi(2) - p[1] <= 0.0
+            }
+            Geometry::Revolution { ref profile, .. } => in_profile(profile, p[0].hypot(p[2]), p[1]),
+            _ => panic!("no definition of this shape"),
         },
         Node::Union(a, b) => inside(scene, a, p) || inside(scene, b, p),
         Node::Intersection(a, b) => inside(scene, a, p) && inside(scene, b, p),
@@ -30,6 +46,16 @@ fn inside(scene: &Scene, node: NodeId, p: [f64; 3]) -> bool {
     }
 }
 
+/// The even-odd rule: whether a ray outwards from (x, y) meets the profile an odd number of times.
+/// The discs and the axis that close it are level or behind: such a ray never meets them.
+fn in_profile(profile: &[[f64; 2]], x: f64, y: f64) -> bool {
+    let crosses = |pair: &&[[f64; 2]]| {
+        let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
+        (y0 > y) != (y1 > y) && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0)
+    };
+    profile.windows(2).filter(crosses).count() % 2 == 1
+}
+
 fn random_matrix(r: &mut Random) -> Matrix {
     let turn = Matrix::rotation(r.within(-180.0, 180.0), r.below(3) as usize);
     let scale = Matrix::scaling(r.within(0.5, 2.0), -r.within(0.5, 2.0), r.within(0.5, 2.0));
@@ -39,7 +65,32 @@ fn random_matrix(r: &mut Random) -> Matrix {
 
 fn random_shape(b: &mut Builder, r: &mut Random) -> NodeId {
     let p = r.point(2.0);
-    match r.below(5) {
+    let s = r.point(1.0).map(|x| x.abs() + 0.2);
+    match r.below(11) {
+        5 => b.shape(Geometry::Torus {
+            major: 1.0 + s[0],
+            minor: 0.5 * s[1],
+        }),
+        6 => b.shape(Geometry::Ellipsoid { semi_axes: s.0 }),
+        7 => b.shape(Geometry::Cone {
+            height: p[0],
+            radius: s[0],
+        }),
+        8 => b.shape(Geometry::Hyperboloid {
+            a: s[0],
+            b: s[1],
+            c: s[2],
+            sheets: 1 + r.below(2) as u32,
+        }),
+        9 => b.shape(Geometry::HyperbolicParaboloid { a: s[0], b: s[1] }),
+        10 => {
+            let point = |r: &mut Random| [r.within(0.0, 2.0), r.within(-2.0, 2.0)];
+            let profile = (0..2 + r.below(6)).map(|_| point(r)).collect();
+            b.shape(Geometry::Revolution {
+                profile,
+                colours: Vec::new(),
+            })
+        }
         0 | 1 => b.sphere(p[0], p[1], p[2], r.within(0.2, 1.5)),
         2 | 3 => {
             let q = r.point(1.0).abs();
