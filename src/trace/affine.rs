@@ -1,29 +1,30 @@
 //! Affine maps with their inverses, and what they do to rounding errors.
 
-use super::vec::{Vec3, gamma};
+use super::number::Real;
+use super::vec::Vec3;
 use crate::scene::Matrix;
 
 /// An affine map x ↦ rows · x + offset.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Affine {
-    pub rows: [Vec3; 3],
-    pub offset: Vec3,
+pub struct Affine<R = f64> {
+    pub rows: [Vec3<R>; 3],
+    pub offset: Vec3<R>,
 }
 
-impl Affine {
-    pub fn new(m: &Matrix) -> Affine {
-        let row = |i: usize| Vec3::new(m.0[i][0], m.0[i][1], m.0[i][2]);
+impl<R: Real> Affine<R> {
+    pub fn new(m: &Matrix) -> Affine<R> {
+        let row = |i: usize| Vec3::new(m.0[i][0], m.0[i][1], m.0[i][2]).cast();
         Affine {
             rows: [row(0), row(1), row(2)],
-            offset: Vec3::new(m.0[0][3], m.0[1][3], m.0[2][3]),
+            offset: Vec3::new(m.0[0][3], m.0[1][3], m.0[2][3]).cast(),
         }
     }
 
-    pub fn point(&self, p: Vec3) -> Vec3 {
+    pub fn point(&self, p: Vec3<R>) -> Vec3<R> {
         self.vector(p) + self.offset
     }
 
-    pub fn vector(&self, v: Vec3) -> Vec3 {
+    pub fn vector(&self, v: Vec3<R>) -> Vec3<R> {
         Vec3::new(
             self.rows[0].dot(v),
             self.rows[1].dot(v),
@@ -32,20 +33,27 @@ impl Affine {
     }
 
     /// The image of a normal under the inverse of this map: the transpose times n.
-    pub fn transposed(&self, n: Vec3) -> Vec3 {
+    pub fn transposed(&self, n: Vec3<R>) -> Vec3<R> {
         self.rows[0] * n[0] + self.rows[1] * n[1] + self.rows[2] * n[2]
+    }
+
+    /// The sizes of the terms of `vector(v)`, added up: Σ|mᵢⱼ vⱼ|.
+    pub fn sizes(&self, v: Vec3<R>) -> Vec3<R> {
+        let v = v.abs();
+        Vec3(self.rows.map(|row| row.abs().dot(v)))
+    }
+
+    /// The greatest of the sums Σⱼ|mᵢⱼ|: how much longer, at most, the largest component of a
+    /// vector becomes.
+    pub fn spread(&self) -> R {
+        self.sizes(Vec3::ONE).max_component()
     }
 
     /// A bound on the error of `point(p)` where p is off by at most `error`:
     /// (γ₃ + 1)|M| error + γ₄(|M||p| + |offset|) (pbrt-v4, section 6.8.6).
-    pub fn point_error(&self, p: Vec3, error: Vec3) -> Vec3 {
-        let mut out = Vec3::ZERO;
-        for i in 0..3 {
-            let row = self.rows[i].abs();
-            out[i] = (1.0 + gamma(3)) * row.dot(error)
-                + gamma(4) * (row.dot(p.abs()) + self.offset[i].abs());
-        }
-        out
+    pub fn point_error(&self, p: Vec3<R>, error: Vec3<R>) -> Vec3<R> {
+        self.sizes(error) * (R::ONE + R::gamma(3))
+            + (self.sizes(p) + self.offset.abs()) * R::gamma(4)
     }
 }
 

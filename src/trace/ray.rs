@@ -12,25 +12,61 @@ pub struct Line<R = f64> {
     pub direction: Vec3<R>,
     /// 1 / direction, component by component; infinite where that is zero.
     pub inverse: Vec3<R>,
+    pub slack: Slack<R>,
+}
+
+/// How far a line may be from the one that is meant: what its way into this space has rounded.
+/// Both bound every component.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Slack<R = f64> {
+    pub origin: R,
+    pub direction: R,
 }
 
 impl<R: Real> Line<R> {
+    /// A line that is exactly what is meant.
     pub fn new(origin: Vec3<R>, direction: Vec3<R>) -> Line<R> {
         Line {
             origin,
             direction,
             inverse: direction.map(R::recip),
+            slack: Slack::default(),
         }
     }
 
     pub fn at(&self, t: R) -> Vec3<R> {
         self.origin + self.direction * t
     }
-}
 
-impl Line {
-    pub fn through(&self, map: &Affine) -> Line {
-        Line::new(map.point(self.origin), map.vector(self.direction))
+    /// The line in another space, with what the map rounds: γ₅ of the sizes of the terms of each
+    /// component, four operations and the rounding of the map's own numbers.
+    pub fn through(&self, map: &Affine<R>) -> Line<R> {
+        let (o, d) = (self.origin, self.direction);
+        let spread = |error: R| map.spread() * error * (R::ONE + R::gamma(5));
+        let size = map.sizes(o) + map.offset.abs();
+        Line {
+            slack: Slack {
+                origin: spread(self.slack.origin) + R::gamma(5) * size.max_component(),
+                direction: spread(self.slack.direction)
+                    + R::gamma(5) * map.sizes(d).max_component(),
+            },
+            ..Line::new(map.point(o), map.vector(d))
+        }
+    }
+
+    /// A bound on how far, along each axis, the line is from the one that is meant, at its points
+    /// whose coordinates are at most `reach` in size.
+    ///
+    /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components.
+    pub fn drift(&self, reach: R) -> R {
+        if self.slack == Slack::default() {
+            return R::ZERO;
+        }
+        let (o, d) = (
+            self.origin.abs().max_component(),
+            self.direction.abs().max_component(),
+        );
+        self.slack.origin + self.slack.direction * (R::of(1.75) * (o + reach) / d)
     }
 }
 
