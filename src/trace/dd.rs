@@ -44,11 +44,6 @@ impl Dd {
         Dd::settled(s, e)
     }
 
-    /// The part that is a double, and what is left.
-    pub fn parts(self) -> (f64, f64) {
-        (self.high, self.low)
-    }
-
     /// A pair whose high part may have left the finite numbers, where the low part means nothing.
     fn settled(high: f64, low: f64) -> Dd {
         Dd {
@@ -173,6 +168,14 @@ impl Real for Dd {
 
     fn to_f64(self) -> f64 {
         self.high
+    }
+
+    fn parts(self) -> (f64, f64) {
+        (self.high, self.low)
+    }
+
+    fn of_parts((high, low): (f64, f64)) -> Dd {
+        Dd { high, low }
     }
 
     fn sqrt(self) -> Dd {

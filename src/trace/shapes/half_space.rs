@@ -37,6 +37,10 @@ impl Shape for HalfSpace {
         bounds
     }
 
+    fn extent(&self) -> f64 {
+        self.face.extent()
+    }
+
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
         self.face.uv(point, face)
     }

@@ -46,6 +46,11 @@ impl Shape for Plane {
         bounds.padded()
     }
 
+    /// The distance from the origin, but for a factor up to √3.
+    fn extent(&self) -> f64 {
+        (self.d / self.normal.abs().max_component()).abs()
+    }
+
     /// Scene units from the point nearest the origin.
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         let n = self.normal.unit();
