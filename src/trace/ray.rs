@@ -57,7 +57,8 @@ impl<R: Real> Line<R> {
     /// A bound on how far, along each axis, the line is from the one that is meant, at its points
     /// whose coordinates are at most `reach` in size.
     ///
-    /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components.
+    /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components. Where the line is
+    /// known to less than a quarter of its direction there is no bound.
     pub fn drift(&self, reach: R) -> R {
         if self.slack == Slack::default() {
             return R::ZERO;
@@ -66,6 +67,9 @@ impl<R: Real> Line<R> {
             self.origin.abs().max_component(),
             self.direction.abs().max_component(),
         );
+        if self.slack.direction * R::of(4.0) > d {
+            return R::INFINITY;
+        }
         self.slack.origin + self.slack.direction * (R::of(1.75) * (o + reach) / d)
     }
 }

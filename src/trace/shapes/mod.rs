@@ -4,6 +4,7 @@
 //! and one arm in each of its functions.
 
 mod cuboid;
+mod doubt;
 mod facet;
 mod geodesic_sphere;
 mod half_space;

@@ -1,9 +1,11 @@
 //! The plane, a surface without inside.
 
+use super::doubt::{fits, is_final, parameter_error};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
+use crate::trace::exponent::{exponent, shifted, shifted_vector};
 use crate::trace::number::Real;
-use crate::trace::ray::Line;
+use crate::trace::ray::{Line, Slack};
 use crate::trace::vec::Vec3;
 
 /// ax + by + cz + d = 0.
@@ -27,7 +29,7 @@ impl Plane {
     }
 
     /// The left side of the equation.
-    pub fn value<R: Real>(&self, p: Vec3<R>) -> R {
+    fn value<R: Real>(&self, p: Vec3<R>) -> R {
         self.normal.cast().dot(p) + R::of(self.d)
     }
 }
@@ -71,11 +73,132 @@ impl Shape for Plane {
     }
 }
 
+/// How a line runs with respect to a plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Way<R> {
+    /// It crosses the plane at t, maybe to the side that the normal points to.
+    Across { t: R, outwards: bool },
+    /// It is parallel to the plane: in it or behind it, or in front.
+    Along { behind: bool },
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Meeting<R> {
+    pub way: Way<R>,
+    /// Whether rounding may have decided it.
+    pub uncertain: bool,
+}
+
+/// n·v + c, the sum of the sizes of its terms, and whether they are all zero exactly.
+struct Sum<R> {
+    value: R,
+    size: R,
+    zero: bool,
+}
+
+impl<R: Real> Sum<R> {
+    fn new(n: Vec3<R>, v: Vec3<R>, c: R) -> Sum<R> {
+        let size = n.abs().dot(v.abs()) + c.abs();
+        let no_product = |i| n[i] == R::ZERO || v[i] == R::ZERO;
+        Sum {
+            value: n.dot(v) + c,
+            size,
+            zero: size == R::ZERO && (0..3).all(no_product),
+        }
+    }
+
+    /// Whether nothing in it has left the numbers.
+    fn fits(&self) -> bool {
+        self.zero || fits(self.size)
+    }
+}
+
+impl Plane {
+    /// How a line runs with respect to the plane.
+    pub(super) fn meet<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
+        let n = self.normal.cast();
+        let slope = Sum::new(n, line.direction, R::ZERO);
+        let value = Sum::new(n, line.origin, R::of(self.d));
+        if slope.fits() && value.fits() {
+            return judge(&slope, &value, n, line.slack, 0);
+        }
+        self.meet_extreme(line)
+    }
+
+    /// As [`Plane::meet`], with the normal, the direction and the origin in units of their own,
+    /// where products of the numbers given would overflow or underflow.
+    #[cold]
+    fn meet_extreme<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
+        let largest = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
+        let steep = exponent(self.normal.abs().max_component());
+        let unit = largest(line.direction);
+        let size = largest(line.origin).max(exponent(self.d) - steep);
+        let n = shifted_vector(self.normal, -steep).cast();
+        let d = shifted(self.d, -(steep + size));
+        let slope = Sum::new(n, shifted_vector(line.direction, -unit), R::ZERO);
+        let value = Sum::new(n, shifted_vector(line.origin, -size), R::of(d));
+        let slack = Slack {
+            origin: shifted(line.slack.origin, -size),
+            direction: shifted(line.slack.direction, -unit),
+        };
+        let fit = slope.fits() && value.fits() && (d == 0.0) == (self.d == 0.0);
+        let mut meeting = judge(&slope, &value, n, slack, size - unit);
+        meeting.uncertain |= !fit;
+        meeting
+    }
+}
+
+/// The crossing of a line along which the plane's equation is value + t·2⁻ᵏ slope.
+///
+/// The slope has three roundings and the value four; both change by at most Σ|nᵢ| times what the
+/// line's numbers are off. One rounding more pays for those of the bounds. Where numbers are coarser
+/// than the doubles of the plane, each of its own is off by one. A slope that is zero or may be is
+/// that of a parallel line; for certain only where all its terms are zero.
+fn judge<R: Real>(
+    slope: &Sum<R>,
+    value: &Sum<R>,
+    n: Vec3<R>,
+    slack: Slack<R>,
+    k: i32,
+) -> Meeting<R> {
+    let parameter = parameter_error::<R>();
+    let spread = n.abs().dot(Vec3::ONE) * (R::ONE + R::gamma(4));
+    let bound = |sum: &Sum<R>, roundings, slack| {
+        (R::gamma(roundings) + parameter) * sum.size + spread * slack
+    };
+    let (tilt, off) = (
+        bound(slope, 4, slack.direction),
+        bound(value, 5, slack.origin),
+    );
+    let crosses = slope.value.abs() > tilt;
+    let parallel = slope.zero && tilt == R::ZERO;
+    let t = shifted(-(value.value / slope.value), k);
+    let drop = is_final::<R>() && !crosses;
+    if slope.value != R::ZERO && t.is_finite() && !drop {
+        return Meeting {
+            way: Way::Across {
+                t,
+                outwards: slope.value > R::ZERO,
+            },
+            uncertain: !crosses,
+        };
+    }
+    // The plane is part of what is behind it.
+    let touch = if is_final::<R>() { off } else { R::ZERO };
+    let sided = value.value.abs() > off || (value.zero && off == R::ZERO);
+    Meeting {
+        way: Way::Along {
+            behind: value.value <= touch,
+        },
+        uncertain: !(parallel && sided),
+    }
+}
+
 impl<R: Real> Intersect<R> for Plane {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let slope = self.normal.cast().dot(line.direction);
-        let t = -self.value(line.origin) / slope;
-        if slope != R::ZERO && t.is_finite() {
+        let meeting = self.meet(line);
+        roots.uncertain = meeting.uncertain;
+        if let Way::Across { t, .. } = meeting.way {
             roots.push(t, 0);
         }
     }

@@ -1,5 +1,6 @@
 //! The rectangle in the plane z = 0, a surface without inside.
 
+use super::doubt::{is_final, least, parameter_error};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
@@ -49,13 +50,46 @@ impl Shape for Rectangle {
 }
 
 impl<R: Real> Intersect<R> for Rectangle {
+    /// The rectangle is closed: its border is part of it, so that rectangles side by side leave no
+    /// gap. A line in its plane does not cross it.
+    ///
+    /// t is rounded once, t d and the sum once more each, so that the point is off by at most
+    /// γ₃|t d| + u|p|; by nothing along an axis that the line is across. A drift of σ moves it by σ
+    /// along each axis, and by σ/|d_z| in t. Twice the roundings of the point's own pay for those of
+    /// the bound.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let t = -line.origin[2] / line.direction[2];
-        if line.direction[2] == R::ZERO || !t.is_finite() {
+        let (o, d) = (line.origin, line.direction);
+        let drift = self.drift(line);
+        if d[2] == R::ZERO {
+            // Parallel, and maybe not quite.
+            roots.uncertain = drift > R::ZERO && o[2].abs() <= drift;
             return;
         }
-        let p = line.at(t);
-        if (0..2).all(|i| R::of(self.min[i]) <= p[i] && p[i] <= R::of(self.max[i])) {
+        let t = -o[2] / d[2];
+        let (mut inside, mut outside) = (true, false);
+        let mut meets = true;
+        for i in 0..2 {
+            let step = d[i] * t;
+            let p = o[i] + step;
+            let mut error = R::ZERO;
+            if d[i] != R::ZERO {
+                error = R::gamma(4) * step.abs() + R::gamma(2) * p.abs();
+            }
+            if drift > R::ZERO {
+                // By 1/|d_z|, two roundings more.
+                let run = (d[i] * line.inverse[2]).abs() * (R::ONE + R::gamma(4));
+                error += drift * (R::ONE + run);
+            }
+            let (min, max) = (R::of(self.min[i]), R::of(self.max[i]));
+            meets &= min <= p && p <= max;
+            inside &= min + error <= p && p <= max - error;
+            outside |= p < min - error || p > max + error;
+        }
+        // A t too small to be rounded by a share of itself may hide a long way.
+        let lost = o[2] != R::ZERO && t.abs() < least();
+        let certain = (inside || outside) && !lost;
+        roots.uncertain = !certain;
+        if (meets || (!certain && !outside && is_final::<R>())) && t.is_finite() {
             roots.push(t, 0);
         }
     }
@@ -72,5 +106,15 @@ impl<R: Real> Intersect<R> for Rectangle {
             error,
             normal: Vec3::new(R::ZERO, R::ZERO, R::ONE),
         }
+    }
+}
+
+impl Rectangle {
+    /// How far along each axis a line may be from the one that is meant, relative to the rectangle.
+    /// Where numbers are coarser than the doubles that it is made of, its corners are off, too.
+    fn drift<R: Real>(&self, line: &Line<R>) -> R {
+        let size = |[x, y]: [f64; 2]| x.abs().max(y.abs());
+        let reach = R::of(size(self.min).max(size(self.max)));
+        line.drift(reach) + parameter_error::<R>() * reach
     }
 }

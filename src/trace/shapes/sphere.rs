@@ -1,7 +1,9 @@
 //! The sphere.
 
+use super::doubt::{fits, is_final, least, parameter_error};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
+use crate::trace::exponent::{exponent, shifted, shifted_vector};
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
 use crate::trace::vec::Vec3;
@@ -11,11 +13,17 @@ use std::f64::consts::{PI, TAU};
 pub struct Sphere {
     centre: Vec3,
     radius: f64,
+    /// No coordinate of a point within two radii of the centre is larger.
+    reach: f64,
 }
 
 impl Sphere {
     pub fn new(centre: Vec3, radius: f64) -> Sphere {
-        Sphere { centre, radius }
+        Sphere {
+            centre,
+            radius,
+            reach: centre.abs().max_component() + 2.0 * radius,
+        }
     }
 }
 
@@ -38,26 +46,16 @@ impl Shape for Sphere {
 }
 
 impl<R: Real> Intersect<R> for Sphere {
-    /// The discriminant comes from the part of the centre's offset that is perpendicular to the
-    /// line, which is where the origin would be at its closest approach (Haines, Günther and
-    /// Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
-    /// chapter 7); the root near the origin from the product of the roots, so that it does not
-    /// lose its digits to the far one.
     #[inline]
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let f = line.origin - self.centre.cast();
-        let d = line.direction;
-        let a = d.dot(d);
-        let b = -f.dot(d);
-        let perpendicular = f + d * (b / a);
-        let r = R::of(self.radius);
-        let discriminant = r * r - perpendicular.dot(perpendicular);
-        if discriminant > R::ZERO {
-            let s = (a * discriminant).sqrt();
-            let q = if b < R::ZERO { b - s } else { b + s };
-            let c = self.power(line.origin, f);
-            let (near, far) = (c / q, q / a);
-            roots.chord((near.min(far), 0), (near.max(far), 0));
+        let ball = Ball {
+            centre: self.centre.cast(),
+            radius: R::of(self.radius),
+            drift: line.drift(R::of(self.reach)),
+        };
+        match ball.chord(line.origin, line.direction) {
+            Some(chord) if chord.fits => chord.append(roots, 0),
+            _ => self.extreme_crossings(line, roots),
         }
     }
 
@@ -82,13 +80,124 @@ impl<R: Real> Intersect<R> for Sphere {
 }
 
 impl Sphere {
+    /// As [`crossings`](Intersect::crossings) in units of the largest length, where squares of the
+    /// numbers given would overflow or underflow.
+    #[cold]
+    fn extreme_crossings<R: Real>(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        let largest = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
+        let size = largest(line.origin)
+            .max(exponent(self.centre.abs().max_component()))
+            .max(exponent(self.radius));
+        let unit = largest(line.direction);
+        let ball = Ball {
+            centre: shifted_vector(self.centre, -size).cast(),
+            radius: R::of(shifted(self.radius, -size)),
+            drift: shifted(line.drift(R::of(self.reach)), -size),
+        };
+        let direction = shifted_vector(line.direction, -unit);
+        match ball.chord(shifted_vector(line.origin, -size), direction) {
+            Some(chord) => chord.append(roots, size - unit),
+            None => roots.uncertain = true,
+        }
+    }
+}
+
+/// A sphere, and how far along each axis lines near it may be from the ones that are meant.
+struct Ball<R> {
+    centre: Vec3<R>,
+    radius: R,
+    drift: R,
+}
+
+/// Where a line is in a ball.
+struct Chord<R> {
+    /// Whether no square behind it can have left the numbers.
+    fits: bool,
+    /// Whether rounding may have decided if there is a chord.
+    uncertain: bool,
+    ends: Option<(R, R)>,
+}
+
+impl<R: Real> Chord<R> {
+    /// The ends times 2ᵏ.
+    #[inline]
+    fn append(self, roots: &mut Roots<R>, k: i32) {
+        roots.uncertain = self.uncertain;
+        if let Some((near, far)) = self.ends {
+            roots.chord((shifted(near, k), 0), (shifted(far, k), 0));
+            // Ends that are the same number, or none.
+            roots.uncertain |= roots.list.is_empty();
+        }
+    }
+}
+
+impl<R: Real> Ball<R> {
+    /// The discriminant comes from the part of the centre's offset that is perpendicular to the
+    /// line, which is where the origin would be at its closest approach (Haines, Günther and
+    /// Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
+    /// chapter 7); the root near the origin from the product of the roots, so that it does not
+    /// lose its digits to the far one. `None` where it leaves the numbers.
+    ///
+    /// Bounds, with f = o − c and p = f + k d, k = −f·d/|d|²: f, k d and p are rounded once each
+    /// and none is longer than f, so that p is off by at most e = γ₄|f|, besides the drift, √3 of
+    /// it by length. It is also off along the line by the rounding of k, less than γ₁₀|f|; that
+    /// is perpendicular to p and adds its square to p² only. So the discriminant r² − p² is off
+    /// by at most
+    ///
+    /// ```text
+    /// 2(|p| + e)e + e² + (γ₁₀|f|)² + γ₄ p² + γ₂ r²
+    /// ```
+    ///
+    /// with γ₃ of p² from its own operations and the rest from the subtraction. Sums of sizes of
+    /// components stand for lengths, which they exceed. It holds unless both squares are so small
+    /// that what they lose by underflow counts. Where numbers are coarser than the
+    /// doubles that c and r are, that is u|c| more for p and 2u r² for r².
+    #[inline]
+    fn chord(&self, origin: Vec3<R>, d: Vec3<R>) -> Option<Chord<R>> {
+        let two = R::of(2.0);
+        let f = origin - self.centre;
+        let a = d.dot(d);
+        let b = -f.dot(d);
+        let perpendicular = f + d * (b / a);
+        let (square, r2) = (perpendicular.dot(perpendicular), self.radius * self.radius);
+        let discriminant = r2 - square;
+
+        let parameter = parameter_error::<R>();
+        let reach = f.abs().dot(Vec3::ONE);
+        let along = R::gamma(10) * reach;
+        let mut e = R::gamma(4) * reach + R::of(1.75) * self.drift;
+        let mut own = R::gamma(4) * square + R::gamma(2) * r2;
+        if parameter > R::ZERO {
+            e += parameter * self.centre.abs().dot(Vec3::ONE);
+            own += two * parameter * r2;
+        }
+        let off = two * perpendicular.abs().dot(Vec3::ONE) + R::of(3.0) * e;
+        let bound = off * e + along * along + own;
+        if !(bound.is_finite() && discriminant.is_finite()) {
+            return None;
+        }
+
+        let touch = if is_final::<R>() { bound } else { R::ZERO };
+        let ends = (discriminant > touch).then(|| {
+            let s = (a * discriminant).sqrt();
+            let q = if b < R::ZERO { b - s } else { b + s };
+            let (near, far) = (self.power(origin, f) / q, q / a);
+            (near.min(far), near.max(far))
+        });
+        Some(Chord {
+            fits: fits(a) && fits(r2) && reach <= least::<R>().recip(),
+            uncertain: discriminant.abs() <= bound || square.max(r2) < least(),
+            ends,
+        })
+    }
+
     /// |o − c|² − r², the product of the roots times |d|².
     ///
     /// Close to the surface the terms cancel and the rounding of f = o − c shows; there the sum is
     /// done in twice the working precision (Ogita, Rump and Oishi, "Accurate Sum and Dot Product",
     /// 2005, algorithm 5.3), with the part of f that the subtraction lost.
-    fn power<R: Real>(&self, origin: Vec3<R>, f: Vec3<R>) -> R {
-        let radius = R::of(self.radius);
+    fn power(&self, origin: Vec3<R>, f: Vec3<R>) -> R {
+        let radius = self.radius;
         let r2 = radius * radius;
         let plain = f.dot(f) - r2;
         // Half of the digits at stake: below that the plain sum is as good as the compensated one
@@ -102,7 +211,7 @@ impl Sphere {
             let square = f[i] * f[i];
             let square_error = f[i].mul_add(f[i], -square);
             // o − c = f + e exactly (Knuth's two-sum).
-            let c = R::of(-self.centre[i]);
+            let c = -self.centre[i];
             let back = f[i] - origin[i];
             let e = (origin[i] - (f[i] - back)) + (c - back);
             let next = sum + square;
