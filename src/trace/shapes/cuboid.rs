@@ -1,6 +1,6 @@
 //! The axis-aligned box.
 
-use super::doubt::{is_final, least, parameter_error};
+use super::doubt::{is_final, least, parameter_error, within_numbers};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
@@ -136,11 +136,11 @@ impl<R: Real> Intersect<R> for Cuboid {
         error[axis] = R::ZERO;
         let mut normal = Vec3::ZERO;
         normal[axis] = if upper { R::ONE } else { -R::ONE };
-        Located {
+        within_numbers(Located {
             point,
             error,
             normal,
-        }
+        })
     }
 }
 

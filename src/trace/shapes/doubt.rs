@@ -1,5 +1,6 @@
 //! What the bounds on rounding errors of several shapes have in common.
 
+use super::Located;
 use crate::trace::number::Real;
 
 /// Whether there is no finer number to ask: what this one cannot tell from a touch is one.
@@ -26,6 +27,16 @@ pub(super) fn least<R: Real>() -> R {
 /// Whether sums of products of this size neither underflow nor overflow, nor do their squares.
 pub(super) fn fits<R: Real>(size: R) -> bool {
     size >= least() && size <= least::<R>().recip()
+}
+
+/// A place as far as there are numbers for it: what has left them is zero.
+pub(super) fn within_numbers<R: Real>(at: Located<R>) -> Located<R> {
+    let kept = |x: R| if x.is_finite() { x } else { R::ZERO };
+    Located {
+        point: at.point.map(kept),
+        error: at.error.map(kept),
+        normal: at.normal,
+    }
 }
 
 #[cfg(test)]

@@ -55,7 +55,10 @@ impl<R: Real> Intersect<R> for HalfSpace {
                 roots.inside = outwards;
                 roots.push(t, 0);
             }
-            Way::Along { behind } => roots.inside = behind,
+            Way::Along { behind, close } => {
+                roots.inside = behind;
+                roots.uncertain |= close;
+            }
         }
     }
 

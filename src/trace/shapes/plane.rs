@@ -1,6 +1,6 @@
 //! The plane, a surface without inside.
 
-use super::doubt::{fits, is_final, parameter_error};
+use super::doubt::{fits, is_final, parameter_error, within_numbers};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
@@ -26,11 +26,6 @@ impl Plane {
     /// (a, b, c), of any length.
     pub fn normal(&self) -> Vec3 {
         self.normal
-    }
-
-    /// The left side of the equation.
-    fn value<R: Real>(&self, p: Vec3<R>) -> R {
-        self.normal.cast().dot(p) + R::of(self.d)
     }
 }
 
@@ -78,14 +73,15 @@ impl Shape for Plane {
 pub(super) enum Way<R> {
     /// It crosses the plane at t, maybe to the side that the normal points to.
     Across { t: R, outwards: bool },
-    /// It is parallel to the plane: in it or behind it, or in front.
-    Along { behind: bool },
+    /// It is parallel to the plane: in it or behind it, or in front; `close` if rounding may have
+    /// decided which.
+    Along { behind: bool, close: bool },
 }
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting<R> {
     pub way: Way<R>,
-    /// Whether rounding may have decided it.
+    /// Whether rounding may have decided if the line crosses.
     pub uncertain: bool,
 }
 
@@ -119,7 +115,7 @@ impl Plane {
         let n = self.normal.cast();
         let slope = Sum::new(n, line.direction, R::ZERO);
         let value = Sum::new(n, line.origin, R::of(self.d));
-        if slope.fits() && value.fits() {
+        if slope.fits() && value.fits() && same_zeros(self.normal, n) {
             return judge(&slope, &value, n, line.slack, 0);
         }
         self.meet_extreme(line)
@@ -133,19 +129,29 @@ impl Plane {
         let steep = exponent(self.normal.abs().max_component());
         let unit = largest(line.direction);
         let size = largest(line.origin).max(exponent(self.d) - steep);
-        let n = shifted_vector(self.normal, -steep).cast();
-        let d = shifted(self.d, -(steep + size));
-        let slope = Sum::new(n, shifted_vector(line.direction, -unit), R::ZERO);
-        let value = Sum::new(n, shifted_vector(line.origin, -size), R::of(d));
+        let n = shifted_vector(self.normal, -steep).cast::<R>();
+        let c = R::of(shifted(self.d, -(steep + size)));
+        let direction = shifted_vector(line.direction, -unit);
+        let origin = shifted_vector(line.origin, -size);
+        let slope = Sum::new(n, direction, R::ZERO);
+        let value = Sum::new(n, origin, c);
         let slack = Slack {
             origin: shifted(line.slack.origin, -size),
             direction: shifted(line.slack.direction, -unit),
         };
-        let fit = slope.fits() && value.fits() && (d == 0.0) == (self.d == 0.0);
+        let kept = same_zeros(self.normal, n)
+            && same_zeros(line.direction, direction)
+            && same_zeros(line.origin, origin)
+            && (c == R::ZERO) == (self.d == 0.0);
         let mut meeting = judge(&slope, &value, n, slack, size - unit);
-        meeting.uncertain |= !fit;
+        meeting.uncertain |= !(kept && slope.fits() && value.fits());
         meeting
     }
+}
+
+/// Whether no component has become zero.
+fn same_zeros<R: Real, S: Real>(before: Vec3<R>, after: Vec3<S>) -> bool {
+    (0..3).all(|i| (before[i] == R::ZERO) == (after[i] == S::ZERO))
 }
 
 /// The crossing of a line along which the plane's equation is value + t·2⁻ᵏ slope.
@@ -189,8 +195,9 @@ fn judge<R: Real>(
     Meeting {
         way: Way::Along {
             behind: value.value <= touch,
+            close: !sided,
         },
-        uncertain: !(parallel && sided),
+        uncertain: !parallel,
     }
 }
 
@@ -207,15 +214,18 @@ impl<R: Real> Intersect<R> for Plane {
     /// remains is the rounding of that distance, γ₅(Σ|nᵢ pᵢ| + |d|) / |n|² along n, and of the
     /// point itself.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
-        let n = self.normal.cast::<R>();
+        // Of unit size, since |n|² may overflow or underflow.
+        let steep = exponent(self.normal.abs().max_component());
+        let n = shifted_vector(self.normal, -steep).cast::<R>();
+        let c = R::of(shifted(self.d, -steep));
         let p = line.at(root.t);
         let square = n.dot(n);
-        let point = p - n * (self.value(p) / square);
-        let noise = R::gamma(5) * (n.abs().dot(p.abs()) + R::of(self.d.abs())) / square;
-        Located {
+        let point = p - n * ((n.dot(p) + c) / square);
+        let noise = R::gamma(5) * (n.abs().dot(p.abs()) + c.abs()) / square;
+        within_numbers(Located {
             point,
             error: n.abs() * noise + point.abs() * R::ROUNDOFF,
             normal: n,
-        }
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! The rectangle in the plane z = 0, a surface without inside.
 
-use super::doubt::{is_final, least, parameter_error};
+use super::doubt::{is_final, least, parameter_error, within_numbers};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
@@ -66,14 +66,15 @@ impl<R: Real> Intersect<R> for Rectangle {
             return;
         }
         let t = -o[2] / d[2];
-        let (mut inside, mut outside) = (true, false);
-        let mut meets = true;
+        let (mut inside, mut outside, mut meets) = (true, false, true);
+        // More than a product loses by it.
+        let underflow = R::ROUNDOFF * least();
         for i in 0..2 {
             let step = d[i] * t;
             let p = o[i] + step;
             let mut error = R::ZERO;
             if d[i] != R::ZERO {
-                error = R::gamma(4) * step.abs() + R::gamma(2) * p.abs();
+                error = R::gamma(4) * step.abs() + R::gamma(2) * p.abs() + underflow;
             }
             if drift > R::ZERO {
                 // By 1/|d_z|, two roundings more.
@@ -101,11 +102,11 @@ impl<R: Real> Intersect<R> for Rectangle {
         let mut error = (line.origin.abs() + step.abs()) * R::gamma(4);
         point[2] = R::ZERO;
         error[2] = R::ZERO;
-        Located {
+        within_numbers(Located {
             point,
             error,
             normal: Vec3::new(R::ZERO, R::ZERO, R::ONE),
-        }
+        })
     }
 }
 

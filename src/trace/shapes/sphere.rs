@@ -1,6 +1,6 @@
 //! The sphere.
 
-use super::doubt::{fits, is_final, least, parameter_error};
+use super::doubt::{fits, is_final, least, parameter_error, within_numbers};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
@@ -63,19 +63,19 @@ impl<R: Real> Intersect<R> for Sphere {
     /// whatever t was (pbrt-v4, section 6.8.4), plus the rounding of adding the centre.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let (centre, radius) = (self.centre.cast(), R::of(self.radius));
-        let p = (line.origin - centre) + line.direction * root.t;
-        let p = p * (radius / p.length());
-        let p = if p.is_finite() {
-            p
+        let from = (line.origin - centre) + line.direction * root.t;
+        let normal = if from.is_finite() && from.any() {
+            from
         } else {
-            Vec3::new(radius, R::ZERO, R::ZERO)
+            Vec3::new(R::ONE, R::ZERO, R::ZERO)
         };
+        let p = normal * (radius / normal.length());
         let point = centre + p;
-        Located {
+        within_numbers(Located {
             point,
             error: p.abs() * R::gamma(5) + point.abs() * R::ROUNDOFF,
-            normal: p,
-        }
+            normal,
+        })
     }
 }
 
@@ -181,7 +181,16 @@ impl<R: Real> Ball<R> {
         let ends = (discriminant > touch).then(|| {
             let s = (a * discriminant).sqrt();
             let q = if b < R::ZERO { b - s } else { b + s };
-            let (near, far) = (self.power(origin, f) / q, q / a);
+            let (c, close) = self.power(origin, f);
+            let (mut near, far) = (c / q, q / a);
+            if close {
+                // t is small, and c more exact than the discriminant: of |d|²t² − 2bt + c it is b
+                // that has the greatest error now, with a weight of t. A step of Newton's method.
+                let step = (c - near * (two * b - a * near)) / (two * (a * near - b));
+                if step.is_finite() {
+                    near = near - step;
+                }
+            }
             (near.min(far), near.max(far))
         });
         Some(Chord {
@@ -191,12 +200,13 @@ impl<R: Real> Ball<R> {
         })
     }
 
-    /// |o − c|² − r², the product of the roots times |d|².
+    /// |o − c|² − r², the product of the roots times |d|², and whether the origin is so close to the
+    /// sphere that it is far less than either.
     ///
     /// Close to the surface the terms cancel and the rounding of f = o − c shows; there the sum is
     /// done in twice the working precision (Ogita, Rump and Oishi, "Accurate Sum and Dot Product",
     /// 2005, algorithm 5.3), with the part of f that the subtraction lost.
-    fn power(&self, origin: Vec3<R>, f: Vec3<R>) -> R {
+    fn power(&self, origin: Vec3<R>, f: Vec3<R>) -> (R, bool) {
         let radius = self.radius;
         let r2 = radius * radius;
         let plain = f.dot(f) - r2;
@@ -204,7 +214,7 @@ impl<R: Real> Ball<R> {
         // to within 2⁻¹⁰ of its own size at worst, hence better than the square root that follows.
         const CANCELLED: f64 = 1.0 / 1024.0;
         if plain.abs() > R::of(CANCELLED) * r2 {
-            return plain;
+            return (plain, false);
         }
         let (mut sum, mut lost) = (-r2, -radius.mul_add(radius, -r2));
         for i in 0..3 {
@@ -222,6 +232,6 @@ impl<R: Real> Ball<R> {
                 + R::of(2.0) * f[i] * e;
             sum = next;
         }
-        sum + lost
+        (sum + lost, true)
     }
 }
