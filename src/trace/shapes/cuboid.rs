@@ -75,7 +75,7 @@ impl<R: Real> Intersect<R> for Cuboid {
         let drift = self.drift(line);
         let mut near = (-R::INFINITY, 0);
         let mut far = (R::INFINITY, 0);
-        let (mut flattest, mut beside, mut certain) = (R::ZERO, false, true);
+        let (mut beside, mut certain) = (false, true);
         let (min, max) = (self.min.cast::<R>(), self.max.cast::<R>());
         for i in 0..3 {
             let (o, d) = (line.origin[i], line.direction[i]);
@@ -87,7 +87,6 @@ impl<R: Real> Intersect<R> for Cuboid {
                 certain &= drift == R::ZERO;
                 continue;
             }
-            flattest = flattest.max(line.inverse[i].abs());
             let mut a = ((min[i] - o) / d, 2 * i as u32);
             let mut b = ((max[i] - o) / d, 2 * i as u32 + 1);
             if d < R::ZERO {
@@ -102,7 +101,10 @@ impl<R: Real> Intersect<R> for Cuboid {
         }
         let mut noise = R::gamma(4) * (near.0.abs() + far.0.abs()) + least();
         if drift > R::ZERO {
-            noise += R::of(2.0) * drift * flattest;
+            let steps = line.inverse.zip(line.direction, |inverse, d| {
+                if d == R::ZERO { R::ZERO } else { inverse.abs() }
+            });
+            noise += R::of(2.0) * drift * steps.max_component();
         }
         certain &= (far.0 - near.0).abs() > noise;
         let mut meets = far.0 > near.0 && !beside;

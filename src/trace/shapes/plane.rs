@@ -111,7 +111,32 @@ impl<R: Real> Sum<R> {
 
 impl Plane {
     /// How a line runs with respect to the plane.
+    ///
+    /// Nearly all lines are steep enough for a slope that is certain, see [`judge`], at a distance
+    /// within the numbers; that of the others takes a closer look.
+    #[inline]
     pub(super) fn meet<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
+        let n = self.normal.cast::<R>();
+        let terms = n.times(line.direction);
+        let slope = terms[0] + terms[1] + terms[2];
+        let terms = terms.abs();
+        let size = terms[0] + terms[1] + terms[2];
+        let value = n.dot(line.origin) + R::of(self.d);
+        let tilt = tilt(size, n, line.slack.direction);
+        if slope.abs() > tilt && fits(size) && fits(value.abs()) {
+            return Meeting {
+                way: Way::Across {
+                    t: -(value / slope),
+                    outwards: slope > R::ZERO,
+                },
+                uncertain: false,
+            };
+        }
+        self.meet_closely(line)
+    }
+
+    #[cold]
+    fn meet_closely<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
         let n = self.normal.cast();
         let slope = Sum::new(n, line.direction, R::ZERO);
         let value = Sum::new(n, line.origin, R::of(self.d));
@@ -154,12 +179,21 @@ fn same_zeros<R: Real, S: Real>(before: Vec3<R>, after: Vec3<S>) -> bool {
     (0..3).all(|i| (before[i] == R::ZERO) == (after[i] == S::ZERO))
 }
 
-/// The crossing of a line along which the plane's equation is value + t·2⁻ᵏ slope.
-///
-/// The slope has three roundings and the value four; both change by at most Σ|nᵢ| times what the
-/// line's numbers are off. One rounding more pays for those of the bounds. Where numbers are coarser
-/// than the doubles of the plane, each of its own is off by one. A slope that is zero or may be is
-/// that of a parallel line; for certain only where all its terms are zero.
+/// How far a slope may be off whose terms add up to `size`. It has three roundings, and changes by
+/// at most Σ|nᵢ| times what the line's direction is off. One rounding more pays for those of the
+/// bound. Where numbers are coarser than the doubles of the plane, each of its own is off by one.
+fn tilt<R: Real>(size: R, n: Vec3<R>, slack: R) -> R {
+    let spread = n.abs().dot(Vec3::ONE) * (R::ONE + R::gamma(4));
+    (R::gamma(4) + parameter_error()) * size + spread * slack
+}
+
+/// As [`tilt`], for the value of the plane's equation at the origin, with one rounding more.
+fn offset<R: Real>(size: R, n: Vec3<R>, slack: R) -> R {
+    tilt(size, n, slack) + R::gamma(1) * size
+}
+
+/// The crossing of a line along which the plane's equation is value + t·2⁻ᵏ slope. A slope that
+/// is zero or may be is that of a parallel line; for certain only where all its terms are zero.
 fn judge<R: Real>(
     slope: &Sum<R>,
     value: &Sum<R>,
@@ -167,15 +201,8 @@ fn judge<R: Real>(
     slack: Slack<R>,
     k: i32,
 ) -> Meeting<R> {
-    let parameter = parameter_error::<R>();
-    let spread = n.abs().dot(Vec3::ONE) * (R::ONE + R::gamma(4));
-    let bound = |sum: &Sum<R>, roundings, slack| {
-        (R::gamma(roundings) + parameter) * sum.size + spread * slack
-    };
-    let (tilt, off) = (
-        bound(slope, 4, slack.direction),
-        bound(value, 5, slack.origin),
-    );
+    let tilt = tilt(slope.size, n, slack.direction);
+    let off = offset(value.size, n, slack.origin);
     let crosses = slope.value.abs() > tilt;
     let parallel = slope.zero && tilt == R::ZERO;
     let t = shifted(-(value.value / slope.value), k);

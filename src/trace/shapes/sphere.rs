@@ -46,16 +46,37 @@ impl Shape for Sphere {
 }
 
 impl<R: Real> Intersect<R> for Sphere {
+    /// Most lines pass the sphere clearly, or meet it clearly: by more than η of the squares
+    /// compared, |r² − p²| > 2η(r² + p²), and more than 4e²/η, which together exceed the bound in
+    /// [`Ball::chord`] whatever p is (2|p|₁e ≤ ηp² + 3e²/η, and the rest is below ηr² and 7e²),
+    /// with e² ≤ 2(3γ₄²f² + 3.1 drift²).
     #[inline]
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let ball = Ball {
-            centre: self.centre.cast(),
-            radius: R::of(self.radius),
-            drift: line.drift(R::of(self.reach)),
-        };
-        match ball.chord(line.origin, line.direction) {
-            Some(chord) if chord.fits => chord.append(roots, 0),
-            _ => self.extreme_crossings(line, roots),
+        const ETA: f64 = 1.0 / 1024.0;
+        let (centre, radius) = (self.centre.cast::<R>(), R::of(self.radius));
+        let drift = self.drift(line);
+        let d = line.direction;
+        let f = line.origin - centre;
+        let a = d.dot(d);
+        let b = -f.dot(d);
+        let p = f + d * (b / a);
+        let (p2, r2, f2) = (p.dot(p), radius * radius, f.dot(f));
+        let discriminant = r2 - p2;
+        let e2 = R::of(6.0) * R::gamma(4).square() * f2 + R::of(6.5) * drift * drift;
+        let coarse = R::of(2.0 * ETA) * (r2 + p2) + R::of(4.0 / ETA) * e2;
+        if discriminant.abs() > coarse && fits(a) && fits(r2) && f2 <= least::<R>().recip() {
+            if discriminant > R::ZERO {
+                let ball = Ball {
+                    centre,
+                    radius,
+                    drift,
+                };
+                let (near, far) = ball.ends(line.origin, f, (a, b), discriminant);
+                roots.chord((near, 0), (far, 0));
+                roots.uncertain = roots.list.is_empty();
+            }
+        } else {
+            self.close_call(line, drift, roots);
         }
     }
 
@@ -80,10 +101,27 @@ impl<R: Real> Intersect<R> for Sphere {
 }
 
 impl Sphere {
-    /// As [`crossings`](Intersect::crossings) in units of the largest length, where squares of the
-    /// numbers given would overflow or underflow.
+    /// How far along each axis a line may be, near the sphere, from the one that is meant. Where
+    /// numbers are coarser than the double that the centre is made of, that is off, too.
+    fn drift<R: Real>(&self, line: &Line<R>) -> R {
+        let reach = R::of(self.reach);
+        line.drift(reach) + parameter_error::<R>() * reach
+    }
+
+    /// A line close to the sphere's rim, or numbers whose squares overflow or underflow: those in
+    /// units of the largest length.
     #[cold]
-    fn extreme_crossings<R: Real>(&self, line: &Line<R>, roots: &mut Roots<R>) {
+    fn close_call<R: Real>(&self, line: &Line<R>, drift: R, roots: &mut Roots<R>) {
+        let ball = Ball {
+            centre: self.centre.cast(),
+            radius: R::of(self.radius),
+            drift,
+        };
+        if let Some(chord) = ball.chord(line.origin, line.direction)
+            && chord.fits
+        {
+            return chord.append(roots, 0);
+        }
         let largest = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
         let size = largest(line.origin)
             .max(exponent(self.centre.abs().max_component()))
@@ -92,7 +130,7 @@ impl Sphere {
         let ball = Ball {
             centre: shifted_vector(self.centre, -size).cast(),
             radius: R::of(shifted(self.radius, -size)),
-            drift: shifted(line.drift(R::of(self.reach)), -size),
+            drift: shifted(drift, -size),
         };
         let direction = shifted_vector(line.direction, -unit);
         match ball.chord(shifted_vector(line.origin, -size), direction) {
@@ -120,7 +158,6 @@ struct Chord<R> {
 
 impl<R: Real> Chord<R> {
     /// The ends times 2ᵏ.
-    #[inline]
     fn append(self, roots: &mut Roots<R>, k: i32) {
         roots.uncertain = self.uncertain;
         if let Some((near, far)) = self.ends {
@@ -149,10 +186,9 @@ impl<R: Real> Ball<R> {
     /// ```
     ///
     /// with γ₃ of p² from its own operations and the rest from the subtraction. Sums of sizes of
-    /// components stand for lengths, which they exceed. It holds unless both squares are so small
-    /// that what they lose by underflow counts. Where numbers are coarser than the
-    /// doubles that c and r are, that is u|c| more for p and 2u r² for r².
-    #[inline]
+    /// components stand for lengths, which they exceed. Where numbers are coarser than the double
+    /// that r is, that is 2u r² more. It holds unless both squares are so small that what they lose
+    /// by underflow counts.
     fn chord(&self, origin: Vec3<R>, d: Vec3<R>) -> Option<Chord<R>> {
         let two = R::of(2.0);
         let f = origin - self.centre;
@@ -162,15 +198,10 @@ impl<R: Real> Ball<R> {
         let (square, r2) = (perpendicular.dot(perpendicular), self.radius * self.radius);
         let discriminant = r2 - square;
 
-        let parameter = parameter_error::<R>();
         let reach = f.abs().dot(Vec3::ONE);
         let along = R::gamma(10) * reach;
-        let mut e = R::gamma(4) * reach + R::of(1.75) * self.drift;
-        let mut own = R::gamma(4) * square + R::gamma(2) * r2;
-        if parameter > R::ZERO {
-            e += parameter * self.centre.abs().dot(Vec3::ONE);
-            own += two * parameter * r2;
-        }
+        let e = R::gamma(4) * reach + R::of(1.75) * self.drift;
+        let own = R::gamma(4) * square + (R::gamma(2) + two * parameter_error()) * r2;
         let off = two * perpendicular.abs().dot(Vec3::ONE) + R::of(3.0) * e;
         let bound = off * e + along * along + own;
         if !(bound.is_finite() && discriminant.is_finite()) {
@@ -178,26 +209,31 @@ impl<R: Real> Ball<R> {
         }
 
         let touch = if is_final::<R>() { bound } else { R::ZERO };
-        let ends = (discriminant > touch).then(|| {
-            let s = (a * discriminant).sqrt();
-            let q = if b < R::ZERO { b - s } else { b + s };
-            let (c, close) = self.power(origin, f);
-            let (mut near, far) = (c / q, q / a);
-            if close {
-                // t is small, and c more exact than the discriminant: of |d|²t² − 2bt + c it is b
-                // that has the greatest error now, with a weight of t. A step of Newton's method.
-                let step = (c - near * (two * b - a * near)) / (two * (a * near - b));
-                if step.is_finite() {
-                    near = near - step;
-                }
-            }
-            (near.min(far), near.max(far))
-        });
+        let ends = (discriminant > touch).then(|| self.ends(origin, f, (a, b), discriminant));
         Some(Chord {
             fits: fits(a) && fits(r2) && reach <= least::<R>().recip(),
             uncertain: discriminant.abs() <= bound || square.max(r2) < least(),
             ends,
         })
+    }
+
+    /// The ends of the chord, from |d|² = a, −f·d = b and the discriminant.
+    #[inline]
+    fn ends(&self, origin: Vec3<R>, f: Vec3<R>, (a, b): (R, R), discriminant: R) -> (R, R) {
+        let s = (a * discriminant).sqrt();
+        let q = if b < R::ZERO { b - s } else { b + s };
+        let (c, close) = self.power(origin, f);
+        let (mut near, far) = (c / q, q / a);
+        if close {
+            // t is small, and c more exact than the discriminant: of a t² − 2bt + c it is b that
+            // has the greatest error now, with a weight of t. A step of Newton's method.
+            let two = R::of(2.0);
+            let step = (c - near * (two * b - a * near)) / (two * (a * near - b));
+            if step.is_finite() {
+                near = near - step;
+            }
+        }
+        (near.min(far), near.max(far))
     }
 
     /// |o − c|² − r², the product of the roots times |d|², and whether the origin is so close to the
