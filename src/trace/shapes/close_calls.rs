@@ -240,152 +240,140 @@ fn distance(geometry: &Geometry, p: Vec3<Dd>) -> f64 {
 
 /// What is decided in doubles is decided so in double-double, and near it points are where the
 /// lines meet the surfaces.
-#[test]
-fn doubles_are_sure_of_what_double_double_finds() {
+fn doubles_are_sure_of_what_double_double_finds(kind: Kind) {
     const LINES: usize = 40_000;
-    for kind in KINDS {
-        let mut r = Random(kind as u64);
-        let (mut decided, mut crossings) = (0, 0);
-        for _ in 0..LINES {
-            let case = close_call(&mut r, kind, 8.0);
-            let shape = case.shape();
-            let (o, d) = (case.origin, case.direction);
-            let plain = meet::<f64>(&shape, &line(o, d));
-            let fine = meet::<Dd>(&shape, &line(o, d));
-            let say = || format!("{:?} {o:?} {d:?} {plain:?} {fine:?}", case.geometry);
-            if !plain.uncertain {
-                decided += 1;
-                assert!(!fine.uncertain, "{}", say());
-                assert_eq!(plain.list.len(), fine.list.len(), "{}", say());
-                assert_eq!(plain.inside, fine.inside, "{}", say());
-            }
-            // A crossing of a plane that may be parallel is anywhere.
-            if plain.uncertain && matches!(kind, Kind::HalfSpace | Kind::Plane) {
-                continue;
-            }
-            let exact = line::<Dd>(o, d);
-            for root in &plain.list {
-                crossings += 1;
-                let p = exact.at(Dd::of(root.t));
-                let mut size = case.size.max(o.abs().max_component());
-                if matches!(kind, Kind::HalfSpace | Kind::Plane) {
-                    size = size.max(p.abs().max_component().to_f64());
-                }
-                let off = distance(&case.geometry, p);
-                assert!(off <= 64.0 * f64::EPSILON * size, "{off:e} {}", say());
-            }
+    let mut r = Random(kind as u64);
+    let (mut decided, mut crossings) = (0, 0);
+    for _ in 0..LINES {
+        let case = close_call(&mut r, kind, 8.0);
+        let shape = case.shape();
+        let (o, d) = (case.origin, case.direction);
+        let plain = meet::<f64>(&shape, &line(o, d));
+        let fine = meet::<Dd>(&shape, &line(o, d));
+        let say = || format!("{:?} {o:?} {d:?} {plain:?} {fine:?}", case.geometry);
+        if !plain.uncertain {
+            decided += 1;
+            assert!(!fine.uncertain, "{}", say());
+            assert_eq!(plain.list.len(), fine.list.len(), "{}", say());
+            assert_eq!(plain.inside, fine.inside, "{}", say());
         }
-        let share = decided as f64 / LINES as f64;
-        assert!((0.1..0.95).contains(&share), "{kind:?} {share}");
-        assert!(crossings > LINES / 10, "{kind:?} {crossings}");
+        // A crossing of a plane that may be parallel is anywhere.
+        if plain.uncertain && matches!(kind, Kind::HalfSpace | Kind::Plane) {
+            continue;
+        }
+        let exact = line::<Dd>(o, d);
+        for root in &plain.list {
+            crossings += 1;
+            let p = exact.at(Dd::of(root.t));
+            let mut size = case.size.max(o.abs().max_component());
+            if matches!(kind, Kind::HalfSpace | Kind::Plane) {
+                size = size.max(p.abs().max_component().to_f64());
+            }
+            let off = distance(&case.geometry, p);
+            assert!(off <= 64.0 * f64::EPSILON * size, "{off:e} {}", say());
+        }
     }
+    let share = decided as f64 / LINES as f64;
+    assert!((0.1..0.95).contains(&share), "{kind:?} {share}");
+    assert!(crossings > LINES / 10, "{kind:?} {crossings}");
 }
 
 /// The same through maps that round: rotated by any angle, or by right angles whose cosine is not
 /// quite zero, scaled and moved.
-#[test]
-fn what_maps_round_is_reckoned_with() {
+fn what_maps_round_is_reckoned_with(kind: Kind) {
     const LINES: usize = 40_000;
-    for kind in KINDS {
-        let mut r = Random(100 + kind as u64);
-        let mut decided = 0;
-        for i in 0..LINES {
-            let case = close_call(&mut r, kind, 4.0);
-            let angle = match r.below(3) {
-                0 => 90.0,
-                _ => r.within(-180.0, 180.0),
-            };
-            let p = r.unit() * (case.size * r.power(-3.0, 3.0));
-            let turn = Matrix::rotation(angle, i % 3);
-            let scale = Matrix::scaling(r.power(-3.0, 3.0), r.sign(), r.power(-3.0, 3.0));
-            let placed = Matrix::translation(p[0], p[1], p[2]).after(&turn.after(&scale));
-            // The line's way back into the shape's space, where it is a close call.
-            let Some(back) = placed.inverse() else {
-                continue;
-            };
-            let out = Affine::<f64>::new(&placed);
-            let (o, d) = (out.point(case.origin), out.vector(case.direction));
-            let shape = case.shape();
-            let plain = line::<f64>(o, d).through(&Affine::new(&back));
-            let fine = line::<Dd>(o, d).through(&Affine::new(&back));
-            let (plain, fine) = (meet(&shape, &plain), meet(&shape, &fine));
-            if !plain.uncertain {
-                decided += 1;
-                let say = || format!("{:?} {o:?} {d:?} {back:?} {fine:?}", case.geometry);
-                assert!(!fine.uncertain, "{}", say());
-                assert_eq!(plain.list.len(), fine.list.len(), "{}", say());
-                assert_eq!(plain.inside, fine.inside, "{}", say());
-            }
+    let mut r = Random(100 + kind as u64);
+    let mut decided = 0;
+    for i in 0..LINES {
+        let case = close_call(&mut r, kind, 4.0);
+        let angle = match r.below(3) {
+            0 => 90.0,
+            _ => r.within(-180.0, 180.0),
+        };
+        let p = r.unit() * (case.size * r.power(-3.0, 3.0));
+        let turn = Matrix::rotation(angle, i % 3);
+        let scale = Matrix::scaling(r.power(-3.0, 3.0), r.sign(), r.power(-3.0, 3.0));
+        let placed = Matrix::translation(p[0], p[1], p[2]).after(&turn.after(&scale));
+        // The line's way back into the shape's space, where it is a close call.
+        let Some(back) = placed.inverse() else {
+            continue;
+        };
+        let out = Affine::<f64>::new(&placed);
+        let (o, d) = (out.point(case.origin), out.vector(case.direction));
+        let shape = case.shape();
+        let plain = line::<f64>(o, d).through(&Affine::new(&back));
+        let fine = line::<Dd>(o, d).through(&Affine::new(&back));
+        let (plain, fine) = (meet(&shape, &plain), meet(&shape, &fine));
+        if !plain.uncertain {
+            decided += 1;
+            let say = || format!("{:?} {o:?} {d:?} {back:?} {fine:?}", case.geometry);
+            assert!(!fine.uncertain, "{}", say());
+            assert_eq!(plain.list.len(), fine.list.len(), "{}", say());
+            assert_eq!(plain.inside, fine.inside, "{}", say());
         }
-        let share = decided as f64 / LINES as f64;
-        assert!((0.02..0.95).contains(&share), "{kind:?} {share}");
     }
+    let share = decided as f64 / LINES as f64;
+    assert!((0.02..0.95).contains(&share), "{kind:?} {share}");
 }
 
 /// Lines that come close from a few sizes away are doubtful about as often as the last digits of
 /// numbers decide: never, in so many.
-#[test]
-fn few_lines_are_doubtful() {
+fn few_lines_are_doubtful(kind: Kind) {
     let mut r = Random(7);
-    for kind in KINDS {
-        let mut met = 0;
-        for _ in 0..50_000 {
-            let case = close_call(&mut r, kind, 0.0);
-            let shape = case.shape();
-            let target = case.origin + r.unit() * case.size;
-            let o = target + r.unit() * (4.0 * case.size);
-            let d = target + r.unit() * case.size - o;
-            let turn = Matrix::rotation(r.within(-180.0, 180.0), 1);
-            let exact = meet::<f64>(&shape, &line(o, d));
-            let turned = line(o, d).through(&Affine::new(&turn));
-            let mapped = meet::<f64>(&shape, &turned);
-            assert!(!exact.uncertain && !mapped.uncertain, "{:?}", case.geometry);
-            met += exact.list.len();
-        }
-        assert!(met > 100, "{kind:?} {met}");
+    let mut met = 0;
+    for _ in 0..50_000 {
+        let case = close_call(&mut r, kind, 0.0);
+        let shape = case.shape();
+        let target = case.origin + r.unit() * case.size;
+        let o = target + r.unit() * (4.0 * case.size);
+        let d = target + r.unit() * case.size - o;
+        let turn = Matrix::rotation(r.within(-180.0, 180.0), 1);
+        let exact = meet::<f64>(&shape, &line(o, d));
+        let turned = line(o, d).through(&Affine::new(&turn));
+        let mapped = meet::<f64>(&shape, &turned);
+        assert!(!exact.uncertain && !mapped.uncertain, "{:?}", case.geometry);
+        met += exact.list.len();
     }
+    assert!(met > 100, "{kind:?} {met}");
 }
 
 /// Coordinates up to half the exponents: powers of two change nothing but the unit of t.
-#[test]
-fn powers_of_two_change_no_digit() {
-    for kind in KINDS {
-        let mut r = Random(200 + kind as u64);
-        for _ in 0..2_000 {
-            let case = close_call(&mut r, kind, 2.0);
-            let k = r.within(-900.0, 900.0) as i32;
-            let m = (r.within(-100.0, 100.0) as i32 + k).clamp(-900, 900);
-            let by = |x: f64, k: i32| shifted(x, k);
-            let grown = match case.geometry {
-                Geometry::Sphere { centre, radius } => Geometry::Sphere {
-                    centre: centre.map(|x| by(x, k)),
-                    radius: by(radius, k),
-                },
-                Geometry::Box { min, max } => Geometry::Box {
-                    min: min.map(|x| by(x, k)),
-                    max: max.map(|x| by(x, k)),
-                },
-                Geometry::Plane([a, b, c, d]) => Geometry::Plane([a, b, c, by(d, k)]),
-                Geometry::HalfSpace([a, b, c, d]) => Geometry::HalfSpace([a, b, c, by(d, k)]),
-                Geometry::Rectangle { min, max } => Geometry::Rectangle {
-                    min: min.map(|x| by(x, k)),
-                    max: max.map(|x| by(x, k)),
-                },
-                _ => unreachable!(),
-            };
-            let (o, d) = (case.origin, case.direction);
-            let plain = meet::<f64>(&case.shape(), &line(o, d));
-            let scaled = line(o.map(|x| by(x, k)), d.map(|x| by(x, m)));
-            let scaled = meet::<f64>(&Primitive::new(&grown).unwrap(), &scaled);
-            if plain.uncertain || scaled.uncertain {
-                continue;
-            }
-            assert_eq!(plain.inside, scaled.inside);
-            assert_eq!(plain.list.len(), scaled.list.len());
-            for (a, b) in plain.list.iter().zip(&scaled.list) {
-                // The scaled sphere may move its squares by powers of two only; so do the others.
-                assert_eq!(shifted(a.t, k - m), b.t, "{:?} {k} {m}", case.geometry);
-            }
+fn powers_of_two_change_no_digit(kind: Kind) {
+    let mut r = Random(200 + kind as u64);
+    for _ in 0..2_000 {
+        let case = close_call(&mut r, kind, 2.0);
+        let k = r.within(-900.0, 900.0) as i32;
+        let m = (r.within(-100.0, 100.0) as i32 + k).clamp(-900, 900);
+        let by = |x: f64, k: i32| shifted(x, k);
+        let grown = match case.geometry {
+            Geometry::Sphere { centre, radius } => Geometry::Sphere {
+                centre: centre.map(|x| by(x, k)),
+                radius: by(radius, k),
+            },
+            Geometry::Box { min, max } => Geometry::Box {
+                min: min.map(|x| by(x, k)),
+                max: max.map(|x| by(x, k)),
+            },
+            Geometry::Plane([a, b, c, d]) => Geometry::Plane([a, b, c, by(d, k)]),
+            Geometry::HalfSpace([a, b, c, d]) => Geometry::HalfSpace([a, b, c, by(d, k)]),
+            Geometry::Rectangle { min, max } => Geometry::Rectangle {
+                min: min.map(|x| by(x, k)),
+                max: max.map(|x| by(x, k)),
+            },
+            _ => unreachable!(),
+        };
+        let (o, d) = (case.origin, case.direction);
+        let plain = meet::<f64>(&case.shape(), &line(o, d));
+        let scaled = line(o.map(|x| by(x, k)), d.map(|x| by(x, m)));
+        let scaled = meet::<f64>(&Primitive::new(&grown).unwrap(), &scaled);
+        if plain.uncertain || scaled.uncertain {
+            continue;
+        }
+        assert_eq!(plain.inside, scaled.inside);
+        assert_eq!(plain.list.len(), scaled.list.len());
+        for (a, b) in plain.list.iter().zip(&scaled.list) {
+            // The scaled sphere may move its squares by powers of two only; so do the others.
+            assert_eq!(shifted(a.t, k - m), b.t, "{:?} {k} {m}", case.geometry);
         }
     }
 }
@@ -438,28 +426,66 @@ fn extreme_numbers_give_numbers() {
 }
 
 /// Single precision, where the numbers of the shape are rounded, too.
-#[test]
-fn single_precision_knows_what_it_rounds() {
-    for kind in KINDS {
-        let mut r = Random(300 + kind as u64);
-        let mut decided = 0;
-        for _ in 0..20_000 {
-            let case = close_call(&mut r, kind, 3.0);
-            // Off by something that single precision can tell, at times.
-            let aside = r.unit() * (case.size * r.power(-8.0, -1.0));
-            let o = (case.origin + aside).cast::<f32>();
-            let d = case.direction.cast::<f32>();
-            let few = meet(&case.shape(), &Line::new(o, d));
-            let fine = meet(&case.shape(), &line::<Dd>(o.cast(), d.cast()));
-            if !few.uncertain {
-                decided += 1;
-                assert_eq!(few.list.len(), fine.list.len(), "{:?}", case.geometry);
-                assert_eq!(few.inside, fine.inside, "{:?}", case.geometry);
-            }
+fn single_precision_knows_what_it_rounds(kind: Kind) {
+    let mut r = Random(300 + kind as u64);
+    let mut decided = 0;
+    for _ in 0..20_000 {
+        let case = close_call(&mut r, kind, 3.0);
+        // Off by something that single precision can tell, at times.
+        let aside = r.unit() * (case.size * r.power(-8.0, -1.0));
+        let o = (case.origin + aside).cast::<f32>();
+        let d = case.direction.cast::<f32>();
+        let few = meet(&case.shape(), &Line::new(o, d));
+        let fine = meet(&case.shape(), &line::<Dd>(o.cast(), d.cast()));
+        if !few.uncertain {
+            decided += 1;
+            assert_eq!(few.list.len(), fine.list.len(), "{:?}", case.geometry);
+            assert_eq!(few.inside, fine.inside, "{:?}", case.geometry);
         }
-        assert!(decided > 1_000, "{kind:?} {decided}");
     }
+    assert!(decided > 1_000, "{kind:?} {decided}");
 }
+
+macro_rules! for_each_kind {
+    ($($name:ident: $kind:expr),*) => {
+        $(mod $name {
+            use super::*;
+
+            #[test]
+            fn doubles_are_sure_of_what_double_double_finds() {
+                super::doubles_are_sure_of_what_double_double_finds($kind);
+            }
+
+            #[test]
+            fn what_maps_round_is_reckoned_with() {
+                super::what_maps_round_is_reckoned_with($kind);
+            }
+
+            #[test]
+            fn few_lines_are_doubtful() {
+                super::few_lines_are_doubtful($kind);
+            }
+
+            #[test]
+            fn powers_of_two_change_no_digit() {
+                super::powers_of_two_change_no_digit($kind);
+            }
+
+            #[test]
+            fn single_precision_knows_what_it_rounds() {
+                super::single_precision_knows_what_it_rounds($kind);
+            }
+        })*
+    };
+}
+
+for_each_kind!(
+    sphere_lines: Kind::Sphere,
+    cuboid_lines: Kind::Cuboid,
+    half_space_lines: Kind::HalfSpace,
+    plane_lines: Kind::Plane,
+    rectangle_lines: Kind::Rectangle
+);
 
 fn cube() -> Primitive {
     Primitive::new(&Geometry::Box {
