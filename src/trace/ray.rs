@@ -73,16 +73,25 @@ impl<R: Real> Line<R> {
     /// A bound on how far, along each axis, the line is from the one that is meant, at its points
     /// whose coordinates are at most `reach` in size.
     ///
-    /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components.
+    /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components. There is no bound
+    /// where a quarter of the direction is in doubt.
     pub fn drift(&self, reach: R) -> R {
         if self.slack == Slack::default() {
             return R::ZERO;
         }
-        let (o, d) = (
-            self.origin.abs().max_component(),
-            self.direction.abs().max_component(),
-        );
-        self.slack.origin + self.slack.direction * (R::of(1.75) * (o + reach) / d)
+        let [x, y, z] = self.origin.map(R::abs).0;
+        let greater = |a: R, b: R| if a > b { a } else { b };
+        let o = greater(greater(x, y), z);
+        let [x, y, z] = self.inverse.map(R::abs).0;
+        let lesser = |a: R, b: R| if a < b { a } else { b };
+        let inverse = lesser(lesser(x, y), z);
+        let bend = self.slack.direction * inverse;
+        let drift = self.slack.origin + bend * (R::of(1.75) * (o + reach));
+        if bend <= R::of(0.25) && drift.is_finite() {
+            drift
+        } else {
+            R::INFINITY
+        }
     }
 }
 

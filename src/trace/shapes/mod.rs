@@ -3,7 +3,10 @@
 //! A shape is one file here that implements [`Shape`] and [`Intersect`], one variant of [`Primitive`]
 //! and one arm in each of its functions.
 
+#[cfg(test)]
+mod close_calls;
 mod cuboid;
+mod doubt;
 mod facet;
 mod geodesic_sphere;
 mod half_space;
