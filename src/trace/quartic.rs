@@ -61,6 +61,14 @@ impl<R: Real> Quartic<R> {
         (p.mul_add(t, e), q)
     }
 
+    /// The first three derivatives.
+    pub fn derivatives(&self, t: R) -> [R; 3] {
+        let [a, b, c, ..] = self.c;
+        let (two, three, four) = (R::of(2.0), R::of(3.0), R::of(4.0));
+        let (first, second) = self.slope_at([four * a, three * b, two * c], t);
+        [first, second, R::of(6.0) * (four * a * t + b)]
+    }
+
     /// The slope and the slope's slope.
     #[inline]
     fn slope_at(&self, [a, b, c]: [R; 3], t: R) -> (R, R) {

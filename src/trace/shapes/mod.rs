@@ -3,6 +3,8 @@
 //! A shape is one file here that implements [`Shape`] and [`Intersect`], one variant of [`Primitive`]
 //! and one arm in each of its functions.
 
+#[cfg(test)]
+mod contract_tests;
 mod cuboid;
 mod facet;
 mod geodesic_sphere;
