@@ -212,6 +212,15 @@ mod tests {
             .collect()
     }
 
+    /// t⁴ + 2t³ + 3t² + 4t + 5 at 2: 32 + 24 + 12 + 4, 48 + 24 + 6 and 48 + 12.
+    #[test]
+    fn derivatives_by_hand() {
+        let q = Quartic {
+            c: [1.0, 2.0, 3.0, 4.0, 5.0],
+        };
+        assert_eq!(q.derivatives(2.0), [72.0, 78.0, 60.0]);
+    }
+
     #[test]
     fn two_quartics_that_closed_forms_get_wrong() {
         let c = [1.0, -240.0, 25449.0, -1325880.0, 26471900.25];

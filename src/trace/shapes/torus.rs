@@ -238,11 +238,11 @@ impl<R: Real> Flatness<'_, R> {
     /// is at most 3e. Equally for t′ and the point of its own, where it has one.
     ///
     /// So nothing hides near a point where the slope exceeds 8e. Where the curvature κ is enough to
-    /// make the slope zero within w = 16e/κ, with half of the third derivative and the fourth
+    /// change the slope by 16e within w = 16e/κ, with half of the third derivative and the fourth
     /// taking away less than a quarter, it keeps its sign over that stretch: there is one extremum,
-    /// and on the way to it the slope is at most 9e + 1.75κw < 37.5e. Elsewhere, the slope is a
-    /// cubic that is at most 3e over the stretch w between: 4c₄ · 2(w/4)³ ≤ 3e (Chebyshev), hence
-    /// w < 3∛(e/c₄).
+    /// at most (|slope| + e) / ¾κ away, and the slope only falls on the way to it. Elsewhere, the
+    /// slope is a cubic that is at most 3e over the stretch w between: 4c₄ · 2(w/4)³ ≤ 3e
+    /// (Chebyshev), hence w < 3∛(e/c₄).
     #[cold]
     fn at(&self, t: R) -> R {
         let e = self.slope_error;
@@ -254,7 +254,7 @@ impl<R: Real> Flatness<'_, R> {
         let w = R::of(16.0) * e / curvature;
         let bending = (third * R::of(0.5) + R::of(4.0) * leading * w) * w;
         if bending <= curvature * R::of(0.25) {
-            R::of(37.5) * e * w
+            (slope + e).square() / (R::of(0.75) * curvature)
         } else {
             R::of(9.0) * e * R::of((e / leading).to_f64().cbrt())
         }
