@@ -233,7 +233,7 @@ fn is_near<R: Real>([a, b, c]: [&Vertex<R>; 3], margin: R) -> bool {
 }
 
 impl<R: Real> View<R> {
-    fn new(line: &Line<R>, radius: R) -> Sight<R> {
+    fn of(line: &Line<R>, radius: R) -> Sight<R> {
         let shear = Shear::along(line.direction);
         let e = shear.slope;
         let square = e.dot(e);
@@ -315,7 +315,7 @@ impl<R: Real> Intersect<R> for GeodesicSphere {
     /// each point of the plane as often one way as the other, whatever the rounding of their common
     /// corners, so a way in never lacks its way out.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let view = match View::new(line, R::of(self.radius)) {
+        let view = match View::of(line, R::of(self.radius)) {
             Sight::Passes => return,
             Sight::Lost => {
                 roots.uncertain = true;
@@ -326,7 +326,9 @@ impl<R: Real> Intersect<R> for GeodesicSphere {
         // Facets are about 2^−splits across. Noise of that order says nothing about a line, and
         // must not make it look at all of them.
         let finest = R::of(1.0 / 16.0 / f64::from(1 << self.splits));
-        let lost = !(view.noise <= finest);
+        // False for NaN.
+        let is_known = view.noise <= finest;
+        let lost = !is_known;
         let noise = if lost { R::ZERO } else { view.noise };
         let (mut near, mut far) = (None::<(R, u32)>, None::<(R, u32)>);
         let (mut possible, mut certain) = (false, [false; 2]);
@@ -366,7 +368,7 @@ impl<R: Real> Intersect<R> for GeodesicSphere {
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let radius = R::of(self.radius);
         let corners = self.corners::<R>(root.face);
-        let passage = match View::new(line, radius) {
+        let passage = match View::of(line, radius) {
             Sight::Near(view) => Facet::new(corners.map(|at| view.vertex(at).seen)).passage(),
             Sight::Passes | Sight::Lost => None,
         };
