@@ -93,6 +93,16 @@ fn thin_and_small_tori() {
     thin_and_small::<Dd>();
 }
 
+/// The hits of a tube of 1e-4 are held even by f32, from near.
+#[test]
+fn a_thin_tube_in_single_precision() {
+    let t = ts::<f32>(&Torus::new(1.0, 1e-4), [-5.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
+    assert_eq!(t.len(), 4, "{t:?}");
+    for (a, b) in t.iter().zip([3.9999, 4.0001, 5.9999, 6.0001]) {
+        assert!((a - b).abs() < f64::from(f32::EPSILON) * 8.0, "{a} {b}");
+    }
+}
+
 fn thin_and_small<R: Real>() {
     let thin = Torus::new(1.0, 1e-4);
     for x in [5.0, 1e3] {
