@@ -19,9 +19,15 @@ pub struct Form {
 /// The pairs of axes of `mixed`.
 pub(super) const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 
-/// Ten terms of three factors each: products, sums and roundings of coordinates (two each), with
-/// two to spare for the coefficients' own sums.
-pub(super) const OPERATIONS: u32 = 18;
+/// Ten terms of three factors each: products (two), sums (nine) and roundings of coordinates (two
+/// each), with five to spare for the coefficients' own sums and roundings.
+pub(super) const OPERATIONS: u32 = 20;
+
+/// Whether products and sums of this number are rounded once, as in hardware, where the error of
+/// a product is the result of a fused operation. Double-double numbers are far below this.
+pub(in crate::trace::shapes) fn is_hardware<R: Real>() -> bool {
+    R::ROUNDOFF > R::of(f64::EPSILON * f64::EPSILON)
+}
 
 /// The largest power of two that does not exceed |x|, kept among the normal numbers; 1 for zero.
 pub(super) fn power_of_two(x: f64) -> f64 {

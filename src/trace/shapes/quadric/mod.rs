@@ -7,6 +7,7 @@ mod form;
 mod line;
 
 pub use form::Form;
+pub(super) use form::is_hardware;
 
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::scene::bounds::shape_bounds;
