@@ -14,6 +14,8 @@ pub struct Form {
     pub(super) linear: [f64; 3],
     pub(super) constant: f64,
     pub(super) unit: [f64; 3],
+    /// The highest power in which each coordinate occurs.
+    pub(super) degree: [u8; 3],
 }
 
 /// The pairs of axes of `mixed`.
@@ -47,7 +49,9 @@ impl Form {
             linear: [0.0, y, 0.0],
             constant,
             unit,
+            degree: [0; 3],
         }
+        .with_degrees()
     }
 
     /// xᵀQx with x = (x, y, z, 1), divided by a power of two so that sums cannot overflow.
@@ -62,7 +66,20 @@ impl Form {
             linear: std::array::from_fn(|i| both(i, 3)),
             constant: at(3, 3),
             unit: [1.0; 3],
+            degree: [0; 3],
         }
+        .with_degrees()
+    }
+
+    fn with_degrees(mut self) -> Form {
+        for i in 0..3 {
+            self.degree[i] = u8::from(self.linear[i] != 0.0);
+            let mut pairs = PAIRS.iter().zip(self.mixed);
+            if self.square[i] != 0.0 || pairs.any(|(&(j, k), m)| m != 0.0 && (i == j || i == k)) {
+                self.degree[i] = 2;
+            }
+        }
+        self
     }
 
     pub fn feed(&self, sink: &mut dyn FnMut(f64)) {
@@ -72,6 +89,7 @@ impl Form {
             linear,
             constant,
             unit,
+            degree: _,
         } = self;
         for list in [square, mixed, linear, unit] {
             list.iter().copied().for_each(&mut *sink);

@@ -87,9 +87,8 @@ impl<R: Real> Chord<R> {
         let unit = form.units::<R>();
         let (d, length) = normalised(line.direction, 0.0);
         let (direction, stretch) = normalised(d.zip(unit, |x, s| x / s), 0.0);
-        let (o, far) = normalised(line.origin, 1.0);
-        let offset = o.zip(unit, |x, s| x / s);
-        let back = -(offset.dot(direction) / direction.dot(direction)) * far / stretch;
+        let offset = line.origin.zip(unit, |x, s| x / s);
+        let back = closest(form, offset, direction * stretch);
         // As a double, so that its product with another one is exact in double-double, too.
         let back = R::of(back.to_f64());
         let moved = line.origin.zip(d, |o, d| d.mul_add(back, o));
@@ -314,6 +313,35 @@ pub(super) fn push_all<R: Real, const N: usize>(roots: &mut Roots<R>, list: [(R,
             roots.inside = !roots.inside;
         }
     }
+}
+
+/// Where o + τ·d is so close to the origin that the terms of F are small there: as far as the
+/// coordinates with a second power go. Others would only lead away, but for those with a first
+/// power, which weigh as much as their term against the largest one, once it is known.
+fn closest<R: Real>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
+    let (o, shrink) = normalised(o, 1.0);
+    let (d, stretch) = normalised(d, 0.0);
+    let at = |weight: Vec3<R>| {
+        let heavy = d.times(weight);
+        -(o.dot(heavy) / d.dot(heavy)) * (shrink / stretch)
+    };
+    let degree = form.degree;
+    let first = at(Vec3(degree.map(|n| if n > 0 { R::ONE } else { R::ZERO })));
+    if !degree.contains(&1) || !first.is_finite() {
+        return first;
+    }
+    let there = o * shrink + d * (stretch * first);
+    let largest = (0..3).fold(R::ZERO, |largest, i| match degree[i] {
+        0 => largest,
+        1 => largest.max(there[i].abs()),
+        _ => largest.max(there[i].square()),
+    });
+    let second = at(Vec3(degree.map(|n| match n {
+        0 => R::ZERO,
+        1 => largest.recip(),
+        _ => R::ONE,
+    })));
+    if second.is_finite() { second } else { first }
 }
 
 /// A vector divided by a power of two not below `least`, so that its largest component is in

@@ -12,6 +12,7 @@
 
 use super::tree::Run;
 use crate::trace::number::Real;
+use crate::trace::quartic::root_between;
 use crate::trace::ray::{Line, Slack};
 use crate::trace::shapes::quadric::is_hardware;
 use crate::trace::vec::Vec3;
@@ -389,16 +390,29 @@ impl<R: Real> Path<R> {
         let s = n * z;
         let radius = R::difference_of_products(r, h, w, n * x);
         let c = R::difference_of_products(h.square(), s.square() + delta2, radius, radius);
+        // Both are zero in a line through the apex: the point that all is reckoned from.
+        let near = |q: R| if q == R::ZERO { q } else { c / q };
         let (enter, leave) = if b < R::ZERO {
             let q = root - b;
-            (c / q, q / a)
+            (near(q), q / a)
         } else {
             let q = -(b + root);
-            (q / a, c / q)
+            (q / a, near(q))
         };
         let base = -(self.s0 * x + (self.point[1] - low.y) * z);
         let cut = |local: R, against: bool| {
-            let tau = self.clamped(base + local, low, high);
+            // No farther than the rings at the segment's ends: whatever its error, the crossing
+            // stays on its own side of the seams, and of the middle of a chord.
+            let mut tau = base + local;
+            if z != R::ZERO {
+                let (from, to) = (self.reach(low), self.reach(high));
+                let (mut from, mut to) = (from.min(to), from.max(to));
+                if both {
+                    let middle = (base - b / a).max(from).min(to);
+                    *(if against { &mut to } else { &mut from }) = middle;
+                }
+                tau = self.polished([w, h], low, tau, (from, to), against);
+            }
             let local = (tau - base).abs();
             // The quadratic is a difference of two squares with at most sixteen roundings; its
             // slope at a root is twice the root of the discriminant, and less than that up to where
@@ -432,20 +446,29 @@ impl<R: Real> Path<R> {
         cuts
     }
 
+    /// The root of h(ρ − r) − w(y − y₁) between two places, by Newton's method from `start`.
+    ///
+    /// The quadratic is reckoned from the ring below, which may be far from where the line meets
+    /// the segment, and the roots of lines along its slope suffer from that; this is reckoned from
+    /// the line's own points.
+    fn polished(&self, [w, h]: [R; 2], low: &Ring<R>, start: R, ends: (R, R), against: bool) -> R {
+        let off = |tau: R| {
+            let s = self.s0 + tau * self.across;
+            let rho = (s.square() + self.delta.square()).sqrt();
+            let y = self.point[1] + tau * self.along;
+            let slope = if rho > R::ZERO { s / rho } else { R::ZERO };
+            (
+                h * (rho - low.radius) - w * (y - low.y),
+                h * self.across * slope - w * self.along,
+            )
+        };
+        let precision = R::ROUNDOFF * ends.0.abs().max(ends.1.abs());
+        root_between(off, ends, !against, start, precision)
+    }
+
     /// τ at the height of a ring; the line must not be level.
     fn reach(&self, ring: &Ring<R>) -> R {
         (ring.y - self.point[1]) / self.along
-    }
-
-    /// A root no farther than the rings at the segment's ends, where the line passes them at all:
-    /// whatever its error, it stays on its own side of the seams.
-    fn clamped(&self, tau: R, low: &Ring<R>, high: &Ring<R>) -> R {
-        if self.along == R::ZERO {
-            return tau;
-        }
-        let (a, b) = (self.reach(low), self.reach(high));
-        // `max` and `min` take the other number for a NaN.
-        tau.max(a.min(b)).min(a.max(b))
     }
 
     /// The crossing with a flat segment.
