@@ -134,6 +134,48 @@ impl Cone {
         push_all(roots, ends.map(|(tau, face)| (chord.t(tau), face)));
     }
 
+    /// The stretches of the line in the infinite double cone each lie in one half of it. Which one
+    /// is the sign of y in the middle of a bounded stretch, and at the infinite end of another;
+    /// the apex is never compared with a plane through it.
+    ///
+    /// In the space of the form of x² + z² − y², a plane that holds the origin and a line steeper
+    /// than the cone has signature (1, 1), so the discriminant of such a line is never negative,
+    /// and zero only where it meets the apex: what is inside everywhere goes through the apex.
+    fn append<R: Real>(&self, chord: &Chord<R>, roots: &mut Roots<R>) {
+        roots.uncertain |= chord.uncertain;
+        let up = if chord.direction[1] < R::ZERO {
+            -R::ONE
+        } else {
+            R::ONE
+        };
+        let stretch = |from, to, half| Stretch { from, to, half };
+        let end = |value| Bounded {
+            value,
+            error: R::ZERO,
+        };
+        let (first, last) = (end(-R::INFINITY), end(R::INFINITY));
+        match chord.inside {
+            Inside::Nowhere => {}
+            Inside::Between(x, y) => {
+                if let Some(half) = Cone::half(chord, roots) {
+                    self.cut(chord, stretch(x, y, half), roots);
+                }
+            }
+            Inside::Below(x) => self.cut(chord, stretch(first, x, -up), roots),
+            Inside::Above(x) => self.cut(chord, stretch(x, last, up), roots),
+            Inside::Around(x, y) => {
+                self.cut(chord, stretch(first, x, -up), roots);
+                self.cut(chord, stretch(y, last, up), roots);
+            }
+            Inside::Everywhere => {
+                // Two stretches that meet at the apex: there the crossings of both halves cancel.
+                let apex = chord.middle;
+                self.cut(chord, stretch(first, apex, -up), roots);
+                self.cut(chord, stretch(apex, last, up), roots);
+            }
+        }
+    }
+
     /// The half of the double cone that a bounded stretch is in: the sign of y in its middle.
     /// `None` where it may be the apex.
     fn half<R: Real>(chord: &Chord<R>, roots: &mut Roots<R>) -> Option<R> {
@@ -159,46 +201,12 @@ impl Cone {
 }
 
 impl<R: Real> Intersect<R> for Cone {
-    /// The stretches of the line in the infinite double cone each lie in one half of it. Which one
-    /// is the sign of y in the middle of a bounded stretch, and at the infinite end of another;
-    /// the apex is never compared with a plane through it.
-    ///
-    /// In the space of the form of x² + z² − y², a plane that holds the origin and a line steeper
-    /// than the cone has signature (1, 1), so the discriminant of such a line is never negative,
-    /// and zero only where it meets the apex: what is inside everywhere goes through the apex.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let chord = Chord::new(&self.form, line);
-        roots.uncertain |= chord.uncertain;
-        let up = if chord.direction[1] < R::ZERO {
-            -R::ONE
-        } else {
-            R::ONE
-        };
-        let stretch = |from, to, half| Stretch { from, to, half };
-        let end = |value| Bounded {
-            value,
-            error: R::ZERO,
-        };
-        let (first, last) = (end(-R::INFINITY), end(R::INFINITY));
-        match chord.inside {
-            Inside::Nowhere => {}
-            Inside::Between(x, y) => {
-                if let Some(half) = Cone::half(&chord, roots) {
-                    self.cut(&chord, stretch(x, y, half), roots);
-                }
-            }
-            Inside::Below(x) => self.cut(&chord, stretch(first, x, -up), roots),
-            Inside::Above(x) => self.cut(&chord, stretch(x, last, up), roots),
-            Inside::Around(x, y) => {
-                self.cut(&chord, stretch(first, x, -up), roots);
-                self.cut(&chord, stretch(y, last, up), roots);
-            }
-            Inside::Everywhere => {
-                // Two stretches that meet at the apex: there the crossings of both halves cancel.
-                let apex = chord.middle;
-                self.cut(&chord, stretch(first, apex, -up), roots);
-                self.cut(&chord, stretch(apex, last, up), roots);
-            }
+        let mut chord = Chord::new(&self.form, line);
+        self.append(&chord, roots);
+        if roots.uncertain && chord.sharpen(&self.form) {
+            roots.clear();
+            self.append(&chord, roots);
         }
     }
 

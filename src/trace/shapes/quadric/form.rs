@@ -16,6 +16,10 @@ pub struct Form {
     pub(super) unit: [f64; 3],
     /// The highest power in which each coordinate occurs.
     pub(super) degree: [u8; 3],
+    /// A bound on the sum of the slopes along the axes, for coordinates and w up to 1.
+    pub(super) weight: f64,
+    /// 1 / |unit|.
+    pub(super) inverse: [f64; 3],
 }
 
 /// The pairs of axes of `mixed`.
@@ -50,8 +54,10 @@ impl Form {
             constant,
             unit,
             degree: [0; 3],
+            weight: 0.0,
+            inverse: [1.0; 3],
         }
-        .with_degrees()
+        .completed()
     }
 
     /// xᵀQx with x = (x, y, z, 1), divided by a power of two so that sums cannot overflow.
@@ -67,11 +73,17 @@ impl Form {
             constant: at(3, 3),
             unit: [1.0; 3],
             degree: [0; 3],
+            weight: 0.0,
+            inverse: [1.0; 3],
         }
-        .with_degrees()
+        .completed()
     }
 
-    fn with_degrees(mut self) -> Form {
+    /// With what follows from the coefficients.
+    fn completed(mut self) -> Form {
+        let sum = |list: &[f64; 3]| list.iter().map(|x| x.abs()).sum::<f64>();
+        self.weight = 2.0 * sum(&self.square) + 2.0 * sum(&self.mixed) + sum(&self.linear);
+        self.inverse = self.unit.map(|s| s.abs().recip());
         for i in 0..3 {
             self.degree[i] = u8::from(self.linear[i] != 0.0);
             let mut pairs = PAIRS.iter().zip(self.mixed);
@@ -90,6 +102,8 @@ impl Form {
             constant,
             unit,
             degree: _,
+            weight: _,
+            inverse: _,
         } = self;
         for list in [square, mixed, linear, unit] {
             list.iter().copied().for_each(&mut *sink);

@@ -70,6 +70,8 @@ pub(super) struct Chord<R> {
     /// The vertex of the parabola, −b/2a; zero where a is.
     pub middle: Bounded<R>,
     pub uncertain: bool,
+    /// Whether all errors are bounded by the rough ones of what the line strays.
+    rough: bool,
     /// t = (start + τ/(w·stretch)) / length.
     start: R,
     stretch: R,
@@ -112,21 +114,41 @@ impl<R: Real> Chord<R> {
                 error: R::ZERO,
             },
             uncertain: false,
+            rough: false,
             start,
             stretch,
             length,
         };
         if !is_hardware::<R>() || line.slack != Slack::default() {
-            chord.stray(line, d, unit);
+            chord.stray(form, line, d);
         }
-        chord.solve(form);
+        let coefficients = chord.coefficients(form);
+        if chord.uncertain || !(chord.moved.any() || chord.turned.any()) {
+            chord.solve(form, coefficients);
+            return chord;
+        }
+        chord.rough = true;
+        chord.solve(form, chord.strayed_roughly(form, coefficients));
+        if chord.uncertain {
+            chord.sharpen(form);
+        }
         chord
+    }
+
+    /// Solves it once more, with bounds on errors that cost more; no if that has been done.
+    pub fn sharpen(&mut self, form: &Form) -> bool {
+        if !self.rough {
+            return false;
+        }
+        (self.rough, self.uncertain) = (false, false);
+        self.solve(form, self.strayed(form, self.coefficients(form)));
+        true
     }
 
     /// How far the line in hand is from the one that is meant: at t = start/length, where the
     /// origin is moved to, by the line's slack. Where that move is not fused, its product is
     /// rounded, too, unless it is exact.
-    fn stray(&mut self, line: &Line<R>, d: Vec3<R>, unit: Vec3<R>) {
+    fn stray(&mut self, form: &Form, line: &Line<R>, d: Vec3<R>) {
         let Slack {
             origin,
             direction: turn,
@@ -139,8 +161,9 @@ impl<R: Real> Chord<R> {
                 (x * self.start).abs() * R::gamma(4)
             }
         });
-        self.moved = lost.zip(unit, |x, s| (x + drift) / s.abs()) * self.w;
-        self.turned = unit.map(|s| turn / self.length / s.abs() / self.stretch);
+        let inverse = Vec3(form.inverse.map(R::of));
+        self.moved = lost.zip(inverse, |x, s| (x + drift) * s) * self.w;
+        self.turned = inverse * (turn / self.length / self.stretch);
         if !(self.moved.is_finite() && self.turned.is_finite()) {
             (self.moved, self.turned) = (Vec3::ZERO, Vec3::ZERO);
             self.uncertain = true;
@@ -148,31 +171,51 @@ impl<R: Real> Chord<R> {
     }
 
     /// The errors of the coefficients: a's from [`leading`]; b and c have at most γₙ of the sizes
-    /// of their terms. To these comes what the line's own strays e and f, of origin and direction,
-    /// change: with g and h the slopes of F along the axes at p and of its second degree at d,
-    ///
-    ///   a by h·f + A(f, f),  b by h·e + g·f + 2A(e, f),  c by g·e + A(e, e).
+    /// of their terms. What the line strays comes on top.
     fn coefficients(&self, form: &Form) -> [Bounded<R>; 3] {
         let (p, d, w) = (self.origin, self.direction, self.w);
-        let mut a = leading(form, d);
+        let a = leading(form, d);
         let (c, c_size) = form.value(p, w);
         let (b, b_size) = cross(form, p, d, w);
-        let mut b = Bounded {
+        let b = Bounded {
             value: b,
             error: R::gamma(OPERATIONS) * b_size,
         };
-        let mut c = Bounded {
+        let c = Bounded {
             value: c,
             error: R::gamma(OPERATIONS) * c_size,
         };
+        [a, b, c]
+    }
+
+    /// The coefficients with the errors that the strays e and f, of origin and direction, make:
+    /// with g and h the slopes of F along the axes at p and of its second degree at d, they change
+    ///
+    ///   a by h·f + A(f, f),  b by h·e + g·f + 2A(e, f),  c by g·e + A(e, e).
+    fn strayed(&self, form: &Form, [mut a, mut b, mut c]: [Bounded<R>; 3]) -> [Bounded<R>; 3] {
         let (e, f) = (self.moved, self.turned);
-        if e.any() || f.any() {
-            let (g, h) = (form.slopes(p, w), form.slopes(d, R::ZERO));
-            let half = R::of(0.5);
-            a.error += h.dot(f) + half * form.twice(f, f);
-            b.error += h.dot(e) + g.dot(f) + form.twice(e, f);
-            c.error += g.dot(e) + half * form.twice(e, e);
-        }
+        let g = form.slopes(self.origin, self.w);
+        let h = form.slopes(self.direction, R::ZERO);
+        let half = R::of(0.5);
+        a.error += h.dot(f) + half * form.twice(f, f);
+        b.error += h.dot(e) + g.dot(f) + form.twice(e, f);
+        c.error += g.dot(e) + half * form.twice(e, e);
+        [a, b, c]
+    }
+
+    /// The same with larger errors at less cost: all coordinates are below 2, so that the slopes
+    /// add up to at most twice the form's weight.
+    fn strayed_roughly(
+        &self,
+        form: &Form,
+        [mut a, mut b, mut c]: [Bounded<R>; 3],
+    ) -> [Bounded<R>; 3] {
+        let (e, f) = (self.moved.max_component(), self.turned.max_component());
+        let weight = R::of(form.weight);
+        let two = R::of(2.0);
+        a.error += weight * f * (two + f);
+        b.error += weight * (two * (e + f) + e * f);
+        c.error += weight * e * (two + e);
         [a, b, c]
     }
 
@@ -182,10 +225,9 @@ impl<R: Real> Chord<R> {
     ///
     /// In double-double numbers the decision is final: what cannot be told from zero is zero, so
     /// that a chord that cannot be told from a touch is one.
-    fn solve(&mut self, form: &Form) {
+    fn solve(&mut self, form: &Form, [a, b, c]: [Bounded<R>; 3]) {
         let two = R::of(2.0);
         let four = R::of(4.0);
-        let [a, b, c] = self.coefficients(form);
         let (av, bv, cv) = (a.value, b.value, c.value);
         if !(av.is_finite() && bv.is_finite() && cv.is_finite()) {
             self.uncertain = true;

@@ -39,6 +39,8 @@ pub struct Path<R> {
     /// whatever the way.
     moved: R,
     turned: R,
+    /// What these three do to along times a point's distance from the axis, at the height of p.
+    fuzz: R,
     /// Bound on the error of s₀, y₀ and δ from all three, where the plane of the line turns with
     /// its direction.
     error: R,
@@ -132,6 +134,7 @@ impl<R: Real> Path<R> {
             rounded,
             moved: R::ZERO,
             turned: R::ZERO,
+            fuzz: rounded + rounded,
             error: rounded,
         };
         if !is_hardware::<R>() || line.slack != Slack::default() {
@@ -167,6 +170,9 @@ impl<R: Real> Path<R> {
             self.error += swing * (self.s0.abs() + self.delta);
         }
         self.error += self.moved;
+        // m·(along + across + 2f): neither exceeds 1, nor both √2.
+        let both = self.moved * (R::of(1.5) + self.turned + self.turned);
+        self.fuzz += both + self.turned * (self.s0.abs() + self.delta);
     }
 
     /// The line's own parameter.
@@ -200,7 +206,8 @@ impl<R: Real> Path<R> {
         let along2 = self.along.square();
         let inner = along2 * (radius - self.delta);
         let power = R::difference_of_products(offset, offset, inner, radius + self.delta);
-        let bound = self.power_error(y, offset, radius);
+        let low = (self.point[1] - y).abs();
+        let bound = self.power_error(self.offset_size(y), low, radius);
         let touch = if is_hardware::<R>() { R::ZERO } else { bound };
         Ring {
             radius,
@@ -219,24 +226,19 @@ impl<R: Real> Path<R> {
         self.delta - self.error > radius
     }
 
-    /// A bound on the error of along² (ρ² − r²).
+    /// A bound on the error of along² (ρ² − r²), where the sizes of the offset's terms are at most
+    /// `size`, the height is at most `low` above or below the path's point, and the radius is r.
     ///
-    /// along·ρ is the length of the vector along·(x, z) in the ring's plane. Off by e, its square
-    /// changes by at most (2|v| + e)e. Rounding adds the errors of the offset, two rounded factors
-    /// in either product and their difference, and of δ. What is meant for the point p₀ + m and
-    /// the direction d + f is, in the plan, (along + f₁)(p + m) − (y₀ − y + m₁)(d + f). In the other
-    /// term along itself is off. Then there are three factors and a difference.
-    fn power_error(&self, y: R, offset: R, radius: R) -> R {
-        let along = self.along.abs();
-        let along2 = along.square();
-        let (low, two) = ((self.point[1] - y).abs(), R::of(2.0));
-        let stray = self.moved * (along + self.across + self.turned + self.turned)
-            + self.turned * (self.s0.abs() + self.delta + low);
-        let rounded = R::gamma(8) * self.offset_size(y) + self.rounded * (R::ONE + along);
-        let (size, e) = (offset.abs() + along * self.delta, rounded + stray);
-        (size + size + e) * e
-            + radius.square() * self.turned * (two * along + self.turned)
-            + R::gamma(8) * (offset.square() + along2 * (radius.square() + self.delta.square()))
+    /// along·ρ is the length of the vector along·(x, z) in the ring's plane, and along·r another
+    /// one. Off by e, the square of a length v changes by at most (2v + e)e. Rounding adds the
+    /// errors of the offset, two rounded factors in either product and their difference, and of δ.
+    /// What is meant for the point p + m and the direction d + f is, in the plan,
+    /// (along + f₁)(p + m) − (y₀ − y + m₁)(d + f), and along + f₁ times r. Then there are three
+    /// factors and a difference.
+    fn power_error(&self, size: R, low: R, radius: R) -> R {
+        let size = size + self.along.abs() * (self.delta + radius);
+        let e = R::gamma(8) * size + self.fuzz + self.turned * (low + radius);
+        (size + size + e) * e + R::gamma(8) * size.square()
     }
 
     /// A bound on the error of an offset, in the plane of the line, which turns with it.
@@ -269,10 +271,12 @@ impl<R: Real> Path<R> {
         }
         // An error in either of the two numbers that are compared, here and in `ring`, and once
         // more what `ring` takes for a touch. The bound grows with all that it is made of, and
-        // heights between have less than one end or the other.
-        let bound = self
-            .power_error(low, most, outer)
-            .max(self.power_error(high, most, outer));
+        // heights between have no more of it than one end or the other.
+        let size = self.offset_size(low).max(self.offset_size(high));
+        let far = (self.point[1] - low)
+            .abs()
+            .max((self.point[1] - high).abs());
+        let bound = self.power_error(size, far, outer);
         let slack = bound + bound + bound;
         outside > slack || inside > slack
     }
@@ -326,8 +330,8 @@ impl<R: Real> Path<R> {
             // Outside of both rings. As a function of the height along²(ρ² − r²) has the second
             // derivative 2a/h²: on the way from one ring to the other, h/k high, it falls no lower
             // than a/4k² below the lesser of its values there. And where a is negative, not at all.
-            let dip = (a + a_error) / (R::of(4.0) * k * k);
-            if dip <= R::ZERO || dip < low.least.min(high.least) {
+            let dip = a + a_error;
+            if dip <= R::ZERO || dip < R::of(4.0) * k * k * low.least.min(high.least) {
                 return cuts;
             }
         }
@@ -400,13 +404,14 @@ impl<R: Real> Path<R> {
             (q / a, near(q))
         };
         let base = -(self.s0 * x + (self.point[1] - low.y) * z);
+        let (from, to) = (self.reach(low), self.reach(high));
+        let (from, to) = (from.min(to), from.max(to));
         let cut = |local: R, against: bool| {
             // No farther than the rings at the segment's ends: whatever its error, the crossing
             // stays on its own side of the seams, and of the middle of a chord.
             let mut tau = base + local;
             if z != R::ZERO {
-                let (from, to) = (self.reach(low), self.reach(high));
-                let (mut from, mut to) = (from.min(to), from.max(to));
+                let (mut from, mut to) = (from, to);
                 if both {
                     let middle = (base - b / a).max(from).min(to);
                     *(if against { &mut to } else { &mut from }) = middle;
@@ -424,11 +429,10 @@ impl<R: Real> Path<R> {
                 + (w * z).abs() * local;
             let shift = self.rounded + self.moved + self.turned * tau.abs();
             let noise = R::gamma(16) * size.square() + (size + size) * (h + w.abs()) * shift;
-            let far = (self.reach(high) - self.reach(low)).abs() + (shift + shift) / z.abs();
             let reach = if root.square() > a.abs() * noise {
-                (noise / root).min(far)
+                noise / root
             } else {
-                R::INFINITY.min(far)
+                R::INFINITY.min(to - from + (shift + shift) / z.abs())
             };
             Cut {
                 t: self.t(tau),
@@ -462,6 +466,13 @@ impl<R: Real> Path<R> {
                 h * self.across * slope - w * self.along,
             )
         };
+        let start = start.max(ends.0).min(ends.1);
+        // Eight roundings of its terms are as good as it gets.
+        let (value, size) = (off(start).0.abs(), low.radius + low.y.abs());
+        let size = size + (start - ends.0).abs().min((start - ends.1).abs());
+        if value <= (h + w.abs()) * (self.rounded + R::gamma(8) * size) {
+            return start;
+        }
         let precision = R::ROUNDOFF * ends.0.abs().max(ends.1.abs());
         root_between(off, ends, !against, start, precision)
     }
