@@ -95,8 +95,7 @@ impl Cone {
     /// What is left of it is decided at its ends, by how far they are below the disc's plane: no
     /// more than a touch, where both are not. At a finite end that is the difference of three terms
     /// with at most six roundings, off by what the end, the origin and the direction are. An
-    /// infinite end is above: the chord is not sure of being steeper than the cone, which is of
-    /// having a slope, unless it is sure of this.
+    /// infinite end is above it: a line that has one is no less steep than the cone.
     fn cut<R: Real>(&self, chord: &Chord<R>, stretch: Stretch<R>, roots: &mut Roots<R>) {
         let Stretch { from, to, half } = stretch;
         if half < R::ZERO && !self.double {

@@ -1,5 +1,6 @@
 //! A polynomial of second degree, its value and its gradient.
 
+use crate::trace::dd::Dd;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
 use crate::trace::shapes::Located;
@@ -12,6 +13,8 @@ pub struct Form {
     pub(super) square: [f64; 3],
     pub(super) mixed: [f64; 3],
     pub(super) linear: [f64; 3],
+    /// What the sums in the mixed and linear coefficients have lost in rounding.
+    rest: [[f64; 3]; 2],
     pub(super) constant: f64,
     pub(super) unit: [f64; 3],
     /// The highest power in which each coordinate occurs.
@@ -32,7 +35,7 @@ pub(super) const OPERATIONS: u32 = 20;
 /// Whether products and sums of this number are rounded once, as in hardware, where the error of
 /// a product is the result of a fused operation. Double-double numbers are far below this.
 pub(in crate::trace::shapes) fn is_hardware<R: Real>() -> bool {
-    R::ROUNDOFF > R::of(f64::EPSILON * f64::EPSILON)
+    R::ROUNDOFF.to_f64() >= f64::ROUNDOFF
 }
 
 /// The largest power of two that does not exceed |x|, kept among the normal numbers; 1 for zero.
@@ -44,6 +47,15 @@ pub(super) fn power_of_two(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
 }
 
+/// The sum of a double and the rest of it, where there is room for that.
+fn whole<R: Real>(x: f64, rest: f64) -> R {
+    if is_hardware::<R>() {
+        R::of(x)
+    } else {
+        R::of(x) + R::of(rest)
+    }
+}
+
 impl Form {
     /// A canonical form: no mixed terms, and y the only linear one.
     pub fn canonical(square: [f64; 3], y: f64, constant: f64, unit: [f64; 3]) -> Form {
@@ -51,6 +63,7 @@ impl Form {
             square,
             mixed: [0.0; 3],
             linear: [0.0, y, 0.0],
+            rest: [[0.0; 3]; 2],
             constant,
             unit,
             degree: [0; 3],
@@ -65,11 +78,16 @@ impl Form {
         let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let scale = power_of_two(largest);
         let at = |i: usize, j: usize| q[4 * i + j] / scale;
-        let both = |i: usize, j: usize| at(i, j) + at(j, i);
+        let both = |i: usize, j: usize| Dd::sum(at(i, j), at(j, i)).parts();
+        let (mixed, linear) = (
+            PAIRS.map(|(i, j)| both(i, j)),
+            [0, 1, 2].map(|i| both(i, 3)),
+        );
         Form {
             square: std::array::from_fn(|i| at(i, i)),
-            mixed: PAIRS.map(|(i, j)| both(i, j)),
-            linear: std::array::from_fn(|i| both(i, 3)),
+            mixed: mixed.map(|x| x.0),
+            linear: linear.map(|x| x.0),
+            rest: [mixed, linear].map(|list| list.map(|x| x.1)),
             constant: at(3, 3),
             unit: [1.0; 3],
             degree: [0; 3],
@@ -99,16 +117,36 @@ impl Form {
             square,
             mixed,
             linear,
+            rest: [mixed_rest, linear_rest],
             constant,
             unit,
             degree: _,
             weight: _,
             inverse: _,
         } = self;
-        for list in [square, mixed, linear, unit] {
+        for list in [square, mixed, linear, mixed_rest, linear_rest, unit] {
             list.iter().copied().for_each(&mut *sink);
         }
         sink(*constant);
+    }
+
+    /// The coefficient of a pair of axes, as exact as the number can have it.
+    pub(super) fn mixed<R: Real>(&self, k: usize) -> R {
+        whole(self.mixed[k], self.rest[0][k])
+    }
+
+    /// The coefficient of an axis, as exact as the number can have it.
+    pub(super) fn linear<R: Real>(&self, i: usize) -> R {
+        whole(self.linear[i], self.rest[1][i])
+    }
+
+    /// Whether a coefficient of the second degree, the square's or the pair's, is rounded.
+    pub(super) fn is_rounded<R: Real>(&self, i: usize, pair: bool) -> bool {
+        let (x, rest) = match pair {
+            true => (self.mixed[i], self.rest[0][i]),
+            false => (self.square[i], 0.0),
+        };
+        is_hardware::<R>() && (rest != 0.0 || R::of(x).to_f64() != x)
     }
 
     /// Whether F is zero everywhere.
@@ -127,10 +165,10 @@ impl Form {
         };
         for i in 0..3 {
             add(R::of(self.square[i]) * x[i] * x[i]);
-            add(R::of(self.linear[i]) * x[i] * w);
+            add(self.linear::<R>(i) * x[i] * w);
         }
         for (k, (i, j)) in PAIRS.into_iter().enumerate() {
-            add(R::of(self.mixed[k]) * x[i] * x[j]);
+            add(self.mixed::<R>(k) * x[i] * x[j]);
         }
         (sum, size)
     }
@@ -138,9 +176,9 @@ impl Form {
     /// The gradient of F at x, in the form's own units.
     fn gradient<R: Real>(&self, x: Vec3<R>) -> Vec3<R> {
         let mut g =
-            Vec3([0, 1, 2].map(|i| R::of(2.0 * self.square[i]) * x[i] + R::of(self.linear[i])));
+            Vec3([0, 1, 2].map(|i| R::of(2.0 * self.square[i]) * x[i] + self.linear::<R>(i)));
         for (k, (i, j)) in PAIRS.into_iter().enumerate() {
-            let m = R::of(self.mixed[k]);
+            let m = self.mixed::<R>(k);
             g[i] += m * x[j];
             g[j] += m * x[i];
         }

@@ -396,16 +396,15 @@ fn normalised<R: Real>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
 /// dᵀAd by compensated summation: the errors of products come from fused multiply-adds, those of
 /// sums from Knuth's two-sum (Ogita, Rump and Oishi, "Accurate Sum and Dot Product", 2005). The
 /// error is at most 2u of the result plus γₙ² of the sizes of the terms (γₙ of them where products
-/// are not fused), plus 2u of them where a coordinate was rounded in a division by its unit. Where
-/// nothing was lost it is zero.
+/// are not fused), plus 3u of them where two coordinates were rounded in a division by their units or
+/// the coefficient was. Where nothing was lost it is zero.
 fn leading<R: Real>(form: &Form, d: Vec3<R>) -> Bounded<R> {
     let (mut sum, mut lost, mut size) = (R::ZERO, R::ZERO, R::ZERO);
     let (mut divided, mut exact) = (R::ZERO, true);
-    let mut add = |k: f64, i: usize, j: usize| {
-        if k == 0.0 {
+    let mut add = |k: R, rounded: bool, i: usize, j: usize| {
+        if k == R::ZERO {
             return;
         }
-        let k = R::of(k);
         let half = k * d[i];
         let half_error = k.mul_add(d[i], -half);
         let term = half * d[j];
@@ -417,15 +416,15 @@ fn leading<R: Real>(form: &Form, d: Vec3<R>) -> Bounded<R> {
         exact &= rest == R::ZERO;
         sum = next;
         size += term.abs();
-        if form.unit[i] != 1.0 || form.unit[j] != 1.0 {
+        if rounded || form.unit[i] != 1.0 || form.unit[j] != 1.0 {
             divided += term.abs();
         }
     };
     for i in 0..3 {
-        add(form.square[i], i, i);
+        add(R::of(form.square[i]), form.is_rounded::<R>(i, false), i, i);
     }
     for (k, (i, j)) in PAIRS.into_iter().enumerate() {
-        add(form.mixed[k], i, j);
+        add(form.mixed(k), form.is_rounded::<R>(k, true), i, j);
     }
     let value = sum + lost;
     let gamma = R::gamma(OPERATIONS);
@@ -434,13 +433,13 @@ fn leading<R: Real>(form: &Form, d: Vec3<R>) -> Bounded<R> {
     } else {
         gamma
     };
-    let two_u = R::gamma(2);
+    let (two_u, three_u) = (R::gamma(2), R::gamma(3));
     Bounded {
         value,
         error: if exact {
-            two_u * divided
+            three_u * divided
         } else {
-            two_u * (value.abs() + divided) + noise * size
+            two_u * value.abs() + three_u * divided + noise * size
         },
     }
 }
@@ -454,10 +453,10 @@ fn cross<R: Real>(form: &Form, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
     };
     for i in 0..3 {
         add(R::of(2.0 * form.square[i]) * p[i] * d[i]);
-        add(R::of(form.linear[i]) * d[i] * w);
+        add(form.linear::<R>(i) * d[i] * w);
     }
     for (k, (i, j)) in PAIRS.into_iter().enumerate() {
-        let m = R::of(form.mixed[k]);
+        let m = form.mixed::<R>(k);
         add(m * p[i] * d[j]);
         add(m * p[j] * d[i]);
     }
