@@ -149,8 +149,8 @@ impl<R: Real> Path<R> {
     /// length; the point is at |start·unit| on the line's own scale. Where the move to the closest
     /// approach is not fused, its product is rounded, too, unless it is exact.
     ///
-    /// A direction that turns by φ in the plan moves s₀ and δ by φ of their size, and by no more
-    /// than twice that however far it turns.
+    /// A direction that turns in the plan moves s₀ and δ by at most the chord between the two unit
+    /// vectors times their size: less than twice the sine of the angle, and never more than two.
     fn stray(&mut self, line: &Line<R>, exact: Vec3<R>, scale: f64) {
         const DIAGONAL: f64 = 1.75;
         let diagonal = R::of(DIAGONAL);
@@ -166,7 +166,8 @@ impl<R: Real> Path<R> {
         // `unit` holds the direction's and the shape's power of two; the latter has to go again.
         self.turned = diagonal * (line.slack.direction * (self.unit * R::of(scale))) / self.length;
         if self.turned > R::ZERO {
-            let swing = (self.turned / self.across).min(R::of(2.0));
+            let two = R::of(2.0);
+            let swing = (two * (self.turned / self.across)).min(two);
             self.error += swing * (self.s0.abs() + self.delta);
         }
         self.error += self.moved;
