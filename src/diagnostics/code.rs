@@ -90,6 +90,7 @@ codes! {
     W306 "no-real-points";
     W314 "suspicious-line-break";
     W320 "self-intersecting";
+    W321 "coincident-faces";
     W322 "ill-scaled";
     N601 "not-utf8";
     N602 "no-camera";

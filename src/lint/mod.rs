@@ -81,6 +81,7 @@ const RULES: &[Rule] = &[
     rules::degenerate_shape::check,
     rules::no_real_points::check,
     rules::self_intersecting::check,
+    rules::coincident_faces::check,
     rules::ill_scaled::check,
     rules::no_camera::check,
     rules::no_light::check,

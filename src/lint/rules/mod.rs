@@ -2,6 +2,7 @@
 
 pub mod asymmetric_quadric;
 pub mod bare_comment;
+pub mod coincident_faces;
 pub mod degenerate_shape;
 pub mod energy_gain;
 pub mod ill_scaled;
