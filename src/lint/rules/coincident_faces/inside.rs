@@ -5,7 +5,7 @@ use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
 
 /// Steps of all tests together: nodes visited and profile points compared. A second's worth of
 /// work is many times that.
-const STEPS: usize = 3_000_000;
+const STEPS: usize = 1_000_000;
 
 /// Answers for one scene, as long as the steps last.
 pub struct Inside<'a> {

@@ -56,6 +56,9 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let group = groups.entry((found.operation, tool.shape, case));
         group.or_default().push((tool, other, found));
     }
+    if groups.is_empty() {
+        return;
+    }
     let parents = Parents::new(scene, &live);
     for ((operation, _, case), pairs) in &groups {
         let at = (scene.operations).binary_search_by_key(operation, |o| o.node);

@@ -20,9 +20,13 @@ pub const NEAR: f64 = 1e-9;
 /// Rounding of a point's coordinates on the way through two matrices, as a share of their size.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Nodes visited and faces compared. Scenes that share parts without end would take longer: what is
-/// not looked at is not spoken of.
-const STEPS: usize = 3_000_000;
+/// Nodes visited and faces compared, in all and on the way down from one operation. Scenes that share
+/// parts without end would take longer: what is not looked at is not spoken of.
+const STEPS: usize = 4_000_000;
+const CHAIN_STEPS: usize = 2_000_000;
+
+/// What a trial of two faces at all their samples costs, in steps.
+const SAMPLES_COST: usize = 128;
 
 /// One of two faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,16 +60,24 @@ pub fn search(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<Found>
         scene,
         inside: Inside::new(scene, bounds),
         weights: weights(scene),
-        left: STEPS,
+        left: 0,
         found: Vec::new(),
     };
     let mut done = vec![false; scene.nodes.len()];
+    let mut steps = STEPS;
     for top in (0..scene.nodes.len()).rev() {
         let cuts = matches!(
             scene.nodes[top],
             Node::Difference(..) | Node::Intersection(..)
         );
-        if cuts && live[top] && !done[top] && search.chain(top as NodeId, &mut done).is_none() {
+        if cuts && live[top] && !done[top] {
+            let allowed = steps.min(CHAIN_STEPS);
+            search.left = allowed;
+            // A chain that is too long is left where it is; the others have their turn.
+            let _ = search.chain(top as NodeId, &mut done);
+            steps -= allowed - search.left;
+        }
+        if steps == 0 {
             break;
         }
     }
@@ -201,8 +213,9 @@ struct Step {
 
 impl Search<'_> {
     fn spend(&mut self, steps: usize) -> Option<()> {
-        self.left = self.left.checked_sub(steps)?;
-        Some(())
+        let left = self.left.checked_sub(steps);
+        self.left = left.unwrap_or(0);
+        left.map(|_| ())
     }
 
     /// Looks at all operations on the way from this one down; `None` when no steps are left.
@@ -330,8 +343,8 @@ impl Search<'_> {
             let mut partners = known.against(face, *turned, leaf.size);
             // The earliest is mostly the workpiece.
             partners.sort_unstable();
+            self.spend(partners.len())?;
             for partner in partners {
-                self.spend(1)?;
                 let (other, other_turned) = &known.faces[partner as usize];
                 let other_leaf = &leaves[other.leaf as usize];
                 let pair = Pair {
@@ -343,7 +356,7 @@ impl Search<'_> {
                 if self.identical(&pair) || !touch(&pair) {
                     continue;
                 }
-                self.spend(32)?;
+                self.spend(SAMPLES_COST)?;
                 if let Some(witness) = self.witness(&pair) {
                     let side = |f: &Face, l: &Leaf, cuts: bool| {
                         let stretch = l.matrix.determinant3().abs().cbrt();
