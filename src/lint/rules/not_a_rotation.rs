@@ -114,8 +114,8 @@ fn nearest_orthogonal(m: &Matrix3) -> Option<Matrix3> {
     let mut x = m.map(|row| row.map(|e| e / size));
     for _ in 0..STEPS {
         let mut wide = Matrix::IDENTITY;
-        for i in 0..3 {
-            wide.0[i][..3].copy_from_slice(&x[i]);
+        for (to, from) in wide.0.iter_mut().zip(&x) {
+            to[..3].copy_from_slice(from);
         }
         let back = wide.inverse()?.0;
         // Transposed.

@@ -35,6 +35,9 @@ enum Case {
     Touch,
 }
 
+/// A face that two shapes share: the tool's, the other's, and what was found.
+type Shared = (Side, Side, Found);
+
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let cuts = |n: &Node| matches!(n, Node::Difference(..) | Node::Intersection(..));
@@ -44,7 +47,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let live = live_nodes(scene);
     let bounds = node_bounds(scene);
     // One finding for each tool of an operation, however many faces it shares.
-    let mut groups: BTreeMap<(NodeId, u32, Case), Vec<(Side, Side, Found)>> = BTreeMap::new();
+    let mut groups: BTreeMap<(NodeId, u32, Case), Vec<Shared>> = BTreeMap::new();
     for found in search(scene, &bounds, &live) {
         let [new, old] = found.sides;
         let (case, tool, other) = match (new.cuts, old.cuts) {
@@ -74,7 +77,7 @@ fn finding(
     context: &Context,
     operation: &OperationRecord,
     case: Case,
-    pairs: &[(Side, Side, Found)],
+    pairs: &[Shared],
     parents: &Parents,
 ) -> Option<Diagnostic> {
     let scene = context.scene;

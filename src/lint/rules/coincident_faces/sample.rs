@@ -44,8 +44,8 @@ pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
         return Vec::new();
     }
     let mut points = vec![centre];
-    for i in 0..n {
-        let corner = sub(outline[i], centre);
+    for (i, &p) in outline.iter().enumerate() {
+        let corner = sub(p, centre);
         let side = add(corner, edge(i), 0.47);
         points.extend([
             add(centre, corner, 0.53),
