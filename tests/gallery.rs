@@ -51,6 +51,19 @@ fn every_record_type_is_in_the_gallery() {
     assert!(missing.is_empty(), "not in the gallery: {missing:?}");
 }
 
+#[test]
+fn no_scene_is_warned_of() {
+    for scene in scenes() {
+        let loaded = zpg::commands::load(&scene).unwrap();
+        assert!(
+            loaded.diagnostics.is_empty(),
+            "{}: {:#?}",
+            scene.display(),
+            loaded.diagnostics
+        );
+    }
+}
+
 fn read_png(path: &Path) -> (u32, u32, Vec<u8>) {
     let mut reader = png::Decoder::new(BufReader::new(File::open(path).unwrap()))
         .read_info()

@@ -84,7 +84,14 @@ codes! {
     E209 "unsafe-path";
     E210 "unreadable-file";
     W302 "energy-gain";
+    W303 "not-a-rotation";
+    W304 "asymmetric-quadric";
+    W305 "degenerate-shape";
+    W306 "no-real-points";
     W314 "suspicious-line-break";
+    W320 "self-intersecting";
+    W321 "coincident-faces";
+    W322 "ill-scaled";
     N601 "not-utf8";
     N602 "no-camera";
     N603 "no-light";

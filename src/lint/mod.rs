@@ -1,11 +1,13 @@
 //! Rules over the tree and the scene, one file a rule. A rule never speaks about a record that is
 //! broken: the parser or the resolver has done so.
 
+mod definite;
 mod rules;
 
-use crate::diagnostics::Diagnostic;
-use crate::scene::Scene;
-use crate::syntax::Document;
+use crate::diagnostics::{Diagnostic, Span};
+use crate::scene::record::Params;
+use crate::scene::{Node, Scene};
+use crate::syntax::{Document, Item};
 
 /// What a rule may look at.
 pub struct Context<'a> {
@@ -14,11 +16,73 @@ pub struct Context<'a> {
     pub scene: &'a Scene,
 }
 
+impl Context<'_> {
+    /// The parameters of the record that starts where the span does.
+    fn params(&self, span: Span) -> Option<Params<'_>> {
+        let items = &self.document.items;
+        let start = |item: &Item| self.document.tokens[item.ends().0 as usize].start;
+        let at = items.partition_point(|item| start(item) < span.start);
+        match items.get(at) {
+            Some(Item::Record(r)) if start(&items[at]) == span.start => {
+                Some(Params::new(self.document, self.text, r))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Which nodes an ID stands for at the end of the file, or something made of them: not the steps
+/// between two records that change one object.
+fn live_nodes(scene: &Scene) -> Vec<bool> {
+    let mut live = vec![false; scene.nodes.len()];
+    for node in scene.entities.iter().filter_map(|e| e.node) {
+        live[node as usize] = true;
+    }
+    // Children stand before their parents.
+    for (i, node) in scene.nodes.iter().enumerate().rev() {
+        // Operations are records of their own, whatever becomes of their results.
+        let operation = matches!(
+            node,
+            Node::Union(..) | Node::Intersection(..) | Node::Difference(..) | Node::Complement(_)
+        );
+        live[i] |= operation;
+        if live[i] {
+            for child in node.children().into_iter().flatten() {
+                live[child as usize] = true;
+            }
+        }
+    }
+    live
+}
+
+/// A number as it stands in a scene.
+fn spelled(x: f64) -> String {
+    let text = format!("{:?}", x + 0.0);
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+}
+
+/// A number for people: four significant digits.
+fn rough(x: f64) -> String {
+    let exact = spelled(x);
+    let digits = exact.bytes().filter(u8::is_ascii_digit).count();
+    match format!("{x:.3e}").parse() {
+        Ok(rounded) if digits > 4 => spelled(rounded),
+        _ => exact,
+    }
+}
+
 type Rule = fn(&Context, &mut Vec<Diagnostic>);
 
 /// Every rule, in the order of its code.
 const RULES: &[Rule] = &[
     rules::energy_gain::check,
+    rules::not_a_rotation::check,
+    rules::asymmetric_quadric::check,
+    rules::degenerate_shape::check,
+    rules::no_real_points::check,
+    rules::self_intersecting::check,
+    rules::coincident_faces::check,
+    rules::ill_scaled::check,
     rules::no_camera::check,
     rules::no_light::check,
     rules::notation_separator::check,
@@ -32,3 +96,6 @@ pub fn run(context: &Context, out: &mut Vec<Diagnostic>) {
         rule(context, out);
     }
 }
+
+#[cfg(test)]
+mod testing;

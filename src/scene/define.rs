@@ -28,7 +28,13 @@ impl Resolver<'_> {
                     -102 => Node::Intersection(b, c),
                     _ => Node::Difference(b, c),
                 };
-                Some(State::Object(self.node(node)))
+                let node = self.node(node);
+                self.scene.operations.push(OperationRecord {
+                    id: p.id,
+                    node,
+                    span: p.span,
+                });
+                Some(State::Object(node))
             }
             -104 => {
                 let b = self.object(p, 0)?;

@@ -17,7 +17,7 @@ mod geometry;
 pub(crate) mod image_file;
 pub mod matrix;
 mod proposals;
-mod record;
+pub(crate) mod record;
 mod references;
 mod resolve;
 
@@ -50,6 +50,8 @@ pub struct Scene {
     pub view: View,
     pub render: Option<Render>,
     pub promises: Vec<Promise>,
+    /// Unions, intersections and differences, in file order.
+    pub operations: Vec<OperationRecord>,
     /// Every entity, in the order of definition.
     pub entities: Vec<Entity>,
 }
@@ -78,6 +80,22 @@ pub enum Node {
         child: NodeId,
         id: u32,
     },
+}
+
+impl Node {
+    /// What the node is made of; two for an operation with two operands.
+    pub fn children(self) -> [Option<NodeId>; 2] {
+        match self {
+            Node::Shape(_) => [None; 2],
+            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
+                [Some(a), Some(b)]
+            }
+            Node::Complement(child)
+            | Node::Transform { child, .. }
+            | Node::Paint { child, .. }
+            | Node::Copy { child, .. } => [Some(child), None],
+        }
+    }
 }
 
 /// One shape record.
@@ -293,6 +311,14 @@ pub struct Promise {
     pub id: u32,
     pub node: NodeId,
     pub volume: Volume,
+    pub span: Span,
+}
+
+/// The record that made the node of an operation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OperationRecord {
+    pub id: u32,
+    pub node: NodeId,
     pub span: Span,
 }
 

@@ -1,8 +1,15 @@
 //! One file a rule.
 
+pub mod asymmetric_quadric;
 pub mod bare_comment;
+pub mod coincident_faces;
+pub mod degenerate_shape;
 pub mod energy_gain;
+pub mod ill_scaled;
 pub mod no_camera;
 pub mod no_light;
+pub mod no_real_points;
+pub mod not_a_rotation;
 pub mod notation_separator;
+pub mod self_intersecting;
 pub mod several_records_per_line;

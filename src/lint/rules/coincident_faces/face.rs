@@ -1,0 +1,288 @@
+//! The faces of shapes, placed: flat ones as oriented planes with their outlines, round ones as
+//! surfaces with a point that tells them from others.
+
+use super::inside::in_profile;
+use super::vector::{add, cross, dot, length, sub, unit};
+use crate::scene::bounds::shape_bounds;
+use crate::scene::{Aabb, Geometry, Matrix, NodeId, Scene, Vec3};
+
+/// Profiles with more points have no faces here: to tell the sides of each of their pieces takes
+/// the square of their number. The rule stays silent about them.
+const PROFILE_MAX: usize = 64;
+
+/// A shape where it occurs in an operand.
+#[derive(Debug, Clone)]
+pub struct Leaf {
+    /// The shape's own node.
+    pub node: NodeId,
+    /// Index into the scene's shapes.
+    pub shape: u32,
+    /// From the shape's coordinates into those of the search.
+    pub matrix: Matrix,
+    /// Where it is; infinite for what has no end.
+    pub bounds: Aabb,
+    /// The longest side of its bounds.
+    pub size: f64,
+}
+
+impl Leaf {
+    pub fn new(scene: &Scene, node: NodeId, shape: u32, matrix: Matrix) -> Leaf {
+        let bounds = shape_bounds(&scene.shapes[shape as usize].geometry, &matrix);
+        let size = (0..3).fold(0.0f64, |s, i| s.max(bounds.max[i] - bounds.min[i]));
+        Leaf {
+            node,
+            shape,
+            matrix,
+            bounds,
+            size,
+        }
+    }
+}
+
+/// Which part of a shape's surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// The whole of it.
+    All,
+    /// Of a box: at right angles to an axis, at its lower or upper end.
+    Side { axis: usize, upper: bool },
+    /// Of a cone, the base, of a double cone the upper or lower one.
+    Base { upper: bool },
+    /// Of a cone or double cone.
+    Mantle,
+    /// Of a profile, the piece from this point to the next.
+    Piece(usize),
+    /// Of a profile, the disc that closes this point's end.
+    Cap(usize),
+}
+
+#[derive(Debug, Clone)]
+pub enum Form {
+    Flat {
+        /// Outwards, of length 1.
+        normal: Vec3,
+        /// Four corners around the face; none where it has no end.
+        corners: Vec<Vec3>,
+        /// Points of the face where the middle of the corners may not be one.
+        samples: Vec<Vec3>,
+        /// A point of its plane.
+        point: Vec3,
+    },
+    Round {
+        /// The same for equal surfaces, whatever piece of them this is.
+        anchor: Vec3,
+        /// A length that is the same for equal surfaces.
+        scale: f64,
+        class: u8,
+    },
+}
+
+#[derive(Debug, Clone)]
+pub struct Face {
+    /// Index into the leaves of the search.
+    pub leaf: u32,
+    pub part: Part,
+    pub form: Form,
+}
+
+/// All faces of a shape that the search knows.
+pub fn faces(geometry: &Geometry, leaf: u32, m: &Matrix, out: &mut Vec<Face>) {
+    let mut faces = Faces { leaf, m, out };
+    match geometry {
+        Geometry::Box { min, max } => {
+            let centre: Vec3 = std::array::from_fn(|i| min[i] / 2.0 + max[i] / 2.0);
+            let half: Vec3 = std::array::from_fn(|i| max[i] / 2.0 - min[i] / 2.0);
+            let along = |i: usize, x: f64| -> Vec3 {
+                std::array::from_fn(|j| if i == j { x } else { 0.0 })
+            };
+            for axis in 0..3 {
+                let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+                for upper in [false, true] {
+                    let mut c = centre;
+                    c[axis] = if upper { max[axis] } else { min[axis] };
+                    let sides = (along(j, half[j]), along(k, half[k]));
+                    let outwards = along(axis, if upper { 1.0 } else { -1.0 });
+                    faces.flat(Part::Side { axis, upper }, c, sides, outwards, &[], true);
+                }
+            }
+        }
+        Geometry::HalfSpace([a, b, c, d]) => {
+            let Some(n) = unit([*a, *b, *c]) else { return };
+            let point = n.map(|x| -x * (d / length([*a, *b, *c])));
+            // Any two directions in the plane.
+            let least = (0..3).fold(0, |i, j| if n[j].abs() < n[i].abs() { j } else { i });
+            let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
+            let u = cross(n, axis);
+            faces.flat(Part::All, point, (u, cross(n, u)), n, &[], false);
+        }
+        Geometry::Cone { height, radius } => {
+            faces.disc(
+                Part::Base { upper: true },
+                *height,
+                (0.0, *radius),
+                height.signum(),
+            );
+            faces.round(Part::Mantle, [0.0; 3], 0.0, CONE);
+        }
+        Geometry::DoubleCone { height, radius } => {
+            faces.disc(Part::Base { upper: true }, *height, (0.0, *radius), 1.0);
+            faces.disc(Part::Base { upper: false }, -*height, (0.0, *radius), -1.0);
+            faces.round(Part::Mantle, [0.0; 3], 0.0, CONE);
+        }
+        Geometry::Sphere { centre, radius } => faces.round(Part::All, *centre, *radius, BALL),
+        Geometry::Ellipsoid {
+            semi_axes: [a, b, c],
+        } => {
+            faces.round(Part::All, [0.0; 3], (a * b * c).cbrt(), BALL);
+        }
+        Geometry::Torus { major, minor } => {
+            faces.round(Part::All, [0.0; 3], major + minor, TORUS);
+        }
+        Geometry::Revolution { profile, .. } if profile.len() <= PROFILE_MAX => {
+            faces.revolution(profile);
+        }
+        _ => {}
+    }
+}
+
+// Surfaces of different classes are never equal.
+const BALL: u8 = 0;
+const TORUS: u8 = 1;
+const CONE: u8 = 2;
+const CYLINDER: u8 = 3;
+
+struct Faces<'a> {
+    leaf: u32,
+    m: &'a Matrix,
+    out: &'a mut Vec<Face>,
+}
+
+impl Faces<'_> {
+    /// The parallelogram centre ± sides, or all of its plane.
+    fn flat(
+        &mut self,
+        part: Part,
+        centre: Vec3,
+        (u, v): (Vec3, Vec3),
+        outwards: Vec3,
+        samples: &[Vec3],
+        bounded: bool,
+    ) {
+        let c = self.m.point(centre);
+        let (u, v) = (self.m.vector(u), self.m.vector(v));
+        let Some(normal) = unit(cross(u, v)) else {
+            return;
+        };
+        let side = dot(normal, self.m.vector(outwards)).signum();
+        let corner = |a: f64, b: f64| add(add(c, u, a), v, b);
+        let corners = match bounded {
+            true => vec![
+                corner(-1.0, -1.0),
+                corner(1.0, -1.0),
+                corner(1.0, 1.0),
+                corner(-1.0, 1.0),
+            ],
+            false => Vec::new(),
+        };
+        self.out.push(Face {
+            leaf: self.leaf,
+            part,
+            form: Form::Flat {
+                normal: normal.map(|x| x * side),
+                corners,
+                samples: samples.iter().map(|&p| self.m.point(p)).collect(),
+                point: c,
+            },
+        });
+    }
+
+    /// A disc or ring about the y axis.
+    fn disc(&mut self, part: Part, y: f64, (inner, outer): (f64, f64), up: f64) {
+        // Eight points in the middle of the ring, none on an axis.
+        let middle = inner / 2.0 + outer / 2.0;
+        let samples: Vec<Vec3> = (0..8)
+            .map(|i| {
+                let (sin, cos) = (f64::from(i) * std::f64::consts::FRAC_PI_4 + 0.3).sin_cos();
+                [middle * cos, y, middle * sin]
+            })
+            .collect();
+        let sides = ([outer, 0.0, 0.0], [0.0, 0.0, outer]);
+        self.flat(part, [0.0, y, 0.0], sides, [0.0, up, 0.0], &samples, true);
+    }
+
+    fn round(&mut self, part: Part, anchor: Vec3, scale: f64, class: u8) {
+        self.out.push(Face {
+            leaf: self.leaf,
+            part,
+            form: Form::Round {
+                anchor: self.m.point(anchor),
+                // Volumes grow by the determinant.
+                scale: scale * self.m.determinant3().abs().cbrt(),
+                class,
+            },
+        });
+    }
+
+    fn revolution(&mut self, profile: &[[f64; 2]]) {
+        let n = profile.len();
+        let top = profile.iter().fold(0.0f64, |m, p| m.max(p[1].abs()));
+        // Far enough from a level piece to be on one side of it for certain: the height of no other
+        // level piece lies between.
+        let step = |y: f64| {
+            let others = profile
+                .iter()
+                .map(|p| (p[1] - y).abs())
+                .filter(|d| *d > 0.0);
+            others.fold(top.max(f64::MIN_POSITIVE), f64::min) / 2.0
+        };
+        let mut level = |part: Part, y: f64, (a, b): (f64, f64)| {
+            let radii = (a.min(b), a.max(b));
+            let middle = radii.0 / 2.0 + radii.1 / 2.0;
+            let h = step(y).min((radii.1 - radii.0) / 4.0);
+            let (above, below) = (
+                in_profile(profile, middle, y + h),
+                in_profile(profile, middle, y - h),
+            );
+            // Level pieces that lie in one another do not change sides.
+            if above != below && radii.0 < radii.1 {
+                self.disc(part, y, radii, if below { 1.0 } else { -1.0 });
+            }
+        };
+        if profile[0] != profile[n - 1] {
+            level(Part::Cap(0), profile[0][1], (0.0, profile[0][0]));
+            level(
+                Part::Cap(n - 1),
+                profile[n - 1][1],
+                (0.0, profile[n - 1][0]),
+            );
+        }
+        for i in 0..n - 1 {
+            let ([x0, y0], [x1, y1]) = (profile[i], profile[i + 1]);
+            if y0 == y1 {
+                level(Part::Piece(i), y0, (x0, x1));
+            }
+        }
+        for i in 0..n - 1 {
+            let ([x0, y0], [x1, y1]) = (profile[i], profile[i + 1]);
+            if y0 == y1 || (x0 == 0.0 && x1 == 0.0) {
+                continue;
+            }
+            if x0 == x1 {
+                // The point of the axis that is nearest to the origin of the search.
+                let (at, axis) = (self.m.point([0.0; 3]), self.m.vector([0.0, 1.0, 0.0]));
+                let back = dot(at, axis) / dot(axis, axis);
+                self.round(Part::Piece(i), [0.0; 3], 0.0, CYLINDER);
+                if let Some(Face {
+                    form: Form::Round { anchor, .. },
+                    ..
+                }) = self.out.last_mut()
+                {
+                    *anchor = sub(at, axis.map(|x| x * back));
+                }
+            } else {
+                let apex = y0 - x0 * ((y1 - y0) / (x1 - x0));
+                self.round(Part::Piece(i), [0.0, apex, 0.0], 0.0, CONE);
+            }
+        }
+    }
+}

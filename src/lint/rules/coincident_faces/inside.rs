@@ -1,0 +1,245 @@
+//! Whether a point is in an object: an answer only where it is certain enough to build on.
+
+use crate::scene::bounds::NodeBounds;
+use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
+
+/// Steps of all tests together: nodes visited and profile points compared. A second's worth of
+/// work is many times that.
+const STEPS: usize = 1_000_000;
+
+/// Answers for one scene, as long as the steps last.
+pub struct Inside<'a> {
+    scene: &'a Scene,
+    bounds: &'a [NodeBounds],
+    /// Inverses of the scene's matrices, made when they are first needed.
+    inverses: Vec<Option<Matrix>>,
+    left: usize,
+}
+
+enum Task {
+    Ask(NodeId, Vec3),
+    /// Turns the last answer round.
+    Not,
+    /// The second operand has its answer: ask the first, unless it is settled.
+    First(NodeId, Vec3),
+    /// The first operand has its answer; the second's was this.
+    Join(NodeId, Option<bool>),
+}
+
+impl<'a> Inside<'a> {
+    pub fn new(scene: &'a Scene, bounds: &'a [NodeBounds]) -> Inside<'a> {
+        Inside {
+            scene,
+            bounds,
+            inverses: vec![None; scene.matrices.len()],
+            left: STEPS,
+        }
+    }
+
+    /// Whether a point, in the node's coordinates, is in it. `None` where that is not known, or no
+    /// steps are left.
+    pub fn node(&mut self, node: NodeId, p: Vec3) -> Option<bool> {
+        let mut tasks = vec![Task::Ask(node, p)];
+        let mut answers: Vec<Option<bool>> = Vec::new();
+        while let Some(task) = tasks.pop() {
+            self.left = self.left.checked_sub(1)?;
+            match task {
+                Task::Ask(node, p) => self.ask(node, p, &mut tasks, &mut answers)?,
+                Task::Not => {
+                    let answer = answers.pop()?;
+                    answers.push(answer.map(|x| !x));
+                }
+                Task::First(node, p) => {
+                    let second = answers.pop()?;
+                    match (self.scene.nodes[node as usize], second) {
+                        (Node::Union(..), Some(true)) => answers.push(Some(true)),
+                        (Node::Intersection(..), Some(false))
+                        | (Node::Difference(..), Some(true)) => answers.push(Some(false)),
+                        (operation, _) => {
+                            tasks.push(Task::Join(node, second));
+                            tasks.push(Task::Ask(operation.children()[0]?, p));
+                        }
+                    }
+                }
+                Task::Join(node, second) => {
+                    let first = answers.pop()?;
+                    let joined = match self.scene.nodes[node as usize] {
+                        Node::Union(..) => either(first, second),
+                        Node::Intersection(..) => both(first, second),
+                        _ => both(first, second.map(|x| !x)),
+                    };
+                    answers.push(joined);
+                }
+            }
+        }
+        answers.pop()?
+    }
+
+    fn ask(
+        &mut self,
+        node: NodeId,
+        p: Vec3,
+        tasks: &mut Vec<Task>,
+        answers: &mut Vec<Option<bool>>,
+    ) -> Option<()> {
+        if !self.bounds[node as usize].all.contains(p) {
+            answers.push(Some(false));
+            return Some(());
+        }
+        match self.scene.nodes[node as usize] {
+            Node::Shape(s) => {
+                let geometry = &self.scene.shapes[s as usize].geometry;
+                answers.push(self.shape(geometry, p));
+            }
+            Node::Transform { child, matrix } => {
+                let known = &mut self.inverses[matrix as usize];
+                if known.is_none() {
+                    *known = self.scene.matrices[matrix as usize].inverse();
+                }
+                tasks.push(Task::Ask(child, (*known)?.point(p)));
+            }
+            Node::Paint { child, .. } | Node::Copy { child, .. } => {
+                tasks.push(Task::Ask(child, p));
+            }
+            Node::Complement(child) => {
+                tasks.push(Task::Not);
+                tasks.push(Task::Ask(child, p));
+            }
+            // The second operand first: chains grow by it, and it is mostly the smaller one.
+            Node::Union(_, second)
+            | Node::Intersection(_, second)
+            | Node::Difference(_, second) => {
+                tasks.push(Task::First(node, p));
+                tasks.push(Task::Ask(second, p));
+            }
+        }
+        Some(())
+    }
+
+    /// Whether a point, in the shape's coordinates, is in it.
+    pub fn shape(&mut self, geometry: &Geometry, p: Vec3) -> Option<bool> {
+        if let Geometry::Revolution { profile, .. } = geometry {
+            self.left = self.left.checked_sub(profile.len())?;
+        }
+        in_shape(geometry, p)
+    }
+}
+
+/// Kleene's "or": true if one is.
+fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    match (a, b) {
+        (Some(true), _) | (_, Some(true)) => Some(true),
+        (Some(false), Some(false)) => Some(false),
+        _ => None,
+    }
+}
+
+fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    either(a.map(|x| !x), b.map(|x| !x)).map(|x| !x)
+}
+
+fn in_shape(geometry: &Geometry, p: Vec3) -> Option<bool> {
+    let [x, y, z] = p;
+    let square = |v: f64, unit: f64| (v / unit) * (v / unit);
+    Some(match geometry {
+        Geometry::Revolution { profile, .. } => in_profile(profile, x.hypot(z), y),
+        // A surface has no inside, and what it is taken away from stays what it was.
+        Geometry::Plane(_) | Geometry::Rectangle { .. } | Geometry::Triangle { .. } => false,
+        Geometry::HalfSpace([a, b, c, d]) => a * x + b * y + c * z + d <= 0.0,
+        Geometry::Sphere { centre, radius } => {
+            (x - centre[0]).hypot(y - centre[1]).hypot(z - centre[2]) <= *radius
+        }
+        Geometry::Ellipsoid {
+            semi_axes: [a, b, c],
+        } => square(x, *a) + square(y, *b) + square(z, *c) <= 1.0,
+        Geometry::Box { min, max } => (0..3).all(|i| min[i] <= p[i] && p[i] <= max[i]),
+        Geometry::GeodesicSphere { radius, .. } => {
+            // The least of all, the icosahedron, holds a ball of 0.79 of its circumscribed one.
+            const HELD: f64 = 0.79;
+            let away = x.hypot(y).hypot(z);
+            match away {
+                a if a > *radius => false,
+                a if a <= HELD * radius => true,
+                _ => return None,
+            }
+        }
+        Geometry::Torus { major, minor } => {
+            // By the even-odd rule in half a plane through the axis: inside of one of the circles
+            // about ±R, not of both.
+            let away = x.hypot(z);
+            let near = (away - major).hypot(y) <= *minor;
+            near != ((away + major).hypot(y) <= *minor)
+        }
+        Geometry::Quadric(q) => {
+            let v = [x, y, z, 1.0];
+            let value: f64 = (0..16).map(|k| q[k] * v[k / 4] * v[k % 4]).sum();
+            value <= 0.0
+        }
+        Geometry::Cone { height, radius } => {
+            let share = y / height;
+            (0.0..=1.0).contains(&share) && x.hypot(z) <= radius * share
+        }
+        Geometry::DoubleCone { height, radius } => {
+            let share = y.abs() / height;
+            share <= 1.0 && x.hypot(z) <= radius * share
+        }
+        Geometry::ParabolicCylinder { a } => square(x, *a) <= y,
+        Geometry::HyperbolicCylinder { a, b } => square(x, *a) - square(y, *b) <= 1.0,
+        Geometry::Hyperboloid { a, b, c, sheets } => {
+            let side = if *sheets == 1 { 1.0 } else { -1.0 };
+            square(x, *a) - square(y, *b) + square(z, *c) <= side
+        }
+        Geometry::HyperbolicParaboloid { a, b } => square(x, *a) - square(z, *b) <= y,
+    })
+}
+
+/// The even-odd rule for a profile closed over the axis: how many of its pieces are further out at
+/// this height. The discs that close it are level and have no height of their own.
+pub fn in_profile(profile: &[[f64; 2]], radius: f64, y: f64) -> bool {
+    let outside = profile.windows(2).filter(|w| {
+        let ([x0, y0], [x1, y1]) = (w[0], w[1]);
+        (y0 > y) != (y1 > y) && x0 + (x1 - x0) * ((y - y0) / (y1 - y0)) > radius
+    });
+    outside.count() % 2 == 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn profiles_by_even_odd() {
+        // A cylinder of radius 1, a ring, a cone's profile.
+        let cylinder = [[1.0, 0.0], [1.0, 2.0]];
+        assert!(in_profile(&cylinder, 0.9, 1.0) && !in_profile(&cylinder, 1.1, 1.0));
+        assert!(!in_profile(&cylinder, 0.5, 2.1) && !in_profile(&cylinder, 0.5, -0.1));
+        let ring = [[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
+        assert!(in_profile(&ring, 1.5, 0.5) && !in_profile(&ring, 0.5, 0.5));
+        let cone = [[0.0, 1.0], [1.0, 0.0]];
+        assert!(in_profile(&cone, 0.4, 0.5) && !in_profile(&cone, 0.6, 0.5));
+    }
+
+    #[test]
+    fn shapes() {
+        let inside = |g: &Geometry, p| in_shape(g, p);
+        let spindle = Geometry::Torus {
+            major: 0.5,
+            minor: 1.0,
+        };
+        // The lemon about the axis is outside.
+        assert_eq!(inside(&spindle, [0.0, 0.1, 0.0]), Some(false));
+        assert_eq!(inside(&spindle, [1.0, 0.1, 0.0]), Some(true));
+        let down = Geometry::Cone {
+            height: -2.0,
+            radius: 1.0,
+        };
+        assert_eq!(inside(&down, [0.4, -1.0, 0.0]), Some(true));
+        assert_eq!(inside(&down, [0.4, 1.0, 0.0]), Some(false));
+        let geodesic = Geometry::GeodesicSphere {
+            radius: 1.0,
+            splits: 0,
+        };
+        assert_eq!(inside(&geodesic, [0.0, 0.9, 0.0]), None);
+        assert_eq!(inside(&geodesic, [0.0, 0.7, 0.0]), Some(true));
+    }
+}

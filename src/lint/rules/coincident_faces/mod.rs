@@ -1,0 +1,205 @@
+//! W321: two operands of a difference or an intersection share a face.
+//!
+//! What is left of two faces in one place is up to rounding if one of them leads into the result and
+//! the other out of it: in A ∩ B where the outsides of A and B look against each other, in A − B
+//! where they look the same way. A tool that lies against a face from outside, or faces that look
+//! the same way in an intersection, only decide whose face it is; nothing is said of them, and
+//! nothing of equal shapes in equal places, which are decided exactly. Faces of quadrics of types 15
+//! and 18 to 21, of geodesic spheres and of profiles of more than 64 points are not known here.
+
+mod face;
+mod fix;
+mod inside;
+mod sample;
+mod search;
+mod vector;
+
+use std::collections::BTreeMap;
+
+use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::lint::{Context, live_nodes, rough};
+use crate::scene::bounds::node_bounds;
+use crate::scene::record::Params;
+use crate::scene::{Geometry, Node, NodeId, OperationRecord, Scene};
+use face::Part;
+use search::{Found, Side, search};
+
+/// What the two shapes are to each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Case {
+    /// A tool ends flush with what it cuts.
+    Flush,
+    /// Two tools cut up to one face from its two sides.
+    Holes,
+    /// Neither cuts: they have no more than the face in common.
+    Touch,
+}
+
+/// A face that two shapes share: the tool's, the other's, and what was found.
+type Shared = (Side, Side, Found);
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let scene = context.scene;
+    let cuts = |n: &Node| matches!(n, Node::Difference(..) | Node::Intersection(..));
+    if !scene.nodes.iter().any(cuts) {
+        return;
+    }
+    let live = live_nodes(scene);
+    let bounds = node_bounds(scene);
+    // One finding for each tool of an operation, however many faces it shares.
+    let mut groups: BTreeMap<(NodeId, u32, Case), Vec<Shared>> = BTreeMap::new();
+    for found in search(scene, &bounds, &live) {
+        let [new, old] = found.sides;
+        let (case, tool, other) = match (new.cuts, old.cuts) {
+            (false, true) => (Case::Flush, old, new),
+            (true, false) => (Case::Flush, new, old),
+            (true, true) => (Case::Holes, new, old),
+            (false, false) => (Case::Touch, new, old),
+        };
+        let group = groups.entry((found.operation, tool.shape, case));
+        group.or_default().push((tool, other, found));
+    }
+    if groups.is_empty() {
+        return;
+    }
+    let parents = Parents::new(scene, &live);
+    for ((operation, _, case), pairs) in &groups {
+        let at = (scene.operations).binary_search_by_key(operation, |o| o.node);
+        if let Ok(at) = at
+            && let Some(d) = finding(context, &scene.operations[at], *case, pairs, &parents)
+        {
+            out.push(d);
+        }
+    }
+}
+
+fn finding(
+    context: &Context,
+    operation: &OperationRecord,
+    case: Case,
+    pairs: &[Shared],
+    parents: &Parents,
+) -> Option<Diagnostic> {
+    let scene = context.scene;
+    let (tool, other, found) = pairs.first()?;
+    let of = |side: &Side| {
+        let shape = &scene.shapes[side.shape as usize];
+        let params = context.params(shape.span)?;
+        let (span, what) = place(&params, &shape.geometry, side.part);
+        Some((format!("the {} {}", shape.ty.title, shape.id), span, what))
+    };
+    let (name, span, what) = of(tool)?;
+    let (other_name, other_span, other_what) = of(other)?;
+    let title = match scene.nodes[operation.node as usize] {
+        Node::Difference(..) => "difference",
+        _ => "intersection",
+    };
+    let start = format!("in the {title} {}, {name}", operation.id);
+    let [x, y, z] = found.witness.map(|x| rough(clean(x, found.sides[0].size)));
+    let (message, note) = match case {
+        Case::Flush => (
+            format!(
+                "{start} ends flush with {other_name}: they share a face around ({x}, {y}, {z})"
+            ),
+            "whether a skin of no thickness is left there is up to rounding",
+        ),
+        Case::Holes => (
+            format!(
+                "{start} cuts up to where {other_name} does: they share a face around ({x}, {y}, {z})"
+            ),
+            "whether a wall of no thickness is left between the two is up to rounding",
+        ),
+        Case::Touch => (
+            format!(
+                "{start} and {other_name} only touch: they share a face around ({x}, {y}, {z})"
+            ),
+            "what they have in common there is a sheet of no thickness; whether it is seen is up to \
+             rounding",
+        ),
+    };
+    let mut d = Diagnostic::new(Code::W321, span, message)
+        .here(what)
+        .label(other_span, other_what)
+        .label(operation.span, format!("the {title}"))
+        .note(note);
+    if case != Case::Touch && parents.only_in(tool.node, operation.node) {
+        let shape = &scene.shapes[tool.shape as usize];
+        let sides: Vec<Side> = pairs.iter().map(|p| p.0).collect();
+        let params = context.params(shape.span)?;
+        if let Some(fix) = fix::lengthen(&params, &shape.geometry, &sides, other.size) {
+            d = d.fix(fix);
+        }
+    }
+    Some(match case {
+        Case::Flush => d.help("let the tool reach a little past the face that it cuts through"),
+        Case::Holes => d.help("let one of the two reach a little into the other"),
+        Case::Touch => d,
+    })
+}
+
+/// A coordinate without what rounding has added to a zero.
+fn clean(x: f64, size: f64) -> f64 {
+    if x.abs() < search::NEAR * size {
+        0.0
+    } else {
+        x
+    }
+}
+
+/// Where a face is written, and what it is called there.
+fn place(p: &Params, geometry: &Geometry, part: Part) -> (Span, String) {
+    let name = |i: usize| p.param(i).map_or("", |q| q.name);
+    match (geometry, part) {
+        (_, Part::Side { axis, upper }) => {
+            let i = if upper { axis + 3 } else { axis };
+            (p.span_of(i, 1), format!("the face at {}", name(i)))
+        }
+        (Geometry::HalfSpace(_), _) => (p.span_of(0, 4), "its boundary".to_owned()),
+        (_, Part::Base { .. }) => (p.span_of(0, 1), "its base".to_owned()),
+        (_, Part::Mantle) => (p.span_of(0, 2), "its side".to_owned()),
+        (_, Part::Cap(i)) => (
+            p.span_of(1 + 2 * i, 2),
+            "the disc that closes this end".to_owned(),
+        ),
+        (_, Part::Piece(i)) => (p.span_of(1 + 2 * i, 4), "this piece".to_owned()),
+        (_, Part::All) => (p.span_of(0, p.len()), "its surface".to_owned()),
+    }
+}
+
+/// Who is made of what.
+struct Parents {
+    /// How many live nodes have this one as a child, and one of them.
+    of: Vec<(u32, NodeId)>,
+}
+
+impl Parents {
+    fn new(scene: &Scene, live: &[bool]) -> Parents {
+        let mut of = vec![(0, 0); scene.nodes.len()];
+        for (i, node) in scene.nodes.iter().enumerate().filter(|(i, _)| live[*i]) {
+            for child in node.children().into_iter().flatten() {
+                of[child as usize].0 += 1;
+                of[child as usize].1 = i as NodeId;
+            }
+        }
+        if let Some(render) = &scene.render {
+            of[render.root as usize].0 += 1;
+        }
+        Parents { of }
+    }
+
+    /// Whether a node is part of this operation, once, and of nothing that is not.
+    fn only_in(&self, node: NodeId, operation: NodeId) -> bool {
+        let mut at = node;
+        while at < operation {
+            let (count, parent) = self.of[at as usize];
+            if count != 1 {
+                return false;
+            }
+            at = parent;
+        }
+        at == operation
+    }
+}
+
+#[cfg(test)]
+mod tests;

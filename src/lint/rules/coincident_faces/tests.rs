@@ -1,0 +1,254 @@
+//! Cuts that are flush, and cuts that nearly are.
+
+use crate::diagnostics::Applicability;
+use crate::lint::testing::{fixed, fixes, found, messages};
+
+/// A box of side 2 about the origin, and 3, cut from it.
+fn cut(tool: &str) -> String {
+    format!("2 12 -1 -1 -1 1 1 1\n{tool}\n4 -103 2 3\n")
+}
+
+#[track_caller]
+fn flush(scene: &str) {
+    let found = found(scene);
+    assert!(
+        !found.is_empty() && found.iter().all(|f| f.starts_with("W321")),
+        "{scene}\n{found:?}"
+    );
+}
+
+#[track_caller]
+fn silent(scene: &str) {
+    let found = messages(scene);
+    assert!(found.is_empty(), "{scene}\n{found:?}");
+}
+
+#[test]
+fn a_tool_that_ends_flush() {
+    let scene = cut("3 12 -0.5 0 -0.5 0.5 1 0.5 # pocket #");
+    assert_eq!(found(&scene), ["W321 2:22"]);
+    assert_eq!(
+        messages(&scene),
+        [
+            "in the difference 4, the box 3 ends flush with the box 2: they share a face around (0, 1, 0)"
+        ]
+    );
+    assert_eq!(
+        fixes(&scene),
+        [("let it reach a hair further".into(), Applicability::Unsafe)]
+    );
+    assert_eq!(
+        fixed(&scene),
+        cut("3 12 -0.5 0 -0.5 0.5 1.001 0.5 # pocket #")
+    );
+    silent(&fixed(&scene));
+}
+
+#[test]
+fn the_edge_of_the_distance() {
+    // The tool's longest side is 1: 1e-9 of it counts as none.
+    silent(&cut("3 12 -0.5 0 -0.5 0.5 1.0000000011 0.5"));
+    silent(&cut("3 12 -0.5 0 -0.5 0.5 0.9999999989 0.5"));
+    flush(&cut("3 12 -0.5 0 -0.5 0.5 1.0000000009 0.5"));
+    flush(&cut("3 12 -0.5 0 -0.5 0.5 0.9999999991 0.5"));
+}
+
+#[test]
+fn tools_of_all_kinds_and_their_fixes() {
+    for (tool, longer) in [
+        ("3 4 0 -1 0 1", None),
+        ("3 16 1 0.5", Some("3 16 1.001 0.5005")),
+        ("3 17 1 0.5", Some("3 17 1.001 0.5005")),
+        ("3 1 2 0.5 0 0.5 1", Some("3 1 2 0.5 0 0.5 1.001")),
+        ("3 1 2 0.5 1 0.5 -1", Some("3 1 2 0.5 1.002 0.5 -1.002")),
+        (
+            "3 1 4 0.2 0 0.4 0 0.4 1 0.2 1",
+            Some("3 1 4 0.2 0 0.4 0 0.4 1.001 0.2 1.001"),
+        ),
+        (
+            "3 1 5 0.2 0 0.4 0 0.4 1 0.2 1 0.2 0",
+            Some("3 1 5 0.2 0 0.4 0 0.4 1.001 0.2 1.001 0.2 0"),
+        ),
+        (
+            "3 2 2 0.5 0 0.5 1 1 1 1 0 0 0",
+            Some("3 2 2 0.5 0 0.5 1.001 1 1 1 0 0 0"),
+        ),
+    ] {
+        let scene = cut(tool);
+        match longer {
+            Some(longer) => {
+                flush(&scene);
+                assert_eq!(fixed(&scene), cut(longer));
+                silent(&fixed(&scene));
+            }
+            // Below y = 1 there is nothing left of the box but this face.
+            None => silent(&scene),
+        }
+    }
+    let scene = cut("3 4 0 1 0 -1");
+    flush(&scene);
+    // A thousandth of the box's side further up.
+    assert_eq!(fixed(&scene), cut("3 4 0 1 0 -1.002"));
+    silent(&fixed(&scene));
+}
+
+#[test]
+fn what_lies_against_a_face_is_fine() {
+    // On top of the box, beside it, and with an edge or a corner on it.
+    silent(&cut("3 12 -0.5 1 -0.5 0.5 2 0.5"));
+    silent(&cut("3 12 1 -1 -1 3 1 1"));
+    silent(&cut("3 12 1 0 -0.5 2 1 0.5"));
+    silent(&cut("3 12 1 1 1 2 2 2"));
+    // Through it, and within it.
+    silent(&cut("3 12 -0.5 -2 -0.5 0.5 2 0.5"));
+    silent(&cut("3 12 -0.5 -0.5 -0.5 0.5 0.5 0.5"));
+    // The same plane, elsewhere.
+    silent(&cut("3 12 5 0 5 6 1 6"));
+}
+
+#[test]
+fn equal_shapes_are_decided_exactly() {
+    silent(&cut("3 12 -1 -1 -1 1 1 1"));
+    silent("2 9 1\n3 11 0 0 0 1\n4 -103 2 3\n5 -102 2 3\n");
+    silent("2 12 -1 -1 -1 1 1 1\n3 -105 2\n4 -103 2 3\n");
+    // Nearly equal ones are not.
+    flush("2 9 1\n3 9 1.0000000001\n4 -103 2 3\n");
+    flush("2 9 1\n3 9 1\n3 -2 30 1\n4 -103 2 3\n");
+}
+
+#[test]
+fn intersections() {
+    let both = |b: &str| format!("2 12 -1 -1 -1 1 1 1\n3 {b}\n4 -102 2 3\n");
+    let touching = both("12 -0.5 1 -0.5 0.5 2 0.5");
+    assert_eq!(
+        messages(&touching),
+        [
+            "in the intersection 4, the box 3 and the box 2 only touch: they share a face around (0, 1, 0)"
+        ]
+    );
+    assert!(fixes(&touching).is_empty());
+    // Faces that look the same way are in one place whoever wins.
+    silent(&both("12 -0.5 0 -0.5 0.5 1 0.5"));
+    flush(&both("4 0 -1 0 1"));
+    silent(&both("4 0 1 0 -1"));
+    // A complement cuts like a difference.
+    let pocket = "2 12 -1 -1 -1 1 1 1\n3 12 -0.5 0 -0.5 0.5 1 0.5\n5 -104 3\n4 -102 2 5\n";
+    flush(pocket);
+    silent(&fixed(pocket));
+}
+
+#[test]
+fn two_holes_that_meet() {
+    let scene = "2 12 -2 -2 -2 2 2 2\n3 12 -1 -1 -1 0 1 1\n4 12 0 -1 -1 1 1 1\n\
+                 5 -103 2 3\n6 -103 5 4\n";
+    assert_eq!(
+        messages(scene),
+        [
+            "in the difference 6, the box 4 cuts up to where the box 3 does: they share a face around (0, 0, 0)"
+        ]
+    );
+    silent(&fixed(scene));
+    // As a union, taken away at once, they leave no wall.
+    silent(
+        "2 12 -2 -2 -2 2 2 2\n3 12 -1 -1 -1 0 1 1\n4 12 0 -1 -1 1 1 1\n5 -101 3 4\n6 -103 2 5\n",
+    );
+}
+
+#[test]
+fn round_faces() {
+    // A shaft of a pin's own radius, cut from above; and of a slightly smaller one.
+    let pin = |r: &str| format!("2 1 2 1 -1 1 1\n3 1 2 {r} 0 {r} 2\n4 -103 2 3\n");
+    flush(&pin("1"));
+    assert!(fixes(&pin("1")).is_empty());
+    silent(&pin("0.99"));
+    // Elsewhere along the same axis.
+    silent("2 1 2 1 -1 1 1\n3 1 2 1 1.5 1 2\n4 -103 2 3\n");
+    // The mantle of one cone, in pieces of two profiles, turned and moved alike.
+    let cone = "2 1 2 0 0 2 4\n3 1 2 0.5 1 1.5 3\n";
+    let moved = "2 -2 31 1\n3 -2 31 1\n2 -1 1 2 3\n3 -1 1 2 3\n";
+    flush(&format!("{cone}{moved}4 -103 2 3\n"));
+    // Nested and touching ones.
+    silent("2 9 2\n3 9 1\n4 -103 2 3\n");
+    silent("2 9 2\n3 11 1 0 0 1\n4 -103 2 3\n");
+    // A cylinder that touches a side of the box along a line.
+    silent(&cut("3 1 2 1 -2 1 2"));
+    flush("2 14 2 0.5\n3 14 2 0.5\n3 -2 20 2\n4 -103 2 3\n");
+    flush("2 10 1 2 1\n3 9 1\n3 -3 1 2 1\n4 -103 2 3\n");
+}
+
+#[test]
+fn moved_turned_and_nested() {
+    // The tool ends flush only once it is moved; the workpiece is turned with it.
+    let scene = "2 12 -1 -1 -1 1 1 1\n3 12 -0.5 -0.5 -0.5 0.5 0.5 0.5\n3 -1 0 0.5 0\n\
+                 2 -2 33 1\n3 -2 33 1\n2 -1 100 0 0\n3 -1 100 0 0\n4 -103 2 3\n";
+    flush(scene);
+    silent(&fixed(scene));
+    silent(&scene.replace("3 -1 0 0.5 0", "3 -1 0 0.6 0"));
+    // What the tool is flush with is covered by another part of the operand.
+    let covered = |top: &str| {
+        format!(
+            "2 12 -1 -1 -1 1 1 1\n5 12 -1 -1 -1 1 {top} 1\n6 -101 2 5\n\
+             3 12 -0.5 0 -0.5 0.5 1 0.5\n4 -103 6 3\n"
+        )
+    };
+    silent(&covered("1.5"));
+    flush(&covered("0.5"));
+    // The tool is cut back itself; the workpiece has a hole there.
+    silent(
+        "2 12 -1 -1 -1 1 1 1\n5 12 -0.6 -2 -0.6 0.6 2 0.6\n6 -103 2 5\n\
+            3 12 -0.5 0 -0.5 0.5 1 0.5\n4 -103 6 3\n",
+    );
+}
+
+#[test]
+fn no_fix_for_what_is_used_elsewhere() {
+    let scene = "2 12 -1 -1 -1 1 1 1\n3 12 -0.5 0 -0.5 0.5 1 0.5\n4 -103 2 3\n5 -101 4 3\n";
+    flush(scene);
+    assert!(fixes(scene).is_empty());
+}
+
+#[test]
+fn many_holes_are_found_in_a_chain() {
+    let mut scene = String::from("2 12 0 0 0 1000 1 1000\n");
+    let mut id = 2;
+    for i in 0..500 {
+        let (x, z) = (i % 25 * 30 + 10, i / 25 * 30 + 10);
+        let top = if i == 250 { "1" } else { "2" };
+        let (tool, next) = (id + 1, id + 2);
+        scene += &format!(
+            "{tool} 12 {x} -1 {z} {} {top} {}\n{next} -103 {id} {tool}\n",
+            x + 5,
+            z + 5
+        );
+        id = next;
+    }
+    assert_eq!(found(&scene).len(), 1);
+}
+
+#[test]
+fn long_chains_and_shared_parts_end() {
+    use std::time::Instant;
+    // A plate with fifty thousand flush holes, and a difference of copies of copies.
+    let mut plate = String::from("2 12 0 0 0 1e6 1 1e6\n");
+    for i in 0..50_000 {
+        let (tool, next, last) = (2 * i + 3, 2 * i + 4, 2 * i + 2);
+        let (x, z) = (i % 250 * 30 + 10, i / 250 * 30 + 10);
+        plate += &format!(
+            "{tool} 12 {x} 0.5 {z} {} 1 {}\n{next} -103 {last} {tool}\n",
+            x + 5,
+            z + 5
+        );
+    }
+    let mut copies = String::from("2 12 0 0 0 1 1 1\n");
+    for i in 2..60 {
+        let (copy, sum) = (2 * i + 100, 2 * i + 101);
+        let of = if i == 2 { 2 } else { 2 * i + 99 };
+        copies += &format!("{copy} -105 {of}\n{copy} -1 0 1 0\n{sum} -103 {of} {copy}\n");
+    }
+    for scene in [plate, copies] {
+        let start = Instant::now();
+        found(&scene);
+        // A second in a release build; this is for what never ends.
+        assert!(start.elapsed().as_secs() < 20);
+    }
+}

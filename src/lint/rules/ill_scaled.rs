@@ -1,0 +1,225 @@
+//! W322: lengths in one object that differ too much for its numbers.
+
+use crate::diagnostics::{Code, Diagnostic};
+use crate::lint::{Context, live_nodes, rough};
+use crate::scene::{Geometry, Matrix, Node, Shape};
+
+/// The largest ratio of two lengths: of the sixteen digits of a double, half are then left for the
+/// smaller one, and squares of such numbers, which every curved surface asks for, have none left.
+const RATIO_MAX: f64 = 1e8;
+
+/// A length of a shape and what it is.
+#[derive(Debug, Clone, Copy)]
+struct Length {
+    size: f64,
+    what: &'static str,
+}
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let scene = context.scene;
+    let mut spoken = vec![false; scene.shapes.len()];
+    for (i, shape) in scene.shapes.iter().enumerate() {
+        if let Some((small, large)) = extremes(&shape.geometry, &Matrix::IDENTITY) {
+            spoken[i] = true;
+            out.push(finding(context, shape, small, large, ""));
+        }
+    }
+    // Shapes that come out like that only by what moves and stretches them.
+    for (node, _) in scene.nodes.iter().zip(live_nodes(scene)).filter(|n| n.1) {
+        if let Node::Transform { child, matrix } = *node
+            && let Node::Shape(s) = scene.nodes[child as usize]
+            && !spoken[s as usize]
+            && let Some((small, large)) = extremes(
+                &scene.shapes[s as usize].geometry,
+                &scene.matrices[matrix as usize],
+            )
+        {
+            spoken[s as usize] = true;
+            let shape = &scene.shapes[s as usize];
+            out.push(finding(
+                context,
+                shape,
+                small,
+                large,
+                ", as it is moved and stretched,",
+            ));
+        }
+    }
+}
+
+fn finding(
+    context: &Context,
+    shape: &Shape,
+    small: Length,
+    large: Length,
+    how: &str,
+) -> Diagnostic {
+    let span = context
+        .params(shape.span)
+        .map_or(shape.span, |p| p.span_of(0, p.len()));
+    let (s, l) = (rough(small.size), rough(large.size));
+    Diagnostic::new(
+        Code::W322,
+        span,
+        format!(
+            "the {} {}{how} is ill-scaled: {} is {l}, {} only {s}",
+            shape.ty.title, shape.id, large.what, small.what
+        ),
+    )
+    .here("lengths that differ by more than 1e8")
+    .note(
+        "sixteen digits are too few for both: hits on the small parts are off by a good part of \
+         their size, and edges come out ragged",
+    )
+    .help("bring the sizes nearer together, or move the object nearer to the origin")
+}
+
+/// The smallest and the largest length of a shape moved by a matrix, where they are too different.
+fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
+    let mut small: Option<Length> = None;
+    let mut large: Option<Length> = None;
+    lengths(geometry, m, &mut |size, what| {
+        // A length of zero is another rule's matter.
+        if size > 0.0 && size.is_finite() {
+            if small.is_none_or(|s| size < s.size) {
+                small = Some(Length { size, what });
+            }
+            if large.is_none_or(|l| size > l.size) {
+                large = Some(Length { size, what });
+            }
+        }
+    });
+    let (small, mut large) = (small?, large?);
+    // How far away it is counts as a length too, but never as the small one.
+    if let Some(p) = place(geometry) {
+        let [x, y, z] = m.point(p);
+        let size = x.hypot(y).hypot(z);
+        if size.is_finite() && size > large.size {
+            let what = "its distance from the origin";
+            large = Length { size, what };
+        }
+    }
+    (large.size / small.size > RATIO_MAX).then_some((small, large))
+}
+
+/// Some point of the shape.
+fn place(geometry: &Geometry) -> Option<[f64; 3]> {
+    match geometry {
+        Geometry::Sphere { centre, .. } => Some(*centre),
+        // The corner that is nearest to the origin.
+        Geometry::Box { min, max } => Some(std::array::from_fn(|i| 0f64.clamp(min[i], max[i]))),
+        Geometry::Rectangle { min, max } => {
+            Some([0f64.clamp(min[0], max[0]), 0f64.clamp(min[1], max[1]), 0.0])
+        }
+        Geometry::Triangle { vertices, .. } => Some(vertices[0]),
+        Geometry::Revolution { profile, .. } => profile.first().map(|p| [0.0, p[1], 0.0]),
+        Geometry::Plane(_) | Geometry::HalfSpace(_) | Geometry::Quadric(_) => None,
+        _ => Some([0.0; 3]),
+    }
+}
+
+fn lengths(geometry: &Geometry, m: &Matrix, add: &mut dyn FnMut(f64, &'static str)) {
+    // How much longer the matrix makes what lies along an axis.
+    let stretch: [f64; 3] = std::array::from_fn(|j| m.0[0][j].hypot(m.0[1][j]).hypot(m.0[2][j]));
+    let mut axes = |sizes: [f64; 3], what: [&'static str; 3]| {
+        for i in 0..3 {
+            add(sizes[i] * stretch[i], what[i]);
+        }
+    };
+    const RADIUS: &str = "its radius";
+    match geometry {
+        Geometry::Sphere { radius, .. } | Geometry::GeodesicSphere { radius, .. } => {
+            axes([*radius; 3], [RADIUS; 3]);
+        }
+        Geometry::Ellipsoid { semi_axes } => axes(
+            *semi_axes,
+            ["its semi-axis a", "its semi-axis b", "its semi-axis c"],
+        ),
+        Geometry::Box { min, max } => axes(
+            std::array::from_fn(|i| max[i] - min[i]),
+            ["its width in x", "its height in y", "its depth in z"],
+        ),
+        Geometry::Rectangle { min, max } => axes(
+            [max[0] - min[0], max[1] - min[1], 0.0],
+            ["its width in x", "its height in y", ""],
+        ),
+        Geometry::Torus { major, minor } => {
+            axes([*major, 0.0, *major], ["its ring's radius R"; 3]);
+            axes([*minor; 3], ["its tube's radius r"; 3]);
+        }
+        Geometry::Cone { height, radius } | Geometry::DoubleCone { height, radius } => axes(
+            [*radius, height.abs(), *radius],
+            [RADIUS, "its height", RADIUS],
+        ),
+        Geometry::ParabolicCylinder { a } => axes([*a, 0.0, 0.0], ["a"; 3]),
+        Geometry::HyperbolicCylinder { a, b } => axes([*a, *b, 0.0], ["a", "b", ""]),
+        Geometry::Hyperboloid { a, b, c, .. } => axes([*a, *b, *c], ["a", "b", "c"]),
+        Geometry::HyperbolicParaboloid { a, b } => axes([*a, 0.0, *b], ["a", "", "b"]),
+        Geometry::Triangle { vertices, .. } => {
+            let [a, b, c] = vertices.map(|v| m.point(v));
+            let distance =
+                |p: [f64; 3], q: [f64; 3]| (p[0] - q[0]).hypot(p[1] - q[1]).hypot(p[2] - q[2]);
+            for (p, q) in [(a, b), (b, c), (c, a)] {
+                add(distance(p, q), "an edge");
+            }
+        }
+        Geometry::Revolution { profile, .. } => {
+            let radial = stretch[0].min(stretch[2]);
+            for p in profile {
+                add(p[0] * radial, "a radius of its profile");
+            }
+            for w in profile.windows(2) {
+                let (dx, dy) = (
+                    (w[1][0] - w[0][0]) * radial,
+                    (w[1][1] - w[0][1]) * stretch[1],
+                );
+                add(dx.hypot(dy), "a piece of its profile");
+            }
+        }
+        Geometry::Plane(_) | Geometry::HalfSpace(_) | Geometry::Quadric(_) => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lint::testing::{found, messages};
+
+    #[test]
+    fn the_edge_of_the_ratio() {
+        // 2 to 1.9e-8 is more than 1e8 to 1, 2 to 2.1e-8 is less.
+        assert_eq!(found("2 12 0 0 0 2 1 1.9e-8\n"), ["W322 1:6"]);
+        assert!(found("2 12 0 0 0 2 1 2.1e-8\n").is_empty());
+        assert_eq!(
+            messages("2 14 5e8 2\n"),
+            [
+                "the torus 2 is ill-scaled: its ring's radius R is 500000000, its tube's radius r only 2"
+            ]
+        );
+    }
+
+    #[test]
+    fn far_away_counts() {
+        assert_eq!(found("2 11 0 3e8 0 2\n"), ["W322 1:6"]);
+        assert!(found("2 11 0 1e8 0 2\n").is_empty());
+        // A planet under the feet.
+        assert!(found("2 11 0 -1e12 0 1e12\n").is_empty());
+        assert_eq!(found("2 9 1\n2 -1 2e8 0 0\n"), ["W322 1:5"]);
+    }
+
+    #[test]
+    fn stretching_counts_once() {
+        let scene = "2 12 0 0 0 1 1 1\n2 -3 1e9 1 1\n2 -2 30 2\n";
+        assert_eq!(found(scene), ["W322 1:6"]);
+        // Stretched back, it is as it was, and even scaling does no harm.
+        assert!(found("2 12 0 0 0 1 1 1e-5\n2 -3 1 1 1e5\n").is_empty());
+        assert!(found("2 9 1\n2 -3 1e12 1e12 1e12\n").is_empty());
+    }
+
+    #[test]
+    fn profiles_and_triangles() {
+        assert_eq!(found("2 1 3 1 0 1 1e-9 2 1\n"), ["W322 1:5"]);
+        assert!(found("2 1 4 1 0 1 0 1 1 0 1\n").is_empty());
+        assert_eq!(found("2 6 0 0 0 1 0 0 0 1e-9 0\n"), ["W322 1:5"]);
+        assert!(found("2 6 0 0 0 1 0 0 0 1e-7 0\n").is_empty());
+    }
+}

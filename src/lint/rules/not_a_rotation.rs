@@ -1,0 +1,251 @@
+//! W303: a rotation matrix that does more than turn.
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::lint::{Context, rough, spelled};
+use crate::scene::Matrix;
+use crate::scene::record::Params;
+use crate::syntax::Item;
+
+type Matrix3 = [[f64; 3]; 3];
+
+/// How far an entry may be from the nearest rotation's: the language's own bound. Six decimals are
+/// what a hand-written matrix has.
+const TOLERANCE: f64 = 1e-6;
+
+/// A fix must not move an entry further than this to count as a mere correction of its digits: half
+/// a unit of one decimal.
+const DIGITS_MAX: f64 = 0.05;
+
+/// Decimals written by the fix: enough to be far below [`TOLERANCE`].
+const DECIMALS: i32 = 12;
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for item in &context.document.items {
+        if let Item::Record(record) = item
+            && record.ty.code == -4
+        {
+            check_record(&Params::new(context.document, context.text, record), out);
+        }
+    }
+}
+
+fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
+    let m = Matrix::from_rows(&p.numbers(0));
+    // The resolver has reported these.
+    if m.0[3] != [0.0, 0.0, 0.0, 1.0] || m.inverse().is_none() {
+        return;
+    }
+    let linear: Matrix3 = std::array::from_fn(|i| std::array::from_fn(|j| m.0[i][j]));
+    let nearest = nearest_orthogonal(&linear);
+    let moved = |n: &Matrix3| {
+        (0..9).fold(0.0f64, |d, k| {
+            d.max((n[k / 3][k % 3] - linear[k / 3][k % 3]).abs())
+        })
+    };
+    let mirrors = m.determinant3() < 0.0;
+    let distance = nearest.as_ref().map_or(f64::INFINITY, moved);
+    if distance <= TOLERANCE && !mirrors {
+        return;
+    }
+    let mut finding = Diagnostic::new(
+        Code::W303,
+        p.span_of(0, 16),
+        format!("this matrix is not a rotation: {}", deed(&linear, mirrors)),
+    )
+    .here("applied as it is given")
+    .help("for a scaling or a mirror image on purpose, use type -3");
+    if let (Some(n), false) = (&nearest, mirrors) {
+        finding = finding.fix(Fix {
+            title: "write the nearest rotation".to_owned(),
+            applicability: match only_digits(p, n) && distance <= DIGITS_MAX {
+                true => Applicability::Safe,
+                false => Applicability::Unsafe,
+            },
+            edits: edits(p, &linear, n),
+        });
+    }
+    out.push(finding);
+}
+
+/// What the matrix does besides turning.
+fn deed(m: &Matrix3, mirrors: bool) -> String {
+    let column = |j: usize| [m[0][j], m[1][j], m[2][j]];
+    let length = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
+    let lengths = [0, 1, 2].map(|j| length(column(j)));
+    let skew = [(0, 1), (0, 2), (1, 2)].into_iter().any(|(i, j)| {
+        let (a, b) = (
+            column(i).map(|x| x / lengths[i]),
+            column(j).map(|x| x / lengths[j]),
+        );
+        (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).abs() > TOLERANCE
+    });
+    let scales = lengths.iter().any(|l| (l - 1.0).abs() > TOLERANCE);
+    let mut deeds = Vec::new();
+    if mirrors {
+        deeds.push("it mirrors".to_owned());
+    }
+    if scales {
+        let [x, y, z] = lengths.map(rough);
+        deeds.push(format!(
+            "its columns have the lengths {x}, {y} and {z}, not 1"
+        ));
+    }
+    if skew {
+        deeds.push("its columns are not at right angles".to_owned());
+    }
+    match deeds.is_empty() {
+        true => "its entries are off by more than 1e-6".to_owned(),
+        false => deeds.join(", and "),
+    }
+}
+
+/// The orthogonal matrix nearest to an invertible one, its factor in the polar decomposition:
+/// Newton's iteration X ← (γX + X⁻ᵀ/γ)/2 with the scaling γ = √(‖X⁻¹‖/‖X‖) (Higham, Functions of
+/// Matrices, section 8.6). `None` where it does not settle.
+fn nearest_orthogonal(m: &Matrix3) -> Option<Matrix3> {
+    /// Scaled iterations settle within nine steps in double precision, whatever the condition
+    /// (Higham, section 8.9).
+    const STEPS: usize = 16;
+    /// A step that moves no entry further than this has converged: the next would move them by its
+    /// square.
+    const SETTLED: f64 = 1e-13;
+    let norm = |m: &Matrix3| m.iter().flatten().fold(0.0f64, |s, x| s.hypot(*x));
+    let size = norm(m);
+    let mut x = m.map(|row| row.map(|e| e / size));
+    for _ in 0..STEPS {
+        let mut wide = Matrix::IDENTITY;
+        for (to, from) in wide.0.iter_mut().zip(&x) {
+            to[..3].copy_from_slice(from);
+        }
+        let back = wide.inverse()?.0;
+        // Transposed.
+        let back: Matrix3 = std::array::from_fn(|i| std::array::from_fn(|j| back[j][i]));
+        let scale = (norm(&back) / norm(&x)).sqrt();
+        let next: Matrix3 = std::array::from_fn(|i| {
+            std::array::from_fn(|j| (scale * x[i][j] + back[i][j] / scale) / 2.0)
+        });
+        let step = (0..9).fold(0.0f64, |d, k| {
+            d.max((next[k / 3][k % 3] - x[k / 3][k % 3]).abs())
+        });
+        x = next;
+        if !step.is_finite() {
+            return None;
+        }
+        if step <= SETTLED {
+            return Some(x);
+        }
+    }
+    None
+}
+
+/// Whether the nearest rotation, rounded to as many decimals as each entry has, is what is written.
+fn only_digits(p: &Params, nearest: &Matrix3) -> bool {
+    (0..9).all(|k| {
+        let (i, j) = (k / 3, k % 3);
+        let text = p.text_of(4 * i + j);
+        let decimals = match (text.contains(['e', 'E']), text.split_once('.')) {
+            (true, _) => return false,
+            (false, Some((_, fraction))) => fraction.len() as i32,
+            (false, None) => 0,
+        };
+        // A unit of the last decimal: whoever cut the digits off was off by up to that much.
+        let unit = 10f64.powi(-decimals);
+        (nearest[i][j] - p.number(4 * i + j)).abs() < unit
+    })
+}
+
+fn edits(p: &Params, written: &Matrix3, nearest: &Matrix3) -> Vec<Edit> {
+    let unit = 10f64.powi(DECIMALS);
+    (0..9)
+        .map(|k| (k / 3, k % 3))
+        .map(|(i, j)| (i, j, (nearest[i][j] * unit).round() / unit))
+        .filter(|&(i, j, x)| x != written[i][j])
+        .map(|(i, j, x)| Edit {
+            span: p.span_of(4 * i + j, 1),
+            text: spelled(x),
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lint::testing::{fixed, fixes, found};
+
+    const BOX: &str = "2 12 -1 -1 -1 1 1 1\n";
+
+    fn turned(rows: &str) -> String {
+        format!("{BOX}2 -4 {rows}  0 0 0 1\n")
+    }
+
+    #[test]
+    fn cut_off_digits_are_safe_to_complete() {
+        let scene = turned("0.707 0 0.707 0  0 1 0 0  -0.707 0 0.707 0");
+        assert_eq!(found(&scene), ["W303 2:6"]);
+        assert_eq!(
+            fixes(&scene),
+            [("write the nearest rotation".into(), Applicability::Safe)]
+        );
+        // √½ = 0.70710678118655 by any table.
+        let right = turned(
+            "0.707106781187 0 0.707106781187 0  0 1 0 0  -0.707106781187 0 0.707106781187 0",
+        );
+        assert_eq!(fixed(&scene), right);
+        assert!(found(&right).is_empty());
+    }
+
+    #[test]
+    fn a_scaling_or_a_shear_is_not_safe_to_remove() {
+        for rows in [
+            "2 0 0 0  0 2 0 0  0 0 2 0",
+            "1 1 0 0  -1 1 0 0  0 0 1 0",
+            "1 0.05 0 0  0 1 0 0  0 0 1 0",
+        ] {
+            let scene = turned(rows);
+            assert_eq!(found(&scene), ["W303 2:6"]);
+            assert_eq!(fixes(&scene)[0].1, Applicability::Unsafe, "{rows}");
+            assert!(found(&fixed(&scene)).is_empty());
+        }
+        assert_eq!(
+            fixed(&turned("2 0 0 0  0 2 0 0  0 0 2 0")),
+            turned("1 0 0 0  0 1 0 0  0 0 1 0")
+        );
+    }
+
+    #[test]
+    fn a_mirror_image_has_no_fix() {
+        let scene = turned("-1 0 0 0  0 1 0 0  0 0 1 0");
+        assert_eq!(found(&scene), ["W303 2:6"]);
+        assert!(fixes(&scene).is_empty());
+    }
+
+    #[test]
+    fn the_edge_of_the_tolerance() {
+        assert!(found(&turned("1.0000009 0 0 0  0 1 0 0  0 0 1 0")).is_empty());
+        assert_eq!(
+            found(&turned("1.0000011 0 0 0  0 1 0 0  0 0 1 0")),
+            ["W303 2:6"]
+        );
+        // Six decimals of 30°, and a rotation that also moves.
+        assert!(found(&turned("0.866025 0 0.5 7  0 1 0 0  -0.5 0 0.866025 0")).is_empty());
+    }
+
+    #[test]
+    fn singular_matrices_are_somebody_elses() {
+        assert_eq!(found(&turned("1 0 0 0  0 0 0 0  0 0 1 0")), ["E204 2:6"]);
+    }
+
+    #[test]
+    fn the_polar_factor_is_orthogonal_and_undoes_a_stretch() {
+        // Rows of a rotation (3-4-5 triangle) times a stretch S = diag(1e6, 1, 1e-6): R·S has the
+        // polar factor R.
+        let r = [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
+        let s = [1e6, 1.0, 1e-6];
+        let m: Matrix3 = std::array::from_fn(|i| std::array::from_fn(|j| r[i][j] * s[j]));
+        let u = nearest_orthogonal(&m).unwrap();
+        for k in 0..9 {
+            // The condition 1e12 costs twelve of sixteen digits at most.
+            assert!((u[k / 3][k % 3] - r[k / 3][k % 3]).abs() < 1e-4, "{u:?}");
+        }
+    }
+}

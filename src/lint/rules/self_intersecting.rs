@@ -1,0 +1,231 @@
+//! W320: a torus or a profile that runs through itself.
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::lint::{Context, rough};
+use crate::scene::{Geometry, Shape};
+
+type Point = [f64; 2];
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for shape in &context.scene.shapes {
+        match &shape.geometry {
+            Geometry::Torus { major, minor } if major < minor => torus(context, shape, out),
+            Geometry::Revolution { profile, .. } => revolution(context, shape, profile, out),
+            _ => {}
+        }
+    }
+}
+
+fn torus(context: &Context, shape: &Shape, out: &mut Vec<Diagnostic>) {
+    let Some(p) = context.params(shape.span) else {
+        return;
+    };
+    out.push(
+        Diagnostic::new(
+            Code::W320,
+            p.span_of(1, 1),
+            format!(
+                "the torus {} runs through itself: its tube (r = {}) is wider than its ring (R = {})",
+                shape.id,
+                p.text_of(1),
+                p.text_of(0)
+            ),
+        )
+        .here("r, the radius of the tube")
+        .label(p.span_of(0, 1), "R, from the axis to the middle of the tube")
+        .note("where the tube overlaps itself, a lemon around the axis, is outside: a hollow within")
+        .fix(Fix {
+            title: "swap R and r".to_owned(),
+            applicability: Applicability::Unsafe,
+            edits: [(0, 1), (1, 0)]
+                .map(|(to, from)| Edit {
+                    span: p.span_of(to, 1),
+                    text: p.text_of(from).to_owned(),
+                })
+                .into(),
+        }),
+    );
+}
+
+fn revolution(context: &Context, shape: &Shape, profile: &[Point], out: &mut Vec<Diagnostic>) {
+    let Some(crossing) = first_crossing(profile) else {
+        return;
+    };
+    let Some(p) = context.params(shape.span) else {
+        return;
+    };
+    let [x, y] = crossing.at.map(rough);
+    let n = profile.len();
+    // A piece of the profile with its two points, or a disc with its one.
+    let piece = |s: usize| match s.checked_sub(n - 1) {
+        Some(0) => (
+            "the disc that closes the first point".to_owned(),
+            p.span_of(1, 2),
+        ),
+        Some(_) => (
+            "the disc that closes the last point".to_owned(),
+            p.span_of(2 * n - 1, 2),
+        ),
+        None => (
+            format!("the piece from point {} to {}", s + 1, s + 2),
+            p.span_of(1 + 2 * s, 4),
+        ),
+    };
+    let (a, b) = (piece(crossing.pieces.0), piece(crossing.pieces.1));
+    out.push(
+        Diagnostic::new(
+            Code::W320,
+            a.1,
+            format!(
+                "the profile of the {} {} crosses itself near x = {x}, y = {y}",
+                shape.ty.title, shape.id
+            ),
+        )
+        .here(a.0)
+        .label(b.1, b.0)
+        .note(
+            "what the profile goes around twice is outside, by the even-odd rule: a hollow within",
+        )
+        .help("are two points of the profile in the wrong order?"),
+    );
+}
+
+/// Two pieces of a profile that cross, and where. Piece i runs from point i to the next; the piece
+/// after the last runs from the axis to the first point, the one after that from the last point to
+/// the axis.
+struct Crossing {
+    pieces: (usize, usize),
+    at: Point,
+}
+
+/// Comparisons of pieces per point of the profile before the search is given up: of a profile whose
+/// pieces all overlap in height there are as many pairs as the square of their number.
+const COMPARISONS: usize = 32;
+
+/// Some crossing of two pieces in their inner points, if there is one for certain. A profile that
+/// merely touches itself has none.
+fn first_crossing(profile: &[Point]) -> Option<Crossing> {
+    let (&first, &last) = (profile.first()?, profile.last()?);
+    let mut pieces: Vec<(usize, Point, Point)> = (0..profile.len() - 1)
+        .map(|i| (i, profile[i], profile[i + 1]))
+        .collect();
+    if first != last {
+        let n = profile.len();
+        pieces.push((n - 1, [0.0, first[1]], first));
+        pieces.push((n, last, [0.0, last[1]]));
+    }
+    // What lies on the axis is no surface.
+    pieces.retain(|(_, a, b)| (a[0] > 0.0 || b[0] > 0.0) && a != b);
+    let low = |s: &(usize, Point, Point)| s.1[1].min(s.2[1]);
+    let high = |s: &(usize, Point, Point)| s.1[1].max(s.2[1]);
+    pieces.sort_by(|s, t| low(s).total_cmp(&low(t)));
+    // A line sweeps upwards; `open` are the pieces that it may still meet.
+    let mut open: Vec<usize> = Vec::new();
+    let mut left = COMPARISONS * pieces.len();
+    for i in 0..pieces.len() {
+        let s = pieces[i];
+        left = left.checked_sub(open.len())?;
+        open.retain(|&j| high(&pieces[j]) >= low(&s));
+        for &j in &open {
+            let t = pieces[j];
+            if let Some(at) = crossing_point((s.1, s.2), (t.1, t.2)) {
+                return Some(Crossing {
+                    pieces: (s.0.min(t.0), s.0.max(t.0)),
+                    at,
+                });
+            }
+        }
+        open.push(i);
+    }
+    None
+}
+
+/// Where two pieces cross in their inner points, if that is certain.
+fn crossing_point((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<Point> {
+    let (sc, sd) = (side(a, b, c)?, side(a, b, d)?);
+    let (sa, sb) = (side(c, d, a)?, side(c, d, b)?);
+    if (sc > 0.0) == (sd > 0.0) || (sa > 0.0) == (sb > 0.0) {
+        return None;
+    }
+    let share = sa / (sa - sb);
+    Some([0, 1].map(|i| a[i] + (b[i] - a[i]) * share))
+}
+
+/// On which side of the line a → b a point is: positive on the left; `None` where rounding does not
+/// let that be told. The bound is that of Shewchuk's adaptive predicate, (3 + 16u)u with u = ε/2,
+/// on the sum of the two products' sizes ("Adaptive precision floating-point arithmetic and fast
+/// robust geometric predicates", 1997, section 4.3).
+fn side(a: Point, b: Point, p: Point) -> Option<f64> {
+    const U: f64 = f64::EPSILON / 2.0;
+    const BOUND: f64 = (3.0 + 16.0 * U) * U;
+    let left = (a[0] - p[0]) * (b[1] - p[1]);
+    let right = (a[1] - p[1]) * (b[0] - p[0]);
+    let x = left - right;
+    (x.abs() > BOUND * (left.abs() + right.abs())).then_some(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lint::testing::{fixed, found, messages};
+
+    #[test]
+    fn a_spindle_torus() {
+        let scene = "2 14 0.25 # R # 1\n";
+        assert_eq!(found(scene), ["W320 1:17"]);
+        assert_eq!(fixed(scene), "2 14 1 # R # 0.25\n");
+        assert!(found("2 14 1 1\n").is_empty());
+    }
+
+    #[test]
+    fn a_bow_tie_profile() {
+        let bow = "2 1 5  1 0  3 2  3 0  1 2  1 0\n";
+        assert_eq!(found(bow), ["W320 1:8"]);
+        assert_eq!(
+            messages(bow),
+            ["the profile of the surface of revolution 2 crosses itself near x = 2, y = 1"]
+        );
+        assert!(found("2 1 5  1 0  3 0  3 2  1 2  1 0\n").is_empty());
+    }
+
+    #[test]
+    fn touching_is_not_crossing() {
+        // A point of the profile on another piece of it, and a piece that goes back on itself.
+        assert!(
+            first_crossing(&[[0.0, 0.0], [2.0, 0.0], [1.0, 2.0], [1.0, 0.0], [0.5, 3.0]]).is_none()
+        );
+        assert!(
+            first_crossing(&[
+                [1.0, 0.0],
+                [1.0, 2.0],
+                [1.0, 1.0],
+                [2.0, 1.0],
+                [2.0, 0.0],
+                [1.0, 0.0]
+            ])
+            .is_none()
+        );
+        assert!(first_crossing(&[[0.0, 0.0], [0.0, 2.0], [0.0, 1.0], [1.0, 1.0]]).is_none());
+    }
+
+    #[test]
+    fn through_a_closing_disc() {
+        // The vase's foot reaches below its closed bottom.
+        let c = first_crossing(&[[2.0, 0.0], [3.0, 2.0], [1.0, -1.0], [0.0, -1.0]]).unwrap();
+        assert_eq!(c.pieces, (1, 3));
+        assert!((c.at[0] - 5.0 / 3.0).abs() < 1e-15 && c.at[1].abs() < 1e-15);
+    }
+
+    #[test]
+    fn long_profiles_are_quick() {
+        // A vase of many points, and a comb whose teeth all overlap in height.
+        let vase: Vec<Point> = (0..200_000)
+            .map(|i| [2.0 + (f64::from(i) / 1e4).sin(), f64::from(i)])
+            .collect();
+        assert!(first_crossing(&vase).is_none());
+        let comb: Vec<Point> = (0..200_000)
+            .map(|i| [f64::from(i) + 1.0, f64::from(i % 2)])
+            .collect();
+        assert!(first_crossing(&comb).is_none());
+    }
+}
