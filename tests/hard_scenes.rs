@@ -190,7 +190,7 @@ const EASIER: &[Easier] = &[
     (
         "ground",
         &[("20 11 0 -1000000 0 1000000", "20 4 0 1 0 0")],
-        20,
+        10,
     ),
     // What is equal counts once, and what is taken away from itself is nothing.
     (
@@ -232,7 +232,7 @@ const UNLIKE_FACES: &[Easier] = &[
             ("35 -105 34\n35 -3 0.75 1 0.75", "35 1 2 0.75 -1 0.75 2"),
             ("38 1 2 0.6 -0.6 0.6 0.6", "38 1 2 0.6 -1 0.6 1"),
         ],
-        0,
+        5,
     ),
 ];
 

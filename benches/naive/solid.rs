@@ -108,7 +108,7 @@ impl<'s, T: Number> Solids<'s, T> {
         Ok(Solids { scene, back })
     }
 
-    /// All crossings of the line with a node of the tree.
+    /// All crossings of the line with a node of the tree, by recursion: scenes here are small.
     pub fn crossings(&self, node: NodeId, ray: &Ray<T>) -> Hits<'s, T> {
         match self.scene.nodes[node as usize] {
             Node::Shape(shape) => {
