@@ -237,7 +237,6 @@ const UNLIKE_FACES: &[Easier] = &[
 ];
 
 #[test]
-#[ignore = "faces of solids that are placed differently are not recognised as one yet"]
 fn unlike_faces_are_one_too() {
     compare(UNLIKE_FACES);
 }
