@@ -126,16 +126,46 @@ fn shape(kind: u64, r: &mut Random, spread: f64) -> (Geometry, f64) {
     (geometry, a)
 }
 
+/// A bound on the rounding in the value of the definition at t, and on how deep a chord is that
+/// cannot be told from a touch.
+///
+/// A value is the sum of up to 16 products of three factors, each of them a coordinate of two
+/// roundings and a division: at most 4·3 + 16 roundings of the sizes of the terms, which are those
+/// of the definition with every sign turned to plus. A chord that is taken for a touch is as deep
+/// as its discriminant over 4a: the rounding of b² and 4ac, whose terms have 20 roundings each where
+/// the line is closest, and are no larger there.
+fn noise(geometry: &Geometry, l: &Line<Dd>, t: Dd) -> Dd {
+    let (o, d) = (l.origin.abs(), l.direction.abs());
+    Dd::gamma(2 * 20 + 28) * sizes(geometry, o + d * t.abs())
+}
+
+/// The sum of the sizes of the terms of the definition, for a point without negative coordinates.
+fn sizes(geometry: &Geometry, p: Vec3<Dd>) -> Dd {
+    let over = |x: Dd, a: f64| (x / Dd::of(a)).square();
+    match *geometry {
+        Geometry::Quadric(q) => value(&Geometry::Quadric(q.map(f64::abs)), p),
+        Geometry::Cone { height, radius } | Geometry::DoubleCone { height, radius } => {
+            let s = over(p[1], height);
+            over(p[0], radius) + s + over(p[2], radius) + s.sqrt() + Dd::ONE
+        }
+        Geometry::Ellipsoid { .. } => value(geometry, p) + Dd::of(2.0),
+        Geometry::ParabolicCylinder { a } => over(p[0], a) + p[1],
+        Geometry::HyperbolicCylinder { a, b } => over(p[0], a) + over(p[1], b) + Dd::ONE,
+        Geometry::Hyperboloid { a, b, c, .. } => {
+            over(p[0], a) + over(p[1], b) + over(p[2], c) + Dd::ONE
+        }
+        Geometry::HyperbolicParaboloid { a, b } => over(p[0], a) + over(p[2], b) + p[1],
+        _ => unreachable!(),
+    }
+}
+
 /// The sides of a line between its crossings, against the definition.
 fn check_sides(geometry: &Geometry, l: &Line<Dd>, roots: &Roots<Dd>) {
     let mut inside = roots.inside;
     let t: Vec<Dd> = roots.list.iter().map(|r| r.t).collect();
     let test = |t: Dd, inside: bool| {
         let f = value(geometry, l.at(t));
-        // Where the line is known to touch a seam, the definition itself is rounding.
-        let p = l.at(t);
-        let relative = Dd::of(if roots.uncertain { 1e-28 } else { 0.0 });
-        let noise = relative * (Dd::ONE + p.dot(p));
+        let noise = noise(geometry, l, t);
         assert!(
             f.abs() <= noise || (f < Dd::ZERO) == inside,
             "{geometry:?} {l:?} {roots:?} at {t:?}: {f:?}"

@@ -54,17 +54,15 @@ impl<R: Real> Line<R> {
         }
     }
 
-    /// The line in another space, with what the map rounds: γ₅ of the sizes of the terms of each
-    /// component, four operations and the rounding of the map's own numbers.
+    /// The line in another space, with what the map rounds.
     pub fn through(&self, map: &Affine<R>) -> Line<R> {
         let (o, d) = (self.origin, self.direction);
         let spread = |error: R| map.spread() * error * (R::ONE + R::gamma(5));
-        let size = map.sizes(o) + map.offset.abs();
+        let (point, vector) = map.rounding(o, d);
         Line {
             slack: Slack {
-                origin: spread(self.slack.origin) + R::gamma(5) * size.max_component(),
-                direction: spread(self.slack.direction)
-                    + R::gamma(5) * map.sizes(d).max_component(),
+                origin: spread(self.slack.origin) + point.max_component(),
+                direction: spread(self.slack.direction) + vector.max_component(),
             },
             ..Line::new(map.point(o), map.vector(d))
         }

@@ -5,6 +5,8 @@
 
 #[cfg(test)]
 mod close_calls;
+#[cfg(test)]
+mod contract_tests;
 mod cuboid;
 mod doubt;
 mod facet;
