@@ -1,0 +1,129 @@
+//! Draws the pictures of `scenes/hard` and counts in how many pixels textbook methods go wrong.
+//!
+//! `cargo bench --bench hard_gallery` draws every scene three times, with the textbook's ray tracer
+//! in single and in double precision and with the program, puts the three beside each other into
+//! `scenes/hard/pictures/NAME.png`, and writes the table of differing pixels into
+//! `scenes/hard/README.md`. With a word behind `--` it draws the scenes with that in their names,
+//! and leaves the table as it is.
+
+mod naive;
+
+use naive::{Naive, Number};
+use std::fmt::Write as _;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use zpg::commands::Loaded;
+use zpg::scene::{Camera, Scene};
+use zpg::trace::film::Film;
+use zpg::trace::{Settings, Tracer, selected_camera};
+
+const SIZE: [u32; 2] = [160, 128];
+/// Pixels between the pictures of one scene.
+const GAP: u32 = 4;
+/// How far two pixels may be apart in 8-bit sRGB, in any channel, and still count as the same.
+const SAME: u8 = 2;
+
+const BEGIN: &str = "<!-- Figures, written by `cargo bench --bench hard_gallery`. -->\n";
+const END: &str = "<!-- End of the figures. -->\n";
+
+type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
+
+fn main() -> Outcome<()> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/hard");
+    let wanted = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
+    let mut paths: Vec<PathBuf> = fs::read_dir(&folder)?
+        .map(|entry| Ok(entry?.path()))
+        .collect::<Outcome<_>>()?;
+    paths.retain(|path| path.extension().is_some_and(|e| e == "zpg"));
+    paths.sort();
+    fs::create_dir_all(folder.join("pictures"))?;
+    let mut table = String::from("| scene | f32, textbook | f64, textbook |\n|---|---:|---:|\n");
+    for path in &paths {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        if wanted.as_ref().is_some_and(|word| !name.contains(word)) {
+            continue;
+        }
+        let pictures = draw(path).map_err(|e| format!("{name}: {e}"))?;
+        let [single, double, ours] = &pictures;
+        let shares = [single, double].map(|film| {
+            let off = differing(film, ours);
+            format!(
+                "{off} ({:.1} %)",
+                100.0 * off as f64 / ours.pixels.len() as f64
+            )
+        });
+        println!("{name}: {} {}", shares[0], shares[1]);
+        writeln!(
+            table,
+            "| [`{name}`]({name}.zpg) | {} | {} |",
+            shares[0], shares[1]
+        )?;
+        let file = File::create(folder.join(format!("pictures/{name}.png")))?;
+        beside(&pictures).write_png(file)?;
+    }
+    if wanted.is_none() {
+        let page = folder.join("README.md");
+        let text = fs::read_to_string(&page)?;
+        let (head, rest) = text
+            .split_once(BEGIN)
+            .ok_or("the page has no place for figures")?;
+        let (_, tail) = rest.split_once(END).ok_or("the figures have no end")?;
+        fs::write(&page, format!("{head}{BEGIN}{table}{END}{tail}"))?;
+    }
+    Ok(())
+}
+
+/// A scene with the textbook's methods in single and double precision, and with the program.
+fn draw(path: &Path) -> Outcome<[Film; 3]> {
+    let loaded = Loaded::new(path.to_string_lossy(), fs::read(path)?);
+    if loaded.has_errors() {
+        return Err("the scene has errors".into());
+    }
+    let [width, height] = SIZE;
+    let camera = selected_camera(&loaded.scene, f64::from(width) / f64::from(height));
+    let settings = Settings {
+        width,
+        height,
+        ..Settings::default()
+    };
+    let ours = Tracer::new(&loaded.scene)?.render(&camera, &settings, || ())?;
+    Ok([
+        textbook::<f32>(&loaded.scene, &camera)?,
+        textbook::<f64>(&loaded.scene, &camera)?,
+        ours.film,
+    ])
+}
+
+fn textbook<T: Number>(scene: &Scene, camera: &Camera) -> Outcome<Film> {
+    let [width, height] = SIZE;
+    Ok(Film {
+        width,
+        height,
+        pixels: Naive::<T>::new(scene)?.render(camera, SIZE)?,
+    })
+}
+
+/// How many pixels are not the same.
+fn differing(a: &Film, b: &Film) -> usize {
+    use zpg::trace::film::srgb8;
+    let same =
+        |(p, q): (&[f32; 3], &[f32; 3])| (0..3).all(|c| srgb8(p[c]).abs_diff(srgb8(q[c])) <= SAME);
+    let pairs = a.pixels.iter().zip(&b.pixels);
+    pairs.filter(|&pair| !same(pair)).count()
+}
+
+/// The pictures in a row, with white between them.
+fn beside(films: &[Film; 3]) -> Film {
+    let [width, height] = SIZE;
+    let row = |film: &Film, y: u32| {
+        let start = (y * width) as usize;
+        film.pixels[start..start + width as usize].to_vec()
+    };
+    let gap = vec![[1.0; 3]; GAP as usize];
+    let rows = (0..height).map(|y| films.each_ref().map(|film| row(film, y)).join(&gap[..]));
+    Film {
+        width: 3 * width + 2 * GAP,
+        height,
+        pixels: rows.flatten().collect(),
+    }
+}
