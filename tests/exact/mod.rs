@@ -8,7 +8,7 @@
 
 pub mod algebra;
 
-use algebra::{Poly, Q, Root, q, sign};
+use algebra::{Poly, Q, Root, q, sign, to_f64};
 use std::cmp::Ordering;
 use zpg::scene::{Geometry, Node, NodeId, Scene};
 
@@ -292,7 +292,11 @@ impl Exact {
             -(&c * &c),
             back,
         );
-        Set::All(vec![side, self.between(1, y0.min(y1), y0.max(y1), back)])
+        // Half-open, so that a line that lies in the plane of a seam is of one segment.
+        let (low, high) = (y0.min(y1), y0.max(y1));
+        let below = |y: f64| [Q::ZERO, Q::ONE, Q::ZERO, -q(y)];
+        let lower = Set::Not(Box::new(self.half(below(low), back)));
+        Set::All(vec![side, lower, self.half(below(high), back)])
     }
 
     /// Everything on a ray with t > 0, ascending.
@@ -356,7 +360,7 @@ impl Exact {
         if value.is_zero() {
             return 0.0;
         }
-        ((&value * &value) / square).to_f64_fast().sqrt()
+        to_f64(&((&value * &value) / square)).sqrt()
     }
 }
 

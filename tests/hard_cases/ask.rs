@@ -1,6 +1,6 @@
 //! Questions to `zpg probe`, and its answers held to the exact ones.
 
-use super::exact::algebra::{Q, q};
+use super::exact::algebra::{Q, q, to_f64};
 use super::exact::{Answer, Exact};
 use dashu_int::{IBig, UBig};
 use serde_json::Value;
@@ -90,7 +90,7 @@ pub struct Said {
 
 impl Said {
     pub fn t(&self) -> Vec<f64> {
-        self.hits.iter().map(|h| h.t.to_f64_fast()).collect()
+        self.hits.iter().map(|h| to_f64(&h.t)).collect()
     }
 }
 
@@ -212,7 +212,7 @@ pub fn held(exact: &Exact, ray: Ray, said: &Said, precision: Precision, what: &s
     let list: Vec<f64> = right
         .changes
         .iter_mut()
-        .map(|c| c.t.near(90).to_f64_fast())
+        .map(|c| to_f64(&c.t.near(90)))
         .collect();
     assert_eq!(said.inside, right.inside_at_origin, "{what}");
     orderly(said, &what);
@@ -226,7 +226,7 @@ pub fn held(exact: &Exact, ray: Ray, said: &Said, precision: Precision, what: &s
     for (hit, change) in said.hits.iter().zip(&mut right.changes) {
         assert_eq!(hit.entering, change.entering, "{what}");
         let at_t = std::array::from_fn(|i| &o[i] + &d[i] * &hit.t);
-        let far = length(hit.point.each_ref().map(Q::to_f64_fast));
+        let far = length(hit.point.each_ref().map(to_f64));
         let scale = length(ray.origin).max(far).max(exact.size);
         let bound = 64.0 * precision.epsilon() * scale;
         for point in [&at_t, &hit.point] {
@@ -244,7 +244,7 @@ pub fn held(exact: &Exact, ray: Ray, said: &Said, precision: Precision, what: &s
         }
         // And it is this crossing: a line that touches is √(2rδ) along it while δ away from a
         // surface that bends with radius r.
-        let along = (hit.t.clone() - change.t.near(200)).to_f64_fast().abs();
+        let along = to_f64(&(&hit.t - change.t.near(200))).abs();
         let reach = 2.0 * (2.0 * scale * bound).sqrt();
         assert!(along * length(ray.direction) <= reach, "{what}: {along:e}");
         assert!(

@@ -35,8 +35,12 @@ fn render(scene: &Path, size: (usize, usize), precision: Precision) -> Vec<[f32;
     pixels.chunks(width).rev().flatten().copied().collect()
 }
 
+/// Double precision is the default.
 fn precision_option(precision: Precision) -> Vec<&'static str> {
-    vec!["--precision", precision.name()]
+    match precision {
+        Precision::F64 => Vec::new(),
+        _ => vec!["--precision", precision.name()],
+    }
 }
 
 /// With a headlight everything in view is lit: what is black must be wrong.
