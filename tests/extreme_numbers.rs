@@ -186,8 +186,7 @@ fn fault(tracer: &Tracer, o: &[f64], d: &[f64]) -> Option<String> {
             && sound(hit.shading)
             && sound(c.normal)
             && c.uv.iter().all(|x| x.is_finite())
-            && hit.colour.iter().all(|x| x.is_finite())
-            && hit.skin.is_finite();
+            && hit.colour.iter().all(|x| x.is_finite());
         if !finite {
             return Some(format!("not finite: {c:?}"));
         }

@@ -118,41 +118,40 @@ fn quarter_turns(r: &mut Random) -> Matrix {
     m
 }
 
-/// Changes that doubles hold exactly, for the numbers of the rays too: whole steps of up to 1e6,
-/// powers of two within 1e±6, quarter turns, turns by the (3, 4, 5) triangle five times as large.
+/// Changes that doubles hold exactly, with their inverses and the numbers of the rays: whole steps of
+/// up to 1e6, powers of two within 1e±6, quarter turns.
 fn exact_change(r: &mut Random) -> Matrix {
     let step = |r: &mut Random| r.below(2_000_001) as f64 - 1e6;
-    match r.below(4) {
+    match r.below(3) {
         0 => Matrix::translation(step(r), step(r), step(r)),
         1 => {
             let s = 2f64.powi(r.below(39) as i32 - 19);
             Matrix::scaling(s, s, s)
         }
-        2 => quarter_turns(r),
-        _ => {
-            let mut m = quarter_turns(r);
-            let (i, j) = [(0, 1), (1, 2), (2, 0)][r.below(3) as usize];
-            let mut turn = Matrix::scaling(5.0, 5.0, 5.0);
-            (turn.0[i][i], turn.0[i][j]) = (3.0, -4.0);
-            (turn.0[j][i], turn.0[j][j]) = (4.0, 3.0);
-            m = turn.after(&m);
-            m
-        }
+        _ => quarter_turns(r),
     }
 }
 
-/// Any translation, turn and scaling by up to 1e6, one at a time.
+/// Any translation, turn and scaling by up to 1e6, one at a time; and the turn of the (3, 4, 5)
+/// triangle, five times as large, which has rays without rounding but an inverse with.
 fn any_change(r: &mut Random) -> Matrix {
-    match r.below(3) {
+    match r.below(4) {
         0 => {
             let far = 10f64.powf(r.within(0.0, 6.0));
             let p = r.point(far);
             Matrix::translation(p[0], p[1], p[2])
         }
         1 => Matrix::rotation(r.within(-180.0, 180.0), r.below(3) as usize),
-        _ => {
+        2 => {
             let s = 10f64.powf(r.within(-6.0, 6.0));
             Matrix::scaling(s, s, s)
+        }
+        _ => {
+            let (i, j) = [(0, 1), (1, 2), (2, 0)][r.below(3) as usize];
+            let mut turn = Matrix::scaling(5.0, 5.0, 5.0);
+            (turn.0[i][i], turn.0[i][j]) = (3.0, -4.0);
+            (turn.0[j][i], turn.0[j][j]) = (4.0, 3.0);
+            turn.after(&quarter_turns(r))
         }
     }
 }
