@@ -82,9 +82,9 @@ fn table(precision: Precision) {
 macro_rules! programs {
     ($($module:ident::$name:ident in $($precision:ident)+;)+) => {
         const PROGRAMS: &[&str] = &[$(stringify!($name)),+];
-        programs!(@ double F64 $(($module $name $($precision)+))+);
-        programs!(@ single F32 $(($module $name $($precision)+))+);
-        programs!(@ double_double Dd $(($module $name $($precision)+))+);
+        programs!(@ in_f64 F64 $(($module $name $($precision)+))+);
+        programs!(@ in_f32 F32 $(($module $name $($precision)+))+);
+        programs!(@ in_dd Dd $(($module $name $($precision)+))+);
     };
     (@ $folder:ident $wanted:ident $($rest:tt)+) => {
         mod $folder {
@@ -96,13 +96,13 @@ macro_rules! programs {
             $(programs!(# $folder $rest);)+
         }
     };
-    (# double ($module:ident $name:ident f64 $($more:ident)*)) => {
+    (# in_f64 ($module:ident $name:ident f64 $($more:ident)*)) => {
         programs!(! $module $name F64);
     };
-    (# single ($module:ident $name:ident f64 f32 $($more:ident)*)) => {
+    (# in_f32 ($module:ident $name:ident f64 f32 $($more:ident)*)) => {
         programs!(! $module $name F32);
     };
-    (# double_double ($module:ident $name:ident f64 $(f32)? dd)) => {
+    (# in_dd ($module:ident $name:ident f64 $(f32)? dd)) => {
         programs!(! $module $name Dd);
     };
     (# $folder:ident $other:tt) => {};

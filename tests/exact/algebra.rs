@@ -1,5 +1,6 @@
 //! Polynomials with rational coefficients and their real roots, without any rounding.
 
+use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 use std::cmp::Ordering;
 use std::rc::Rc;
@@ -37,8 +38,17 @@ impl Poly {
         self.0.is_empty()
     }
 
-    pub fn at(&self, t: &Q) -> Q {
-        self.0.iter().rev().fold(Q::ZERO, |sum, c| sum * t + c)
+    /// The same with whole coefficients, times a positive number: for signs that is as good, and
+    /// nothing has to be reduced to lowest terms.
+    pub fn whole(&self) -> Whole {
+        let mut factor = UBig::ONE;
+        for c in &self.0 {
+            let scaled = c * Q::from(factor.clone());
+            factor *= scaled.denominator();
+        }
+        let factor = Q::from(factor);
+        let whole = |c: &Q| (c * &factor).numerator().clone();
+        Whole(self.0.iter().map(whole).collect())
     }
 
     pub fn plus(&self, other: &Poly, factor: &Q) -> Poly {
@@ -98,7 +108,7 @@ impl Poly {
     }
 
     /// Sturm's chain of a polynomial without multiple roots.
-    fn chain(&self) -> Vec<Poly> {
+    fn chain(&self) -> Vec<Whole> {
         let mut chain = vec![self.clone(), self.derivative()];
         while !chain.last().unwrap().is_zero() {
             let n = chain.len();
@@ -106,7 +116,7 @@ impl Poly {
             chain.push(Poly(rest.0.into_iter().map(|c| -c).collect()));
         }
         chain.pop();
-        chain
+        chain.iter().map(Poly::whole).collect()
     }
 
     /// All real roots, ascending, each once; none of the zero polynomial.
@@ -115,6 +125,7 @@ impl Poly {
             return Vec::new();
         }
         let poly = Rc::new(self.simple());
+        let whole = Rc::new(poly.whole());
         let chain = poly.chain();
         // Cauchy's bound.
         let lead = poly.0.last().unwrap();
@@ -127,6 +138,7 @@ impl Poly {
                 0 => {}
                 1 => roots.push(Root {
                     poly: poly.clone(),
+                    whole: whole.clone(),
                     low,
                     high,
                 }),
@@ -142,19 +154,38 @@ impl Poly {
 }
 
 /// How many roots the first polynomial of a Sturm chain has in (low, high].
-fn count(chain: &[Poly], low: &Q, high: &Q) -> usize {
+fn count(chain: &[Whole], low: &Q, high: &Q) -> usize {
     let changes = |t: &Q| {
-        let signs = chain.iter().map(|p| sign(&p.at(t))).filter(|&s| s != 0);
+        let signs = chain.iter().map(|p| p.sign(t)).filter(|&s| s != 0);
         let signs: Vec<i32> = signs.collect();
         signs.windows(2).filter(|w| w[0] != w[1]).count()
     };
     changes(low) - changes(high)
 }
 
+/// A polynomial with whole coefficients.
+#[derive(Debug)]
+pub struct Whole(Vec<IBig>);
+
+impl Whole {
+    /// The sign at n/d, which is that of Σ cᵢ nⁱ d^(degree − i).
+    pub fn sign(&self, t: &Q) -> i32 {
+        let (n, d) = (t.numerator(), IBig::from(t.denominator().clone()));
+        let mut sum = IBig::ZERO;
+        let mut power = IBig::ONE;
+        for c in self.0.iter().rev() {
+            sum = sum * n + c * &power;
+            power *= &d;
+        }
+        sum.cmp(&IBig::ZERO) as i32
+    }
+}
+
 /// A real root of a polynomial: the only one in (low, high].
 #[derive(Debug, Clone)]
 pub struct Root {
     poly: Rc<Poly>,
+    whole: Rc<Whole>,
     pub low: Q,
     pub high: Q,
 }
@@ -163,6 +194,7 @@ impl Root {
     /// A rational number.
     pub fn rational(x: Q) -> Root {
         Root {
+            whole: Rc::new(Poly(vec![-&x, Q::ONE]).whole()),
             poly: Rc::new(Poly(vec![-&x, Q::ONE])),
             low: &x - Q::ONE,
             high: x,
@@ -171,13 +203,13 @@ impl Root {
 
     /// Halves the interval.
     pub fn refine(&mut self) {
-        let at_high = sign(&self.poly.at(&self.high));
+        let at_high = self.whole.sign(&self.high);
         if at_high == 0 {
             self.low = (&self.low + &self.high) / Q::from(2u32);
             return;
         }
         let middle = (&self.low + &self.high) / Q::from(2u32);
-        if sign(&self.poly.at(&middle)) * at_high < 0 {
+        if self.whole.sign(&middle) * at_high < 0 {
             self.low = middle;
         } else {
             self.high = middle;
@@ -186,7 +218,7 @@ impl Root {
 
     /// A rational number at most 2⁻ᵇⁱᵗˢ away.
     pub fn near(&mut self, bits: usize) -> Q {
-        let width = Q::from_parts(1.into(), dashu_int::UBig::ONE << bits);
+        let width = Q::from_parts(1.into(), UBig::ONE << bits);
         while &self.high - &self.low > width {
             self.refine();
         }

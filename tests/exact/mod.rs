@@ -8,7 +8,7 @@
 
 pub mod algebra;
 
-use algebra::{Poly, Q, Root, q, sign, to_f64};
+use algebra::{Poly, Q, Root, Whole, q, to_f64};
 use std::cmp::Ordering;
 use zpg::scene::{Geometry, Node, NodeId, Scene};
 
@@ -322,8 +322,9 @@ impl Exact {
                 b.refine();
             }
         }
+        let whole: Vec<Whole> = polys.iter().map(Poly::whole).collect();
         let state = |t: &Q| {
-            let under: Vec<bool> = polys.iter().map(|p| sign(&p.at(t)) < 0).collect();
+            let under: Vec<bool> = whole.iter().map(|p| p.sign(t) < 0).collect();
             self.set.holds(&under)
         };
         let first = events.iter().position(|e| e.1.is_empty() || is_zero(&e.0));
