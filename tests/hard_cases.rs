@@ -43,7 +43,7 @@ fn check(row: &Value, precision: Precision) {
         let right = if own { &case["f32"] } else { case };
         let typed = right["t"].as_array().unwrap();
         orderly(said, &title);
-        if let Some(exact) = &exact {
+        if let (Some(exact), true) = (&exact, right["exact"] != false) {
             held(exact, *ray, said, precision, &title);
         }
         let what = format!(

@@ -9,7 +9,7 @@ use zpg::trace::Ray;
 use zpg::trace::dd::Dd;
 use zpg::trace::number::Real;
 use zpg::trace::ray::Line;
-use zpg::trace::shapes::quadric::{Quadric, cone::Cone, ellipsoid::Ellipsoid};
+use zpg::trace::shapes::quadric::{cone::Cone, ellipsoid::Ellipsoid};
 use zpg::trace::shapes::{Intersect, Primitive, Roots};
 use zpg::trace::vec::Vec3;
 
@@ -63,7 +63,9 @@ fn crossings<R: Real>(geometry: &Geometry, line: &Line<R>) -> Roots<R> {
         Geometry::DoubleCone { height, radius } => {
             Cone::double(height, radius).crossings(line, &mut roots);
         }
-        _ => Quadric::new(geometry).unwrap().crossings(line, &mut roots),
+        _ => Primitive::new(geometry)
+            .intersect()
+            .crossings(line, &mut roots),
     }
     roots
 }
@@ -184,7 +186,7 @@ fn random_lines_change_sides_where_the_definition_does() {
         }
         assert_eq!(t.inside, e.inside, "{geometry:?} {plain:?}");
         assert_eq!(t.list.len(), e.list.len(), "{geometry:?} {plain:?}");
-        let primitive = Primitive::new(&geometry).unwrap();
+        let primitive = Primitive::new(&geometry);
         let bounds = primitive.shape().bounds();
         for (a, b) in t.list.iter().zip(&e.list) {
             assert_eq!(a.face, b.face, "{geometry:?} {plain:?}");
@@ -420,7 +422,7 @@ fn no_line_is_too_extreme() {
         assert!(roots.list.windows(2).all(|w| w[0].t < w[1].t));
         let exact = crossings(&geometry, &line::<Dd>(o.0, d.0));
         assert!(exact.list.iter().all(|x| x.t.is_finite()));
-        let primitive = Primitive::new(&geometry).unwrap();
+        let primitive = Primitive::new(&geometry);
         for root in roots.list {
             let here = primitive.intersect().locate(&l, root);
             assert!(
@@ -436,8 +438,7 @@ fn apex_and_seams_have_normals_and_coordinates() {
     let cone = Primitive::new(&Geometry::Cone {
         height: -2.0,
         radius: 1.0,
-    })
-    .unwrap();
+    });
     let l = Line::new(Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, -1.0, 0.0));
     let mut roots = Roots::default();
     cone.intersect().crossings(&l, &mut roots);

@@ -57,6 +57,73 @@ impl<R: Real> Affine<R> {
     }
 }
 
+impl<R: Real> Affine<R> {
+    /// In another kind of number, rounded.
+    pub fn cast<S: Real>(&self) -> Affine<S> {
+        Affine {
+            rows: self.rows.map(Vec3::cast),
+            offset: self.offset.cast(),
+        }
+    }
+
+    /// The map that undoes this one, by elimination with complete pivoting: exact for maps that
+    /// only move, and one division an axis for those that also scale. `None` where it is singular
+    /// or not finite.
+    pub fn inverse(&self) -> Option<Affine<R>> {
+        let mut a = self.rows.map(|row| row.0);
+        let mut inverse = [[R::ZERO; 3]; 3];
+        let mut columns = [0usize, 1, 2];
+        for (i, row) in inverse.iter_mut().enumerate() {
+            row[i] = R::ONE;
+        }
+        for step in 0..3 {
+            let (mut row, mut column, mut best) = (step, step, R::ZERO);
+            for (i, r) in a.iter().enumerate().skip(step) {
+                for (j, x) in r.iter().enumerate().skip(step) {
+                    if x.abs() > best {
+                        (row, column, best) = (i, j, x.abs());
+                    }
+                }
+            }
+            if best == R::ZERO || !best.is_finite() {
+                return None;
+            }
+            a.swap(step, row);
+            inverse.swap(step, row);
+            for r in &mut a {
+                r.swap(step, column);
+            }
+            columns.swap(step, column);
+            let pivot = a[step][step];
+            for j in 0..3 {
+                a[step][j] = a[step][j] / pivot;
+                inverse[step][j] = inverse[step][j] / pivot;
+            }
+            for i in (0..3).filter(|&i| i != step) {
+                let factor = a[i][step];
+                if factor != R::ZERO {
+                    for j in 0..3 {
+                        a[i][j] -= factor * a[step][j];
+                        inverse[i][j] -= factor * inverse[step][j];
+                    }
+                }
+            }
+        }
+        let mut rows = [Vec3::ZERO; 3];
+        for (i, &c) in columns.iter().enumerate() {
+            rows[c] = Vec3(inverse[i]);
+        }
+        let linear = Affine {
+            rows,
+            offset: Vec3::ZERO,
+        };
+        // Zero has no sign here, lest −0 turn up as an origin.
+        let offset = linear.vector(self.offset).map(|x| R::ZERO - x);
+        let finite = offset.is_finite() && rows.iter().all(|row| row.is_finite());
+        finite.then_some(Affine { rows, offset })
+    }
+}
+
 /// A map from an object's space into its parent's, and back.
 #[derive(Debug, Clone, Copy)]
 pub struct Placement {

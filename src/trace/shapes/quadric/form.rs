@@ -73,6 +73,25 @@ impl Form {
         sink(*constant);
     }
 
+    /// The greatest distance at which terms of different degrees are equal in size: much farther out
+    /// only those of the second count, and what is lost to the others is small beside a point.
+    pub(super) fn extent(&self) -> f64 {
+        let of = |list: &[f64]| list.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let linear = of(&self.linear);
+        let unit = of(&self.unit);
+        let coefficients = self.square.iter().chain(&self.mixed);
+        let least = coefficients
+            .filter(|&&x| x != 0.0)
+            .fold(f64::INFINITY, |m, x| m.min(x.abs()));
+        let by_linear = if linear > 0.0 {
+            (self.constant / linear).abs()
+        } else {
+            0.0
+        };
+        let by_square = (linear / least).max((self.constant.abs() / least).sqrt());
+        unit * by_linear.max(by_square)
+    }
+
     /// Whether F is zero everywhere.
     pub(super) fn is_zero(&self) -> bool {
         let all = self.square.iter().chain(&self.mixed).chain(&self.linear);
