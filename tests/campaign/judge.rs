@@ -17,6 +17,9 @@ pub const BAR: f64 = 64.0;
 /// How many failures of a row are described.
 const DESCRIBED: usize = 12;
 
+/// The exponent of half of the least double, by which zero is moved.
+const LEAST: i64 = -1075;
+
 /// The results of one kind of number.
 #[derive(Default)]
 pub struct Row {
@@ -35,7 +38,8 @@ pub struct Row {
     pub plain_uncertain: u64,
     /// The largest distance of a crossing from the surface, in the unit of [`BAR`].
     pub worst: f64,
-    pub nanoseconds: f64,
+    /// Per line, one a batch.
+    pub nanoseconds: Vec<f64>,
     /// The first lines that break a rule.
     pub failures: Vec<String>,
 }
@@ -56,10 +60,17 @@ impl Row {
         self.plain += other.plain;
         self.plain_uncertain += other.plain_uncertain;
         self.worst = self.worst.max(other.worst);
-        self.nanoseconds += other.nanoseconds;
+        self.nanoseconds.extend(other.nanoseconds);
         self.failures.extend(other.failures);
         self.failures.truncate(DESCRIBED);
         self
+    }
+
+    /// The median over the batches, which other work on the machine does not move.
+    pub fn nanoseconds(&self) -> f64 {
+        let mut all = self.nanoseconds.clone();
+        all.sort_by(f64::total_cmp);
+        all.get(all.len() / 2).copied().unwrap_or(0.0)
     }
 
     fn fail(&mut self, what: String) {
@@ -116,10 +127,10 @@ impl Lines {
     /// its last place: one number, or all.
     fn changes_nearby<R: Number>(&self, truth: &Truth, answer: Answer) -> bool {
         let moved = |x: &Exact, way: i64| {
-            if x.is_zero() || way == 0 {
+            if way == 0 {
                 return x.clone();
             }
-            x + Exact::power_of_two(x.top() - R::HALF_ULP) * Exact::whole(way)
+            x + Exact::power_of_two((x.top() - R::HALF_ULP).max(LEAST)) * Exact::whole(way)
         };
         let singles = (0..12).map(|k| {
             let mut ways = [0; 6];
@@ -128,7 +139,9 @@ impl Lines {
         });
         let corners =
             (0..64).map(|k: usize| std::array::from_fn(|i| if k >> i & 1 == 0 { 1 } else { -1 }));
-        singles.chain(corners).any(|ways: [i64; 6]| {
+        // Single precision is often wrong, and shown only: the first will do.
+        let all = if R::NAME == f32::NAME { 12 } else { 12 + 64 };
+        singles.chain(corners).take(all).any(|ways: [i64; 6]| {
             let o = std::array::from_fn(|i| moved(&self.origin[i], ways[i]));
             let d = std::array::from_fn(|i| moved(&self.direction[i], ways[i + 3]));
             let (o, d) = self.inner(&o, &d);
@@ -177,7 +190,8 @@ fn traced<R: Number>(primitive: &Primitive, cases: &[Case], row: &mut Row) -> Ve
     for (case, roots) in cases.iter().zip(&mut all) {
         kernel::crossings(primitive, case, roots);
     }
-    row.nanoseconds += start.elapsed().as_nanos() as f64;
+    let time = start.elapsed().as_nanos() as f64;
+    row.nanoseconds.push(time / cases.len() as f64);
     all
 }
 

@@ -113,9 +113,11 @@ pub fn case(target: &Target, rng: &mut Rng) -> Case {
             for i in 0..3 {
                 o[i] = *rng.pick(&target.marks[i]);
             }
+            let across = &mut o[(axis + 1) % 3];
             match rng.below(4) {
-                0 => o[(axis + 1) % 3] = o[(axis + 1) % 3].next_up(),
-                1 => o[(axis + 1) % 3] = o[(axis + 1) % 3].next_down(),
+                _ if *across == 0.0 => {}
+                0 => *across = across.next_up(),
+                1 => *across = across.next_down(),
                 _ => {}
             }
             let mut d = [0.0; 3];

@@ -96,7 +96,7 @@ pub fn table(kinds: &[Kind]) -> String {
                 row.outside,
                 share(row.uncertain, row.rays),
                 share(row.plain_uncertain, row.plain),
-                row.nanoseconds / row.rays.max(1) as f64,
+                row.nanoseconds(),
             )
             .expect("a string takes everything");
         }

@@ -284,13 +284,21 @@ fn torus(major: &Exact, minor: &Exact, o: &Point, d: &Point) -> usize {
     let r2 = major.square().shifted(2);
     let flat = |v: &Point, w: &Point| &v[0] * &w[0] + &v[2] * &w[2];
     let b2 = b.twice();
-    sign_changes(&[
+    let coefficients = [
         k.square() - s,
         (&k * &b2 - &r2 * flat(o, d)).twice(),
         (&a * &k).twice() + b2.square() - r2 * flat(d, d),
         (&a * &b2).twice(),
         a.square(),
-    ])
+    ];
+    // In a unit of t in which the coefficients are of like sizes, and their integers short.
+    let size = |v: &Point| v.iter().map(Exact::top).max().unwrap_or(0);
+    let unit = size(o) - size(d);
+    let shifted: Vec<Exact> = (0..)
+        .zip(&coefficients)
+        .map(|(i, c)| c.shifted(i * unit))
+        .collect();
+    sign_changes(&shifted)
 }
 
 /// The least distance from the two circles (ρ ± R)² + y² = r² that the tube and its image make in
