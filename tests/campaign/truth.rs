@@ -293,7 +293,7 @@ fn torus(major: &Exact, minor: &Exact, o: &Point, d: &Point) -> usize {
     ];
     // In a unit of t in which the coefficients are of like sizes, and their integers short.
     let size = |v: &Point| v.iter().map(Exact::top).max().unwrap_or(0);
-    let unit = size(o) - size(d);
+    let unit = size(o).max(major.top()) - size(d);
     let shifted: Vec<Exact> = (0..)
         .zip(&coefficients)
         .map(|(i, c)| c.shifted(i * unit))
