@@ -144,7 +144,7 @@ impl Facets {
 
     pub fn distance(&self, p: &Point) -> f64 {
         /// How many of the facets that seem nearest are looked at.
-        const NEAREST: usize = 6;
+        const NEAREST: usize = 12;
         let about = p.each_ref().map(Exact::about);
         let from = |f: &Facet| length(std::array::from_fn(|i| f.centre[i] - about[i]));
         let mut order: Vec<(f64, &Facet)> = self.facets.iter().map(|f| (from(f), f)).collect();

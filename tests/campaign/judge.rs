@@ -295,11 +295,8 @@ impl<'a> Judge<'a> {
             row.fail(self.describe("crossings infinite or not ascending", roots));
             return;
         }
-        let said = Answer {
-            crossings: roots.list.len(),
-            inside: roots.inside,
-        };
-        if said != self.answer {
+        let right = self.answer.admits(roots.list.len(), roots.inside);
+        if !right {
             row.wrong += 1;
             if !self.lines.changes_nearby::<R>(self.truth, self.answer) {
                 row.outside += 1;
@@ -328,7 +325,7 @@ impl<'a> Judge<'a> {
             row.fail(self.describe(&what, roots));
         }
         let tolerance = BAR * R::EPSILON * reach;
-        if said == self.answer
+        if right
             && self.truth.is_solid()
             && !alternates(self.truth, (&self.o, &self.d), &t, roots.inside, tolerance)
         {

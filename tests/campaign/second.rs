@@ -1,7 +1,7 @@
 //! Surfaces of second degree.
 
 use super::exact::{Exact, Point, dot, minus, point};
-use super::truth::norm;
+use super::truth::{Answer, norm};
 use zpg::scene::Geometry;
 
 /// The pairs of axes of mixed terms.
@@ -102,23 +102,25 @@ impl Second {
         self.value_from_centre(&minus(p, &self.centre))
     }
 
-    /// How often a line crosses, and whether it comes from inside.
-    pub fn answer(&self, o: &Point, d: &Point) -> (usize, bool) {
+    pub fn answer(&self, o: &Point, d: &Point) -> Answer {
         let o = minus(o, &self.centre);
         // at² + 2bt + c
         let a = self.curved(d);
         let b = dot(&self.gradient_from_centre(&o), d).shifted(-1);
         let c = self.value_from_centre(&o);
-        if a.is_zero() {
-            return if b.is_zero() {
-                (0, !c.is_positive())
-            } else {
-                (1, b.is_positive())
-            };
+        let (crossings, inside) = if !a.is_zero() {
+            let discriminant = b.square() - &a * &c;
+            (2 * usize::from(discriminant.is_positive()), a.is_negative())
+        } else if !b.is_zero() {
+            (1, b.is_positive())
+        } else {
+            (0, c.is_negative())
+        };
+        Answer {
+            crossings,
+            inside,
+            within: a.is_zero() && b.is_zero() && c.is_zero(),
         }
-        let discriminant = b.square() - &a * c;
-        let crossings = if discriminant.is_positive() { 2 } else { 0 };
-        (crossings, a.is_negative())
     }
 
     /// The distance along the gradient or, if that is shorter, along some other direction: an upper

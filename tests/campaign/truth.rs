@@ -19,13 +19,21 @@ pub struct Answer {
     pub crossings: usize,
     /// Whether it comes from inside.
     pub inside: bool,
+    /// Whether it lies in the surface all along, which is neither inside nor outside.
+    pub within: bool,
 }
 
 impl Answer {
+    /// Whether this many crossings, from this side, are right.
+    pub fn admits(self, crossings: usize, inside: bool) -> bool {
+        self.crossings == crossings && (self.inside == inside || self.within)
+    }
+
     fn outside(crossings: usize) -> Answer {
         Answer {
             crossings,
             inside: false,
+            within: false,
         }
     }
 }
@@ -105,10 +113,7 @@ impl Truth {
     /// How often a line crosses the surface.
     pub fn answer(&self, o: &Point, d: &Point) -> Answer {
         match self {
-            Truth::Second(s) => {
-                let (crossings, inside) = s.answer(o, d);
-                Answer { crossings, inside }
-            }
+            Truth::Second(s) => s.answer(o, d),
             Truth::Turned(s) => Answer::outside(s.crossings(o, d)),
             Truth::Facets(s) => Answer::outside(s.crossings(o, d)),
             Truth::Torus { major, minor } => Answer::outside(torus(major, minor, o, d)),
@@ -119,14 +124,16 @@ impl Truth {
                 solid,
             } => {
                 let slope = dot(normal, d);
+                let value = dot(normal, o) + k;
                 Answer {
                     crossings: usize::from(!slope.is_zero()),
                     inside: *solid
                         && if slope.is_zero() {
-                            !(dot(normal, o) + k).is_positive()
+                            value.is_negative()
                         } else {
                             slope.is_positive()
                         },
+                    within: *solid && slope.is_zero() && value.is_zero(),
                 }
             }
             Truth::Rectangle { min, max } => {

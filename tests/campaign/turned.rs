@@ -2,7 +2,6 @@
 
 use super::exact::{Exact, Point, along};
 use super::roots::{Root, between, sorted};
-use std::cmp::Ordering;
 
 /// The inside is what the closed profile surrounds by the even-odd rule.
 pub struct Turned {
@@ -88,19 +87,25 @@ impl Turned {
         }
     }
 
-    /// Whether the way from a point straight away from the axis meets the profile an odd number of
-    /// times.
+    /// Whether a point is inside, and not in the surface: whether the way from it straight away
+    /// from the axis meets the profile an odd number of times, be it a little higher or lower, and
+    /// be it a little nearer to the axis or further away.
     pub fn holds(&self, p: &Point) -> bool {
-        self.surrounds(&(p[0].square() + p[2].square()), &p[1])
-    }
-
-    /// The same by ρ² and y. Of the ends of a segment the lower one belongs to it.
-    fn surrounds(&self, square: &Exact, y: &Exact) -> bool {
-        let beyond = self.segments.iter().filter(|s| {
+        let (square, y) = (p[0].square() + p[2].square(), &p[1]);
+        let mut odd = [false; 4];
+        for s in &self.segments {
             let (low, high) = s.heights();
-            low <= y && y < high && s.radius_times_h(y).square() > square * s.h.square()
-        });
-        beyond.count() % 2 == 1
+            if y < low || high < y || low == high {
+                continue;
+            }
+            let beyond = s.radius_times_h(y).square().cmp(&(&square * s.h.square()));
+            for (k, odd) in odd.iter_mut().enumerate() {
+                let meets = if k & 1 == 0 { y < high } else { low < y };
+                let further = beyond.is_gt() || k & 2 == 0 && beyond.is_eq();
+                *odd ^= meets && further;
+            }
+        }
+        odd == [true; 4]
     }
 
     /// The places where a line could change sides are those where it meets a segment, or that
@@ -153,16 +158,22 @@ impl Turned {
     pub fn distance(&self, p: &Point) -> f64 {
         /// Digits of ρ.
         const DIGITS: i64 = 256;
-        /// How many of the segments that seem nearest are looked at closely.
-        const NEAREST: usize = 3;
+        /// What segments may seem further away than the nearest one, and be it, in units of the
+        /// point's coordinates.
+        const ROUGHLY: f64 = 1e-9;
         let rho = (p[0].square() + p[2].square()).root(DIGITS).0;
         let (x, y) = (rho.about(), p[1].about());
-        let mut order: Vec<(f64, &Segment)> = (self.segments.iter())
-            .map(|s| (s.rough_distance(x, y), s))
+        let rough: Vec<f64> = (self.segments.iter())
+            .map(|s| s.rough_distance(x, y))
             .collect();
-        order.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
-        let near = order.iter().take(NEAREST);
-        near.map(|(_, s)| s.distance(&rho, &p[1]))
+        let nearest = rough.iter().copied().fold(f64::INFINITY, f64::min);
+        let limit = nearest + ROUGHLY * (x + y.abs());
+        let near = self
+            .segments
+            .iter()
+            .zip(&rough)
+            .filter(|(_, r)| **r <= limit);
+        near.map(|(s, _)| s.distance(&rho, &p[1]))
             .fold(f64::INFINITY, f64::min)
     }
 }
