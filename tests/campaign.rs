@@ -7,7 +7,7 @@ use campaign::exact::Exact;
 use campaign::roots::{Root, between, sign_changes, sorted};
 
 /// Lines a kind of shape.
-const RAYS: usize = 2000;
+const RAYS: usize = 480;
 
 /// The same every time.
 const SEED: u64 = 20;

@@ -2,6 +2,7 @@
 
 use super::exact::{Exact, Point, along, cross, dot, minus, point};
 use super::truth::{length, sides, triangle_distance};
+use std::sync::OnceLock;
 
 /// Digits of the vertices, which are irrational.
 const DIGITS: i64 = 320;
@@ -27,34 +28,6 @@ struct Facet {
 
 impl Facets {
     pub fn new(radius: f64, splits: u32) -> Facets {
-        let vertices = icosahedron();
-        let mut list: Vec<[Point; 3]> = Vec::new();
-        // Edges are those of the 66 pairs that are closest together, at a cosine of 1/√5.
-        let joined = |i: usize, j: usize| dot(&vertices[i], &vertices[j]).about() > 0.4;
-        for i in 0..12 {
-            for j in i + 1..12 {
-                for k in j + 1..12 {
-                    if joined(i, j) && joined(j, k) && joined(k, i) {
-                        let [a, b, c] = [i, j, k].map(|n| vertices[n].clone());
-                        let outwards = dot(&cross(&a, &b), &c).is_positive();
-                        list.push(if outwards { [a, b, c] } else { [a, c, b] });
-                    }
-                }
-            }
-        }
-        assert_eq!(list.len(), 20);
-        for _ in 0..splits {
-            let split = |[a, b, c]: [Point; 3]| {
-                let (ab, bc, ca) = (middle(&a, &b), middle(&b, &c), middle(&c, &a));
-                [
-                    [a, ab.clone(), ca.clone()],
-                    [ab.clone(), b, bc.clone()],
-                    [ca.clone(), bc.clone(), c],
-                    [bc, ca, ab],
-                ]
-            };
-            list = list.into_iter().flat_map(split).collect();
-        }
         let size = Exact::of(radius);
         let facet = |vertices: [Point; 3]| {
             let vertices = vertices.map(|v| v.map(|x| x * &size));
@@ -73,7 +46,7 @@ impl Facets {
             }
         };
         Facets {
-            facets: list.into_iter().map(facet).collect(),
+            facets: unit_facets(splits).iter().cloned().map(facet).collect(),
             radius,
         }
     }
@@ -153,6 +126,42 @@ impl Facets {
         near.map(|(_, f)| triangle_distance(&f.vertices, p))
             .fold(f64::INFINITY, f64::min)
     }
+}
+
+/// The facets of radius 1, which are made once.
+fn unit_facets(splits: u32) -> &'static [[Point; 3]] {
+    static MADE: [OnceLock<Vec<[Point; 3]>>; 10] = [const { OnceLock::new() }; 10];
+    MADE[splits as usize].get_or_init(|| {
+        let vertices = icosahedron();
+        let mut list: Vec<[Point; 3]> = Vec::new();
+        // Edges are those of the 66 pairs that are closest together, at a cosine of 1/√5.
+        let joined = |i: usize, j: usize| dot(&vertices[i], &vertices[j]).about() > 0.4;
+        for i in 0..12 {
+            for j in i + 1..12 {
+                for k in j + 1..12 {
+                    if joined(i, j) && joined(j, k) && joined(k, i) {
+                        let [a, b, c] = [i, j, k].map(|n| vertices[n].clone());
+                        let outwards = dot(&cross(&a, &b), &c).is_positive();
+                        list.push(if outwards { [a, b, c] } else { [a, c, b] });
+                    }
+                }
+            }
+        }
+        assert_eq!(list.len(), 20);
+        for _ in 0..splits {
+            let split = |[a, b, c]: [Point; 3]| {
+                let (ab, bc, ca) = (middle(&a, &b), middle(&b, &c), middle(&c, &a));
+                [
+                    [a, ab.clone(), ca.clone()],
+                    [ab.clone(), b, bc.clone()],
+                    [ca.clone(), bc.clone(), c],
+                    [bc, ca, ab],
+                ]
+            };
+            list = list.into_iter().flat_map(split).collect();
+        }
+        list
+    })
 }
 
 /// (0, ±1, ±φ) and its cyclic permutations, on the unit sphere.

@@ -23,7 +23,7 @@ use rayon::prelude::*;
 use std::fmt::Write;
 
 /// Lines that are traced through one shape before the next is made.
-const BATCH: usize = 64;
+const BATCH: usize = 16;
 
 /// The rows of one kind of shape: f32, f64 and dd.
 pub struct Kind {
