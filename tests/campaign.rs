@@ -3,8 +3,10 @@
 #[path = "campaign/mod.rs"]
 mod campaign;
 
-use campaign::exact::Exact;
+use campaign::exact::{Exact, point};
 use campaign::roots::{Root, between, sign_changes, sorted};
+use campaign::truth::Truth;
+use zpg::scene::Geometry;
 
 /// Lines a kind of shape.
 const RAYS: usize = 480;
@@ -20,7 +22,12 @@ fn meets_the_bars(name: &str) {
     let kind = kind.expect("a kind of shape");
     let result = campaign::run(kind, RAYS, SEED);
     let failures = result.failures();
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    assert!(
+        failures.is_empty(),
+        "{}\n{}",
+        campaign::table(&[result]),
+        failures.join("\n")
+    );
 }
 
 macro_rules! kinds {
@@ -126,4 +133,59 @@ fn roots_are_where_they_are() {
     }
     assert!(Root::quadratic(n(1.0), n(0.0), n(1.0)).is_empty());
     assert_eq!(Root::quadratic(n(1.0), n(1.0), n(1.0)).len(), 1);
+}
+
+/// Answers that can be worked out by hand.
+#[test]
+fn the_evaluation_knows_touches() {
+    let torus = |major, minor| Truth::new(&Geometry::Torus { major, minor });
+    let sphere = Truth::new(&Geometry::Sphere {
+        centre: [0.0; 3],
+        radius: 1.0,
+    });
+    let cone = Truth::new(&Geometry::Cone {
+        height: 1.0,
+        radius: 1.0,
+    });
+    let double = Truth::new(&Geometry::DoubleCone {
+        height: 1.0,
+        radius: 1.0,
+    });
+    let cuboid = Truth::new(&Geometry::Box {
+        min: [-1.0; 3],
+        max: [1.0; 3],
+    });
+    let ahead = [0.0, 0.0, 1.0];
+    let up = [0.0, 1.0, 0.0];
+    for (truth, o, d, crossings) in [
+        // The plane on top of a torus touches it in a circle; its inner equator is passed inside.
+        (&torus(1.0, 0.25), [1.0, 0.25, -5.0], ahead, 0),
+        (&torus(1.0, 0.25), [0.0, 0.25, -5.0], ahead, 0),
+        (&torus(1.0, 0.25), [1.25, 0.0, -5.0], ahead, 0),
+        (&torus(1.0, 0.25), [1.25 - 1e-9, 0.0, -5.0], ahead, 2),
+        (&torus(1.0, 0.25), [0.75, 0.0, -5.0], ahead, 2),
+        (&torus(1.0, 0.25), [0.0, 0.0, -5.0], ahead, 4),
+        // The axis of a horn torus touches it in the centre; that of a spindle lies in the lemon or
+        // outside. Beside it there are the tube, the lemon and the tube.
+        (&torus(1.0, 1.0), [0.0, 5.0, 0.0], up, 0),
+        (&torus(1.0, 2.0), [0.0, 5.0, 0.0], up, 0),
+        (&torus(1.0, 2.0), [0.5, 0.0, -5.0], ahead, 4),
+        (&sphere, [1.0, 0.0, -5.0], ahead, 0),
+        (&sphere, [1.0f64.next_down(), 0.0, -5.0], ahead, 2),
+        // The apex, a generator, the base, and through the apex from one half to the other.
+        (&cone, [-5.0, 0.0, 0.0], [1.0, 0.0, 0.0], 0),
+        (&cone, [-5.0, -5.0, 0.0], [1.0, 1.0, 0.0], 0),
+        (&cone, [-5.0, 1.0, 0.0], [1.0, 0.0, 0.0], 0),
+        (&cone, [0.0, -5.0, 0.0], up, 2),
+        (&double, [0.0, -5.0, 0.0], up, 2),
+        (&double, [0.001, -5.0, 0.0], up, 4),
+        (&cuboid, [1.0, 0.0, -5.0], ahead, 0),
+        (&cuboid, [1.0f64.next_down(), 0.0, -5.0], ahead, 2),
+        (&cuboid, [-5.0, 0.0, -4.0], [1.0, 0.0, 1.0], 2),
+        (&cuboid, [-5.0, 0.0, -3.0], [1.0, 0.0, 1.0], 0),
+    ] {
+        let answer = truth.answer(&point(o), &point(d));
+        assert_eq!(answer.crossings, crossings, "{o:?} {d:?}");
+        assert!(!answer.inside);
+    }
 }

@@ -13,7 +13,7 @@ mod rng;
 pub mod roots;
 mod second;
 mod shapes;
-mod truth;
+pub mod truth;
 mod turned;
 
 pub use judge::Row;
