@@ -109,10 +109,7 @@ pub fn case(target: &Target, rng: &mut Rng) -> Case {
         // Touching, or just not, on numbers that are exact.
         _ => {
             let axis = rng.below(3);
-            let mut o = target.centre;
-            for i in 0..3 {
-                o[i] = *rng.pick(&target.marks[i]);
-            }
+            let mut o: [f64; 3] = std::array::from_fn(|i| *rng.pick(&target.marks[i]));
             let across = &mut o[(axis + 1) % 3];
             match rng.below(4) {
                 _ if *across == 0.0 => {}

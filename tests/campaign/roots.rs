@@ -186,7 +186,7 @@ fn sturm(f: Vec<IBig>) -> (usize, Vec<IBig>) {
     }
     let changes = |at_minus: bool| {
         let negative = |f: &Vec<IBig>| {
-            let odd = f.len() % 2 == 0;
+            let odd = f.len().is_multiple_of(2);
             is_negative(f.last().expect("trimmed")) != (at_minus && odd)
         };
         chain

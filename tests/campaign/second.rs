@@ -68,9 +68,9 @@ impl Second {
     /// The terms of second degree.
     fn curved(&self, v: &Point) -> Exact {
         let mut sum = Exact::zero();
-        for i in 0..3 {
-            if !self.square[i].is_zero() {
-                sum = sum + &self.square[i] * v[i].square();
+        for (s, x) in self.square.iter().zip(v) {
+            if !s.is_zero() {
+                sum = sum + s * x.square();
             }
         }
         for (m, (i, j)) in self.mixed.iter().zip(PAIRS) {
