@@ -263,7 +263,10 @@ fn wrong_usage() {
             &["a.zpg", "--pixel", "0,0", "--camera", "90"],
             "did you mean 900?",
         ),
-        (&["a.zpg", "--point", "0 0 0", "--precision", "dd"], "f64"),
+        (
+            &["a.zpg", "--point", "0 0 0", "--precision", "f16"],
+            "[possible values: f32, f64, dd]",
+        ),
         (&["b.zpg", "--point", "0 0 0"], "cannot read b.zpg"),
         (&["a.zpg", "--rays", "b.txt"], "cannot read b.txt"),
     ] {

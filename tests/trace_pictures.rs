@@ -310,15 +310,22 @@ fn shadows_through_glass_are_kt_squared() {
 
 #[test]
 fn touching_glass_is_one_block() {
-    // Two blocks of glass, face to face but for less than the rounding of their coordinates: no air
-    // between them, so nothing is totally reflected and the second medium follows the first.
+    // Two blocks of glass, face to face but for less than the rounding of the numbers that place
+    // them: no air between them, so nothing is totally reflected and the second medium follows the
+    // first. Where the blocks themselves are written with a gap, however thin, there is air in it.
     let mut r = Random(8);
     for round in 0..200 {
         let mut b = Builder::default();
         let turn = Matrix::rotation(r.within(0.0, 360.0), round % 3);
         let turn = Matrix::translation(3.0, 3.0, 3.0).after(&turn);
         let left = b.cuboid([-1.0, -4.0, -4.0], [0.0, 4.0, 4.0]);
-        let right = b.cuboid([7e-16, -4.0, -4.0], [1.0, 4.0, 4.0]);
+        let gap = round % 2 == 1;
+        let edge = if gap { 7e-16 } else { 0.0 };
+        let right = b.cuboid([edge, -4.0, -4.0], [1.0, 4.0, 4.0]);
+        let right = match gap {
+            true => right,
+            false => b.moved(right, Matrix::translation(7e-16, 0.0, 0.0)),
+        };
         let [left, right] = [left, right].map(|n| b.moved(n, turn));
         let left = b.made_of(left, CLEAR, 1.5);
         let right = b.made_of(right, CLEAR, 1.25);
@@ -341,7 +348,11 @@ fn touching_glass_is_one_block() {
             let bent = zpg::trace::shade::refract(ray.line.direction, hit.facing(), ratio);
             ray = hit.leave(bent.unwrap(), true);
         }
-        assert_eq!(indices, [1.0, 1.5, 1.25, 1.0], "{round}");
+        let expected: &[f64] = match gap {
+            true => &[1.0, 1.5, 1.0, 1.25, 1.0],
+            false => &[1.0, 1.5, 1.25, 1.0],
+        };
+        assert_eq!(indices, expected, "{round}");
     }
 }
 

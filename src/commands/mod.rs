@@ -12,6 +12,7 @@ pub mod draft;
 pub mod explain;
 pub mod fmt;
 pub mod loaded;
+mod numbers;
 pub mod paths;
 pub mod plan;
 pub mod probe;

@@ -16,9 +16,10 @@ use crate::diagnostics::Span;
 use crate::scene::{Camera, Render, Scene};
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
+use crate::trace::dd::Dd;
 use crate::trace::vec::Vec3;
 use crate::trace::{
-    Crop, Images, Ray, Settings, Tracer, Unanswered, Unsupported, members, selected_camera,
+    Crop, Images, Numbers, Ray, Settings, Tracer, Unanswered, Unsupported, members, selected_camera,
 };
 use answer::{PixelAnswer, PointAnswer, RayAnswer};
 use rays::{BadRay, Input};
@@ -85,20 +86,9 @@ pub struct Args {
     #[arg(long, value_name = "ID")]
     object: Option<u32>,
 
-    /// The numbers to compute with
-    #[arg(long, value_enum, default_value_t)]
-    precision: Precision,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-enum Precision {
-    /// Single precision
-    F32,
-    /// Double precision
-    #[default]
-    F64,
-    /// Double-double, about 32 digits
-    Dd,
+    /// The numbers to compute with; with dd, t, points and normals are strings of 32 digits
+    #[arg(long, value_enum, default_value = "f64")]
+    precision: Numbers,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -159,10 +149,6 @@ impl From<Unanswered> for Failure {
 
 pub fn run(args: &Args, color: ColorChoice) -> Status {
     let from_stdin = |path: &Path| path.as_os_str() == STDIN;
-    if args.precision != Precision::F64 {
-        complain("only --precision f64 is available yet");
-        return Status::Failure;
-    }
     if from_stdin(&args.file) && args.rays.as_deref().is_some_and(from_stdin) {
         complain("the scene and the rays cannot both be standard input");
         return Status::Failure;
@@ -207,7 +193,11 @@ fn answer(args: &Args, loaded: &mut Loaded) -> Result<Status, Failure> {
         let mut input = open(path)?;
         let tracer = tracer(loaded)?;
         let bad = |e: BadRay| complain(&format!("{}:{e}", path.display()));
-        return Ok(rays::stream(&tracer, &mut input, bad));
+        return Ok(match args.precision {
+            Numbers::F32 => rays::stream::<f32>(&tracer, &mut input, bad),
+            Numbers::F64 => rays::stream::<f64>(&tracer, &mut input, bad),
+            Numbers::Dd => rays::stream::<Dd>(&tracer, &mut input, bad),
+        });
     }
     if let Some(PixelArg(pixel)) = args.pixel {
         let answer = pixel_answer(args, loaded, pixel)?;
@@ -216,9 +206,17 @@ fn answer(args: &Args, loaded: &mut Loaded) -> Result<Status, Failure> {
     let Some(RayArg(ray)) = args.ray else {
         return Err(Failure::Usage("there is no question".into()));
     };
-    let tracer = tracer(loaded)?;
-    let answer = RayAnswer::new(&tracer, &mut tracer.walker(), &ray).map_err(Failure::Usage)?;
+    let answer = ray_answer(&tracer(loaded)?, &ray, args.precision)?;
     Ok(print(Status::Clean, |out| answer::write(out, &answer)))
+}
+
+fn ray_answer(tracer: &Tracer, ray: &Ray, numbers: Numbers) -> Result<RayAnswer, Failure> {
+    let answer = match numbers {
+        Numbers::F32 => RayAnswer::new::<f32>(tracer, &mut tracer.walker(), ray),
+        Numbers::F64 => RayAnswer::new::<f64>(tracer, &mut tracer.walker(), ray),
+        Numbers::Dd => RayAnswer::new::<Dd>(tracer, &mut tracer.walker(), ray),
+    };
+    answer.map_err(Failure::Usage)
 }
 
 /// The rays of a file.
@@ -309,6 +307,7 @@ fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAn
             width: 1,
             height: 1,
         }),
+        numbers: args.precision,
         ..Settings::default()
     };
     let film = tracer.render(&camera, &settings, || ())?.film;
@@ -319,6 +318,6 @@ fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAn
             "the camera's projection has no ray in pixel {x},{y}"
         ))
     })?;
-    let answer = RayAnswer::new(&tracer, &mut tracer.walker(), &ray).map_err(Failure::Usage)?;
+    let answer = ray_answer(&tracer, &ray, args.precision)?;
     Ok(PixelAnswer::new(pixel, film.pixel(0, 0), answer))
 }

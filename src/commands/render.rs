@@ -23,7 +23,7 @@ use crate::syntax::Document;
 use crate::trace::plan::Plan;
 use crate::trace::stats::{Counts, Intersections, Rays};
 use crate::trace::{
-    CostMap, Crop, Film, Images, Picture, Settings, Tracer, Unsupported, selected_camera,
+    CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer, Unsupported, selected_camera,
 };
 use output::Output;
 
@@ -67,6 +67,10 @@ pub struct Args {
     /// Leave out what counts for less than this; 0 leaves out nothing [default: 1/4096]
     #[arg(long, value_name = "W", value_parser = cutoff)]
     cutoff: Option<f64>,
+
+    /// The numbers to compute with between a ray and what it hits
+    #[arg(long, value_enum, default_value = "f64")]
+    precision: Numbers,
 
     /// Draw this part of the picture only
     #[arg(long, value_name = "X,Y,W,H")]
@@ -175,6 +179,7 @@ struct Stats {
     seconds: Seconds,
     rays: Rays,
     intersections: Intersections,
+    uncertain: u64,
     effects: Vec<&'static str>,
     peak_memory_bytes: u64,
 }
@@ -285,12 +290,13 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
     if let Some(path) = &args.stats {
         let stats = Stats {
             size: [settings.width, settings.height],
-            precision: "f64",
+            precision: args.precision.name(),
             threads: pool.current_num_threads(),
             samples,
             seconds,
             rays: counts.rays,
             intersections: counts.intersections,
+            uncertain: counts.uncertain,
             effects: tracer.plan.names(),
             peak_memory_bytes: peak_memory(),
         };
@@ -326,6 +332,7 @@ fn settings(args: &Args) -> Result<Settings, Failure> {
         tolerance: args.adaptive,
         depth: args.depth,
         cutoff: args.cutoff.unwrap_or(default.cutoff),
+        numbers: args.precision,
         stop: None,
     })
 }

@@ -1,5 +1,6 @@
 //! Affine maps with their inverses, and what they do to rounding errors.
 
+use super::exponent::{exponent, shifted};
 use super::number::Real;
 use super::vec::Vec3;
 use crate::scene::Matrix;
@@ -9,14 +10,29 @@ use crate::scene::Matrix;
 pub struct Affine<R = f64> {
     pub rows: [Vec3<R>; 3],
     pub offset: Vec3<R>,
+    /// Which rows take one coordinate as it is, or times a power of two: these round no product.
+    plain: [bool; 3],
 }
 
 impl<R: Real> Affine<R> {
     pub fn new(m: &Matrix) -> Affine<R> {
         let row = |i: usize| Vec3::new(m.0[i][0], m.0[i][1], m.0[i][2]).cast();
+        Affine::of(
+            [row(0), row(1), row(2)],
+            Vec3::new(m.0[0][3], m.0[1][3], m.0[2][3]).cast(),
+        )
+    }
+
+    pub fn of(rows: [Vec3<R>; 3], offset: Vec3<R>) -> Affine<R> {
+        let plain = rows.map(|row| {
+            let mut numbers = row.0.into_iter().filter(|&x| x != R::ZERO);
+            let only = numbers.next().filter(|_| numbers.next().is_none());
+            only.is_some_and(|x| x.abs() == shifted(R::ONE, exponent(x.to_f64())))
+        });
         Affine {
-            rows: [row(0), row(1), row(2)],
-            offset: Vec3::new(m.0[0][3], m.0[1][3], m.0[2][3]).cast(),
+            rows,
+            offset,
+            plain,
         }
     }
 
@@ -49,11 +65,90 @@ impl<R: Real> Affine<R> {
         self.sizes(Vec3::ONE).max_component()
     }
 
+    /// Bounds on what `point(p)` and `vector(v)` round, the map's own numbers included: γ₅ of the
+    /// sizes of the terms of each component, or, where a coordinate is only moved, half a unit in
+    /// the last place of the result, and nothing where it stays.
+    pub fn rounding(&self, p: Vec3<R>, v: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
+        let (points, vectors) = (self.sizes(p), self.sizes(v));
+        let (mut point, mut vector) = (Vec3::ZERO, Vec3::ZERO);
+        for i in 0..3 {
+            let offset = self.offset[i];
+            if !self.plain[i] {
+                point[i] = R::gamma(5) * (points[i] + offset.abs());
+                vector[i] = R::gamma(5) * vectors[i];
+            } else if offset != R::ZERO {
+                point[i] = R::gamma(1) * (points[i] + offset.abs());
+            }
+        }
+        (point, vector)
+    }
+
     /// A bound on the error of `point(p)` where p is off by at most `error`:
     /// (γ₃ + 1)|M| error + γ₄(|M||p| + |offset|) (pbrt-v4, section 6.8.6).
     pub fn point_error(&self, p: Vec3<R>, error: Vec3<R>) -> Vec3<R> {
         self.sizes(error) * (R::ONE + R::gamma(3))
             + (self.sizes(p) + self.offset.abs()) * R::gamma(4)
+    }
+}
+
+impl<R: Real> Affine<R> {
+    /// In another kind of number, rounded.
+    pub fn cast<S: Real>(&self) -> Affine<S> {
+        Affine::of(self.rows.map(Vec3::cast), self.offset.cast())
+    }
+
+    /// The map that undoes this one, by elimination with complete pivoting: exact for maps that
+    /// only move, and one division an axis for those that also scale. `None` where it is singular
+    /// or not finite.
+    pub fn inverse(&self) -> Option<Affine<R>> {
+        let mut a = self.rows.map(|row| row.0);
+        let mut inverse = [[R::ZERO; 3]; 3];
+        let mut columns = [0usize, 1, 2];
+        for (i, row) in inverse.iter_mut().enumerate() {
+            row[i] = R::ONE;
+        }
+        for step in 0..3 {
+            let (mut row, mut column, mut best) = (step, step, R::ZERO);
+            for (i, r) in a.iter().enumerate().skip(step) {
+                for (j, x) in r.iter().enumerate().skip(step) {
+                    if x.abs() > best {
+                        (row, column, best) = (i, j, x.abs());
+                    }
+                }
+            }
+            if best == R::ZERO || !best.is_finite() {
+                return None;
+            }
+            a.swap(step, row);
+            inverse.swap(step, row);
+            for r in &mut a {
+                r.swap(step, column);
+            }
+            columns.swap(step, column);
+            let pivot = a[step][step];
+            for j in 0..3 {
+                a[step][j] = a[step][j] / pivot;
+                inverse[step][j] = inverse[step][j] / pivot;
+            }
+            for i in (0..3).filter(|&i| i != step) {
+                let factor = a[i][step];
+                if factor != R::ZERO {
+                    for j in 0..3 {
+                        a[i][j] -= factor * a[step][j];
+                        inverse[i][j] -= factor * inverse[step][j];
+                    }
+                }
+            }
+        }
+        let mut rows = [Vec3::ZERO; 3];
+        for (i, &c) in columns.iter().enumerate() {
+            rows[c] = Vec3(inverse[i]);
+        }
+        let linear = Affine::of(rows, Vec3::ZERO);
+        // Zero has no sign here, lest −0 turn up as an origin.
+        let offset = linear.vector(self.offset).map(|x| R::ZERO - x);
+        let finite = offset.is_finite() && rows.iter().all(|row| row.is_finite());
+        finite.then(|| Affine::of(rows, offset))
     }
 }
 

@@ -52,6 +52,14 @@ impl Bounds {
         (0..3).all(|i| self.min[i] <= other.min[i] && other.max[i] <= self.max[i])
     }
 
+    /// The largest coordinate, in size.
+    pub fn reach(&self) -> f64 {
+        self.min
+            .abs()
+            .max_component()
+            .max(self.max.abs().max_component())
+    }
+
     pub fn centre(&self) -> Vec3 {
         self.min * 0.5 + self.max * 0.5
     }
@@ -112,18 +120,19 @@ impl Bounds {
     }
 
     /// The part of `[from, to]` in which the line is in the box; `None` where there is none.
-    /// `from` must not be negative.
+    /// `from` must not be negative. `drift` bounds how far along each axis the line may be off
+    /// near the box ([`Line::drift`]).
     ///
-    /// Each plane's t has three rounded operations behind it; the ends are widened by 1 ± 2γ₃, so
+    /// Each plane's t has four rounded operations behind it; the ends are widened by 1 ± 2γ₄, so
     /// that no box the exact line meets is missed (Ize, "Robust BVH Ray Traversal", JCGT 2(2),
     /// 2013). A NaN (a line in a face's plane) loses every comparison and restricts nothing.
     #[inline]
-    pub fn clip(&self, line: &Line, from: f64, to: f64) -> Option<(f64, f64)> {
-        const SLACK: f64 = 2.0 * gamma(3);
+    pub fn clip(&self, line: &Line, drift: f64, from: f64, to: f64) -> Option<(f64, f64)> {
+        const SLACK: f64 = 2.0 * gamma(4);
         let (mut near, mut far) = (from, f64::INFINITY);
         for i in 0..3 {
-            let a = (self.min[i] - line.origin[i]) * line.inverse[i];
-            let b = (self.max[i] - line.origin[i]) * line.inverse[i];
+            let a = (self.min[i] - line.origin[i] - drift) * line.inverse[i];
+            let b = (self.max[i] - line.origin[i] + drift) * line.inverse[i];
             let (a, b) = if line.inverse[i] < 0.0 {
                 (b, a)
             } else {

@@ -249,11 +249,7 @@ impl Compiler<'_> {
         let paint = self.interner.paint(&mut self.graph, place.coat);
         if let Node::Shape(shape) = self.scene.nodes[place.node as usize] {
             let record = &self.scene.shapes[shape as usize];
-            let primitive = Primitive::new(&record.geometry).ok_or_else(|| Unsupported {
-                what: format!("the shape “{}”", record.ty.title),
-                span: record.span,
-                id: record.id,
-            })?;
+            let primitive = Primitive::new(&record.geometry);
             return Ok(Part {
                 target: Target::Shape(self.interner.primitive(&mut self.graph, primitive)),
                 placement: self.matrix(&place.matrix)?,

@@ -44,11 +44,6 @@ impl Dd {
         Dd::settled(s, e)
     }
 
-    /// The part that is a double, and what is left.
-    pub fn parts(self) -> (f64, f64) {
-        (self.high, self.low)
-    }
-
     /// A pair whose high part may have left the finite numbers, where the low part means nothing.
     fn settled(high: f64, low: f64) -> Dd {
         Dd {
@@ -111,6 +106,10 @@ impl Div for Dd {
             return Dd::from(quotient);
         }
         let product = other * Dd::from(quotient);
+        if !product.high.is_finite() {
+            // The greatest numbers, rounded up.
+            return Dd::from(quotient);
+        }
         let rest = (self.high - product.high) + (self.low - product.low);
         let (high, low) = fast_two_sum(quotient, rest / other.high);
         Dd::settled(high, low)
@@ -173,6 +172,14 @@ impl Real for Dd {
 
     fn to_f64(self) -> f64 {
         self.high
+    }
+
+    fn parts(self) -> (f64, f64) {
+        (self.high, self.low)
+    }
+
+    fn of_parts((high, low): (f64, f64)) -> Dd {
+        Dd { high, low }
     }
 
     fn sqrt(self) -> Dd {
@@ -248,6 +255,8 @@ mod tests {
         assert_eq!(huge * Dd::of(-2.0), -Dd::INFINITY);
         assert_eq!(Dd::ONE / Dd::ZERO, Dd::INFINITY);
         assert_eq!(Dd::ONE / Dd::INFINITY, Dd::ZERO);
+        let divisor = 4.699781079894748e25;
+        assert_eq!(huge / Dd::of(divisor), Dd::of(f64::MAX / divisor));
         assert!((Dd::ZERO / Dd::ZERO).is_nan());
         assert!(Dd::of(-1.0).sqrt().is_nan());
         assert_eq!(Dd::INFINITY.sqrt(), Dd::INFINITY);

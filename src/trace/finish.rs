@@ -126,6 +126,7 @@ impl Compiler<'_> {
             let holds = self.holds(&first);
             let group = self.group(first);
             return Ok(Object {
+                reach: group.reach(),
                 operation: Operation::Union(group),
                 bounds,
                 holds,
@@ -170,6 +171,7 @@ impl Compiler<'_> {
         }
         let cuts = self.group(cuts);
         Ok(Object {
+            reach: cuts.reach(),
             operation: Operation::Intersection {
                 first: start..end,
                 cuts,

@@ -73,6 +73,14 @@ pub struct Group {
     pub clear: Option<Box<Group>>,
 }
 
+impl Group {
+    /// The largest coordinate, in size, in the tree.
+    pub fn reach(&self) -> f64 {
+        let root = self.bvh.nodes.first();
+        root.map_or(0.0, |node| node.bounds.reach())
+    }
+}
+
 /// What the surfaces of a thing may be made of, as far as it is not painted over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Holds {
@@ -107,12 +115,18 @@ pub struct Object {
     pub operation: Operation,
     /// Holds the object.
     pub bounds: Bounds,
+    /// The largest coordinate, in size, of its parts that are in a tree.
+    pub reach: f64,
     pub holds: Holds,
 }
 
 #[derive(Debug, Default)]
 pub struct Graph {
     pub primitives: Vec<Primitive>,
+    /// Beside `primitives`: see [`Shape::extent`].
+    ///
+    /// [`Shape::extent`]: super::shapes::Shape::extent
+    pub extents: Vec<f64>,
     pub objects: Vec<Object>,
     pub parts: Vec<Part>,
     pub matrices: Vec<Matrix>,

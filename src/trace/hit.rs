@@ -1,23 +1,25 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
+use super::affine::Affine;
 use super::nearest::Search;
+use super::precision::Precision;
 use super::ray::{Left, Ray};
 use super::shapes::Root;
-use super::spans::{Event, Kind, State};
+use super::spans::{Kind, State};
 use super::vec::Vec3;
 use super::walk::{Leaf, Walker};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture};
 
 /// A point of a visible surface, in the scene's space.
 #[derive(Debug, Clone, Copy)]
-pub struct Hit {
+pub struct Hit<R = f64> {
     /// In units of the ray's direction.
-    pub t: f64,
-    pub point: Vec3,
+    pub t: R,
+    pub point: Vec3<R>,
     /// Unit geometric normal, outwards of the shape.
-    pub normal: Vec3,
+    pub normal: Vec3<R>,
     /// Unit normal that light is reckoned with; the geometric one unless the shape smooths it.
-    pub shading: Vec3,
+    pub shading: Vec3<R>,
     /// Linear RGB.
     pub colour: Rgb,
     pub optics: Optics,
@@ -30,12 +32,12 @@ pub struct Hit {
     /// Number of the surface; see [`Left`].
     pub surface: u64,
     /// Bound on the point's distance from the true surface.
-    pub skin: f64,
+    pub skin: R,
 }
 
-impl Hit {
+impl<R: Precision> Hit<R> {
     /// A ray from here. `onwards`: to the side the ray that came here was heading for.
-    pub fn leave(&self, direction: Vec3, onwards: bool) -> Ray {
+    pub fn leave(&self, direction: Vec3<R>, onwards: bool) -> Ray<R> {
         let mut ray = Ray::new(self.point, direction);
         ray.left = Some(Left {
             surface: self.surface,
@@ -47,16 +49,35 @@ impl Hit {
     }
 
     /// The unit normal that light is reckoned with, on the side the ray came from.
-    pub fn facing(&self) -> Vec3 {
+    pub fn facing(&self) -> Vec3<R> {
         if self.entering {
             self.shading
         } else {
             -self.shading
         }
     }
+
+    /// In another kind of number; the skin grows by what rounding moves the point.
+    pub fn cast<S: Precision>(&self) -> Hit<S> {
+        let (point, normal): (Vec3<S>, Vec3<S>) = (self.point.cast(), self.normal.cast());
+        let skin = S::of_parts(self.skin.parts());
+        Hit {
+            t: S::of_parts(self.t.parts()),
+            point,
+            normal,
+            shading: self.shading.cast(),
+            colour: self.colour,
+            optics: self.optics,
+            indices: self.indices,
+            inside: self.inside,
+            entering: self.entering,
+            surface: self.surface,
+            skin: skin + normal.abs().dot(point.abs()) * S::gamma(2),
+        }
+    }
 }
 
-impl Walker<'_> {
+impl<R: Precision> Walker<'_, R> {
     /// The first point of the scene's surface in (from, to].
     ///
     /// A ray that is outside of everything sees the nearest crossing, whatever it is. If that turns
@@ -65,26 +86,27 @@ impl Walker<'_> {
     /// maybe in the middle of a solid. Without `GLASS` nothing is transparent.
     pub fn first_hit<const GLASS: bool>(
         &mut self,
-        ray: &Ray,
-        from: f64,
-        to: f64,
+        ray: &Ray<R>,
+        from: R,
+        to: R,
         clipped: bool,
-    ) -> Option<Hit> {
+    ) -> Option<Hit<R>> {
         if clipped {
             return self.first_visible(ray, from, to);
         }
         let first = self.nearest(ray, from, to, Search::First)?;
-        let hit = self.resolve(ray, first.leaf, first.root, first.owner);
+        let (leaf, root) = (first.place.leaf, first.place.root);
+        let hit = self.resolve(ray, leaf, root, first.owner);
         if ray.outside && (!GLASS || hit.optics.kt == [0.0; 3]) {
-            let inside = self.primitive(first.leaf).shape().is_solid();
+            let inside = self.primitive(leaf).shape().is_solid();
             return Some(Hit {
                 inside: [false, inside],
                 ..hit
             });
         }
-        // Far enough to see what else cannot be told from this crossing.
-        let reach = hit.skin / hit.normal.dot(ray.line.direction).abs();
-        let near = first.root.t + reach;
+        // Far enough to meet what cannot be told from this crossing.
+        let error = self.error(leaf, &self.line(leaf), root);
+        let near = root.t + error * R::of(4.0);
         if near < to {
             let found = self.first_visible(ray, from, near);
             if found.is_some() {
@@ -95,7 +117,7 @@ impl Walker<'_> {
     }
 
     /// The first boundary or sheet among the events in (from, to].
-    fn first_visible(&mut self, ray: &Ray, from: f64, to: f64) -> Option<Hit> {
+    fn first_visible(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<Hit<R>> {
         let (start, events) = self.trace_spans(ray, from, to);
         let found = events.iter().position(|e| e.kind != Kind::Silent)?;
         let event = events[found];
@@ -103,38 +125,36 @@ impl Walker<'_> {
             0 => start,
             _ => Some(events[found - 1].state),
         };
-        let rest: Vec<Event> = events[found + 1..].to_vec();
-        let mut hit = self.resolve(ray, event.leaf, event.root, event.owner.leaf);
-        let (shown, after) = settle(event, &rest, &hit, ray);
-        if shown.leaf != event.leaf {
-            hit = self.resolve(ray, shown.leaf, shown.root, shown.owner.leaf);
-        }
+        let (leaf, root) = (event.place.leaf, event.place.root);
+        let hit = self.resolve(ray, leaf, root, event.owner.leaf);
         let index = |state: Option<State>| match state {
             Some(s) if s.inside => self.graph.indices[s.owner.index as usize],
             _ => self.graph.indices[0],
         };
         Some(Hit {
-            indices: [index(before), index(Some(after))],
-            inside: [before.is_some_and(|s| s.inside), after.inside],
+            indices: [index(before), index(Some(event.state))],
+            inside: [before.is_some_and(|s| s.inside), event.state.inside],
             ..hit
         })
     }
 
     /// The place of a crossing of the shape `leaf` with the properties of `owner`; media and sides
     /// are left at their defaults.
-    pub fn resolve(&self, ray: &Ray, leaf: Leaf, root: Root, owner: Leaf) -> Hit {
-        let part = self.part(leaf.part);
-        let line = self.placed(&self.contexts[leaf.context as usize].line, part);
+    pub fn resolve(&self, ray: &Ray<R>, leaf: Leaf, root: Root<R>, owner: Leaf) -> Hit<R> {
+        let line = self.line(leaf);
         let primitive = self.primitive(leaf);
         let located = primitive.intersect().locate(&line, root);
         let (mut point, mut error, mut normal) = (located.point, located.error, located.normal);
         let shape = primitive.shape();
-        let mut shading = shape.shading_normal(located.point, root.face);
+        let local: Vec3 = located.point.cast();
+        let mut shading = shape.shading_normal(local, root.face).map(Vec3::cast);
         self.climb(leaf, |placement| {
-            error = placement.out.point_error(point, error);
-            point = placement.out.point(point);
-            normal = placement.back.transposed(normal).unit();
-            shading = shading.map(|n| placement.back.transposed(n).unit());
+            let out: Affine<R> = Affine::new(&self.graph.matrices[placement as usize]);
+            let back = R::back(self.graph, placement);
+            error = out.point_error(point, error);
+            point = out.point(point);
+            normal = back.transposed(normal).unit();
+            shading = shading.map(|n| back.transposed(n).unit());
         });
         let normal = normal.unit();
         let optics = self.graph.optics[self.optics(owner) as usize];
@@ -143,11 +163,11 @@ impl Walker<'_> {
             point,
             normal,
             shading: shading.map_or(normal, Vec3::unit),
-            colour: self.colour(owner, leaf, point, located.point, root.face),
+            colour: self.colour(owner, leaf, point.cast(), local, root.face),
             optics,
             indices: [self.graph.indices[0]; 2],
             inside: [false; 2],
-            entering: normal.dot(ray.line.direction) < 0.0,
+            entering: normal.dot(ray.line.direction) < R::ZERO,
             surface: self.surface(leaf),
             // The corner of the error box that is farthest along the normal.
             skin: normal.abs().dot(error),
@@ -155,13 +175,10 @@ impl Walker<'_> {
     }
 
     /// Surface coordinates of a crossing of the shape `leaf`.
-    pub fn uv(&self, leaf: Leaf, root: Root) -> [f64; 2] {
-        let line = &self.contexts[leaf.context as usize].line;
+    pub fn uv(&self, leaf: Leaf, root: Root<R>) -> [f64; 2] {
         let primitive = self.primitive(leaf);
-        let located = primitive
-            .intersect()
-            .locate(&self.placed(line, self.part(leaf.part)), root);
-        primitive.shape().uv(located.point, root.face)
+        let located = primitive.intersect().locate(&self.line(leaf), root);
+        primitive.shape().uv(located.point.cast(), root.face)
     }
 
     /// The colour of a point, in the scene's space and in that of the shape whose surface it is on.
@@ -200,27 +217,4 @@ impl Walker<'_> {
             },
         }
     }
-}
-
-/// Looks at the boundaries right behind a boundary: a layer thinner than the error of the hit,
-/// measured along its normal, is not there. Returns the last of them that light sees, and the
-/// state behind them all. Faces that touch are thus one face between the two outer media, even if
-/// their positions were rounded apart.
-fn settle(event: Event, rest: &[Event], hit: &Hit, ray: &Ray) -> (Event, State) {
-    if event.kind == Kind::Sheet {
-        return (event, event.state);
-    }
-    let steep = hit.normal.dot(ray.line.direction).abs();
-    let close = |e: &&Event| (e.root.t - event.root.t) * steep <= hit.skin;
-    let (mut shown, mut after) = (event, event.state);
-    for next in rest.iter().take_while(close) {
-        if next.kind == Kind::Sheet {
-            break;
-        }
-        if next.state.inside && next.kind == Kind::Boundary {
-            shown = *next;
-        }
-        after = next.state;
-    }
-    (shown, after)
 }

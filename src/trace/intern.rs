@@ -1,6 +1,7 @@
 //! Equal values get equal numbers.
 
 use super::affine::{Affine, Placement};
+use super::dd::Dd;
 use super::graph::{Coat, Graph};
 use super::shapes::Primitive;
 use crate::scene::{Matrix, Optics, Rgb};
@@ -45,6 +46,7 @@ impl Interner {
         if found != here && graph.primitives[found as usize] == primitive {
             return found;
         }
+        graph.extents.push(primitive.shape().extent());
         graph.primitives.push(primitive);
         here
     }
@@ -56,12 +58,13 @@ impl Interner {
             return Some(found);
         }
         let here = graph.matrices.len() as u32;
-        let back = m.inverse()?;
+        // In double-double, so that each of its numbers is as good as a double can be.
+        let back = Affine::<Dd>::new(m).inverse()?.cast();
         self.matrices.insert(key, here);
         graph.matrices.push(*m);
         graph.placements.push(Placement {
             out: Affine::new(m),
-            back: Affine::new(&back),
+            back,
         });
         Some(here)
     }

@@ -1,22 +1,26 @@
-//! Lists of events joined into one. Events at exactly the same t are one event, judged by the
-//! states before and after it, so what identical surfaces do at the same place cancels out.
+//! Lists of events joined into one. Events in one place are one event, judged by the states before
+//! and after it, so what identical surfaces do at the same place cancels out.
 
+use super::precision::Precision;
 use super::spans::{Event, Kind, List, Owner, Spans, State};
+use std::cmp::Ordering;
 
 /// Buffers that are kept from one join to the next.
 #[derive(Debug, Default)]
-pub(super) struct Scratch {
+pub(super) struct Scratch<R = f64> {
     /// t, list, event: the events of all lists, to be sorted.
-    order: Vec<(f64, u32, u32)>,
+    pub order: Vec<(R, u32, u32)>,
+    /// Beside `order`: whether an event is in the place of the one before.
+    pub tied: Vec<bool>,
     before: Vec<State>,
     after: Vec<State>,
-    group: Vec<(usize, Event)>,
-    out: Vec<Event>,
+    group: Vec<(usize, Event<R>)>,
+    out: Vec<Event<R>>,
 }
 
-impl Scratch {
+impl<R: Precision> Scratch<R> {
     /// Sorts the events of the lists from `base` on; operands keep their order at equal t.
-    fn sort(&mut self, spans: &Spans, base: usize) {
+    pub fn sort(&mut self, spans: &Spans<R>, base: usize) {
         self.order.clear();
         self.before.clear();
         self.out.clear();
@@ -24,27 +28,31 @@ impl Scratch {
             self.before.push(list.start);
             for (j, event) in spans.of(base + i).iter().enumerate() {
                 self.order
-                    .push((event.root.t, i as u32, (list.begin + j) as u32));
+                    .push((event.t(), i as u32, (list.begin + j) as u32));
             }
         }
         let rank = |i: u32| spans.lists[base + i as usize].part;
         self.order.sort_unstable_by(|a, b| {
-            a.0.total_cmp(&b.0)
+            // Zeros of both signs are one place, and nothing here is NaN.
+            a.0.partial_cmp(&b.0)
+                .unwrap_or(Ordering::Equal)
                 .then_with(|| rank(a.1).cmp(&rank(b.1)))
                 .then_with(|| a.2.cmp(&b.2))
         });
         self.after.clone_from(&self.before);
+        self.tied.clear();
+        self.tied.resize(self.order.len(), false);
     }
 
-    /// Takes the next events at one t: fills `group`, brings `after` up to date.
-    fn next_group(&mut self, spans: &Spans, next: &mut usize) -> bool {
+    /// Takes the next events in one place: fills `group`, brings `after` up to date.
+    fn next_group(&mut self, spans: &Spans<R>, next: &mut usize) -> bool {
         self.group.clear();
         self.before.clone_from(&self.after);
-        let Some(&(t, ..)) = self.order.get(*next) else {
-            return false;
-        };
-        // Zeros of both signs are one place.
-        while let Some(&(_, list, event)) = self.order.get(*next).filter(|e| e.0 == t) {
+        let first = *next;
+        while let Some(&(t, list, event)) = self.order.get(*next) {
+            if *next > first && !self.tied[*next] && self.order[*next - 1].0 != t {
+                break;
+            }
             let event = spans.events[event as usize];
             if event.kind != Kind::Sheet {
                 self.after[list as usize] = event.state;
@@ -52,12 +60,18 @@ impl Scratch {
             self.group.push((list as usize, event));
             *next += 1;
         }
-        true
+        *next > first
     }
 }
 
 /// Replaces the lists from `base` on by one.
-fn replace(spans: &mut Spans, scratch: &mut Scratch, base: usize, part: u32, start: State) {
+fn replace<R: Precision>(
+    spans: &mut Spans<R>,
+    scratch: &mut Scratch<R>,
+    base: usize,
+    part: u32,
+    start: State,
+) {
     let begin = spans.lists[base].begin;
     spans.events.truncate(begin);
     spans.lists.truncate(base);
@@ -67,8 +81,8 @@ fn replace(spans: &mut Spans, scratch: &mut Scratch, base: usize, part: u32, sta
     }
 }
 
-/// The union of the lists from `base` on: the first operand that is inside owns the point.
-pub(super) fn join_union(spans: &mut Spans, part: u32, base: usize) {
+/// The union of the lists from `base` on, once sorted: the first operand that is inside owns the point.
+pub(super) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32, base: usize) {
     match spans.lists.len() - base {
         0 => return,
         1 => {
@@ -78,7 +92,6 @@ pub(super) fn join_union(spans: &mut Spans, part: u32, base: usize) {
         _ => {}
     }
     let mut scratch = std::mem::take(&mut spans.scratch);
-    scratch.sort(spans, base);
     let ranks: Vec<u32> = spans.lists[base..].iter().map(|l| l.part).collect();
     let holder = |states: &[State]| {
         (0..states.len())
@@ -130,11 +143,11 @@ pub(super) fn join_union(spans: &mut Spans, part: u32, base: usize) {
     spans.scratch = scratch;
 }
 
-/// The intersection of the `first` lists from `base` on less all others. The first operand owns
+/// The intersection of the `first` lists from `base` on less all others, once sorted. The first operand owns
 /// the points; a face keeps the properties of its shape or, with `inherit`, takes those of the
 /// first operand where a cut made it.
-pub(super) fn join_intersection(
-    spans: &mut Spans,
+pub(super) fn join_intersection<R: Precision>(
+    spans: &mut Spans<R>,
     part: u32,
     base: usize,
     first: usize,
@@ -157,7 +170,6 @@ pub(super) fn join_intersection(
         return;
     }
     let mut scratch = std::mem::take(&mut spans.scratch);
-    scratch.sort(spans, base);
     let state = |states: &[State]| State {
         inside: states[..first].iter().all(|s| s.inside)
             && !states[first..].iter().any(|s| s.inside),
@@ -183,7 +195,7 @@ pub(super) fn join_intersection(
                 });
             }
         }
-        let turned = |&&(list, ref event): &&(usize, Event)| {
+        let turned = |&&(list, ref event): &&(usize, Event<R>)| {
             event.kind != Kind::Sheet && scratch.before[list].inside != scratch.after[list].inside
         };
         if before.inside != after.inside {

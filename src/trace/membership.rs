@@ -4,13 +4,13 @@
 //! what lies below a node keep the walk away from occurrences that are elsewhere, and what a shared
 //! node has once answered for a point is not asked again.
 
+use super::dd::Dd;
 use super::ray::Line;
 use super::shapes::{Primitive, Roots};
 use super::vec::Vec3;
 use crate::diagnostics::Span;
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
-use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 
@@ -284,23 +284,16 @@ impl Walk<'_> {
         if !record.geometry.is_solid() {
             return Ok(false);
         }
-        let primitive = match self.primitives.entry(shape) {
-            Entry::Occupied(known) => known.into_mut(),
-            Entry::Vacant(new) => {
-                let primitive = Primitive::new(&record.geometry);
-                new.insert(primitive.ok_or_else(|| Unanswered {
-                    reason: format!(
-                        "object {} is {}, which cannot be traced yet",
-                        record.id,
-                        record.ty.with_article()
-                    ),
-                    span: record.span,
-                })?)
-            }
-        };
+        let primitives = self.primitives.entry(shape);
+        let primitive = primitives.or_insert_with(|| Primitive::new(&record.geometry));
         self.roots.clear();
         let line = Line::new(point, DIRECTION);
         primitive.intersect().crossings(&line, &mut self.roots);
+        if self.roots.uncertain {
+            let mut exact = Roots::<Dd>::default();
+            primitive.intersect().crossings(&line.cast(), &mut exact);
+            self.roots = exact.cast();
+        }
         let passed = self.roots.list.partition_point(|r| r.t <= 0.0);
         let behind = self.roots.inside != (passed % 2 == 1);
         let on_boundary = passed > 0 && self.roots.list[passed - 1].t == 0.0;

@@ -6,6 +6,10 @@
 //! [`nearest`] and [`spans`] find what they meet in the graph ([`walk`], [`bvh`], [`shapes`],
 //! [`join`]), [`hit`] says what is there, [`shade`] adds up the light, [`film`] keeps it. [`probe`]
 //! and [`membership`] answer questions about single rays and points.
+//!
+//! All that is between a ray and its hits is generic over the number it computes with
+//! ([`precision`], [`number`], [`dd`]). Every decision knows its rounding errors ([`order`], and the
+//! shapes); what is closer than these in doubles, [`decide`] asks again in double-double.
 
 pub mod adaptive;
 pub mod affine;
@@ -15,6 +19,7 @@ pub mod camera;
 mod compile;
 pub mod costs;
 pub mod dd;
+mod decide;
 mod exponent;
 pub mod film;
 mod finish;
@@ -26,8 +31,10 @@ mod join;
 pub mod membership;
 pub mod nearest;
 pub mod number;
+mod order;
 mod picture;
 pub mod plan;
+pub mod precision;
 mod probe;
 mod quartic;
 pub mod ray;
@@ -40,11 +47,12 @@ pub mod vec;
 pub mod walk;
 
 pub use costs::CostMap;
+pub use decide::Walkers;
 pub use film::Film;
 pub use hit::Hit;
 pub use image::Images;
 pub use membership::{Membership, Unanswered, members};
-pub use picture::{Crop, Picture, Settings, selected_camera};
+pub use picture::{Crop, Numbers, Picture, Settings, selected_camera};
 pub use probe::{Crossing, Probe};
 pub use ray::Ray;
 
@@ -53,11 +61,10 @@ use crate::scene::Scene;
 use bounds::Bounds;
 use graph::Graph;
 use plan::{Effect, Plan};
+use precision::Precision;
 use shade::Light;
-use spans::State;
 use std::fmt;
 use vec::Vec3;
-use walk::Walker;
 
 /// Why a scene cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -153,34 +160,14 @@ impl Tracer {
         })
     }
 
-    /// Scratch for one thread.
-    pub fn walker(&self) -> Walker<'_> {
-        Walker::new(&self.graph)
-    }
-
-    /// The first visible point on a ray.
-    pub fn hit(&self, walker: &mut Walker, ray: &Ray) -> Option<Hit> {
-        self.hit_with::<true>(walker, ray)
-    }
-
-    /// The same, by code that knows whether anything is transparent.
-    fn hit_with<const GLASS: bool>(&self, walker: &mut Walker, ray: &Ray) -> Option<Hit> {
-        let (from, to) = self.window(ray, f64::INFINITY)?;
-        walker.first_hit::<GLASS>(ray, from, to, self.clip.is_some())
-    }
-
-    /// Whether a point is inside some solid of the scene.
-    pub fn holds(&self, walker: &mut Walker, point: Vec3) -> bool {
-        let ray = Ray::new(point, Vec3::new(0.0, 0.0, 1.0));
-        let (start, _) = walker.trace_spans(&ray, 0.0, 0.0);
-        start.is_some_and(|s: State| s.inside)
-    }
-
     /// The part of (0, to] in which a ray can see anything.
-    fn window(&self, ray: &Ray, to: f64) -> Option<(f64, f64)> {
+    fn window<R: Precision>(&self, ray: &Ray<R>, to: R) -> Option<(R, R)> {
         match &self.clip {
-            None => Some((0.0, to)),
-            Some(clip) => clip.clip(&ray.line, 0.0, to),
+            None => Some((R::ZERO, to)),
+            Some(clip) => {
+                let (from, end) = clip.clip(&R::coarse(&ray.line), 0.0, 0.0, to.to_f64())?;
+                Some((R::of(from), R::of(end)))
+            }
         }
     }
 }

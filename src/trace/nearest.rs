@@ -1,10 +1,13 @@
 //! The nearest crossing with anything: all that is needed while a ray is outside of every solid,
 //! since then the first boundary it meets is a boundary of the scene.
 
+use super::bounds::Bounds;
 use super::graph::{Group, Holds, Operation, Target};
+use super::order::Place;
+use super::precision::Precision;
 use super::ray::Ray;
-use super::shapes::Root;
 use super::walk::{Leaf, Walker};
+use std::cmp::Ordering;
 
 /// Something to be visited, and the least t at which it may be met.
 #[derive(Debug, Clone, Copy)]
@@ -24,9 +27,8 @@ enum Item {
 
 /// A crossing with a shape that may or may not be a boundary of the scene.
 #[derive(Debug, Clone, Copy)]
-pub struct Crossing {
-    pub leaf: Leaf,
-    pub root: Root,
+pub struct Crossing<R = f64> {
+    pub place: Place<R>,
     /// Whose properties apply.
     pub owner: Leaf,
 }
@@ -60,53 +62,62 @@ impl Search {
     }
 }
 
-impl Walker<'_> {
+/// The nearest crossing so far, and how far along the ray something as near may be found: crossings
+/// that cannot be told from the nearest are met too.
+struct Best<R> {
+    found: Option<Crossing<R>>,
+    limit: R,
+}
+
+/// A crossing's t is off by less than this share of t and its reach, short of grazing rays: some
+/// hundred roundings. What grazes a surface and is hidden by another one just there may be missed,
+/// which changes what is seen, but not that something is.
+fn leeway<R: Precision>() -> R {
+    R::of(1024.0) * R::ROUNDOFF
+}
+
+impl<R: Precision> Walker<'_, R> {
     /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked
     /// into; of intersections only their own boundary counts. Among crossings at the same t the
     /// first operand's wins. A search for any crossing takes the first one found.
-    pub fn nearest(&mut self, ray: &Ray, from: f64, to: f64, search: Search) -> Option<Crossing> {
+    pub fn nearest(&mut self, ray: &Ray<R>, from: R, to: R, search: Search) -> Option<Crossing<R>> {
         self.begin(ray);
         self.entries.clear();
-        let mut best: Option<Crossing> = None;
-        let mut limit = to;
+        let mut best = Best {
+            found: None,
+            limit: to,
+        };
         self.search = search;
-        self.open_union(ray, 0, from, &mut limit, &mut best);
+        self.open_union(ray, 0, from, &mut best);
         while let Some(entry) = self.entries.pop() {
-            if search != Search::First && best.is_some() {
+            if search != Search::First && best.found.is_some() {
                 break;
             }
-            if entry.near > limit {
+            if entry.near > best.limit.to_f64() {
                 continue;
             }
             match entry.item {
-                Item::Node(node) => self.visit(ray, entry, node, from, &mut limit, &mut best),
+                Item::Node(node) => self.visit(ray, entry, node, from, &mut best),
                 Item::Part(part, object) => {
                     let context = self.enter(entry.context, part, object);
                     match &self.graph.objects[object as usize].operation {
                         Operation::Union(_) => {
-                            self.open_union(ray, context, from, &mut limit, &mut best);
+                            self.open_union(ray, context, from, &mut best);
                         }
                         Operation::Intersection { .. } => {
-                            if let Some(found) = self.first_of(ray, context, from, limit) {
-                                self.consider(found, &mut limit, &mut best);
+                            if let Some(found) = self.first_of(ray, context, from, best.limit) {
+                                self.consider(found, &mut best);
                             }
                         }
                     }
                 }
             }
         }
-        best
+        best.found
     }
 
     /// Meets the parts of a union that have no bounds, and puts the rest on the stack.
-    fn open_union(
-        &mut self,
-        ray: &Ray,
-        context: u32,
-        from: f64,
-        limit: &mut f64,
-        best: &mut Option<Crossing>,
-    ) {
+    fn open_union(&mut self, ray: &Ray<R>, context: u32, from: R, best: &mut Best<R>) {
         let graph = self.graph;
         let object = self.contexts[context as usize].object;
         let Operation::Union(whole) = &graph.objects[object as usize].operation else {
@@ -116,12 +127,11 @@ impl Walker<'_> {
             return;
         };
         for &part in &group.loose {
-            self.meet(ray, Leaf { part, context }, from, from, limit, best);
+            self.meet(ray, Leaf { part, context }, from.to_f64(), from, best);
         }
         if let Some(root) = group.bvh.nodes.first() {
-            let line = &self.contexts[context as usize].line;
             self.counts.boxes += 1;
-            if let Some((near, _)) = root.bounds.clip(line, from, *limit) {
+            if let Some((near, _)) = self.clip(context, &root.bounds, from, best) {
                 self.entries.push(Entry {
                     near,
                     context,
@@ -129,6 +139,13 @@ impl Walker<'_> {
                 });
             }
         }
+    }
+
+    /// The stretch of the ray in a box of a context's object, as far as it matters.
+    #[inline]
+    fn clip(&self, context: u32, bounds: &Bounds, from: R, best: &Best<R>) -> Option<(f64, f64)> {
+        let here = &self.contexts[context as usize];
+        bounds.clip(&here.coarse, here.drift, from.to_f64(), best.limit.to_f64())
     }
 
     /// The parts of a context's union among which is what is looked for.
@@ -147,15 +164,7 @@ impl Walker<'_> {
         }
     }
 
-    fn visit(
-        &mut self,
-        ray: &Ray,
-        entry: Entry,
-        node: u32,
-        from: f64,
-        limit: &mut f64,
-        best: &mut Option<Crossing>,
-    ) {
+    fn visit(&mut self, ray: &Ray<R>, entry: Entry, node: u32, from: R, best: &mut Best<R>) {
         let graph = self.graph;
         let context = entry.context;
         let object = self.contexts[context as usize].object;
@@ -170,15 +179,14 @@ impl Walker<'_> {
         if here.count > 0 {
             let items = here.index as usize..(here.index + here.count) as usize;
             for &part in &bvh.items[items] {
-                self.meet(ray, Leaf { part, context }, entry.near, from, limit, best);
+                self.meet(ray, Leaf { part, context }, entry.near, from, best);
             }
             return;
         }
-        let line = self.contexts[context as usize].line;
         self.counts.boxes += 2;
         let [left, right] = [node + 1, here.index].map(|child| {
             let bounds = &bvh.nodes[child as usize].bounds;
-            let (near, _) = bounds.clip(&line, from, *limit)?;
+            let (near, _) = self.clip(context, bounds, from, best)?;
             Some(Entry {
                 near,
                 context,
@@ -192,15 +200,7 @@ impl Walker<'_> {
     }
 
     /// A shape is crossed at once, an object put on the stack.
-    fn meet(
-        &mut self,
-        ray: &Ray,
-        leaf: Leaf,
-        near: f64,
-        from: f64,
-        limit: &mut f64,
-        best: &mut Option<Crossing>,
-    ) {
+    fn meet(&mut self, ray: &Ray<R>, leaf: Leaf, near: f64, from: R, best: &mut Best<R>) {
         if self.search.is_picky() && !self.search.wants(self.holds(leaf)) {
             return;
         }
@@ -212,27 +212,35 @@ impl Walker<'_> {
             }),
             Target::Shape(primitive) => {
                 let behind = self.cross(ray, leaf, primitive, from);
-                if let Some(&root) = self.roots.list.get(behind) {
+                if let Some(&root) = self.roots.list.get(behind)
+                    && root.t <= best.limit
+                {
+                    let reach = self.reach(&self.line(leaf), primitive);
                     let found = Crossing {
-                        leaf,
-                        root,
+                        place: Place { leaf, root, reach },
                         owner: leaf,
                     };
-                    self.consider(found, limit, best);
+                    self.consider(found, best);
                 }
             }
         }
     }
 
-    fn consider(&self, found: Crossing, limit: &mut f64, best: &mut Option<Crossing>) {
-        let better = match best {
-            _ if found.root.t > *limit => false,
-            Some(old) if old.root.t == found.root.t => self.precedes(found.leaf, old.leaf),
-            _ => true,
+    /// Takes a crossing within the limit if it is nearer than the best.
+    fn consider(&mut self, found: Crossing<R>, best: &mut Best<R>) {
+        let nearer = match &best.found {
+            None => true,
+            Some(old) => match self.order(&found.place, &old.place) {
+                Ordering::Less => true,
+                Ordering::Equal => self.precedes(found.place.leaf, old.place.leaf),
+                Ordering::Greater => false,
+            },
         };
-        if better {
-            *limit = found.root.t;
-            *best = Some(found);
+        if nearer {
+            let t = found.place.root.t;
+            let beyond = t + leeway::<R>() * (t.abs() + found.place.reach);
+            best.limit = best.limit.min(beyond);
+            best.found = Some(found);
         }
     }
 }

@@ -35,6 +35,10 @@ pub trait Real:
     fn of(x: f64) -> Self;
     /// The nearest double.
     fn to_f64(self) -> f64;
+    /// The number as the sum of a double and what is left of it: exact.
+    fn parts(self) -> (f64, f64);
+    /// The nearest number to the sum of such parts.
+    fn of_parts(parts: (f64, f64)) -> Self;
     /// The square root; NaN for negative numbers.
     fn sqrt(self) -> Self;
     fn abs(self) -> Self;
@@ -104,6 +108,14 @@ macro_rules! hardware {
             #[inline]
             fn to_f64(self) -> f64 {
                 self as f64
+            }
+            #[inline]
+            fn parts(self) -> (f64, f64) {
+                (self as f64, 0.0)
+            }
+            #[inline]
+            fn of_parts((high, _): (f64, f64)) -> $t {
+                high as $t
             }
             #[inline]
             fn sqrt(self) -> $t {

@@ -3,8 +3,10 @@
 use super::adaptive::{Estimate, FIRST, First, MOST, contrast};
 use super::camera::View;
 use super::costs::CostMap;
+use super::dd::Dd;
 use super::film::{Film, developed};
 use super::plan::Effect;
+use super::precision::Precision;
 use super::ray::Ray;
 use super::sampling::sample;
 use super::shade::{DISPERSION, GLASS, Light, Limits, MIRROR, SHADOWS, Shader};
@@ -25,6 +27,30 @@ pub struct Crop {
     pub height: u32,
 }
 
+/// The numbers that are computed with between a ray and its hits; rays of the camera, and colours,
+/// are doubles whatever these are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Numbers {
+    /// Single precision, as it is.
+    F32,
+    /// Double precision; what it cannot decide is decided in double-double.
+    #[default]
+    F64,
+    /// Double-double, about 32 digits.
+    Dd,
+}
+
+impl Numbers {
+    /// What they are called on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Numbers::F32 => "f32",
+            Numbers::F64 => "f64",
+            Numbers::Dd => "dd",
+        }
+    }
+}
+
 /// How a picture is taken.
 #[derive(Debug, Clone)]
 pub struct Settings {
@@ -42,6 +68,7 @@ pub struct Settings {
     pub depth: u32,
     /// Branches that count for less than this contribute nothing; 0: all do.
     pub cutoff: f64,
+    pub numbers: Numbers,
     /// Once this is set, no row is begun any more, and the picture is of no use.
     pub stop: Option<Arc<AtomicBool>>,
 }
@@ -56,6 +83,7 @@ impl Default for Settings {
             tolerance: None,
             depth: 10,
             cutoff: 1.0 / 4096.0,
+            numbers: Numbers::F64,
             stop: None,
         }
     }
@@ -125,6 +153,19 @@ impl Tracer {
         settings: &Settings,
         progress: impl Fn() + Sync,
     ) -> Result<Picture, Unsupported> {
+        match settings.numbers {
+            Numbers::F32 => self.render_in::<f32>(camera, settings, progress),
+            Numbers::F64 => self.render_in::<f64>(camera, settings, progress),
+            Numbers::Dd => self.render_in::<Dd>(camera, settings, progress),
+        }
+    }
+
+    fn render_in<R: Precision>(
+        &self,
+        camera: &Camera,
+        settings: &Settings,
+        progress: impl Fn() + Sync,
+    ) -> Result<Picture, Unsupported> {
         let Settings { width, height, .. } = *settings;
         let view = View::new(camera, width, height).ok_or_else(|| Unsupported {
             what: "what a camera with this projection sees".into(),
@@ -141,8 +182,8 @@ impl Tracer {
         };
         let outside = self.clip.is_none()
             && view.is_pinhole()
-            && !self.holds(&mut self.walker(), view.position());
-        let drawing = Drawing {
+            && !self.holds(&mut self.walker::<f64>(), view.position());
+        let drawing = Drawing::<R> {
             tracer: self,
             lights: self.lights.as_deref().unwrap_or(&headlight),
             limits,
@@ -207,18 +248,18 @@ impl Tracer {
 }
 
 /// What the rows of a picture have in common.
-struct Drawing<'t> {
+struct Drawing<'t, R> {
     tracer: &'t Tracer,
     lights: &'t [Light],
     limits: Limits,
     view: View,
     outside: bool,
     /// The shading code for what the plan calls for.
-    radiance: fn(&mut Shader<'t>, Ray) -> Rgb,
+    radiance: Radiance<'t, R>,
     stop: Option<&'t AtomicBool>,
 }
 
-impl<'t> Drawing<'t> {
+impl<'t, R: Precision> Drawing<'t, R> {
     /// Draws row by row, in parallel. Once it is to stop, no row is begun any more, and what comes
     /// back is black.
     fn rows<T: Send + Default + Clone>(
@@ -226,7 +267,7 @@ impl<'t> Drawing<'t> {
         part: Crop,
         progress: &(impl Fn() + Sync),
         counts: &mut Counts,
-        draw: impl Fn(&mut Pen, u32, u32) -> T + Sync,
+        draw: impl Fn(&mut Pen<R>, u32, u32) -> T + Sync,
     ) -> Vec<T> {
         let rows: Vec<(Vec<T>, Counts)> = (part.y..part.y + part.height)
             .into_par_iter()
@@ -266,12 +307,12 @@ struct Pixel {
 }
 
 /// What draws pixels on one thread.
-struct Pen<'d, 't> {
-    shader: Shader<'t>,
-    drawing: &'d Drawing<'t>,
+struct Pen<'d, 't, R> {
+    shader: Shader<'t, R>,
+    drawing: &'d Drawing<'t, R>,
 }
 
-impl Pen<'_, '_> {
+impl<R: Precision> Pen<'_, '_, R> {
     /// Intersection tests since the last reset.
     fn tests(&self) -> u64 {
         let counted = self.shader.counts().intersections;
@@ -282,15 +323,17 @@ impl Pen<'_, '_> {
         u32::try_from(self.tests() - before).unwrap_or(u32::MAX)
     }
 
-    /// The light of sample `i` of `n`; where a projection has no ray there is nothing to be seen.
+    /// The light of sample `i` of `n`; where a projection has no ray, or none in
+    /// the range of the precision, there is nothing to be seen.
     fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
         let [dx, dy] = sample(x, y, i, n);
         match self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy) {
-            Some(mut ray) => {
+            Some(ray) if ray.cast::<R>().line.is_sound() => {
+                let mut ray: Ray<R> = ray.cast();
                 ray.outside = self.drawing.outside;
                 Vec3((self.drawing.radiance)(&mut self.shader, ray))
             }
-            None => Vec3::ZERO,
+            _ => Vec3::ZERO,
         }
     }
 
@@ -338,14 +381,15 @@ impl Pen<'_, '_> {
     }
 }
 
+type Radiance<'t, R> = fn(&mut Shader<'t, R>, Ray<R>) -> Rgb;
+
 /// The shading code for these features.
-fn radiance<'t>(features: u8) -> fn(&mut Shader<'t>, Ray) -> Rgb {
+fn radiance<'t, R: Precision>(features: u8) -> Radiance<'t, R> {
     macro_rules! table {
         ($($f:literal)*) => {
             [$(Shader::radiance::<$f>),*]
         };
     }
-    let table: [fn(&mut Shader<'t>, Ray) -> Rgb; 16] =
-        table!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+    let table: [Radiance<'t, R>; 16] = table!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
     table[usize::from(features) % table.len()]
 }

@@ -2,6 +2,7 @@
 
 use super::Tracer;
 use super::hit::Hit;
+use super::precision::Precision;
 use super::ray::Ray;
 use super::spans::{Event, Kind};
 use super::vec::Vec3;
@@ -9,11 +10,11 @@ use super::walk::Walker;
 
 /// A crossing of a boundary or a surface.
 #[derive(Debug, Clone, Copy)]
-pub struct Crossing {
-    pub hit: Hit,
+pub struct Crossing<R = f64> {
+    pub hit: Hit<R>,
     /// Unit geometric normal: outwards of the solid whose boundary is crossed, also where a cut
     /// made it; for a surface that of its shape.
-    pub normal: Vec3,
+    pub normal: Vec3<R>,
     /// Surface coordinates of the shape.
     pub uv: [f64; 2],
     /// Whether the ray goes against the normal; `None` for surfaces without inside.
@@ -26,23 +27,46 @@ pub struct Crossing {
 
 /// Everything on a ray.
 #[derive(Debug, Clone)]
-pub struct Probe {
+pub struct Probe<R = f64> {
     /// Whether the ray starts in a solid: the state just behind its origin, whatever region is
     /// drawn.
     pub inside_at_origin: bool,
-    pub crossings: Vec<Crossing>,
+    pub crossings: Vec<Crossing<R>>,
+}
+
+impl<R: Precision> Probe<R> {
+    /// In another kind of number, rounded.
+    pub fn cast<S: Precision>(&self) -> Probe<S> {
+        let cast = |c: &Crossing<R>| Crossing {
+            hit: c.hit.cast(),
+            normal: c.normal.cast(),
+            uv: c.uv,
+            entering: c.entering,
+            shape: c.shape,
+            object: c.object,
+        };
+        Probe {
+            inside_at_origin: self.inside_at_origin,
+            crossings: self.crossings.iter().map(cast).collect(),
+        }
+    }
 }
 
 impl Tracer {
     /// What a ray meets in the region that is drawn: all crossings with t > 0, ascending, as if
-    /// every surface let it through. The region itself is no surface.
-    pub fn probe(&self, walker: &mut Walker, ray: &Ray) -> Probe {
+    /// every surface let it through. The region itself is no surface. `walker` is its own, without
+    /// a finer one to help.
+    pub(super) fn probe_with<R: Precision>(
+        &self,
+        walker: &mut Walker<R>,
+        ray: &Ray<R>,
+    ) -> Probe<R> {
         if self.clip.is_none() {
-            return probe_between(walker, ray, 0.0, f64::INFINITY);
+            return self.crossings_with(walker, ray);
         }
-        let (start, _) = walker.trace_spans(ray, 0.0, 0.0);
+        let (start, _) = walker.trace_spans(ray, R::ZERO, R::ZERO);
         let inside_at_origin = start.is_some_and(|s| s.inside);
-        let crossings = match self.window(ray, f64::INFINITY) {
+        let crossings = match self.window(ray, R::INFINITY) {
             Some((from, to)) => probe_between(walker, ray, from, to).crossings,
             None => Vec::new(),
         };
@@ -53,15 +77,19 @@ impl Tracer {
     }
 
     /// All crossings on a ray with t > 0, ascending; the region that is drawn does not apply.
-    pub fn crossings(&self, walker: &mut Walker, ray: &Ray) -> Vec<Crossing> {
-        probe_between(walker, ray, 0.0, f64::INFINITY).crossings
+    pub(super) fn crossings_with<R: Precision>(
+        &self,
+        walker: &mut Walker<R>,
+        ray: &Ray<R>,
+    ) -> Probe<R> {
+        probe_between(walker, ray, R::ZERO, R::INFINITY)
     }
 }
 
 /// The state at t = `from` and the crossings in (from, to].
-fn probe_between(walker: &mut Walker, ray: &Ray, from: f64, to: f64) -> Probe {
+fn probe_between<R: Precision>(walker: &mut Walker<R>, ray: &Ray<R>, from: R, to: R) -> Probe<R> {
     let (start, events) = walker.trace_spans(ray, from, to);
-    let events: Vec<Event> = events.to_vec();
+    let events: Vec<Event<R>> = events.to_vec();
     let inside_at_origin = start.is_some_and(|s| s.inside);
     let mut before = inside_at_origin;
     let mut crossings = Vec::new();
@@ -78,10 +106,16 @@ fn probe_between(walker: &mut Walker, ray: &Ray, from: f64, to: f64) -> Probe {
 }
 
 /// A visible event; `before`: whether the ray was inside.
-fn crossing(walker: &Walker, ray: &Ray, event: &Event, before: bool) -> Crossing {
-    let hit = walker.resolve(ray, event.leaf, event.root, event.owner.leaf);
+fn crossing<R: Precision>(
+    walker: &Walker<R>,
+    ray: &Ray<R>,
+    event: &Event<R>,
+    before: bool,
+) -> Crossing<R> {
+    let (leaf, root) = (event.place.leaf, event.place.root);
+    let hit = walker.resolve(ray, leaf, root, event.owner.leaf);
     let solid = event.kind == Kind::Boundary;
-    let turned = solid && walker.is_turned(event.leaf);
+    let turned = solid && walker.is_turned(leaf);
     let entering = if before != event.state.inside {
         event.state.inside
     } else {
@@ -91,9 +125,9 @@ fn crossing(walker: &Walker, ray: &Ray, event: &Event, before: bool) -> Crossing
     Crossing {
         hit,
         normal: if turned { -hit.normal } else { hit.normal },
-        uv: walker.uv(event.leaf, event.root),
+        uv: walker.uv(leaf, root),
         entering: solid.then_some(entering),
-        shape: walker.shape_id(event.leaf),
+        shape: walker.shape_id(leaf),
         object: walker.object_id(event.owner.leaf),
     }
 }

@@ -61,6 +61,14 @@ impl<R: Real> Quartic<R> {
         (p.mul_add(t, e), q)
     }
 
+    /// The first three derivatives.
+    pub fn derivatives(&self, t: R) -> [R; 3] {
+        let [a, b, c, ..] = self.c;
+        let (two, three, four) = (R::of(2.0), R::of(3.0), R::of(4.0));
+        let (first, second) = self.slope_at([four * a, three * b, two * c], t);
+        [first, second, R::of(6.0) * (four * a * t + b)]
+    }
+
     /// The slope and the slope's slope.
     #[inline]
     fn slope_at(&self, [a, b, c]: [R; 3], t: R) -> (R, R) {
@@ -202,6 +210,15 @@ mod tests {
                 })
             })
             .collect()
+    }
+
+    /// t⁴ + 2t³ + 3t² + 4t + 5 at 2: 32 + 24 + 12 + 4, 48 + 24 + 6 and 48 + 12.
+    #[test]
+    fn derivatives_by_hand() {
+        let q = Quartic {
+            c: [1.0, 2.0, 3.0, 4.0, 5.0],
+        };
+        assert_eq!(q.derivatives(2.0), [72.0, 78.0, 60.0]);
     }
 
     #[test]

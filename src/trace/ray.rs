@@ -34,21 +34,35 @@ impl<R: Real> Line<R> {
         }
     }
 
+    /// Whether all of its numbers are finite and it has a direction.
+    pub fn is_sound(&self) -> bool {
+        self.origin.is_finite() && self.direction.is_finite() && self.direction.any()
+    }
+
     pub fn at(&self, t: R) -> Vec3<R> {
         self.origin + self.direction * t
     }
 
-    /// The line in another space, with what the map rounds: γ₅ of the sizes of the terms of each
-    /// component, four operations and the rounding of the map's own numbers.
+    /// In another kind of number, rounded.
+    pub fn cast<S: Real>(&self) -> Line<S> {
+        Line {
+            slack: Slack {
+                origin: S::of_parts(self.slack.origin.parts()),
+                direction: S::of_parts(self.slack.direction.parts()),
+            },
+            ..Line::new(self.origin.cast(), self.direction.cast())
+        }
+    }
+
+    /// The line in another space, with what the map rounds.
     pub fn through(&self, map: &Affine<R>) -> Line<R> {
         let (o, d) = (self.origin, self.direction);
         let spread = |error: R| map.spread() * error * (R::ONE + R::gamma(5));
-        let size = map.sizes(o) + map.offset.abs();
+        let (point, vector) = map.rounding(o, d);
         Line {
             slack: Slack {
-                origin: spread(self.slack.origin) + R::gamma(5) * size.max_component(),
-                direction: spread(self.slack.direction)
-                    + R::gamma(5) * map.sizes(d).max_component(),
+                origin: spread(self.slack.origin) + point.max_component(),
+                direction: spread(self.slack.direction) + vector.max_component(),
             },
             ..Line::new(map.point(o), map.vector(d))
         }
@@ -57,22 +71,31 @@ impl<R: Real> Line<R> {
     /// A bound on how far, along each axis, the line is from the one that is meant, at its points
     /// whose coordinates are at most `reach` in size.
     ///
-    /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components.
+    /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components. There is no bound
+    /// where a quarter of the direction is in doubt.
     pub fn drift(&self, reach: R) -> R {
         if self.slack == Slack::default() {
             return R::ZERO;
         }
-        let (o, d) = (
-            self.origin.abs().max_component(),
-            self.direction.abs().max_component(),
-        );
-        self.slack.origin + self.slack.direction * (R::of(1.75) * (o + reach) / d)
+        let [x, y, z] = self.origin.map(R::abs).0;
+        let greater = |a: R, b: R| if a > b { a } else { b };
+        let o = greater(greater(x, y), z);
+        let [x, y, z] = self.inverse.map(R::abs).0;
+        let lesser = |a: R, b: R| if a < b { a } else { b };
+        let inverse = lesser(lesser(x, y), z);
+        let bend = self.slack.direction * inverse;
+        let drift = self.slack.origin + bend * (R::of(1.75) * (o + reach));
+        if bend <= R::of(0.25) && drift.is_finite() {
+            drift
+        } else {
+            R::INFINITY
+        }
     }
 }
 
 /// The surface a ray starts on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Left {
+pub struct Left<R = f64> {
     /// Which surface: the shape's geometry and the way it is placed.
     pub surface: u64,
     /// Whether the ray goes into the surface's solid. Crossings alternate, so this and being
@@ -80,25 +103,38 @@ pub struct Left {
     pub entering: bool,
     /// Bound on the distance of the starting point from the true surface. What lies closer to the
     /// starting point than this, along its own normal, cannot be told from it and is behind it.
-    pub skin: f64,
+    pub skin: R,
 }
 
 /// A ray: a line from t = 0 on.
 #[derive(Debug, Clone, Copy)]
-pub struct Ray {
-    pub line: Line,
-    pub left: Option<Left>,
+pub struct Ray<R = f64> {
+    pub line: Line<R>,
+    pub left: Option<Left<R>>,
     /// Known to start outside of every solid.
     pub outside: bool,
 }
 
-impl Ray {
+impl<R: Real> Ray<R> {
     /// A ray that starts anywhere.
-    pub fn new(origin: Vec3, direction: Vec3) -> Ray {
+    pub fn new(origin: Vec3<R>, direction: Vec3<R>) -> Ray<R> {
         Ray {
             line: Line::new(origin, direction),
             left: None,
             outside: false,
+        }
+    }
+
+    /// In another kind of number, rounded.
+    pub fn cast<S: Real>(&self) -> Ray<S> {
+        Ray {
+            line: self.line.cast(),
+            left: self.left.map(|left| Left {
+                surface: left.surface,
+                entering: left.entering,
+                skin: S::of_parts(left.skin.parts()),
+            }),
+            outside: self.outside,
         }
     }
 }

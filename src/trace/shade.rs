@@ -1,13 +1,13 @@
 //! The light that comes back along a ray.
 
 use super::Tracer;
+use super::decide::Walkers;
 use super::hit::Hit;
-use super::nearest::Search;
+use super::number::Real;
+use super::precision::Precision;
 use super::ray::Ray;
-use super::spans::Kind;
 use super::stats::{Counts, Rays};
 use super::vec::Vec3;
-use super::walk::Walker;
 use crate::scene::Rgb;
 
 /// A point light, its colour times its intensity.
@@ -35,32 +35,32 @@ pub const DISPERSION: u8 = 8;
 
 /// A ray still to be followed, and how much its light counts, per channel.
 #[derive(Debug, Clone, Copy)]
-struct Branch {
-    ray: Ray,
+struct Branch<R> {
+    ray: Ray<R>,
     weight: Vec3,
     depth: u32,
 }
 
 /// The scratch of one thread.
-pub struct Shader<'t> {
+pub struct Shader<'t, R = f64> {
     tracer: &'t Tracer,
     /// Ambient light of the scene, and its point lights or the headlight.
     ambient: Vec3,
     lights: &'t [Light],
     limits: Limits,
-    pub walker: Walker<'t>,
-    pub rays: Rays,
-    branches: Vec<Branch>,
+    walkers: Walkers<'t, R>,
+    rays: Rays,
+    branches: Vec<Branch<R>>,
 }
 
-impl<'t> Shader<'t> {
-    pub fn new(tracer: &'t Tracer, lights: &'t [Light], limits: Limits) -> Shader<'t> {
+impl<'t, R: Precision> Shader<'t, R> {
+    pub fn new(tracer: &'t Tracer, lights: &'t [Light], limits: Limits) -> Shader<'t, R> {
         Shader {
             tracer,
             ambient: tracer.ambient,
             lights,
             limits,
-            walker: tracer.walker(),
+            walkers: tracer.walker(),
             rays: Rays::default(),
             branches: Vec::new(),
         }
@@ -69,14 +69,15 @@ impl<'t> Shader<'t> {
     /// Forgets what was counted.
     pub fn reset(&mut self) {
         self.rays = Rays::default();
-        self.walker.counts = Default::default();
+        self.walkers.reset();
     }
 
     /// What was counted since the last reset.
     pub fn counts(&self) -> Counts {
         Counts {
             rays: self.rays,
-            intersections: self.walker.counts,
+            intersections: self.walkers.intersections(),
+            uncertain: self.walkers.uncertain(),
         }
     }
 
@@ -84,7 +85,7 @@ impl<'t> Shader<'t> {
     ///
     /// Rays that are reflected and refracted wait on a stack with their weights, so no depth is
     /// too deep.
-    pub fn radiance<const F: u8>(&mut self, ray: Ray) -> Rgb {
+    pub fn radiance<const F: u8>(&mut self, ray: Ray<R>) -> Rgb {
         self.rays.camera += 1;
         let mut sum = Vec3::ZERO;
         self.branches.push(Branch {
@@ -94,8 +95,8 @@ impl<'t> Shader<'t> {
         });
         while let Some(branch) = self.branches.pop() {
             let hit = match F & GLASS {
-                0 => self.tracer.hit_with::<false>(&mut self.walker, &branch.ray),
-                _ => self.tracer.hit_with::<true>(&mut self.walker, &branch.ray),
+                0 => self.walkers.first_hit::<false>(&branch.ray),
+                _ => self.walkers.first_hit::<true>(&branch.ray),
             };
             let light = match hit {
                 Some(hit) => {
@@ -112,7 +113,7 @@ impl<'t> Shader<'t> {
     }
 
     /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V)
-    fn direct<const F: u8>(&mut self, hit: &Hit) -> Vec3 {
+    fn direct<const F: u8>(&mut self, hit: &Hit<R>) -> Vec3 {
         let albedo = Vec3(hit.optics.kd).times(Vec3(hit.colour));
         if !albedo.any() {
             return Vec3::ZERO;
@@ -120,8 +121,8 @@ impl<'t> Shader<'t> {
         let normal = hit.facing();
         let mut light = self.ambient;
         for &Light { position, power } in self.lights {
-            let way = position - hit.point;
-            let cosine = normal.dot(way.unit());
+            let way = position.cast() - hit.point;
+            let cosine = normal.dot(way.unit()).to_f64();
             if cosine > 0.0 && power.any() {
                 let seen = self.visibility::<F>(hit, way);
                 light = light + power.times(seen) * cosine;
@@ -130,52 +131,21 @@ impl<'t> Shader<'t> {
         albedo.times(light)
     }
 
-    /// The share of light that gets through from hit + way: the product of kt over all surfaces.
-    ///
-    /// A ray that starts outside and crosses something opaque before anything transparent is
-    /// blocked: the first thing it meets is a boundary of the scene, and opaque. Which of the
-    /// opaque things that is does not matter, so the search stops at the first one found. Only
-    /// where something transparent comes before is there need to know what is inside of what.
-    fn visibility<const F: u8>(&mut self, hit: &Hit, way: Vec3) -> Vec3 {
+    /// The share of light that gets through from hit + way.
+    fn visibility<const F: u8>(&mut self, hit: &Hit<R>, way: Vec3<R>) -> Vec3 {
         if F & SHADOWS == 0 || (self.tracer.plan.lone_convex && !hit.inside[0]) {
             return Vec3::ONE;
         }
         self.rays.shadow += 1;
         let ray = hit.leave(way, false);
-        let Some((from, to)) = self.tracer.window(&ray, 1.0) else {
-            return Vec3::ONE;
-        };
-        let walker = &mut self.walker;
-        if ray.outside && self.tracer.clip.is_none() {
-            if F & GLASS == 0 {
-                let blocked = walker.nearest(&ray, from, to, Search::Any).is_some();
-                return if blocked { Vec3::ZERO } else { Vec3::ONE };
-            }
-            let opaque = walker.nearest(&ray, from, to, Search::AnyOpaque);
-            let before = opaque.map_or(to, |o| o.root.t);
-            if walker
-                .nearest(&ray, from, before, Search::AnyClear)
-                .is_none()
-            {
-                return if opaque.is_some() {
-                    Vec3::ZERO
-                } else {
-                    Vec3::ONE
-                };
-            }
+        match F & GLASS {
+            0 => self.walkers.visibility::<false>(&ray),
+            _ => self.walkers.visibility::<true>(&ray),
         }
-        let (_, events) = walker.trace_spans(&ray, from, to);
-        let mut seen = Vec3::ONE;
-        let mut surfaces = events.iter().filter(|e| e.kind != Kind::Silent);
-        while let (true, Some(event)) = (seen.any(), surfaces.next()) {
-            let optics = &self.tracer.graph.optics[event.owner.optics as usize];
-            seen = seen.times(Vec3(optics.kt));
-        }
-        seen
     }
 
     /// Sends on what is mirrored and what goes through.
-    fn follow<const F: u8>(&mut self, branch: &Branch, hit: &Hit) {
+    fn follow<const F: u8>(&mut self, branch: &Branch<R>, hit: &Hit<R>) {
         let direction = branch.ray.line.direction;
         let mut mirrored = Vec3(hit.optics.ks);
         let mut todo = match F & GLASS {
@@ -199,7 +169,9 @@ impl<'t> Shader<'t> {
                 let ray = hit.leave(direction, true);
                 self.branch(ray, branch, through, branch.depth);
                 self.rays.refraction += 1;
-            } else if let Some(refracted) = refract(direction, hit.facing(), before / behind) {
+            } else if let Some(refracted) =
+                refract(direction, hit.facing(), R::of(before) / R::of(behind))
+            {
                 let ray = hit.leave(refracted, true);
                 if self.branch(ray, branch, through, branch.depth + 1) {
                     self.rays.refraction += 1;
@@ -210,7 +182,7 @@ impl<'t> Shader<'t> {
         }
         if F & MIRROR != 0 && mirrored.any() {
             let normal = hit.shading;
-            let reflected = direction - normal * (2.0 * normal.dot(direction));
+            let reflected = direction - normal * (R::of(2.0) * normal.dot(direction));
             let ray = hit.leave(reflected.unit(), false);
             if self.branch(ray, branch, mirrored, branch.depth + 1) {
                 self.rays.reflection += 1;
@@ -219,7 +191,7 @@ impl<'t> Shader<'t> {
     }
 
     /// Puts a ray on the stack unless it is too deep or counts for too little.
-    fn branch(&mut self, ray: Ray, from: &Branch, share: Vec3, depth: u32) -> bool {
+    fn branch(&mut self, ray: Ray<R>, from: &Branch<R>, share: Vec3, depth: u32) -> bool {
         let weight = from.weight.times(share);
         let counts = weight.any() && weight.max_component() >= self.limits.cutoff;
         let goes = counts && depth <= self.limits.depth && ray.line.direction.any();
@@ -233,8 +205,8 @@ impl<'t> Shader<'t> {
 /// Snell's law: the direction behind a surface whose unit normal `n` faces the ray, of a ray of
 /// unit direction `d`, with the ratio of the index before to the one behind. `None`: all of the
 /// light is reflected.
-pub fn refract(d: Vec3, n: Vec3, ratio: f64) -> Option<Vec3> {
+pub fn refract<R: Real>(d: Vec3<R>, n: Vec3<R>, ratio: R) -> Option<Vec3<R>> {
     let cosine = -d.dot(n);
-    let square = 1.0 - ratio * ratio * (1.0 - cosine * cosine).max(0.0);
-    (square > 0.0).then(|| (d * ratio + n * (ratio * cosine - square.sqrt())).unit())
+    let square = R::ONE - ratio * ratio * (R::ONE - cosine * cosine).max(R::ZERO);
+    (square > R::ZERO).then(|| (d * ratio + n * (ratio * cosine - square.sqrt())).unit())
 }

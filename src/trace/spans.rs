@@ -1,10 +1,12 @@
 //! Spans: where along a ray an object is, and whose it is there (Roth, "Ray Casting for Modeling
-//! Solids", 1982). Sorted events, each with the state behind it; no tolerance merges any of them.
+//! Solids", 1982). Sorted events, each with the state behind it.
 
 use super::graph::{Group, Operation, Target};
 use super::join::{join_intersection, join_union};
+use super::nearest::Crossing;
+use super::order::Place;
+use super::precision::Precision;
 use super::ray::Ray;
-use super::shapes::Root;
 use super::walk::{Leaf, Walker};
 
 /// Whose point it is: the part, and what makes its medium.
@@ -40,15 +42,20 @@ pub enum Kind {
 }
 
 #[derive(Debug, Clone, Copy)]
-pub struct Event {
+pub struct Event<R = f64> {
     pub kind: Kind,
-    /// The shape whose surface it is.
-    pub leaf: Leaf,
-    pub root: Root,
+    /// Where the ray crosses the surface of which shape.
+    pub place: Place<R>,
     /// Whose properties the surface has.
     pub owner: Owner,
     /// The state behind it.
     pub state: State,
+}
+
+impl<R: Precision> Event<R> {
+    pub fn t(&self) -> R {
+        self.place.root.t
+    }
 }
 
 /// A list of events, ending where the next one begins.
@@ -62,11 +69,11 @@ pub(super) struct List {
 
 /// The lists under way: a stack, and so are their events.
 #[derive(Debug, Default)]
-pub(super) struct Spans {
+pub(super) struct Spans<R = f64> {
     tasks: Vec<Task>,
     pub lists: Vec<List>,
-    pub events: Vec<Event>,
-    pub scratch: super::join::Scratch,
+    pub events: Vec<Event<R>>,
+    pub scratch: super::join::Scratch<R>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -95,9 +102,9 @@ enum Task {
     },
 }
 
-impl Walker<'_> {
+impl<R: Precision> Walker<'_, R> {
     /// The state of the whole scene at the ray's start, at t = `from`, and its events up to `to`.
-    pub fn trace_spans(&mut self, ray: &Ray, from: f64, to: f64) -> (Option<State>, &[Event]) {
+    pub fn trace_spans(&mut self, ray: &Ray<R>, from: R, to: R) -> (Option<State>, &[Event<R>]) {
         self.begin(ray);
         self.evaluate(ray, 0, from, to)
     }
@@ -105,19 +112,18 @@ impl Walker<'_> {
     /// The first boundary or sheet of an intersection, of those that are looked for.
     pub(super) fn first_of(
         &mut self,
-        ray: &Ray,
+        ray: &Ray<R>,
         context: u32,
-        from: f64,
-        to: f64,
-    ) -> Option<super::nearest::Crossing> {
+        from: R,
+        to: R,
+    ) -> Option<Crossing<R>> {
         let (graph, search) = (self.graph, self.search);
         let (_, events) = self.evaluate(ray, context, from, to);
         let event = events
             .iter()
             .find(|e| e.kind != Kind::Silent && search.wants(graph.made_of(e.owner.optics)))?;
-        Some(super::nearest::Crossing {
-            leaf: event.leaf,
-            root: event.root,
+        Some(Crossing {
+            place: event.place,
             owner: event.owner.leaf,
         })
     }
@@ -125,11 +131,11 @@ impl Walker<'_> {
     /// Start state (`None`: outside, and nothing ahead) and events of the object of a context.
     fn evaluate(
         &mut self,
-        ray: &Ray,
+        ray: &Ray<R>,
         context: u32,
-        from: f64,
-        to: f64,
-    ) -> (Option<State>, &[Event]) {
+        from: R,
+        to: R,
+    ) -> (Option<State>, &[Event<R>]) {
         self.spans.tasks.clear();
         self.spans.lists.clear();
         self.spans.events.clear();
@@ -147,6 +153,7 @@ impl Walker<'_> {
                 } => self.operand(part, context, base, from, to),
                 Task::JoinUnion { context, base } => {
                     let part = self.contexts[context as usize].part;
+                    self.sort(base);
                     join_union(&mut self.spans, part, base);
                 }
                 Task::JoinIntersection {
@@ -171,7 +178,7 @@ impl Walker<'_> {
     }
 
     /// A shape becomes a list at once, an object is entered.
-    fn part_spans(&mut self, ray: &Ray, leaf: Leaf, from: f64, to: f64) {
+    fn part_spans(&mut self, ray: &Ray<R>, leaf: Leaf, from: R, to: R) {
         let part = self.part(leaf.part);
         let primitive = match part.target {
             Target::Object(object) => {
@@ -185,6 +192,10 @@ impl Walker<'_> {
         let behind = self.cross(ray, leaf, primitive, from);
         let owner = self.owner(leaf);
         let begin = self.spans.events.len();
+        let reach = match self.roots.list.is_empty() {
+            true => R::ZERO,
+            false => self.reach(&self.line(leaf), primitive),
+        };
         let mut inside = part.inverted != (solid && (self.roots.inside != (behind % 2 == 1)));
         let start = State { inside, owner };
         // The complement of a surface is all of space: losing a surface does not show.
@@ -193,8 +204,7 @@ impl Walker<'_> {
                 inside ^= solid;
                 self.spans.events.push(Event {
                     kind: if solid { Kind::Boundary } else { Kind::Sheet },
-                    leaf,
-                    root,
+                    place: Place { leaf, root, reach },
                     owner,
                     state: State { inside, owner },
                 });
@@ -209,7 +219,7 @@ impl Walker<'_> {
         }
     }
 
-    fn object_spans(&mut self, context: u32, from: f64, to: f64) {
+    fn object_spans(&mut self, context: u32, from: R, to: R) {
         let graph = self.graph;
         let object = self.contexts[context as usize].object;
         let base = self.spans.lists.len();
@@ -227,16 +237,18 @@ impl Walker<'_> {
     }
 
     /// Puts all parts of a group that the ray may meet in [from, to] on the stack.
-    fn gather(&mut self, context: u32, group: &Group, from: f64, to: f64) {
+    fn gather(&mut self, context: u32, group: &Group, from: R, to: R) {
         let task = |&part: &u32| Task::Part { part, context };
         self.spans.tasks.extend(group.loose.iter().map(task));
-        let line = self.contexts[context as usize].line;
+        let here = &self.contexts[context as usize];
+        let (line, drift) = (here.coarse, here.drift);
+        let (from, to) = (from.to_f64(), to.to_f64());
         self.nodes.clear();
         self.nodes.extend(group.bvh.nodes.first().map(|_| 0));
         while let Some(node) = self.nodes.pop() {
             let here = &group.bvh.nodes[node as usize];
             self.counts.boxes += 1;
-            if here.bounds.clip(&line, from, to).is_none() {
+            if here.bounds.clip(&line, drift, from, to).is_none() {
                 continue;
             }
             if here.count > 0 {
@@ -251,7 +263,7 @@ impl Walker<'_> {
     }
 
     /// Goes on with an intersection whose operands before `part` are on the stack of lists.
-    fn operand(&mut self, part: u32, context: u32, base: usize, from: f64, to: f64) {
+    fn operand(&mut self, part: u32, context: u32, base: usize, from: R, to: R) {
         let graph = self.graph;
         let object = self.contexts[context as usize].object;
         let Operation::Intersection { first, cuts, .. } = &graph.objects[object as usize].operation
@@ -303,28 +315,46 @@ impl Walker<'_> {
             context,
         });
         let part = self.contexts[context as usize].part;
+        self.sort(base);
         join_intersection(&mut self.spans, part, base, first, *inherit, lead);
     }
 }
 
-impl Spans {
+impl<R: Precision> Walker<'_, R> {
+    /// Puts the events of the lists from `base` on in order, and finds those in one place.
+    fn sort(&mut self, base: usize) {
+        let mut scratch = std::mem::take(&mut self.spans.scratch);
+        scratch.sort(&self.spans, base);
+        for i in 1..scratch.order.len() {
+            let (before, here) = (scratch.order[i - 1], scratch.order[i]);
+            // Of one operand's own events the operand has decided.
+            if before.1 != here.1 {
+                let [a, b] = [before, here].map(|e| self.spans.events[e.2 as usize].place);
+                scratch.tied[i] = self.order(&a, &b).is_eq();
+            }
+        }
+        self.spans.scratch = scratch;
+    }
+}
+
+impl<R: Precision> Spans<R> {
     /// The events of list `i`.
-    pub fn of(&self, i: usize) -> &[Event] {
+    pub fn of(&self, i: usize) -> &[Event<R>] {
         let end = self.lists.get(i + 1).map_or(self.events.len(), |l| l.begin);
         &self.events[self.lists[i].begin..end]
     }
 
     /// The stretch outside of which not all of the lists from `base` on can be inside or have a
     /// sheet.
-    fn extent(&self, base: usize, from: f64, to: f64) -> (f64, f64) {
+    fn extent(&self, base: usize, from: R, to: R) -> (R, R) {
         let (mut near, mut far) = (from, to);
         for i in base..self.lists.len() {
             let events = self.of(i);
             if let (false, Some(first)) = (self.lists[i].start.inside, events.first()) {
-                near = near.max(first.root.t);
+                near = near.max(first.t());
             }
             if let Some(last) = events.last().filter(|e| !e.state.inside) {
-                far = far.min(last.root.t);
+                far = far.min(last.t());
             }
         }
         (near, far)

@@ -27,6 +27,16 @@ pub struct Intersections {
 pub struct Counts {
     pub rays: Rays,
     pub intersections: Intersections,
+    /// Rays about which something was closer than rounding errors: in doubles, those that were
+    /// traced again in double-double.
+    pub uncertain: u64,
+}
+
+impl AddAssign for Intersections {
+    fn add_assign(&mut self, other: Intersections) {
+        self.boxes += other.boxes;
+        self.shape += other.shape;
+    }
 }
 
 impl AddAssign for Counts {
@@ -35,7 +45,7 @@ impl AddAssign for Counts {
         self.rays.shadow += other.rays.shadow;
         self.rays.reflection += other.rays.reflection;
         self.rays.refraction += other.rays.refraction;
-        self.intersections.boxes += other.intersections.boxes;
-        self.intersections.shape += other.intersections.shape;
+        self.intersections += other.intersections;
+        self.uncertain += other.uncertain;
     }
 }

@@ -92,7 +92,7 @@ impl<R: Real> Vec3<R> {
 
     /// In another kind of number, each component rounded.
     pub fn cast<S: Real>(self) -> Vec3<S> {
-        Vec3(self.0.map(|x| S::of(x.to_f64())))
+        Vec3(self.0.map(|x| S::of_parts(x.parts())))
     }
 }
 

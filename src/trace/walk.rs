@@ -3,11 +3,12 @@
 use super::compile::outermost;
 use super::graph::{Coat, Graph, Operation, Part, Target};
 use super::nearest::{Entry, Search};
-use super::ray::{Left, Line, Ray};
-use super::shapes::{Primitive, Root, Roots};
+use super::order::Start;
+use super::precision::{Doubt, Precision};
+use super::ray::{Line, Ray};
+use super::shapes::{Primitive, Roots};
 use super::spans::Spans;
 use super::stats::Intersections;
-use super::vec::{UNIT_ROUNDOFF, Vec3};
 
 /// An occurrence of a shape: a part of the object whose space `context` is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,10 +27,13 @@ pub struct Painted {
 
 /// An object entered on the way down from the root, with everything above it folded in.
 #[derive(Debug, Clone, Copy)]
-pub struct Context {
+pub struct Context<R = f64> {
     pub object: u32,
     /// The ray in the object's space.
-    pub line: Line,
+    pub line: Line<R>,
+    /// The same in doubles, for bounding boxes, and how far it may be off near those of the object.
+    pub coarse: Line,
+    pub drift: f64,
     /// Where it was entered from; the root is its own parent.
     pub parent: u32,
     /// The part of the parent's object that it is.
@@ -45,15 +49,30 @@ pub struct Context {
 }
 
 /// The scratch of one thread, and what it has counted.
-pub struct Walker<'g> {
+pub struct Walker<'g, R = f64> {
     pub graph: &'g Graph,
-    pub contexts: Vec<Context>,
-    pub roots: Roots,
+    pub contexts: Vec<Context<R>>,
+    pub roots: Roots<R>,
     pub(super) entries: Vec<Entry>,
     pub(super) nodes: Vec<u32>,
     pub(super) search: Search,
-    pub(super) spans: Spans,
+    pub(super) spans: Spans<R>,
     pub counts: Intersections,
+    pub(super) verdict: Verdict<R>,
+    /// Where the ray starts on the surface that it has left, where that is known better than by
+    /// its origin.
+    pub(super) start: Option<Start<R>>,
+}
+
+/// What has been found about the present question besides its answer.
+#[derive(Debug, Clone, Copy)]
+pub struct Verdict<R = f64> {
+    /// A decision was closer than the rounding errors behind it.
+    pub uncertain: bool,
+    /// Some surface could not be told from the one that the ray has left.
+    pub skin_met: bool,
+    /// Where the ray crosses the surface that it has left, if it does; in double-double only.
+    pub start: Option<Start<R>>,
 }
 
 /// Mixes a number into a key (the finaliser of splitmix64; Steele, Lea and Flood, 2014).
@@ -73,8 +92,18 @@ fn placed_key(key: u64, placement: u32) -> u64 {
     }
 }
 
-impl<'g> Walker<'g> {
-    pub fn new(graph: &'g Graph) -> Walker<'g> {
+impl<R> Default for Verdict<R> {
+    fn default() -> Verdict<R> {
+        Verdict {
+            uncertain: false,
+            skin_met: false,
+            start: None,
+        }
+    }
+}
+
+impl<'g, R: Precision> Walker<'g, R> {
+    pub fn new(graph: &'g Graph) -> Walker<'g, R> {
         Walker {
             graph,
             contexts: Vec::new(),
@@ -84,15 +113,20 @@ impl<'g> Walker<'g> {
             search: Search::First,
             spans: Spans::default(),
             counts: Intersections::default(),
+            verdict: Verdict::default(),
+            start: None,
         }
     }
 
     /// Forgets the last ray; context 0 is the root's.
-    pub fn begin(&mut self, ray: &Ray) {
+    pub fn begin(&mut self, ray: &Ray<R>) {
+        let coarse = R::coarse(&ray.line);
         self.contexts.clear();
         self.contexts.push(Context {
             object: self.graph.root,
             line: ray.line,
+            coarse,
+            drift: coarse.drift(self.graph.root().reach),
             parent: 0,
             part: 0,
             depth: 0,
@@ -125,9 +159,13 @@ impl<'g> Walker<'g> {
         let above = &self.contexts[context as usize];
         let p = self.part(part);
         let leaf = Leaf { part, context };
+        let line = self.placed(&above.line, p);
+        let coarse = R::coarse(&line);
         let next = Context {
             object,
-            line: self.placed(&above.line, p),
+            line,
+            coarse,
+            drift: coarse.drift(self.graph.objects[object as usize].reach),
             parent: context,
             part,
             depth: above.depth + 1,
@@ -142,11 +180,19 @@ impl<'g> Walker<'g> {
     }
 
     /// A line of an object's space in the space of one of its parts.
-    pub fn placed(&self, line: &Line, part: &Part) -> Line {
+    pub fn placed(&self, line: &Line<R>, part: &Part) -> Line<R> {
         match part.placement {
             0 => *line,
-            m => line.through(&self.graph.placements[m as usize].back),
+            m => line.through(&R::back(self.graph, m)),
         }
+    }
+
+    /// The ray in the space of a leaf's shape.
+    pub fn line(&self, leaf: Leaf) -> Line<R> {
+        self.placed(
+            &self.contexts[leaf.context as usize].line,
+            self.part(leaf.part),
+        )
     }
 
     /// The texture of a part: the outermost one given.
@@ -217,10 +263,15 @@ impl<'g> Walker<'g> {
         }
     }
 
+    /// A number for the chain of maps that places a part: equal for equal chains.
+    pub(super) fn chain(&self, leaf: Leaf) -> u64 {
+        let part = self.part(leaf.part);
+        placed_key(self.contexts[leaf.context as usize].key, part.placement)
+    }
+
     /// A number for the surface of a part that is a shape: equal for equal shapes placed equally.
     pub fn surface(&self, leaf: Leaf) -> u64 {
-        let part = self.part(leaf.part);
-        let key = placed_key(self.contexts[leaf.context as usize].key, part.placement);
+        let (part, key) = (self.part(leaf.part), self.chain(leaf));
         match part.target {
             // Odd, and placements are not shifted: no mistaking one for the other.
             Target::Shape(p) => mix(key, !(p as u64)),
@@ -230,71 +281,32 @@ impl<'g> Walker<'g> {
 
     /// Finds all crossings with a part that is the shape `primitive`, into `self.roots`, and says
     /// how many of them lie behind the ray's start, which is at `from`.
-    pub fn cross(&mut self, ray: &Ray, leaf: Leaf, primitive: u32, from: f64) -> usize {
-        let part = self.part(leaf.part);
-        let line = self.placed(&self.contexts[leaf.context as usize].line, part);
-        let shape = &self.graph.primitives[primitive as usize];
+    pub fn cross(&mut self, ray: &Ray<R>, leaf: Leaf, primitive: u32, from: R) -> usize {
+        let line = self.line(leaf);
         let mut roots = std::mem::take(&mut self.roots);
         roots.clear();
+        let shape = &self.graph.primitives[primitive as usize];
         shape.intersect().crossings(&line, &mut roots);
+        debug_assert!(roots.list.iter().all(|r| r.t.is_finite()));
         self.counts.shape += 1;
-        let passed = roots.list.partition_point(|r| r.t <= from);
-        let behind = match ray.left {
-            Some(left) if from <= 0.0 && !roots.list.is_empty() => {
-                if self.surface(leaf) == left.surface {
-                    left_behind(&roots, &left, shape.shape().is_solid()).unwrap_or(passed)
-                } else {
-                    self.pass_skin(leaf, &line, &roots.list, passed, &left)
-                }
-            }
-            _ => passed,
+        self.verdict.uncertain |= roots.uncertain;
+        let behind = match &roots.list[..] {
+            [] => 0,
+            _ => self.behind(ray, leaf, &line, &roots, from),
         };
         self.roots = roots;
         behind
     }
 
-    /// Counts on past the roots that cannot be told from the starting point.
-    ///
-    /// A surface at distance h from the starting point, measured along its own normal, is met at
-    /// t = h / |n·d|; the starting point itself is known up to the skin.
-    fn pass_skin(
-        &self,
-        leaf: Leaf,
-        line: &Line,
-        roots: &[Root],
-        passed: usize,
-        left: &Left,
-    ) -> usize {
-        // Flatter than √u to a surface, half of the digits of n·d are noise and the distance h
-        // says nothing; so such roots are believed.
-        let farthest = left.skin / UNIT_ROUNDOFF.sqrt();
-        let direction = self.contexts[0].line.direction;
-        let length = direction.length();
-        let mut behind = passed;
-        while let Some(root) = roots.get(behind) {
-            if root.t * length > farthest {
-                break;
-            }
-            let normal = self.world_normal(leaf, line, *root);
-            if root.t * normal.dot(direction).abs() > left.skin {
-                break;
-            }
-            behind += 1;
-        }
-        behind
-    }
-
-    /// The unit normal at a root, outwards, in the scene's space.
-    fn world_normal(&self, leaf: Leaf, line: &Line, root: Root) -> Vec3 {
-        let mut normal = self.primitive(leaf).intersect().locate(line, root).normal;
-        self.climb(leaf, |placement| {
-            normal = placement.back.transposed(normal);
-        });
-        normal.unit()
+    /// Notes a decision that is too close, and says whether to take what cannot be told apart for
+    /// one place.
+    pub(super) fn doubt(&mut self) -> bool {
+        self.verdict.uncertain = true;
+        R::DOUBT == Doubt::Merges
     }
 
     /// Calls `step` with every placement from a part up to the scene.
-    pub fn climb(&self, leaf: Leaf, mut step: impl FnMut(&'g super::affine::Placement)) {
+    pub fn climb(&self, leaf: Leaf, mut step: impl FnMut(u32)) {
         let Leaf {
             mut part,
             mut context,
@@ -302,7 +314,7 @@ impl<'g> Walker<'g> {
         loop {
             let placement = self.part(part).placement;
             if placement != 0 {
-                step(&self.graph.placements[placement as usize]);
+                step(placement);
             }
             if context == 0 {
                 break;
@@ -333,14 +345,4 @@ impl<'g> Walker<'g> {
         }
         a.part < b.part
     }
-}
-
-/// How many roots lie behind a ray that starts on the surface itself: those up to the one it starts
-/// at, which is the nearest to the origin of those that cross in the right sense.
-fn left_behind(roots: &Roots, left: &Left, solid: bool) -> Option<usize> {
-    let fits = |i: usize| !solid || (roots.inside == (i % 2 == 1)) == left.entering;
-    (0..roots.list.len())
-        .filter(|&i| fits(i))
-        .min_by(|&i, &j| roots.list[i].t.abs().total_cmp(&roots.list[j].t.abs()))
-        .map(|i| i + 1)
 }

@@ -54,7 +54,7 @@ impl Number for Dd {
 }
 
 pub fn primitive(geometry: &Geometry) -> Primitive {
-    Primitive::new(geometry).expect("a shape that is traced")
+    Primitive::new(geometry)
 }
 
 /// Where the line of a case crosses, by one kind of number.

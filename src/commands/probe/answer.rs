@@ -4,9 +4,9 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use crate::commands::numbers::{Writable, Written};
 use crate::trace::vec::Vec3;
-use crate::trace::walk::Walker;
-use crate::trace::{Crossing, Membership, Ray, Tracer};
+use crate::trace::{Crossing, Membership, Ray, Tracer, Walkers};
 
 /// What is on a ray.
 #[derive(Debug, Serialize)]
@@ -24,9 +24,9 @@ struct RayJson {
 
 #[derive(Debug, Serialize)]
 struct HitJson {
-    t: f64,
-    point: [f64; 3],
-    normal: [f64; 3],
+    t: Written,
+    point: [Written; 3],
+    normal: [Written; 3],
     uv: [f64; 2],
     object: u32,
     shape: u32,
@@ -56,9 +56,18 @@ fn plain<const N: usize>(numbers: [f64; N]) -> [f64; N] {
 }
 
 impl RayAnswer {
-    /// Traces a ray; the error is a message about numbers out of range.
-    pub fn new(tracer: &Tracer, walker: &mut Walker, ray: &Ray) -> Result<RayAnswer, String> {
-        let probe = tracer.probe(walker, ray);
+    /// Traces a ray in some precision; the error is a message about numbers out of range.
+    pub fn new<R: Writable>(
+        tracer: &Tracer,
+        walkers: &mut Walkers<R>,
+        ray: &Ray,
+    ) -> Result<RayAnswer, String> {
+        const RANGE: &str = "this ray meets the scene out of the range of this precision";
+        let rounded: Ray<R> = ray.cast();
+        if !rounded.line.is_sound() {
+            return Err("this ray is out of the range of this precision".into());
+        }
+        let probe = tracer.probe(walkers, &rounded);
         let hits: Option<Vec<HitJson>> = probe.crossings.iter().map(HitJson::new).collect();
         Ok(RayAnswer {
             ray: RayJson {
@@ -66,14 +75,14 @@ impl RayAnswer {
                 direction: plain(ray.line.direction.0),
             },
             inside_at_origin: probe.inside_at_origin,
-            hits: hits.ok_or("this ray meets the scene out of the range of double precision")?,
+            hits: hits.ok_or(RANGE)?,
         })
     }
 }
 
 impl HitJson {
     /// `None` where a number is out of range.
-    fn new(crossing: &Crossing) -> Option<HitJson> {
+    fn new<R: Writable>(crossing: &Crossing<R>) -> Option<HitJson> {
         let Crossing {
             hit, normal, uv, ..
         } = crossing;
@@ -82,9 +91,9 @@ impl HitJson {
             && normal.is_finite()
             && uv.iter().all(|x| x.is_finite());
         finite.then(|| HitJson {
-            t: hit.t,
-            point: plain(hit.point.0),
-            normal: plain(normal.0),
+            t: hit.t.written(),
+            point: hit.point.0.map(R::written),
+            normal: normal.0.map(R::written),
             uv: plain(*uv),
             object: crossing.object,
             shape: crossing.shape,

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 
 use super::answer::{self, RayAnswer};
 use crate::commands::Status;
+use crate::commands::numbers::Writable;
 use crate::commands::terminal::{complain, reason};
 use crate::trace::vec::Vec3;
 use crate::trace::{Ray, Tracer};
@@ -70,7 +71,7 @@ pub fn parse(s: &str) -> Result<Ray, String> {
 
 /// Answers every ray of a file on standard output, in order. A line that holds no ray ends it, after
 /// all rays before it have been answered, and is told to `bad`.
-pub fn stream(tracer: &Tracer, input: &mut Input, bad: impl Fn(BadRay)) -> Status {
+pub fn stream<R: Writable>(tracer: &Tracer, input: &mut Input, bad: impl Fn(BadRay)) -> Status {
     let mut lines = Lines {
         input,
         number: 0,
@@ -79,7 +80,7 @@ pub fn stream(tracer: &Tracer, input: &mut Input, bad: impl Fn(BadRay)) -> Statu
     let mut out = io::stdout().lock();
     loop {
         let (batch, end) = lines.batch();
-        let (text, unanswered) = trace(tracer, &batch);
+        let (text, unanswered) = trace::<R>(tracer, &batch);
         let written = out.write_all(&text).and_then(|()| out.flush());
         match written {
             Err(e) if e.kind() == io::ErrorKind::BrokenPipe => return Status::Clean,
@@ -163,15 +164,15 @@ impl Lines<'_> {
 }
 
 /// The answers to a batch, up to the first ray that cannot be answered.
-fn trace(tracer: &Tracer, batch: &[(u64, Ray)]) -> (Vec<u8>, Option<BadRay>) {
+fn trace<R: Writable>(tracer: &Tracer, batch: &[(u64, Ray)]) -> (Vec<u8>, Option<BadRay>) {
     let shares: Vec<(Vec<u8>, Option<BadRay>)> = batch
         .par_chunks(SHARE)
         .map_init(
-            || tracer.walker(),
-            |walker, rays| {
+            || tracer.walker::<R>(),
+            |walkers, rays| {
                 let mut text = Vec::new();
                 for &(line, ray) in rays {
-                    let answered = RayAnswer::new(tracer, walker, &ray).and_then(|answer| {
+                    let answered = RayAnswer::new(tracer, walkers, &ray).and_then(|answer| {
                         answer::write(&mut text, &answer).map_err(|e| e.to_string())
                     });
                     if let Err(reason) = answered {

@@ -20,9 +20,7 @@ pub fn lone_convex(scene: &Scene, root: NodeId) -> bool {
             _ => return false,
         }
     };
-    let Some(primitive) = Primitive::new(&shape.geometry) else {
-        return false;
-    };
+    let primitive = Primitive::new(&shape.geometry);
     if !primitive.shape().is_convex() {
         return false;
     }
@@ -41,7 +39,7 @@ pub fn lone_convex(scene: &Scene, root: NodeId) -> bool {
         // Behind a projection matrix rays start anywhere.
         camera.projection.is_none() && {
             let line = Line::new(back.point(camera.position).into(), Vec3::new(0.0, 0.0, 1.0));
-            let mut roots = Roots::default();
+            let mut roots = Roots::<f64>::default();
             primitive.intersect().crossings(&line, &mut roots);
             // A camera in the surface counts as inside.
             let crossed = roots.list.iter().filter(|r| r.t < 0.0).count();

@@ -1,5 +1,6 @@
 //! The axis-aligned box.
 
+use super::doubt::{is_final, least, parameter_error, within_numbers};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
@@ -10,11 +11,20 @@ use crate::trace::vec::Vec3;
 pub struct Cuboid {
     min: Vec3,
     max: Vec3,
+    /// No coordinate of a point of the box is larger.
+    reach: f64,
+    /// Of no thickness along some axis, hence without inside.
+    flat: bool,
 }
 
 impl Cuboid {
     pub fn new(min: Vec3, max: Vec3) -> Cuboid {
-        Cuboid { min, max }
+        Cuboid {
+            min,
+            max,
+            reach: min.abs().max_component().max(max.abs().max_component()),
+            flat: (0..3).any(|i| min[i] >= max[i]),
+        }
     }
 }
 
@@ -52,16 +62,29 @@ impl Shape for Cuboid {
 }
 
 impl<R: Real> Intersect<R> for Cuboid {
+    /// The box is closed: a line in the plane of a face does not cross that face, but it enters and
+    /// leaves the box through others. Thus boxes that lie face to face leave no gap between them.
+    ///
+    /// Each t is rounded twice, t = (m − o)/d, so that near and far are off by at most γ₂ of
+    /// themselves, and by 1/|d| of the drift for the greatest such factor of an axis. If they are
+    /// farther apart than this their order is certain; twice the roundings pay for the rest.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        if self.flat {
+            return;
+        }
+        let drift = self.drift(line);
         let mut near = (-R::INFINITY, 0);
         let mut far = (R::INFINITY, 0);
+        let (mut beside, mut certain) = (false, true);
         let (min, max) = (self.min.cast::<R>(), self.max.cast::<R>());
         for i in 0..3 {
             let (o, d) = (line.origin[i], line.direction[i]);
             if d == R::ZERO {
-                if o < min[i] || o > max[i] {
+                beside |= o < min[i] || o > max[i];
+                if drift == R::ZERO && beside {
                     return;
                 }
+                certain &= drift == R::ZERO;
                 continue;
             }
             let mut a = ((min[i] - o) / d, 2 * i as u32);
@@ -76,7 +99,28 @@ impl<R: Real> Intersect<R> for Cuboid {
                 far = b;
             }
         }
-        roots.chord(near, far);
+        let mut noise = R::gamma(4) * (near.0.abs() + far.0.abs()) + least();
+        if drift > R::ZERO {
+            let steps = line.inverse.zip(line.direction, |inverse, d| {
+                if d == R::ZERO { R::ZERO } else { inverse.abs() }
+            });
+            noise += R::of(2.0) * drift * steps.max_component();
+        }
+        certain &= (far.0 - near.0).abs() > noise;
+        let mut meets = far.0 > near.0 && !beside;
+        if !certain {
+            let (maybe, surely) = (
+                self.meets(line, drift, true),
+                self.meets(line, -drift, false),
+            );
+            roots.uncertain = maybe != surely;
+            meets = surely || (meets && maybe && !is_final::<R>());
+        }
+        if meets {
+            roots.chord(near, far);
+            // Ends that are the same number, or none.
+            roots.uncertain |= roots.list.is_empty();
+        }
     }
 
     /// The coordinate across the face is the face's own, exactly. The others come from a t of two
@@ -94,10 +138,59 @@ impl<R: Real> Intersect<R> for Cuboid {
         error[axis] = R::ZERO;
         let mut normal = Vec3::ZERO;
         normal[axis] = if upper { R::ONE } else { -R::ONE };
-        Located {
+        within_numbers(Located {
             point,
             error,
             normal,
+        })
+    }
+}
+
+impl Cuboid {
+    /// How far along each axis a line may be from the one that is meant, relative to the box. Where
+    /// numbers are coarser than the doubles that the box is made of, its corners are off, too.
+    fn drift<R: Real>(&self, line: &Line<R>) -> R {
+        let reach = R::of(self.reach);
+        line.drift(reach) + parameter_error::<R>() * reach
+    }
+
+    /// Whether the line as it is meets the box moved outwards by `by` on every side, or inwards, and
+    /// as much farther as t is rounded: γ₂ of the distance from the origin to a side, which is γ₄
+    /// with the rounding of the sum. Lines that are at most this far off meet the box itself if
+    /// this one meets the smaller box, and do not if this one does not meet the larger.
+    #[cold]
+    fn meets<R: Real>(&self, line: &Line<R>, by: R, outwards: bool) -> bool {
+        let (mut near, mut far) = (-R::INFINITY, R::INFINITY);
+        for i in 0..3 {
+            let (o, d) = (line.origin[i], line.direction[i]);
+            let (low, high) = (R::of(self.min[i]) - o, R::of(self.max[i]) - o);
+            let rounding = if outwards { R::gamma(4) } else { -R::gamma(4) };
+            let low = low - (by + low.abs() * rounding);
+            let high = high + (by + high.abs() * rounding);
+            if !(low.is_finite() && high.is_finite()) {
+                return outwards;
+            }
+            if d == R::ZERO {
+                if low > R::ZERO || high < R::ZERO {
+                    return false;
+                }
+                continue;
+            }
+            let (a, b) = if d > R::ZERO {
+                (low, high)
+            } else {
+                (high, low)
+            };
+            near = near.max(a / d);
+            far = far.min(b / d);
+        }
+        // Where t is so small that it is not rounded by a share of itself, or so large that it is
+        // infinite, nothing is certain.
+        let chord = far - near;
+        if outwards {
+            chord > -least::<R>() || chord.is_nan()
+        } else {
+            chord > least()
         }
     }
 }

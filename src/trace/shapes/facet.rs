@@ -8,6 +8,7 @@
 
 use crate::trace::dd::Dd;
 use crate::trace::number::Real;
+use crate::trace::ray::Line;
 use crate::trace::vec::Vec3;
 
 /// A vector of doubles in another kind of number.
@@ -19,6 +20,26 @@ pub(super) fn lift<R: Real>(v: Vec3) -> Vec3<R> {
 pub(super) fn narrow<R: Real>(x: Dd) -> R {
     let (high, low) = x.parts();
     R::of(high) + R::of(low)
+}
+
+/// How far the projection of a point may be off because the line is, where `drift` bounds that
+/// along each axis near the point; infinite where the direction is hardly known.
+///
+/// The point is seen relative to the line's at the same depth: off by δ across, and by as much as a
+/// slope up to 1 makes of δ in depth. Where the direction's components are off by a sixteenth of
+/// the longest at most, the slope is up to (1 + 1/16) / (1 − 1/16) and the time to that depth up to
+/// 1 / (1 − 1/16) times what `drift` is reckoned with: in all (1 + 1.134) · 1.067 < 2.5.
+pub(super) fn drift_across<R: Real>(line: &Line<R>, reach: R) -> R {
+    let drift = line.drift(reach);
+    if drift == R::ZERO {
+        return drift;
+    }
+    let longest = line.direction.abs().max_component();
+    if line.slack.direction <= longest * R::of(1.0 / 16.0) {
+        drift * R::of(2.5)
+    } else {
+        R::INFINITY
+    }
 }
 
 /// The map that turns a direction into the z axis and keeps the other two axes where they are.
@@ -160,7 +181,7 @@ impl<R: Real> Facet<R> {
     }
 
     /// What can be said about the ways in and out when every projected coordinate is off by at
-    /// most `noise`.
+    /// most `noise`. Nothing where numbers overflow: what is not a number may be a passage.
     ///
     /// p × q is then off by at most noise (|p|₁ + |q|₁) + 2 noise², and its own rounding adds
     /// γ₂|p|₁|q|₁ at most: less than the first term again, since `noise` exceeds γ₂ times any
@@ -170,13 +191,14 @@ impl<R: Real> Facet<R> {
         let [a, b, c] = self.corners.map(|c| c.reach());
         let bounds = [b + c, c + a, a + b].map(|sum| two * noise * (sum + noise));
         let all = |holds: fn(R, R) -> bool| (0..3).all(|i| holds(self.edges[i], bounds[i]));
+        let any = |holds: fn(R, R) -> bool| (0..3).any(|i| holds(self.edges[i], bounds[i]));
         [
             Verdict {
-                possible: all(|e, bound| e <= bound),
+                possible: !any(|e, bound| e > bound),
                 certain: all(|e, bound| e < -bound),
             },
             Verdict {
-                possible: all(|e, bound| e >= -bound),
+                possible: !any(|e, bound| e < -bound),
                 certain: all(|e, bound| e > bound),
             },
         ]

@@ -6,7 +6,7 @@
 //! edge alone, and not on their order, so that neighbours have equal corners, bit for bit. Everything
 //! is computed for radius 1 and scaled at the end.
 
-use super::facet::{Facet, Passage, Projected, Shear, Way, narrow};
+use super::facet::{Facet, Passage, Projected, Shear, Way, drift_across, narrow};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::dd::Dd;
@@ -71,6 +71,15 @@ struct View<R> {
     noise: R,
 }
 
+/// What is known of a line before any facet is looked at.
+enum Sight<R> {
+    /// It certainly passes the sphere.
+    Passes,
+    /// It comes from so far that numbers overflow.
+    Lost,
+    Near(View<R>),
+}
+
 /// A facet on the way down, and how many of its quarters have been seen to.
 #[derive(Clone, Copy, Default)]
 struct Frame<R> {
@@ -125,7 +134,7 @@ impl GeodesicSphere {
 
     /// The corners of a facet, on the unit sphere. Its number is that of the icosahedron's facet
     /// followed by the quarter taken at each split, in base 4.
-    fn corners<R: Real>(&self, face: u32) -> [Vec3<R>; 3] {
+    pub(super) fn corners<R: Real>(&self, face: u32) -> [Vec3<R>; 3] {
         let vertices = self.icosahedron();
         let base = (face >> (2 * self.splits)) as usize % FACES.len();
         let mut corners = FACES[base].map(|i| vertices[i]);
@@ -224,8 +233,7 @@ fn is_near<R: Real>([a, b, c]: [&Vertex<R>; 3], margin: R) -> bool {
 }
 
 impl<R: Real> View<R> {
-    /// `None` for lines that certainly pass the sphere, or come from so far that numbers overflow.
-    fn new(line: &Line<R>, radius: R) -> Option<View<R>> {
+    fn of(line: &Line<R>, radius: R) -> Sight<R> {
         let shear = Shear::along(line.direction);
         let e = shear.slope;
         let square = e.dot(e);
@@ -242,18 +250,26 @@ impl<R: Real> View<R> {
         // rounding each, of numbers up to |origin| and 2 |origin|: 7 in all, and some more for the
         // second step. The shear stretches them up to √3 times.
         let size = origin[0].abs() + origin[1].abs() + origin[2].abs();
-        let noise = R::gamma(20) * size + R::of(SLACK) * R::ROUNDOFF;
+        let noise =
+            R::gamma(20) * size + R::of(SLACK) * R::ROUNDOFF + drift_across(line, radius) / radius;
         let beyond = R::ONE + noise;
-        // False for NaN. The radius may be too large for f32.
-        (radius.is_finite()
-            && nearest.dot(nearest) <= beyond * beyond * (R::ONE + R::gamma(4))
-            && depth.is_finite())
-        .then_some(View {
-            shear,
-            nearest,
-            depth,
-            noise,
-        })
+        let distance = nearest.dot(nearest);
+        // The square rounds by γ₄. The nearest point is off along the line by less than the noise,
+        // and so the more in distance: by less than half of noise².
+        let passes = distance > beyond * beyond * (R::ONE + R::gamma(4)) + noise * noise;
+        // The radius may be too large for f32, or too small for what is divided by it.
+        if !(radius.is_finite() && distance.is_finite() && depth.is_finite()) {
+            Sight::Lost
+        } else if passes {
+            Sight::Passes
+        } else {
+            Sight::Near(View {
+                shear,
+                nearest,
+                depth,
+                noise,
+            })
+        }
     }
 
     fn vertex(&self, at: Vec3<R>) -> Vertex<R> {
@@ -299,13 +315,20 @@ impl<R: Real> Intersect<R> for GeodesicSphere {
     /// each point of the plane as often one way as the other, whatever the rounding of their common
     /// corners, so a way in never lacks its way out.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let Some(view) = View::new(line, R::of(self.radius)) else {
-            return;
+        let view = match View::of(line, R::of(self.radius)) {
+            Sight::Passes => return,
+            Sight::Lost => {
+                roots.uncertain = true;
+                return;
+            }
+            Sight::Near(view) => view,
         };
         // Facets are about 2^−splits across. Noise of that order says nothing about a line, and
         // must not make it look at all of them.
         let finest = R::of(1.0 / 16.0 / f64::from(1 << self.splits));
-        let lost = view.noise > finest;
+        // False for NaN.
+        let is_known = view.noise <= finest;
+        let lost = !is_known;
         let noise = if lost { R::ZERO } else { view.noise };
         let (mut near, mut far) = (None::<(R, u32)>, None::<(R, u32)>);
         let (mut possible, mut certain) = (false, [false; 2]);
@@ -336,6 +359,8 @@ impl<R: Real> Intersect<R> for GeodesicSphere {
         } else {
             roots.chord(far, near);
         }
+        // A chord too short for the numbers.
+        roots.uncertain |= roots.list.is_empty();
     }
 
     /// The weighted mean of the facet's corners: off by γ₇ Σ|wᵢ vᵢ| (pbrt-v4, section 6.8.5) and
@@ -343,8 +368,10 @@ impl<R: Real> Intersect<R> for GeodesicSphere {
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let radius = R::of(self.radius);
         let corners = self.corners::<R>(root.face);
-        let passage = View::new(line, radius)
-            .and_then(|view| Facet::new(corners.map(|at| view.vertex(at).seen)).passage());
+        let passage = match View::of(line, radius) {
+            Sight::Near(view) => Facet::new(corners.map(|at| view.vertex(at).seen)).passage(),
+            Sight::Passes | Sight::Lost => None,
+        };
         let weights = match passage {
             Some(passage) => passage.weights,
             None => [R::ONE / R::of(3.0); 3],

@@ -1,6 +1,6 @@
 //! The half-space.
 
-use super::plane::Plane;
+use super::plane::{Plane, Way};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
@@ -37,6 +37,10 @@ impl Shape for HalfSpace {
         bounds
     }
 
+    fn extent(&self) -> f64 {
+        self.face.extent()
+    }
+
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
         self.face.uv(point, face)
     }
@@ -48,12 +52,18 @@ impl Shape for HalfSpace {
 
 impl<R: Real> Intersect<R> for HalfSpace {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        self.face.crossings(line, roots);
-        roots.inside = if roots.list.is_empty() {
-            self.face.value(line.origin) <= R::ZERO
-        } else {
-            self.face.normal().cast().dot(line.direction) > R::ZERO
-        };
+        let meeting = self.face.meet(line);
+        roots.uncertain = meeting.uncertain;
+        match meeting.way {
+            Way::Across { t, outwards } => {
+                roots.inside = outwards;
+                roots.push(t, 0);
+            }
+            Way::Along { behind, close } => {
+                roots.inside = behind;
+                roots.uncertain |= close;
+            }
+        }
     }
 
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {

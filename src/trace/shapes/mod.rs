@@ -3,7 +3,12 @@
 //! A shape is one file here that implements [`Shape`] and [`Intersect`], one variant of [`Primitive`]
 //! and one arm in each of its functions.
 
+#[cfg(test)]
+mod close_calls;
+#[cfg(test)]
+mod contract_tests;
 mod cuboid;
+mod doubt;
 mod facet;
 mod geodesic_sphere;
 mod half_space;
@@ -49,6 +54,19 @@ impl<R: Real> Roots<R> {
         self.list.clear();
     }
 
+    /// In another kind of number, rounded.
+    pub fn cast<S: Real>(&self) -> Roots<S> {
+        let cast = |root: &Root<R>| Root {
+            t: S::of_parts(root.t.parts()),
+            face: root.face,
+        };
+        Roots {
+            inside: self.inside,
+            uncertain: self.uncertain,
+            list: self.list.iter().map(cast).collect(),
+        }
+    }
+
     fn push(&mut self, t: R, face: u32) {
         self.list.push(Root { t, face });
     }
@@ -87,6 +105,12 @@ pub trait Intersect<R: Real = f64> {
 pub trait Shape {
     /// A box that holds the shape, rounded outwards.
     fn bounds(&self) -> Bounds;
+
+    /// How far the numbers reach, in the shape's space, that a crossing is computed from, besides
+    /// those of the line and of the crossing itself; infinite where that is not known.
+    fn extent(&self) -> f64 {
+        self.bounds().reach()
+    }
 
     /// Surface coordinates of a point on the surface.
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2];
@@ -155,9 +179,8 @@ macro_rules! each {
 }
 
 impl Primitive {
-    /// The shape with this geometry; `None` where the tracer does not know the shape.
-    pub fn new(geometry: &Geometry) -> Option<Primitive> {
-        Some(match *geometry {
+    pub fn new(geometry: &Geometry) -> Primitive {
+        match *geometry {
             Geometry::Revolution {
                 ref profile,
                 ref colours,
@@ -183,12 +206,18 @@ impl Primitive {
             Geometry::DoubleCone { height, radius } => {
                 Primitive::Cone(quadric::cone::Cone::double(height, radius))
             }
-            Geometry::Quadric(_)
-            | Geometry::ParabolicCylinder { .. }
-            | Geometry::HyperbolicCylinder { .. }
-            | Geometry::Hyperboloid { .. }
-            | Geometry::HyperbolicParaboloid { .. } => {
-                Primitive::Quadric(quadric::Quadric::new(geometry)?)
+            Geometry::Quadric(ref q) => Primitive::Quadric(quadric::Quadric::general(q)),
+            Geometry::ParabolicCylinder { a } => {
+                Primitive::Quadric(quadric::Quadric::parabolic_cylinder(a))
+            }
+            Geometry::HyperbolicCylinder { a, b } => {
+                Primitive::Quadric(quadric::Quadric::hyperbolic_cylinder(a, b))
+            }
+            Geometry::Hyperboloid { a, b, c, sheets } => {
+                Primitive::Quadric(quadric::Quadric::hyperboloid(a, b, c, sheets))
+            }
+            Geometry::HyperbolicParaboloid { a, b } => {
+                Primitive::Quadric(quadric::Quadric::hyperbolic_paraboloid(a, b))
             }
             Geometry::Triangle { vertices, normals } => {
                 Primitive::Triangle(triangle::Triangle::new(vertices, normals))
@@ -196,7 +225,7 @@ impl Primitive {
             Geometry::GeodesicSphere { radius, splits } => {
                 Primitive::GeodesicSphere(geodesic_sphere::GeodesicSphere::new(radius, splits))
             }
-        })
+        }
     }
 
     /// Where it meets lines of one kind of number.

@@ -1,9 +1,11 @@
 //! The plane, a surface without inside.
 
+use super::doubt::{fits, is_final, parameter_error, within_numbers};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
+use crate::trace::exponent::{exponent, shifted, shifted_vector};
 use crate::trace::number::Real;
-use crate::trace::ray::Line;
+use crate::trace::ray::{Line, Slack};
 use crate::trace::vec::Vec3;
 
 /// ax + by + cz + d = 0.
@@ -25,11 +27,6 @@ impl Plane {
     pub fn normal(&self) -> Vec3 {
         self.normal
     }
-
-    /// The left side of the equation.
-    pub fn value<R: Real>(&self, p: Vec3<R>) -> R {
-        self.normal.cast().dot(p) + R::of(self.d)
-    }
 }
 
 impl Shape for Plane {
@@ -44,6 +41,11 @@ impl Shape for Plane {
             }
         }
         bounds.padded()
+    }
+
+    /// The distance from the origin, but for a factor up to √3.
+    fn extent(&self) -> f64 {
+        (self.d / self.normal.abs().max_component()).abs()
     }
 
     /// Scene units from the point nearest the origin.
@@ -71,11 +73,171 @@ impl Shape for Plane {
     }
 }
 
+/// How a line runs with respect to a plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Way<R> {
+    /// It crosses the plane at t, maybe to the side that the normal points to.
+    Across { t: R, outwards: bool },
+    /// It is parallel to the plane: in it or behind it, or in front; `close` if rounding may have
+    /// decided which.
+    Along { behind: bool, close: bool },
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Meeting<R> {
+    pub way: Way<R>,
+    /// Whether rounding may have decided if the line crosses.
+    pub uncertain: bool,
+}
+
+/// n·v + c, the sum of the sizes of its terms, and whether they are all zero exactly.
+struct Sum<R> {
+    value: R,
+    size: R,
+    zero: bool,
+}
+
+impl<R: Real> Sum<R> {
+    fn new(n: Vec3<R>, v: Vec3<R>, c: R) -> Sum<R> {
+        let size = n.abs().dot(v.abs()) + c.abs();
+        let no_product = |i| n[i] == R::ZERO || v[i] == R::ZERO;
+        Sum {
+            value: n.dot(v) + c,
+            size,
+            zero: size == R::ZERO && (0..3).all(no_product),
+        }
+    }
+
+    /// Whether nothing in it has left the numbers.
+    fn fits(&self) -> bool {
+        self.zero || fits(self.size)
+    }
+}
+
+impl Plane {
+    /// How a line runs with respect to the plane.
+    ///
+    /// Nearly all lines are steep enough for a slope that is certain, see [`judge`], at a distance
+    /// within the numbers; that of the others takes a closer look.
+    #[inline]
+    pub(super) fn meet<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
+        let n = self.normal.cast::<R>();
+        let terms = n.times(line.direction);
+        let slope = terms[0] + terms[1] + terms[2];
+        let terms = terms.abs();
+        let size = terms[0] + terms[1] + terms[2];
+        let value = n.dot(line.origin) + R::of(self.d);
+        let tilt = tilt(size, n, line.slack.direction);
+        if slope.abs() > tilt && fits(size) && fits(value.abs()) {
+            return Meeting {
+                way: Way::Across {
+                    t: -(value / slope),
+                    outwards: slope > R::ZERO,
+                },
+                uncertain: false,
+            };
+        }
+        self.meet_closely(line)
+    }
+
+    #[cold]
+    fn meet_closely<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
+        let n = self.normal.cast();
+        let slope = Sum::new(n, line.direction, R::ZERO);
+        let value = Sum::new(n, line.origin, R::of(self.d));
+        if slope.fits() && value.fits() && same_zeros(self.normal, n) {
+            return judge(&slope, &value, n, line.slack, 0);
+        }
+        self.meet_extreme(line)
+    }
+
+    /// As [`Plane::meet`], with the normal, the direction and the origin in units of their own,
+    /// where products of the numbers given would overflow or underflow.
+    #[cold]
+    fn meet_extreme<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
+        let largest = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
+        let steep = exponent(self.normal.abs().max_component());
+        let unit = largest(line.direction);
+        let size = largest(line.origin).max(exponent(self.d) - steep);
+        let n = shifted_vector(self.normal, -steep).cast::<R>();
+        let c = R::of(shifted(self.d, -(steep + size)));
+        let direction = shifted_vector(line.direction, -unit);
+        let origin = shifted_vector(line.origin, -size);
+        let slope = Sum::new(n, direction, R::ZERO);
+        let value = Sum::new(n, origin, c);
+        let slack = Slack {
+            origin: shifted(line.slack.origin, -size),
+            direction: shifted(line.slack.direction, -unit),
+        };
+        let kept = same_zeros(self.normal, n)
+            && same_zeros(line.direction, direction)
+            && same_zeros(line.origin, origin)
+            && (c == R::ZERO) == (self.d == 0.0);
+        let mut meeting = judge(&slope, &value, n, slack, size - unit);
+        meeting.uncertain |= !(kept && slope.fits() && value.fits());
+        meeting
+    }
+}
+
+/// Whether no component has become zero.
+fn same_zeros<R: Real, S: Real>(before: Vec3<R>, after: Vec3<S>) -> bool {
+    (0..3).all(|i| (before[i] == R::ZERO) == (after[i] == S::ZERO))
+}
+
+/// How far a slope may be off whose terms add up to `size`. It has three roundings, and changes by
+/// at most Σ|nᵢ| times what the line's direction is off. One rounding more pays for those of the
+/// bound. Where numbers are coarser than the doubles of the plane, each of its own is off by one.
+fn tilt<R: Real>(size: R, n: Vec3<R>, slack: R) -> R {
+    let spread = n.abs().dot(Vec3::ONE) * (R::ONE + R::gamma(4));
+    (R::gamma(4) + parameter_error()) * size + spread * slack
+}
+
+/// As [`tilt`], for the value of the plane's equation at the origin, with one rounding more.
+fn offset<R: Real>(size: R, n: Vec3<R>, slack: R) -> R {
+    tilt(size, n, slack) + R::gamma(1) * size
+}
+
+/// The crossing of a line along which the plane's equation is value + t·2⁻ᵏ slope. A slope that
+/// is zero or may be is that of a parallel line; for certain only where all its terms are zero.
+fn judge<R: Real>(
+    slope: &Sum<R>,
+    value: &Sum<R>,
+    n: Vec3<R>,
+    slack: Slack<R>,
+    k: i32,
+) -> Meeting<R> {
+    let tilt = tilt(slope.size, n, slack.direction);
+    let off = offset(value.size, n, slack.origin);
+    let crosses = slope.value.abs() > tilt;
+    let parallel = slope.zero && tilt == R::ZERO;
+    let t = shifted(-(value.value / slope.value), k);
+    let drop = is_final::<R>() && !crosses;
+    if slope.value != R::ZERO && t.is_finite() && !drop {
+        return Meeting {
+            way: Way::Across {
+                t,
+                outwards: slope.value > R::ZERO,
+            },
+            uncertain: !crosses,
+        };
+    }
+    // The plane is part of what is behind it.
+    let touch = if is_final::<R>() { off } else { R::ZERO };
+    let sided = value.value.abs() > off || (value.zero && off == R::ZERO);
+    Meeting {
+        way: Way::Along {
+            behind: value.value <= touch,
+            close: !sided,
+        },
+        uncertain: !parallel,
+    }
+}
+
 impl<R: Real> Intersect<R> for Plane {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let slope = self.normal.cast().dot(line.direction);
-        let t = -self.value(line.origin) / slope;
-        if slope != R::ZERO && t.is_finite() {
+        let meeting = self.meet(line);
+        roots.uncertain = meeting.uncertain;
+        if let Way::Across { t, .. } = meeting.way {
             roots.push(t, 0);
         }
     }
@@ -84,15 +246,18 @@ impl<R: Real> Intersect<R> for Plane {
     /// remains is the rounding of that distance, γ₅(Σ|nᵢ pᵢ| + |d|) / |n|² along n, and of the
     /// point itself.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
-        let n = self.normal.cast::<R>();
+        // Of unit size, since |n|² may overflow or underflow.
+        let steep = exponent(self.normal.abs().max_component());
+        let n = shifted_vector(self.normal, -steep).cast::<R>();
+        let c = R::of(shifted(self.d, -steep));
         let p = line.at(root.t);
         let square = n.dot(n);
-        let point = p - n * (self.value(p) / square);
-        let noise = R::gamma(5) * (n.abs().dot(p.abs()) + R::of(self.d.abs())) / square;
-        Located {
+        let point = p - n * ((n.dot(p) + c) / square);
+        let noise = R::gamma(5) * (n.abs().dot(p.abs()) + c.abs()) / square;
+        within_numbers(Located {
             point,
             error: n.abs() * noise + point.abs() * R::ROUNDOFF,
             normal: n,
-        }
+        })
     }
 }

@@ -1,5 +1,6 @@
 //! The rectangle in the plane z = 0, a surface without inside.
 
+use super::doubt::{is_final, least, parameter_error, within_numbers};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
@@ -10,11 +11,18 @@ use crate::trace::vec::Vec3;
 pub struct Rectangle {
     min: [f64; 2],
     max: [f64; 2],
+    /// No coordinate of a point of the rectangle is larger.
+    reach: f64,
 }
 
 impl Rectangle {
     pub fn new(min: [f64; 2], max: [f64; 2]) -> Rectangle {
-        Rectangle { min, max }
+        let size = |[x, y]: [f64; 2]| x.abs().max(y.abs());
+        Rectangle {
+            min,
+            max,
+            reach: size(min).max(size(max)),
+        }
     }
 }
 
@@ -49,13 +57,27 @@ impl Shape for Rectangle {
 }
 
 impl<R: Real> Intersect<R> for Rectangle {
+    /// The rectangle is closed: its border is part of it, so that rectangles side by side leave no
+    /// gap. A line in its plane does not cross it.
+    #[inline]
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let t = -line.origin[2] / line.direction[2];
-        if line.direction[2] == R::ZERO || !t.is_finite() {
+        let (o, d) = (line.origin[2], line.direction[2]);
+        let drift = self.drift(line);
+        if d == R::ZERO {
+            // Parallel, and maybe not quite.
+            roots.uncertain = drift > R::ZERO && o.abs() <= drift;
             return;
         }
-        let p = line.at(t);
-        if (0..2).all(|i| R::of(self.min[i]) <= p[i] && p[i] <= R::of(self.max[i])) {
+        let t = -o / d;
+        let ([x0, x1, ex], [y0, y1, ey]) = (
+            self.clearance(line, t, drift, 0),
+            self.clearance(line, t, drift, 1),
+        );
+        let inside = (x0 > ex) & (x1 > ex) & (y0 > ey) & (y1 > ey);
+        let outside = (x0 < -ex) | (x1 < -ex) | (y0 < -ey) | (y1 < -ey);
+        if !(inside | outside) || t.abs() < least() || !t.is_finite() {
+            self.close_call(line, t, drift, roots);
+        } else if inside {
             roots.push(t, 0);
         }
     }
@@ -67,10 +89,66 @@ impl<R: Real> Intersect<R> for Rectangle {
         let mut error = (line.origin.abs() + step.abs()) * R::gamma(4);
         point[2] = R::ZERO;
         error[2] = R::ZERO;
-        Located {
+        within_numbers(Located {
             point,
             error,
             normal: Vec3::new(R::ZERO, R::ZERO, R::ONE),
+        })
+    }
+}
+
+impl Rectangle {
+    /// How far along each axis a line may be from the one that is meant, relative to the rectangle.
+    /// Where numbers are coarser than the doubles that it is made of, its corners are off, too.
+    fn drift<R: Real>(&self, line: &Line<R>) -> R {
+        let reach = R::of(self.reach);
+        line.drift(reach) + parameter_error::<R>() * reach
+    }
+
+    /// How far the crossing with the plane at t is from the lower and the upper border along an
+    /// axis, on the inside, and how far that may be off.
+    ///
+    /// t is rounded once, t d and the sum once more each, so that the point is off by at most
+    /// γ₃|t d| + u|p|, and by a little where a product underflows. A drift of σ moves it by σ along
+    /// each axis, and by σ/|d_z| in t, with two roundings for the inverse. Twice the roundings of
+    /// the point's own pay for those of the bound.
+    #[inline]
+    fn clearance<R: Real>(&self, line: &Line<R>, t: R, drift: R, i: usize) -> [R; 3] {
+        let d = line.direction[i];
+        let step = d * t;
+        let p = line.origin[i] + step;
+        let mut error = R::gamma(4) * step.abs() + R::gamma(2) * p.abs() + R::ROUNDOFF * least();
+        if drift > R::ZERO {
+            let run = (d * line.inverse[2]).abs() * (R::ONE + R::gamma(4));
+            error += drift * (R::ONE + run);
+        }
+        [p - R::of(self.min[i]), R::of(self.max[i]) - p, error]
+    }
+
+    /// A line that crosses the plane at t, at the border or nearly so, or where t is so small that
+    /// it is not rounded by a share of itself. Across an axis and not adrift, a line is exactly
+    /// where its origin is.
+    #[cold]
+    fn close_call<R: Real>(&self, line: &Line<R>, t: R, drift: R, roots: &mut Roots<R>) {
+        let (mut meets, mut inside, mut outside) = (t.is_finite(), true, false);
+        for i in 0..2 {
+            let [low, high, mut error] = self.clearance(line, t, drift, i);
+            if line.direction[i] == R::ZERO && drift == R::ZERO {
+                error = R::ZERO;
+            }
+            meets &= low >= R::ZERO && high >= R::ZERO;
+            inside &= low >= error && high >= error;
+            outside |= low < -error || high < -error;
+        }
+        let sound = line.origin[2] == R::ZERO || (t.is_finite() && t.abs() >= least());
+        if sound && (inside || outside) {
+            meets = inside;
+        } else {
+            roots.uncertain = true;
+            meets |= is_final::<R>() && !outside && t.is_finite();
+        }
+        if meets {
+            roots.push(t, 0);
         }
     }
 }

@@ -1,7 +1,9 @@
 //! The sphere.
 
+use super::doubt::{fits, is_final, least, parameter_error, within_numbers};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
+use crate::trace::exponent::{exponent, shifted, shifted_vector};
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
 use crate::trace::vec::Vec3;
@@ -11,11 +13,17 @@ use std::f64::consts::{PI, TAU};
 pub struct Sphere {
     centre: Vec3,
     radius: f64,
+    /// No coordinate of a point within two radii of the centre is larger.
+    reach: f64,
 }
 
 impl Sphere {
     pub fn new(centre: Vec3, radius: f64) -> Sphere {
-        Sphere { centre, radius }
+        Sphere {
+            centre,
+            radius,
+            reach: centre.abs().max_component() + 2.0 * radius,
+        }
     }
 }
 
@@ -38,26 +46,37 @@ impl Shape for Sphere {
 }
 
 impl<R: Real> Intersect<R> for Sphere {
-    /// The discriminant comes from the part of the centre's offset that is perpendicular to the
-    /// line, which is where the origin would be at its closest approach (Haines, Günther and
-    /// Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
-    /// chapter 7); the root near the origin from the product of the roots, so that it does not
-    /// lose its digits to the far one.
+    /// Most lines pass the sphere clearly, or meet it clearly: by more than η of the squares
+    /// compared, |r² − p²| > 2η(r² + p²), and more than 4e²/η, which together exceed the bound in
+    /// [`Ball::chord`] whatever p is (2|p|₁e ≤ ηp² + 3e²/η, and the rest is below ηr² and 7e²),
+    /// with e² ≤ 2(3γ₄²f² + 3.1 drift²).
     #[inline]
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let f = line.origin - self.centre.cast();
+        const ETA: f64 = 1.0 / 1024.0;
+        let (centre, radius) = (self.centre.cast::<R>(), R::of(self.radius));
+        let drift = self.drift(line);
         let d = line.direction;
+        let f = line.origin - centre;
         let a = d.dot(d);
         let b = -f.dot(d);
-        let perpendicular = f + d * (b / a);
-        let r = R::of(self.radius);
-        let discriminant = r * r - perpendicular.dot(perpendicular);
-        if discriminant > R::ZERO {
-            let s = (a * discriminant).sqrt();
-            let q = if b < R::ZERO { b - s } else { b + s };
-            let c = self.power(line.origin, f);
-            let (near, far) = (c / q, q / a);
-            roots.chord((near.min(far), 0), (near.max(far), 0));
+        let p = f + d * (b / a);
+        let (p2, r2, f2) = (p.dot(p), radius * radius, f.dot(f));
+        let discriminant = r2 - p2;
+        let e2 = R::of(6.0) * R::gamma(4).square() * f2 + R::of(6.5) * drift * drift;
+        let coarse = R::of(2.0 * ETA) * (r2 + p2) + R::of(4.0 / ETA) * e2;
+        if discriminant.abs() > coarse && fits(a) && fits(r2) && f2 <= least::<R>().recip() {
+            if discriminant > R::ZERO {
+                let ball = Ball {
+                    centre,
+                    radius,
+                    drift,
+                };
+                let (near, far) = ball.ends(line.origin, f, (a, b), discriminant);
+                roots.chord((near, 0), (far, 0));
+                roots.uncertain = roots.list.is_empty();
+            }
+        } else {
+            self.close_call(line, drift, roots);
         }
     }
 
@@ -65,44 +84,180 @@ impl<R: Real> Intersect<R> for Sphere {
     /// whatever t was (pbrt-v4, section 6.8.4), plus the rounding of adding the centre.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let (centre, radius) = (self.centre.cast(), R::of(self.radius));
-        let p = (line.origin - centre) + line.direction * root.t;
-        let p = p * (radius / p.length());
-        let p = if p.is_finite() {
-            p
+        let from = (line.origin - centre) + line.direction * root.t;
+        let normal = if from.is_finite() && from.any() {
+            from
         } else {
-            Vec3::new(radius, R::ZERO, R::ZERO)
+            Vec3::new(R::ONE, R::ZERO, R::ZERO)
         };
+        let p = normal * (radius / normal.length());
         let point = centre + p;
-        Located {
+        within_numbers(Located {
             point,
             error: p.abs() * R::gamma(5) + point.abs() * R::ROUNDOFF,
-            normal: p,
-        }
+            normal,
+        })
     }
 }
 
 impl Sphere {
-    /// |o − c|² − r², the product of the roots times |d|².
+    /// How far along each axis a line may be, near the sphere, from the one that is meant. Where
+    /// numbers are coarser than the double that the centre is made of, that is off, too.
+    fn drift<R: Real>(&self, line: &Line<R>) -> R {
+        let reach = R::of(self.reach);
+        line.drift(reach) + parameter_error::<R>() * reach
+    }
+
+    /// A line close to the sphere's rim, or numbers whose squares overflow or underflow: those in
+    /// units of the largest length.
+    #[cold]
+    fn close_call<R: Real>(&self, line: &Line<R>, drift: R, roots: &mut Roots<R>) {
+        let ball = Ball {
+            centre: self.centre.cast(),
+            radius: R::of(self.radius),
+            drift,
+        };
+        if let Some(chord) = ball.chord(line.origin, line.direction)
+            && chord.fits
+        {
+            return chord.append(roots, 0);
+        }
+        let largest = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
+        let size = largest(line.origin)
+            .max(exponent(self.centre.abs().max_component()))
+            .max(exponent(self.radius));
+        let unit = largest(line.direction);
+        let ball = Ball {
+            centre: shifted_vector(self.centre, -size).cast(),
+            radius: R::of(shifted(self.radius, -size)),
+            drift: shifted(drift, -size),
+        };
+        let direction = shifted_vector(line.direction, -unit);
+        match ball.chord(shifted_vector(line.origin, -size), direction) {
+            Some(chord) => chord.append(roots, size - unit),
+            None => roots.uncertain = true,
+        }
+    }
+}
+
+/// A sphere, and how far along each axis lines near it may be from the ones that are meant.
+struct Ball<R> {
+    centre: Vec3<R>,
+    radius: R,
+    drift: R,
+}
+
+/// Where a line is in a ball.
+struct Chord<R> {
+    /// Whether no square behind it can have left the numbers.
+    fits: bool,
+    /// Whether rounding may have decided if there is a chord.
+    uncertain: bool,
+    ends: Option<(R, R)>,
+}
+
+impl<R: Real> Chord<R> {
+    /// The ends times 2ᵏ.
+    fn append(self, roots: &mut Roots<R>, k: i32) {
+        roots.uncertain = self.uncertain;
+        if let Some((near, far)) = self.ends {
+            roots.chord((shifted(near, k), 0), (shifted(far, k), 0));
+            // Ends that are the same number, or none.
+            roots.uncertain |= roots.list.is_empty();
+        }
+    }
+}
+
+impl<R: Real> Ball<R> {
+    /// The discriminant comes from the part of the centre's offset that is perpendicular to the
+    /// line, which is where the origin would be at its closest approach (Haines, Günther and
+    /// Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
+    /// chapter 7); the root near the origin from the product of the roots, so that it does not
+    /// lose its digits to the far one. `None` where it leaves the numbers.
+    ///
+    /// Bounds, with f = o − c and p = f + k d, k = −f·d/|d|²: f, k d and p are rounded once each
+    /// and none is longer than f, so that p is off by at most e = γ₄|f|, besides the drift, √3 of
+    /// it by length. It is also off along the line by the rounding of k, less than γ₁₀|f|; that
+    /// is perpendicular to p and adds its square to p² only. So the discriminant r² − p² is off
+    /// by at most
+    ///
+    /// ```text
+    /// 2(|p| + e)e + e² + (γ₁₀|f|)² + γ₄ p² + γ₂ r²
+    /// ```
+    ///
+    /// with γ₃ of p² from its own operations and the rest from the subtraction. Sums of sizes of
+    /// components stand for lengths, which they exceed. Where numbers are coarser than the double
+    /// that r is, that is 2u r² more. It holds unless both squares are so small that what they lose
+    /// by underflow counts.
+    fn chord(&self, origin: Vec3<R>, d: Vec3<R>) -> Option<Chord<R>> {
+        let two = R::of(2.0);
+        let f = origin - self.centre;
+        let a = d.dot(d);
+        let b = -f.dot(d);
+        let perpendicular = f + d * (b / a);
+        let (square, r2) = (perpendicular.dot(perpendicular), self.radius * self.radius);
+        let discriminant = r2 - square;
+
+        let reach = f.abs().dot(Vec3::ONE);
+        let along = R::gamma(10) * reach;
+        let e = R::gamma(4) * reach + R::of(1.75) * self.drift;
+        let own = R::gamma(4) * square + (R::gamma(2) + two * parameter_error()) * r2;
+        let off = two * perpendicular.abs().dot(Vec3::ONE) + R::of(3.0) * e;
+        let bound = off * e + along * along + own;
+        if !(bound.is_finite() && discriminant.is_finite()) {
+            return None;
+        }
+
+        let touch = if is_final::<R>() { bound } else { R::ZERO };
+        let ends = (discriminant > touch).then(|| self.ends(origin, f, (a, b), discriminant));
+        Some(Chord {
+            fits: fits(a) && fits(r2) && reach <= least::<R>().recip(),
+            uncertain: discriminant.abs() <= bound || square.max(r2) < least(),
+            ends,
+        })
+    }
+
+    /// The ends of the chord, from |d|² = a, −f·d = b and the discriminant.
+    #[inline]
+    fn ends(&self, origin: Vec3<R>, f: Vec3<R>, (a, b): (R, R), discriminant: R) -> (R, R) {
+        let s = (a * discriminant).sqrt();
+        let q = if b < R::ZERO { b - s } else { b + s };
+        let (c, close) = self.power(origin, f);
+        let (mut near, far) = (c / q, q / a);
+        if close {
+            // t is small, and c more exact than the discriminant: of a t² − 2bt + c it is b that
+            // has the greatest error now, with a weight of t. A step of Newton's method.
+            let two = R::of(2.0);
+            let step = (c - near * (two * b - a * near)) / (two * (a * near - b));
+            if step.is_finite() {
+                near = near - step;
+            }
+        }
+        (near.min(far), near.max(far))
+    }
+
+    /// |o − c|² − r², the product of the roots times |d|², and whether the origin is so close to the
+    /// sphere that it is far less than either.
     ///
     /// Close to the surface the terms cancel and the rounding of f = o − c shows; there the sum is
     /// done in twice the working precision (Ogita, Rump and Oishi, "Accurate Sum and Dot Product",
     /// 2005, algorithm 5.3), with the part of f that the subtraction lost.
-    fn power<R: Real>(&self, origin: Vec3<R>, f: Vec3<R>) -> R {
-        let radius = R::of(self.radius);
+    fn power(&self, origin: Vec3<R>, f: Vec3<R>) -> (R, bool) {
+        let radius = self.radius;
         let r2 = radius * radius;
         let plain = f.dot(f) - r2;
         // Half of the digits at stake: below that the plain sum is as good as the compensated one
         // to within 2⁻¹⁰ of its own size at worst, hence better than the square root that follows.
         const CANCELLED: f64 = 1.0 / 1024.0;
         if plain.abs() > R::of(CANCELLED) * r2 {
-            return plain;
+            return (plain, false);
         }
         let (mut sum, mut lost) = (-r2, -radius.mul_add(radius, -r2));
         for i in 0..3 {
             let square = f[i] * f[i];
             let square_error = f[i].mul_add(f[i], -square);
             // o − c = f + e exactly (Knuth's two-sum).
-            let c = R::of(-self.centre[i]);
+            let c = -self.centre[i];
             let back = f[i] - origin[i];
             let e = (origin[i] - (f[i] - back)) + (c - back);
             let next = sum + square;
@@ -113,6 +268,6 @@ impl Sphere {
                 + R::of(2.0) * f[i] * e;
             sum = next;
         }
-        sum + lost
+        (sum + lost, true)
     }
 }

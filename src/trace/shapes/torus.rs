@@ -57,7 +57,7 @@ struct Scaled<R> {
     /// Its largest component is in [1, 2).
     direction: Vec3<R>,
     /// Bound on the error of each component of a point near the torus, from all but the last
-    /// rounding of the point itself.
+    /// rounding of the point itself: that of moving the origin, and the line's own slack.
     error: R,
 }
 
@@ -68,6 +68,11 @@ impl Torus {
             minor,
             size: exponent(major.max(minor)),
         }
+    }
+
+    /// R and r in the units of [`Scaled`].
+    fn radii<R: Real>(&self) -> [R; 2] {
+        [self.major, self.minor].map(|r| R::of(shifted(r, -self.size)))
     }
 }
 
@@ -129,12 +134,14 @@ impl<R: Real> Intersect<R> for Torus {
         } else {
             moved + R::of(4.0) * (origin.abs().max_component() + first.abs().max_component())
         };
+        let drift = line.drift(R::of(self.major + self.minor));
+        let [major, minor] = self.radii();
         let scaled = Scaled {
-            major: shifted(R::of(self.major), -self.size),
-            minor: shifted(R::of(self.minor), -self.size),
+            major,
+            minor,
             near,
             direction,
-            error: R::ROUNDOFF * rounded,
+            error: R::ROUNDOFF * rounded + shifted(drift, -self.size),
         };
         // In units of the direction given.
         let units = self.size - unit;
@@ -164,9 +171,8 @@ impl<R: Real> Intersect<R> for Torus {
     /// by (x, z)/ρ, γ₅ with the root, rounds the rest (pbrt-v4, section 6.8.4).
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let to_size = |v| shifted_vector(v, -self.size);
-        let (major, minor) = (R::of(self.major), R::of(self.minor));
-        let centre = shifted(if root.face == LEMON { -major } else { major }, -self.size);
-        let radius = shifted(minor, -self.size);
+        let [major, radius]: [R; 2] = self.radii();
+        let centre = if root.face == LEMON { -major } else { major };
 
         let [x, y, z] = to_size(line.at(root.t)).0;
         let rho = length(x, z);
@@ -206,6 +212,55 @@ impl<R: Real> Intersect<R> for Torus {
     }
 }
 
+/// Points are known to this part of R + r, or nothing is decided about the line: products of errors
+/// are then far below the errors, and the ends of the sphere outside of the torus.
+const MOST_ERROR: f64 = 1.0 / 256.0;
+
+/// How far from its true extremum the quartic may be at the point taken for it.
+struct Flatness<'a, R> {
+    quartic: &'a Quartic<R>,
+    /// Bound on the error of the slope: e.
+    slope_error: R,
+    /// A bound that holds anywhere, since an extremum is not further away than the ends.
+    most: R,
+}
+
+impl<R: Real> Flatness<'_, R> {
+    /// Whether a value of the quartic at t, one of the points of [`Quartic::pieces`], is above it.
+    #[inline]
+    fn is_below(&self, value: R, t: R) -> bool {
+        value > self.most || value > self.at(t)
+    }
+
+    /// The points are exact for a quartic whose slope is off by e. A true extremum t′ without a
+    /// point of its own is part of a pair around an inflection point, where that slope does not
+    /// change its sign and the true one does: between t′ and the point of the inflection the slope
+    /// is at most 3e. Equally for t′ and the point of its own, where it has one.
+    ///
+    /// So nothing hides near a point where the slope exceeds 8e. Where the curvature κ is enough to
+    /// change the slope by 16e within w = 16e/κ, with half of the third derivative and the fourth
+    /// taking away less than a quarter, it keeps its sign over that stretch: there is one extremum,
+    /// at most (|slope| + e) / ¾κ away, and the slope only falls on the way to it. Elsewhere, the
+    /// slope is a cubic that is at most 3e over the stretch w between: 4c₄ · 2(w/4)³ ≤ 3e
+    /// (Chebyshev), hence w < 3∛(e/c₄).
+    #[cold]
+    fn at(&self, t: R) -> R {
+        let e = self.slope_error;
+        let [slope, curvature, third] = self.quartic.derivatives(t).map(R::abs);
+        if slope > R::of(8.0) * e {
+            return R::ZERO;
+        }
+        let leading = self.quartic.c[0];
+        let w = R::of(16.0) * e / curvature;
+        let bending = (third * R::of(0.5) + R::of(4.0) * leading * w) * w;
+        if bending <= curvature * R::of(0.25) {
+            (slope + e).square() / (R::of(0.75) * curvature)
+        } else {
+            R::of(9.0) * e * R::of((e / leading).to_f64().cbrt())
+        }
+    }
+}
+
 impl<R: Real> Scaled<R> {
     /// Passes on the t of all crossings, ascending, and their faces; returns whether there may be
     /// others, or fewer.
@@ -216,18 +271,26 @@ impl<R: Real> Scaled<R> {
         let b = p.dot(d);
         let c = p.dot(p);
 
-        // The bounding sphere, so much wider that whatever is rounded here (by less than γ₁₆ of
-        // R + r), its ends are outside of the torus.
-        let reach = (self.major + self.minor) * (R::ONE + R::gamma(16)) + four * self.error;
+        // A sphere around the torus, a sixteenth wider: its ends are outside by far more than what
+        // is off by here, and the quartic is far from zero there.
+        let size = self.major + self.minor;
+        let reach = size * R::of(1.0625);
+        // The point nearest to the centre is off along the line by less than 16 errors.
+        let beyond = R::of(32.0) * (size + four * self.error);
+        if p.abs().max_component() > beyond {
+            return false;
+        }
+        // False for NaN.
+        let is_known = self.error <= size * R::of(MOST_ERROR);
+        if !is_known {
+            return true;
+        }
         let discriminant = R::difference_of_products(b, b, a, c - reach * reach);
-        if discriminant.is_nan() || discriminant <= R::ZERO {
+        if discriminant <= R::ZERO {
             return false;
         }
         let s = discriminant.sqrt();
         let (from, to) = ((-b - s) / a, (-b + s) / a);
-        if from.is_nan() || to.is_nan() || from >= to {
-            return false;
-        }
 
         // (at² + 2bt + k)² − 4R²(eₐt² + 2e_b t + e_c), k = c + R² − r².
         let (major2, e) = (self.major.square(), |v: Vec3<R>, w: Vec3<R>| {
@@ -244,26 +307,26 @@ impl<R: Real> Scaled<R> {
                 k * k - four * major2 * ec,
             ],
         };
-        let flat = self.flatness(a, b, k, from.abs().max(to.abs()));
+        let slope_error = self.slope_error(a);
+        let flatness = Flatness {
+            quartic: &quartic,
+            slope_error,
+            most: R::of(3.0) * slope_error * (to - from),
+        };
 
         let points = quartic.pieces(from, to);
         let points = points.as_slice();
-        let (mut last, mut undecided, mut uncertain) = ((from, Side::Outside), 0, false);
+        let (mut last, mut uncertain) = ((from, Side::Outside), false);
         for (i, &t) in points.iter().enumerate().skip(1) {
             let side = if i + 1 == points.len() {
                 Side::Outside
-            } else if let Some(side) = self.side(t, flat) {
+            } else if let Some(side) = self.side(t, &flatness) {
                 side
             } else {
-                undecided += 1;
+                uncertain = true;
                 continue;
             };
-            let crosses = side.is_inside() != last.1.is_inside();
-            // Between sides that differ, one point on either is still one crossing; between equal
-            // sides it may be a pair.
-            uncertain |= undecided > usize::from(crosses);
-            undecided = 0;
-            if crosses {
+            if side.is_inside() != last.1.is_inside() {
                 let enters = side.is_inside();
                 let lemon = side == Side::Lemon || last.1 == Side::Lemon;
                 let t = self.root(&quartic, (last.0, t), enters, lemon);
@@ -301,7 +364,10 @@ impl<R: Real> Scaled<R> {
     /// Each component of the point is off by at most ε = u|p| + the error of the line, hence ρ by
     /// √2 ε + 3uρ and h = ρ ∓ R by u|h| more; then h² + (y − r)(y + r) by 2|h|Δh + 2|y|ε and by
     /// the rounding of the terms, γ₃(h² + y² + r²). All of it twice, for the products of errors.
-    fn side(&self, t: R, flat: R) -> Option<Side> {
+    ///
+    /// The quartic, the product of both, must also be further from zero than its extremum close to
+    /// the point may be from it.
+    fn side(&self, t: R, flatness: &Flatness<R>) -> Option<Side> {
         let (point, rho) = self.at(t);
         let (u, two) = (R::ROUNDOFF, R::of(2.0));
         let epsilon = self.error + u * point.abs().max_component();
@@ -315,8 +381,10 @@ impl<R: Real> Scaled<R> {
             (value, two * bound)
         };
         let ((outer, outer_bound), (inner, inner_bound)) = (g(self.major), g(-self.major));
-        if outer.abs() <= outer_bound || inner.abs() <= inner_bound || (outer * inner).abs() <= flat
-        {
+        let (outer_least, inner_least) = (outer.abs() - outer_bound, inner.abs() - inner_bound);
+        // Written so that NaN is in doubt.
+        let is_clear = outer_least > R::ZERO && inner_least > R::ZERO;
+        if !is_clear || !flatness.is_below(outer_least * inner_least, t) {
             return None;
         }
         Some(match (outer > R::ZERO, inner > R::ZERO) {
@@ -326,20 +394,19 @@ impl<R: Real> Scaled<R> {
         })
     }
 
-    /// How far from its true extremum the quartic may be at the point taken for it.
+    /// A bound on how far the computed slope of the quartic in the sphere may be from that of the
+    /// line that is meant.
     ///
-    /// The slope there is at most its own rounding error e ≤ γ₁₆ Σ|cᵢ| i |t|ⁱ⁻¹. Where e can be
-    /// reached within w of the extremum, the slope, c₄(t − t₁)(t − t₂)(t − t₃) · 4 with the others
-    /// as close as they can be, is at least c₄ w³, so that the value differs by at most
-    /// e w ≤ e ∛(e/c₄).
-    fn flatness(&self, a: R, b: R, k: R, t: R) -> R {
-        let (two, four) = (R::of(2.0), R::of(4.0));
-        // (at² + 2bt + k)² with nothing cancelled bounds both squares in the sphere, up to the
-        // factor that the terms with R bring.
-        let square = (a * t + two * b.abs()) * t + k.abs();
-        let slope = two * (a * t + b.abs());
-        let e = R::gamma(16) * two * slope * (square + four * self.major.square());
-        e * R::of((e / (a * a)).to_f64().cbrt())
+    /// Only points close to the torus matter: they are within S = R + r of the centre, and so are
+    /// the nearest point and t|d|. As b is zero but for rounding, the slope's terms,
+    /// 2(at² + k)(2at) and 4R²(2eₐt + 2e_b), add up to 2 · 3S² · 2|d|S + 4S² · 4|d|S = 28|d|S³ at
+    /// most; the coefficients have 12 roundings behind them and their evaluation 8 more. The
+    /// gradient of the quartic, 4(|p|² + R² − r²)p − 8R²(x, 0, z), is up to 16S³ and changes by up
+    /// to 24S² times the distance, so that moving points by ε along each axis, and the direction by
+    /// less than ε|d|/S, changes the slope by (24√3 + 16)|d|S²ε < 58|d|S²ε.
+    fn slope_error(&self, a: R) -> R {
+        let size = self.major + self.minor;
+        R::of(64.0) * a.sqrt() * size.square() * (R::gamma(20) * size + self.error)
     }
 
     /// The one crossing in a bracket between two sides.

@@ -1,6 +1,6 @@
 //! The triangle, a surface without inside.
 
-use super::facet::{Facet, Passage, Shear, lift, narrow};
+use super::facet::{Facet, Passage, Shear, drift_across, lift, narrow};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::scene::TriangleNormals;
 use crate::trace::bounds::Bounds;
@@ -15,6 +15,8 @@ pub struct Triangle {
     normals: TriangleNormals,
     /// Of length 1; `None` where the vertices lie on one line.
     normal: Option<Vec3<Dd>>,
+    /// The largest coordinate of a vertex, by size.
+    reach: f64,
 }
 
 /// A triangle and a line in the sheared space.
@@ -33,6 +35,9 @@ impl Triangle {
             vertices,
             normals,
             normal: normal(vertices),
+            reach: vertices
+                .iter()
+                .fold(0.0, |reach, v| v.abs().max_component().max(reach)),
         }
     }
 
@@ -63,10 +68,18 @@ impl Triangle {
             }
             scale = half;
         }
+        // Below this, what the projection rounds is no longer in proportion: products leave the
+        // normal numbers, even those of the parts of a double-double number.
+        const LEAST: f64 = 1e-280;
+        let noise = if size >= R::of(LEAST) {
+            // One rounding of v − o, one of the slope, of the product and of the difference.
+            R::gamma(4) * size + drift_across(line, R::of(self.reach))
+        } else {
+            R::INFINITY
+        };
         View {
             facet: Facet::new(corners),
-            // One rounding of v − o, one of the slope, of the product and of the difference.
-            noise: R::gamma(4) * size * scale * scale,
+            noise: noise * scale * scale,
             pace: shear.pace,
         }
     }
@@ -184,6 +197,8 @@ impl<R: Real> Intersect<R> for Triangle {
             let t = passage.depth / view.pace;
             if t.is_finite() {
                 roots.push(t, 0);
+            } else {
+                roots.uncertain = true;
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The cone and the double cone about the y axis, apex at the origin.
 
-use super::line::{Chord, Inside, push_all};
+use super::line::{Bounded, Chord, Inside, push_all};
 use super::{Form, bounds_of, turn};
 use crate::scene::Geometry;
 use crate::trace::bounds::Bounds;
@@ -84,55 +84,55 @@ impl Shape for Cone {
 /// A stretch of a line in one half of the infinite double cone, the one where y has the sign of
 /// `half`; its ends may be infinite.
 struct Stretch<R> {
-    from: R,
-    to: R,
-    /// The bounds on the errors of the finite ends.
-    error: R,
+    from: Bounded<R>,
+    to: Bounded<R>,
     half: R,
 }
 
 impl Cone {
     /// Cuts a stretch where it passes the base disc of its half, and appends it.
+    ///
+    /// What is left of it is decided at its ends, by how far they are below the disc's plane: no
+    /// more than a touch, where both are not. At a finite end that is the difference of three terms
+    /// with at most six roundings, off by what the end, the origin and the direction are. An
+    /// infinite end is above it: a line that has one is no less steep than the cone.
     fn cut<R: Real>(&self, chord: &Chord<R>, stretch: Stretch<R>, roots: &mut Roots<R>) {
-        let Stretch {
-            from,
-            to,
-            error,
-            half,
-        } = stretch;
-        let rising = half * chord.direction[1];
-        let height = half * chord.origin[1];
-        let disc = if half > R::ZERO { BASE } else { OPPOSITE };
+        let Stretch { from, to, half } = stretch;
         if half < R::ZERO && !self.double {
             return;
         }
-        // Height along the half's axis is height + τ·rising, of which up to w is in the cone. A
-        // line in the plane of the disc has no inside.
-        let left = chord.w - height;
-        let slack = R::gamma(4) * (chord.w + height.abs());
-        if rising == R::ZERO {
-            roots.uncertain |= left.abs() <= slack;
-            if left > R::ZERO {
-                push_all(roots, [(chord.t(from), SIDE), (chord.t(to), SIDE)]);
+        let rising = half * chord.direction[1];
+        let height = half * chord.origin[1];
+        let disc = if half > R::ZERO { BASE } else { OPPOSITE };
+        let mut below = |end: Bounded<R>| {
+            if !end.value.is_finite() {
+                return false;
             }
+            let step = rising * end.value;
+            let left = Bounded {
+                value: chord.w - height - step,
+                error: R::gamma(6) * (chord.w + height.abs() + step.abs())
+                    + rising.abs() * end.error
+                    + chord.moved[1]
+                    + chord.turned[1] * (end.value.abs() + end.error),
+            };
+            roots.uncertain |= left.is_doubtful();
+            left.value > R::ZERO && !left.is_zero()
+        };
+        let at = (chord.w - height) / rising;
+        let ends = match (below(from), below(to)) {
+            (false, false) => return,
+            (true, true) => [(from.value, SIDE), (to.value, SIDE)],
+            (true, false) => [(from.value, SIDE), (at, disc)],
+            (false, true) => [(at, disc), (to.value, SIDE)],
+        };
+        if at.is_nan() {
+            roots.uncertain = true;
             return;
         }
-        let at = left / rising;
-        let error = error + slack / rising.abs() + R::gamma(3) * at.abs();
-        roots.uncertain |= (from - at).abs() <= error || (to - at).abs() <= error;
-        let (mut from, mut to) = ((from, SIDE), (to, SIDE));
-        if rising > R::ZERO && at < to.0 {
-            to = (at, disc);
-        } else if rising < R::ZERO && at > from.0 {
-            from = (at, disc);
-        }
-        if from.0 < to.0 {
-            push_all(roots, [(chord.t(from.0), from.1), (chord.t(to.0), to.1)]);
-        }
+        push_all(roots, ends.map(|(tau, face)| (chord.t(tau), face)));
     }
-}
 
-impl<R: Real> Intersect<R> for Cone {
     /// The stretches of the line in the infinite double cone each lie in one half of it. Which one
     /// is the sign of y in the middle of a bounded stretch, and at the infinite end of another;
     /// the apex is never compared with a plane through it.
@@ -140,45 +140,72 @@ impl<R: Real> Intersect<R> for Cone {
     /// In the space of the form of x² + z² − y², a plane that holds the origin and a line steeper
     /// than the cone has signature (1, 1), so the discriminant of such a line is never negative,
     /// and zero only where it meets the apex: what is inside everywhere goes through the apex.
-    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let chord = Chord::new(&self.form, line);
+    fn append<R: Real>(&self, chord: &Chord<R>, roots: &mut Roots<R>) {
         roots.uncertain |= chord.uncertain;
         let up = if chord.direction[1] < R::ZERO {
             -R::ONE
         } else {
             R::ONE
         };
-        let stretch = |from, to, error, half| Stretch {
-            from,
-            to,
-            error,
-            half,
+        let stretch = |from, to, half| Stretch { from, to, half };
+        let end = |value| Bounded {
+            value,
+            error: R::ZERO,
         };
-        let infinite = R::INFINITY;
+        let (first, last) = (end(-R::INFINITY), end(R::INFINITY));
         match chord.inside {
             Inside::Nowhere => {}
             Inside::Between(x, y) => {
-                let middle = chord.origin[1] + chord.middle * chord.direction[1];
-                let half = if middle < R::ZERO { -R::ONE } else { R::ONE };
-                let error = x.error.max(y.error);
-                self.cut(&chord, stretch(x.value, y.value, error, half), roots);
+                if let Some(half) = Cone::half(chord, roots) {
+                    self.cut(chord, stretch(x, y, half), roots);
+                }
             }
-            Inside::Below(x) => {
-                self.cut(&chord, stretch(-infinite, x.value, x.error, -up), roots);
-            }
-            Inside::Above(x) => {
-                self.cut(&chord, stretch(x.value, infinite, x.error, up), roots);
-            }
+            Inside::Below(x) => self.cut(chord, stretch(first, x, -up), roots),
+            Inside::Above(x) => self.cut(chord, stretch(x, last, up), roots),
             Inside::Around(x, y) => {
-                self.cut(&chord, stretch(-infinite, x.value, x.error, -up), roots);
-                self.cut(&chord, stretch(y.value, infinite, y.error, up), roots);
+                self.cut(chord, stretch(first, x, -up), roots);
+                self.cut(chord, stretch(y, last, up), roots);
             }
             Inside::Everywhere => {
                 // Two stretches that meet at the apex: there the crossings of both halves cancel.
                 let apex = chord.middle;
-                self.cut(&chord, stretch(-infinite, apex, R::ZERO, -up), roots);
-                self.cut(&chord, stretch(apex, infinite, R::ZERO, up), roots);
+                self.cut(chord, stretch(first, apex, -up), roots);
+                self.cut(chord, stretch(apex, last, up), roots);
             }
+        }
+    }
+
+    /// The half of the double cone that a bounded stretch is in: the sign of y in its middle.
+    /// `None` where it may be the apex.
+    fn half<R: Real>(chord: &Chord<R>, roots: &mut Roots<R>) -> Option<R> {
+        let (y, slope) = (chord.origin[1], chord.direction[1]);
+        let Bounded { value, error } = chord.middle;
+        let step = value * slope;
+        let middle = Bounded {
+            value: y + step,
+            error: R::gamma(4) * (y.abs() + step.abs())
+                + slope.abs() * error
+                + chord.moved[1]
+                + chord.turned[1] * (value.abs() + error),
+        };
+        roots.uncertain |= middle.is_doubtful();
+        (!middle.is_zero()).then(|| {
+            if middle.value < R::ZERO {
+                -R::ONE
+            } else {
+                R::ONE
+            }
+        })
+    }
+}
+
+impl<R: Real> Intersect<R> for Cone {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        let mut chord = Chord::new(&self.form, line);
+        self.append(&chord, roots);
+        if roots.uncertain && chord.sharpen(&self.form) {
+            roots.clear();
+            self.append(&chord, roots);
         }
     }
 

@@ -1,8 +1,10 @@
 //! A polynomial of second degree, its value and its gradient.
 
+use crate::trace::dd::Dd;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
 use crate::trace::shapes::Located;
+use crate::trace::shapes::doubt::is_final;
 use crate::trace::vec::Vec3;
 
 /// F(x) = Σ squareᵢ xᵢ² + mixed·(xy, xz, yz) + linear·x + constant, where xᵢ is a coordinate divided
@@ -12,16 +14,24 @@ pub struct Form {
     pub(super) square: [f64; 3],
     pub(super) mixed: [f64; 3],
     pub(super) linear: [f64; 3],
+    /// What the sums in the mixed and linear coefficients have lost in rounding.
+    rest: [[f64; 3]; 2],
     pub(super) constant: f64,
     pub(super) unit: [f64; 3],
+    /// The highest power in which each coordinate occurs.
+    pub(super) degree: [u8; 3],
+    /// A bound on the sum of the slopes along the axes, for coordinates and w up to 1.
+    pub(super) weight: f64,
+    /// 1 / |unit|.
+    pub(super) inverse: [f64; 3],
 }
 
 /// The pairs of axes of `mixed`.
 pub(super) const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 
-/// Ten terms of three factors each: products, sums and roundings of coordinates (two each), with
-/// two to spare for the coefficients' own sums.
-pub(super) const OPERATIONS: u32 = 18;
+/// Ten terms of three factors each: products (two), sums (nine) and roundings of coordinates (two
+/// each), with five to spare for the coefficients' own sums and roundings.
+pub(super) const OPERATIONS: u32 = 20;
 
 /// The largest power of two that does not exceed |x|, kept among the normal numbers; 1 for zero.
 pub(super) fn power_of_two(x: f64) -> f64 {
@@ -32,6 +42,15 @@ pub(super) fn power_of_two(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
 }
 
+/// The sum of a double and the rest of it, where there is room for that.
+fn whole<R: Real>(x: f64, rest: f64) -> R {
+    if !is_final::<R>() {
+        R::of(x)
+    } else {
+        R::of(x) + R::of(rest)
+    }
+}
+
 impl Form {
     /// A canonical form: no mixed terms, and y the only linear one.
     pub fn canonical(square: [f64; 3], y: f64, constant: f64, unit: [f64; 3]) -> Form {
@@ -39,9 +58,14 @@ impl Form {
             square,
             mixed: [0.0; 3],
             linear: [0.0, y, 0.0],
+            rest: [[0.0; 3]; 2],
             constant,
             unit,
+            degree: [0; 3],
+            weight: 0.0,
+            inverse: [1.0; 3],
         }
+        .completed()
     }
 
     /// xᵀQx with x = (x, y, z, 1), divided by a power of two so that sums cannot overflow.
@@ -49,14 +73,38 @@ impl Form {
         let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let scale = power_of_two(largest);
         let at = |i: usize, j: usize| q[4 * i + j] / scale;
-        let both = |i: usize, j: usize| at(i, j) + at(j, i);
+        let both = |i: usize, j: usize| Dd::sum(at(i, j), at(j, i)).parts();
+        let (mixed, linear) = (
+            PAIRS.map(|(i, j)| both(i, j)),
+            [0, 1, 2].map(|i| both(i, 3)),
+        );
         Form {
             square: std::array::from_fn(|i| at(i, i)),
-            mixed: PAIRS.map(|(i, j)| both(i, j)),
-            linear: std::array::from_fn(|i| both(i, 3)),
+            mixed: mixed.map(|x| x.0),
+            linear: linear.map(|x| x.0),
+            rest: [mixed, linear].map(|list| list.map(|x| x.1)),
             constant: at(3, 3),
             unit: [1.0; 3],
+            degree: [0; 3],
+            weight: 0.0,
+            inverse: [1.0; 3],
         }
+        .completed()
+    }
+
+    /// With what follows from the coefficients.
+    fn completed(mut self) -> Form {
+        let sum = |list: &[f64; 3]| list.iter().map(|x| x.abs()).sum::<f64>();
+        self.weight = 2.0 * sum(&self.square) + 2.0 * sum(&self.mixed) + sum(&self.linear);
+        self.inverse = self.unit.map(|s| s.abs().recip());
+        for i in 0..3 {
+            self.degree[i] = u8::from(self.linear[i] != 0.0);
+            let mut pairs = PAIRS.iter().zip(self.mixed);
+            if self.square[i] != 0.0 || pairs.any(|(&(j, k), m)| m != 0.0 && (i == j || i == k)) {
+                self.degree[i] = 2;
+            }
+        }
+        self
     }
 
     pub fn feed(&self, sink: &mut dyn FnMut(f64)) {
@@ -64,13 +112,55 @@ impl Form {
             square,
             mixed,
             linear,
+            rest: [mixed_rest, linear_rest],
             constant,
             unit,
+            degree: _,
+            weight: _,
+            inverse: _,
         } = self;
-        for list in [square, mixed, linear, unit] {
+        for list in [square, mixed, linear, mixed_rest, linear_rest, unit] {
             list.iter().copied().for_each(&mut *sink);
         }
         sink(*constant);
+    }
+
+    /// The greatest distance at which terms of different degrees are equal in size: much farther out
+    /// only those of the second count, and what is lost to the others is small beside a point.
+    pub(super) fn extent(&self) -> f64 {
+        let of = |list: &[f64]| list.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let linear = of(&self.linear);
+        let unit = of(&self.unit);
+        let coefficients = self.square.iter().chain(&self.mixed);
+        let least = coefficients
+            .filter(|&&x| x != 0.0)
+            .fold(f64::INFINITY, |m, x| m.min(x.abs()));
+        let by_linear = if linear > 0.0 {
+            (self.constant / linear).abs()
+        } else {
+            0.0
+        };
+        let by_square = (linear / least).max((self.constant.abs() / least).sqrt());
+        unit * by_linear.max(by_square)
+    }
+
+    /// The coefficient of a pair of axes, as exact as the number can have it.
+    pub(super) fn mixed<R: Real>(&self, k: usize) -> R {
+        whole(self.mixed[k], self.rest[0][k])
+    }
+
+    /// The coefficient of an axis, as exact as the number can have it.
+    pub(super) fn linear<R: Real>(&self, i: usize) -> R {
+        whole(self.linear[i], self.rest[1][i])
+    }
+
+    /// Whether a coefficient of the second degree, the square's or the pair's, is rounded.
+    pub(super) fn is_rounded<R: Real>(&self, i: usize, pair: bool) -> bool {
+        let (x, rest) = match pair {
+            true => (self.mixed[i], self.rest[0][i]),
+            false => (self.square[i], 0.0),
+        };
+        !is_final::<R>() && (rest != 0.0 || R::of(x).to_f64() != x)
     }
 
     /// Whether F is zero everywhere.
@@ -89,10 +179,10 @@ impl Form {
         };
         for i in 0..3 {
             add(R::of(self.square[i]) * x[i] * x[i]);
-            add(R::of(self.linear[i]) * x[i] * w);
+            add(self.linear::<R>(i) * x[i] * w);
         }
         for (k, (i, j)) in PAIRS.into_iter().enumerate() {
-            add(R::of(self.mixed[k]) * x[i] * x[j]);
+            add(self.mixed::<R>(k) * x[i] * x[j]);
         }
         (sum, size)
     }
@@ -100,9 +190,9 @@ impl Form {
     /// The gradient of F at x, in the form's own units.
     fn gradient<R: Real>(&self, x: Vec3<R>) -> Vec3<R> {
         let mut g =
-            Vec3([0, 1, 2].map(|i| R::of(2.0 * self.square[i]) * x[i] + R::of(self.linear[i])));
+            Vec3([0, 1, 2].map(|i| R::of(2.0 * self.square[i]) * x[i] + self.linear::<R>(i)));
         for (k, (i, j)) in PAIRS.into_iter().enumerate() {
-            let m = R::of(self.mixed[k]);
+            let m = self.mixed::<R>(k);
             g[i] += m * x[j];
             g[j] += m * x[i];
         }

@@ -2,8 +2,9 @@
 
 use super::form::{Form, OPERATIONS, PAIRS, power_of_two};
 use crate::trace::number::Real;
-use crate::trace::ray::Line;
+use crate::trace::ray::{Line, Slack};
 use crate::trace::shapes::Roots;
+use crate::trace::shapes::doubt::is_final;
 use crate::trace::vec::Vec3;
 
 /// A number and a bound on its error.
@@ -11,6 +12,35 @@ use crate::trace::vec::Vec3;
 pub(super) struct Bounded<R> {
     pub value: R,
     pub error: R,
+}
+
+/// Squares and products of coefficients below this have lost digits, or all of them, in doubles
+/// and in their pairs: where products reach below 2⁻¹⁰²²⁺⁵³, their errors are not normal numbers.
+const UNDERFLOW: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+
+impl<R: Real> Bounded<R> {
+    /// Whether the sign may be another than the value's.
+    pub fn is_doubtful(self) -> bool {
+        self.error > R::ZERO && self.value.abs() <= self.error
+    }
+
+    /// Whether to take it for zero: where it is, and, where decisions are final, where it may be.
+    pub fn is_zero(self) -> bool {
+        self.value == R::ZERO || (is_final::<R>() && self.is_doubtful())
+    }
+}
+
+/// x/y. Its error is that of x over y, and y's relative one, both by the least that y may be; where
+/// that is zero there is no bound.
+fn quotient<R: Real>(x: Bounded<R>, y: Bounded<R>) -> Bounded<R> {
+    let value = x.value / y.value;
+    let least = y.value.abs() - y.error;
+    let error = if least > R::ZERO {
+        (x.error + y.error * value.abs()) / least + R::gamma(2) * value.abs()
+    } else {
+        R::INFINITY
+    };
+    Bounded { value, error }
 }
 
 /// Where F along a line is negative: a τ² + b τ + c < 0 for the line's own parameter τ.
@@ -33,20 +63,20 @@ pub(super) struct Chord<R> {
     pub origin: Vec3<R>,
     pub direction: Vec3<R>,
     pub w: R,
+    /// Bounds on how far the origin and the direction are from those of the line that is meant,
+    /// coordinate by coordinate, beside their own relative roundings.
+    pub moved: Vec3<R>,
+    pub turned: Vec3<R>,
     pub inside: Inside<R>,
     /// The vertex of the parabola, −b/2a; zero where a is.
-    pub middle: R,
+    pub middle: Bounded<R>,
     pub uncertain: bool,
+    /// Whether all errors are bounded by the rough ones of what the line strays.
+    rough: bool,
     /// t = (start + τ/(w·stretch)) / length.
     start: R,
     stretch: R,
     length: R,
-}
-
-/// Whether products and sums of this number are rounded once, as in hardware, where the error of
-/// a product is the result of a fused operation. Double-double numbers are far below this.
-fn is_hardware<R: Real>() -> bool {
-    R::ROUNDOFF > R::of(f64::EPSILON * f64::EPSILON)
 }
 
 impl<R: Real> Chord<R> {
@@ -60,9 +90,8 @@ impl<R: Real> Chord<R> {
         let unit = form.units::<R>();
         let (d, length) = normalised(line.direction, 0.0);
         let (direction, stretch) = normalised(d.zip(unit, |x, s| x / s), 0.0);
-        let (o, far) = normalised(line.origin, 1.0);
-        let offset = o.zip(unit, |x, s| x / s);
-        let back = -(offset.dot(direction) / direction.dot(direction)) * far / stretch;
+        let offset = line.origin.zip(unit, |x, s| x / s);
+        let back = closest(form, offset, direction * stretch);
         // As a double, so that its product with another one is exact in double-double, too.
         let back = R::of(back.to_f64());
         let moved = line.origin.zip(d, |o, d| d.mul_add(back, o));
@@ -78,69 +107,152 @@ impl<R: Real> Chord<R> {
             origin,
             direction,
             w,
+            moved: Vec3::ZERO,
+            turned: Vec3::ZERO,
             inside: Inside::Nowhere,
-            middle: R::ZERO,
+            middle: Bounded {
+                value: R::ZERO,
+                error: R::ZERO,
+            },
             uncertain: false,
+            rough: false,
             start,
             stretch,
             length,
         };
-        // Where the move is not fused, its error is relative to what is added, unless that is exact.
-        let lost = d.map(|x| {
-            if is_hardware::<R>() || x == R::of(x.to_f64()) {
-                R::ZERO
-            } else {
-                (x * back).abs() * R::gamma(4)
-            }
-        });
-        let slack = (lost.zip(unit, |x, s| (x / s).abs()) * w).max_component();
-        let slack = if slack.is_finite() { slack } else { R::ZERO };
-        chord.solve(form, slack);
+        if is_final::<R>() || line.slack != Slack::default() {
+            chord.stray(form, line, d);
+        }
+        let coefficients = chord.coefficients(form);
+        if chord.uncertain || !(chord.moved.any() || chord.turned.any()) {
+            chord.solve(form, coefficients);
+            return chord;
+        }
+        chord.rough = true;
+        chord.solve(form, chord.strayed_roughly(form, coefficients));
+        if chord.uncertain {
+            chord.sharpen(form);
+        }
         chord
     }
 
-    /// Bounds on errors: a's from [`leading`]; b and c have at most γₙ of the sizes of their terms,
-    /// and what the point being off by `slack` changes. The discriminant's follows to first and
-    /// second order, with 2u of its own rounding (u of all its terms where products are not
-    /// fused); a root's from those of its two factors.
-    fn solve(&mut self, form: &Form, slack: R) {
+    /// Solves it once more, with bounds on errors that cost more; no if that has been done.
+    pub fn sharpen(&mut self, form: &Form) -> bool {
+        if !self.rough {
+            return false;
+        }
+        (self.rough, self.uncertain) = (false, false);
+        self.solve(form, self.strayed(form, self.coefficients(form)));
+        true
+    }
+
+    /// How far the line in hand is from the one that is meant: at t = start/length, where the
+    /// origin is moved to, by the line's slack. Where that move is not fused, its product is
+    /// rounded, too, unless it is exact.
+    fn stray(&mut self, form: &Form, line: &Line<R>, d: Vec3<R>) {
+        let Slack {
+            origin,
+            direction: turn,
+        } = line.slack;
+        let drift = origin + turn * (self.start / self.length).abs();
+        let lost = d.map(|x| {
+            if !is_final::<R>() || x == R::of(x.to_f64()) {
+                R::ZERO
+            } else {
+                (x * self.start).abs() * R::gamma(4)
+            }
+        });
+        let inverse = Vec3(form.inverse.map(R::of));
+        self.moved = lost.zip(inverse, |x, s| (x + drift) * s) * self.w;
+        self.turned = inverse * (turn / self.length / self.stretch);
+        if !(self.moved.is_finite() && self.turned.is_finite()) {
+            (self.moved, self.turned) = (Vec3::ZERO, Vec3::ZERO);
+            self.uncertain = true;
+        }
+    }
+
+    /// The errors of the coefficients: a's from [`leading`]; b and c have at most γₙ of the sizes
+    /// of their terms. What the line strays comes on top.
+    fn coefficients(&self, form: &Form) -> [Bounded<R>; 3] {
         let (p, d, w) = (self.origin, self.direction, self.w);
-        let two = R::of(2.0);
-        let four = R::of(4.0);
         let a = leading(form, d);
         let (c, c_size) = form.value(p, w);
         let (b, b_size) = cross(form, p, d, w);
-        let reach = p.abs().max_component() + w;
-        let weight = form.weight::<R>();
-        let c = Bounded {
-            value: c,
-            error: R::gamma(OPERATIONS) * c_size + two * weight * reach * slack,
-        };
         let b = Bounded {
             value: b,
-            error: R::gamma(OPERATIONS) * b_size + two * weight * slack,
+            error: R::gamma(OPERATIONS) * b_size,
         };
+        let c = Bounded {
+            value: c,
+            error: R::gamma(OPERATIONS) * c_size,
+        };
+        [a, b, c]
+    }
+
+    /// The coefficients with the errors that the strays e and f, of origin and direction, make:
+    /// with g and h the slopes of F along the axes at p and of its second degree at d, they change
+    ///
+    ///   a by h·f + A(f, f),  b by h·e + g·f + 2A(e, f),  c by g·e + A(e, e).
+    fn strayed(&self, form: &Form, [mut a, mut b, mut c]: [Bounded<R>; 3]) -> [Bounded<R>; 3] {
+        let (e, f) = (self.moved, self.turned);
+        let g = form.slopes(self.origin, self.w);
+        let h = form.slopes(self.direction, R::ZERO);
+        let half = R::of(0.5);
+        a.error += h.dot(f) + half * form.twice(f, f);
+        b.error += h.dot(e) + g.dot(f) + form.twice(e, f);
+        c.error += g.dot(e) + half * form.twice(e, e);
+        [a, b, c]
+    }
+
+    /// The same with larger errors at less cost: all coordinates are below 2, so that the slopes
+    /// add up to at most twice the form's weight.
+    fn strayed_roughly(
+        &self,
+        form: &Form,
+        [mut a, mut b, mut c]: [Bounded<R>; 3],
+    ) -> [Bounded<R>; 3] {
+        let (e, f) = (self.moved.max_component(), self.turned.max_component());
+        let weight = R::of(form.weight);
+        let two = R::of(2.0);
+        a.error += weight * f * (two + f);
+        b.error += weight * (two * (e + f) + e * f);
+        c.error += weight * e * (two + e);
+        [a, b, c]
+    }
+
+    /// The discriminant's error follows from those of the coefficients to first and second order,
+    /// with 2u of its own rounding (u of all its terms where products are not fused); a root's from
+    /// those of its two factors.
+    ///
+    /// In double-double numbers the decision is final: what cannot be told from zero is zero, so
+    /// that a chord that cannot be told from a touch is one.
+    fn solve(&mut self, form: &Form, [a, b, c]: [Bounded<R>; 3]) {
+        let two = R::of(2.0);
+        let four = R::of(4.0);
         let (av, bv, cv) = (a.value, b.value, c.value);
         if !(av.is_finite() && bv.is_finite() && cv.is_finite()) {
             self.uncertain = true;
             return;
         }
-        if av == R::ZERO {
-            self.uncertain = a.error > R::ZERO || (bv.abs() <= b.error && b.error > R::ZERO);
+        if a.is_zero() {
+            self.uncertain |= a.is_doubtful() || b.is_doubtful();
             let t = -(cv / bv);
-            self.inside = if bv == R::ZERO || !t.is_finite() {
+            self.inside = if b.is_zero() || !t.is_finite() {
                 // A line in the surface has no inside, unless everything is.
-                self.uncertain |= cv.abs() <= c.error && c.error > R::ZERO;
-                if cv < R::ZERO || form.is_zero() {
+                self.uncertain |= c.is_doubtful();
+                if (cv < R::ZERO && !c.is_zero()) || form.is_zero() {
                     Inside::Everywhere
                 } else {
                     Inside::Nowhere
                 }
             } else {
-                let t = Bounded {
-                    value: t,
-                    error: (c.error + b.error * t.abs()) / bv.abs() + R::gamma(2) * t.abs(),
-                };
+                let t = quotient(
+                    Bounded {
+                        value: -cv,
+                        error: c.error,
+                    },
+                    b,
+                );
                 if bv > R::ZERO {
                     Inside::Below(t)
                 } else {
@@ -150,7 +262,7 @@ impl<R: Real> Chord<R> {
             return;
         }
         let discriminant = R::difference_of_products(bv, bv, four * av, cv);
-        let own = if is_hardware::<R>() {
+        let own = if !is_final::<R>() {
             discriminant.abs()
         } else {
             bv * bv + four * (av * cv).abs()
@@ -159,12 +271,24 @@ impl<R: Real> Chord<R> {
             + two * bv.abs() * b.error
             + four * (av.abs() * c.error + cv.abs() * a.error)
             + b.error * b.error
-            + four * a.error * c.error;
-        self.uncertain = discriminant.abs() <= error || av.abs() <= a.error;
-        self.middle = -(bv / (two * av));
-        // In double-double numbers the decision is final: what cannot be told from a touch is one.
-        let touch = if is_hardware::<R>() { R::ZERO } else { error };
-        if discriminant <= touch || discriminant.is_nan() {
+            + four * a.error * c.error
+            + R::of(UNDERFLOW);
+        let discriminant = Bounded {
+            value: discriminant,
+            error,
+        };
+        self.uncertain |= discriminant.is_doubtful() || a.is_doubtful();
+        self.middle = quotient(
+            Bounded {
+                value: -bv,
+                error: b.error,
+            },
+            Bounded {
+                value: two * av,
+                error: two * a.error,
+            },
+        );
+        if discriminant.is_zero() || discriminant.value <= R::ZERO || discriminant.value.is_nan() {
             self.inside = if av < R::ZERO {
                 Inside::Everywhere
             } else {
@@ -172,22 +296,17 @@ impl<R: Real> Chord<R> {
             };
             return;
         }
-        let root = discriminant.sqrt();
+        let root = discriminant.value.sqrt();
         let q = if bv > R::ZERO {
             -(bv + root)
         } else {
             root - bv
         } / two;
-        let q_error = (b.error + error / root) / two + R::gamma(3) * q.abs();
-        let (x, y) = (q / av, cv / q);
-        let x = Bounded {
-            value: x,
-            error: (q_error + a.error * x.abs()) / av.abs() + R::ROUNDOFF * x.abs(),
+        let q = Bounded {
+            value: q,
+            error: (b.error + error / root) / two + R::gamma(3) * q.abs(),
         };
-        let y = Bounded {
-            value: y,
-            error: (c.error + q_error * y.abs()) / q.abs() + R::ROUNDOFF * y.abs(),
-        };
+        let (x, y) = (quotient(q, a), quotient(c, q));
         let (x, y) = if x.value <= y.value { (x, y) } else { (y, x) };
         self.inside = if av > R::ZERO {
             Inside::Between(x, y)
@@ -221,13 +340,15 @@ impl<R: Real> Chord<R> {
     }
 }
 
-/// Appends crossings, ascending. Two at the same t are a touch and cancel; one beyond the finite
-/// numbers is at infinity, which changes what is inside there or is never reached.
+/// Appends crossings, ascending. Two at the same t are a touch and cancel, though another number
+/// might tell them apart; one beyond the finite numbers is at infinity, which changes what is
+/// inside there or is never reached.
 pub(super) fn push_all<R: Real, const N: usize>(roots: &mut Roots<R>, list: [(R, u32); N]) {
     for (t, face) in list {
         if t.is_finite() {
             if roots.list.last().is_some_and(|last| last.t >= t) {
                 roots.list.pop();
+                roots.uncertain = true;
             } else {
                 roots.push(t, face);
             }
@@ -235,6 +356,35 @@ pub(super) fn push_all<R: Real, const N: usize>(roots: &mut Roots<R>, list: [(R,
             roots.inside = !roots.inside;
         }
     }
+}
+
+/// Where o + τ·d is so close to the origin that the terms of F are small there: as far as the
+/// coordinates with a second power go. Others would only lead away, but for those with a first
+/// power, which weigh as much as their term against the largest one, once it is known.
+fn closest<R: Real>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
+    let (o, shrink) = normalised(o, 1.0);
+    let (d, stretch) = normalised(d, 0.0);
+    let at = |weight: Vec3<R>| {
+        let heavy = d.times(weight);
+        -(o.dot(heavy) / d.dot(heavy)) * (shrink / stretch)
+    };
+    let degree = form.degree;
+    let first = at(Vec3(degree.map(|n| if n > 0 { R::ONE } else { R::ZERO })));
+    if !degree.contains(&1) || !first.is_finite() {
+        return first;
+    }
+    let there = o * shrink + d * (stretch * first);
+    let largest = (0..3).fold(R::ZERO, |largest, i| match degree[i] {
+        0 => largest,
+        1 => largest.max(there[i].abs()),
+        _ => largest.max(there[i].square()),
+    });
+    let second = at(Vec3(degree.map(|n| match n {
+        0 => R::ZERO,
+        1 => largest.recip(),
+        _ => R::ONE,
+    })));
+    if second.is_finite() { second } else { first }
 }
 
 /// A vector divided by a power of two not below `least`, so that its largest component is in
@@ -247,48 +397,50 @@ fn normalised<R: Real>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
 /// dᵀAd by compensated summation: the errors of products come from fused multiply-adds, those of
 /// sums from Knuth's two-sum (Ogita, Rump and Oishi, "Accurate Sum and Dot Product", 2005). The
 /// error is at most 2u of the result plus γₙ² of the sizes of the terms (γₙ of them where products
-/// are not fused), plus 2u of them where a coordinate was rounded in a division by its unit.
+/// are not fused), plus 3u of them where two coordinates were rounded in a division by their units or
+/// the coefficient was. Where nothing was lost it is zero.
 fn leading<R: Real>(form: &Form, d: Vec3<R>) -> Bounded<R> {
     let (mut sum, mut lost, mut size) = (R::ZERO, R::ZERO, R::ZERO);
-    let mut divided = R::ZERO;
-    let mut add = |k: f64, i: usize, j: usize| {
-        if k == 0.0 {
+    let (mut divided, mut exact) = (R::ZERO, true);
+    let mut add = |k: R, rounded: bool, i: usize, j: usize| {
+        if k == R::ZERO {
             return;
         }
-        let k = R::of(k);
         let half = k * d[i];
         let half_error = k.mul_add(d[i], -half);
         let term = half * d[j];
         let term_error = half.mul_add(d[j], -term) + half_error * d[j];
         let next = sum + term;
         let back = next - sum;
-        lost += (sum - (next - back)) + (term - back) + term_error;
+        let rest = (sum - (next - back)) + (term - back) + term_error;
+        lost += rest;
+        exact &= rest == R::ZERO;
         sum = next;
         size += term.abs();
-        if form.unit[i] != 1.0 || form.unit[j] != 1.0 {
+        if rounded || form.unit[i] != 1.0 || form.unit[j] != 1.0 {
             divided += term.abs();
         }
     };
     for i in 0..3 {
-        add(form.square[i], i, i);
+        add(R::of(form.square[i]), form.is_rounded::<R>(i, false), i, i);
     }
     for (k, (i, j)) in PAIRS.into_iter().enumerate() {
-        add(form.mixed[k], i, j);
+        add(form.mixed(k), form.is_rounded::<R>(k, true), i, j);
     }
     let value = sum + lost;
     let gamma = R::gamma(OPERATIONS);
-    let noise = if is_hardware::<R>() {
+    let noise = if !is_final::<R>() {
         gamma * gamma
     } else {
         gamma
     };
-    let two_u = R::gamma(2);
+    let (two_u, three_u) = (R::gamma(2), R::gamma(3));
     Bounded {
         value,
-        error: if size == R::ZERO {
-            R::ZERO
+        error: if exact {
+            three_u * divided
         } else {
-            two_u * value.abs() + noise * size + two_u * divided
+            two_u * value.abs() + three_u * divided + noise * size
         },
     }
 }
@@ -302,10 +454,10 @@ fn cross<R: Real>(form: &Form, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
     };
     for i in 0..3 {
         add(R::of(2.0 * form.square[i]) * p[i] * d[i]);
-        add(R::of(form.linear[i]) * d[i] * w);
+        add(form.linear::<R>(i) * d[i] * w);
     }
     for (k, (i, j)) in PAIRS.into_iter().enumerate() {
-        let m = R::of(form.mixed[k]);
+        let m = form.mixed::<R>(k);
         add(m * p[i] * d[j]);
         add(m * p[j] * d[i]);
     }
@@ -313,11 +465,36 @@ fn cross<R: Real>(form: &Form, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
 }
 
 impl Form {
-    /// A bound on |F(x + e) − F(x)| / (|e| (2|x| + 1)) to first order, by maximum norms.
-    fn weight<R: Real>(&self) -> R {
-        let all = [self.square, self.mixed, self.linear];
-        all.iter()
-            .flatten()
-            .fold(R::ZERO, |sum, &x| sum + R::of(2.0 * x.abs()))
+    /// Bounds on how steep w²·F(x/w) is along each axis: the derivatives and their roundings, four
+    /// terms of at most two products.
+    fn slopes<R: Real>(&self, x: Vec3<R>, w: R) -> Vec3<R> {
+        let mut value = [R::ZERO; 3];
+        let mut size = [R::ZERO; 3];
+        let mut add = |i: usize, term: R| {
+            value[i] += term;
+            size[i] += term.abs();
+        };
+        for i in 0..3 {
+            add(i, R::of(2.0 * self.square[i]) * x[i]);
+            add(i, R::of(self.linear[i]) * w);
+        }
+        for (k, (i, j)) in PAIRS.into_iter().enumerate() {
+            let m = R::of(self.mixed[k]);
+            add(i, m * x[j]);
+            add(j, m * x[i]);
+        }
+        Vec3([0, 1, 2].map(|i| value[i].abs() + R::gamma(8) * size[i]))
+    }
+
+    /// 2A(e, f) with A the second degree's matrix, all by their sizes; e and f are not negative.
+    fn twice<R: Real>(&self, e: Vec3<R>, f: Vec3<R>) -> R {
+        let mut sum = R::ZERO;
+        for i in 0..3 {
+            sum += R::of(2.0 * self.square[i].abs()) * e[i] * f[i];
+        }
+        for (k, (i, j)) in PAIRS.into_iter().enumerate() {
+            sum += R::of(self.mixed[k].abs()) * (e[i] * f[j] + e[j] * f[i]);
+        }
+        sum
     }
 }

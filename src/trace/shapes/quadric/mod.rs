@@ -28,37 +28,51 @@ pub struct Quadric {
 }
 
 impl Quadric {
-    /// Types 15 and 18 to 21; `None` for other shapes.
-    pub fn new(geometry: &Geometry) -> Option<Quadric> {
-        let (form, name) = match *geometry {
-            Geometry::Quadric(ref q) => (Form::symmetric_part(q), "quadric"),
-            Geometry::ParabolicCylinder { a } => (
-                Form::canonical([1.0, 0.0, 0.0], -1.0, 0.0, [a, 1.0, 1.0]),
-                "parabolic cylinder",
-            ),
-            Geometry::HyperbolicCylinder { a, b } => (
-                Form::canonical([1.0, -1.0, 0.0], 0.0, -1.0, [a, b, 1.0]),
-                "hyperbolic cylinder",
-            ),
-            Geometry::Hyperboloid { a, b, c, sheets } => {
-                let constant = if sheets == 2 { 1.0 } else { -1.0 };
-                (
-                    Form::canonical([1.0, -1.0, 1.0], 0.0, constant, [a, b, c]),
-                    "hyperboloid",
-                )
-            }
-            Geometry::HyperbolicParaboloid { a, b } => (
-                Form::canonical([1.0, 0.0, -1.0], -1.0, 0.0, [a, 1.0, b]),
-                "hyperbolic paraboloid",
-            ),
-            _ => return None,
-        };
-        Some(Quadric {
+    /// xᵀQx ≤ 0 with x = (x, y, z, 1); the matrix row by row.
+    pub fn general(q: &[f64; 16]) -> Quadric {
+        let geometry = Geometry::Quadric(*q);
+        Quadric::with(&geometry, Form::symmetric_part(q), "quadric")
+    }
+
+    /// x²/a² ≤ y.
+    pub fn parabolic_cylinder(a: f64) -> Quadric {
+        let form = Form::canonical([1.0, 0.0, 0.0], -1.0, 0.0, [a, 1.0, 1.0]);
+        let geometry = Geometry::ParabolicCylinder { a };
+        Quadric {
+            convex: true,
+            ..Quadric::with(&geometry, form, "parabolic cylinder")
+        }
+    }
+
+    /// x²/a² − y²/b² ≤ 1.
+    pub fn hyperbolic_cylinder(a: f64, b: f64) -> Quadric {
+        let form = Form::canonical([1.0, -1.0, 0.0], 0.0, -1.0, [a, b, 1.0]);
+        let geometry = Geometry::HyperbolicCylinder { a, b };
+        Quadric::with(&geometry, form, "hyperbolic cylinder")
+    }
+
+    /// x²/a² − y²/b² + z²/c² ≤ ±1, with + for one sheet and − for two.
+    pub fn hyperboloid(a: f64, b: f64, c: f64, sheets: u32) -> Quadric {
+        let constant = if sheets == 2 { 1.0 } else { -1.0 };
+        let form = Form::canonical([1.0, -1.0, 1.0], 0.0, constant, [a, b, c]);
+        let geometry = Geometry::Hyperboloid { a, b, c, sheets };
+        Quadric::with(&geometry, form, "hyperboloid")
+    }
+
+    /// x²/a² − z²/b² ≤ y.
+    pub fn hyperbolic_paraboloid(a: f64, b: f64) -> Quadric {
+        let form = Form::canonical([1.0, 0.0, -1.0], -1.0, 0.0, [a, 1.0, b]);
+        let geometry = Geometry::HyperbolicParaboloid { a, b };
+        Quadric::with(&geometry, form, "hyperbolic paraboloid")
+    }
+
+    fn with(geometry: &Geometry, form: Form, name: &'static str) -> Quadric {
+        Quadric {
             form,
             bounds: bounds_of(geometry),
-            convex: matches!(geometry, Geometry::ParabolicCylinder { .. }),
+            convex: false,
             name,
-        })
+        }
     }
 
     pub fn name(&self) -> &'static str {
@@ -80,6 +94,14 @@ fn turn(p: Vec3) -> f64 {
 impl Shape for Quadric {
     fn bounds(&self) -> Bounds {
         self.bounds
+    }
+
+    fn extent(&self) -> f64 {
+        if self.bounds.is_finite() {
+            self.bounds.reach()
+        } else {
+            self.form.extent()
+        }
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {

@@ -12,16 +12,20 @@
 
 use super::tree::Run;
 use crate::trace::number::Real;
-use crate::trace::ray::Line;
+use crate::trace::quartic::root_between;
+use crate::trace::ray::{Line, Slack};
+use crate::trace::shapes::doubt::is_final;
 use crate::trace::vec::Vec3;
 
 /// A line relative to the axis, in scaled coordinates.
 #[derive(Debug, Clone, Copy)]
 pub struct Path<R> {
-    /// The line's own parameter at τ = 0, and per unit of τ.
+    /// The line's own parameter at τ = 0, as a multiple of `unit`, a power of two; τ is in units of
+    /// length, of which one of `unit` holds `length`.
     start: R,
     unit: R,
-    /// The point at τ = 0, the line's closest approach to the shape's centre, and the unit
+    length: R,
+    /// The point at τ = 0, close to the line's closest approach to the shape's centre, and the unit
     /// direction.
     point: Vec3<R>,
     direction: Vec3<R>,
@@ -29,7 +33,16 @@ pub struct Path<R> {
     delta: R,
     across: R,
     along: R,
-    /// Bound on the error of s₀, y₀ and δ.
+    /// Bound on what rounding does to s₀, y₀ and δ.
+    rounded: R,
+    /// How far, at most, the point and the unit direction are from those of the line that is meant,
+    /// whatever the way.
+    moved: R,
+    turned: R,
+    /// What these three do to along times a point's distance from the axis, at the height of p.
+    fuzz: R,
+    /// Bound on the error of s₀, y₀ and δ from all three, where the plane of the line turns with
+    /// its direction.
     error: R,
 }
 
@@ -43,6 +56,8 @@ pub struct Ring<R> {
     offset: R,
     inside: bool,
     uncertain: bool,
+    /// along²(ρ² − r²) is at least this.
+    least: R,
 }
 
 /// A crossing of the line with one segment.
@@ -77,21 +92,23 @@ impl<R: Real> Path<R> {
         let origin = line.origin * R::of(scale);
         // In two steps, since the inverse of a subnormal length is no number.
         let first = normaliser(line.direction.abs().max_component().to_f64());
-        let direction = line.direction * R::of(first);
-        let second = normaliser(direction.abs().max_component().to_f64());
-        let direction = direction * R::of(second);
-        let length = direction.length();
-        let unit = R::of(first) / R::of(scale) * R::of(second) / length;
-        let direction = direction / length;
-        // The point is exact for the τ that came out, but for one rounding, however far away the
-        // origin is and whatever the error of τ. A second pass brings it to where the first one
-        // should have got.
+        let exact = line.direction * R::of(first);
+        let second = normaliser(exact.abs().max_component().to_f64());
+        let exact = exact * R::of(second);
+        let length = exact.length();
+        let unit = R::of(first) / R::of(scale) * R::of(second);
+        let direction = exact / length;
+        // The point is exact for the parameter that came out, but for one rounding, however far
+        // away the origin is and whatever the parameter's error: the direction is not rounded yet
+        // and the parameter a double, whose product with another one is exact in double-double,
+        // too. A second pass brings it to where the first one should have got.
+        let square = exact.dot(exact);
         let mut start = R::ZERO;
         let mut point = origin;
         for _ in 0..2 {
             let relative = Vec3::new(point[0], point[1] - R::of(centre), point[2]);
-            start -= relative.dot(direction);
-            point = origin.zip(direction, |o, d| start.mul_add(d, o));
+            start = R::of((start - relative.dot(exact) / square).to_f64());
+            point = origin.zip(exact, |o, d| start.mul_add(d, o));
         }
         let flat = Vec3::new(direction[0], R::ZERO, direction[2]);
         let across = flat.length();
@@ -102,31 +119,71 @@ impl<R: Real> Path<R> {
         };
         let s0 = R::difference_of_products(point[0], dx, -point[2], dz);
         let delta = R::difference_of_products(point[0], dz, point[2], dx).abs();
-        // The points have one rounding behind them; (dx, dz) five, the sums two more.
-        let error = R::gamma(8) * (point[0].abs() + point[1].abs() + point[2].abs());
-        let path = Path {
+        // The points have one rounding behind them; (dx, dz) six, the sums two more.
+        let rounded = R::gamma(10) * (point[0].abs() + point[1].abs() + point[2].abs());
+        let mut path = Path {
             start,
             unit,
+            length,
             point,
             direction,
             s0,
             delta,
             across,
             along: direction[1],
-            error,
+            rounded,
+            moved: R::ZERO,
+            turned: R::ZERO,
+            fuzz: rounded + rounded,
+            error: rounded,
         };
+        if is_final::<R>() || line.slack != Slack::default() {
+            path.stray(line, exact, scale);
+        }
         let finite = unit.is_finite() && start.is_finite() && point.is_finite();
-        (finite && across.is_finite() && s0.is_finite() && delta.is_finite()).then_some(path)
+        let finite = finite && across.is_finite() && s0.is_finite() && delta.is_finite();
+        (finite && path.error.is_finite()).then_some(path)
+    }
+
+    /// What the line's slack comes to: √3 ≤ 7/4 times a component's, for the direction over its
+    /// length; the point is at |start·unit| on the line's own scale. Where the move to the closest
+    /// approach is not fused, its product is rounded, too, unless it is exact.
+    ///
+    /// A direction that turns in the plan moves s₀ and δ by at most the chord between the two unit
+    /// vectors times their size: less than twice the sine of the angle, and never more than two.
+    fn stray(&mut self, line: &Line<R>, exact: Vec3<R>, scale: f64) {
+        const DIAGONAL: f64 = 1.75;
+        let diagonal = R::of(DIAGONAL);
+        let drift = line.slack.origin + line.slack.direction * (self.start * self.unit).abs();
+        let lost = exact.map(|x| {
+            if !is_final::<R>() || x == R::of(x.to_f64()) {
+                R::ZERO
+            } else {
+                (x * self.start).abs() * R::gamma(4)
+            }
+        });
+        self.moved = diagonal * (drift * R::of(scale) + lost.max_component());
+        // `unit` holds the direction's and the shape's power of two; the latter has to go again.
+        self.turned = diagonal * (line.slack.direction * (self.unit * R::of(scale))) / self.length;
+        if self.turned > R::ZERO {
+            let two = R::of(2.0);
+            let swing = (two * (self.turned / self.across)).min(two);
+            self.error += swing * (self.s0.abs() + self.delta);
+        }
+        self.error += self.moved;
+        // m·(along + across + 2f): neither exceeds 1, nor both √2.
+        let both = self.moved * (R::of(1.5) + self.turned + self.turned);
+        self.fuzz += both + self.turned * (self.s0.abs() + self.delta);
     }
 
     /// The line's own parameter.
     fn t(&self, tau: R) -> R {
-        (self.start + tau) * self.unit
+        (self.start + tau / self.length) * self.unit
     }
 
     /// The point at a parameter of the line, in scaled coordinates, and the unit direction.
     pub fn at(&self, t: R) -> (Vec3<R>, Vec3<R>) {
-        let tau = t / self.unit - self.start;
+        let tau = (t / self.unit - self.start) * self.length;
         let point = self.point.zip(self.direction, |o, d| tau.mul_add(d, o));
         (point, self.direction)
     }
@@ -142,40 +199,61 @@ impl<R: Real> Path<R> {
     }
 
     /// How the line passes a ring: along² (ρ² − r²) = offset² − along² (r − δ)(r + δ), which needs
-    /// no division, is negative inside. A line that is level with the ring is outside.
+    /// no division, is negative inside. A line that is level with the ring is outside, and so is,
+    /// where decisions are final, one that cannot be told from a touch.
     pub fn ring(&self, [radius, y]: [f64; 2]) -> Ring<R> {
         let (radius, y) = (R::of(radius), R::of(y));
         let offset = self.offset(y);
         let along2 = self.along.square();
         let inner = along2 * (radius - self.delta);
         let power = R::difference_of_products(offset, offset, inner, radius + self.delta);
-        // (s + e)² − s² ≤ (2|s| + e)e for the offset and δ, whose errors are `error` and, for the
-        // offset, that of two rounded factors in either product and of their difference; then
-        // three factors and a difference.
-        let error = self.offset_error(y);
-        let bound = (offset.abs() + offset.abs() + error) * error
-            + along2 * (self.delta + self.delta + self.error) * self.error
-            + R::gamma(8) * (offset.square() + along2 * (radius.square() + self.delta.square()));
+        let low = (self.point[1] - y).abs();
+        let bound = self.power_error(self.offset_size(y), low, radius);
+        let touch = if !is_final::<R>() { R::ZERO } else { bound };
         Ring {
             radius,
             y,
             offset,
-            inside: power < R::ZERO,
-            // A point on the axis has nothing inside.
-            uncertain: radius > R::ZERO && power.abs() <= bound,
+            inside: power < -touch,
+            // A point on the axis has nothing inside, nor has the line where it never comes close.
+            uncertain: radius > R::ZERO && power.abs() <= bound && !self.is_beyond(radius),
+            least: power - bound,
         }
     }
 
+    /// Whether all of the line is surely farther than this from the axis. `ring` adds two squares
+    /// then, which cannot come out negative.
+    fn is_beyond(&self, radius: R) -> bool {
+        self.delta - self.error > radius
+    }
+
+    /// A bound on the error of along² (ρ² − r²), where the sizes of the offset's terms are at most
+    /// `size`, the height is at most `low` above or below the path's point, and the radius is r.
+    ///
+    /// along·ρ is the length of the vector along·(x, z) in the ring's plane, and along·r another
+    /// one. Off by e, the square of a length v changes by at most (2v + e)e. Rounding adds the
+    /// errors of the offset, two rounded factors in either product and their difference, and of δ.
+    /// What is meant for the point p + m and the direction d + f is, in the plan,
+    /// (along + f₁)(p + m) − (y₀ − y + m₁)(d + f), and along + f₁ times r. Then there are three
+    /// factors and a difference.
+    fn power_error(&self, size: R, low: R, radius: R) -> R {
+        let size = size + self.along.abs() * (self.delta + radius);
+        let e = R::gamma(8) * size + self.fuzz + self.turned * (low + radius);
+        (size + size + e) * e + R::gamma(8) * size.square()
+    }
+
+    /// A bound on the error of an offset, in the plane of the line, which turns with it.
     fn offset_error(&self, y: R) -> R {
-        R::gamma(8) * self.offset_size(y) + self.error
+        R::gamma(8) * self.offset_size(y)
+            + self.error
+            + self.turned * (self.s0.abs() + (self.point[1] - y).abs())
     }
 
     /// Whether the line surely passes all rings of a run on the same side, and so crosses none of
     /// its segments. Sure is here: [`Path::ring`] says so too.
     pub fn misses(&self, run: &Run) -> bool {
         let [inner, outer] = run.radius.map(R::of);
-        // `ring` adds two squares then, which cannot come out negative.
-        if self.delta >= outer {
+        if self.is_beyond(outer) {
             return true;
         }
         let [low, high] = run.y.map(R::of);
@@ -186,13 +264,21 @@ impl<R: Real> Path<R> {
             (R::ZERO, a.abs().max(b.abs()))
         };
         let along2 = self.along.square();
-        let size = self.offset_size(low).max(self.offset_size(high));
-        // Offsets and squares here and in `ring` have at most eight roundings behind them each.
-        let slack =
-            R::gamma(20) * (size.square() + along2 * (outer.square() + self.delta.square()));
         let across = along2 * self.delta.square();
         let outside = least.square() + across - along2 * outer.square();
         let inside = along2 * inner.square() - across - most.square();
+        if outside <= R::ZERO && inside <= R::ZERO {
+            return false;
+        }
+        // An error in either of the two numbers that are compared, here and in `ring`, and once
+        // more what `ring` takes for a touch. The bound grows with all that it is made of, and
+        // heights between have no more of it than one end or the other.
+        let size = self.offset_size(low).max(self.offset_size(high));
+        let far = (self.point[1] - low)
+            .abs()
+            .max((self.point[1] - high).abs());
+        let bound = self.power_error(size, far, outer);
+        let slack = bound + bound + bound;
         outside > slack || inside > slack
     }
 
@@ -224,7 +310,7 @@ impl<R: Real> Path<R> {
         } else {
             (second, first)
         };
-        if low.inside && high.inside {
+        if low.inside && high.inside || self.is_beyond(low.radius.max(high.radius)) {
             return cuts;
         }
         let (w, h) = (high.radius - low.radius, high.y - low.y);
@@ -233,67 +319,125 @@ impl<R: Real> Path<R> {
         let (n, r) = (low.offset, low.radius);
         let (x, z) = (self.across, self.along);
         let left = R::difference_of_products(h, x, w, z);
-        let a = left * R::difference_of_products(h, x, -w, z);
-        let e = R::difference_of_products(r * h, x, w, n);
-        let delta2 = self.delta.square();
-        let d = R::difference_of_products(e, e, a * self.delta, self.delta);
+        let right = R::difference_of_products(h, x, -w, z);
+        let a = left * right;
+        // Both factors have at most six roundings of the unit direction behind them, those of w
+        // and h, and what the direction is off by.
+        let factor = R::gamma(8) * ((h * x).abs() + (w * z).abs()) + (h + w.abs()) * self.turned;
+        let a_error = factor * (left.abs() + right.abs() + factor) + R::gamma(2) * a.abs();
 
         let both = low.inside == high.inside;
         if both {
-            // Outside of both rings. The frustum is convex: there is a chord between them if the
-            // line meets the cone at all and the chord's middle, s = w·along·E / a, lies between
-            // the two heights. Half-open, and in offsets, which neighbours share: what one of them
-            // leaves to the other the other takes.
+            // Outside of both rings. As a function of the height along²(ρ² − r²) has the second
+            // derivative 2a/h²: on the way from one ring to the other, h/k high, it falls no lower
+            // than a/4k² below the lesser of its values there. And where a is negative, not at all.
+            let dip = a + a_error;
+            if dip <= R::ZERO || dip < R::of(4.0) * k * k * low.least.min(high.least) {
+                return cuts;
+            }
+        }
+        let e = R::difference_of_products(r * h, x, w, n);
+        let delta2 = self.delta.square();
+        let d = R::difference_of_products(e, e, a * self.delta, self.delta);
+        if both {
+            // The frustum is convex: there is a chord between the rings if the line meets the cone
+            // at all and the chord's middle, s = w·along·E / a, lies between the two heights.
+            // Half-open, and in offsets, which neighbours share: what one of them leaves to the
+            // other the other takes.
             let middle = z.square() * w * e;
-            if !(a > R::ZERO && low.offset * a <= middle && middle < high.offset * a) {
-                return cuts;
-            }
-            // E's two products have three and two roundings, and N its own error; the factors of a
-            // are off by those of the unit direction, six, and w and h.
+            let (bottom, top) = (low.offset * a, high.offset * a);
+            // E's two products have three and two roundings, N its own error.
+            let n_error = self.offset_error(low.y);
             let e_error = R::gamma(8) * ((r * h * x).abs() + (w * n).abs())
-                + w.abs() * self.offset_error(low.y);
-            let steep = (h * x).abs() + (w * z).abs();
+                + w.abs() * n_error
+                + r * h * self.turned;
             let bound = (e.abs() + e.abs() + e_error) * e_error
-                + a * (self.delta + self.delta + self.error) * self.error
-                + R::gamma(20) * (e.square() + steep.square() * delta2);
-            cuts.uncertain = d.abs() <= bound;
-            if d <= R::ZERO || d.is_nan() {
+                + a_error * (self.delta + self.error).square()
+                + a.abs() * (self.delta + self.delta + self.error) * self.error
+                + R::gamma(6) * (e.square() + a.abs() * delta2);
+            let two = R::of(2.0);
+            let middle_error = (w * z * z).abs() * e_error
+                + (e.abs() + e_error) * w.abs() * self.turned * (two * z.abs() + self.turned)
+                + R::gamma(6) * middle.abs();
+            let side_error = |ring: &Ring<R>, n_error: R| {
+                ring.offset.abs() * a_error + (a.abs() + a_error) * n_error
+            };
+            let beside = |from: R, to: R, error: R| {
+                if to - from > error {
+                    Some(true)
+                } else if from - to > error {
+                    Some(false)
+                } else {
+                    None
+                }
+            };
+            let sure = [
+                (a > a_error).then_some(true),
+                beside(bottom, middle, middle_error + side_error(low, n_error)),
+                beside(
+                    middle,
+                    top,
+                    middle_error + side_error(high, self.offset_error(high.y)),
+                ),
+                beside(R::ZERO, d, bound),
+            ];
+            let touch = if !is_final::<R>() { R::ZERO } else { bound };
+            if sure.contains(&Some(false)) {
                 return cuts;
             }
-        } else {
-            cuts.uncertain = d < R::ZERO;
+            cuts.uncertain = sure.contains(&None);
+            if !(a > R::ZERO && bottom <= middle && middle < top && d > touch) {
+                return cuts;
+            }
         }
         let root = d.max(R::ZERO).sqrt() * h;
         let b = z * R::difference_of_products(n * x, h.square() + w.square(), r * h, w);
         let s = n * z;
         let radius = R::difference_of_products(r, h, w, n * x);
         let c = R::difference_of_products(h.square(), s.square() + delta2, radius, radius);
+        // Both are zero in a line through the apex: the point that all is reckoned from.
+        let near = |q: R| if q == R::ZERO { q } else { c / q };
         let (enter, leave) = if b < R::ZERO {
             let q = root - b;
-            (c / q, q / a)
+            (near(q), q / a)
         } else {
             let q = -(b + root);
-            (q / a, c / q)
+            (q / a, near(q))
         };
         let base = -(self.s0 * x + (self.point[1] - low.y) * z);
+        let (from, to) = (self.reach(low), self.reach(high));
+        let (from, to) = (from.min(to), from.max(to));
         let cut = |local: R, against: bool| {
-            let tau = self.clamped(base + local, low, high);
+            // No farther than the rings at the segment's ends: whatever its error, the crossing
+            // stays on its own side of the seams, and of the middle of a chord.
+            let mut tau = base + local;
+            if z != R::ZERO {
+                let (mut from, mut to) = (from, to);
+                if both {
+                    let middle = (base - b / a).max(from).min(to);
+                    *(if against { &mut to } else { &mut from }) = middle;
+                }
+                tau = self.polished([w, h], low, tau, (from, to), against);
+            }
             let local = (tau - base).abs();
             // The quadratic is a difference of two squares with at most sixteen roundings; its
-            // slope at a root is twice the root of the discriminant.
+            // slope at a root is twice the root of the discriminant, and less than that up to where
+            // an error takes it only while the discriminant stays positive: the root moves by at
+            // most error/√ then. If it may not, by no more than from one ring to the other.
             let size = (r * h).abs()
                 + (w * n).abs()
                 + h * (s.abs() + x * local + self.delta)
                 + (w * z).abs() * local;
-            let noise = R::gamma(16) * size.square() + (size + size) * (h + w.abs()) * self.error;
-            let reach = if root > R::ZERO {
-                noise / (root + root)
+            let shift = self.rounded + self.moved + self.turned * tau.abs();
+            let noise = R::gamma(16) * size.square() + (size + size) * (h + w.abs()) * shift;
+            let reach = if root.square() > a.abs() * noise {
+                noise / root
             } else {
-                R::ZERO
+                R::INFINITY.min(to - from + (shift + shift) / z.abs())
             };
             Cut {
                 t: self.t(tau),
-                error: (reach + R::gamma(4) * (self.start.abs() + tau.abs())) * self.unit.abs(),
+                error: self.t_error(reach, tau),
                 against,
             }
         };
@@ -307,33 +451,60 @@ impl<R: Real> Path<R> {
         cuts
     }
 
+    /// The root of h(ρ − r) − w(y − y₁) between two places, by Newton's method from `start`.
+    ///
+    /// The quadratic is reckoned from the ring below, which may be far from where the line meets
+    /// the segment, and the roots of lines along its slope suffer from that; this is reckoned from
+    /// the line's own points.
+    fn polished(&self, [w, h]: [R; 2], low: &Ring<R>, start: R, ends: (R, R), against: bool) -> R {
+        let off = |tau: R| {
+            let s = self.s0 + tau * self.across;
+            let rho = (s.square() + self.delta.square()).sqrt();
+            let y = self.point[1] + tau * self.along;
+            let slope = if rho > R::ZERO { s / rho } else { R::ZERO };
+            (
+                h * (rho - low.radius) - w * (y - low.y),
+                h * self.across * slope - w * self.along,
+            )
+        };
+        let start = start.max(ends.0).min(ends.1);
+        // Eight roundings of its terms are as good as it gets.
+        let (value, size) = (off(start).0.abs(), low.radius + low.y.abs());
+        let size = size + (start - ends.0).abs().min((start - ends.1).abs());
+        if value <= (h + w.abs()) * (self.rounded + R::gamma(8) * size) {
+            return start;
+        }
+        let precision = R::ROUNDOFF * ends.0.abs().max(ends.1.abs());
+        root_between(off, ends, !against, start, precision)
+    }
+
     /// τ at the height of a ring; the line must not be level.
     fn reach(&self, ring: &Ring<R>) -> R {
         (ring.y - self.point[1]) / self.along
-    }
-
-    /// A root no farther than the rings at the segment's ends, where the line passes them at all:
-    /// whatever its error, it stays on its own side of the seams.
-    fn clamped(&self, tau: R, low: &Ring<R>, high: &Ring<R>) -> R {
-        if self.along == R::ZERO {
-            return tau;
-        }
-        let (a, b) = (self.reach(low), self.reach(high));
-        // `max` and `min` take the other number for a NaN.
-        tau.max(a.min(b)).min(a.max(b))
     }
 
     /// The crossing with a flat segment.
     fn level(&self, first: &Ring<R>, second: &Ring<R>) -> Option<Cut<R>> {
         (first.inside != second.inside).then(|| {
             let tau = self.reach(first);
-            let tau_error = self.error / self.along.abs() + R::gamma(4) * tau.abs();
+            let least = self.along.abs() - self.turned;
+            let error = if least > R::ZERO {
+                (self.rounded + self.moved + self.turned * tau.abs()) / least
+            } else {
+                R::INFINITY
+            };
             Cut {
                 t: self.t(tau),
-                error: (tau_error + R::gamma(4) * self.start.abs()) * self.unit.abs(),
+                error: self.t_error(error + R::gamma(4) * tau.abs(), tau),
                 against: self.along < R::ZERO,
             }
         })
+    }
+
+    /// A bound on the error of t where τ is off by `error`, with a division, a sum and a product.
+    fn t_error(&self, error: R, tau: R) -> R {
+        let rounded = R::gamma(4) * (self.start.abs() + tau.abs() / self.length);
+        (error / self.length + rounded) * self.unit.abs()
     }
 }
 

@@ -216,6 +216,8 @@ fn a_thousand_seams_alternate() {
         let line = Line::new(from, seam - from);
         let found = roots::<f64>(&shape, &line);
         assert!(found.list.len() <= 2);
+        let fine = roots::<Dd>(&shape, &line);
+        assert!(found.uncertain || found.list.len() == fine.list.len());
         // The chord of the unit sphere, if there is one worth the name: it is the polygon's to
         // within the sagitta 1 − cos(π/2000) < 1.3e-6.
         let d = line.direction;

@@ -1,0 +1,260 @@
+//! Questions about rays, and who answers them: a walker in the precision asked for, and where that
+//! one cannot decide, one in double-double.
+
+use super::Tracer;
+use super::dd::Dd;
+use super::hit::Hit;
+use super::nearest::Search;
+use super::precision::{Doubt, Precision};
+use super::probe::Probe;
+use super::ray::Ray;
+use super::spans::Kind;
+use super::stats::Intersections;
+use super::vec::Vec3;
+use super::walk::{Verdict, Walker};
+
+/// The scratch of one thread.
+pub struct Walkers<'t, R = f64> {
+    tracer: &'t Tracer,
+    walker: Walker<'t, R>,
+    /// Made when it is first needed.
+    finer: Option<Box<Walker<'t, Dd>>>,
+    /// Rays about which something was closer than the rounding errors of R.
+    uncertain: u64,
+}
+
+/// Something to be known about a ray.
+trait Question {
+    type Answer<R: Precision>;
+
+    fn ask<R: Precision>(
+        &self,
+        tracer: &Tracer,
+        walker: &mut Walker<R>,
+        ray: &Ray<R>,
+    ) -> Self::Answer<R>;
+
+    /// An answer in another kind of number.
+    fn cast<R: Precision>(answer: Self::Answer<Dd>) -> Self::Answer<R>;
+}
+
+impl<'t, R: Precision> Walkers<'t, R> {
+    pub(super) fn new(tracer: &'t Tracer) -> Walkers<'t, R> {
+        Walkers {
+            tracer,
+            walker: Walker::new(&tracer.graph),
+            finer: None,
+            uncertain: 0,
+        }
+    }
+
+    /// Forgets what was counted.
+    pub fn reset(&mut self) {
+        self.uncertain = 0;
+        self.walker.counts = Intersections::default();
+        if let Some(finer) = &mut self.finer {
+            finer.counts = Intersections::default();
+        }
+    }
+
+    /// Intersection tests since the last reset.
+    pub fn intersections(&self) -> Intersections {
+        let mut all = self.walker.counts;
+        if let Some(finer) = &self.finer {
+            all += finer.counts;
+        }
+        all
+    }
+
+    /// Since the last reset, the rays about which something was closer than rounding errors.
+    pub fn uncertain(&self) -> u64 {
+        self.uncertain
+    }
+
+    fn ask<Q: Question>(&mut self, question: &Q, ray: &Ray<R>) -> Q::Answer<R> {
+        let tracer = self.tracer;
+        if R::DOUBT == Doubt::Merges {
+            let answer = settled(question, tracer, &mut self.walker, ray);
+            self.uncertain += u64::from(self.walker.verdict.uncertain);
+            return answer;
+        }
+        self.walker.verdict = Verdict::default();
+        let answer = question.ask(tracer, &mut self.walker, ray);
+        if !self.walker.verdict.uncertain {
+            return answer;
+        }
+        self.uncertain += 1;
+        if R::DOUBT == Doubt::Stands {
+            return answer;
+        }
+        let finer = self
+            .finer
+            .get_or_insert_with(|| Box::new(Walker::new(&tracer.graph)));
+        Q::cast(settled(question, tracer, finer, &ray.cast()))
+    }
+}
+
+/// The final answer. Where some surface cannot be told from the one that the ray has left, it is
+/// asked once more: the crossing with the latter is a better place to start than the rounded origin.
+fn settled<Q: Question, R: Precision>(
+    question: &Q,
+    tracer: &Tracer,
+    walker: &mut Walker<R>,
+    ray: &Ray<R>,
+) -> Q::Answer<R> {
+    (walker.verdict, walker.start) = (Verdict::default(), None);
+    let answer = question.ask(tracer, walker, ray);
+    let Verdict {
+        skin_met, start, ..
+    } = walker.verdict;
+    if !skin_met || start.is_none() {
+        return answer;
+    }
+    walker.start = start;
+    let answer = question.ask(tracer, walker, ray);
+    walker.start = None;
+    answer
+}
+
+impl Tracer {
+    /// Scratch for one thread.
+    pub fn walker<R: Precision>(&self) -> Walkers<'_, R> {
+        Walkers::new(self)
+    }
+
+    /// The first visible point on a ray.
+    pub fn hit<R: Precision>(&self, walkers: &mut Walkers<R>, ray: &Ray<R>) -> Option<Hit<R>> {
+        walkers.first_hit::<true>(ray)
+    }
+
+    /// Whether a point is inside some solid of the scene.
+    pub fn holds<R: Precision>(&self, walkers: &mut Walkers<R>, point: Vec3<R>) -> bool {
+        let up = Vec3::new(R::ZERO, R::ZERO, R::ONE);
+        walkers.ask(&Holds, &Ray::new(point, up))
+    }
+
+    /// What a ray meets in the region that is drawn: all crossings with t > 0, ascending, as if
+    /// every surface let it through. The region itself is no surface.
+    pub fn probe<R: Precision>(&self, walkers: &mut Walkers<R>, ray: &Ray<R>) -> Probe<R> {
+        walkers.ask(&Meets { clipped: true }, ray)
+    }
+
+    /// All crossings on a ray with t > 0, ascending; the region that is drawn does not apply.
+    pub fn crossings<R: Precision>(
+        &self,
+        walkers: &mut Walkers<R>,
+        ray: &Ray<R>,
+    ) -> Vec<super::Crossing<R>> {
+        walkers.ask(&Meets { clipped: false }, ray).crossings
+    }
+}
+
+impl<R: Precision> Walkers<'_, R> {
+    /// The first visible point on a ray, by code that knows whether anything is transparent.
+    pub(super) fn first_hit<const GLASS: bool>(&mut self, ray: &Ray<R>) -> Option<Hit<R>> {
+        self.ask(&FirstHit::<GLASS>, ray)
+    }
+
+    /// The share of light that gets through up to t = 1: the product of kt over all surfaces.
+    pub(super) fn visibility<const GLASS: bool>(&mut self, ray: &Ray<R>) -> Vec3 {
+        self.ask(&Visibility::<GLASS>, ray)
+    }
+}
+
+/// What is seen first.
+struct FirstHit<const GLASS: bool>;
+
+impl<const GLASS: bool> Question for FirstHit<GLASS> {
+    type Answer<R: Precision> = Option<Hit<R>>;
+
+    fn ask<R: Precision>(
+        &self,
+        tracer: &Tracer,
+        walker: &mut Walker<R>,
+        ray: &Ray<R>,
+    ) -> Option<Hit<R>> {
+        let (from, to) = tracer.window(ray, R::INFINITY)?;
+        walker.first_hit::<GLASS>(ray, from, to, tracer.clip.is_some())
+    }
+
+    fn cast<R: Precision>(answer: Option<Hit<Dd>>) -> Option<Hit<R>> {
+        answer.map(|hit| hit.cast())
+    }
+}
+
+/// Whether the origin is in a solid.
+struct Holds;
+
+impl Question for Holds {
+    type Answer<R: Precision> = bool;
+
+    fn ask<R: Precision>(&self, _: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> bool {
+        let (start, _) = walker.trace_spans(ray, R::ZERO, R::ZERO);
+        start.is_some_and(|s| s.inside)
+    }
+
+    fn cast<R: Precision>(answer: bool) -> bool {
+        answer
+    }
+}
+
+/// Everything on the way.
+struct Meets {
+    clipped: bool,
+}
+
+impl Question for Meets {
+    type Answer<R: Precision> = Probe<R>;
+
+    fn ask<R: Precision>(&self, tracer: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> Probe<R> {
+        match self.clipped {
+            true => tracer.probe_with(walker, ray),
+            false => tracer.crossings_with(walker, ray),
+        }
+    }
+
+    fn cast<R: Precision>(answer: Probe<Dd>) -> Probe<R> {
+        answer.cast()
+    }
+}
+
+/// How much light gets through.
+struct Visibility<const GLASS: bool>;
+
+impl<const GLASS: bool> Question for Visibility<GLASS> {
+    type Answer<R: Precision> = Vec3;
+
+    /// A ray that starts outside and crosses something opaque before anything transparent is
+    /// blocked: the first thing it meets is a boundary of the scene, and opaque. Which of the
+    /// opaque things that is does not matter, so the search stops at the first one found. Only
+    /// where something transparent comes before is there need to know what is inside of what.
+    fn ask<R: Precision>(&self, tracer: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> Vec3 {
+        let Some((from, to)) = tracer.window(ray, R::ONE) else {
+            return Vec3::ONE;
+        };
+        let seen = |blocked: bool| if blocked { Vec3::ZERO } else { Vec3::ONE };
+        if ray.outside && tracer.clip.is_none() {
+            if !GLASS {
+                return seen(walker.nearest(ray, from, to, Search::Any).is_some());
+            }
+            let opaque = walker.nearest(ray, from, to, Search::AnyOpaque);
+            let before = opaque.map_or(to, |o| o.place.root.t);
+            let clear = walker.nearest(ray, from, before, Search::AnyClear);
+            if clear.is_none() {
+                return seen(opaque.is_some());
+            }
+        }
+        let (_, events) = walker.trace_spans(ray, from, to);
+        let mut share = Vec3::ONE;
+        let mut surfaces = events.iter().filter(|e| e.kind != Kind::Silent);
+        while let (true, Some(event)) = (share.any(), surfaces.next()) {
+            let optics = &tracer.graph.optics[event.owner.optics as usize];
+            share = share.times(Vec3(optics.kt));
+        }
+        share
+    }
+
+    fn cast<R: Precision>(answer: Vec3) -> Vec3 {
+        answer
+    }
+}

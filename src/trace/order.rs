@@ -1,0 +1,261 @@
+//! Which of two places on a ray comes first, and what is behind its start: decisions that rounding
+//! errors may spoil, with the bounds that tell when.
+
+use super::precision::{Doubt, Precision};
+use super::ray::{Left, Line, Ray};
+use super::shapes::{Root, Roots};
+use super::vec::Vec3;
+use super::walk::{Leaf, Walker};
+use std::cmp::Ordering;
+
+/// A crossing to be compared with others.
+#[derive(Debug, Clone, Copy)]
+pub struct Place<R> {
+    pub leaf: Leaf,
+    pub root: Root<R>,
+    /// See [`Walker::reach`].
+    pub reach: R,
+}
+
+/// Where a ray starts.
+#[derive(Debug, Clone, Copy)]
+pub struct Start<R> {
+    t: R,
+    /// Bound on the error of t.
+    error: R,
+    /// If it is on a surface: the chain of maps that places it, and how far it may be misplaced.
+    chain: Option<(u64, R)>,
+}
+
+impl<R: Precision> Start<R> {
+    fn exact(t: R) -> Start<R> {
+        Start {
+            t,
+            error: R::ZERO,
+            chain: None,
+        }
+    }
+}
+
+/// Places on a ray farther apart than this, relative to t and their reach, are in order whatever
+/// was rounded. The error of a crossing is at most h/s with h the error of its point across the
+/// surface, a few dozen roundings of the numbers behind it, and s the sine of the angle between ray
+/// and surface; below √h the shape itself is in doubt whether it is met at all. So the error is
+/// below √(64 u) of the reach, and this is sixteen times that.
+fn margin<R: Precision>() -> R {
+    R::of(128.0) * R::ROUNDOFF.sqrt()
+}
+
+impl<R: Precision> Walker<'_, R> {
+    /// How far, in units of t, the numbers reach that a leaf's crossings are computed from: the
+    /// line's origin and the shape's own size.
+    pub(super) fn reach(&self, line: &Line<R>, primitive: u32) -> R {
+        let extent = R::of(self.graph.extents[primitive as usize]);
+        (line.origin.abs().max_component() + extent) / line.direction.abs().max_component()
+    }
+
+    /// A bound on the error of a crossing's t: what its point may be off across the surface, over
+    /// the speed at which the ray goes through it. Twice, for where the surface bends away: it does
+    /// so by less than that as long as the shape does not doubt that it is met.
+    pub(super) fn error(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> R {
+        let located = self.primitive(leaf).intersect().locate(line, root);
+        let point = line.at(root.t);
+        let normal = located.normal.unit();
+        let step = line.direction * root.t;
+        let rounded = (line.origin.abs() + step.abs()) * R::gamma(3);
+        let drift = line.drift(point.abs().max_component());
+        let off = (point - located.point).abs() + located.error + rounded + Vec3::ONE * drift;
+        let error = R::of(2.0) * normal.abs().dot(off) / normal.dot(line.direction).abs();
+        if error.is_nan() { R::INFINITY } else { error }
+    }
+
+    /// How far, in t, a leaf's surface may be from where the scene's numbers put it: the maps it is
+    /// placed by are doubles, rounded where records were combined into one. Surfaces that are placed
+    /// by one chain of maps are off together; between others nothing thinner than this is meant.
+    fn misplaced(&self, leaf: Leaf, root: Root<R>) -> R {
+        let line = self.line(leaf);
+        let located = self.primitive(leaf).intersect().locate(&line, root);
+        let mut point: Vec3 = located.point.cast();
+        let mut normal: Vec3 = located.normal.cast().unit();
+        let mut error = Vec3::ZERO;
+        self.climb(leaf, |placement| {
+            let maps = &self.graph.placements[placement as usize];
+            error = maps.out.point_error(point, error);
+            point = maps.out.point(point);
+            normal = maps.back.transposed(normal).unit();
+        });
+        let direction: Vec3 = self.contexts[0].line.direction.cast();
+        let off = normal.abs().dot(error) / normal.dot(direction).abs();
+        R::of(if off.is_nan() { 0.0 } else { off })
+    }
+
+    /// Which of two crossings comes first. Equal are those of one surface, and those that cannot be
+    /// told apart where that is final.
+    pub(super) fn order(&mut self, a: &Place<R>, b: &Place<R>) -> Ordering {
+        let (s, t) = (a.root.t, b.root.t);
+        let rounded = s.partial_cmp(&t).unwrap_or(Ordering::Equal);
+        let gap = (s - t).abs();
+        if gap > margin::<R>() * (s.abs() + t.abs() + a.reach + b.reach) {
+            return rounded;
+        }
+        if gap == R::ZERO && self.surface(a.leaf) == self.surface(b.leaf) {
+            return Ordering::Equal;
+        }
+        let placed = match self.chain(a.leaf) == self.chain(b.leaf) {
+            true => R::ZERO,
+            false => self.misplaced(a.leaf, a.root) + self.misplaced(b.leaf, b.root),
+        };
+        let error = self.error(a.leaf, &self.line(a.leaf), a.root)
+            + self.error(b.leaf, &self.line(b.leaf), b.root);
+        if gap <= error + placed && self.doubt() {
+            return Ordering::Equal;
+        }
+        rounded
+    }
+
+    /// Whether a crossing cannot be told from a known place on the ray.
+    fn is_at(&self, leaf: Leaf, line: &Line<R>, root: Root<R>, place: &Start<R>) -> bool {
+        let t = place.t;
+        let gap = (root.t - t).abs();
+        let extent = match self.part(leaf.part).target {
+            super::graph::Target::Shape(p) => self.graph.extents[p as usize],
+            super::graph::Target::Object(_) => return false,
+        };
+        let pace = line.direction.abs().max_component();
+        let reach = line.origin.abs().max_component() + R::of(extent);
+        // No division on the way of most.
+        if gap * pace > margin::<R>() * ((root.t.abs() + t.abs()) * pace + reach) {
+            return false;
+        }
+        let placed = match place.chain {
+            Some((chain, misplaced)) if chain != self.chain(leaf) => {
+                misplaced + self.misplaced(leaf, root)
+            }
+            _ => R::ZERO,
+        };
+        gap <= self.error(leaf, line, root) + place.error + placed
+    }
+
+    /// How many of a leaf's crossings lie behind the ray's start, which is at `from`.
+    pub(super) fn behind(
+        &mut self,
+        ray: &Ray<R>,
+        leaf: Leaf,
+        line: &Line<R>,
+        roots: &Roots<R>,
+        from: R,
+    ) -> usize {
+        let passed = roots.list.partition_point(|r| r.t <= from);
+        let Some(left) = ray.left.filter(|_| from <= R::ZERO) else {
+            let exact = Start::exact(from);
+            return self.behind_place(leaf, line, &roots.list, passed, &exact);
+        };
+        if self.surface(leaf) == left.surface {
+            let solid = self.primitive(leaf).shape().is_solid();
+            let Some(behind) = behind_left(roots, &left, solid) else {
+                return passed;
+            };
+            if R::DOUBT == Doubt::Merges {
+                let root = roots.list[behind - 1];
+                self.verdict.start = Some(Start {
+                    t: root.t,
+                    error: self.error(leaf, line, root),
+                    chain: Some((self.chain(leaf), self.misplaced(leaf, root))),
+                });
+            }
+            return behind;
+        }
+        match self.start {
+            Some(start) => {
+                let passed = roots.list.partition_point(|r| r.t <= start.t);
+                self.behind_place(leaf, line, &roots.list, passed, &start)
+            }
+            None => self.behind_skin(leaf, line, &roots.list, passed, &left),
+        }
+    }
+
+    /// Behind a known place: what cannot be told from it is behind it, too.
+    fn behind_place(
+        &mut self,
+        leaf: Leaf,
+        line: &Line<R>,
+        roots: &[Root<R>],
+        passed: usize,
+        place: &Start<R>,
+    ) -> usize {
+        let mut behind = passed;
+        if passed > 0 && self.is_at(leaf, line, roots[passed - 1], place) {
+            self.doubt();
+        }
+        while let Some(&root) = roots.get(behind) {
+            if !(self.is_at(leaf, line, root, place) && self.doubt()) {
+                break;
+            }
+            behind += 1;
+        }
+        behind
+    }
+
+    /// Behind a ray that starts on another surface: counts on past the crossings that cannot be told
+    /// from the starting point.
+    ///
+    /// A surface at distance h from the starting point, measured along its own normal, is met at
+    /// t = h / |n·d|; the starting point itself is known up to the skin.
+    fn behind_skin(
+        &mut self,
+        leaf: Leaf,
+        line: &Line<R>,
+        roots: &[Root<R>],
+        passed: usize,
+        left: &Left<R>,
+    ) -> usize {
+        // Flatter than √u to a surface, half of the digits of n·d are noise and the distance h
+        // says nothing; so such crossings are believed.
+        let farthest = left.skin / R::ROUNDOFF.sqrt();
+        let direction = self.contexts[0].line.direction;
+        let length = direction.length();
+        let within = |walker: &Self, root: Root<R>| {
+            let t = root.t.abs();
+            t * length <= farthest && {
+                let steep = walker.world_normal(leaf, line, root).dot(direction).abs();
+                t * steep <= left.skin + walker.error(leaf, line, root) * steep
+            }
+        };
+        let mut behind = passed;
+        let mut met = passed > 0 && within(self, roots[passed - 1]);
+        while let Some(&root) = roots.get(behind).filter(|&&root| within(self, root)) {
+            debug_assert!(root.t.is_finite());
+            met = true;
+            behind += 1;
+        }
+        if met {
+            self.verdict.skin_met = true;
+            self.doubt();
+        }
+        behind
+    }
+
+    /// The unit normal at a root, outwards, in the scene's space.
+    fn world_normal(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> Vec3<R> {
+        let mut normal = self.primitive(leaf).intersect().locate(line, root).normal;
+        self.climb(leaf, |placement| {
+            normal = R::back(self.graph, placement).transposed(normal).unit();
+        });
+        normal.unit()
+    }
+}
+
+/// How many roots lie behind a ray that starts on the surface itself: those up to the one it starts
+/// at, which is the nearest to the origin of those that cross in the right sense.
+fn behind_left<R: Precision>(roots: &Roots<R>, left: &Left<R>, solid: bool) -> Option<usize> {
+    let fits = |i: usize| !solid || (roots.inside == (i % 2 == 1)) == left.entering;
+    let distance = |i: usize| roots.list[i].t.abs();
+    (0..roots.list.len())
+        .filter(|&i| fits(i))
+        .min_by(|&i, &j| {
+            distance(i)
+                .partial_cmp(&distance(j))
+                .unwrap_or(Ordering::Equal)
+        })
+        .map(|i| i + 1)
+}

@@ -1,0 +1,80 @@
+//! The numbers that scenes are traced in, and what each does about what it cannot decide.
+
+use super::affine::Affine;
+use super::dd::Dd;
+use super::graph::Graph;
+use super::number::Real;
+use super::ray::{Line, Slack};
+
+/// What becomes of a decision that is closer than the rounding errors behind it: which of two
+/// crossings comes first, whether there is one at all, on which side of a surface a ray starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Doubt {
+    /// It stands as it was rounded.
+    Stands,
+    /// The ray is traced again in double-double.
+    GoesOn,
+    /// What cannot be told apart is in one place.
+    Merges,
+}
+
+/// A number that scenes are traced in.
+pub trait Precision: Real {
+    const DOUBT: Doubt;
+
+    /// The map of a placement into the space below it.
+    fn back(graph: &Graph, placement: u32) -> Affine<Self>;
+
+    /// The line in doubles, as bounding boxes are clipped in them whatever the precision.
+    fn coarse(line: &Line<Self>) -> Line;
+}
+
+impl Precision for f64 {
+    const DOUBT: Doubt = Doubt::GoesOn;
+
+    #[inline]
+    fn back(graph: &Graph, placement: u32) -> Affine {
+        graph.placements[placement as usize].back
+    }
+
+    #[inline]
+    fn coarse(line: &Line) -> Line {
+        *line
+    }
+}
+
+impl Precision for f32 {
+    const DOUBT: Doubt = Doubt::Stands;
+
+    fn back(graph: &Graph, placement: u32) -> Affine<f32> {
+        graph.placements[placement as usize].back.cast()
+    }
+
+    fn coarse(line: &Line<f32>) -> Line {
+        line.cast()
+    }
+}
+
+impl Precision for Dd {
+    const DOUBT: Doubt = Doubt::Merges;
+
+    /// Inverted again: few rays need it, and all placements' would take twice the memory.
+    fn back(graph: &Graph, placement: u32) -> Affine<Dd> {
+        let out = Affine::new(&graph.matrices[placement as usize]);
+        let coarse = || graph.placements[placement as usize].back.cast();
+        out.inverse().unwrap_or_else(coarse)
+    }
+
+    fn coarse(line: &Line<Dd>) -> Line {
+        let mut coarse: Line = line.cast();
+        let rounded = |v: super::vec::Vec3<Dd>| {
+            let lost = v.map(|x| Dd::of(x.parts().1)).abs().max_component();
+            lost.to_f64() * 2.0
+        };
+        coarse.slack = Slack {
+            origin: coarse.slack.origin + rounded(line.origin),
+            direction: coarse.slack.direction + rounded(line.direction),
+        };
+        coarse
+    }
+}
