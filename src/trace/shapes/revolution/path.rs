@@ -63,8 +63,8 @@ pub struct Ring<R> {
 /// A crossing of the line with one segment.
 #[derive(Debug, Clone, Copy)]
 pub struct Cut<R> {
-    pub t: R,
-    /// Bound on the error of t.
+    pub tau: R,
+    /// Bound on the error of τ.
     pub error: R,
     /// The line goes against the segment's normal: towards the axis, down for flat segments.
     pub against: bool,
@@ -177,7 +177,7 @@ impl<R: Real> Path<R> {
     }
 
     /// The line's own parameter.
-    fn t(&self, tau: R) -> R {
+    pub fn t(&self, tau: R) -> R {
         (self.start + tau / self.length) * self.unit
     }
 
@@ -423,7 +423,10 @@ impl<R: Real> Path<R> {
             // The quadratic is a difference of two squares with at most sixteen roundings; its
             // slope at a root is twice the root of the discriminant, and less than that up to where
             // an error takes it only while the discriminant stays positive: the root moves by at
-            // most error/√ then. If it may not, by no more than from one ring to the other.
+            // most error/√ then. If it may not, the vertex is within √(error/|a|), the other root
+            // as far beyond it, and another such step takes the quadratic out of its error; one
+            // more is for what the error grows by on the way. And the root never moves by more
+            // than from one ring to the other.
             let size = (r * h).abs()
                 + (w * n).abs()
                 + h * (s.abs() + x * local + self.delta)
@@ -433,11 +436,13 @@ impl<R: Real> Path<R> {
             let reach = if root.square() > a.abs() * noise {
                 noise / root
             } else {
-                R::INFINITY.min(to - from + (shift + shift) / z.abs())
+                let four = R::of(4.0);
+                let parabola = four * (noise / a.abs()).sqrt();
+                parabola.min(to - from + (shift + shift) / z.abs())
             };
             Cut {
-                t: self.t(tau),
-                error: self.t_error(reach, tau),
+                tau,
+                error: reach,
                 against,
             }
         };
@@ -449,6 +454,47 @@ impl<R: Real> Path<R> {
             cuts.list[0] = Some(cut(if against { enter } else { leave }, against));
         }
         cuts
+    }
+
+    /// A closer bound on the error of a crossing between two rings, from f = h(ρ − r) − w(y − y₁)
+    /// at the line's own points.
+    ///
+    /// The line that is meant has an f that is off by `noise` at most. Where f keeps half of its
+    /// slope as far as 2·noise/|slope|, it has a root no farther than that. The slope changes with
+    /// ρ″ = across²·δ²/ρ³, and with the direction.
+    pub fn closer_error(&self, cut: Cut<R>, first: &Ring<R>, second: &Ring<R>) -> R {
+        let (low, high) = if first.y < second.y {
+            (first, second)
+        } else {
+            (second, first)
+        };
+        let (w, h) = (high.radius - low.radius, high.y - low.y);
+        if h == R::ZERO {
+            return cut.error;
+        }
+        let k = R::of(normaliser(w.abs().max(h).to_f64()));
+        let (w, h) = (w * k, h * k);
+        let (x, z, tau) = (self.across, self.along, cut.tau);
+        let s = self.s0 + tau * x;
+        let rho = (s.square() + self.delta.square()).sqrt();
+        let y = self.point[1] + tau * z;
+        let f = h * (rho - low.radius) - w * (y - low.y);
+        let slope = (h * x * (s / rho) - w * z).abs();
+        // Five roundings of a term or less, and of its own terms.
+        let terms = rho + low.radius + y.abs() + low.y.abs() + self.s0.abs() + tau.abs();
+        let shift = self.rounded + self.moved + self.turned * tau.abs() + R::gamma(8) * terms;
+        let noise = (h + w.abs()) * shift + f.abs();
+        let reach = (noise + noise) / slope;
+        let nearest = (s.abs() - x * reach).max(R::ZERO);
+        let least = (nearest.square() + self.delta.square()).sqrt();
+        let share = self.delta / least;
+        let bend = h * x.square() * share.square() / least * reach;
+        // False for NaN.
+        if bend + (h + w.abs()) * self.turned <= slope * R::of(0.5) {
+            cut.error.min(reach)
+        } else {
+            cut.error
+        }
     }
 
     /// The root of h(ρ − r) − w(y − y₁) between two places, by Newton's method from `start`.
@@ -494,17 +540,22 @@ impl<R: Real> Path<R> {
                 R::INFINITY
             };
             Cut {
-                t: self.t(tau),
-                error: self.t_error(error + R::gamma(4) * tau.abs(), tau),
+                tau,
+                error: error + R::gamma(4) * tau.abs(),
                 against: self.along < R::ZERO,
             }
         })
     }
 
-    /// A bound on the error of t where τ is off by `error`, with a division, a sum and a product.
-    fn t_error(&self, error: R, tau: R) -> R {
-        let rounded = R::gamma(4) * (self.start.abs() + tau.abs() / self.length);
-        (error / self.length + rounded) * self.unit.abs()
+    /// A bound on the error of a crossing's t, with a division, a sum and a product.
+    pub fn t_error(&self, cut: Cut<R>) -> R {
+        let rounded = R::gamma(4) * (self.start.abs() + cut.tau.abs() / self.length);
+        (cut.error / self.length + rounded) * self.unit.abs()
+    }
+
+    /// Whether it is known which of two heights the line reaches first.
+    pub fn climbs(&self) -> bool {
+        self.along.abs() > self.turned
     }
 }
 
