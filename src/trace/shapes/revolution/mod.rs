@@ -190,16 +190,13 @@ impl<R: Real> Intersect<R> for Revolution {
             roots.uncertain = true;
             return;
         };
-        // The largest error of a crossing.
-        let mut error = R::ZERO;
-        roots.uncertain |= self.cuts(&path, |piece, _, list| {
-            for cut in list.into_iter().flatten() {
-                error = error.max(path.t_error(cut));
-                roots.push(path.t(cut.tau), self.marked(piece, cut));
-            }
-        });
-        if !settle(roots, error) {
-            self.settle_closely(&path, roots);
+        self.append(&path, roots);
+        if is_final::<R>() && roots.uncertain && !path.climbs() {
+            // A line in the plane of a seam may lie in a surface, and inside is only what is so
+            // just above and just below.
+            let mut below = Roots::default();
+            self.append(&path.from_below(), &mut below);
+            roots.list = common(&roots.list, &below.list);
         }
         turn_outwards(&mut roots.list);
     }
@@ -289,6 +286,25 @@ fn order<R: Real>(a: R, b: R) -> std::cmp::Ordering {
     a.partial_cmp(&b).unwrap_or(std::cmp::Ordering::Equal)
 }
 
+/// The crossings with what two solids have in common, from those with either.
+fn common<R: Real>(a: &[Root<R>], b: &[Root<R>]) -> Vec<Root<R>> {
+    let mut found = Vec::new();
+    let (mut i, mut j) = (0, 0);
+    while let (Some([from, to]), Some([start, end])) = (a.get(i..i + 2), b.get(j..j + 2)) {
+        let first = if from.t < start.t { start } else { from };
+        let last = if to.t < end.t { to } else { end };
+        if first.t < last.t {
+            found.extend([*first, *last]);
+        }
+        if to.t < end.t {
+            i += 2;
+        } else {
+            j += 2;
+        }
+    }
+    found
+}
+
 /// Turns "against the segment's normal" into "the outward normal is flipped".
 fn turn_outwards<R>(list: &mut [Root<R>]) {
     // Where the line enters, the outward normal is the one it goes against.
@@ -327,6 +343,21 @@ impl<R: Real> Close<R> {
 }
 
 impl Revolution {
+    /// Appends the crossings, in order; their faces say whether the line goes against them.
+    fn append<R: Real>(&self, path: &Path<R>, roots: &mut Roots<R>) {
+        // The largest error of a crossing.
+        let mut error = R::ZERO;
+        roots.uncertain |= self.cuts(path, |piece, _, list| {
+            for cut in list.into_iter().flatten() {
+                error = error.max(path.t_error(cut));
+                roots.push(path.t(cut.tau), self.marked(piece, cut));
+            }
+        });
+        if !settle(roots, error) {
+            self.settle_closely(path, roots);
+        }
+    }
+
     /// Passes on the crossings with each piece, in any order; returns whether there may be others,
     /// or fewer.
     fn cuts<R: Real>(

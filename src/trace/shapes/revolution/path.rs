@@ -41,6 +41,8 @@ pub struct Path<R> {
     turned: R,
     /// What these three do to along times a point's distance from the axis, at the height of p.
     fuzz: R,
+    /// Whether a chord level with a seam belongs to the segment below it, not above.
+    below: bool,
     /// Bound on the error of s₀, y₀ and δ from all three, where the plane of the line turns with
     /// its direction.
     error: R,
@@ -134,6 +136,7 @@ impl<R: Real> Path<R> {
             rounded,
             moved: R::ZERO,
             turned: R::ZERO,
+            below: false,
             fuzz: rounded + rounded,
             error: rounded,
         };
@@ -208,7 +211,7 @@ impl<R: Real> Path<R> {
         let inner = along2 * (radius - self.delta);
         let power = R::difference_of_products(offset, offset, inner, radius + self.delta);
         let low = (self.point[1] - y).abs();
-        let bound = self.power_error(self.offset_size(y), low, radius);
+        let bound = self.power_error(offset.abs(), self.offset_size(y), low, radius);
         let touch = if !is_final::<R>() { R::ZERO } else { bound };
         Ring {
             radius,
@@ -227,19 +230,21 @@ impl<R: Real> Path<R> {
         self.delta - self.error > radius
     }
 
-    /// A bound on the error of along² (ρ² − r²), where the sizes of the offset's terms are at most
-    /// `size`, the height is at most `low` above or below the path's point, and the radius is r.
+    /// A bound on the error of along² (ρ² − r²), where the offset is at most `offset`, the sizes of
+    /// its terms are at most `size`, the height is at most `low` above or below the path's point,
+    /// and the radius is r.
     ///
-    /// along·ρ is the length of the vector along·(x, z) in the ring's plane, and along·r another
-    /// one. Off by e, the square of a length v changes by at most (2v + e)e. Rounding adds the
-    /// errors of the offset, two rounded factors in either product and their difference, and of δ.
-    /// What is meant for the point p + m and the direction d + f is, in the plan,
-    /// (along + f₁)(p + m) − (y₀ − y + m₁)(d + f), and along + f₁ times r. Then there are three
-    /// factors and a difference.
-    fn power_error(&self, size: R, low: R, radius: R) -> R {
-        let size = size + self.along.abs() * (self.delta + radius);
+    /// along·ρ is the length of the vector along·(x, z) in the ring's plane, whose parts are the
+    /// offset and along·δ, and along·r another one. Off by e, the square of a length v changes by at
+    /// most (2v + e)e. Rounding adds the errors of the offset, two rounded factors in either product
+    /// and their difference, and of δ. What is meant for the point p + m and the direction d + f is,
+    /// in the plan, (along + f₁)(p + m) − (y₀ − y + m₁)(d + f), and along + f₁ times r. Then there
+    /// are three factors and a difference.
+    fn power_error(&self, offset: R, size: R, low: R, radius: R) -> R {
+        let across = self.along.abs() * (self.delta + radius);
+        let (length, size) = (offset + across, size + across);
         let e = R::gamma(8) * size + self.fuzz + self.turned * (low + radius);
-        (size + size + e) * e + R::gamma(8) * size.square()
+        (length + length + e) * e + R::gamma(8) * length.square()
     }
 
     /// A bound on the error of an offset, in the plane of the line, which turns with it.
@@ -277,7 +282,7 @@ impl<R: Real> Path<R> {
         let far = (self.point[1] - low)
             .abs()
             .max((self.point[1] - high).abs());
-        let bound = self.power_error(size, far, outer);
+        let bound = self.power_error(size, size, far, outer);
         let slack = bound + bound + bound;
         outside > slack || inside > slack
     }
@@ -386,7 +391,12 @@ impl<R: Real> Path<R> {
                 return cuts;
             }
             cuts.uncertain = sure.contains(&None);
-            if !(a > R::ZERO && bottom <= middle && middle < top && d > touch) {
+            let between = if self.below {
+                bottom < middle && middle <= top
+            } else {
+                bottom <= middle && middle < top
+            };
+            if !(a > R::ZERO && between && d > touch) {
                 return cuts;
             }
         }
@@ -551,6 +561,14 @@ impl<R: Real> Path<R> {
     pub fn t_error(&self, cut: Cut<R>) -> R {
         let rounded = R::gamma(4) * (self.start.abs() + cut.tau.abs() / self.length);
         (cut.error / self.length + rounded) * self.unit.abs()
+    }
+
+    /// The same path, with what is level with a seam counted to the segment below it.
+    pub fn from_below(self) -> Path<R> {
+        Path {
+            below: true,
+            ..self
+        }
     }
 
     /// Whether it is known which of two heights the line reaches first.
