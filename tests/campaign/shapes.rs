@@ -473,8 +473,10 @@ fn revolution(size: f64, rng: &mut Rng) -> Target {
             (1, _) => {
                 let angle = std::f64::consts::PI * i as f64 / (count - 1) as f64;
                 let waves = 1.0 + 0.2 * (5.0 * angle).cos();
-                // The sine of π is not zero: a needle's point of 10⁻¹⁶ sizes.
-                p = [size * angle.sin() * waves, far - size * angle.cos()];
+                // The sine of π is not zero; a needle of 10⁻¹⁶ sizes is not what is meant.
+                let on_axis = i == 0 || i + 1 == count;
+                let x = if on_axis { 0.0 } else { angle.sin() * waves };
+                p = [size * x, far - size * angle.cos()];
             }
             // On the axis now and then, and small whole numbers.
             (2, _) => p = [size * rng.below(4) as f64, far + size * rng.below(4) as f64],

@@ -271,14 +271,11 @@ fn close_crossings_of_two_segments_are_told_from_layers() {
     ];
     let d = [-3.8355100402065614, 1.1352809042147514, 0.0];
     assert_eq!(final_count(&corner, o, d), 6);
-    // All of a needle of 1e-16 of its length.
-    let needle = [
-        [0.0, -0.04082742361138977],
-        [4.8351984591335864e-18, 0.05787855558400027],
-    ];
-    let o = [-4.0467642195804887e-19, -0.049088507995879244, 0.0];
-    let d = [1.2759905678647433e-12, 26048.1342202735, 0.0];
-    assert_eq!(final_count(&needle, o, d), 2);
+    // Upwards in a needle 1e-17 wide, and past it.
+    let needle = [[0.0, -1.0], [1e-17, 1.0]];
+    for (x, count) in [(3e-18, 2), (-9.9e-18, 2), (1.01e-17, 0), (-1.01e-17, 0)] {
+        assert_eq!(final_count(&needle, [x, -5.0, 0.0], [0.0, 1.0, 0.0]), count);
+    }
 }
 
 #[test]
