@@ -38,24 +38,16 @@ pub fn pieces(points: &[[f64; 2]]) -> Vec<Piece> {
             }));
         }
     }
-    all.sort_by_key(|piece| {
+    let place = |piece: &Piece| {
         let forwards = along(points, piece.segment, piece.segment + 1) > 0.0;
         let at = height(points, piece.segment, piece.from);
-        (piece.segment, Ordered(if forwards { at } else { -at }))
+        if forwards { at } else { -at }
+    };
+    all.sort_by(|a, b| {
+        let within = place(a).total_cmp(&place(b));
+        a.segment.cmp(&b.segment).then(within)
     });
     all
-}
-
-/// A finite number in its order.
-#[derive(PartialEq, PartialOrd)]
-struct Ordered(f64);
-
-impl Eq for Ordered {}
-
-impl Ord for Ordered {
-    fn cmp(&self, other: &Ordered) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
 }
 
 /// A coordinate that changes along a segment, of a point in its line.

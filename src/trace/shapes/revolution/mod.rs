@@ -195,7 +195,7 @@ impl<R: Real> Intersect<R> for Revolution {
             // A line in the plane of a seam may lie in a surface, and inside is only what is so
             // just above and just below.
             let mut below = Roots::default();
-            self.append(&path.from_below(), &mut below);
+            self.append(&path.seams_below(), &mut below);
             roots.list = common(&roots.list, &below.list);
         }
         turn_outwards(&mut roots.list);
@@ -327,13 +327,15 @@ impl<R: Real> Close<R> {
     /// The two ends of a chord are not, nor are those of pieces of which one is above the other, if
     /// the line `climbs`: each stays on its own side of the ring that the two may have in common.
     /// And two pieces with a point in common, not being in one line, meet nowhere else: if the line
-    /// surely misses that ring, they are crossed in two places, however close.
+    /// surely misses that ring, they are crossed in two places, however close. In which order is
+    /// left to the numbers that are final.
     fn meets(&self, other: &Close<R>, climbs: bool) -> bool {
         let span = |[a, b]: [Ring<R>; 2]| (a.y.min(b.y), a.y.max(b.y));
         let ((low, high), (bottom, top)) = (span(self.ends), span(other.ends));
         let beside = (high <= bottom || top <= low) && (low, high) != (bottom, top);
         let mut corners = self.ends.iter().flat_map(|a| other.ends.map(|b| (a, b)));
-        let corner = corners.any(|(a, b)| (a.radius, a.y) == (b.radius, b.y) && !a.is_uncertain());
+        let corner = is_final::<R>()
+            && corners.any(|(a, b)| (a.radius, a.y) == (b.radius, b.y) && !a.is_uncertain());
         let known = self.piece == other.piece || corner || (climbs && beside);
         let gap = (self.cut.tau - other.cut.tau).abs();
         // Written so that NaN is none.

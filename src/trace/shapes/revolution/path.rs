@@ -564,7 +564,7 @@ impl<R: Real> Path<R> {
     }
 
     /// The same path, with what is level with a seam counted to the segment below it.
-    pub fn from_below(self) -> Path<R> {
+    pub fn seams_below(self) -> Path<R> {
         Path {
             below: true,
             ..self
