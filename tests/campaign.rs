@@ -9,7 +9,7 @@ use campaign::truth::Truth;
 use zpg::scene::Geometry;
 
 /// Lines a kind of shape.
-const RAYS: usize = 480;
+const RAYS: usize = 2000;
 
 /// The same every time.
 const SEED: u64 = 20;

@@ -461,9 +461,7 @@ fn revolution(size: f64, rng: &mut Rng) -> Target {
         0.0
     };
     let style = rng.below(4);
-    // Not on a few whole numbers, where so many would lie in each other.
-    let many = style != 2 && rng.chance(0.1);
-    let count = if many { 40 } else { few };
+    let count = if rng.chance(0.1) { 40 } else { few };
     let mut points: Vec<[f64; 2]> = Vec::new();
     for i in 0..count {
         let last = points.last().copied();

@@ -159,7 +159,7 @@ impl Turned {
         /// Digits of ρ.
         const DIGITS: i64 = 256;
         /// What segments may seem further away than the nearest one, and be it, in units of the
-        /// point's coordinates.
+        /// coordinates of the point and of all segments.
         const ROUGHLY: f64 = 1e-9;
         let rho = (p[0].square() + p[2].square()).root(DIGITS).0;
         let (x, y) = (rho.about(), p[1].about());
@@ -167,7 +167,9 @@ impl Turned {
             .map(|s| s.rough_distance(x, y))
             .collect();
         let nearest = rough.iter().copied().fold(f64::INFINITY, f64::min);
-        let limit = nearest + ROUGHLY * (x + y.abs());
+        let coordinates = self.segments.iter().flat_map(|s| s.about).flatten();
+        let reach = coordinates.fold(x + y.abs(), |m, c| m.max(c.abs()));
+        let limit = nearest + ROUGHLY * reach;
         let near = self
             .segments
             .iter()

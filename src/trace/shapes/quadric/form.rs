@@ -20,6 +20,8 @@ pub struct Form {
     pub(super) unit: [f64; 3],
     /// The highest power in which each coordinate occurs.
     pub(super) degree: [u8; 3],
+    /// The largest coefficient of the second degree.
+    pub(super) second: f64,
     /// A bound on the sum of the slopes along the axes, for coordinates and w up to 1.
     pub(super) weight: f64,
     /// 1 / |unit|.
@@ -62,6 +64,7 @@ impl Form {
             constant,
             unit,
             degree: [0; 3],
+            second: 0.0,
             weight: 0.0,
             inverse: [1.0; 3],
         }
@@ -86,6 +89,7 @@ impl Form {
             constant: at(3, 3),
             unit: [1.0; 3],
             degree: [0; 3],
+            second: 0.0,
             weight: 0.0,
             inverse: [1.0; 3],
         }
@@ -96,6 +100,8 @@ impl Form {
     fn completed(mut self) -> Form {
         let sum = |list: &[f64; 3]| list.iter().map(|x| x.abs()).sum::<f64>();
         self.weight = 2.0 * sum(&self.square) + 2.0 * sum(&self.mixed) + sum(&self.linear);
+        let curved = self.square.iter().chain(&self.mixed);
+        self.second = curved.fold(0.0f64, |m, x| m.max(x.abs()));
         self.inverse = self.unit.map(|s| s.abs().recip());
         for i in 0..3 {
             self.degree[i] = u8::from(self.linear[i] != 0.0);
@@ -116,6 +122,7 @@ impl Form {
             constant,
             unit,
             degree: _,
+            second: _,
             weight: _,
             inverse: _,
         } = self;

@@ -360,7 +360,8 @@ pub(super) fn push_all<R: Real, const N: usize>(roots: &mut Roots<R>, list: [(R,
 
 /// Where o + τ·d is so close to the origin that the terms of F are small there: as far as the
 /// coordinates with a second power go. Others would only lead away, but for those with a first
-/// power, which weigh as much as their term against the largest one, once it is known.
+/// power: with the terms s·x² and l·y, of which T is the largest at the first place, their sum is
+/// about (s·x² + (l·y)²/T), so that y weighs l²/sT times as much as x.
 fn closest<R: Real>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
     let (o, shrink) = normalised(o, 1.0);
     let (d, stretch) = normalised(d, 0.0);
@@ -374,16 +375,19 @@ fn closest<R: Real>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
         return first;
     }
     let there = o * shrink + d * (stretch * first);
+    let second = R::of(form.second);
+    let linear = form.linear.map(R::of);
     let largest = (0..3).fold(R::ZERO, |largest, i| match degree[i] {
         0 => largest,
-        1 => largest.max(there[i].abs()),
-        _ => largest.max(there[i].square()),
+        1 => largest.max((linear[i] * there[i]).abs()),
+        _ => largest.max(second * there[i].square()),
     });
-    let second = at(Vec3(degree.map(|n| match n {
+    let weight = |i: usize| match degree[i] {
         0 => R::ZERO,
-        1 => largest.recip(),
+        1 => (linear[i] / largest) * (linear[i] / second),
         _ => R::ONE,
-    })));
+    };
+    let second = at(Vec3([0, 1, 2].map(weight)));
     if second.is_finite() { second } else { first }
 }
 

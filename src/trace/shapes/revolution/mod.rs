@@ -1,17 +1,20 @@
 //! The solid of revolution: a profile polyline turned about the y axis.
 
+mod layers;
 mod path;
 #[cfg(test)]
 mod tests;
 mod tree;
 
+use super::doubt::is_final;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::scene::Rgb;
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
 use crate::trace::vec::Vec3;
-use path::{Path, normaliser};
+use layers::Piece;
+use path::{Cut, Path, Ring, normaliser};
 use std::f64::consts::TAU;
 use tree::Run;
 
@@ -30,6 +33,8 @@ const FLIPPED: u32 = 1 << 31;
 pub struct Revolution {
     /// The profile and, unless it is a ring, points on the axis before and after it; times `scale`.
     points: Vec<[f64; 2]>,
+    /// What of the profile is surface.
+    pieces: Vec<Piece>,
     /// One a profile point, or none.
     colours: Vec<Rgb>,
     ring: bool,
@@ -55,7 +60,8 @@ impl Revolution {
             points.insert(0, [0.0, first[1]]);
             points.push([0.0, last[1]]);
         }
-        let tree = tree::build(&points);
+        let pieces = layers::pieces(&points);
+        let tree = tree::build(&points, &pieces);
         let centre = tree
             .first()
             .map_or(0.0, |run| 0.5 * run.y[0] + 0.5 * run.y[1]);
@@ -69,6 +75,7 @@ impl Revolution {
         }
         Revolution {
             points,
+            pieces,
             colours: colours.to_vec(),
             ring,
             scale,
@@ -183,33 +190,15 @@ impl<R: Real> Intersect<R> for Revolution {
             roots.uncertain = true;
             return;
         };
-        // The largest error of a crossing.
-        let mut error = R::ZERO;
-        let mut run = 0;
-        while let Some(here) = self.tree.get(run) {
-            if path.misses(here) {
-                run = here.next as usize;
-                continue;
-            }
-            run += 1;
-            if !here.is_leaf() {
-                continue;
-            }
-            let mut before = path.ring(self.points[here.first as usize]);
-            roots.uncertain |= before.is_uncertain();
-            for i in here.first..here.end {
-                let after = path.ring(self.points[i as usize + 1]);
-                let cuts = path.segment(&before, &after);
-                roots.uncertain |= after.is_uncertain() || cuts.uncertain;
-                for cut in cuts.list.into_iter().flatten() {
-                    error = error.max(cut.error);
-                    let against = if cut.against { FLIPPED } else { 0 };
-                    roots.push(cut.t, self.face(i) | against);
-                }
-                before = after;
-            }
+        self.append(&path, roots);
+        if is_final::<R>() && roots.uncertain && !path.climbs() {
+            // A line in the plane of a seam may lie in a surface, and inside is only what is so
+            // just above and just below.
+            let mut below = Roots::default();
+            self.append(&path.from_below(), &mut below);
+            roots.list = common(&roots.list, &below.list);
         }
-        settle(roots, error);
+        turn_outwards(&mut roots.list);
     }
 
     /// The point of the segment nearest to that of the line, turned to where that is.
@@ -280,32 +269,176 @@ impl<R: Real> Intersect<R> for Revolution {
     }
 }
 
-/// Sorts the crossings, drops pairs at the same t and turns "against the segment's normal" into
-/// "the outward normal is flipped".
-fn settle<R: Real>(roots: &mut Roots<R>, error: R) {
+/// Sorts the crossings; returns whether all are farther apart than their errors reach.
+fn settle<R: Real>(roots: &mut Roots<R>, error: R) -> bool {
     let list = &mut roots.list;
     if list.iter().any(|root| !root.t.is_finite()) {
         list.clear();
         roots.uncertain = true;
-        return;
+        return true;
     }
-    list.sort_by(|a, b| a.t.partial_cmp(&b.t).unwrap_or(std::cmp::Ordering::Equal));
+    list.sort_by(|a, b| order(a.t, b.t));
     let apart = error + error;
-    roots.uncertain |= list.windows(2).any(|w| w[1].t - w[0].t <= apart);
-    let mut kept = 0;
-    for i in 0..list.len() {
-        if kept > 0 && list[kept - 1].t == list[i].t {
-            kept -= 1;
+    list.windows(2).all(|w| w[1].t - w[0].t > apart)
+}
+
+fn order<R: Real>(a: R, b: R) -> std::cmp::Ordering {
+    a.partial_cmp(&b).unwrap_or(std::cmp::Ordering::Equal)
+}
+
+/// The crossings with what two solids have in common, from those with either.
+fn common<R: Real>(a: &[Root<R>], b: &[Root<R>]) -> Vec<Root<R>> {
+    let mut found = Vec::new();
+    let (mut i, mut j) = (0, 0);
+    while let (Some([from, to]), Some([start, end])) = (a.get(i..i + 2), b.get(j..j + 2)) {
+        let first = if from.t < start.t { start } else { from };
+        let last = if to.t < end.t { to } else { end };
+        if first.t < last.t {
+            found.extend([*first, *last]);
+        }
+        if to.t < end.t {
+            i += 2;
         } else {
-            list[kept] = list[i];
-            kept += 1;
+            j += 2;
         }
     }
-    list.truncate(kept);
-    for (i, root) in list.iter_mut().enumerate() {
-        // Where the line enters, the outward normal is the one it goes against.
-        if i % 2 == 0 {
-            root.face ^= FLIPPED;
+    found
+}
+
+/// Turns "against the segment's normal" into "the outward normal is flipped".
+fn turn_outwards<R>(list: &mut [Root<R>]) {
+    // Where the line enters, the outward normal is the one it goes against.
+    for root in list.iter_mut().step_by(2) {
+        root.face ^= FLIPPED;
+    }
+}
+
+/// A crossing with a piece of the profile between two heights.
+struct Close<R> {
+    cut: Cut<R>,
+    root: Root<R>,
+    piece: u32,
+    ends: [Ring<R>; 2],
+}
+
+impl<R: Real> Close<R> {
+    /// Whether two crossings may be in one place.
+    ///
+    /// The two ends of a chord are not, nor are those of pieces of which one is above the other, if
+    /// the line `climbs`: each stays on its own side of the ring that the two may have in common.
+    /// And two pieces with a point in common, not being in one line, meet nowhere else: if the line
+    /// surely misses that ring, they are crossed in two places, however close.
+    fn meets(&self, other: &Close<R>, climbs: bool) -> bool {
+        let span = |[a, b]: [Ring<R>; 2]| (a.y.min(b.y), a.y.max(b.y));
+        let ((low, high), (bottom, top)) = (span(self.ends), span(other.ends));
+        let beside = (high <= bottom || top <= low) && (low, high) != (bottom, top);
+        let mut corners = self.ends.iter().flat_map(|a| other.ends.map(|b| (a, b)));
+        let corner = corners.any(|(a, b)| (a.radius, a.y) == (b.radius, b.y) && !a.is_uncertain());
+        let known = self.piece == other.piece || corner || (climbs && beside);
+        let gap = (self.cut.tau - other.cut.tau).abs();
+        // Written so that NaN is none.
+        let clear = gap > self.cut.error + other.cut.error;
+        !known && !clear
+    }
+}
+
+impl Revolution {
+    /// Appends the crossings, in order; their faces say whether the line goes against them.
+    fn append<R: Real>(&self, path: &Path<R>, roots: &mut Roots<R>) {
+        // The largest error of a crossing.
+        let mut error = R::ZERO;
+        roots.uncertain |= self.cuts(path, |piece, _, list| {
+            for cut in list.into_iter().flatten() {
+                error = error.max(path.t_error(cut));
+                roots.push(path.t(cut.tau), self.marked(piece, cut));
+            }
+        });
+        if !settle(roots, error) {
+            self.settle_closely(path, roots);
         }
+    }
+
+    /// Passes on the crossings with each piece, in any order; returns whether there may be others,
+    /// or fewer.
+    fn cuts<R: Real>(
+        &self,
+        path: &Path<R>,
+        mut found: impl FnMut(&Piece, [&Ring<R>; 2], [Option<Cut<R>>; 2]),
+    ) -> bool {
+        let mut uncertain = false;
+        let mut run = 0;
+        while let Some(here) = self.tree.get(run) {
+            if path.misses(here) {
+                run = here.next as usize;
+                continue;
+            }
+            run += 1;
+            if !here.is_leaf() {
+                continue;
+            }
+            let mut last: Option<(u32, Ring<R>)> = None;
+            for piece in &self.pieces[here.first as usize..here.end as usize] {
+                let ring = |point: u32| path.ring(self.points[point as usize]);
+                let before = match last {
+                    Some((point, ring)) if point == piece.from => ring,
+                    _ => ring(piece.from),
+                };
+                let after = ring(piece.to);
+                let cuts = path.segment(&before, &after);
+                uncertain |= before.is_uncertain() || after.is_uncertain() || cuts.uncertain;
+                found(piece, [&before, &after], cuts.list);
+                last = Some((piece.to, after));
+            }
+        }
+        uncertain
+    }
+
+    /// The face of a crossing, marked where the line goes against the segment's normal.
+    fn marked<R>(&self, piece: &Piece, cut: Cut<R>) -> u32 {
+        self.face(piece.segment) | if cut.against { FLIPPED } else { 0 }
+    }
+
+    /// The crossings once more, compared one by one. Two in one place are a layer without thickness
+    /// and cancel, as do, where decisions are final, two that cannot be told from such.
+    fn settle_closely<R: Real>(&self, path: &Path<R>, roots: &mut Roots<R>) {
+        let mut all: Vec<Close<R>> = Vec::new();
+        self.cuts(path, |piece, [a, b], list| {
+            for mut cut in list.into_iter().flatten() {
+                cut.error = path.closer_error(cut, a, b);
+                all.push(Close {
+                    cut,
+                    root: Root {
+                        t: path.t(cut.tau),
+                        face: self.marked(piece, cut),
+                    },
+                    piece: piece.from,
+                    ends: [*a, *b],
+                });
+            }
+        });
+        all.sort_by(|a, b| order(a.cut.tau, b.cut.tau));
+        let climbs = path.climbs();
+        let widest = all.iter().fold(R::ZERO, |e, x| e.max(x.cut.error));
+        for (i, here) in all.iter().enumerate() {
+            let far = here.cut.error + widest;
+            let before = all[..i].iter().rev();
+            let mut near = before.take_while(|x| x.cut.tau >= here.cut.tau - far);
+            roots.uncertain |= near.any(|x| here.meets(x, climbs));
+        }
+        let mut kept: Vec<&Close<R>> = Vec::new();
+        for here in &all {
+            match kept.last() {
+                Some(last) if is_final::<R>() && here.meets(last, climbs) => {
+                    kept.pop();
+                }
+                Some(last) if last.root.t == here.root.t => {
+                    roots.uncertain = true;
+                    kept.pop();
+                }
+                _ => kept.push(here),
+            }
+        }
+        roots.list.clear();
+        roots.list.extend(kept.iter().map(|x| x.root));
     }
 }

@@ -41,6 +41,8 @@ pub struct Path<R> {
     turned: R,
     /// What these three do to along times a point's distance from the axis, at the height of p.
     fuzz: R,
+    /// Whether a chord level with a seam belongs to the segment below it, not above.
+    below: bool,
     /// Bound on the error of s₀, y₀ and δ from all three, where the plane of the line turns with
     /// its direction.
     error: R,
@@ -63,8 +65,8 @@ pub struct Ring<R> {
 /// A crossing of the line with one segment.
 #[derive(Debug, Clone, Copy)]
 pub struct Cut<R> {
-    pub t: R,
-    /// Bound on the error of t.
+    pub tau: R,
+    /// Bound on the error of τ.
     pub error: R,
     /// The line goes against the segment's normal: towards the axis, down for flat segments.
     pub against: bool,
@@ -134,6 +136,7 @@ impl<R: Real> Path<R> {
             rounded,
             moved: R::ZERO,
             turned: R::ZERO,
+            below: false,
             fuzz: rounded + rounded,
             error: rounded,
         };
@@ -177,7 +180,7 @@ impl<R: Real> Path<R> {
     }
 
     /// The line's own parameter.
-    fn t(&self, tau: R) -> R {
+    pub fn t(&self, tau: R) -> R {
         (self.start + tau / self.length) * self.unit
     }
 
@@ -208,7 +211,7 @@ impl<R: Real> Path<R> {
         let inner = along2 * (radius - self.delta);
         let power = R::difference_of_products(offset, offset, inner, radius + self.delta);
         let low = (self.point[1] - y).abs();
-        let bound = self.power_error(self.offset_size(y), low, radius);
+        let bound = self.power_error(offset.abs(), self.offset_size(y), low, radius);
         let touch = if !is_final::<R>() { R::ZERO } else { bound };
         Ring {
             radius,
@@ -227,19 +230,21 @@ impl<R: Real> Path<R> {
         self.delta - self.error > radius
     }
 
-    /// A bound on the error of along² (ρ² − r²), where the sizes of the offset's terms are at most
-    /// `size`, the height is at most `low` above or below the path's point, and the radius is r.
+    /// A bound on the error of along² (ρ² − r²), where the offset is at most `offset`, the sizes of
+    /// its terms are at most `size`, the height is at most `low` above or below the path's point,
+    /// and the radius is r.
     ///
-    /// along·ρ is the length of the vector along·(x, z) in the ring's plane, and along·r another
-    /// one. Off by e, the square of a length v changes by at most (2v + e)e. Rounding adds the
-    /// errors of the offset, two rounded factors in either product and their difference, and of δ.
-    /// What is meant for the point p + m and the direction d + f is, in the plan,
-    /// (along + f₁)(p + m) − (y₀ − y + m₁)(d + f), and along + f₁ times r. Then there are three
-    /// factors and a difference.
-    fn power_error(&self, size: R, low: R, radius: R) -> R {
-        let size = size + self.along.abs() * (self.delta + radius);
+    /// along·ρ is the length of the vector along·(x, z) in the ring's plane, whose parts are the
+    /// offset and along·δ, and along·r another one. Off by e, the square of a length v changes by at
+    /// most (2v + e)e. Rounding adds the errors of the offset, two rounded factors in either product
+    /// and their difference, and of δ. What is meant for the point p + m and the direction d + f is,
+    /// in the plan, (along + f₁)(p + m) − (y₀ − y + m₁)(d + f), and along + f₁ times r. Then there
+    /// are three factors and a difference.
+    fn power_error(&self, offset: R, size: R, low: R, radius: R) -> R {
+        let across = self.along.abs() * (self.delta + radius);
+        let (length, size) = (offset + across, size + across);
         let e = R::gamma(8) * size + self.fuzz + self.turned * (low + radius);
-        (size + size + e) * e + R::gamma(8) * size.square()
+        (length + length + e) * e + R::gamma(8) * length.square()
     }
 
     /// A bound on the error of an offset, in the plane of the line, which turns with it.
@@ -277,7 +282,7 @@ impl<R: Real> Path<R> {
         let far = (self.point[1] - low)
             .abs()
             .max((self.point[1] - high).abs());
-        let bound = self.power_error(size, far, outer);
+        let bound = self.power_error(size, size, far, outer);
         let slack = bound + bound + bound;
         outside > slack || inside > slack
     }
@@ -386,7 +391,12 @@ impl<R: Real> Path<R> {
                 return cuts;
             }
             cuts.uncertain = sure.contains(&None);
-            if !(a > R::ZERO && bottom <= middle && middle < top && d > touch) {
+            let between = if self.below {
+                bottom < middle && middle <= top
+            } else {
+                bottom <= middle && middle < top
+            };
+            if !(a > R::ZERO && between && d > touch) {
                 return cuts;
             }
         }
@@ -423,7 +433,10 @@ impl<R: Real> Path<R> {
             // The quadratic is a difference of two squares with at most sixteen roundings; its
             // slope at a root is twice the root of the discriminant, and less than that up to where
             // an error takes it only while the discriminant stays positive: the root moves by at
-            // most error/√ then. If it may not, by no more than from one ring to the other.
+            // most error/√ then. If it may not, the vertex is within √(error/|a|), the other root
+            // as far beyond it, and another such step takes the quadratic out of its error; one
+            // more is for what the error grows by on the way. And the root never moves by more
+            // than from one ring to the other.
             let size = (r * h).abs()
                 + (w * n).abs()
                 + h * (s.abs() + x * local + self.delta)
@@ -433,11 +446,13 @@ impl<R: Real> Path<R> {
             let reach = if root.square() > a.abs() * noise {
                 noise / root
             } else {
-                R::INFINITY.min(to - from + (shift + shift) / z.abs())
+                let four = R::of(4.0);
+                let parabola = four * (noise / a.abs()).sqrt();
+                parabola.min(to - from + (shift + shift) / z.abs())
             };
             Cut {
-                t: self.t(tau),
-                error: self.t_error(reach, tau),
+                tau,
+                error: reach,
                 against,
             }
         };
@@ -449,6 +464,47 @@ impl<R: Real> Path<R> {
             cuts.list[0] = Some(cut(if against { enter } else { leave }, against));
         }
         cuts
+    }
+
+    /// A closer bound on the error of a crossing between two rings, from f = h(ρ − r) − w(y − y₁)
+    /// at the line's own points.
+    ///
+    /// The line that is meant has an f that is off by `noise` at most. Where f keeps half of its
+    /// slope as far as 2·noise/|slope|, it has a root no farther than that. The slope changes with
+    /// ρ″ = across²·δ²/ρ³, and with the direction.
+    pub fn closer_error(&self, cut: Cut<R>, first: &Ring<R>, second: &Ring<R>) -> R {
+        let (low, high) = if first.y < second.y {
+            (first, second)
+        } else {
+            (second, first)
+        };
+        let (w, h) = (high.radius - low.radius, high.y - low.y);
+        if h == R::ZERO {
+            return cut.error;
+        }
+        let k = R::of(normaliser(w.abs().max(h).to_f64()));
+        let (w, h) = (w * k, h * k);
+        let (x, z, tau) = (self.across, self.along, cut.tau);
+        let s = self.s0 + tau * x;
+        let rho = (s.square() + self.delta.square()).sqrt();
+        let y = self.point[1] + tau * z;
+        let f = h * (rho - low.radius) - w * (y - low.y);
+        let slope = (h * x * (s / rho) - w * z).abs();
+        // Five roundings of a term or less, and of its own terms.
+        let terms = rho + low.radius + y.abs() + low.y.abs() + self.s0.abs() + tau.abs();
+        let shift = self.rounded + self.moved + self.turned * tau.abs() + R::gamma(8) * terms;
+        let noise = (h + w.abs()) * shift + f.abs();
+        let reach = (noise + noise) / slope;
+        let nearest = (s.abs() - x * reach).max(R::ZERO);
+        let least = (nearest.square() + self.delta.square()).sqrt();
+        let share = self.delta / least;
+        let bend = h * x.square() * share.square() / least * reach;
+        // False for NaN.
+        if bend + (h + w.abs()) * self.turned <= slope * R::of(0.5) {
+            cut.error.min(reach)
+        } else {
+            cut.error
+        }
     }
 
     /// The root of h(ρ − r) − w(y − y₁) between two places, by Newton's method from `start`.
@@ -494,17 +550,30 @@ impl<R: Real> Path<R> {
                 R::INFINITY
             };
             Cut {
-                t: self.t(tau),
-                error: self.t_error(error + R::gamma(4) * tau.abs(), tau),
+                tau,
+                error: error + R::gamma(4) * tau.abs(),
                 against: self.along < R::ZERO,
             }
         })
     }
 
-    /// A bound on the error of t where τ is off by `error`, with a division, a sum and a product.
-    fn t_error(&self, error: R, tau: R) -> R {
-        let rounded = R::gamma(4) * (self.start.abs() + tau.abs() / self.length);
-        (error / self.length + rounded) * self.unit.abs()
+    /// A bound on the error of a crossing's t, with a division, a sum and a product.
+    pub fn t_error(&self, cut: Cut<R>) -> R {
+        let rounded = R::gamma(4) * (self.start.abs() + cut.tau.abs() / self.length);
+        (cut.error / self.length + rounded) * self.unit.abs()
+    }
+
+    /// The same path, with what is level with a seam counted to the segment below it.
+    pub fn from_below(self) -> Path<R> {
+        Path {
+            below: true,
+            ..self
+        }
+    }
+
+    /// Whether it is known which of two heights the line reaches first.
+    pub fn climbs(&self) -> bool {
+        self.along.abs() > self.turned
     }
 }
 

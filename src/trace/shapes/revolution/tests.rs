@@ -195,6 +195,89 @@ fn rings_discs_and_doubled_layers() {
     assert!(ts(&doubled, [-3.0, 0.6, 0.1], [1.0, 0.01, 0.0]).is_empty());
 }
 
+/// By double-double: how often the line crosses.
+fn final_count(profile: &[[f64; 2]], origin: [f64; 3], direction: [f64; 3]) -> usize {
+    let line = Line::new(origin.into(), direction.into());
+    roots::<Dd>(&Revolution::new(profile, &[]), &line)
+        .list
+        .len()
+}
+
+#[test]
+fn a_line_in_a_disc_crosses_nothing() {
+    let ahead = [1.0, 0.0, 0.0];
+    let cylinder = [[1.0, 0.0], [1.0, 1.0]];
+    let least = f64::MIN_POSITIVE;
+    for (y, count) in [
+        (0.0, 0),
+        (1.0, 0),
+        (0.5, 2),
+        (least, 2),
+        (-least, 0),
+        (1.0f64.next_down(), 2),
+        (1.0f64.next_up(), 0),
+    ] {
+        for z in [0.0, 0.25, -0.75] {
+            assert_eq!(final_count(&cylinder, [-5.0, y, z], ahead), count, "{y}");
+        }
+    }
+    // A seam in a wall; a step, where only the narrower part is inside above and below.
+    let wall = [[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]];
+    assert_eq!(final_count(&wall, [-5.0, 1.0, 0.0], ahead), 2);
+    for step in [
+        [[2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0]],
+        [[1.0, 0.0], [1.0, 1.0], [2.0, 1.0], [2.0, 2.0]],
+    ] {
+        let line = Line::new([-5.0, 1.0, 0.0].into(), ahead.into());
+        let found = roots::<Dd>(&Revolution::new(&step, &[]), &line);
+        assert_eq!(list(&found), [4.0, 6.0]);
+    }
+}
+
+/// Counts from an evaluation in rational numbers.
+#[test]
+fn close_crossings_of_two_segments_are_told_from_layers() {
+    // A layer of no thickness, which no line can meet, nor doubt.
+    let k = 1024.0;
+    let folded = [
+        [k, k],
+        [3.0 * k, 3.0 * k],
+        [0.0, 0.0],
+        [k, k],
+        [k, 0.0],
+        [0.0, 2.0 * k],
+    ];
+    let line = Line::new(
+        [-62861.750222083036, -23336.5630898876, -22872.57136861603].into(),
+        [0.8742412470684342, 0.3491475642273439, 0.33733991806239266].into(),
+    );
+    let shape = Revolution::new(&folded, &[]);
+    assert!(!roots::<f64>(&shape, &line).uncertain);
+    assert!(roots::<f64>(&shape, &line).list.is_empty());
+    assert!(roots::<Dd>(&shape, &line).list.is_empty());
+    // Both sides of a corner within 1e-28 of it.
+    let corner = [
+        [8.535388298251762e-5, -8.991066914243096e-5],
+        [2.8354665802887205e-5, 9.515068917339723e-5],
+        [6.44975178804683e-5, 7.131260302755073e-7],
+        [6.869244029708267e-5, 8.116787871717261e-5],
+        [5.416178419378307e-5, 8.546883901368096e-5],
+        [3.852686283616863e-5, -9.360218911422926e-5],
+    ];
+    let o = [
+        0.014336365918735631,
+        -0.00414830123580167,
+        -2.8354665802887205e-5,
+    ];
+    let d = [-3.8355100402065614, 1.1352809042147514, 0.0];
+    assert_eq!(final_count(&corner, o, d), 6);
+    // Upwards in a needle 1e-17 wide, and past it.
+    let needle = [[0.0, -1.0], [1e-17, 1.0]];
+    for (x, count) in [(3e-18, 2), (-9.9e-18, 2), (1.01e-17, 0), (-1.01e-17, 0)] {
+        assert_eq!(final_count(&needle, [x, -5.0, 0.0], [0.0, 1.0, 0.0]), count);
+    }
+}
+
 #[test]
 fn a_thousand_seams_alternate() {
     let mut r = Random(3);

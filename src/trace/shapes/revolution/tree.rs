@@ -1,12 +1,14 @@
-//! A hierarchy over a long profile: runs of consecutive segments, boxed in (ρ, y).
+//! A hierarchy over a long profile: runs of consecutive pieces, boxed in (ρ, y).
 
-/// Segments in one leaf.
+use super::layers::Piece;
+
+/// Pieces in one leaf.
 const LEAF: usize = 4;
 
-/// A run of consecutive segments.
+/// A run of consecutive pieces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// The segments `first .. end`.
+    /// The pieces `first .. end`.
     pub first: u32,
     pub end: u32,
     /// Where to go on if none of them matters: the first run that begins at `end` or later.
@@ -28,14 +30,12 @@ impl Run {
     }
 }
 
-/// The tree over the segments between neighbouring points, in preorder: runs are halved until they
-/// are leaves.
-pub fn build(points: &[[f64; 2]]) -> Vec<Run> {
-    let segments = points.len().saturating_sub(1) as u32;
+/// The tree over the pieces between points, in preorder: runs are halved until they are leaves.
+pub fn build(points: &[[f64; 2]], pieces: &[Piece]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     // Runs whose `next` is not known yet, the innermost last.
     let mut open: Vec<usize> = Vec::new();
-    let mut pending = vec![(0, segments)];
+    let mut pending = vec![(0, pieces.len() as u32)];
     while let Some((first, end)) = pending.pop() {
         if first == end {
             continue;
@@ -68,7 +68,8 @@ pub fn build(points: &[[f64; 2]]) -> Vec<Run> {
     for i in (0..runs.len()).rev() {
         let (first, end) = (runs[i].first as usize, runs[i].end as usize);
         if runs[i].is_leaf() {
-            for p in &points[first..=end] {
+            for point in pieces[first..end].iter().flat_map(|p| [p.from, p.to]) {
+                let p = points[point as usize];
                 runs[i].join([p[0]; 2], [p[1]; 2]);
             }
         } else {
