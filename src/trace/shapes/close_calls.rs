@@ -73,10 +73,11 @@ fn meet<R: Real>(shape: &Primitive, line: &Line<R>) -> Roots<R> {
     for &root in &roots.list {
         assert!(root.t.is_finite());
         let at = kernel.locate(line, root);
-        assert!(
-            at.point.is_finite() && at.error.is_finite() && at.normal.any(),
-            "{at:?}"
-        );
+        // At the very end of the numbers there may be none for the place.
+        let at_the_end = !(line.at(root.t) * R::of(8.0)).is_finite();
+        let placed = at.point.is_finite() && at.error.is_finite();
+        assert!(placed || at_the_end, "{at:?}");
+        assert!(at.normal.is_finite() && at.normal.any(), "{at:?}");
     }
     if matches!(shape, Primitive::Sphere(_) | Primitive::Cuboid(_)) {
         assert!(!roots.inside && roots.list.len().is_multiple_of(2));
@@ -611,7 +612,11 @@ fn exact_cases_are_certain() {
 /// clear of its edges are certain.
 #[test]
 fn right_angles_are_no_close_calls() {
-    let back = Affine::<f64>::new(&Matrix::rotation(90.0, 1).inverse().unwrap());
+    let (sin, cos) = std::f64::consts::FRAC_PI_2.sin_cos();
+    let mut turn = Matrix::IDENTITY;
+    (turn.0[0][0], turn.0[0][2]) = (cos, sin);
+    (turn.0[2][0], turn.0[2][2]) = (-sin, cos);
+    let back = Affine::<f64>::new(&turn.inverse().unwrap());
     let square = Primitive::new(&Geometry::Rectangle {
         min: [-1.0; 2],
         max: [1.0; 2],
