@@ -1,6 +1,7 @@
 //! Which of two places on a ray comes first, and what is behind its start: decisions that rounding
 //! errors may spoil, with the bounds that tell when.
 
+use super::graph::Target;
 use super::precision::{Doubt, Precision};
 use super::ray::{Left, Line, Ray};
 use super::shapes::{Root, Roots};
@@ -120,18 +121,10 @@ impl<R: Precision> Walker<'_, R> {
 
     /// Whether a crossing cannot be told from a known place on the ray.
     fn is_at(&self, leaf: Leaf, line: &Line<R>, root: Root<R>, place: &Start<R>) -> bool {
-        let t = place.t;
-        let gap = (root.t - t).abs();
-        let extent = match self.part(leaf.part).target {
-            super::graph::Target::Shape(p) => self.graph.extents[p as usize],
-            super::graph::Target::Object(_) => return false,
-        };
-        let pace = line.direction.abs().max_component();
-        let reach = line.origin.abs().max_component() + R::of(extent);
-        // No division on the way of most.
-        if gap * pace > margin::<R>() * ((root.t.abs() + t.abs()) * pace + reach) {
+        if !self.is_near(leaf, line, root.t, place.t) {
             return false;
         }
+        let gap = (root.t - place.t).abs();
         let placed = match place.chain {
             Some((chain, misplaced)) if chain != self.chain(leaf) => {
                 misplaced + self.misplaced(leaf, root)
@@ -139,6 +132,18 @@ impl<R: Precision> Walker<'_, R> {
             _ => R::ZERO,
         };
         gap <= self.error(leaf, line, root) + place.error + placed
+    }
+
+    /// Whether rounding may have to do with the order of a leaf's crossing at `t` and another place.
+    fn is_near(&self, leaf: Leaf, line: &Line<R>, t: R, place: R) -> bool {
+        let extent = match self.part(leaf.part).target {
+            Target::Shape(p) => self.graph.extents[p as usize],
+            Target::Object(_) => return false,
+        };
+        let pace = line.direction.abs().max_component();
+        let reach = line.origin.abs().max_component() + R::of(extent);
+        // No division on the way of most.
+        (t - place).abs() * pace <= margin::<R>() * ((t.abs() + place.abs()) * pace + reach)
     }
 
     /// How many of a leaf's crossings lie behind the ray's start, which is at `from`.
@@ -215,13 +220,13 @@ impl<R: Precision> Walker<'_, R> {
         left: &Left<R>,
     ) -> usize {
         // Flatter than √u to a surface, half of the digits of n·d are noise and the distance h
-        // says nothing; so such crossings are believed.
+        // says nothing; so such crossings are believed, if they are not close by themselves.
         let farthest = left.skin / R::ROUNDOFF.sqrt();
         let direction = self.contexts[0].line.direction;
         let length = direction.length();
         let within = |walker: &Self, root: Root<R>| {
             let t = root.t.abs();
-            t * length <= farthest && {
+            (t * length <= farthest || walker.is_near(leaf, line, t, R::ZERO)) && {
                 let steep = walker.world_normal(leaf, line, root).dot(direction).abs();
                 t * steep <= left.skin + walker.error(leaf, line, root) * steep
             }

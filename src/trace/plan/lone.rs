@@ -1,24 +1,15 @@
 //! Scenes of one convex shape, in which nothing can be in the way of anything.
 
-use crate::scene::{Matrix, Node, NodeId, Scene, View};
+use crate::scene::{Matrix, Node, NodeId, Scene, Shape, View};
 use crate::trace::ray::Line;
 use crate::trace::shapes::{Primitive, Roots};
 use crate::trace::vec::Vec3;
+use std::collections::HashMap;
 
 /// Whether the scene is one convex shape and no camera is in it.
 pub fn lone_convex(scene: &Scene, root: NodeId) -> bool {
-    let (mut node, mut matrix) = (root, Matrix::IDENTITY);
-    let shape = loop {
-        match scene.nodes[node as usize] {
-            Node::Shape(shape) => break &scene.shapes[shape as usize],
-            Node::Union(a, b) if a == b => node = a,
-            Node::Transform { child, matrix: m } => {
-                matrix = matrix.after(&scene.matrices[m as usize]);
-                node = child;
-            }
-            Node::Paint { child, .. } | Node::Copy { child, .. } => node = child,
-            _ => return false,
-        }
+    let Some((shape, matrix)) = lone(scene, root) else {
+        return false;
     };
     let primitive = Primitive::new(&shape.geometry);
     if !primitive.shape().is_convex() {
@@ -47,4 +38,37 @@ pub fn lone_convex(scene: &Scene, root: NodeId) -> bool {
             !on_surface && roots.inside == (crossed % 2 == 1)
         }
     })
+}
+
+/// The only shape there is, and how it is placed; a union of equal ones, placed equally, is one.
+fn lone(scene: &Scene, root: NodeId) -> Option<(&Shape, Matrix)> {
+    let mut found: Option<(&Shape, Matrix)> = None;
+    // Where shared nodes have been met, so that each is met once.
+    let mut seen: HashMap<NodeId, Matrix> = HashMap::new();
+    let mut stack = vec![(root, Matrix::IDENTITY)];
+    while let Some((node, matrix)) = stack.pop() {
+        match seen.insert(node, matrix) {
+            Some(before) if before == matrix => continue,
+            Some(_) => return None,
+            None => {}
+        }
+        match scene.nodes[node as usize] {
+            Node::Shape(shape) => {
+                let shape = &scene.shapes[shape as usize];
+                match found {
+                    Some((one, at)) if one.geometry != shape.geometry || at != matrix => {
+                        return None;
+                    }
+                    _ => found = Some((shape, matrix)),
+                }
+            }
+            Node::Union(a, b) => stack.extend([(b, matrix), (a, matrix)]),
+            Node::Transform { child, matrix: m } => {
+                stack.push((child, matrix.after(&scene.matrices[m as usize])));
+            }
+            Node::Paint { child, .. } | Node::Copy { child, .. } => stack.push((child, matrix)),
+            _ => return None,
+        }
+    }
+    found
 }
