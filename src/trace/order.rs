@@ -86,13 +86,17 @@ impl<R: Precision> Walker<'_, R> {
 
     /// A bound on the error of a crossing's t: what its point may be off across the surface, over
     /// the speed at which the ray goes through it. Twice, for where the surface bends away: it does
-    /// so by less than that as long as the shape does not doubt that it is met.
+    /// so by less than that as long as the shape does not doubt that it is met. A place beyond the
+    /// numbers has none: the ray ends there, and it is as far on as its t says.
     fn error(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> R {
         let located = self.primitive(leaf).intersect().locate(line, root);
         let point = line.at(root.t);
+        if !(point.is_finite() && located.point.is_finite()) {
+            return R::ZERO;
+        }
         let normal = located.normal.unit();
         let step = line.direction * root.t;
-        let rounded = (line.origin.abs() + step.abs()) * R::gamma(3);
+        let rounded = line.origin.abs() * R::gamma(3) + step.abs() * R::gamma(3);
         let drift = line.drift(point.abs().max_component());
         let off = (point - located.point).abs() + located.error + rounded + Vec3::ONE * drift;
         let error = R::of(2.0) * normal.abs().dot(off) / normal.dot(line.direction).abs();
@@ -112,11 +116,12 @@ impl<R: Precision> Walker<'_, R> {
             let maps = &self.graph.placements[placement as usize];
             error = maps.out.point_error(point, error);
             point = maps.out.point(point);
-            normal = maps.back.transposed(normal).unit();
+            normal = maps.back.unit_normal(normal);
         });
         let direction: Vec3 = self.contexts[0].line.direction.cast();
         let off = normal.abs().dot(error) / normal.dot(direction).abs();
-        R::of(if off.is_nan() { 0.0 } else { off })
+        let placed = point.is_finite() && !off.is_nan();
+        R::of(if placed { off } else { 0.0 })
     }
 
     /// Which of two crossings comes first. Equal are those of one surface, and those that cannot be
@@ -270,9 +275,7 @@ impl<R: Precision> Walker<'_, R> {
     fn world_normal(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> Vec3<R> {
         let mut normal = self.primitive(leaf).intersect().locate(line, root).normal;
         self.climb(leaf, |placement| {
-            normal = R::back(&self.maps, self.graph, placement)
-                .transposed(normal)
-                .unit();
+            normal = R::back(&self.maps, self.graph, placement).unit_normal(normal);
         });
         normal.unit()
     }

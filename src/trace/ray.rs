@@ -92,7 +92,9 @@ impl<R: Real> Line<R> {
         let lesser = |a: R, b: R| if a < b { a } else { b };
         let inverse = lesser(lesser(x, y), z);
         let bend = self.slack.direction * inverse;
-        let drift = self.slack.origin + bend * (R::of(1.75) * (o + reach));
+        // Small before they are added up, lest the largest sizes overflow.
+        let share = bend * R::of(1.75);
+        let drift = self.slack.origin + share * o + share * reach;
         if bend <= R::of(0.25) && drift.is_finite() {
             drift
         } else {

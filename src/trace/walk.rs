@@ -2,6 +2,7 @@
 
 use super::compile::outermost;
 use super::graph::{Coat, Graph, Operation, Part, Target};
+use super::membership::DIRECTION;
 use super::nearest::{Entry, Search};
 use super::order::{Scale, Start};
 use super::precision::{Doubt, Precision};
@@ -104,6 +105,21 @@ impl<R> Default for Verdict<R> {
             start: None,
         }
     }
+}
+
+/// Whether a line is in a shape in whose space it is beyond the numbers: it crosses nothing there.
+/// One whose direction has shrunk to nothing stays where it starts. Of one whose own numbers have
+/// been lost there is no telling, and it counts as outside.
+#[cold]
+fn lost_inside<R: Precision>(shape: &Primitive, line: &Line<R>) -> bool {
+    if line.direction.any() || !line.direction.is_finite() || !line.origin.is_finite() {
+        return false;
+    }
+    let mut roots = Roots::default();
+    let anywhere = Line::new(line.origin, DIRECTION.cast());
+    shape.intersect().crossings(&anywhere, &mut roots);
+    let passed = roots.list.partition_point(|r| r.t <= R::ZERO);
+    shape.shape().is_solid() && roots.inside != (passed % 2 == 1)
 }
 
 impl<'g, R: Precision> Walker<'g, R> {
@@ -289,8 +305,17 @@ impl<'g, R: Precision> Walker<'g, R> {
         let mut roots = std::mem::take(&mut self.roots);
         roots.clear();
         let shape = &self.graph.primitives[primitive as usize];
-        shape.intersect().crossings(&line, &mut roots);
-        debug_assert!(roots.list.iter().all(|r| r.t.is_finite()));
+        if line.is_sound() {
+            shape.intersect().crossings(&line, &mut roots);
+        } else {
+            roots.inside = lost_inside(shape, &line);
+            roots.uncertain = true;
+        }
+        debug_assert!(
+            roots.list.iter().all(|r| r.t.is_finite())
+                && roots.list.windows(2).all(|w| w[0].t <= w[1].t),
+            "{shape:?} {line:?} {roots:?}"
+        );
         self.counts.shape += 1;
         self.verdict.uncertain |= roots.uncertain;
         let behind = match &roots.list[..] {
