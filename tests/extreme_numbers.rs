@@ -1,12 +1,16 @@
 //! Whatever finite numbers a valid scene and a ray are made of, nothing that leaves the tracer is
-//! NaN or infinite, crossings ascend and alternate, and nothing panics.
+//! NaN or infinite, crossings ascend and alternate, and nothing panics. In every precision.
+//!
+//! `PROPTEST_CASES=5000 cargo test --release --test extreme_numbers` is the long run.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
 use std::sync::atomic::{AtomicU32, Ordering};
 use zpg::commands::Loaded;
+use zpg::trace::dd::Dd;
+use zpg::trace::precision::Precision;
 use zpg::trace::vec::Vec3;
-use zpg::trace::{Ray, Settings, Tracer, selected_camera};
+use zpg::trace::{Numbers, Ray, Settings, Tracer, selected_camera};
 
 /// From 5e-324 to the largest double, small numbers and zero among them.
 fn size() -> BoxedStrategy<f64> {
@@ -167,17 +171,19 @@ fn rays() -> BoxedStrategy<Vec<(Vec<f64>, Vec<f64>)>> {
     prop::collection::vec(prop_oneof![free, aimed, near], 8).boxed()
 }
 
-fn sound(v: Vec3) -> bool {
-    v.0.iter().all(|x| x.is_finite())
-}
-
-/// What is wrong with the answer about a ray.
-fn fault(tracer: &Tracer, o: &[f64], d: &[f64]) -> Option<String> {
+/// What is wrong with the answer about a ray, in one kind of number.
+fn fault<R: Precision>(tracer: &Tracer, o: &[f64], d: &[f64]) -> Option<String> {
     let (o, d) = (Vec3::new(o[0], o[1], o[2]), Vec3::new(d[0], d[1], d[2]));
-    let mut walker = tracer.walker();
-    let probe = tracer.probe(&mut walker, &Ray::new(o, d));
+    let ray: Ray<R> = Ray::new(o, d).cast();
+    if !ray.line.is_sound() {
+        // Single precision does not hold it.
+        return None;
+    }
+    let sound = |v: Vec3<R>| v.is_finite();
+    let mut walker = tracer.walker::<R>();
+    let probe = tracer.probe(&mut walker, &ray);
     let mut inside = probe.inside_at_origin;
-    let mut last = 0.0;
+    let mut last = R::ZERO;
     for c in &probe.crossings {
         let hit = &c.hit;
         let finite = hit.t.is_finite()
@@ -185,16 +191,19 @@ fn fault(tracer: &Tracer, o: &[f64], d: &[f64]) -> Option<String> {
             && sound(hit.normal)
             && sound(hit.shading)
             && sound(c.normal)
+            && hit.skin.is_finite()
             && c.uv.iter().all(|x| x.is_finite())
             && hit.colour.iter().all(|x| x.is_finite());
         if !finite {
             return Some(format!("not finite: {c:?}"));
         }
-        if (c.normal.length() - 1.0).abs() > 1e-9 {
+        // A dozen roundings at most.
+        let off = |n: Vec3<R>| (n.length() - R::ONE).abs() > R::gamma(12);
+        if off(c.normal) || off(hit.shading) {
             return Some(format!("no unit normal: {c:?}"));
         }
-        if hit.t < last || hit.t <= 0.0 {
-            return Some(format!("{} after {last}", hit.t));
+        if hit.t < last || hit.t <= R::ZERO {
+            return Some(format!("{:?} after {last:?}", hit.t));
         }
         last = hit.t;
         if let Some(entering) = c.entering {
@@ -204,7 +213,7 @@ fn fault(tracer: &Tracer, o: &[f64], d: &[f64]) -> Option<String> {
             inside = entering;
         }
     }
-    let first = tracer.hit(&mut walker, &Ray::new(o, d));
+    let first = tracer.hit(&mut walker, &ray);
     if first.is_some_and(|h| !h.t.is_finite() || !sound(h.point) || !sound(h.normal)) {
         return Some(format!("not finite: {first:?}"));
     }
@@ -233,24 +242,34 @@ fn try_kind(kind: usize, cases: u32) -> (u32, u32, Option<String>) {
         };
         valid.fetch_add(1, Ordering::Relaxed);
         for (o, d) in rays.iter().filter(|r| r.1.iter().any(|x| *x != 0.0)) {
-            if let Some(fault) = fault(&tracer, o, d) {
-                return Err(TestCaseError::fail(format!("{o:?} {d:?}: {fault}")));
+            let faults = [
+                ("f32", fault::<f32>(&tracer, o, d)),
+                ("f64", fault::<f64>(&tracer, o, d)),
+                ("dd", fault::<Dd>(&tracer, o, d)),
+            ];
+            if let Some((kind, Some(fault))) = faults.into_iter().find(|f| f.1.is_some()) {
+                return Err(TestCaseError::fail(format!("{kind} {o:?} {d:?}: {fault}")));
             }
         }
-        let settings = Settings {
-            width: 4,
-            height: 3,
-            depth: 3,
-            ..Settings::default()
-        };
         let camera = selected_camera(&loaded.scene, 4.0 / 3.0);
-        if let Ok(picture) = tracer.render(&camera, &settings, || ()) {
+        for numbers in [Numbers::F32, Numbers::F64, Numbers::Dd] {
+            let settings = Settings {
+                width: 4,
+                height: 3,
+                depth: 3,
+                numbers,
+                ..Settings::default()
+            };
+            let Ok(picture) = tracer.render(&camera, &settings, || ()) else {
+                continue;
+            };
             for i in 0..12 {
                 let pixel = picture.film.pixel(i % 4, i / 4);
                 if !pixel.iter().all(|x| x.is_finite()) {
-                    return Err(TestCaseError::fail(format!("pixel {i}: {pixel:?}")));
+                    let what = format!("{numbers:?}, pixel {i}: {pixel:?}");
+                    return Err(TestCaseError::fail(what));
                 }
-                if pixel.iter().any(|x| *x > 0.0) {
+                if numbers == Numbers::F64 && pixel.iter().any(|x| *x > 0.0) {
                     met.fetch_add(1, Ordering::Relaxed);
                 }
             }
@@ -267,13 +286,92 @@ fn try_kind(kind: usize, cases: u32) -> (u32, u32, Option<String>) {
 
 #[test]
 fn nothing_undefined_leaves_the_tracer() {
+    let cases = std::env::var("PROPTEST_CASES").ok();
+    let cases = cases.and_then(|n| n.parse().ok()).unwrap_or(100);
     let (mut all, mut seen, mut faults) = (0, 0, Vec::new());
     for kind in 0..shapes().len() {
-        let (valid, met, fault) = try_kind(kind, 100);
+        let (valid, met, fault) = try_kind(kind, cases);
         all += valid;
         seen += met;
         faults.extend(fault.map(|f| format!("type {}: {f}", kind + 1)));
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+    println!("{all} scenes, something in {seen} pixels");
     assert!(all > 1000 && seen > 1000, "{all} {seen}");
+}
+
+/// Whether the origin is inside, and t, the point and the way of each crossing.
+type Met = (bool, Vec<(f64, [f64; 3], Option<bool>)>);
+
+fn met<R: Precision>(text: &str, o: [f64; 3], d: [f64; 3]) -> Met {
+    let text = format!("{text}\n1 9999 10 0\n");
+    let loaded = Loaded::new("a.zpg", text.into_bytes());
+    assert!(!loaded.has_errors());
+    let tracer = Tracer::new(&loaded.scene).expect("a scene that can be drawn");
+    let probe = tracer.probe(
+        &mut tracer.walker::<R>(),
+        &Ray::new(Vec3(o), Vec3(d)).cast(),
+    );
+    let crossing = |c: &zpg::trace::Crossing<R>| {
+        let point = c.hit.point.0.map(|x| x.to_f64());
+        (c.hit.t.to_f64(), point, c.entering)
+    };
+    (
+        probe.inside_at_origin,
+        probe.crossings.iter().map(crossing).collect(),
+    )
+}
+
+/// In double precision and double-double, which have one range.
+fn both(text: &str, o: [f64; 3], d: [f64; 3]) -> Met {
+    let answer = met::<f64>(text, o, d);
+    assert_eq!(answer, met::<Dd>(text, o, d));
+    answer
+}
+
+#[test]
+fn a_ray_ends_where_the_numbers_do() {
+    let z = [0.0, 0.0, 1.0];
+    // z ≥ 1e309.
+    let beyond = both("10 4 0 0 -0.1 1e308", [0.0; 3], [0.0, 0.0, 1.2e184]);
+    assert_eq!(beyond, (false, vec![]));
+    // z ≤ 1e309 holds all there is.
+    assert_eq!(both("10 4 0 0 0.1 -1e308", [0.0; 3], z), (true, vec![]));
+    // From within its lemon, into the tube at r − R; out of it only at r + R.
+    let torus = "10 14 1e308 1.5e308";
+    let upwards = [0.0, 0.0, 1e308];
+    for (inside, crossings) in [
+        met::<f64>(torus, [0.0; 3], upwards),
+        met::<Dd>(torus, [0.0; 3], upwards),
+    ] {
+        assert!(!inside && crossings.len() == 1);
+        let (t, point, entering) = crossings[0];
+        assert!((t - 0.5).abs() < 1e-15 && (point[2] / 0.5e308 - 1.0).abs() < 1e-15);
+        assert_eq!(entering, Some(true));
+    }
+    // A line that stands still in the space of a ball of radius 1e308.
+    let ball = "10 9 1\n10 -3 1e308 1e308 1e308";
+    let still = [0.0, 0.0, 1e-20];
+    assert_eq!(both(ball, [0.5e308; 3], still), (true, vec![]));
+    assert_eq!(both(ball, [0.0, 0.0, 1.5e308], still), (false, vec![]));
+}
+
+#[test]
+fn tiny_numbers_are_as_good_as_others() {
+    // z ≥ 0, by a normal that has no inverse, and left at t = 1e-309.
+    let plane = "10 4 0 0 -2.2250738585072014e-308 0";
+    let (inside, crossings) = both(plane, [0.0, 0.0, 0.1], [0.0, 0.0, -1e308]);
+    assert!(inside && crossings.len() == 1);
+    let (t, point, entering) = crossings[0];
+    assert!((t / 1e-309 - 1.0).abs() < 1e-14 && point == [0.0; 3] && entering == Some(false));
+}
+
+#[test]
+fn single_precision_has_its_own_range() {
+    // A ball that is met at a distance of 1e40, and one at 1e30.
+    for (z, count) in [(1e40, 0), (1e30, 2)] {
+        let text = format!("10 11 0 0 {z:e} {:e}", z / 4.0);
+        assert_eq!(met::<f32>(&text, [0.0; 3], [0.0, 0.0, 1e20]).1.len(), count);
+        assert_eq!(met::<f64>(&text, [0.0; 3], [0.0, 0.0, 1e20]).1.len(), 2);
+    }
 }

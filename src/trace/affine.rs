@@ -1,7 +1,8 @@
 //! Affine maps with their inverses, and what they do to rounding errors.
 
-use super::exponent::{exponent, shifted};
+use super::exponent::{exponent, shifted, shifted_vector};
 use super::number::Real;
+use super::ray::{Line, Slack};
 use super::vec::Vec3;
 use crate::scene::Matrix;
 
@@ -12,6 +13,11 @@ pub struct Affine<R = f64> {
     pub offset: Vec3<R>,
     /// Which rows take one coordinate as it is, or times a power of two: these round no product.
     plain: [bool; 3],
+    /// The greatest of the sums Σⱼ|mᵢⱼ|: how much longer, at most, the largest component of a
+    /// vector becomes.
+    spread: R,
+    /// Whether it does nothing but move.
+    moves: bool,
 }
 
 impl<R: Real> Affine<R> {
@@ -29,11 +35,25 @@ impl<R: Real> Affine<R> {
             let only = numbers.next().filter(|_| numbers.next().is_none());
             only.is_some_and(|x| x.abs() == shifted(R::ONE, exponent(x.to_f64())))
         });
+        let spread = Vec3(rows.map(|row| row.abs().dot(Vec3::ONE))).max_component();
         Affine {
             rows,
             offset,
             plain,
+            spread,
+            moves: rows == Affine::<R>::STILL,
         }
+    }
+
+    /// The rows of a map that turns and stretches nothing.
+    const STILL: [Vec3<R>; 3] = [
+        Vec3([R::ONE, R::ZERO, R::ZERO]),
+        Vec3([R::ZERO, R::ONE, R::ZERO]),
+        Vec3([R::ZERO, R::ZERO, R::ONE]),
+    ];
+
+    pub fn moves(&self) -> bool {
+        self.moves
     }
 
     pub fn point(&self, p: Vec3<R>) -> Vec3<R> {
@@ -53,41 +73,81 @@ impl<R: Real> Affine<R> {
         self.rows[0] * n[0] + self.rows[1] * n[1] + self.rows[2] * n[2]
     }
 
+    /// The unit normal that a normal under the inverse of this map turns into; zero only where the
+    /// numbers of the map have been lost.
+    pub fn unit_normal(&self, n: Vec3<R>) -> Vec3<R> {
+        let image = self.transposed(n);
+        let size = image.abs().max_component();
+        // Above u⁴ what products lose by underflow is far below a unit in the last place.
+        if size >= R::ROUNDOFF.square().square() && image.is_finite() {
+            return image.unit();
+        }
+        self.unit_normal_scaled(n)
+    }
+
+    /// As [`Affine::unit_normal`] where products overflow or underflow: rows and components are
+    /// taken in units of their own.
+    #[cold]
+    fn unit_normal_scaled(&self, n: Vec3<R>) -> Vec3<R> {
+        let size = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
+        let part = |i: usize| size(self.rows[i]) + exponent(n[i].to_f64());
+        let largest = (0..3)
+            .filter(|&i| n[i] != R::ZERO && self.rows[i].any())
+            .map(part)
+            .max();
+        let terms = [0, 1, 2].map(|i| {
+            let (row, of_n) = (size(self.rows[i]), exponent(n[i].to_f64()));
+            let term = shifted_vector(self.rows[i], -row) * shifted(n[i], -of_n);
+            largest.map_or(Vec3::ZERO, |k| shifted_vector(term, row + of_n - k))
+        });
+        let image = terms[0] + terms[1] + terms[2];
+        if image.is_finite() {
+            image.unit()
+        } else {
+            Vec3::ZERO
+        }
+    }
+
     /// The sizes of the terms of `vector(v)`, added up: Σ|mᵢⱼ vⱼ|.
     pub fn sizes(&self, v: Vec3<R>) -> Vec3<R> {
         let v = v.abs();
         Vec3(self.rows.map(|row| row.abs().dot(v)))
     }
 
-    /// The greatest of the sums Σⱼ|mᵢⱼ|: how much longer, at most, the largest component of a
-    /// vector becomes.
-    pub fn spread(&self) -> R {
-        self.sizes(Vec3::ONE).max_component()
-    }
-
-    /// Bounds on what `point(p)` and `vector(v)` round, the map's own numbers included: γ₅ of the
-    /// sizes of the terms of each component, or, where a coordinate is only moved, half a unit in
-    /// the last place of the result, and nothing where it stays.
-    pub fn rounding(&self, p: Vec3<R>, v: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
-        let (points, vectors) = (self.sizes(p), self.sizes(v));
-        let (mut point, mut vector) = (Vec3::ZERO, Vec3::ZERO);
+    /// The slack of a line behind the map: what it was before, and what the map rounds, its own
+    /// numbers included. That is γ₅ of the sizes of the terms of each component, or, where a
+    /// coordinate is only moved, half a unit in the last place of the result, and nothing where it
+    /// stays.
+    pub fn slack(&self, line: &Line<R>) -> Slack<R> {
+        let (o, d) = (line.origin.abs(), line.direction.abs());
+        let (mut point, mut vector) = (R::ZERO, R::ZERO);
+        let greater = |a: R, b: R| if a > b { a } else { b };
         for i in 0..3 {
-            let offset = self.offset[i];
+            let (row, offset) = (self.rows[i].abs(), self.offset[i].abs());
             if !self.plain[i] {
-                point[i] = R::gamma(5) * (points[i] + offset.abs());
-                vector[i] = R::gamma(5) * vectors[i];
+                point = greater(point, R::gamma(5) * (row.dot(o) + offset));
+                vector = greater(vector, R::gamma(5) * row.dot(d));
             } else if offset != R::ZERO {
-                point[i] = R::gamma(1) * (points[i] + offset.abs());
+                point = greater(point, R::gamma(1) * (row.dot(o) + offset));
             }
         }
-        (point, vector)
+        if line.slack != Slack::default() {
+            let spread = self.spread * (R::ONE + R::gamma(5));
+            point += spread * line.slack.origin;
+            vector += spread * line.slack.direction;
+        }
+        Slack {
+            origin: point,
+            direction: vector,
+        }
     }
 
     /// A bound on the error of `point(p)` where p is off by at most `error`:
     /// (γ₃ + 1)|M| error + γ₄(|M||p| + |offset|) (pbrt-v4, section 6.8.6).
     pub fn point_error(&self, p: Vec3<R>, error: Vec3<R>) -> Vec3<R> {
-        self.sizes(error) * (R::ONE + R::gamma(3))
-            + (self.sizes(p) + self.offset.abs()) * R::gamma(4)
+        // Small before they are added up: sizes of terms may overflow whose errors do not.
+        let before = error * (R::ONE + R::gamma(3)) + p.abs() * R::gamma(4);
+        self.sizes(before) + self.offset.abs() * R::gamma(4)
     }
 }
 
@@ -157,4 +217,57 @@ impl<R: Real> Affine<R> {
 pub struct Placement {
     pub out: Affine,
     pub back: Affine,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn linear(rows: [[f64; 3]; 3]) -> Affine {
+        Affine::of(rows.map(Vec3), Vec3::ZERO)
+    }
+
+    #[test]
+    fn normals_whose_products_leave_the_numbers() {
+        let map = linear([[1e308, 1e308, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1e-320]]);
+        let normal = |x, y, z| map.unit_normal(Vec3::new(x, y, z)).0;
+        let half = 0.5f64.sqrt();
+        for (got, meant) in [
+            (normal(0.0, 0.0, 1.0), [0.0, 0.0, 1.0]),
+            (normal(0.0, 0.0, -1e-20), [0.0, 0.0, -1.0]),
+            (normal(1e200, 0.0, 0.0), [half, half, 0.0]),
+            (normal(1e200, 1.0, 1.0), [half, half, 0.0]),
+            (
+                normal(1e-308, 2.0, 0.0),
+                [1.0 / 10f64.sqrt(), 3.0 / 10f64.sqrt(), 0.0],
+            ),
+            (normal(0.0, 0.0, 0.0), [0.0; 3]),
+        ] {
+            for i in 0..3 {
+                assert!(
+                    (got[i] - meant[i]).abs() <= 4.0 * f64::EPSILON,
+                    "{got:?} {meant:?}"
+                );
+            }
+        }
+    }
+
+    /// On both sides of the least size that is turned as it is.
+    #[test]
+    fn normals_about_the_least_size() {
+        let least = f64::ROUNDOFF.powi(4);
+        for size in [least, least / 2.0] {
+            let map = linear([[3.0 * size, 4.0 * size, 0.0], [0.0; 3], [0.0; 3]]);
+            let n = map.unit_normal(Vec3::new(0.25, 0.0, 0.0));
+            assert!((n - Vec3::new(0.6, 0.8, 0.0)).abs().max_component() <= f64::EPSILON);
+        }
+    }
+
+    #[test]
+    fn errors_of_the_largest_points_are_numbers() {
+        let map = linear([[1.0; 3]; 3]);
+        let error = map.point_error(Vec3::ONE * (f64::MAX / 2.0), Vec3::ZERO);
+        let meant = <f64 as Real>::gamma(4) * 1.5 * f64::MAX;
+        assert!((error[0] / meant - 1.0).abs() < 1e-12);
+    }
 }

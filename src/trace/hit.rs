@@ -1,6 +1,5 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
-use super::affine::Affine;
 use super::nearest::Search;
 use super::precision::Precision;
 use super::ray::{Left, Ray};
@@ -72,7 +71,7 @@ impl<R: Precision> Hit<R> {
             inside: self.inside,
             entering: self.entering,
             surface: self.surface,
-            skin: skin + normal.abs().dot(point.abs()) * S::gamma(2),
+            skin: skin + normal.abs().dot(point.abs() * S::gamma(2)),
         }
     }
 }
@@ -97,7 +96,7 @@ impl<R: Precision> Walker<'_, R> {
         let first = self.nearest(ray, from, to, Search::First)?;
         let (leaf, root) = (first.place.leaf, first.place.root);
         let hit = self.resolve(ray, leaf, root, first.owner);
-        if ray.outside && (!GLASS || hit.optics.kt == [0.0; 3]) {
+        if let Some(hit) = hit.filter(|h| ray.outside && (!GLASS || h.optics.kt == [0.0; 3])) {
             let inside = self.primitive(leaf).shape().is_solid();
             return Some(Hit {
                 inside: [false, inside],
@@ -105,8 +104,7 @@ impl<R: Precision> Walker<'_, R> {
             });
         }
         // Far enough to meet what cannot be told from this crossing.
-        let error = self.error(leaf, &self.line(leaf), root);
-        let near = root.t + error * R::of(4.0);
+        let near = root.t + first.place.error * R::of(4.0);
         if near < to {
             let found = self.first_visible(ray, from, near);
             if found.is_some() {
@@ -126,7 +124,7 @@ impl<R: Precision> Walker<'_, R> {
             _ => Some(events[found - 1].state),
         };
         let (leaf, root) = (event.place.leaf, event.place.root);
-        let hit = self.resolve(ray, leaf, root, event.owner.leaf);
+        let hit = self.resolve(ray, leaf, root, event.owner.leaf)?;
         let index = |state: Option<State>| match state {
             Some(s) if s.inside => self.graph.indices[s.owner.index as usize],
             _ => self.graph.indices[0],
@@ -140,7 +138,10 @@ impl<R: Precision> Walker<'_, R> {
 
     /// The place of a crossing of the shape `leaf` with the properties of `owner`; media and sides
     /// are left at their defaults.
-    pub fn resolve(&self, ray: &Ray<R>, leaf: Leaf, root: Root<R>, owner: Leaf) -> Hit<R> {
+    ///
+    /// This is where a crossing leaves the kernel. `None` where there are no numbers for its place:
+    /// it is beyond their range, and the ray ends there.
+    pub fn resolve(&self, ray: &Ray<R>, leaf: Leaf, root: Root<R>, owner: Leaf) -> Option<Hit<R>> {
         let line = self.line(leaf);
         let primitive = self.primitive(leaf);
         let located = primitive.intersect().locate(&line, root);
@@ -149,36 +150,47 @@ impl<R: Precision> Walker<'_, R> {
         let local: Vec3 = located.point.cast();
         let mut shading = shape.shading_normal(local, root.face).map(Vec3::cast);
         self.climb(leaf, |placement| {
-            let out: Affine<R> = Affine::new(&self.graph.matrices[placement as usize]);
-            let back = R::back(self.graph, placement);
+            let out = R::out(self.graph, placement);
+            let back = R::back(&self.maps, self.graph, placement);
             error = out.point_error(point, error);
             point = out.point(point);
-            normal = back.transposed(normal).unit();
-            shading = shading.map(|n| back.transposed(n).unit());
+            normal = back.unit_normal(normal);
+            shading = shading.map(|n| back.unit_normal(n));
         });
         let normal = normal.unit();
+        // The corner of the error box that is farthest along the normal.
+        let skin = normal.abs().dot(error);
+        if !(point.is_finite() && skin.is_finite() && normal.is_finite() && normal.any()) {
+            return None;
+        }
+        let shading = shading.filter(|n| n.is_finite() && n.any());
+        let shading = shading.map_or(normal, Vec3::unit);
         let optics = self.graph.optics[self.optics(owner) as usize];
-        Hit {
+        let colour = self.colour(owner, leaf, point.cast(), local, root.face);
+        debug_assert!(root.t.is_finite() && shading.is_finite());
+        debug_assert!(colour.iter().all(|x| x.is_finite()));
+        Some(Hit {
             t: root.t,
             point,
             normal,
-            shading: shading.map_or(normal, Vec3::unit),
-            colour: self.colour(owner, leaf, point.cast(), local, root.face),
+            shading,
+            colour,
             optics,
             indices: [self.graph.indices[0]; 2],
             inside: [false; 2],
             entering: normal.dot(ray.line.direction) < R::ZERO,
             surface: self.surface(leaf),
-            // The corner of the error box that is farthest along the normal.
-            skin: normal.abs().dot(error),
-        }
+            skin,
+        })
     }
 
-    /// Surface coordinates of a crossing of the shape `leaf`.
-    pub fn uv(&self, leaf: Leaf, root: Root<R>) -> [f64; 2] {
+    /// Surface coordinates of a crossing of the shape `leaf`; `None` where there are no numbers for
+    /// them.
+    pub fn uv(&self, leaf: Leaf, root: Root<R>) -> Option<[f64; 2]> {
         let primitive = self.primitive(leaf);
         let located = primitive.intersect().locate(&self.line(leaf), root);
-        primitive.shape().uv(located.point.cast(), root.face)
+        let uv = primitive.shape().uv(located.point.cast(), root.face);
+        uv.iter().all(|x| x.is_finite()).then_some(uv)
     }
 
     /// The colour of a point, in the scene's space and in that of the shape whose surface it is on.

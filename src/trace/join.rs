@@ -64,6 +64,15 @@ impl<R: Precision> Scratch<R> {
     }
 }
 
+/// Adds an event to a joined list. The t of events in one place may differ by as much as they are
+/// in doubt, in either order; the list ascends all the same.
+fn emit<R: Precision>(out: &mut Vec<Event<R>>, mut event: Event<R>) {
+    if let Some(last) = out.last().filter(|last| last.t() > event.t()) {
+        event.place.root.t = last.t();
+    }
+    out.push(event);
+}
+
 /// Replaces the lists from `base` on by one.
 fn replace<R: Precision>(
     spans: &mut Spans<R>,
@@ -112,10 +121,13 @@ pub(super) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32, base: us
         let after = state(&scratch.after, then);
         let (before_holder, before) = now;
         for &(_, event) in scratch.group.iter().filter(|e| e.1.kind == Kind::Sheet) {
-            scratch.out.push(Event {
-                state: before,
-                ..event
-            });
+            emit(
+                &mut scratch.out,
+                Event {
+                    state: before,
+                    ..event
+                },
+            );
         }
         let of = |list: Option<usize>| {
             let list = list?;
@@ -131,11 +143,14 @@ pub(super) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32, base: us
         if let Some(&(_, event)) = by_rank.into_iter().find_map(of) {
             let seen = before.inside != after.inside
                 || (before.inside && !before.owner.same_medium(&after.owner));
-            scratch.out.push(Event {
-                kind: if seen { Kind::Boundary } else { Kind::Silent },
-                state: after,
-                ..event
-            });
+            emit(
+                &mut scratch.out,
+                Event {
+                    kind: if seen { Kind::Boundary } else { Kind::Silent },
+                    state: after,
+                    ..event
+                },
+            );
         }
         now = (then, after);
     }
@@ -189,10 +204,13 @@ pub(super) fn join_intersection<R: Precision>(
             let inside = (0..first).all(|i| i == list || a[i].inside || b[i].inside)
                 && (first..a.len()).all(|i| !a[i].inside || !b[i].inside);
             if inside {
-                scratch.out.push(Event {
-                    state: before,
-                    ..event
-                });
+                emit(
+                    &mut scratch.out,
+                    Event {
+                        state: before,
+                        ..event
+                    },
+                );
             }
         }
         let turned = |&&(list, ref event): &&(usize, Event<R>)| {
@@ -209,12 +227,15 @@ pub(super) fn join_intersection<R: Precision>(
                 } else {
                     event.owner
                 };
-                scratch.out.push(Event {
-                    kind: Kind::Boundary,
-                    owner,
-                    state: after,
-                    ..event
-                });
+                emit(
+                    &mut scratch.out,
+                    Event {
+                        kind: Kind::Boundary,
+                        owner,
+                        state: after,
+                        ..event
+                    },
+                );
             }
         } else if after.inside {
             // The owner within the first operand may have changed.
@@ -223,10 +244,14 @@ pub(super) fn join_intersection<R: Precision>(
                 .iter()
                 .find(|e| e.0 == 0 && e.1.kind != Kind::Sheet);
             if let (true, Some(&(_, event))) = (first > 0, change) {
-                scratch.out.push(Event {
+                // Of what it leaves and enters again in one place nothing is to be seen.
+                let seen = !before.owner.same_medium(&after.owner);
+                let event = Event {
+                    kind: if seen { Kind::Boundary } else { Kind::Silent },
                     state: after,
                     ..event
-                });
+                };
+                emit(&mut scratch.out, event);
             }
         }
         before = after;

@@ -21,7 +21,7 @@ const STEPS_MAX: usize = 1 << 22;
 /// The direction in which boundaries are counted, in the space of each shape. Any will do for a
 /// point off the boundary. A point on a face is found there unless the line runs along the face or
 /// touches it only: this one is not parallel to any face that is written with a few digits.
-const DIRECTION: Vec3 = Vec3([
+pub(super) const DIRECTION: Vec3 = Vec3([
     std::f64::consts::FRAC_1_SQRT_2,
     std::f64::consts::FRAC_1_PI,
     std::f64::consts::LN_2,

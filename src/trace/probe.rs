@@ -95,7 +95,11 @@ fn probe_between<R: Precision>(walker: &mut Walker<R>, ray: &Ray<R>, from: R, to
     let mut crossings = Vec::new();
     for event in events {
         if event.kind != Kind::Silent {
-            crossings.push(crossing(walker, ray, &event, before));
+            let Some(crossing) = crossing(walker, ray, &event, before) else {
+                // Here the numbers end, and the ray with them.
+                break;
+            };
+            crossings.push(crossing);
         }
         before = event.state.inside;
     }
@@ -105,15 +109,16 @@ fn probe_between<R: Precision>(walker: &mut Walker<R>, ray: &Ray<R>, from: R, to
     }
 }
 
-/// A visible event; `before`: whether the ray was inside.
+/// A visible event, if there are numbers for its place; `before`: whether the ray was inside.
 fn crossing<R: Precision>(
     walker: &Walker<R>,
     ray: &Ray<R>,
     event: &Event<R>,
     before: bool,
-) -> Crossing<R> {
+) -> Option<Crossing<R>> {
     let (leaf, root) = (event.place.leaf, event.place.root);
-    let hit = walker.resolve(ray, leaf, root, event.owner.leaf);
+    let hit = walker.resolve(ray, leaf, root, event.owner.leaf)?;
+    let uv = walker.uv(leaf, root)?;
     let solid = event.kind == Kind::Boundary;
     let turned = solid && walker.is_turned(leaf);
     let entering = if before != event.state.inside {
@@ -122,12 +127,12 @@ fn crossing<R: Precision>(
         // From one medium into another: into the one whose surface it is, or out of it.
         hit.entering != turned
     };
-    Crossing {
+    Some(Crossing {
         hit,
         normal: if turned { -hit.normal } else { hit.normal },
-        uv: walker.uv(leaf, root),
+        uv,
         entering: solid.then_some(entering),
         shape: walker.shape_id(leaf),
         object: walker.object_id(event.owner.leaf),
-    }
+    })
 }

@@ -2,13 +2,15 @@
 
 use super::compile::outermost;
 use super::graph::{Coat, Graph, Operation, Part, Target};
+use super::membership::DIRECTION;
 use super::nearest::{Entry, Search};
-use super::order::Start;
+use super::order::{Scale, Start};
 use super::precision::{Doubt, Precision};
-use super::ray::{Line, Ray};
+use super::ray::{Beam, Line, Ray};
 use super::shapes::{Primitive, Roots};
 use super::spans::Spans;
 use super::stats::Intersections;
+use super::vec::Vec3;
 
 /// An occurrence of a shape: a part of the object whose space `context` is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,9 +33,8 @@ pub struct Context<R = f64> {
     pub object: u32,
     /// The ray in the object's space.
     pub line: Line<R>,
-    /// The same in doubles, for bounding boxes, and how far it may be off near those of the object.
-    pub coarse: Line,
-    pub drift: f64,
+    /// The same for the bounding boxes of the object.
+    pub beam: Beam,
     /// Where it was entered from; the root is its own parent.
     pub parent: u32,
     /// The part of the parent's object that it is.
@@ -49,15 +50,19 @@ pub struct Context<R = f64> {
 }
 
 /// The scratch of one thread, and what it has counted.
-pub struct Walker<'g, R = f64> {
+pub struct Walker<'g, R: Precision = f64> {
     pub graph: &'g Graph,
     pub contexts: Vec<Context<R>>,
     pub roots: Roots<R>,
+    /// Of the last shape that was met.
+    pub(super) scale: Scale<R>,
+    pub(super) line: Line<R>,
     pub(super) entries: Vec<Entry>,
     pub(super) nodes: Vec<u32>,
     pub(super) search: Search,
     pub(super) spans: Spans<R>,
     pub counts: Intersections,
+    pub(super) maps: R::Maps,
     pub(super) verdict: Verdict<R>,
     /// Where the ray starts on the surface that it has left, where that is known better than by
     /// its origin.
@@ -102,17 +107,35 @@ impl<R> Default for Verdict<R> {
     }
 }
 
+/// Whether a line is in a shape in whose space it is beyond the numbers: it crosses nothing there.
+/// One whose direction has shrunk to nothing stays where it starts. Of one whose own numbers have
+/// been lost there is no telling, and it counts as outside.
+#[cold]
+fn lost_inside<R: Precision>(shape: &Primitive, line: &Line<R>) -> bool {
+    if line.direction.any() || !line.direction.is_finite() || !line.origin.is_finite() {
+        return false;
+    }
+    let mut roots = Roots::default();
+    let anywhere = Line::new(line.origin, DIRECTION.cast());
+    shape.intersect().crossings(&anywhere, &mut roots);
+    let passed = roots.list.partition_point(|r| r.t <= R::ZERO);
+    shape.shape().is_solid() && roots.inside != (passed % 2 == 1)
+}
+
 impl<'g, R: Precision> Walker<'g, R> {
     pub fn new(graph: &'g Graph) -> Walker<'g, R> {
         Walker {
             graph,
             contexts: Vec::new(),
             roots: Roots::default(),
+            scale: Scale::default(),
+            line: Line::new(Vec3::ZERO, Vec3::ONE),
             entries: Vec::new(),
             nodes: Vec::new(),
             search: Search::First,
             spans: Spans::default(),
             counts: Intersections::default(),
+            maps: R::Maps::default(),
             verdict: Verdict::default(),
             start: None,
         }
@@ -120,13 +143,11 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Forgets the last ray; context 0 is the root's.
     pub fn begin(&mut self, ray: &Ray<R>) {
-        let coarse = R::coarse(&ray.line);
         self.contexts.clear();
         self.contexts.push(Context {
             object: self.graph.root,
             line: ray.line,
-            coarse,
-            drift: coarse.drift(self.graph.root().reach),
+            beam: Beam::new(&R::coarse(&ray.line), self.graph.root().reach),
             parent: 0,
             part: 0,
             depth: 0,
@@ -160,12 +181,10 @@ impl<'g, R: Precision> Walker<'g, R> {
         let p = self.part(part);
         let leaf = Leaf { part, context };
         let line = self.placed(&above.line, p);
-        let coarse = R::coarse(&line);
         let next = Context {
             object,
             line,
-            coarse,
-            drift: coarse.drift(self.graph.objects[object as usize].reach),
+            beam: Beam::new(&R::coarse(&line), self.graph.objects[object as usize].reach),
             parent: context,
             part,
             depth: above.depth + 1,
@@ -183,7 +202,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     pub fn placed(&self, line: &Line<R>, part: &Part) -> Line<R> {
         match part.placement {
             0 => *line,
-            m => line.through(&R::back(self.graph, m)),
+            m => line.through(&R::back(&self.maps, self.graph, m)),
         }
     }
 
@@ -286,13 +305,26 @@ impl<'g, R: Precision> Walker<'g, R> {
         let mut roots = std::mem::take(&mut self.roots);
         roots.clear();
         let shape = &self.graph.primitives[primitive as usize];
-        shape.intersect().crossings(&line, &mut roots);
-        debug_assert!(roots.list.iter().all(|r| r.t.is_finite()));
+        if line.is_sound() {
+            shape.intersect().crossings(&line, &mut roots);
+        } else {
+            roots.inside = lost_inside(shape, &line);
+            roots.uncertain = true;
+        }
+        debug_assert!(
+            roots.list.iter().all(|r| r.t.is_finite())
+                && roots.list.windows(2).all(|w| w[0].t <= w[1].t),
+            "{shape:?} {line:?} {roots:?}"
+        );
         self.counts.shape += 1;
         self.verdict.uncertain |= roots.uncertain;
         let behind = match &roots.list[..] {
             [] => 0,
-            _ => self.behind(ray, leaf, &line, &roots, from),
+            _ => {
+                self.scale = self.scale(&line, primitive);
+                self.line = line;
+                self.behind(ray, leaf, &line, &roots, from)
+            }
         };
         self.roots = roots;
         behind

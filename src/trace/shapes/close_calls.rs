@@ -73,10 +73,11 @@ fn meet<R: Real>(shape: &Primitive, line: &Line<R>) -> Roots<R> {
     for &root in &roots.list {
         assert!(root.t.is_finite());
         let at = kernel.locate(line, root);
-        assert!(
-            at.point.is_finite() && at.error.is_finite() && at.normal.any(),
-            "{at:?}"
-        );
+        // At the very end of the numbers there may be none for the place.
+        let at_the_end = !(line.at(root.t) * R::of(8.0)).is_finite();
+        let placed = at.point.is_finite() && at.error.is_finite();
+        assert!(placed || at_the_end, "{at:?}");
+        assert!(at.normal.is_finite() && at.normal.any(), "{at:?}");
     }
     if matches!(shape, Primitive::Sphere(_) | Primitive::Cuboid(_)) {
         assert!(!roots.inside && roots.list.len().is_multiple_of(2));
@@ -607,8 +608,8 @@ fn exact_cases_are_certain() {
     assert_eq!(counts(&ball, [1.0, 0.0, -5.0], down), [(0, true); 2]);
 }
 
-/// A box turned by a right angle, whose cosine is 6e-17, and lines along the axes: those that are
-/// clear of its edges are certain.
+/// A box turned by a right angle, whose cosine is zero, and lines along the axes: nothing is rounded
+/// on their way into its space, and all is certain.
 #[test]
 fn right_angles_are_no_close_calls() {
     let back = Affine::<f64>::new(&Matrix::rotation(90.0, 1).inverse().unwrap());
@@ -616,25 +617,22 @@ fn right_angles_are_no_close_calls() {
         min: [-1.0; 2],
         max: [1.0; 2],
     });
-    let mut rounded = 0;
     for x in [-0.9, 0.0, 0.5, 1.5] {
         for axis in 0..3 {
             let (mut o, mut d) = (Vec3::new(x, x, x), Vec3::ZERO);
             (o[axis], d[axis]) = (5.0, -1.0);
             let turned = line::<f64>(o, d).through(&back);
-            rounded += usize::from(turned.slack.direction > 0.0);
+            assert_eq!(turned.slack, Default::default());
             let roots = meet(&cube(), &turned);
             assert_eq!(roots.list.len(), if x < 1.0 { 2 } else { 0 });
             assert!(!roots.uncertain);
-            // Turned into the plane x = 0: a line in it is doubtful, others are not.
+            // Turned into the plane x = 0: a line in it does not cross it.
             let roots = meet(&square, &turned);
             let hits = axis == 0 && x < 1.0;
             assert_eq!(roots.list.len(), usize::from(hits), "{x} {axis}");
-            assert_eq!(roots.uncertain, axis != 0 && x == 0.0, "{x} {axis}");
+            assert!(!roots.uncertain, "{x} {axis}");
         }
     }
-    // But those along the axis of the turn, which are mapped without rounding.
-    assert_eq!(rounded, 8);
 }
 
 /// Known hard rays against spheres and planes.

@@ -1,6 +1,6 @@
 //! The axis-aligned box.
 
-use super::doubt::{is_final, least, parameter_error, within_numbers};
+use super::doubt::{is_final, least, parameter_error, share};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
@@ -36,14 +36,7 @@ impl Shape for Cuboid {
 
     /// To the right and up as each face is seen from outside; on top and bottom u follows x.
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
-        let share = |i: usize| {
-            let extent = self.max[i] - self.min[i];
-            if extent > 0.0 {
-                (point[i] - self.min[i]) / extent
-            } else {
-                0.0
-            }
-        };
+        let share = |i: usize| share(point[i], self.min[i], self.max[i]);
         let (x, y, z) = (share(0), share(1), share(2));
         match face {
             0 => [z, y],
@@ -123,13 +116,17 @@ impl<R: Real> Intersect<R> for Cuboid {
         }
     }
 
+    fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
+        Some(line.direction[root.face as usize / 2].abs())
+    }
+
     /// The coordinate across the face is the face's own, exactly. The others come from a t of two
     /// roundings, times d and added to o: off by at most γ₄(|o| + |t d|).
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let (axis, upper) = (root.face as usize / 2, root.face % 2 == 1);
         let step = line.direction * root.t;
         let mut point = line.origin + step;
-        let mut error = (line.origin.abs() + step.abs()) * R::gamma(4);
+        let mut error = line.origin.abs() * R::gamma(4) + step.abs() * R::gamma(4);
         let (min, max) = (self.min.cast::<R>(), self.max.cast::<R>());
         for i in 0..3 {
             point[i] = point[i].max(min[i]).min(max[i]);
@@ -138,11 +135,11 @@ impl<R: Real> Intersect<R> for Cuboid {
         error[axis] = R::ZERO;
         let mut normal = Vec3::ZERO;
         normal[axis] = if upper { R::ONE } else { -R::ONE };
-        within_numbers(Located {
+        Located {
             point,
             error,
             normal,
-        })
+        }
     }
 }
 

@@ -1,6 +1,5 @@
 //! What the bounds on rounding errors of several shapes have in common.
 
-use super::Located;
 use crate::trace::number::Real;
 
 /// Whether there is no finer number to ask: what this one cannot tell from a touch is one.
@@ -29,13 +28,17 @@ pub(super) fn fits<R: Real>(size: R) -> bool {
     size >= least() && size <= least::<R>().recip()
 }
 
-/// A place as far as there are numbers for it: what has left them is zero.
-pub(super) fn within_numbers<R: Real>(at: Located<R>) -> Located<R> {
-    let kept = |x: R| if x.is_finite() { x } else { R::ZERO };
-    Located {
-        point: at.point.map(kept),
-        error: at.error.map(kept),
-        normal: at.normal,
+/// How far a place is on the way from the lower to the upper end, as a share of all of it; 0 where
+/// there is no way.
+pub(super) fn share(x: f64, min: f64, max: f64) -> f64 {
+    if min >= max {
+        return 0.0;
+    }
+    let extent = max - min;
+    if extent.is_finite() {
+        (x - min) / extent
+    } else {
+        (x * 0.5 - min * 0.5) / (max * 0.5 - min * 0.5)
     }
 }
 
@@ -53,5 +56,16 @@ mod tests {
         assert!(f32::ROUNDOFF.powi(5) > f32::MIN_POSITIVE);
         assert!(fits(least::<f32>()) && !fits(least::<f32>() / 2.0));
         assert!(fits(1.0) && !fits(f64::NAN) && !fits(f64::INFINITY));
+    }
+
+    #[test]
+    fn shares_of_the_longest_ways() {
+        assert_eq!(share(2.5, 2.0, 4.0), 0.25);
+        assert_eq!(share(7.0, 7.0, 7.0), 0.0);
+        assert_eq!(share(0.0, -f64::MAX, f64::MAX), 0.5);
+        assert_eq!(share(f64::MAX, -f64::MAX, f64::MAX), 1.0);
+        assert_eq!(share(-f64::MAX / 2.0, -f64::MAX, f64::MAX), 0.25);
+        let least = f64::from_bits(1);
+        assert_eq!(share(least, 0.0, least), 1.0);
     }
 }

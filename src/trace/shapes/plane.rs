@@ -1,6 +1,6 @@
 //! The plane, a surface without inside.
 
-use super::doubt::{fits, is_final, parameter_error, within_numbers};
+use super::doubt::{fits, is_final, parameter_error};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
@@ -30,14 +30,15 @@ impl Plane {
 }
 
 impl Shape for Plane {
-    /// Flat where the normal is along an axis; all of space otherwise.
+    /// Flat where the normal is along an axis; all of space otherwise, and where the plane is beyond
+    /// the numbers.
     fn bounds(&self) -> Bounds {
         let mut bounds = Bounds::EVERYTHING;
         for i in 0..3 {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            if self.normal[i] != 0.0 && self.normal[j] == 0.0 && self.normal[k] == 0.0 {
-                bounds.min[i] = -self.d / self.normal[i];
-                bounds.max[i] = bounds.min[i];
+            let level = -self.d / self.normal[i];
+            if level.is_finite() && self.normal[j] == 0.0 && self.normal[k] == 0.0 {
+                (bounds.min[i], bounds.max[i]) = (level, level);
             }
         }
         bounds.padded()
@@ -128,10 +129,11 @@ impl Plane {
         let size = terms[0] + terms[1] + terms[2];
         let value = n.dot(line.origin) + R::of(self.d);
         let tilt = tilt(size, n, line.slack.direction);
-        if slope.abs() > tilt && fits(size) && fits(value.abs()) {
+        let t = -(value / slope);
+        if slope.abs() > tilt && fits(size) && fits(value.abs()) && t.is_finite() {
             return Meeting {
                 way: Way::Across {
-                    t: -(value / slope),
+                    t,
                     outwards: slope > R::ZERO,
                 },
                 uncertain: false,
@@ -242,6 +244,12 @@ impl<R: Real> Intersect<R> for Plane {
         }
     }
 
+    /// By the greatest component of the normal, whose length is up to √3 of it.
+    fn speed(&self, line: &Line<R>, _: Root<R>) -> Option<R> {
+        let across = self.normal.cast::<R>().dot(line.direction).abs();
+        Some(across / (R::of(1.75 * self.normal.abs().max_component())))
+    }
+
     /// The point on the line, moved along the normal by the distance it is found to be off. What
     /// remains is the rounding of that distance, γ₅(Σ|nᵢ pᵢ| + |d|) / |n|² along n, and of the
     /// point itself.
@@ -254,10 +262,10 @@ impl<R: Real> Intersect<R> for Plane {
         let square = n.dot(n);
         let point = p - n * ((n.dot(p) + c) / square);
         let noise = R::gamma(5) * (n.abs().dot(p.abs()) + c.abs()) / square;
-        within_numbers(Located {
+        Located {
             point,
             error: n.abs() * noise + point.abs() * R::ROUNDOFF,
             normal: n,
-        })
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The rectangle in the plane z = 0, a surface without inside.
 
-use super::doubt::{is_final, least, parameter_error, within_numbers};
+use super::doubt::{is_final, least, parameter_error, share};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
@@ -36,14 +36,7 @@ impl Shape for Rectangle {
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
-        [0, 1].map(|i| {
-            let extent = self.max[i] - self.min[i];
-            if extent > 0.0 {
-                (point[i] - self.min[i]) / extent
-            } else {
-                0.0
-            }
-        })
+        [0, 1].map(|i| share(point[i], self.min[i], self.max[i]))
     }
 
     fn is_solid(&self) -> bool {
@@ -82,18 +75,22 @@ impl<R: Real> Intersect<R> for Rectangle {
         }
     }
 
+    fn speed(&self, line: &Line<R>, _: Root<R>) -> Option<R> {
+        Some(line.direction[2].abs())
+    }
+
     /// z = 0 exactly; x and y as in the box.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let step = line.direction * root.t;
         let mut point = line.origin + step;
-        let mut error = (line.origin.abs() + step.abs()) * R::gamma(4);
+        let mut error = line.origin.abs() * R::gamma(4) + step.abs() * R::gamma(4);
         point[2] = R::ZERO;
         error[2] = R::ZERO;
-        within_numbers(Located {
+        Located {
             point,
             error,
             normal: Vec3::new(R::ZERO, R::ZERO, R::ONE),
-        })
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The sphere.
 
-use super::doubt::{fits, is_final, least, parameter_error, within_numbers};
+use super::doubt::{fits, is_final, least, parameter_error};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
@@ -80,23 +80,29 @@ impl<R: Real> Intersect<R> for Sphere {
         }
     }
 
+    fn speed(&self, _: &Line<R>, _: Root<R>) -> Option<R> {
+        None
+    }
+
     /// The point on the line, pushed along the radius onto the sphere: off by at most γ₅|p|
     /// whatever t was (pbrt-v4, section 6.8.4), plus the rounding of adding the centre.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let (centre, radius) = (self.centre.cast(), R::of(self.radius));
         let from = (line.origin - centre) + line.direction * root.t;
+        // Of unit size first, so that a line that has come to the centre by rounding does not
+        // overflow.
         let normal = if from.is_finite() && from.any() {
-            from
+            from / from.abs().max_component()
         } else {
             Vec3::new(R::ONE, R::ZERO, R::ZERO)
         };
-        let p = normal * (radius / normal.length());
+        let p = normal * (radius / normal.dot(normal).sqrt());
         let point = centre + p;
-        within_numbers(Located {
+        Located {
             point,
             error: p.abs() * R::gamma(5) + point.abs() * R::ROUNDOFF,
             normal,
-        })
+        }
     }
 }
 
@@ -230,7 +236,7 @@ impl<R: Real> Ball<R> {
             let two = R::of(2.0);
             let step = (c - near * (two * b - a * near)) / (two * (a * near - b));
             if step.is_finite() {
-                near = near - step;
+                near -= step;
             }
         }
         (near.min(far), near.max(far))

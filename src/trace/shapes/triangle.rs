@@ -105,11 +105,12 @@ impl Triangle {
         let [ab, ac, ap] = [ab, ac, point * 0.5 - a * 0.5].map(|e| e / size);
         let area = |p: Vec3, q: Vec3| f64::difference_of_products(p[x], q[y], p[y], q[x]);
         let whole = area(ab, ac);
-        let second = (area(ap, ac) / whole).clamp(0.0, 1.0);
-        let third = (area(ab, ap) / whole).clamp(0.0, 1.0 - second);
+        let (second, third) = (area(ap, ac) / whole, area(ab, ap) / whole);
         if second.is_nan() || third.is_nan() {
             return CENTRE;
         }
+        let second = second.clamp(0.0, 1.0);
+        let third = third.clamp(0.0, 1.0 - second);
         [1.0 - second - third, second, third]
     }
 }

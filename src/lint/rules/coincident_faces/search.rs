@@ -197,8 +197,13 @@ impl Known {
         let size = if size.is_finite() { size } else { self.largest };
         let reach = 2.0 * NEAR * size + ROUNDING * magnitude;
         let mut out = Vec::new();
+        let (low, high) = (at - reach, at + reach);
+        if low.is_nan() || high.is_nan() {
+            // Beyond the numbers nothing is in one place.
+            return out;
+        }
         for cell in cells(&face.form, as_filed, cell) {
-            let range = (cell, order(at - reach), 0)..=(cell, order(at + reach), u32::MAX);
+            let range = (cell, order(low), 0)..=(cell, order(high), u32::MAX);
             out.extend(self.index.range(range).map(|e| e.2));
         }
         out

@@ -63,7 +63,7 @@ impl Shape for Cone {
         let v = if face != SIDE {
             p[0].hypot(p[2]) / self.radius
         } else if self.double {
-            (p[1] + self.height) / (2.0 * self.height)
+            0.5 * (p[1] / self.height) + 0.5
         } else {
             p[1] / self.height
         };

@@ -69,7 +69,8 @@ impl Revolution {
         let mut length = 0.0;
         for (i, p) in profile.iter().enumerate() {
             if let Some(q) = i.checked_sub(1).map(|i| profile[i]) {
-                length += (p[0] - q[0]).hypot(p[1] - q[1]) * scale;
+                let [dx, dy] = [0, 1].map(|k| p[k] * scale - q[k] * scale);
+                length += dx.hypot(dy);
             }
             arc.push(length);
         }
