@@ -2,6 +2,7 @@
 
 use super::exponent::{exponent, shifted, shifted_vector};
 use super::number::Real;
+use super::ray::{Line, Slack};
 use super::vec::Vec3;
 use crate::scene::Matrix;
 
@@ -12,6 +13,11 @@ pub struct Affine<R = f64> {
     pub offset: Vec3<R>,
     /// Which rows take one coordinate as it is, or times a power of two: these round no product.
     plain: [bool; 3],
+    /// The greatest of the sums Σⱼ|mᵢⱼ|: how much longer, at most, the largest component of a
+    /// vector becomes.
+    spread: R,
+    /// Whether it does nothing but move.
+    moves: bool,
 }
 
 impl<R: Real> Affine<R> {
@@ -29,11 +35,25 @@ impl<R: Real> Affine<R> {
             let only = numbers.next().filter(|_| numbers.next().is_none());
             only.is_some_and(|x| x.abs() == shifted(R::ONE, exponent(x.to_f64())))
         });
+        let spread = Vec3(rows.map(|row| row.abs().dot(Vec3::ONE))).max_component();
         Affine {
             rows,
             offset,
             plain,
+            spread,
+            moves: rows == Affine::<R>::STILL,
         }
+    }
+
+    /// The rows of a map that turns and stretches nothing.
+    const STILL: [Vec3<R>; 3] = [
+        Vec3([R::ONE, R::ZERO, R::ZERO]),
+        Vec3([R::ZERO, R::ONE, R::ZERO]),
+        Vec3([R::ZERO, R::ZERO, R::ONE]),
+    ];
+
+    pub fn moves(&self) -> bool {
+        self.moves
     }
 
     pub fn point(&self, p: Vec3<R>) -> Vec3<R> {
@@ -94,28 +114,32 @@ impl<R: Real> Affine<R> {
         Vec3(self.rows.map(|row| row.abs().dot(v)))
     }
 
-    /// The greatest of the sums Σⱼ|mᵢⱼ|: how much longer, at most, the largest component of a
-    /// vector becomes.
-    pub fn spread(&self) -> R {
-        self.sizes(Vec3::ONE).max_component()
-    }
-
-    /// Bounds on what `point(p)` and `vector(v)` round, the map's own numbers included: γ₅ of the
-    /// sizes of the terms of each component, or, where a coordinate is only moved, half a unit in
-    /// the last place of the result, and nothing where it stays.
-    pub fn rounding(&self, p: Vec3<R>, v: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
-        let (points, vectors) = (self.sizes(p), self.sizes(v));
-        let (mut point, mut vector) = (Vec3::ZERO, Vec3::ZERO);
+    /// The slack of a line behind the map: what it was before, and what the map rounds, its own
+    /// numbers included. That is γ₅ of the sizes of the terms of each component, or, where a
+    /// coordinate is only moved, half a unit in the last place of the result, and nothing where it
+    /// stays.
+    pub fn slack(&self, line: &Line<R>) -> Slack<R> {
+        let (o, d) = (line.origin.abs(), line.direction.abs());
+        let (mut point, mut vector) = (R::ZERO, R::ZERO);
+        let greater = |a: R, b: R| if a > b { a } else { b };
         for i in 0..3 {
-            let offset = self.offset[i];
+            let (row, offset) = (self.rows[i].abs(), self.offset[i].abs());
             if !self.plain[i] {
-                point[i] = R::gamma(5) * (points[i] + offset.abs());
-                vector[i] = R::gamma(5) * vectors[i];
+                point = greater(point, R::gamma(5) * (row.dot(o) + offset));
+                vector = greater(vector, R::gamma(5) * row.dot(d));
             } else if offset != R::ZERO {
-                point[i] = R::gamma(1) * (points[i] + offset.abs());
+                point = greater(point, R::gamma(1) * (row.dot(o) + offset));
             }
         }
-        (point, vector)
+        if line.slack != Slack::default() {
+            let spread = self.spread * (R::ONE + R::gamma(5));
+            point += spread * line.slack.origin;
+            vector += spread * line.slack.direction;
+        }
+        Slack {
+            origin: point,
+            direction: vector,
+        }
     }
 
     /// A bound on the error of `point(p)` where p is off by at most `error`:

@@ -1,7 +1,7 @@
 //! Axis-aligned boxes that hold at least what they bound.
 
 use super::affine::Affine;
-use super::ray::Line;
+use super::ray::Beam;
 use super::vec::{Vec3, gamma};
 
 /// An axis-aligned box; sides may lie at infinity. Empty where a lower side exceeds the upper.
@@ -120,20 +120,19 @@ impl Bounds {
     }
 
     /// The part of `[from, to]` in which the line is in the box; `None` where there is none.
-    /// `from` must not be negative. `drift` bounds how far along each axis the line may be off
-    /// near the box ([`Line::drift`]).
+    /// `from` must not be negative.
     ///
-    /// Each plane's t has four rounded operations behind it; the ends are widened by 1 ± 2γ₄, so
+    /// Each plane's t has three rounded operations behind it; the ends are widened by 1 ± 2γ₃, so
     /// that no box the exact line meets is missed (Ize, "Robust BVH Ray Traversal", JCGT 2(2),
     /// 2013). A NaN (a line in a face's plane) loses every comparison and restricts nothing.
     #[inline]
-    pub fn clip(&self, line: &Line, drift: f64, from: f64, to: f64) -> Option<(f64, f64)> {
-        const SLACK: f64 = 2.0 * gamma(4);
+    pub fn clip(&self, beam: &Beam, from: f64, to: f64) -> Option<(f64, f64)> {
+        const SLACK: f64 = 2.0 * gamma(3);
         let (mut near, mut far) = (from, f64::INFINITY);
         for i in 0..3 {
-            let a = (self.min[i] - line.origin[i] - drift) * line.inverse[i];
-            let b = (self.max[i] - line.origin[i] + drift) * line.inverse[i];
-            let (a, b) = if line.inverse[i] < 0.0 {
+            let a = (self.min[i] - beam.low[i]) * beam.inverse[i];
+            let b = (self.max[i] - beam.high[i]) * beam.inverse[i];
+            let (a, b) = if beam.inverse[i] < 0.0 {
                 (b, a)
             } else {
                 (a, b)

@@ -14,7 +14,7 @@ use super::vec::Vec3;
 use super::walk::{Verdict, Walker};
 
 /// The scratch of one thread.
-pub struct Walkers<'t, R = f64> {
+pub struct Walkers<'t, R: Precision = f64> {
     tracer: &'t Tracer,
     walker: Walker<'t, R>,
     /// Made when it is first needed.

@@ -1,6 +1,5 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
-use super::affine::Affine;
 use super::nearest::Search;
 use super::precision::Precision;
 use super::ray::{Left, Ray};
@@ -105,8 +104,7 @@ impl<R: Precision> Walker<'_, R> {
             });
         }
         // Far enough to meet what cannot be told from this crossing.
-        let error = self.error(leaf, &self.line(leaf), root);
-        let near = root.t + error * R::of(4.0);
+        let near = root.t + first.place.error * R::of(4.0);
         if near < to {
             let found = self.first_visible(ray, from, near);
             if found.is_some() {
@@ -152,8 +150,8 @@ impl<R: Precision> Walker<'_, R> {
         let local: Vec3 = located.point.cast();
         let mut shading = shape.shading_normal(local, root.face).map(Vec3::cast);
         self.climb(leaf, |placement| {
-            let out: Affine<R> = Affine::new(&self.graph.matrices[placement as usize]);
-            let back = R::back(self.graph, placement);
+            let out = R::out(self.graph, placement);
+            let back = R::back(&self.maps, self.graph, placement);
             error = out.point_error(point, error);
             point = out.point(point);
             normal = back.unit_normal(normal);

@@ -62,6 +62,7 @@ use bounds::Bounds;
 use graph::Graph;
 use plan::{Effect, Plan};
 use precision::Precision;
+use ray::Beam;
 use shade::Light;
 use std::fmt;
 use vec::Vec3;
@@ -165,7 +166,8 @@ impl Tracer {
         match &self.clip {
             None => Some((R::ZERO, to)),
             Some(clip) => {
-                let (from, end) = clip.clip(&R::coarse(&ray.line), 0.0, 0.0, to.to_f64())?;
+                let (from, end) =
+                    clip.clip(&Beam::exact(&R::coarse(&ray.line)), 0.0, to.to_f64())?;
                 Some((R::of(from), R::of(end)))
             }
         }

@@ -69,13 +69,6 @@ struct Best<R> {
     limit: R,
 }
 
-/// A crossing's t is off by less than this share of t and its reach, short of grazing rays: some
-/// hundred roundings. What grazes a surface and is hidden by another one just there may be missed,
-/// which changes what is seen, but not that something is.
-fn leeway<R: Precision>() -> R {
-    R::of(1024.0) * R::ROUNDOFF
-}
-
 impl<R: Precision> Walker<'_, R> {
     /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked
     /// into; of intersections only their own boundary counts. Among crossings at the same t the
@@ -145,7 +138,7 @@ impl<R: Precision> Walker<'_, R> {
     #[inline]
     fn clip(&self, context: u32, bounds: &Bounds, from: R, best: &Best<R>) -> Option<(f64, f64)> {
         let here = &self.contexts[context as usize];
-        bounds.clip(&here.coarse, here.drift, from.to_f64(), best.limit.to_f64())
+        bounds.clip(&here.beam, from.to_f64(), best.limit.to_f64())
     }
 
     /// The parts of a context's union among which is what is looked for.
@@ -215,9 +208,9 @@ impl<R: Precision> Walker<'_, R> {
                 if let Some(&root) = self.roots.list.get(behind)
                     && root.t <= best.limit
                 {
-                    let reach = self.reach(&self.line(leaf), primitive);
+                    let error = self.rough(&self.line, primitive, root);
                     let found = Crossing {
-                        place: Place { leaf, root, reach },
+                        place: Place { leaf, root, error },
                         owner: leaf,
                     };
                     self.consider(found, best);
@@ -237,9 +230,8 @@ impl<R: Precision> Walker<'_, R> {
             },
         };
         if nearer {
-            let t = found.place.root.t;
-            let beyond = t + leeway::<R>() * (t.abs() + found.place.reach);
-            best.limit = best.limit.min(beyond);
+            let Place { root, error, .. } = found.place;
+            best.limit = best.limit.min(root.t + error + error);
             best.found = Some(found);
         }
     }

@@ -14,8 +14,15 @@ use std::cmp::Ordering;
 pub struct Place<R> {
     pub leaf: Leaf,
     pub root: Root<R>,
-    /// See [`Walker::reach`].
-    pub reach: R,
+    /// A rough bound on the error of its t; see [`Walker::rough`].
+    pub error: R,
+}
+
+/// The sizes of the numbers behind a crossing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Scale<R> {
+    reach: R,
+    pace: R,
 }
 
 /// Where a ray starts.
@@ -38,28 +45,50 @@ impl<R: Precision> Start<R> {
     }
 }
 
-/// Places on a ray farther apart than this, relative to t and their reach, are in order whatever
-/// was rounded. The error of a crossing is at most h/s with h the error of its point across the
-/// surface, a few dozen roundings of the numbers behind it, and s the sine of the angle between ray
-/// and surface; below √h the shape itself is in doubt whether it is met at all. So the error is
-/// below √(64 u) of the reach, and this is sixteen times that.
-fn margin<R: Precision>() -> R {
-    R::of(128.0) * R::ROUNDOFF.sqrt()
+/// What is rounded on the way to a crossing's point, across the surface, as a share of the numbers
+/// behind it: more than any shape does, which the campaign measures at 11 units in the last place.
+fn share<R: Precision>() -> R {
+    R::of(256.0) * R::ROUNDOFF
 }
 
 impl<R: Precision> Walker<'_, R> {
-    /// How far, in units of t, the numbers reach that a leaf's crossings are computed from: the
-    /// line's origin and the shape's own size.
-    pub(super) fn reach(&self, line: &Line<R>, primitive: u32) -> R {
-        let extent = R::of(self.graph.extents[primitive as usize]);
-        (line.origin.abs().max_component() + extent) / line.direction.abs().max_component()
+    /// The numbers that a leaf's crossings are computed from, besides t: the size of the line's origin
+    /// and that of the shape; and the greatest component of the direction.
+    pub(super) fn scale(&self, line: &Line<R>, primitive: u32) -> Scale<R> {
+        let greater = |a: R, b: R| if a > b { a } else { b };
+        let largest = |v: Vec3<R>| {
+            let [x, y, z] = v.abs().0;
+            greater(greater(x, y), z)
+        };
+        Scale {
+            reach: largest(line.origin) + R::of(self.graph.extents[primitive as usize]),
+            pace: largest(line.direction),
+        }
+    }
+
+    /// A rough bound on the error of a crossing with the shape that has been met last: what is
+    /// rounded across the surface, over the speed at which the ray passes through it. For shapes that
+    /// bend away from their tangents that speed is at least the root of what is rounded, relative to
+    /// the pace, since they doubt to be met where it is lower.
+    pub(super) fn rough(&self, line: &Line<R>, primitive: u32, root: Root<R>) -> R {
+        let Scale { reach, pace } = self.scale;
+        let t = root.t.abs();
+        let shape = self.graph.primitives[primitive as usize].intersect();
+        let error = match shape.speed(line, root) {
+            Some(speed) => {
+                let slack = line.slack.origin + t * line.slack.direction;
+                (share::<R>() * (reach + t * pace) + R::of(2.0) * slack) / speed
+            }
+            None => R::of(4.0) * share::<R>().sqrt() * (reach / pace + t),
+        };
+        if error.is_nan() { R::INFINITY } else { error }
     }
 
     /// A bound on the error of a crossing's t: what its point may be off across the surface, over
     /// the speed at which the ray goes through it. Twice, for where the surface bends away: it does
     /// so by less than that as long as the shape does not doubt that it is met. A place beyond the
     /// numbers has none: the ray ends there, and it is as far on as its t says.
-    pub(super) fn error(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> R {
+    fn error(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> R {
         let located = self.primitive(leaf).intersect().locate(line, root);
         let point = line.at(root.t);
         if !(point.is_finite() && located.point.is_finite()) {
@@ -101,7 +130,7 @@ impl<R: Precision> Walker<'_, R> {
         let (s, t) = (a.root.t, b.root.t);
         let rounded = s.partial_cmp(&t).unwrap_or(Ordering::Equal);
         let gap = (s - t).abs();
-        if gap > margin::<R>() * (s.abs() + t.abs() + a.reach + b.reach) {
+        if gap > a.error + b.error {
             return rounded;
         }
         if gap == R::ZERO && self.surface(a.leaf) == self.surface(b.leaf) {
@@ -121,7 +150,7 @@ impl<R: Precision> Walker<'_, R> {
 
     /// Whether a crossing cannot be told from a known place on the ray.
     fn is_at(&self, leaf: Leaf, line: &Line<R>, root: Root<R>, place: &Start<R>) -> bool {
-        if !self.is_near(leaf, line, root.t, place.t) {
+        if !self.is_near(leaf, line, root, place.t) {
             return false;
         }
         let gap = (root.t - place.t).abs();
@@ -134,16 +163,13 @@ impl<R: Precision> Walker<'_, R> {
         gap <= self.error(leaf, line, root) + place.error + placed
     }
 
-    /// Whether rounding may have to do with the order of a leaf's crossing at `t` and another place.
-    fn is_near(&self, leaf: Leaf, line: &Line<R>, t: R, place: R) -> bool {
-        let extent = match self.part(leaf.part).target {
-            Target::Shape(p) => self.graph.extents[p as usize],
-            Target::Object(_) => return false,
-        };
-        let pace = line.direction.abs().max_component();
-        let reach = line.origin.abs().max_component() + R::of(extent);
-        // No division on the way of most.
-        (t - place).abs() * pace <= margin::<R>() * ((t.abs() + place.abs()) * pace + reach)
+    /// Whether rounding may have to do with the order of a crossing with the shape that has been met
+    /// last and a place on the ray.
+    fn is_near(&self, leaf: Leaf, line: &Line<R>, root: Root<R>, place: R) -> bool {
+        match self.part(leaf.part).target {
+            Target::Shape(primitive) => (root.t - place).abs() <= self.rough(line, primitive, root),
+            Target::Object(_) => false,
+        }
     }
 
     /// How many of a leaf's crossings lie behind the ray's start, which is at `from`.
@@ -226,7 +252,7 @@ impl<R: Precision> Walker<'_, R> {
         let length = direction.length();
         let within = |walker: &Self, root: Root<R>| {
             let t = root.t.abs();
-            (t * length <= farthest || walker.is_near(leaf, line, t, R::ZERO)) && {
+            (t * length <= farthest || walker.is_near(leaf, line, root, R::ZERO)) && {
                 let steep = walker.world_normal(leaf, line, root).dot(direction).abs();
                 t * steep <= left.skin + walker.error(leaf, line, root) * steep
             }
@@ -249,7 +275,7 @@ impl<R: Precision> Walker<'_, R> {
     fn world_normal(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> Vec3<R> {
         let mut normal = self.primitive(leaf).intersect().locate(line, root).normal;
         self.climb(leaf, |placement| {
-            normal = R::back(self.graph, placement).unit_normal(normal);
+            normal = R::back(&self.maps, self.graph, placement).unit_normal(normal);
         });
         normal.unit()
     }

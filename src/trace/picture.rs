@@ -248,7 +248,7 @@ impl Tracer {
 }
 
 /// What the rows of a picture have in common.
-struct Drawing<'t, R> {
+struct Drawing<'t, R: Precision> {
     tracer: &'t Tracer,
     lights: &'t [Light],
     limits: Limits,
@@ -307,7 +307,7 @@ struct Pixel {
 }
 
 /// What draws pixels on one thread.
-struct Pen<'d, 't, R> {
+struct Pen<'d, 't, R: Precision> {
     shader: Shader<'t, R>,
     drawing: &'d Drawing<'t, R>,
 }

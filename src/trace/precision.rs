@@ -5,6 +5,8 @@ use super::dd::Dd;
 use super::graph::Graph;
 use super::number::Real;
 use super::ray::{Line, Slack};
+use std::cell::RefCell;
+use std::collections::HashMap;
 
 /// What becomes of a decision that is closer than the rounding errors behind it: which of two
 /// crossings comes first, whether there is one at all, on which side of a surface a ray starts.
@@ -22,8 +24,16 @@ pub enum Doubt {
 pub trait Precision: Real {
     const DOUBT: Doubt;
 
+    /// What a walker keeps of placements that it has met.
+    type Maps: Default;
+
+    /// The map of a placement out of the space below it.
+    fn out(graph: &Graph, placement: u32) -> Affine<Self> {
+        Affine::new(&graph.matrices[placement as usize])
+    }
+
     /// The map of a placement into the space below it.
-    fn back(graph: &Graph, placement: u32) -> Affine<Self>;
+    fn back(maps: &Self::Maps, graph: &Graph, placement: u32) -> Affine<Self>;
 
     /// The line in doubles, as bounding boxes are clipped in them whatever the precision.
     fn coarse(line: &Line<Self>) -> Line;
@@ -31,9 +41,15 @@ pub trait Precision: Real {
 
 impl Precision for f64 {
     const DOUBT: Doubt = Doubt::GoesOn;
+    type Maps = ();
 
     #[inline]
-    fn back(graph: &Graph, placement: u32) -> Affine {
+    fn out(graph: &Graph, placement: u32) -> Affine {
+        graph.placements[placement as usize].out
+    }
+
+    #[inline]
+    fn back(_: &(), graph: &Graph, placement: u32) -> Affine {
         graph.placements[placement as usize].back
     }
 
@@ -45,8 +61,9 @@ impl Precision for f64 {
 
 impl Precision for f32 {
     const DOUBT: Doubt = Doubt::Stands;
+    type Maps = ();
 
-    fn back(graph: &Graph, placement: u32) -> Affine<f32> {
+    fn back(_: &(), graph: &Graph, placement: u32) -> Affine<f32> {
         graph.placements[placement as usize].back.cast()
     }
 
@@ -57,12 +74,16 @@ impl Precision for f32 {
 
 impl Precision for Dd {
     const DOUBT: Doubt = Doubt::Merges;
+    type Maps = RefCell<HashMap<u32, Affine<Dd>>>;
 
-    /// Inverted again: few rays need it, and all placements' would take twice the memory.
-    fn back(graph: &Graph, placement: u32) -> Affine<Dd> {
-        let out = Affine::new(&graph.matrices[placement as usize]);
-        let coarse = || graph.placements[placement as usize].back.cast();
-        out.inverse().unwrap_or_else(coarse)
+    /// Inverted when it is first met: few rays need it, and all placements' would take twice the
+    /// memory.
+    fn back(maps: &Self::Maps, graph: &Graph, placement: u32) -> Affine<Dd> {
+        *maps.borrow_mut().entry(placement).or_insert_with(|| {
+            let out = Affine::new(&graph.matrices[placement as usize]);
+            let coarse = || graph.placements[placement as usize].back.cast();
+            out.inverse().unwrap_or_else(coarse)
+        })
     }
 
     fn coarse(line: &Line<Dd>) -> Line {

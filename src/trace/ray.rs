@@ -56,15 +56,23 @@ impl<R: Real> Line<R> {
 
     /// The line in another space, with what the map rounds.
     pub fn through(&self, map: &Affine<R>) -> Line<R> {
-        let (o, d) = (self.origin, self.direction);
-        let spread = |error: R| map.spread() * error * (R::ONE + R::gamma(5));
-        let (point, vector) = map.rounding(o, d);
+        if map.moves() {
+            // The usual case, and the cheapest: the sum is rounded once, and nothing else.
+            let origin = self.origin + map.offset;
+            let [x, y, z] = origin.map(R::abs).0;
+            let rounded = R::gamma(1) * (x + y + z);
+            return Line {
+                origin,
+                slack: Slack {
+                    origin: self.slack.origin + rounded,
+                    direction: self.slack.direction,
+                },
+                ..*self
+            };
+        }
         Line {
-            slack: Slack {
-                origin: spread(self.slack.origin) + point.max_component(),
-                direction: spread(self.slack.direction) + vector.max_component(),
-            },
-            ..Line::new(map.point(o), map.vector(d))
+            slack: map.slack(self),
+            ..Line::new(map.point(self.origin), map.vector(self.direction))
         }
     }
 
@@ -91,6 +99,41 @@ impl<R: Real> Line<R> {
             drift
         } else {
             R::INFINITY
+        }
+    }
+}
+
+/// A line as bounding boxes see it, in doubles whatever its own numbers are: with its origin moved
+/// towards the lower and the upper sides as far as it may be off near the boxes.
+#[derive(Debug, Clone, Copy)]
+pub struct Beam {
+    pub low: Vec3,
+    pub high: Vec3,
+    pub inverse: Vec3,
+}
+
+impl Beam {
+    /// For boxes whose coordinates are at most `reach` in size.
+    pub fn new(line: &Line, reach: f64) -> Beam {
+        let drift = line.drift(reach);
+        if drift == 0.0 {
+            return Beam::exact(line);
+        }
+        // The sums below are rounded, too.
+        let margin = Vec3::ONE * drift + line.origin.abs() * f64::EPSILON;
+        Beam {
+            low: line.origin + margin,
+            high: line.origin - margin,
+            inverse: line.inverse,
+        }
+    }
+
+    /// Of a line that is exactly what is meant.
+    pub fn exact(line: &Line) -> Beam {
+        Beam {
+            low: line.origin,
+            high: line.origin,
+            inverse: line.inverse,
         }
     }
 }

@@ -42,7 +42,7 @@ struct Branch<R> {
 }
 
 /// The scratch of one thread.
-pub struct Shader<'t, R = f64> {
+pub struct Shader<'t, R: Precision = f64> {
     tracer: &'t Tracer,
     /// Ambient light of the scene, and its point lights or the headlight.
     ambient: Vec3,

@@ -192,19 +192,20 @@ impl<R: Precision> Walker<'_, R> {
         let behind = self.cross(ray, leaf, primitive, from);
         let owner = self.owner(leaf);
         let begin = self.spans.events.len();
-        let reach = match self.roots.list.is_empty() {
-            true => R::ZERO,
-            false => self.reach(&self.line(leaf), primitive),
-        };
         let mut inside = part.inverted != (solid && (self.roots.inside != (behind % 2 == 1)));
         let start = State { inside, owner };
         // The complement of a surface is all of space: losing a surface does not show.
         if solid || !part.inverted {
-            for &root in self.roots.list[behind..].iter().take_while(|r| r.t <= to) {
+            for i in behind..self.roots.list.len() {
+                let root = self.roots.list[i];
+                if root.t > to {
+                    break;
+                }
+                let error = self.rough(&self.line, primitive, root);
                 inside ^= solid;
                 self.spans.events.push(Event {
                     kind: if solid { Kind::Boundary } else { Kind::Sheet },
-                    place: Place { leaf, root, reach },
+                    place: Place { leaf, root, error },
                     owner,
                     state: State { inside, owner },
                 });
@@ -240,15 +241,14 @@ impl<R: Precision> Walker<'_, R> {
     fn gather(&mut self, context: u32, group: &Group, from: R, to: R) {
         let task = |&part: &u32| Task::Part { part, context };
         self.spans.tasks.extend(group.loose.iter().map(task));
-        let here = &self.contexts[context as usize];
-        let (line, drift) = (here.coarse, here.drift);
+        let beam = self.contexts[context as usize].beam;
         let (from, to) = (from.to_f64(), to.to_f64());
         self.nodes.clear();
         self.nodes.extend(group.bvh.nodes.first().map(|_| 0));
         while let Some(node) = self.nodes.pop() {
             let here = &group.bvh.nodes[node as usize];
             self.counts.boxes += 1;
-            if here.bounds.clip(&line, drift, from, to).is_none() {
+            if here.bounds.clip(&beam, from, to).is_none() {
                 continue;
             }
             if here.count > 0 {

@@ -4,12 +4,13 @@ use super::compile::outermost;
 use super::graph::{Coat, Graph, Operation, Part, Target};
 use super::membership::DIRECTION;
 use super::nearest::{Entry, Search};
-use super::order::Start;
+use super::order::{Scale, Start};
 use super::precision::{Doubt, Precision};
-use super::ray::{Line, Ray};
+use super::ray::{Beam, Line, Ray};
 use super::shapes::{Primitive, Roots};
 use super::spans::Spans;
 use super::stats::Intersections;
+use super::vec::Vec3;
 
 /// An occurrence of a shape: a part of the object whose space `context` is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,9 +33,8 @@ pub struct Context<R = f64> {
     pub object: u32,
     /// The ray in the object's space.
     pub line: Line<R>,
-    /// The same in doubles, for bounding boxes, and how far it may be off near those of the object.
-    pub coarse: Line,
-    pub drift: f64,
+    /// The same for the bounding boxes of the object.
+    pub beam: Beam,
     /// Where it was entered from; the root is its own parent.
     pub parent: u32,
     /// The part of the parent's object that it is.
@@ -50,15 +50,19 @@ pub struct Context<R = f64> {
 }
 
 /// The scratch of one thread, and what it has counted.
-pub struct Walker<'g, R = f64> {
+pub struct Walker<'g, R: Precision = f64> {
     pub graph: &'g Graph,
     pub contexts: Vec<Context<R>>,
     pub roots: Roots<R>,
+    /// Of the last shape that was met.
+    pub(super) scale: Scale<R>,
+    pub(super) line: Line<R>,
     pub(super) entries: Vec<Entry>,
     pub(super) nodes: Vec<u32>,
     pub(super) search: Search,
     pub(super) spans: Spans<R>,
     pub counts: Intersections,
+    pub(super) maps: R::Maps,
     pub(super) verdict: Verdict<R>,
     /// Where the ray starts on the surface that it has left, where that is known better than by
     /// its origin.
@@ -124,11 +128,14 @@ impl<'g, R: Precision> Walker<'g, R> {
             graph,
             contexts: Vec::new(),
             roots: Roots::default(),
+            scale: Scale::default(),
+            line: Line::new(Vec3::ZERO, Vec3::ONE),
             entries: Vec::new(),
             nodes: Vec::new(),
             search: Search::First,
             spans: Spans::default(),
             counts: Intersections::default(),
+            maps: R::Maps::default(),
             verdict: Verdict::default(),
             start: None,
         }
@@ -136,13 +143,11 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Forgets the last ray; context 0 is the root's.
     pub fn begin(&mut self, ray: &Ray<R>) {
-        let coarse = R::coarse(&ray.line);
         self.contexts.clear();
         self.contexts.push(Context {
             object: self.graph.root,
             line: ray.line,
-            coarse,
-            drift: coarse.drift(self.graph.root().reach),
+            beam: Beam::new(&R::coarse(&ray.line), self.graph.root().reach),
             parent: 0,
             part: 0,
             depth: 0,
@@ -176,12 +181,10 @@ impl<'g, R: Precision> Walker<'g, R> {
         let p = self.part(part);
         let leaf = Leaf { part, context };
         let line = self.placed(&above.line, p);
-        let coarse = R::coarse(&line);
         let next = Context {
             object,
             line,
-            coarse,
-            drift: coarse.drift(self.graph.objects[object as usize].reach),
+            beam: Beam::new(&R::coarse(&line), self.graph.objects[object as usize].reach),
             parent: context,
             part,
             depth: above.depth + 1,
@@ -199,7 +202,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     pub fn placed(&self, line: &Line<R>, part: &Part) -> Line<R> {
         match part.placement {
             0 => *line,
-            m => line.through(&R::back(self.graph, m)),
+            m => line.through(&R::back(&self.maps, self.graph, m)),
         }
     }
 
@@ -317,7 +320,11 @@ impl<'g, R: Precision> Walker<'g, R> {
         self.verdict.uncertain |= roots.uncertain;
         let behind = match &roots.list[..] {
             [] => 0,
-            _ => self.behind(ray, leaf, &line, &roots, from),
+            _ => {
+                self.scale = self.scale(&line, primitive);
+                self.line = line;
+                self.behind(ray, leaf, &line, &roots, from)
+            }
         };
         self.roots = roots;
         behind

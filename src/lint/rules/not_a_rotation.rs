@@ -1,7 +1,7 @@
 //! W303: a rotation matrix that does more than turn.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
-use crate::lint::{Context, rough, spelled};
+use crate::lint::{Context, spelled};
 use crate::scene::Matrix;
 use crate::scene::record::Params;
 use crate::syntax::Item;
@@ -85,7 +85,13 @@ fn deed(m: &Matrix3, mirrors: bool) -> String {
         deeds.push("it mirrors".to_owned());
     }
     if scales {
-        let [x, y, z] = lengths.map(rough);
+        // As many digits as it takes to see the difference.
+        let [x, y, z] = lengths.map(|l| {
+            format!("{l:.7}")
+                .trim_end_matches('0')
+                .trim_end_matches('.')
+                .to_owned()
+        });
         deeds.push(format!(
             "its columns have the lengths {x}, {y} and {z}, not 1"
         ));

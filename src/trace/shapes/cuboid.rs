@@ -116,6 +116,10 @@ impl<R: Real> Intersect<R> for Cuboid {
         }
     }
 
+    fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
+        Some(line.direction[root.face as usize / 2].abs())
+    }
+
     /// The coordinate across the face is the face's own, exactly. The others come from a t of two
     /// roundings, times d and added to o: off by at most γ₄(|o| + |t d|).
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {

@@ -66,6 +66,10 @@ impl<R: Real> Intersect<R> for HalfSpace {
         }
     }
 
+    fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
+        self.face.speed(line, root)
+    }
+
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         self.face.locate(line, root)
     }

@@ -99,6 +99,14 @@ pub trait Intersect<R: Real = f64> {
 
     /// The point of one of the line's crossings.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R>;
+
+    /// How fast a point that runs along the line with t passes through the surface at a crossing:
+    /// |n·d| with the unit normal, or not more than twice less. `None` for shapes that bend away from
+    /// all of their tangents: where they are met for certain it is not so slow as to matter.
+    fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
+        let normal = self.locate(line, root).normal;
+        Some(normal.unit().dot(line.direction).abs())
+    }
 }
 
 /// What a shape is, whatever the rays are made of.

@@ -244,6 +244,12 @@ impl<R: Real> Intersect<R> for Plane {
         }
     }
 
+    /// By the greatest component of the normal, whose length is up to √3 of it.
+    fn speed(&self, line: &Line<R>, _: Root<R>) -> Option<R> {
+        let across = self.normal.cast::<R>().dot(line.direction).abs();
+        Some(across / (R::of(1.75 * self.normal.abs().max_component())))
+    }
+
     /// The point on the line, moved along the normal by the distance it is found to be off. What
     /// remains is the rounding of that distance, γ₅(Σ|nᵢ pᵢ| + |d|) / |n|² along n, and of the
     /// point itself.

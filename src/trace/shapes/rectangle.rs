@@ -75,6 +75,10 @@ impl<R: Real> Intersect<R> for Rectangle {
         }
     }
 
+    fn speed(&self, line: &Line<R>, _: Root<R>) -> Option<R> {
+        Some(line.direction[2].abs())
+    }
+
     /// z = 0 exactly; x and y as in the box.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let step = line.direction * root.t;

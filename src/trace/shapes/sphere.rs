@@ -80,6 +80,10 @@ impl<R: Real> Intersect<R> for Sphere {
         }
     }
 
+    fn speed(&self, _: &Line<R>, _: Root<R>) -> Option<R> {
+        None
+    }
+
     /// The point on the line, pushed along the radius onto the sphere: off by at most γ₅|p|
     /// whatever t was (pbrt-v4, section 6.8.4), plus the rounding of adding the centre.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
@@ -232,7 +236,7 @@ impl<R: Real> Ball<R> {
             let two = R::of(2.0);
             let step = (c - near * (two * b - a * near)) / (two * (a * near - b));
             if step.is_finite() {
-                near = near - step;
+                near -= step;
             }
         }
         (near.min(far), near.max(far))

@@ -163,6 +163,10 @@ impl<R: Real> Intersect<R> for Torus {
         }
     }
 
+    fn speed(&self, _: &Line<R>, _: Root<R>) -> Option<R> {
+        None
+    }
+
     /// The point on the line, pushed onto the circle in its half-plane.
     ///
     /// (h, y) = (ρ ∓ R, y), scaled to the length r, has components off by γ₆ of themselves from a

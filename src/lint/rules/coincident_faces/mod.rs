@@ -17,7 +17,7 @@ mod vector;
 use std::collections::BTreeMap;
 
 use crate::diagnostics::{Code, Diagnostic, Span};
-use crate::lint::{Context, live_nodes, rough};
+use crate::lint::{Context, live_nodes};
 use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Node, NodeId, OperationRecord, Scene};
@@ -95,7 +95,8 @@ fn finding(
         _ => "intersection",
     };
     let start = format!("in the {title} {}, {name}", operation.id);
-    let [x, y, z] = found.witness.map(|x| rough(clean(x, found.sides[0].size)));
+    let size = found.sides.iter().fold(f64::INFINITY, |m, s| m.min(s.size));
+    let [x, y, z] = found.witness.map(|x| near(x, size));
     let (message, note) = match case {
         Case::Flush => (
             format!(
@@ -137,12 +138,27 @@ fn finding(
     })
 }
 
-/// A coordinate without what rounding has added to a zero.
-fn clean(x: f64, size: f64) -> f64 {
-    if x.abs() < search::NEAR * size {
-        0.0
+/// A coordinate of a place on something of a size: to a thousandth of that, so that the place named
+/// is still there.
+fn near(x: f64, size: f64) -> String {
+    let digits = if size.is_finite() && size > 0.0 {
+        3 - size.log10().floor() as i32
     } else {
-        x
+        3
+    };
+    if !(0..=12).contains(&digits) {
+        let rounded = format!("{x:.9e}").parse().unwrap_or(x);
+        return format!("{rounded}");
+    }
+    let text = format!("{x:.precision$}", precision = digits as usize);
+    let text = match text.split_once('.') {
+        Some(_) => text.trim_end_matches('0').trim_end_matches('.'),
+        None => &text,
+    };
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
     }
 }
 

@@ -23,6 +23,33 @@ fn silent(scene: &str) {
     assert!(found.is_empty(), "{scene}\n{found:?}");
 }
 
+/// The place named is on both faces, whatever the sizes and wherever they are.
+#[test]
+fn the_place_named_is_on_both() {
+    for (scene, place) in [
+        (
+            "2 12 100 0 0 100.002 2 2\n3 12 100.0005 .5 .5 100.0015 2 1.5\n4 -103 2 3\n",
+            [100.0005..=100.0015, 2.0..=2.0, 0.5..=1.5],
+        ),
+        (
+            "2 12 5 5 5 7 7 7\n3 4 0 1 0 -7\n4 -103 2 3\n",
+            [5.0..=7.0, 7.0..=7.0, 5.0..=7.0],
+        ),
+        (
+            "2 12 1e6 0 0 1000002 2 2\n3 12 1000000.5 .5 .5 1000001.5 2 1.5\n4 -103 2 3\n",
+            [1_000_000.5..=1_000_001.5, 2.0..=2.0, 0.5..=1.5],
+        ),
+    ] {
+        let message = &messages(scene)[0];
+        let (_, point) = message.rsplit_once('(').unwrap();
+        let numbers = point.trim_end_matches(')').split(", ");
+        for (x, range) in numbers.zip(&place) {
+            let x: f64 = x.parse().unwrap();
+            assert!(range.contains(&x), "{message}");
+        }
+    }
+}
+
 #[test]
 fn a_tool_that_ends_flush() {
     let scene = cut("3 12 -0.5 0 -0.5 0.5 1 0.5 # pocket #");

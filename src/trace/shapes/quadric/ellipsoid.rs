@@ -52,6 +52,10 @@ impl<R: Real> Intersect<R> for Ellipsoid {
         Chord::new(&self.form, line).append(roots);
     }
 
+    fn speed(&self, _: &Line<R>, _: Root<R>) -> Option<R> {
+        None
+    }
+
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         self.form.locate(line, root.t)
     }
