@@ -15,8 +15,8 @@ use trials::{Tally, exact_trials, rounded_trials};
 const SHARES: u64 = 100;
 
 fn main() -> ExitCode {
-    let kinds: [(&str, fn(u64, u64) -> Tally); 2] =
-        [("exact", exact_trials), ("rounded", rounded_trials)];
+    type Trials = fn(u64, u64) -> Tally;
+    let kinds: [(&str, Trials); 2] = [("exact", exact_trials), ("rounded", rounded_trials)];
     let mut failed = false;
     for (name, trials) in kinds {
         let start = Instant::now();

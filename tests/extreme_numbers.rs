@@ -146,9 +146,9 @@ fn scene(first: BoxedStrategy<String>) -> BoxedStrategy<String> {
                 }
             }
             let mut root = 10;
-            for i in 1..=parts.len() {
+            for (i, operation) in operations.iter().enumerate().take(parts.len() + 1).skip(1) {
                 let (id, other) = (30 + i, 10 + i % parts.len());
-                text += &match operations[i] {
+                text += &match operation {
                     3 => format!("{id} -104 {root}\n"),
                     k => format!("{id} -{} {root} {other}\n", 101 + k),
                 };

@@ -18,7 +18,7 @@ type Map = [[Q; 4]; 3];
 #[derive(Debug, Clone)]
 enum Form {
     /// (x, y, z, 1)ᵀ M (x, y, z, 1), M symmetric.
-    Second([[Q; 4]; 4]),
+    Second(Box<[[Q; 4]; 4]>),
     /// (|p|² + R² − r²)² − 4R²(x² + z²), which is negative where an odd number of the two halves of
     /// a spindle hold p.
     Torus { shift: Q, four: Q },
@@ -93,11 +93,11 @@ fn inverse(m: &[[f64; 4]; 4]) -> Map {
         |i: usize, j: usize| a(i + 1, j + 1) * a(i + 2, j + 2) - a(i + 1, j + 2) * a(i + 2, j + 1);
     let determinant = (0..3).fold(Q::ZERO, |sum, j| sum + a(0, j) * minor(0, j));
     let mut back = identity();
-    for i in 0..3 {
-        for j in 0..3 {
-            back[i][j] = minor(j, i) / &determinant;
+    for (i, row) in back.iter_mut().enumerate().take(3) {
+        for (j, number) in row.iter_mut().enumerate().take(3) {
+            *number = minor(j, i) / &determinant;
         }
-        back[i][3] = -(0..3).fold(Q::ZERO, |sum, j| sum + &back[i][j] * q(m[j][3]));
+        row[3] = -(0..3).fold(Q::ZERO, |sum, j| sum + &row[j] * q(m[j][3]));
     }
     back
 }
@@ -168,7 +168,7 @@ impl Exact {
             m[3][i] = m[i][3].clone();
         }
         m[3][3] = d;
-        self.under(Form::Second(m), back)
+        self.under(Form::Second(m.into()), back)
     }
 
     /// a x² + b y² + c z² + e y + d < 0.
@@ -177,7 +177,7 @@ impl Exact {
         (m[0][0], m[1][1], m[2][2], m[3][3]) = (a, b, c, d);
         m[1][3] = e / Q::from(2u32);
         m[3][1] = m[1][3].clone();
-        self.under(Form::Second(m), back)
+        self.under(Form::Second(m.into()), back)
     }
 
     /// low < coordinate < high.
@@ -237,10 +237,10 @@ impl Exact {
                 self.under(form, back)
             }
             Geometry::Quadric(m) => {
-                let form = Form::Second(std::array::from_fn(|i| {
+                let matrix: [[Q; 4]; 4] = std::array::from_fn(|i| {
                     std::array::from_fn(|j| (q(m[4 * i + j]) + q(m[4 * j + i])) / Q::from(2u32))
-                }));
-                self.under(form, back)
+                });
+                self.under(Form::Second(matrix.into()), back)
             }
             Geometry::Cone { height, radius } => {
                 size(&[height, radius]);
