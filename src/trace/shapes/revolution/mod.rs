@@ -335,9 +335,9 @@ impl<R: Real> Close<R> {
         let ((low, high), (bottom, top)) = (span(self.ends), span(other.ends));
         let beside = (high <= bottom || top <= low) && (low, high) != (bottom, top);
         let mut corners = self.ends.iter().flat_map(|a| other.ends.map(|b| (a, b)));
-        let corner = is_final::<R>()
-            && corners.any(|(a, b)| (a.radius, a.y) == (b.radius, b.y) && !a.is_uncertain());
-        let known = self.piece == other.piece || corner || (climbs && beside);
+        let corner = corners.any(|(a, b)| (a.radius, a.y) == (b.radius, b.y) && !a.is_uncertain());
+        let apart = is_final::<R>() && (corner || (climbs && beside));
+        let known = self.piece == other.piece || apart;
         let gap = (self.cut.tau - other.cut.tau).abs();
         // Written so that NaN is none.
         let clear = gap > self.cut.error + other.cut.error;
