@@ -482,3 +482,57 @@ fn equal_sets_give_equal_answers() {
         }
     }
 }
+
+/// Rays that nearly lie in a surface: the rounding of a coordinate, over such a slope, moves the
+/// crossing far along the ray. Doubles know, and say what double-double numbers say.
+#[test]
+fn shallow_crossings_are_those_of_double_double() {
+    let cylinder = "2 15 1 0 0 0  0 1 0 0  0 0 0 0  0 0 0 -1\n";
+    let cut = |by: &str| format!("{cylinder}3 4 0 0 1 {by}\n4 -102 2 3\n1 9999 4 0\n");
+    let skew = "2 4 1 2 3 0\n3 4 3 -3 1 -17.509375506009484\n4 -102 2 3\n1 9999 4 0\n";
+    for (scene, ray) in [
+        (cut("0"), "1.0000000000000002 0 -4 -6.1e-17 0 1"),
+        (
+            cut("4.424344024300808e-05"),
+            "1.000000000004 0 -4 -1e-12 0 1",
+        ),
+        (
+            skew.to_owned(),
+            "2.99999999999995 -1e-13 -1.00000000000015 3.0000000000001 -2.9999999999998 1.0000000000003",
+        ),
+        (
+            "2 18 .5\n1 9999 2 0\n".to_owned(),
+            "0.3 0.36 -4 1e-17 -1e-17 1",
+        ),
+        (
+            "2 18 .5\n1 9999 2 0\n".to_owned(),
+            "0.3 0.36 -4 -1e-17 1e-17 1",
+        ),
+        (
+            "2 19\n1 9999 2 0\n".to_owned(),
+            "1.25 0.75 -4 1.25e-17 -7.5e-18 1",
+        ),
+    ] {
+        let dir = folder(&scene);
+        let [double, exact] = ["f64", "dd"].map(|precision| {
+            let args = ["a.zpg", "--ray", ray, "--precision", precision];
+            let answer: serde_json::Value =
+                serde_json::from_slice(&zpg(dir.path(), &args, "").stdout).unwrap();
+            let hits = answer["hits"].as_array().unwrap().clone();
+            let t = hits.iter().map(|h| match &h["t"] {
+                serde_json::Value::String(digits) => digits.parse().unwrap(),
+                number => number.as_f64().unwrap(),
+            });
+            let t: Vec<f64> = t.collect();
+            let sides: Vec<_> = hits
+                .iter()
+                .map(|h| (h["shape"].clone(), h["entering"].clone()))
+                .collect();
+            (answer["inside_at_origin"].clone(), sides, t)
+        });
+        assert_eq!((&double.0, &double.1), (&exact.0, &exact.1), "{ray}");
+        for (a, b) in double.2.iter().zip(&exact.2) {
+            assert!((a - b).abs() <= 1e-15 * b.abs(), "{ray}: {a} {b}");
+        }
+    }
+}
