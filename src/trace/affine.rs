@@ -116,8 +116,8 @@ impl<R: Real> Affine<R> {
 
     /// The slack of a line behind the map: what it was before, and what the map rounds, its own
     /// numbers included. That is γ₅ of the sizes of the terms of each component, or, where a
-    /// coordinate is only moved, half a unit in the last place of the result, and nothing where it
-    /// stays.
+    /// coordinate is only moved, γ₄: more than the sum rounds, but what the scene's numbers may have
+    /// been rounded by before. Nothing where it stays.
     pub fn slack(&self, line: &Line<R>) -> Slack<R> {
         let (o, d) = (line.origin.abs(), line.direction.abs());
         let (mut point, mut vector) = (R::ZERO, R::ZERO);
@@ -128,7 +128,7 @@ impl<R: Real> Affine<R> {
                 point = greater(point, R::gamma(5) * (row.dot(o) + offset));
                 vector = greater(vector, R::gamma(5) * row.dot(d));
             } else if offset != R::ZERO {
-                point = greater(point, R::gamma(1) * (row.dot(o) + offset));
+                point = greater(point, R::gamma(4) * (row.dot(o) + offset));
             }
         }
         if line.slack != Slack::default() {

@@ -2,6 +2,7 @@
 //! errors may spoil, with the bounds that tell when.
 
 use super::graph::Target;
+use super::number::Real;
 use super::precision::{Doubt, Precision};
 use super::ray::{Left, Line, Ray};
 use super::shapes::{Root, Roots};
@@ -48,7 +49,16 @@ impl<R: Precision> Start<R> {
 /// What is rounded on the way to a crossing's point, across the surface, as a share of the numbers
 /// behind it: more than any shape does, which the campaign measures at 11 units in the last place.
 fn share<R: Precision>() -> R {
-    R::of(256.0) * R::ROUNDOFF
+    R::of(256.0) * R::ROUNDOFF * coarser()
+}
+
+/// By how much the roundings of the scene's own numbers exceed those of final ones: places that are
+/// one by those are to be looked at, too.
+fn coarser<R: Precision>() -> R {
+    match R::DOUBT {
+        Doubt::Merges => R::of(f64::ROUNDOFF) / R::ROUNDOFF,
+        Doubt::Stands | Doubt::GoesOn => R::ONE,
+    }
 }
 
 impl<R: Precision> Walker<'_, R> {
@@ -77,9 +87,15 @@ impl<R: Precision> Walker<'_, R> {
         let error = match shape.speed(line, root) {
             Some(speed) => {
                 let slack = line.slack.origin + t * line.slack.direction;
-                (share::<R>() * (reach + t * pace) + R::of(2.0) * slack) / speed
+                (share::<R>() * (reach + t * pace) + R::of(2.0) * slack * coarser()) / speed
             }
-            None => R::of(4.0) * share::<R>().sqrt() * (reach / pace + t),
+            None => {
+                // The root of what is rounded, of slack as well.
+                let size = reach / pace + t;
+                let slack =
+                    (line.slack.origin / pace + t * line.slack.direction / pace) * coarser();
+                R::of(4.0) * (share::<R>().sqrt() * size + (slack * size).sqrt())
+            }
         };
         if error.is_nan() { R::INFINITY } else { error }
     }

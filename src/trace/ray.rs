@@ -57,12 +57,11 @@ impl<R: Real> Line<R> {
     /// The line in another space, with what the map rounds.
     pub fn through(&self, map: &Affine<R>) -> Line<R> {
         if map.moves() {
-            // The usual case, and the cheapest: the sum is rounded once, and nothing else.
-            let origin = self.origin + map.offset;
-            let [x, y, z] = origin.map(R::abs).0;
-            let rounded = R::gamma(1) * (x + y + z);
+            // The usual case, and the cheapest.
+            let size = self.origin.abs() + map.offset.abs();
+            let rounded = R::gamma(4) * (size[0] + size[1] + size[2]);
             return Line {
-                origin,
+                origin: self.origin + map.offset,
                 slack: Slack {
                     origin: self.slack.origin + rounded,
                     direction: self.slack.direction,

@@ -287,15 +287,25 @@ fn order<R: Real>(a: R, b: R) -> std::cmp::Ordering {
     a.partial_cmp(&b).unwrap_or(std::cmp::Ordering::Equal)
 }
 
-/// The crossings with what two solids have in common, from those with either.
+/// The crossings with what two solids have in common, from those with either. Where both are in one
+/// place, as far as doubles can tell, it is the first one's surface: a seam belongs to one segment.
 fn common<R: Real>(a: &[Root<R>], b: &[Root<R>]) -> Vec<Root<R>> {
     let mut found = Vec::new();
     let (mut i, mut j) = (0, 0);
     while let (Some([from, to]), Some([start, end])) = (a.get(i..i + 2), b.get(j..j + 2)) {
-        let first = if from.t < start.t { start } else { from };
-        let last = if to.t < end.t { to } else { end };
+        let of = |own: &Root<R>, other: &Root<R>, t: R| {
+            let alike = (own.t - other.t).abs() <= R::of(f64::EPSILON) * t.abs();
+            let face = if alike || t == own.t {
+                own.face
+            } else {
+                other.face
+            };
+            Root { t, face }
+        };
+        let first = of(from, start, from.t.max(start.t));
+        let last = of(to, end, to.t.min(end.t));
         if first.t < last.t {
-            found.extend([*first, *last]);
+            found.extend([first, last]);
         }
         if to.t < end.t {
             i += 2;
