@@ -1,7 +1,7 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
 use super::nearest::Search;
-use super::precision::Precision;
+use super::precision::{Doubt, Precision};
 use super::ray::{Left, Ray};
 use super::shapes::Root;
 use super::spans::{Kind, State};
@@ -153,6 +153,11 @@ impl<R: Precision> Walker<'_, R> {
             let out = R::out(self.graph, placement);
             let back = R::back(&self.maps, self.graph, placement);
             error = out.point_error(point, error);
+            if R::DOUBT == Doubt::Merges {
+                // Another solid may be placed by other maps, rounded as doubles are.
+                let maps = &self.graph.placements[placement as usize];
+                error = error + maps.out.point_error(point.cast(), Vec3::ZERO).cast();
+            }
             point = out.point(point);
             normal = back.unit_normal(normal);
             shading = shading.map(|n| back.unit_normal(n));

@@ -270,7 +270,8 @@ impl<R: Precision> Walker<'_, R> {
             let t = root.t.abs();
             (t * length <= farthest || walker.is_near(leaf, line, root, R::ZERO)) && {
                 let steep = walker.world_normal(leaf, line, root).dot(direction).abs();
-                t * steep <= left.skin + walker.error(leaf, line, root) * steep
+                let error = walker.error(leaf, line, root) + walker.misplaced(leaf, root);
+                t * steep <= left.skin + error * steep
             }
         };
         let mut behind = passed;
