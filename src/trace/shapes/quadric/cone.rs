@@ -209,6 +209,13 @@ impl<R: Real> Intersect<R> for Cone {
         }
     }
 
+    fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
+        Some(match root.face {
+            SIDE => self.form.speed(line, root.t),
+            _ => line.direction[1].abs(),
+        })
+    }
+
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let height = R::of(self.height);
         if root.face == SIDE {

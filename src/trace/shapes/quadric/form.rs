@@ -210,6 +210,19 @@ impl Form {
         Vec3(self.unit.map(R::of))
     }
 
+    /// The speed at which a line goes through the surface at t ([`Intersect::speed`]), by the gradient
+    /// where the line is there; zero where that says nothing.
+    ///
+    /// [`Intersect::speed`]: crate::trace::shapes::Intersect::speed
+    pub(super) fn speed<R: Real>(&self, line: &Line<R>, t: R) -> R {
+        let unit = self.units::<R>();
+        let gradient = self.gradient(line.at(t).zip(unit, |p, s| p / s));
+        let normal = gradient.zip(unit, |g, s| g / s);
+        // The length is up to √3 of the greatest component.
+        let speed = normal.dot(line.direction).abs() / (R::of(1.75) * normal.abs().max_component());
+        if speed.is_finite() { speed } else { R::ZERO }
+    }
+
     /// The point at t, moved along the gradient onto the surface by two steps of Newton's method.
     ///
     /// What remains is the rounding in the value F, at most γₙ times the sizes of its terms, over

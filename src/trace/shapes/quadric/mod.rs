@@ -122,6 +122,10 @@ impl<R: Real> Intersect<R> for Quadric {
         Chord::new(&self.form, line).append(roots);
     }
 
+    fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
+        Some(self.form.speed(line, root.t))
+    }
+
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         self.form.locate(line, root.t)
     }

@@ -202,6 +202,25 @@ impl<R: Real> Intersect<R> for Revolution {
         turn_outwards(&mut roots.list);
     }
 
+    /// By the segment's normal (h, −w) in the half-plane of the point; on the axis only what is
+    /// along it counts.
+    fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
+        let segment = self.segment(root.face);
+        let (p, q) = (self.points[segment], self.points[segment + 1]);
+        let (w, h) = (R::of(q[0]) - R::of(p[0]), R::of(q[1]) - R::of(p[1]));
+        let ([x, _, z], d) = (line.at(root.t).0, line.direction);
+        let radius = x.abs().max(z.abs());
+        let outwards = if radius > R::ZERO && radius.is_finite() {
+            let (x, z) = (x / radius, z / radius);
+            (x * d[0] + z * d[2]) / (x * x + z * z).sqrt()
+        } else {
+            R::ZERO
+        };
+        let across = (h * outwards - w * d[1]).abs();
+        // The length is up to √2 of the greater part.
+        Some(across / (R::of(1.5) * h.abs().max(w.abs())))
+    }
+
     /// The point of the segment nearest to that of the line, turned to where that is.
     ///
     /// Along the segment it is reckoned from the nearer end, so that the radius is at least half
