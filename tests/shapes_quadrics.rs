@@ -543,3 +543,32 @@ fn an_unbounded_quadric_holds_what_it_should() {
         assert_eq!(tracer.holds(&mut walker, p), right, "{p:?}");
     }
 }
+
+/// Lines along the generators of a cylinder that has been turned and stretched by a map with an inexact
+/// inverse: they cross nothing, and are inside or not by where they start.
+#[test]
+fn generators_of_turned_cylinders() {
+    use zpg::scene::Matrix;
+    use zpg::trace::affine::Affine;
+    use zpg::trace::dd::Dd;
+    let shape = Primitive::new(&Geometry::HyperbolicCylinder {
+        a: 0.9630584716796875,
+        b: 0.15234375,
+    });
+    let m = Matrix([
+        [-3.0, 0.0, -4.0, 0.0],
+        [0.0, 5.0, 0.0, 0.0],
+        [4.0, 0.0, -3.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0],
+    ]);
+    let back = Affine::<Dd>::new(&m).inverse().unwrap();
+    // x²/a² − y²/b² at the start: 3.9 − 1156 is inside, 3.9 − 0 is not.
+    for (y, inside) in [(-5.1697540283203125, true), (0.0, false)] {
+        let start = m.point([1.899505615234375, y, -4.3822021484375]);
+        let along = m.vector([0.0, 0.0, 4.059112548828125]);
+        let line = Line::<Dd>::new(Vec3(start).cast(), Vec3(along).cast()).through(&back);
+        let mut roots = Roots::<Dd>::default();
+        shape.intersect().crossings(&line, &mut roots);
+        assert_eq!((roots.inside, roots.list.len()), (inside, 0), "{y}");
+    }
+}

@@ -95,7 +95,11 @@ impl<R: Real> Chord<R> {
         // As a double, so that its product with another one is exact in double-double, too.
         let back = R::of(back.to_f64());
         let moved = line.origin.zip(d, |o, d| d.mul_add(back, o));
-        let (start, moved) = if moved.is_finite() && back.is_finite() {
+        // Along a line whose direction in the form's own coordinates is nothing but slack there is no
+        // closest approach to speak of, and looking for it would lose where the line is.
+        let astray = line.slack.direction * (back / length).abs();
+        let near = astray <= line.origin.abs().max_component();
+        let (start, moved) = if near && moved.is_finite() && back.is_finite() {
             (back, moved)
         } else {
             (R::ZERO, line.origin)
