@@ -149,9 +149,7 @@ impl<R: Real> Affine<R> {
         let before = error * (R::ONE + R::gamma(3)) + p.abs() * R::gamma(4);
         self.sizes(before) + self.offset.abs() * R::gamma(4)
     }
-}
 
-impl<R: Real> Affine<R> {
     /// In another kind of number, rounded.
     pub fn cast<S: Real>(&self) -> Affine<S> {
         Affine::of(self.rows.map(Vec3::cast), self.offset.cast())

@@ -11,6 +11,7 @@
 //! through itself, and g₊ ≤ 0 in the lemon around the axis: that is inside twice, hence outside by
 //! the even-odd rule, and there the quartic is positive too. The solid is where it is not.
 
+use super::doubt::is_final;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
@@ -129,10 +130,10 @@ impl<R: Real> Intersect<R> for Torus {
         // Each move rounds its result once if the product is not rounded before; else it rounds
         // the two terms as well, which are no longer than the origin.
         let moved = first.abs().max_component() + near.abs().max_component();
-        let rounded = if multiply_add_rounds_once::<R>() {
-            moved
-        } else {
+        let rounded = if is_final::<R>() {
             moved + R::of(4.0) * (origin.abs().max_component() + first.abs().max_component())
+        } else {
+            moved
         };
         let drift = line.drift(R::of(self.major + self.minor));
         let [major, minor] = self.radii();
@@ -451,12 +452,6 @@ fn length_near_one<R: Real>(x: R, z: R) -> R {
 /// √(x² + z²) of any numbers.
 fn length<R: Real>(x: R, z: R) -> R {
     Vec3::new(x, R::ZERO, z).length()
-}
-
-/// Whether a · b + c is rounded once only. (1 + 2ε)² has a part below the last place.
-fn multiply_add_rounds_once<R: Real>() -> bool {
-    let x = R::ONE + R::of(8.0) * R::ROUNDOFF;
-    x.mul_add(x, -(x * x)) != R::ZERO
 }
 
 #[cfg(test)]

@@ -212,7 +212,7 @@ impl<R: Real> Path<R> {
         let power = R::difference_of_products(offset, offset, inner, radius + self.delta);
         let low = (self.point[1] - y).abs();
         let bound = self.power_error(offset.abs(), self.offset_size(y), low, radius);
-        let touch = if !is_final::<R>() { R::ZERO } else { bound };
+        let touch = if is_final::<R>() { bound } else { R::ZERO };
         Ring {
             radius,
             y,
@@ -386,7 +386,7 @@ impl<R: Real> Path<R> {
                 ),
                 beside(R::ZERO, d, bound),
             ];
-            let touch = if !is_final::<R>() { R::ZERO } else { bound };
+            let touch = if is_final::<R>() { bound } else { R::ZERO };
             if sure.contains(&Some(false)) {
                 return cuts;
             }
