@@ -10,9 +10,11 @@ use std::str::FromStr;
 
 use super::loaded::STDIN;
 use super::size::Size;
+use super::terminal::report;
 use super::terminal::{print, reason};
-use super::{ColorChoice, Loaded, Status, complain, load_sound, load_without_render};
-use crate::diagnostics::Span;
+use super::{Loaded, LookChoice, Status, complain, load_sound, load_without_render};
+use crate::diagnostics::wording::with_article;
+use crate::diagnostics::{Diagnostic, Span};
 use crate::scene::{Camera, Render, Scene};
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
@@ -132,6 +134,8 @@ impl FromStr for PixelArg {
 enum Failure {
     /// What it is about the scene, and where.
     Scene(String, Span),
+    /// A picture the scene names cannot be used.
+    Image(Box<Diagnostic>),
     Usage(String),
 }
 
@@ -147,7 +151,7 @@ impl From<Unanswered> for Failure {
     }
 }
 
-pub fn run(args: &Args, color: ColorChoice) -> Status {
+pub fn run(args: &Args, look: LookChoice) -> Status {
     let from_stdin = |path: &Path| path.as_os_str() == STDIN;
     if from_stdin(&args.file) && args.rays.as_deref().is_some_and(from_stdin) {
         complain("the scene and the rays cannot both be standard input");
@@ -155,8 +159,8 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
     }
     // An object needs no render record to be asked about.
     let loaded = match args.object {
-        Some(_) => load_without_render(&args.file, color),
-        None => load_sound(&args.file, color),
+        Some(_) => load_without_render(&args.file, look),
+        None => load_sound(&args.file, look),
     };
     let mut loaded = match loaded {
         Ok(loaded) => loaded,
@@ -166,6 +170,11 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
         Ok(status) => status,
         Err(Failure::Scene(e, span)) => {
             loaded.refuse(&args.file, span, &e);
+            Status::Negative
+        }
+        Err(Failure::Image(error)) => {
+            loaded.diagnostics = vec![*error];
+            report(&loaded, look);
             Status::Negative
         }
         Err(Failure::Usage(message)) => {
@@ -245,7 +254,9 @@ fn alone(scene: &Scene, id: u32) -> Result<Render, Failure> {
                 span: entity.span,
             }),
             None => {
-                let kind = entity.kind.map_or("something else", Kind::with_article);
+                let kind = entity
+                    .kind
+                    .map_or("something else".to_owned(), |k| with_article(k.name()));
                 Err(Failure::Usage(format!("{id} is {kind}, not an object")))
             }
         },
@@ -276,8 +287,7 @@ fn unknown(scene: &Scene, id: u32, kind: Kind) -> Failure {
 /// The tracer of a scene, with its pictures.
 fn tracer(loaded: &Loaded) -> Result<Tracer, Failure> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
-    let images = Images::load(&loaded.scene, folder)
-        .map_err(|e| Failure::Scene(e.message.clone(), e.span))?;
+    let images = Images::load(&loaded.scene, folder).map_err(Failure::Image)?;
     Ok(Tracer::with_images(&loaded.scene, &images)?)
 }
 
