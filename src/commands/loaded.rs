@@ -91,23 +91,45 @@ impl Loaded {
     }
 }
 
+/// What a command needs of a scene besides that it is sound.
+#[derive(Debug, Clone, Copy)]
+pub struct Needs {
+    /// A render record.
+    pub render: bool,
+    /// A camera and a light, which are made up where there are none.
+    pub view: bool,
+}
+
+impl Needs {
+    pub const ALL: Needs = Needs {
+        render: true,
+        view: true,
+    };
+
+    /// Whether someone with these needs wants to know.
+    fn concern(self, about: &Diagnostic) -> bool {
+        match about.code {
+            Code::E106 => self.render,
+            Code::N602 | Code::N603 => self.view,
+            _ => true,
+        }
+    }
+}
+
 /// Reads a scene for a command that needs a sound one: says everything there is to say about it, and
 /// gives the exit status where there are errors or nothing to draw.
 pub fn load_sound(path: &Path, look: LookChoice) -> Result<Loaded, Status> {
-    load_reporting(path, look, true)
+    load_for(Needs::ALL, path, look)
 }
 
-/// As [`load_sound`], for a command that can do without a render record.
-pub fn load_without_render(path: &Path, look: LookChoice) -> Result<Loaded, Status> {
-    load_reporting(path, look, false)
-}
-
-fn load_reporting(path: &Path, look: LookChoice, needs_render: bool) -> Result<Loaded, Status> {
+/// As [`load_sound`], for a command that can do without some things; nothing is said about these.
+pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Loaded, Status> {
     let mut loaded = load(path).map_err(|e| {
         complain(&e.to_string());
         Status::Failure
     })?;
-    let complete = !needs_render || loaded.require_render().is_some();
+    let complete = !needs.render || loaded.require_render().is_some();
+    loaded.diagnostics.retain(|d| needs.concern(d));
     report(&loaded, look);
     if loaded.has_errors() || !complete {
         return Err(Status::Negative);

@@ -20,7 +20,7 @@ pub mod render;
 pub mod size;
 pub mod terminal;
 
-pub use loaded::{LoadError, Loaded, load, load_sound, load_without_render};
+pub use loaded::{LoadError, Loaded, Needs, load, load_for, load_sound};
 pub use terminal::{LookChoice, complain, report};
 
 /// How a command ended; its number is the exit status.

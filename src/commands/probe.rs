@@ -10,9 +10,8 @@ use std::str::FromStr;
 
 use super::loaded::STDIN;
 use super::size::Size;
-use super::terminal::report;
 use super::terminal::{print, reason};
-use super::{Loaded, LookChoice, Status, complain, load_sound, load_without_render};
+use super::{Loaded, LookChoice, Needs, Status, complain, load_for, report};
 use crate::diagnostics::wording::with_article;
 use crate::diagnostics::{Diagnostic, Span};
 use crate::scene::{Camera, Render, Scene};
@@ -33,7 +32,10 @@ use rays::{BadRay, Input};
     after_help = "\
 Prints one JSON object a line, in the order of the rays. A ray's has all boundary crossings with t > 0,
 ascending, as if every surface let it through; t is in units of the direction's length. A file of rays
-has one a line, `ox oy oz dx dy dz`; empty lines and what follows a # are skipped.
+has one a line, `ox oy oz dx dy dz`; empty lines and what follows a # are skipped. A line that is no
+such ray, or one that the precision has no numbers for, is complained about on standard error and has
+no answer; the others have theirs, and the exit status is 2. A line of more than 65536 bytes ends the
+file.
 
 `shape` is the ID whose record made the surface, a copy's own for a copied shape; `object` is the
 outermost entity above it that was given properties, or else the shape. The normal points out of the
@@ -41,7 +43,8 @@ solid, also where a cut made the boundary. What lies outside of the render recor
 reported, but counts for `inside_at_origin`, the state just behind the origin.
 
 --point lists the IDs of the solids, shapes and operations, that contain the point; boundaries of
-shapes belong to them. `in_scene`: whether the whole does, within the render record's box.
+shapes belong to them. `in_scene`: whether the whole does, within the render record's box. That is
+decided in doubles, with dd where these cannot count the boundaries, whatever --precision says.
 
 Examples:
   zpg probe scene.zpg --ray \"0 0 9  0 0 -1\"
@@ -88,7 +91,8 @@ pub struct Args {
     #[arg(long, value_name = "ID")]
     object: Option<u32>,
 
-    /// The numbers to compute with; with dd, t, points and normals are strings of 32 digits
+    /// The numbers to compute with; with dd, t, points and normals are strings of 32 digits. It does
+    /// not apply to --point
     #[arg(long, value_enum, default_value = "f64")]
     precision: Numbers,
 }
@@ -157,12 +161,13 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain("the scene and the rays cannot both be standard input");
         return Status::Failure;
     }
-    // An object needs no render record to be asked about.
-    let loaded = match args.object {
-        Some(_) => load_without_render(&args.file, look),
-        None => load_sound(&args.file, look),
+    let needs = Needs {
+        // An object can be asked about without one.
+        render: args.object.is_none(),
+        // Geometry looks the same from everywhere and in the dark.
+        view: args.pixel.is_some(),
     };
-    let mut loaded = match loaded {
+    let mut loaded = match load_for(needs, &args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
