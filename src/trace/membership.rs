@@ -35,9 +35,6 @@ pub struct Membership {
     pub inside: BTreeSet<u32>,
     /// Whether the root itself holds it.
     pub in_root: bool,
-    /// How often a shape had to be asked again in double-double, as the line along which its
-    /// boundaries are counted touches one of them but for rounding errors.
-    pub uncertain: u64,
 }
 
 /// Why there is no telling where a point is.
@@ -79,13 +76,11 @@ pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, U
         tasks: Vec::new(),
         inside: BTreeSet::new(),
         roots: Roots::default(),
-        uncertain: 0,
     };
     let in_root = walk.run(root, point)?;
     Ok(Membership {
         inside: walk.inside,
         in_root,
-        uncertain: walk.uncertain,
     })
 }
 
@@ -161,7 +156,6 @@ struct Walk<'a> {
     tasks: Vec<Task>,
     inside: BTreeSet<u32>,
     roots: Roots,
-    uncertain: u64,
 }
 
 impl Walk<'_> {
@@ -296,7 +290,6 @@ impl Walk<'_> {
         let line = Line::new(point, DIRECTION);
         primitive.intersect().crossings(&line, &mut self.roots);
         if self.roots.uncertain {
-            self.uncertain += 1;
             let mut exact = Roots::<Dd>::default();
             primitive.intersect().crossings(&line.cast(), &mut exact);
             self.roots = exact.cast();
@@ -312,27 +305,5 @@ impl Walk<'_> {
             reason: reason.to_owned(),
             span: self.scene.render.map(|r| r.span).unwrap_or_default(),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::commands::Loaded;
-
-    #[test]
-    fn doubts_are_counted() {
-        let records = "2 11 0 0 0 1\n3 11 5 0 0 1\n4 -101 2 3\n1 9999 4 0\n";
-        let scene = Loaded::new("a.zpg", records.into()).scene;
-        let root = scene.render.unwrap().root;
-        let ask = |p: Vec3| members(&scene, root, p).unwrap();
-        // In the middle of one sphere, and out of the bounds of the other.
-        let clear = ask(Vec3::new(0.5, 0.0, 0.0));
-        assert_eq!((clear.in_root, clear.uncertain), (true, 0));
-        // The line on which boundaries are counted leaves the sphere where it touches it, and is
-        // still within its box.
-        let touch = Vec3::new(DIRECTION[1], -DIRECTION[0], 0.0).unit();
-        let close = ask(touch + DIRECTION * 0.1);
-        assert_eq!((close.in_root, close.uncertain), (false, 1));
     }
 }
