@@ -9,9 +9,11 @@
 //! - [`lint`]: rules over the tree and the scene, one file a rule.
 //! - [`trace`]: the reference ray tracer.
 //! - [`translate`]: the scene for other programs.
+//! - [`config`]: `zpg.toml`, the settings for a folder of scenes.
 //! - [`commands`]: one file per subcommand of the command line.
 
 pub mod commands;
+pub mod config;
 pub mod diagnostics;
 pub mod format;
 pub mod lint;

@@ -38,10 +38,40 @@ tally-found = Nalezeno: { $findings } ({ $files ->
     [one] { $files } soubor
     [few] { $files } soubory
    *[other] { $files } souborů
-}){ $fixes ->
-    [0] .
-   *[other] ; s návrhem opravy: { $fixes }.
+}){ $fixable ->
+    [0] { $unsafe ->
+        [0] .
+       *[other] ; opraví `zpg check --fix --unsafe-fixes`: { $unsafe }.
+    }
+   *[other] ; opraví `zpg check --fix`: { $fixable }{ $unsafe ->
+        [0] .
+       *[other] , s `--unsafe-fixes` ještě { $unsafe }.
+    }
 }
+fixed = Opraveno: { $count ->
+    [one] { $count } nález
+    [few] { $count } nálezy
+   *[other] { $count } nálezů
+} ({ $files ->
+    [one] { $files } soubor
+    [few] { $files } soubory
+   *[other] { $files } souborů
+}).
+would-fix = K opravě: { $count ->
+    [one] { $count } nález
+    [few] { $count } nálezy
+   *[other] { $count } nálezů
+} ({ $files ->
+    [one] { $files } soubor
+    [few] { $files } soubory
+   *[other] { $files } souborů
+}).
+folded = { $count ->
+    [one] ještě { $count } takový nález, na { $places }
+    [few] ještě { $count } takové nálezy, na { $places }
+   *[other] ještě { $count } takových nálezů, na { $places }
+}
+folded-cut = ještě { $count } takových nálezů, první na { $places }
 
 ## Společné věty
 

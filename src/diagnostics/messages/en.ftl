@@ -39,11 +39,35 @@ tally-style = { $count ->
 tally-found = Found { $findings } in { $files ->
     [one] { $files } file
    *[other] { $files } files
-}{ $fixes ->
-    [0] .
-    [one] ; { $fixes } has a proposed fix.
-   *[other] ; { $fixes } have a proposed fix.
+}{ $fixable ->
+    [0] { $unsafe ->
+        [0] .
+       *[other] ; { $unsafe } can be fixed with `zpg check --fix --unsafe-fixes`.
+    }
+   *[other] ; { $fixable } can be fixed with `zpg check --fix`{ $unsafe ->
+        [0] .
+       *[other] , { $unsafe } more with `--unsafe-fixes`.
+    }
 }
+fixed = Fixed { $count ->
+    [one] { $count } finding
+   *[other] { $count } findings
+} in { $files ->
+    [one] { $files } file
+   *[other] { $files } files
+}.
+would-fix = Would fix { $count ->
+    [one] { $count } finding
+   *[other] { $count } findings
+} in { $files ->
+    [one] { $files } file
+   *[other] { $files } files
+}.
+folded = { $count ->
+    [one] { $count } more finding like these nine, at { $places }
+   *[other] { $count } more findings like these nine, at { $places }
+}
+folded-cut = { $count } more findings like these nine, the first at { $places }
 
 ## Shared phrases
 
