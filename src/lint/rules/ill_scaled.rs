@@ -13,6 +13,22 @@ const RATIO_MAX: f64 = 1e8;
 struct Length {
     size: f64,
     what: &'static str,
+    /// The axis of the shape along which it lies, where the others come out differently.
+    axis: Option<usize>,
+}
+
+/// How much two axes must differ in stretch for a length to be told with its axis: lengths are told
+/// in four digits, and what is the same in all of them needs no axis.
+const UNEVEN: f64 = 1.001;
+
+impl Length {
+    /// What it is, with its axis where that says more.
+    fn name(self) -> String {
+        match self.axis {
+            Some(axis) => format!("{} along its {} axis", self.what, ["x", "y", "z"][axis]),
+            None => self.what.to_owned(),
+        }
+    }
 }
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -63,7 +79,10 @@ fn finding(
         span,
         format!(
             "the {} {}{how} is ill-scaled: {} is {l}, {} only {s}",
-            shape.ty.title, shape.id, large.what, small.what
+            shape.ty.title,
+            shape.id,
+            large.name(),
+            small.name()
         ),
     )
     .here("lengths that differ by more than 1e8")
@@ -78,14 +97,14 @@ fn finding(
 fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
     let mut small: Option<Length> = None;
     let mut large: Option<Length> = None;
-    lengths(geometry, m, &mut |size, what| {
+    lengths(geometry, m, &mut |size, what, axis| {
         // A length of zero is another rule's matter.
         if size > 0.0 && size.is_finite() {
             if small.is_none_or(|s| size < s.size) {
-                small = Some(Length { size, what });
+                small = Some(Length { size, what, axis });
             }
             if large.is_none_or(|l| size > l.size) {
-                large = Some(Length { size, what });
+                large = Some(Length { size, what, axis });
             }
         }
     });
@@ -96,7 +115,11 @@ fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
         let size = x.hypot(y).hypot(z);
         if size.is_finite() && size > large.size {
             let what = "its distance from the origin";
-            large = Length { size, what };
+            large = Length {
+                size,
+                what,
+                axis: None,
+            };
         }
     }
     (large.size / small.size > RATIO_MAX).then_some((small, large))
@@ -118,12 +141,24 @@ fn place(geometry: &Geometry) -> Option<[f64; 3]> {
     }
 }
 
-fn lengths(geometry: &Geometry, m: &Matrix, add: &mut dyn FnMut(f64, &'static str)) {
+type Add<'a> = &'a mut dyn FnMut(f64, &'static str, Option<usize>);
+
+fn lengths(geometry: &Geometry, m: &Matrix, add: Add) {
     // How much longer the matrix makes what lies along an axis.
     let stretch: [f64; 3] = std::array::from_fn(|j| m.0[0][j].hypot(m.0[1][j]).hypot(m.0[2][j]));
+    let (least, most) = stretch
+        .iter()
+        .fold((f64::INFINITY, 0.0f64), |(a, b), x| (a.min(*x), b.max(*x)));
+    let uneven = most > UNEVEN * least;
     let mut axes = |sizes: [f64; 3], what: [&'static str; 3]| {
         for i in 0..3 {
-            add(sizes[i] * stretch[i], what[i]);
+            // Names of sizes in one direction only say which.
+            let round = what.iter().filter(|w| **w == what[i]).count() > 1;
+            add(
+                sizes[i] * stretch[i],
+                what[i],
+                (uneven && round).then_some(i),
+            );
         }
     };
     const RADIUS: &str = "its radius";
@@ -160,20 +195,23 @@ fn lengths(geometry: &Geometry, m: &Matrix, add: &mut dyn FnMut(f64, &'static st
             let distance =
                 |p: [f64; 3], q: [f64; 3]| (p[0] - q[0]).hypot(p[1] - q[1]).hypot(p[2] - q[2]);
             for (p, q) in [(a, b), (b, c), (c, a)] {
-                add(distance(p, q), "an edge");
+                add(distance(p, q), "an edge", None);
             }
         }
         Geometry::Revolution { profile, .. } => {
-            let radial = stretch[0].min(stretch[2]);
-            for p in profile {
-                add(p[0] * radial, "a radius of its profile");
-            }
-            for w in profile.windows(2) {
-                let (dx, dy) = (
-                    (w[1][0] - w[0][0]) * radial,
-                    (w[1][1] - w[0][1]) * stretch[1],
-                );
-                add(dx.hypot(dy), "a piece of its profile");
+            for axis in [0, 2] {
+                let radial = stretch[axis];
+                let told = uneven.then_some(axis);
+                for p in profile {
+                    add(p[0] * radial, "a radius of its profile", told);
+                }
+                for w in profile.windows(2) {
+                    let (dx, dy) = (
+                        (w[1][0] - w[0][0]) * radial,
+                        (w[1][1] - w[0][1]) * stretch[1],
+                    );
+                    add(dx.hypot(dy), "a piece of its profile", None);
+                }
             }
         }
         Geometry::Plane(_) | Geometry::HalfSpace(_) | Geometry::Quadric(_) => {}
@@ -213,6 +251,44 @@ mod tests {
         // Stretched back, it is as it was, and even scaling does no harm.
         assert!(found("2 12 0 0 0 1 1 1e-5\n2 -3 1 1 1e5\n").is_empty());
         assert!(found("2 9 1\n2 -3 1e12 1e12 1e12\n").is_empty());
+    }
+
+    #[test]
+    fn stretched_lengths_are_told_with_their_axis() {
+        for (scene, told) in [
+            (
+                "2 9 1\n2 -3 1e9 1 1\n",
+                "its radius along its x axis is 1000000000, its radius along its y axis only 1",
+            ),
+            // The axes are the shape's own: turned about y, its x axis is the scene's -z axis.
+            (
+                "2 9 1\n2 -3 1 1 1e9\n2 -2 90 2\n",
+                "its radius along its z axis is 1000000000, its radius along its x axis only 1",
+            ),
+            (
+                "2 16 1 1\n2 -3 1e9 2 1\n",
+                "its radius along its x axis is 1000000000, its radius along its z axis only 1",
+            ),
+            (
+                "2 1 2 1 0 1 1\n2 -3 1 1 1e9\n",
+                "a radius of its profile along its z axis is 1000000000, \
+                 a radius of its profile along its x axis only 1",
+            ),
+            // Sizes that have an axis in their name, and even stretching.
+            (
+                "2 12 0 0 0 1 1 1\n2 -3 1e9 1 1\n",
+                "its width in x is 1000000000, its height in y only 1",
+            ),
+            (
+                "2 14 1 1e-9\n2 -3 2 2 2\n",
+                "its ring's radius R is 1, its tube's radius r only 1e-9",
+            ),
+        ] {
+            let message = &messages(scene)[0];
+            assert!(message.ends_with(told), "{message}");
+        }
+        assert!(found("2 9 1\n2 -3 1e7 1 1\n").is_empty());
+        assert!(found("2 1 2 1 0 1 1\n2 -3 1e7 1 1\n").is_empty());
     }
 
     #[test]
