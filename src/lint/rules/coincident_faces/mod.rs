@@ -4,14 +4,19 @@
 //! the other out of it: in A ∩ B where the outsides of A and B look against each other, in A − B
 //! where they look the same way. A tool that lies against a face from outside, or faces that look
 //! the same way in an intersection, only decide whose face it is; nothing is said of them, and
-//! nothing of equal shapes in equal places, which are decided exactly. Faces of quadrics of types 15
-//! and 18 to 21, of geodesic spheres and of profiles of more than 64 points are not known here.
+//! nothing of equal shapes in equal places, which are decided exactly. Nothing
+//! is said either of what is covered or cut off by another operation, or not drawn. Faces of geodesic
+//! spheres and of profiles of more than 64 points are not known here.
 
 mod face;
 mod fix;
 mod inside;
+mod planes;
+mod points;
+mod quadric;
 mod sample;
 mod search;
+mod tree;
 mod vector;
 
 use std::collections::BTreeMap;
@@ -35,9 +40,6 @@ enum Case {
     Touch,
 }
 
-/// A face that two shapes share: the tool's, the other's, and what was found.
-type Shared = (Side, Side, Found);
-
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let cuts = |n: &Node| matches!(n, Node::Difference(..) | Node::Intersection(..));
@@ -47,17 +49,16 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let live = live_nodes(scene);
     let bounds = node_bounds(scene);
     // One finding for each tool of an operation, however many faces it shares.
-    let mut groups: BTreeMap<(NodeId, u32, Case), Vec<Shared>> = BTreeMap::new();
+    let mut groups: BTreeMap<(NodeId, u32, Case), Vec<Found>> = BTreeMap::new();
     for found in search(scene, &bounds, &live) {
-        let [new, old] = found.sides;
-        let (case, tool, other) = match (new.cuts, old.cuts) {
-            (false, true) => (Case::Flush, old, new),
-            (true, false) => (Case::Flush, new, old),
-            (true, true) => (Case::Holes, new, old),
-            (false, false) => (Case::Touch, new, old),
+        let [tool, other] = found.sides;
+        let case = match (tool.cuts, other.cuts) {
+            (true, false) => Case::Flush,
+            (true, true) => Case::Holes,
+            _ => Case::Touch,
         };
         let group = groups.entry((found.operation, tool.shape, case));
-        group.or_default().push((tool, other, found));
+        group.or_default().push(found);
     }
     if groups.is_empty() {
         return;
@@ -77,16 +78,21 @@ fn finding(
     context: &Context,
     operation: &OperationRecord,
     case: Case,
-    pairs: &[Shared],
+    pairs: &[Found],
     parents: &Parents,
 ) -> Option<Diagnostic> {
     let scene = context.scene;
-    let (tool, other, found) = pairs.first()?;
+    let found = pairs.first()?;
+    let [tool, other] = &found.sides;
     let of = |side: &Side| {
         let shape = &scene.shapes[side.shape as usize];
         let params = context.params(shape.span)?;
         let (span, what) = place(&params, &shape.geometry, side.part);
-        Some((format!("the {} {}", shape.ty.title, shape.id), span, what))
+        let mut name = format!("the {} {}", shape.ty.title, side.id);
+        if let Some(copy) = side.copy {
+            name += &format!(" in the copy {copy}");
+        }
+        Some((name, span, what))
     };
     let (name, span, what) = of(tool)?;
     let (other_name, other_span, other_what) = of(other)?;
@@ -125,13 +131,17 @@ fn finding(
         .note(note);
     if case != Case::Touch && parents.only_in(tool.node, operation.node) {
         let shape = &scene.shapes[tool.shape as usize];
-        let sides: Vec<Side> = pairs.iter().map(|p| p.0).collect();
+        let sides: Vec<Side> = pairs.iter().map(|p| p.sides[0]).collect();
         let params = context.params(shape.span)?;
         if let Some(fix) = fix::lengthen(&params, &shape.geometry, &sides, other.size) {
             d = d.fix(fix);
         }
     }
     Some(match case {
+        Case::Flush if tool.round => d.help(
+            "make the tool a little larger there than what it cuts, or write both alike: equal shapes \
+             in one place are decided exactly",
+        ),
         Case::Flush => d.help("let the tool reach a little past the face that it cuts through"),
         Case::Holes => d.help("let one of the two reach a little into the other"),
         Case::Touch => d,
@@ -178,6 +188,8 @@ fn place(p: &Params, geometry: &Geometry, part: Part) -> (Span, String) {
             "the disc that closes this end".to_owned(),
         ),
         (_, Part::Piece(i)) => (p.span_of(1 + 2 * i, 4), "this piece".to_owned()),
+        // Some types have no parameters.
+        (_, Part::All) if p.len() == 0 => (p.span, "its surface".to_owned()),
         (_, Part::All) => (p.span_of(0, p.len()), "its surface".to_owned()),
     }
 }
