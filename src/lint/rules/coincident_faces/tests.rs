@@ -312,6 +312,23 @@ fn what_is_covered_or_cut_off_later_is_not_seen() {
     flush(&later("5 12 -1 -1 -1 3 3 3\n6 -101 4 5\n"));
 }
 
+/// A place is named only if it shows at three points around it too, at most a hundred times the
+/// distance that counts as none away: here 1e-7, 0.9 of it across the slit.
+#[test]
+fn the_edge_of_what_is_around() {
+    let slit = |half: f64| {
+        format!(
+            "2 12 0 0 0 2 2 2\n3 12 .5 .5 .5 1.5 2 1.5\n4 -103 2 3\n5 12 -1 1 -1 {:?} 3 3\n\
+             7 12 {:?} 1 -1 3 3 3\n8 -101 5 7\n6 -101 4 8\n1 9999 6 0\n",
+            1.0 - half,
+            1.0 + half
+        )
+    };
+    flush(&slit(0.95e-7));
+    silent(&slit(0.85e-7));
+    silent(&slit(1e-12));
+}
+
 #[test]
 fn the_place_named_is_in_the_scene_that_is_drawn() {
     let scene =
