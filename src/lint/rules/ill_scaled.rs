@@ -1,6 +1,6 @@
 //! W322: lengths in one object that differ too much for its numbers.
 
-use crate::diagnostics::{Code, Diagnostic};
+use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::{Context, live_nodes, rough};
 use crate::scene::{Geometry, Matrix, Node, Shape};
 
@@ -21,15 +21,7 @@ struct Length {
 /// in four digits, and what is the same in all of them needs no axis.
 const UNEVEN: f64 = 1.001;
 
-impl Length {
-    /// What it is, with its axis where that says more.
-    fn name(self) -> String {
-        match self.axis {
-            Some(axis) => format!("{} along its {} axis", self.what, ["x", "y", "z"][axis]),
-            None => self.what.to_owned(),
-        }
-    }
-}
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -37,7 +29,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (i, shape) in scene.shapes.iter().enumerate() {
         if let Some((small, large)) = extremes(&shape.geometry, &Matrix::IDENTITY) {
             spoken[i] = true;
-            out.push(finding(context, shape, small, large, ""));
+            out.push(finding(context, shape, small, large));
         }
     }
     // Shapes that come out like that only by what moves and stretches them.
@@ -52,45 +44,29 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         {
             spoken[s as usize] = true;
             let shape = &scene.shapes[s as usize];
-            out.push(finding(
-                context,
-                shape,
-                small,
-                large,
-                ", as it is moved and stretched,",
-            ));
+            let finding = finding(context, shape, small, large);
+            out.push(match (small.axis, large.axis) {
+                (Some(s), Some(l)) => finding
+                    .case("stretched")
+                    .with("small-axis", AXES[s])
+                    .with("large-axis", AXES[l]),
+                _ => finding.case("moved"),
+            });
         }
     }
 }
 
-fn finding(
-    context: &Context,
-    shape: &Shape,
-    small: Length,
-    large: Length,
-    how: &str,
-) -> Diagnostic {
+fn finding(context: &Context, shape: &Shape, small: Length, large: Length) -> Diagnostic {
     let span = context
         .params(shape.span)
         .map_or(shape.span, |p| p.span_of(0, p.len()));
-    let (s, l) = (rough(small.size), rough(large.size));
-    Diagnostic::new(
-        Code::W322,
-        span,
-        format!(
-            "the {} {}{how} is ill-scaled: {} is {l}, {} only {s}",
-            shape.ty.title,
-            shape.id,
-            large.name(),
-            small.name()
-        ),
-    )
-    .here("lengths that differ by more than 1e8")
-    .note(
-        "sixteen digits are too few for both: hits on the small parts are off by a good part of \
-         their size, and edges come out ragged",
-    )
-    .help("bring the sizes nearer together, or move the object nearer to the origin")
+    Diagnostic::new(Code::W322, span)
+        .with("type", Value::Term(shape.ty.title))
+        .with("id", shape.id.to_string())
+        .with("large", Value::Term(large.what))
+        .with("large-size", rough(large.size))
+        .with("small", Value::Term(small.what))
+        .with("small-size", rough(small.size))
 }
 
 /// The smallest and the largest length of a shape moved by a matrix, where they are too different.
@@ -150,46 +126,48 @@ fn lengths(geometry: &Geometry, m: &Matrix, add: Add) {
         .iter()
         .fold((f64::INFINITY, 0.0f64), |(a, b), x| (a.min(*x), b.max(*x)));
     let uneven = most > UNEVEN * least;
-    let mut axes = |sizes: [f64; 3], what: [&'static str; 3]| {
-        for i in 0..3 {
-            // Names of sizes in one direction only say which.
-            let round = what.iter().filter(|w| **w == what[i]).count() > 1;
-            add(
-                sizes[i] * stretch[i],
-                what[i],
-                (uneven && round).then_some(i),
-            );
-        }
-    };
+    let told = |i: usize| uneven.then_some(i);
+    let mut axes =
+        |sizes: [f64; 3], what: [&'static str; 3], told: &dyn Fn(usize) -> Option<usize>| {
+            for i in 0..3 {
+                add(sizes[i] * stretch[i], what[i], told(i));
+            }
+        };
+    // Sizes that have an axis in their name.
+    let named = |_| None;
     const RADIUS: &str = "its radius";
     match geometry {
         Geometry::Sphere { radius, .. } | Geometry::GeodesicSphere { radius, .. } => {
-            axes([*radius; 3], [RADIUS; 3]);
+            axes([*radius; 3], [RADIUS; 3], &told);
         }
         Geometry::Ellipsoid { semi_axes } => axes(
             *semi_axes,
             ["its semi-axis a", "its semi-axis b", "its semi-axis c"],
+            &named,
         ),
         Geometry::Box { min, max } => axes(
             std::array::from_fn(|i| max[i] - min[i]),
             ["its width in x", "its height in y", "its depth in z"],
+            &named,
         ),
         Geometry::Rectangle { min, max } => axes(
             [max[0] - min[0], max[1] - min[1], 0.0],
             ["its width in x", "its height in y", ""],
+            &named,
         ),
         Geometry::Torus { major, minor } => {
-            axes([*major, 0.0, *major], ["its ring's radius R"; 3]);
-            axes([*minor; 3], ["its tube's radius r"; 3]);
+            axes([*major, 0.0, *major], ["its ring's radius R"; 3], &told);
+            axes([*minor; 3], ["its tube's radius r"; 3], &told);
         }
         Geometry::Cone { height, radius } | Geometry::DoubleCone { height, radius } => axes(
             [*radius, height.abs(), *radius],
             [RADIUS, "its height", RADIUS],
+            &told,
         ),
-        Geometry::ParabolicCylinder { a } => axes([*a, 0.0, 0.0], ["a"; 3]),
-        Geometry::HyperbolicCylinder { a, b } => axes([*a, *b, 0.0], ["a", "b", ""]),
-        Geometry::Hyperboloid { a, b, c, .. } => axes([*a, *b, *c], ["a", "b", "c"]),
-        Geometry::HyperbolicParaboloid { a, b } => axes([*a, 0.0, *b], ["a", "", "b"]),
+        Geometry::ParabolicCylinder { a } => axes([*a, 0.0, 0.0], ["a"; 3], &named),
+        Geometry::HyperbolicCylinder { a, b } => axes([*a, *b, 0.0], ["a", "b", ""], &named),
+        Geometry::Hyperboloid { a, b, c, .. } => axes([*a, *b, *c], ["a", "b", "c"], &named),
+        Geometry::HyperbolicParaboloid { a, b } => axes([*a, 0.0, *b], ["a", "", "b"], &named),
         Geometry::Triangle { vertices, .. } => {
             let [a, b, c] = vertices.map(|v| m.point(v));
             let distance =
@@ -201,9 +179,8 @@ fn lengths(geometry: &Geometry, m: &Matrix, add: Add) {
         Geometry::Revolution { profile, .. } => {
             for axis in [0, 2] {
                 let radial = stretch[axis];
-                let told = uneven.then_some(axis);
                 for p in profile {
-                    add(p[0] * radial, "a radius of its profile", told);
+                    add(p[0] * radial, "a radius of its profile", told(axis));
                 }
                 for w in profile.windows(2) {
                     let (dx, dy) = (

@@ -312,8 +312,8 @@ fn what_is_covered_or_cut_off_later_is_not_seen() {
     flush(&later("5 12 -1 -1 -1 3 3 3\n6 -101 4 5\n"));
 }
 
-/// A place is named only if it shows at three points around it too, at most a hundred times the
-/// distance that counts as none away: here 1e-7, 0.9 of it across the slit.
+/// A place is named only if it shows at three points around it too, at a hundred times the distance
+/// that counts as none, here 1.5e-9, since the tool is 1.5 long: the furthest is 0.9 of that across the slit.
 #[test]
 fn the_edge_of_what_is_around() {
     let slit = |half: f64| {
@@ -324,8 +324,8 @@ fn the_edge_of_what_is_around() {
             1.0 + half
         )
     };
-    flush(&slit(0.95e-7));
-    silent(&slit(0.85e-7));
+    flush(&slit(1.4e-7));
+    silent(&slit(1.3e-7));
     silent(&slit(1e-12));
 }
 
