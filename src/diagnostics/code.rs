@@ -88,6 +88,8 @@ codes! {
     W304 "asymmetric-quadric";
     W305 "degenerate-shape";
     W306 "no-real-points";
+    W311 "bound-too-small";
+    W312 "scene-box-cuts";
     W314 "suspicious-line-break";
     W320 "self-intersecting";
     W321 "coincident-faces";

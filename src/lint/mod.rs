@@ -5,6 +5,7 @@ mod allow;
 mod definite;
 pub mod levels;
 mod rules;
+mod solids;
 
 use crate::diagnostics::{Diagnostic, Span};
 use crate::scene::record::Params;
@@ -82,6 +83,8 @@ const RULES: &[Rule] = &[
     rules::asymmetric_quadric::check,
     rules::degenerate_shape::check,
     rules::no_real_points::check,
+    rules::bound_too_small::check,
+    rules::scene_box_cuts::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

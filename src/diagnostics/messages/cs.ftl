@@ -394,6 +394,27 @@ W306-zero = kvadrice { $id } vyhovuje každý bod
     .label = { W306.label }
     .note = xᵀQx je všude 0: objekt vyplňuje celý prostor a nemá povrch, který by šlo zobrazit
 
+W311 = ohraničující kvádr objektu { $id } je příliš malý: ({ $x }, { $y }, { $z }) je bod povrchu objektu
+    .label = tento kvádr má obsahovat celý objekt
+    .note = obrázek zůstane stejný, ale program, který kvádru věří, vynechá vše, co leží vně
+    .fix = zvětšit jej
+W311-sphere = ohraničující koule objektu { $id } je příliš malá: ({ $x }, { $y }, { $z }) je bod povrchu objektu
+    .label = tato koule má obsahovat celý objekt
+    .note = obrázek zůstane stejný, ale program, který kouli věří, vynechá vše, co leží vně
+    .fix = zvětšit ji
+
+W312 = kvádr vykreslovacího záznamu ořezává scénu: { $type } { $id } z něj přesahuje v bodě ({ $x }, { $y }, { $z })
+    .label = co leží mimo tento kvádr, není vidět
+    .shape = toto z něj přesahuje
+    .note = řez není uzavřený: je vidět dovnitř objektu
+    .help = zvětšete kvádr, nebo označte řez za záměrný: `# zpg: allow(W312) #`
+W312-outside = nic nebude vidět: celý objekt { $id } leží mimo kvádr vykreslovacího záznamu, { $axis } má všude { $where ->
+        [above] nejméně
+       *[below] nejvýše
+    } { $reach }
+    .label = { $name }, stěna kvádru
+    .note = co leží mimo kvádr, není vidět žádným paprskem
+
 W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
     .label = { $one ->
         [start] kruh, který uzavírá první bod

@@ -383,6 +383,27 @@ W306-zero = every point satisfies the quadric { $id }
     .label = { W306.label }
     .note = xᵀQx is 0 everywhere: the object fills all of space and has no surface that could be drawn
 
+W311 = the bounding box of the object { $id } is too small: ({ $x }, { $y }, { $z }) is a point of its surface
+    .label = this box shall hold the object
+    .note = the picture is the same, but a program that trusts the box leaves out what lies outside
+    .fix = enlarge it
+W311-sphere = the bounding sphere of the object { $id } is too small: ({ $x }, { $y }, { $z }) is a point of its surface
+    .label = this sphere shall hold the object
+    .note = the picture is the same, but a program that trusts the sphere leaves out what lies outside
+    .fix = { W311.fix }
+
+W312 = the box of the render record cuts the scene: the { $type } { $id } reaches out of it at ({ $x }, { $y }, { $z })
+    .label = what lies outside of this box is invisible
+    .shape = this reaches out of it
+    .note = the cut is not closed: one looks into the object
+    .help = make the box larger, or say that the cut is meant: `# zpg: allow(W312) #`
+W312-outside = nothing will be seen: all of the object { $id } lies outside of the box of the render record, its { $axis } is { $where ->
+        [above] at least
+       *[below] at most
+    } { $reach } everywhere
+    .label = { $name }, the side of the box
+    .note = what lies outside of the box is invisible, for all rays
+
 W320 = the profile of the { $type } { $id } crosses itself near x = { $x }, y = { $y }
     .label = { $one ->
         [start] the disc that closes the first point
