@@ -88,9 +88,11 @@ codes! {
     W304 "asymmetric-quadric";
     W305 "degenerate-shape";
     W306 "no-real-points";
+    W307 "overlapping-union";
     W311 "bound-too-small";
     W312 "scene-box-cuts";
     W314 "suspicious-line-break";
+    W319 "empty-result";
     W320 "self-intersecting";
     W321 "coincident-faces";
     W322 "ill-scaled";

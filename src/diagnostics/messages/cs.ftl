@@ -394,6 +394,14 @@ W306-zero = kvadrice { $id } vyhovuje každý bod
     .label = { W306.label }
     .note = xᵀQx je všude 0: objekt vyplňuje celý prostor a nemá povrch, který by šlo zobrazit
 
+W307 = { $id }, sjednocení: { $one } { $one-id } a { $two } { $two-id } se překrývají a jsou z různých prostředí: ({ $x }, { $y }, { $z }) leží v obou
+    .label = co leží v obou, patří prvnímu operandu
+    .first = { $one }
+    .second = { $two }
+    .note = kde je první operand, není povrch druhého vidět: obrázek závisí na pořadí operandů
+    .help = odečtěte jedno od druhého, nebo zapište překryv jako část s vlastními vlastnostmi
+    .fix = zapsat jako (A − B) ∪ (B − A) ∪ (A ∩ B)
+
 W311 = ohraničující kvádr objektu { $id } je příliš malý: ({ $x }, { $y }, { $z }) je bod povrchu objektu
     .label = tento kvádr má obsahovat celý objekt
     .note = obrázek zůstane stejný, ale program, který kvádru věří, vynechá vše, co leží vně
@@ -414,6 +422,37 @@ W312-outside = nic nebude vidět: celý objekt { $id } leží mimo kvádr vykres
     } { $reach }
     .label = { $name }, stěna kvádru
     .note = co leží mimo kvádr, není vidět žádným paprskem
+
+W319 = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a { $two } { $two-id } leží mimo sebe, { $axis } ≤ { $end } a { $axis } ≥ { $begin }
+    .label = nic nezbude
+    .one = { $one }
+    .two = { $two }
+    .note = nic z něj se nevykreslí
+W319-balls = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a { $two } { $two-id } leží mimo sebe, středy jsou od sebe { $between }, součet poloměrů je { $radii }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-beyond = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } leží zcela mimo druhý operand: { $two } { $two-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-within = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } leží uvnitř odečítaného objektu: { $two } { $two-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-same = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a odečítaný objekt jsou totéž: { $two } { $two-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-itself = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } se odečítá od sebe
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
 
 W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
     .label = { $one ->

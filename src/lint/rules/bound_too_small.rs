@@ -68,7 +68,9 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let Some(p) = context.params(promise.span) else {
             continue;
         };
-        let [x, y, z] = met.point.map(|x| near(x, size(&promise.volume)));
+        // So finely that the place named is outside too.
+        let out_by = beyond(&promise.volume, met.point);
+        let [x, y, z] = met.point.map(|x| near(x, out_by));
         let mut d = Diagnostic::new(Code::W311, p.span_of(0, p.len()))
             .case(match promise.volume {
                 Volume::Box { .. } => "",

@@ -7,7 +7,7 @@ use std::collections::HashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
-use crate::lint::solids::reach::{RAYS, Search, WRITTEN, bare, size, tracer};
+use crate::lint::solids::reach::{RAYS, Search, WRITTEN, bare, beyond, size, tracer};
 use crate::lint::solids::{near, tree::Tree};
 use crate::scene::bounds::node_bounds;
 use crate::scene::{Aabb, Volume};
@@ -78,7 +78,9 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     };
     let shape = &scene.shapes[shape as usize];
-    let [x, y, z] = met.point.map(|x| near(x, clip.radius()));
+    // So finely that the place named is outside too.
+    let out_by = beyond(&volume, met.point);
+    let [x, y, z] = met.point.map(|x| near(x, out_by));
     out.push(
         Diagnostic::new(Code::W312, span)
             .with("type", Value::Term(shape.ty.title))
@@ -118,7 +120,7 @@ mod tests {
         assert_eq!(
             messages(&scene),
             [
-                "the box of the render record cuts the scene: the sphere 2 reaches out of it at (0, 0, 1)"
+                "the box of the render record cuts the scene: the sphere at the origin 2 reaches out of it at (0, 0, 1)"
             ]
         );
         assert!(found(&boxed("2 9 1", "-1 -1 -1 1 1 1")).is_empty());
@@ -153,7 +155,7 @@ mod tests {
                 "nothing will be seen: all of the object 2 lies outside of the box of the render record, its y is at least 4 everywhere"
             ]
         );
-        assert_eq!(found(&scene), ["W312 2:24"]);
+        assert_eq!(found(&scene), ["W312 2:23"]);
         let surface = boxed("2 5 -1 -1 1 1\n2 -1 -9 0 0", "-2 -2 -2 2 2 2");
         assert_eq!(found(&surface).len(), 1);
     }

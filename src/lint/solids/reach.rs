@@ -155,19 +155,21 @@ impl Search<'_> {
         let mut walkers = self.tracer.walker::<f64>();
         let mut best: Option<(f64, Met)> = None;
         let side = |i: usize| region.max[i] - region.min[i];
+        // Rays start before the region, and flat things have no thickness to start before.
+        let lead = 0.01 * side(0).max(side(1)).max(side(2));
         for axis in 0..3 {
             let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
             for (a, b) in SHARES.iter().flat_map(|a| SHARES.map(|b| (*a, b))) {
                 *self.rays = self.rays.checked_sub(1)?;
                 let mut origin = region.min;
-                origin[axis] -= 0.01 * side(axis);
+                origin[axis] -= lead;
                 origin[j] += a * side(j);
                 origin[k] += b * side(k);
                 let direction = std::array::from_fn(|i| f64::from(u8::from(i == axis)));
                 let ray = Ray::new(vec::Vec3(origin), vec::Vec3(direction));
                 for c in self.tracer.crossings(&mut walkers, &ray) {
                     let point = c.hit.point.0;
-                    if point[axis] > region.max[axis] {
+                    if point[axis] > region.max[axis] + lead {
                         break;
                     }
                     if let Some(by) = worth(&c)
