@@ -1,5 +1,6 @@
 //! The handout's examples: as printed they give the findings that lie beside them, repaired they
-//! give none.
+//! give none, but that in the last one two balls of different glass overlap, as they do in the
+//! handout.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -49,12 +50,12 @@ fn printed_examples() {
 fn repaired_examples() {
     for path in scenes("scenes/handout") {
         let loaded = load(&path).unwrap();
-        assert!(
-            loaded.diagnostics.is_empty(),
-            "{}: {:?}",
-            path.display(),
-            loaded.diagnostics
-        );
+        let found: Vec<&str> = (loaded.diagnostics.iter())
+            .map(|d| d.code.as_str())
+            .collect();
+        let balls = path.ends_with("4-checkerboard-and-spheres.zpg");
+        let expected: &[&str] = if balls { &["W307"] } else { &[] };
+        assert_eq!(found, expected, "{}", path.display());
         assert!(loaded.scene.render.is_some());
     }
 }

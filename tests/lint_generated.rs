@@ -11,7 +11,7 @@ use rng::Rng;
 use zpg::commands::Loaded;
 use zpg::diagnostics::{Applicability, Code, Diagnostic, Value, fixes};
 use zpg::scene::bounds::node_bounds;
-use zpg::scene::{Aabb, NodeId, Scene, Volume};
+use zpg::scene::{Aabb, Node, NodeId, Scene, Volume};
 use zpg::trace::vec::Vec3;
 use zpg::trace::{Images, Ray, Settings, Tracer, members, selected_camera};
 
@@ -230,4 +230,40 @@ fn what_is_said_of_random_scenes_is_true() {
     for code in ["W307", "W311", "W312", "W319"] {
         assert!(seen.get(code).is_some_and(|n| *n >= 10), "{code}: {seen:?}");
     }
+}
+
+/// What is checked above can fail: claims that are not true are refuted, most of them.
+#[test]
+fn lies_are_refuted() {
+    let (mut refuted_lies, mut lies) = (0, 0);
+    let mut tell = |source: &str, loaded: &Loaded, lie: &Diagnostic| {
+        lies += 1;
+        refuted_lies += u32::from(refuted(source, loaded, lie, &mut Rng::new(1)).is_some());
+    };
+    for seed in 0..60 {
+        let source = scenes::scene(seed);
+        let loaded = load(&source);
+        for d in &loaded.diagnostics {
+            // A point far from the one that was meant.
+            if let Some(at) = d.values.iter().position(|v| v.0 == "x") {
+                let mut lie = d.clone();
+                lie.values[at].1 = (witness(d)[0] + 1.37).to_string().into();
+                tell(&source, &loaded, &lie);
+            }
+        }
+        // Unions of a solid and whatever are not empty.
+        for o in &loaded.scene.operations {
+            if let Node::Union(a, _) = loaded.scene.nodes[o.node as usize]
+                && let Node::Shape(s) = loaded.scene.nodes[a as usize]
+                && loaded.scene.shapes[s as usize].geometry.is_solid()
+            {
+                let lie = Diagnostic::new(Code::W319, o.span).with("id", o.id.to_string());
+                tell(&source, &loaded, &lie);
+            }
+        }
+    }
+    assert!(
+        lies > 50 && refuted_lies * 4 > lies * 3,
+        "{refuted_lies} of {lies}"
+    );
 }

@@ -184,11 +184,15 @@ impl Proofs<'_> {
     /// and whether it is the second one that ends. Boxes are rounded outwards.
     fn boxes_apart(&self, a: NodeId, b: NodeId) -> Option<(usize, f64, f64, bool)> {
         let (a, b) = (self.all(a), self.all(b));
-        (0..3).find_map(|i| match (a.max[i] < b.min[i], b.max[i] < a.min[i]) {
-            (true, _) => Some((i, a.max[i], b.min[i], false)),
-            (_, true) => Some((i, b.max[i], a.min[i], true)),
-            _ => None,
-        })
+        // Nearer to each other than that they touch, as far as the numbers go.
+        let clear = |end: f64, begin: f64| begin - end > CLEAR * (end.abs() + begin.abs());
+        (0..3).find_map(
+            |i| match (clear(a.max[i], b.min[i]), clear(b.max[i], a.min[i])) {
+                (true, _) => Some((i, a.max[i], b.min[i], false)),
+                (_, true) => Some((i, b.max[i], a.min[i], true)),
+                _ => None,
+            },
+        )
     }
 
     fn apart(&self, x: NodeId, y: NodeId) -> Option<Reason> {
@@ -412,9 +416,17 @@ mod tests {
             "2 9 1\n3 11 1.4 1.4 0 1\n4 -102 2 3\n",
             "2 9 1\n3 4 1 1 0 1.9\n4 -102 2 3\n",
             "2 9 1\n3 12 -1 2 -1 1 3 1\n4 -101 2 3\n",
+            // At the edge of what may be rounding: 2e-9 of 1 and 1.
+            "2 9 1\n3 12 -1 1.0000000019 -1 1 3 1\n4 -102 2 3\n",
         ] {
             assert!(found(near_miss).is_empty(), "{near_miss}");
         }
+    }
+
+    #[test]
+    fn the_edge_of_what_is_clear() {
+        let apart = "2 9 1\n3 12 -1 1.0000000021 -1 1 3 1\n4 -102 2 3\n";
+        assert_eq!(found(apart), ["W319 3:8"]);
     }
 
     #[test]
