@@ -85,6 +85,8 @@ struct Place {
     depth: u32,
     /// The topmost union of unions that this is part of.
     top: u32,
+    /// The top of a way down along the larger operands.
+    head: u32,
 }
 
 /// A part of a union that is none itself.
@@ -201,6 +203,7 @@ impl Unions {
                         parent: task.union,
                         depth,
                         top,
+                        head: union,
                     });
                     for node in [b, a] {
                         let copy = None;
@@ -232,7 +235,31 @@ impl Unions {
                 Node::Complement(_) => {}
             }
         }
+        all.find_heads();
         all
+    }
+
+    /// Chains of unions are as deep as they are long: ways along the larger operands are gone at once.
+    fn find_heads(&mut self) {
+        let count = self.places.len();
+        let mut weights = vec![1u32; count];
+        let mut larger = vec![NONE; count];
+        // Parents stand before their children.
+        for i in (0..count).rev() {
+            let parent = self.places[i].parent as usize;
+            if let Some(other) = larger.get_mut(parent) {
+                if *other == NONE || weights[*other as usize] < weights[i] {
+                    *other = i as u32;
+                }
+                weights[parent] += weights[i];
+            }
+        }
+        for i in 0..count {
+            let parent = self.places[i].parent;
+            if parent != NONE && larger[parent as usize] == i as u32 {
+                self.places[i].head = self.places[parent as usize].head;
+            }
+        }
     }
 
     fn part(
@@ -464,14 +491,19 @@ impl Search<'_> {
         if place(a).top != place(b).top {
             return None;
         }
-        while a != b {
+        while place(a).head != place(b).head {
             self.left = self.left.checked_sub(1)?;
-            if place(a).depth < place(b).depth {
+            if place(place(a).head).depth < place(place(b).head).depth {
                 std::mem::swap(&mut a, &mut b);
             }
-            a = place(a).parent;
+            a = place(place(a).head).parent;
         }
-        Some(place(a).node)
+        let upper = if place(a).depth < place(b).depth {
+            a
+        } else {
+            b
+        };
+        Some(place(upper).node)
     }
 }
 
@@ -632,5 +664,35 @@ mod tests {
         // In water that has no end.
         let water = "2 4 0 1 0 0\n2 -201 0 0 1\n3 9 0.5\n4 -101 3 2\n1 9999 4 0\n";
         assert_eq!(found(water), ["W307 4:8"]);
+    }
+
+    /// Pairs of balls, all in one chain of unions: each pair is found at the union that joins it,
+    /// however deep that lies.
+    #[test]
+    fn chains_of_unions() {
+        const PAIRS: usize = 5000;
+        let mut scene = String::from("2 -201 0 0 1\n");
+        let mut expected = Vec::new();
+        let mut chain = 0;
+        for i in 0..PAIRS {
+            let (one, two) = (10 + 4 * i, 11 + 4 * i);
+            scene += &format!("{one} 11 {} 0 0 1\n{one} -299 0 2\n", 4 * i);
+            scene += &format!("{two} 11 {} 0 0 1\n", 4 * i + 1);
+            for ball in [one, two] {
+                if chain > 0 {
+                    scene += &format!("{} -101 {chain} {ball}\n", ball + 2);
+                    chain = ball + 2;
+                } else {
+                    chain = ball;
+                }
+            }
+            let line = scene.lines().count();
+            expected.push(format!(
+                "W307 {line}:{}",
+                format!("{chain} -101 ").len() + 1
+            ));
+        }
+        scene += &format!("1 9999 {chain} 0\n");
+        assert_eq!(found(&scene), expected);
     }
 }
