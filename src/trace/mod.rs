@@ -36,6 +36,7 @@ mod picture;
 pub mod plan;
 pub mod precision;
 mod probe;
+mod qd;
 mod quartic;
 pub mod ray;
 pub mod sampling;

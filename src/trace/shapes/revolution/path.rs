@@ -14,6 +14,7 @@ use super::tree::Run;
 use crate::trace::number::Real;
 use crate::trace::quartic::root_between;
 use crate::trace::ray::{Line, Slack};
+use crate::trace::shapes::closer::is_last;
 use crate::trace::shapes::doubt::is_final;
 use crate::trace::vec::Vec3;
 
@@ -212,7 +213,7 @@ impl<R: Real> Path<R> {
         let power = R::difference_of_products(offset, offset, inner, radius + self.delta);
         let low = (self.point[1] - y).abs();
         let bound = self.power_error(offset.abs(), self.offset_size(y), low, radius);
-        let touch = if is_final::<R>() { bound } else { R::ZERO };
+        let touch = if is_last::<R>() { bound } else { R::ZERO };
         Ring {
             radius,
             y,
@@ -386,7 +387,7 @@ impl<R: Real> Path<R> {
                 ),
                 beside(R::ZERO, d, bound),
             ];
-            let touch = if is_final::<R>() { bound } else { R::ZERO };
+            let touch = if is_last::<R>() { bound } else { R::ZERO };
             if sure.contains(&Some(false)) {
                 return cuts;
             }
