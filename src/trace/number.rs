@@ -46,6 +46,12 @@ pub trait Real:
     fn mul_add(self, a: Self, b: Self) -> Self;
     fn is_finite(self) -> bool;
 
+    /// Whether the sum of two numbers is known to be exact. Doubles are never asked to know: what is
+    /// closer than they can tell is decided in double-double.
+    fn adds_exactly(self, _other: Self) -> bool {
+        false
+    }
+
     fn is_nan(self) -> bool {
         self.partial_cmp(&self).is_none()
     }

@@ -37,8 +37,9 @@ impl Qd {
     /// beyond the fourth part, which is at most u⁴ of the sum and a little.
     fn sum_of<const N: usize>(mut terms: [f64; N]) -> Qd {
         // Each pass is exact. It carries the terms upwards, and where it changes nothing, no term
-        // reaches above half of the last place of the one before; zeros have sunk to the end. Every
-        // pass settles one more of the leading terms for good, which bounds their number.
+        // reaches above half of the last place of the one before; zeros have sunk to the end. A few
+        // passes do that; that there are not more than twice as many as terms is to be sure of an
+        // end.
         for _ in 0..2 * N {
             let mut settled = true;
             for i in (1..N).rev() {
@@ -221,8 +222,8 @@ impl Real for Qd {
         Qd([high, low, 0.0, 0.0])
     }
 
-    /// Newton's method from the double root, with the slope in doubles: each of four steps squares
-    /// the error or divides it by 2⁵⁰.
+    /// Newton's method from the double root, with the slope in doubles: each of four steps divides the
+    /// error by 2⁵⁰.
     fn sqrt(self) -> Qd {
         let root = self.0[0].sqrt();
         // Zeros, infinities and NaN are their own answers.
@@ -251,5 +252,123 @@ impl Real for Qd {
 
     fn difference_of_products(a: Qd, b: Qd, c: Qd, d: Qd) -> Qd {
         a * b - c * d
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashu_int::IBig;
+    use proptest::prelude::*;
+
+    /// Numbers whose parts are next to each other, or have zeros between.
+    fn qd() -> impl Strategy<Value = Qd> {
+        let part = || (-1.0..1.0f64, 0..40i32);
+        (-1e12..1e12f64, part(), part(), part()).prop_map(|(first, b, c, d)| {
+            let mut parts = [first, 0.0, 0.0, 0.0];
+            for (i, (share, gap)) in [b, c, d].into_iter().enumerate() {
+                parts[i + 1] = parts[i] * share * f64::EPSILON / 4.0 * 0.5f64.powi(gap);
+            }
+            Qd::sum_of(parts)
+        })
+    }
+
+    /// What a number is times 2^1000, exactly.
+    fn exact(x: Qd) -> IBig {
+        x.0.iter().fold(IBig::ZERO, |sum, part| {
+            let field = (part.to_bits() >> 52 & 0x7ff) as i32;
+            let mantissa = part.abs() / f64::from_bits((field as u64) << 52) * 2f64.powi(52);
+            let size = match *part {
+                0.0 => IBig::ZERO,
+                _ => IBig::from(mantissa as u64) << (field - 1075 + 1000) as usize,
+            };
+            if *part < 0.0 { sum - size } else { sum + size }
+        })
+    }
+
+    /// Whether two numbers differ by no more than the roundoff of the second.
+    fn near(got: IBig, meant: IBig) -> bool {
+        let size = |x: IBig| if x < IBig::ZERO { -x } else { x };
+        size(got - &meant) << 206 <= size(meant)
+    }
+
+    proptest! {
+        /// All operations to the bound, by whole numbers of any length.
+        #[test]
+        fn operations_against_whole_numbers(a in qd(), b in qd()) {
+            let (x, y) = (exact(a), exact(b));
+            prop_assert!(near(exact(a + b), &x + &y));
+            prop_assert!(near(exact(a * b) << 1000, &x * &y));
+            prop_assert!(near(exact(a - b), &x - &y));
+            if b != Qd::ZERO {
+                prop_assert!(near(exact(a / b) * &y, &x << 1000));
+            }
+            let root = exact(a.abs().sqrt());
+            // Twice the error in the square.
+            prop_assert!(near((&root * &root) >> 1, exact(a.abs()) << 999) || a == Qd::ZERO);
+            prop_assert_eq!(a < b, x < y);
+            prop_assert_eq!(a == b, x == y);
+        }
+
+        /// Every part is at most half of the last place of the one before.
+        #[test]
+        fn parts_do_not_overlap(a in qd(), b in qd()) {
+            for x in [a, a + b, a * b, a / b, a.abs().sqrt()] {
+                prop_assert!(x.0.windows(2).all(|w| w[0] + w[1] == w[0]), "{:?}", x);
+            }
+        }
+    }
+
+    #[test]
+    fn zeros_and_cancellation_leave_all_digits() {
+        let tiny = Qd::of(2f64.powi(-150));
+        assert_eq!(
+            ((Qd::ONE + tiny) - Qd::ONE).0,
+            [2f64.powi(-150), 0.0, 0.0, 0.0]
+        );
+        let sum = Qd::sum_of([
+            1.0,
+            -1.0,
+            0.0,
+            2f64.powi(-60),
+            0.0,
+            0.0,
+            2f64.powi(-300),
+            0.0,
+        ]);
+        assert_eq!(sum.0, [2f64.powi(-60), 2f64.powi(-300), 0.0, 0.0]);
+        // A tie has two expansions, which are one number.
+        let half = f64::EPSILON / 2.0;
+        let (a, b) = (
+            Qd([1.0, half, 0.0, 0.0]),
+            Qd([1.0 + f64::EPSILON, -half, 0.0, 0.0]),
+        );
+        assert!(a == b && !(a < b) && !(b < a));
+        assert!(a + tiny > b && b - tiny < a);
+    }
+
+    #[test]
+    fn to_double_double_and_back() {
+        let third = Qd::ONE / Qd::of(3.0);
+        let dd = Dd::ONE / Dd::of(3.0);
+        assert!((third - Qd::from(dd)).abs() <= Qd::of(Dd::ROUNDOFF.to_f64()));
+        assert_eq!(Qd::from(dd).to_dd(), dd);
+        assert_eq!(Qd::from(dd).parts(), dd.parts());
+        assert!((third * Qd::of(3.0) - Qd::ONE).abs() <= Qd::ROUNDOFF);
+    }
+
+    #[test]
+    fn infinities_and_nan_are_kept() {
+        let huge = Qd::of(f64::MAX);
+        assert_eq!(huge + huge, Qd::INFINITY);
+        assert_eq!(huge * Qd::of(-2.0), -Qd::INFINITY);
+        assert_eq!(Qd::ONE / Qd::ZERO, Qd::INFINITY);
+        assert_eq!(Qd::ONE / Qd::INFINITY, Qd::ZERO);
+        assert_eq!(Qd::INFINITY.to_dd(), Dd::INFINITY);
+        assert_eq!(Qd::INFINITY.sqrt(), Qd::INFINITY);
+        assert!((Qd::ZERO / Qd::ZERO).is_nan());
+        assert!(Qd::of(-1.0).sqrt().is_nan());
+        assert!(huge > Qd::ONE && -Qd::INFINITY < huge);
+        assert!(!(Qd::of(f64::NAN) == Qd::of(f64::NAN)));
     }
 }

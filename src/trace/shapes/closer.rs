@@ -49,3 +49,54 @@ fn after<R: Real>(t: R) -> R {
     // Double-double has a place for the least double beside every number.
     t + (step + step).max(R::of(f64::from_bits(1)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace::vec::Vec3;
+
+    #[test]
+    fn only_double_double_in_doubt_goes_on() {
+        fn asked<R: Real>(uncertain: bool) -> bool {
+            let line = Line::new(Vec3::ZERO, Vec3::new(R::ONE, R::ZERO, R::ZERO));
+            let mut roots = Roots {
+                uncertain,
+                ..Roots::default()
+            };
+            let mut asked = false;
+            decide_closer(&line, &mut roots, |_, _| asked = true);
+            assert_eq!(roots.uncertain, uncertain && !asked);
+            asked
+        }
+        assert!(asked::<Dd>(true) && !asked::<Dd>(false));
+        assert!(!asked::<f64>(true) && !asked::<f32>(true) && !asked::<Qd>(true));
+        assert!(is_last::<Qd>() && !is_last::<Dd>());
+    }
+
+    #[test]
+    fn crossings_closer_than_the_digits_of_t_stay_in_order() {
+        let line = Line::new(Vec3::ZERO, Vec3::new(Dd::ONE, Dd::ZERO, Dd::ZERO));
+        for t in [0.0, 5.0, -5.0, 1e300, -1e300, 1e-320, -f64::MIN_POSITIVE] {
+            let mut roots = Roots {
+                uncertain: true,
+                ..Roots::default()
+            };
+            // What a quad-double tells apart, if it is large enough for that.
+            let close = Qd::of(t) * Qd::ROUNDOFF * Qd::of(16.0);
+            decide_closer(&line, &mut roots, |_, closer| {
+                for (face, n) in (0..).zip([-1.0, 0.0, 1.0]) {
+                    closer.push(Qd::of(t) + close.abs() * Qd::of(n), face);
+                }
+            });
+            let faces: Vec<u32> = roots.list.iter().map(|root| root.face).collect();
+            assert_eq!(faces, [0, 1, 2]);
+            for pair in roots.list.windows(2) {
+                assert!(pair[0].t < pair[1].t, "{t}");
+            }
+            for root in &roots.list {
+                let off = (root.t - Dd::of(t)).abs().to_f64();
+                assert!(off <= 4.0 * Dd::ROUNDOFF.to_f64() * t.abs() + 1e-323);
+            }
+        }
+    }
+}
