@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use zpg::commands::{ColorChoice, check, completions, convert, explain, fmt, plan, probe, render};
+use zpg::commands::{LookChoice, check, completions, convert, explain, fmt, plan, probe, render};
 
 /// Tools for scenes in the ZPG scene language
 #[derive(Debug, Parser)]
@@ -30,9 +30,8 @@ struct Cli {
     #[command(subcommand)]
     command: Command,
 
-    /// When to use colour
-    #[arg(long, global = true, value_enum, default_value_t, value_name = "WHEN")]
-    color: ColorChoice,
+    #[command(flatten)]
+    look: LookChoice,
 }
 
 #[derive(Debug, Subcommand)]
@@ -50,12 +49,12 @@ enum Command {
 fn main() -> ExitCode {
     let cli = Cli::parse();
     let status = match &cli.command {
-        Command::Check(args) => check::run(args, cli.color),
-        Command::Fmt(args) => fmt::run(args, cli.color),
-        Command::Convert(args) => convert::run(args, cli.color),
-        Command::Render(args) => render::run(args, cli.color),
-        Command::Probe(args) => probe::run(args, cli.color),
-        Command::Plan(args) => plan::run(args, cli.color),
+        Command::Check(args) => check::run(args, cli.look),
+        Command::Fmt(args) => fmt::run(args, cli.look),
+        Command::Convert(args) => convert::run(args, cli.look),
+        Command::Render(args) => render::run(args, cli.look),
+        Command::Probe(args) => probe::run(args, cli.look),
+        Command::Plan(args) => plan::run(args, cli.look),
         Command::Explain(args) => explain::run(args),
         Command::Completions(args) => completions::run(args, Cli::command()),
     };

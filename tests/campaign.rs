@@ -14,6 +14,27 @@ const RAYS: usize = 2000;
 /// The same every time.
 const SEED: u64 = 20;
 
+/// Everything that is counted and measured but times is the same however many threads there are.
+#[test]
+fn threads_change_nothing() {
+    let result = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let kind = pool.unwrap().install(|| campaign::run(0, 400, SEED));
+        kind.rows.map(|r| {
+            let counts = [
+                r.rays,
+                r.wrong,
+                r.outside,
+                r.uncertain,
+                r.plain,
+                r.plain_uncertain,
+            ];
+            (counts, r.worst, r.failures)
+        })
+    };
+    assert_eq!(result(1), result(3));
+}
+
 /// One kind of shape must meet the bars in f64, with dd for what that cannot decide, and in dd: the
 /// right number of crossings wherever moving the line by half a unit in the last place does not
 /// change it, and every crossing within 64 ε of the surface.

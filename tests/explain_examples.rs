@@ -2,7 +2,7 @@
 //! good one has none.
 
 use zpg::commands::Loaded;
-use zpg::diagnostics::Code;
+use zpg::diagnostics::{Code, Language};
 
 /// Codes that no scene in a text can show, and why.
 const NOT_SHOWN: &[(Code, &str)] = &[
@@ -32,8 +32,10 @@ fn findings(scene: &str) -> Vec<(Code, String)> {
                 "line {}: {} {severity}: {}",
                 place.line,
                 d.code.as_str(),
-                d.message
+                d.wording(Language::English).message
             );
+            // It is asserted there that no word is missing.
+            d.wording(Language::Czech);
             (d.code, line)
         })
         .collect()

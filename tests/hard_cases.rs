@@ -120,7 +120,7 @@ programs! {
     programs::row_11_thin_torus_from_afar in f64 dd;
     programs::row_15_sphere_from_afar in f64 dd;
     programs::row_17_rim_of_a_distant_sphere in f64 dd;
-    leaving::row_18_leave_a_small_sphere in f64;
+    leaving::row_18_leave_a_small_sphere in f64 f32 dd;
     programs::row_22_clipped_paraboloid in f64 f32 dd;
     pictures::row_24_box_above_a_plane in f64 f32 dd;
     pictures::row_25_sheet_above_a_receiver in f64 f32 dd;
@@ -132,7 +132,7 @@ programs! {
     programs::row_36_geodesic_vertices_and_edges in f64 f32 dd;
     sets::row_37_identities in f64 f32 dd;
     programs::row_38_scaled_moved_turned in f64 dd;
-    leaving::row_39_leave_everything in f64;
+    leaving::row_39_leave_everything in f64 f32 dd;
 }
 
 #[test]

@@ -161,6 +161,34 @@ fn an_object_needs_no_render_record() {
     assert_eq!(each(&answer, "t"), [12.0, 14.0]);
 }
 
+/// What is not asked about is not spoken of.
+#[test]
+fn notes_are_on_what_the_question_is_about() {
+    let said = |scene: &str, args: &[&str]| {
+        let dir = folder(scene);
+        let args: Vec<&str> = ["a.zpg"].iter().chain(args).copied().collect();
+        let out = zpg(dir.path(), &args, "0 0 9 0 0 -1\n");
+        let error = String::from_utf8(out.stderr).unwrap();
+        assert_eq!(out.status.code(), Some(0), "{error}");
+        error
+    };
+    // No camera, no light.
+    let bare = "2 11 0 0 0 1\n1 9999 2 0\n";
+    assert_eq!(said(bare, &DOWN), "");
+    assert_eq!(said(bare, &["--rays", "-"]), "");
+    assert_eq!(said(bare, &["--point", "0 0 0"]), "");
+    let pixel = ["--pixel", "1,1", "--size", "3x3"];
+    let seen = said(bare, &pixel);
+    assert!(seen.contains("N602") && seen.contains("N603"), "{seen}");
+    assert_eq!(said(&scene("2 11 0 0 0 1", 2), &pixel), "");
+    // No render record, which an object does without.
+    let lone = "2 11 0 0 0 1\n";
+    assert_eq!(said(lone, &["--object", "2", "--point", "0 0 0"]), "");
+    // Everything else is said: here that two records share a line.
+    let odd = said("2 11 0 0 0 1 1 9999 2 0\n", &DOWN);
+    assert!(odd.contains("S503") && !odd.contains("N60"), "{odd}");
+}
+
 #[test]
 fn a_pixel_is_a_ray_with_a_colour() {
     let records = "2 11 0 0 0 1\n2 -701 0.5 0.25 1";
@@ -199,9 +227,26 @@ fn many_rays_keep_their_order() {
     }
 }
 
+/// The origins' x of the answers to a file of rays, and what was complained about; the status is 2.
+fn origins_and_complaints(scene: &str, args: &[&str], rays: &str) -> (Vec<f64>, String) {
+    let dir = folder(scene);
+    let args: Vec<&str> = ["a.zpg", "--rays", "-"]
+        .iter()
+        .chain(args)
+        .copied()
+        .collect();
+    let out = zpg(dir.path(), &args, rays);
+    let error = String::from_utf8(out.stderr.clone()).unwrap();
+    assert_eq!(out.status.code(), Some(2), "{error}");
+    let origins = lines(&out)
+        .into_iter()
+        .map(|a| a["ray"]["origin"][0].as_f64());
+    (origins.map(Option::unwrap).collect(), error)
+}
+
 #[test]
-fn bad_rays_lose_nothing_before_them() {
-    let dir = folder(&scene("2 11 0 0 0 2", 2));
+fn bad_rays_are_left_out() {
+    let scene = scene("2 11 0 0 0 2", 2);
     for (bad, reason) in [
         ("1 2 3 4 5", "expected 6 numbers, found 5"),
         ("1 2 3 4 5 6 7", "expected 6 numbers, found 7"),
@@ -210,13 +255,61 @@ fn bad_rays_lose_nothing_before_them() {
         ("1 2 nan 0 0 1", "`nan` is not a number"),
         ("1 2 1e999 0 0 1", "`1e999` is out of range"),
     ] {
-        let rays = format!("0 0 9 0 0 -1\n# here #\n{bad}\n0 0 9 0 0 -1\n");
-        let out = zpg(dir.path(), &["a.zpg", "--rays", "-"], &rays);
-        assert_eq!(out.status.code(), Some(2));
-        assert_eq!(lines(&out).len(), 1);
-        let error = String::from_utf8_lossy(&out.stderr);
-        assert_eq!(error, format!("error: -:3: {reason}\n"));
+        let rays = format!("0 0 9 0 0 -1\n# here #\n{bad}\n1 0 9 0 0 -1\n{bad}");
+        let (origins, error) = origins_and_complaints(&scene, &[], &rays);
+        assert_eq!(origins, [0.0, 1.0]);
+        assert_eq!(
+            error,
+            format!("error: -:3: {reason}\nerror: -:5: {reason}\n")
+        );
     }
+}
+
+#[test]
+fn rays_that_a_precision_has_no_numbers_for_are_left_out() {
+    let scene = scene("2 11 0 0 0 2", 2);
+    let rays = "0 0 9 0 0 -1\n1 0 1e300 0 0 -1\n2 0 9 0 0 -1e-46\n3 0 9 0 0\n4 0 9 0 0 -1\n";
+    let (origins, error) = origins_and_complaints(&scene, &["--precision", "f32"], rays);
+    assert_eq!(origins, [0.0, 4.0]);
+    let range = "this ray is out of the range of this precision";
+    let complaints = [(2, range), (3, range), (4, "expected 6 numbers, found 5")];
+    let complaints = complaints.map(|(line, reason)| format!("error: -:{line}: {reason}\n"));
+    assert_eq!(error, complaints.concat());
+    for precision in ["f64", "dd"] {
+        let (origins, error) = origins_and_complaints(&scene, &["--precision", precision], rays);
+        assert_eq!(origins, [0.0, 1.0, 2.0, 4.0]);
+        assert_eq!(error, complaints[2]);
+    }
+}
+
+#[test]
+fn many_bad_rays_keep_their_order() {
+    let mut rays = String::new();
+    let mut complaints = String::new();
+    for i in 0..40_000 {
+        match i % 3 {
+            0 => {
+                writeln!(rays, "{i} 0 9 0 0").unwrap();
+                let line = i + 1;
+                writeln!(complaints, "error: -:{line}: expected 6 numbers, found 5").unwrap();
+            }
+            _ => writeln!(rays, "{i} 0 9 0 0 -1").unwrap(),
+        }
+    }
+    let (origins, error) = origins_and_complaints(&scene("2 11 0 0 0 2", 2), &[], &rays);
+    let good = (0..40_000).filter(|i| i % 3 != 0).map(f64::from);
+    assert!(good.eq(origins));
+    assert!(error == complaints);
+}
+
+#[test]
+fn a_line_without_end_ends_the_file() {
+    let scene = scene("2 11 0 0 0 2", 2);
+    let ending = " ".repeat(65_536 - "1 0 9 0 0 -1\n".len());
+    let rays = format!("0 0 9 0 0 -1\n1 0 9 0 0 -1{ending}\n2 0 9 0 0 -1 {ending}\n3 0 9 0 0 -1\n");
+    let (origins, error) = origins_and_complaints(&scene, &[], &rays);
+    assert_eq!(origins, [0.0, 1.0]);
+    assert_eq!(error, "error: -:3: the line is longer than 65536 bytes\n");
 }
 
 #[test]
@@ -303,6 +396,19 @@ fn solids_that_hold_a_point() {
     assert_eq!(inside(9, "-2 0 0"), (json!([2, 4, 6, 9]), json!(true)));
     assert_eq!(inside(9, "0 0 0"), (json!([2, 3]), json!(false)));
     assert_eq!(inside(10, "0 0 2"), (json!([2, 4, 6, 9, 10]), json!(true)));
+}
+
+/// `--precision` does not apply to points, and is not refused.
+#[test]
+fn points_are_the_same_in_every_precision() {
+    let scene = scene("2 11 0 0 0 1\n3 -105 2\n3 -1 0.1 0 0\n4 -101 2 3", 4);
+    // The last one is in the sphere by less than single precision can tell, if it is in.
+    for point in ["0.5 0 0", "1.05 0 0", "-1 0 0", "1.0999999999 0 0"] {
+        let answers = ["f32", "f64", "dd"]
+            .map(|precision| one(&scene, &["--point", point, "--precision", precision]));
+        assert!(answers.iter().all(|a| *a == answers[1]), "{answers:?}");
+        assert_eq!(answers[1]["in_scene"], true);
+    }
 }
 
 #[test]

@@ -131,24 +131,6 @@ fn crossings(tracer: &Tracer, ray: &Ray) -> Vec<(f64, bool)> {
     sides.collect()
 }
 
-fn root_only(scene: &Scene, node: NodeId) -> Tracer {
-    let copy = Scene {
-        nodes: scene.nodes.clone(),
-        shapes: scene.shapes.clone(),
-        matrices: scene.matrices.clone(),
-        paints: scene.paints.clone(),
-        render: Some(Render {
-            root: node,
-            root_id: 0,
-            background: [0.0; 3],
-            clip: None,
-            span: Default::default(),
-        }),
-        ..Scene::default()
-    };
-    Tracer::new(&copy).unwrap()
-}
-
 #[test]
 fn random_trees_agree_with_their_definition() {
     let mut r = Random(11);
@@ -156,7 +138,7 @@ fn random_trees_agree_with_their_definition() {
     for round in 0..300 {
         let mut b = Builder::default();
         let root = random_tree(&mut b, &mut r, 2 + round % 9);
-        let tracer = root_only(&b.scene, root);
+        let tracer = b.tracer_of(root);
         for _ in 0..100 {
             let ray = r.ray(4.0);
             let found = crossings(&tracer, &ray);
@@ -185,7 +167,7 @@ fn first_hits_are_first_crossings() {
     for _ in 0..200 {
         let mut b = Builder::default();
         let root = random_tree(&mut b, &mut r, 5);
-        let tracer = root_only(&b.scene, root);
+        let tracer = b.tracer_of(root);
         let mut walker = tracer.walker();
         for _ in 0..50 {
             let mut ray = r.ray(5.0);
@@ -217,7 +199,7 @@ fn set_identities() {
         let less = b.difference(x, y);
         let less_morgan = b.intersection(x, not_y);
         let everything = b.union(x, not_x);
-        let trace = |node| root_only(&b.scene, node);
+        let trace = |node| b.tracer_of(node);
         let same = [
             (trace(both), trace(x)),
             (trace(either), trace(x)),
@@ -260,7 +242,7 @@ fn surfaces_are_cut_and_never_cut() {
     let holed = b.difference(plane, ball);
     let whole = b.difference(ball, plane);
     let count = |node, x: f64| {
-        let tracer = root_only(&b.scene, node);
+        let tracer = b.tracer_of(node);
         let ray = Ray::new(Vec3::new(x, 0.0, 5.0), Vec3::new(0.0, 0.0, -1.0));
         let all = tracer.crossings(&mut tracer.walker(), &ray);
         all.iter()

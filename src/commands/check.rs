@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::{ColorChoice, LoadError, Status, complain, load, paths, terminal};
-use crate::diagnostics::render::{Tally, human, json, short};
+use super::{LoadError, LookChoice, Status, complain, load, paths, terminal};
+use crate::diagnostics::render::human::{self, Look};
+use crate::diagnostics::render::{Tally, json, short};
 
 /// Check scenes for mistakes
 #[derive(Debug, clap::Args)]
@@ -53,13 +54,13 @@ enum Output {
     Json(json::File),
 }
 
-pub fn run(args: &Args, color: ColorChoice) -> Status {
+pub fn run(args: &Args, look: LookChoice) -> Status {
     let files = paths::expand(&args.paths);
-    let colour = color.on(&io::stdout());
+    let look = look.on(&io::stdout());
     let results: Vec<_> = files
         .files
         .par_iter()
-        .map(|path| check(path, args.format, colour))
+        .map(|path| check(path, args.format, look))
         .collect();
 
     let mut failed = files.failed;
@@ -94,23 +95,32 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
         }
         match args.format {
             // With nothing read there is nothing to sum up.
-            Format::Human if total.files > 0 => writeln!(out, "{total}"),
+            Format::Human if total.files > 0 => writeln!(out, "{}", total.sentence(look.language)),
             Format::Human | Format::Short => Ok(()),
             Format::Json => json::write(out, &reports, &total),
         }
     })
 }
 
-fn check(path: &Path, format: Format, colour: bool) -> Result<Checked, LoadError> {
+fn check(path: &Path, format: Format, look: Look) -> Result<Checked, LoadError> {
     let loaded = load(path)?;
     let mut tally = Tally::default();
     tally.add(&loaded.diagnostics);
     let mut text = Vec::new();
     let written = match format {
-        Format::Human => human::write(&mut text, &loaded.source, &loaded.diagnostics, colour),
-        Format::Short => short::write(&mut text, &loaded.source, &loaded.diagnostics),
+        Format::Human => human::write(&mut text, &loaded.source, &loaded.diagnostics, look),
+        Format::Short => short::write(
+            &mut text,
+            &loaded.source,
+            &loaded.diagnostics,
+            look.language,
+        ),
         Format::Json => {
-            let output = Output::Json(json::File::new(&loaded.source, loaded.diagnostics));
+            let output = Output::Json(json::File::new(
+                &loaded.source,
+                loaded.diagnostics,
+                look.language,
+            ));
             return Ok(Checked { output, tally });
         }
     };

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::draft::{Draft, unwritable};
 use super::size::Size;
-use super::{ColorChoice, Status, complain, load_sound};
+use super::{LookChoice, Status, complain, load_sound};
 use crate::translate::{Report, Translation, Unsupported, pov};
 
 /// Translate a scene for another program
@@ -43,8 +43,8 @@ pub enum Target {
 }
 
 /// Reads the scene, translates it, says how well it went.
-pub fn run(args: &Args, color: ColorChoice) -> Status {
-    let loaded = match load_sound(&args.file, color) {
+pub fn run(args: &Args, look: LookChoice) -> Status {
+    let loaded = match load_sound(&args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use similar::TextDiff;
 
 use super::loaded::{self, STDIN};
-use super::{ColorChoice, Status, complain, paths, terminal};
+use super::{LookChoice, Status, complain, paths, terminal};
 use crate::diagnostics::SourceFile;
 use crate::{format, syntax};
 
@@ -55,9 +55,9 @@ struct Formatted {
     output: Vec<u8>,
 }
 
-pub fn run(args: &Args, color: ColorChoice) -> Status {
+pub fn run(args: &Args, look: LookChoice) -> Status {
     let found = paths::expand(&args.paths);
-    let colour = color.on(&io::stdout());
+    let colour = look.colour(&io::stdout());
     let formatted: Vec<Formatted> = found
         .files
         .par_iter()

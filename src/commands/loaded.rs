@@ -6,7 +6,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use super::Status;
-use super::terminal::{ColorChoice, complain, reason, report};
+use super::terminal::{LookChoice, complain, reason, report};
 use crate::diagnostics::source::{Encoding, MAX_FILE_BYTES};
 use crate::diagnostics::{self, Code, Diagnostic, Severity, SourceFile, Span};
 use crate::lint;
@@ -91,24 +91,46 @@ impl Loaded {
     }
 }
 
+/// What a command needs of a scene besides that it is sound.
+#[derive(Debug, Clone, Copy)]
+pub struct Needs {
+    /// A render record.
+    pub render: bool,
+    /// A camera and a light, which are made up where there are none.
+    pub view: bool,
+}
+
+impl Needs {
+    pub const ALL: Needs = Needs {
+        render: true,
+        view: true,
+    };
+
+    /// Whether someone with these needs wants to know.
+    fn concern(self, about: &Diagnostic) -> bool {
+        match about.code {
+            Code::E106 => self.render,
+            Code::N602 | Code::N603 => self.view,
+            _ => true,
+        }
+    }
+}
+
 /// Reads a scene for a command that needs a sound one: says everything there is to say about it, and
 /// gives the exit status where there are errors or nothing to draw.
-pub fn load_sound(path: &Path, color: ColorChoice) -> Result<Loaded, Status> {
-    load_reporting(path, color, true)
+pub fn load_sound(path: &Path, look: LookChoice) -> Result<Loaded, Status> {
+    load_for(Needs::ALL, path, look)
 }
 
-/// As [`load_sound`], for a command that can do without a render record.
-pub fn load_without_render(path: &Path, color: ColorChoice) -> Result<Loaded, Status> {
-    load_reporting(path, color, false)
-}
-
-fn load_reporting(path: &Path, color: ColorChoice, needs_render: bool) -> Result<Loaded, Status> {
+/// As [`load_sound`], for a command that can do without some things; nothing is said about these.
+pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Loaded, Status> {
     let mut loaded = load(path).map_err(|e| {
         complain(&e.to_string());
         Status::Failure
     })?;
-    let complete = !needs_render || loaded.require_render().is_some();
-    report(&loaded, color);
+    let complete = !needs.render || loaded.require_render().is_some();
+    loaded.diagnostics.retain(|d| needs.concern(d));
+    report(&loaded, look);
     if loaded.has_errors() || !complete {
         return Err(Status::Negative);
     }
@@ -121,13 +143,7 @@ fn not_utf8_note(source: &SourceFile, byte: usize) -> Diagnostic {
     let mut places = source.text.char_indices().skip(byte).map(|(i, _)| i);
     let start = places.next().unwrap_or(source.text.len());
     let end = places.next().unwrap_or(source.text.len());
-    Diagnostic::new(
-        Code::N601,
-        Span::new(start as u32, end as u32),
-        "the file is not valid UTF-8; it is read as Windows-1250",
-    )
-    .here("the first byte that is not UTF-8")
-    .help("save the file as UTF-8")
+    Diagnostic::new(Code::N601, Span::new(start as u32, end as u32))
 }
 
 /// Reads a scene file; `-` is standard input.

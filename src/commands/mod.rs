@@ -20,8 +20,8 @@ pub mod render;
 pub mod size;
 pub mod terminal;
 
-pub use loaded::{LoadError, Loaded, load, load_sound, load_without_render};
-pub use terminal::{ColorChoice, complain, report};
+pub use loaded::{LoadError, Loaded, Needs, load, load_for, load_sound};
+pub use terminal::{LookChoice, complain, report};
 
 /// How a command ended; its number is the exit status.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

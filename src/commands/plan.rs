@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use super::{ColorChoice, Status, complain, load_sound};
+use super::{LookChoice, Status, complain, load_sound};
 use crate::diagnostics::SourceFile;
 use crate::trace::Unsupported;
 use crate::trace::plan::{Decision, Plan};
@@ -70,8 +70,8 @@ impl Effect {
     }
 }
 
-pub fn run(args: &Args, color: ColorChoice) -> Status {
-    let loaded = match load_sound(&args.file, color) {
+pub fn run(args: &Args, look: LookChoice) -> Status {
+    let loaded = match load_sound(&args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };

@@ -11,8 +11,9 @@ use std::str::FromStr;
 use super::loaded::STDIN;
 use super::size::Size;
 use super::terminal::{print, reason};
-use super::{ColorChoice, Loaded, Status, complain, load_sound, load_without_render};
-use crate::diagnostics::Span;
+use super::{Loaded, LookChoice, Needs, Status, complain, load_for, report};
+use crate::diagnostics::wording::with_article;
+use crate::diagnostics::{Diagnostic, Span};
 use crate::scene::{Camera, Render, Scene};
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
@@ -31,7 +32,10 @@ use rays::{BadRay, Input};
     after_help = "\
 Prints one JSON object a line, in the order of the rays. A ray's has all boundary crossings with t > 0,
 ascending, as if every surface let it through; t is in units of the direction's length. A file of rays
-has one a line, `ox oy oz dx dy dz`; empty lines and what follows a # are skipped.
+has one a line, `ox oy oz dx dy dz`; empty lines and what follows a # are skipped. A line that is no
+such ray, or one that the precision has no numbers for, is complained about on standard error and has
+no answer; the others have theirs, and the exit status is 2. A line of more than 65536 bytes ends the
+file.
 
 `shape` is the ID whose record made the surface, a copy's own for a copied shape; `object` is the
 outermost entity above it that was given properties, or else the shape. The normal points out of the
@@ -39,7 +43,8 @@ solid, also where a cut made the boundary. What lies outside of the render recor
 reported, but counts for `inside_at_origin`, the state just behind the origin.
 
 --point lists the IDs of the solids, shapes and operations, that contain the point; boundaries of
-shapes belong to them. `in_scene`: whether the whole does, within the render record's box.
+shapes belong to them. `in_scene`: whether the whole does, within the render record's box. That is
+decided in doubles, with dd where these cannot count the boundaries, whatever --precision says.
 
 Examples:
   zpg probe scene.zpg --ray \"0 0 9  0 0 -1\"
@@ -86,7 +91,8 @@ pub struct Args {
     #[arg(long, value_name = "ID")]
     object: Option<u32>,
 
-    /// The numbers to compute with; with dd, t, points and normals are strings of 32 digits
+    /// The numbers to compute with; with dd, t, points and normals are strings of 32 digits. It does
+    /// not apply to --point
     #[arg(long, value_enum, default_value = "f64")]
     precision: Numbers,
 }
@@ -132,6 +138,8 @@ impl FromStr for PixelArg {
 enum Failure {
     /// What it is about the scene, and where.
     Scene(String, Span),
+    /// A picture the scene names cannot be used.
+    Image(Box<Diagnostic>),
     Usage(String),
 }
 
@@ -147,18 +155,19 @@ impl From<Unanswered> for Failure {
     }
 }
 
-pub fn run(args: &Args, color: ColorChoice) -> Status {
+pub fn run(args: &Args, look: LookChoice) -> Status {
     let from_stdin = |path: &Path| path.as_os_str() == STDIN;
     if from_stdin(&args.file) && args.rays.as_deref().is_some_and(from_stdin) {
         complain("the scene and the rays cannot both be standard input");
         return Status::Failure;
     }
-    // An object needs no render record to be asked about.
-    let loaded = match args.object {
-        Some(_) => load_without_render(&args.file, color),
-        None => load_sound(&args.file, color),
+    let needs = Needs {
+        // An object can be asked about without one.
+        render: args.object.is_none(),
+        // Geometry looks the same from everywhere and in the dark.
+        view: args.pixel.is_some(),
     };
-    let mut loaded = match loaded {
+    let mut loaded = match load_for(needs, &args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
@@ -166,6 +175,11 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
         Ok(status) => status,
         Err(Failure::Scene(e, span)) => {
             loaded.refuse(&args.file, span, &e);
+            Status::Negative
+        }
+        Err(Failure::Image(error)) => {
+            loaded.diagnostics = vec![*error];
+            report(&loaded, look);
             Status::Negative
         }
         Err(Failure::Usage(message)) => {
@@ -245,7 +259,9 @@ fn alone(scene: &Scene, id: u32) -> Result<Render, Failure> {
                 span: entity.span,
             }),
             None => {
-                let kind = entity.kind.map_or("something else", Kind::with_article);
+                let kind = entity
+                    .kind
+                    .map_or("something else".to_owned(), |k| with_article(k.name()));
                 Err(Failure::Usage(format!("{id} is {kind}, not an object")))
             }
         },
@@ -276,8 +292,7 @@ fn unknown(scene: &Scene, id: u32, kind: Kind) -> Failure {
 /// The tracer of a scene, with its pictures.
 fn tracer(loaded: &Loaded) -> Result<Tracer, Failure> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
-    let images = Images::load(&loaded.scene, folder)
-        .map_err(|e| Failure::Scene(e.message.clone(), e.span))?;
+    let images = Images::load(&loaded.scene, folder).map_err(Failure::Image)?;
     Ok(Tracer::with_images(&loaded.scene, &images)?)
 }
 

@@ -16,7 +16,7 @@ use serde::Serialize;
 use super::draft::{Draft, unwritable};
 use super::size::Size;
 use super::terminal::warn;
-use super::{ColorChoice, Loaded, Status, complain, load_sound, report};
+use super::{Loaded, LookChoice, Status, complain, load_sound, report};
 use crate::diagnostics::Diagnostic;
 use crate::scene::{Camera, Scene, View};
 use crate::syntax::Document;
@@ -200,9 +200,9 @@ struct Seconds {
     encode: f64,
 }
 
-pub fn run(args: &Args, color: ColorChoice) -> Status {
+pub fn run(args: &Args, look: LookChoice) -> Status {
     let start = Instant::now();
-    let mut loaded = match load_sound(&args.file, color) {
+    let mut loaded = match load_sound(&args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
@@ -217,7 +217,7 @@ pub fn run(args: &Args, color: ColorChoice) -> Status {
         }
         Err(Failure::Image(error)) => {
             loaded.diagnostics = vec![*error];
-            report(&loaded, color);
+            report(&loaded, look);
             Status::Negative
         }
         Err(Failure::Interrupted) => Status::Interrupted,

@@ -3,23 +3,54 @@
 use std::io::{self, BufWriter, IsTerminal, Write};
 
 use super::{Loaded, Status};
-use crate::diagnostics::render::{Tally, human};
+use crate::diagnostics::Language;
+use crate::diagnostics::render::Tally;
+use crate::diagnostics::render::human::{self, Look};
+
+/// How people want to be spoken to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::Args)]
+pub struct LookChoice {
+    /// When to use colour
+    #[arg(long, global = true, value_enum, default_value_t, value_name = "WHEN")]
+    color: ColorChoice,
+
+    /// The language of messages
+    #[arg(long, global = true, value_enum, default_value_t)]
+    lang: LanguageChoice,
+}
 
 /// When to colour what is printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-pub enum ColorChoice {
-    /// On a terminal, unless NO_COLOR is set.
+enum ColorChoice {
+    /// On a terminal, unless NO_COLOR is set
     #[default]
     Auto,
     Always,
     Never,
 }
 
-impl ColorChoice {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+enum LanguageChoice {
+    /// English
+    #[default]
+    En,
+    /// Czech
+    Cs,
+}
+
+impl LookChoice {
+    /// How findings look that go to this stream.
+    pub fn on(self, stream: &impl IsTerminal) -> Look {
+        Look {
+            colour: self.colour(stream),
+            language: self.language(),
+        }
+    }
+
     /// Whether to colour what goes to this stream.
-    pub fn on(self, stream: &impl IsTerminal) -> bool {
+    pub fn colour(self, stream: &impl IsTerminal) -> bool {
         let is_set = |name| std::env::var_os(name).is_some_and(|v| !v.is_empty());
-        match self {
+        match self.color {
             ColorChoice::Always => true,
             ColorChoice::Never => false,
             ColorChoice::Auto => {
@@ -27,6 +58,13 @@ impl ColorChoice {
                     && !is_set("NO_COLOR")
                     && std::env::var_os("TERM").is_none_or(|t| t != "dumb")
             }
+        }
+    }
+
+    pub fn language(self) -> Language {
+        match self.lang {
+            LanguageChoice::En => Language::English,
+            LanguageChoice::Cs => Language::Czech,
         }
     }
 }
@@ -57,18 +95,18 @@ pub fn reason(error: &io::Error) -> String {
 
 /// Prints what was found in a scene for people, on standard error, with a summary; nothing when
 /// nothing was found.
-pub fn report(loaded: &Loaded, color: ColorChoice) {
+pub fn report(loaded: &Loaded, look: LookChoice) {
     if loaded.diagnostics.is_empty() {
         return;
     }
     let stderr = io::stderr();
-    let colour = color.on(&stderr);
+    let look = look.on(&stderr);
     let mut out = BufWriter::new(stderr.lock());
     let mut tally = Tally::default();
     tally.add(&loaded.diagnostics);
     // As above: there is nobody to tell.
-    let _ = human::write(&mut out, &loaded.source, &loaded.diagnostics, colour)
-        .and_then(|()| writeln!(out, "{tally}"))
+    let _ = human::write(&mut out, &loaded.source, &loaded.diagnostics, look)
+        .and_then(|()| writeln!(out, "{}", tally.sentence(look.language)))
         .and_then(|()| out.flush());
 }
 

@@ -1,14 +1,16 @@
 //! What the tools have to say about a scene: [`Diagnostic`]s with a stable [`Code`], spans, notes,
-//! help and fixes; and the ways to print them ([`render`]).
+//! help and fixes; what they say in words ([`wording`]); and the ways to print them ([`render`]).
 //!
 //! Nothing here knows the language: the other modules make diagnostics, this one carries them.
 
 pub mod code;
 pub mod render;
 pub mod source;
+pub mod wording;
 
 pub use code::{Code, Severity};
 pub use source::SourceFile;
+pub use wording::{Language, Value};
 
 /// A stretch of a source text: byte offsets into [`SourceFile::text`], half-open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
@@ -36,7 +38,8 @@ impl Span {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Label {
     pub span: Span,
-    pub message: String,
+    /// A phrase; see [`wording`].
+    pub phrase: &'static str,
 }
 
 /// Whether a fix may be applied without asking.
@@ -59,7 +62,8 @@ pub struct Edit {
 /// A set of edits that belong together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fix {
-    pub title: String,
+    /// A phrase, what the fix does; see [`wording`].
+    pub title: &'static str,
     pub applicability: Applicability,
     /// In order of their spans, which do not overlap.
     pub edits: Vec<Edit>,
@@ -68,13 +72,13 @@ pub struct Fix {
 impl Fix {
     /// A fix of one edit.
     pub fn replace(
-        title: impl Into<String>,
+        title: &'static str,
         applicability: Applicability,
         span: Span,
         text: impl Into<String>,
     ) -> Fix {
         Fix {
-            title: title.into(),
+            title,
             applicability,
             edits: vec![Edit {
                 span,
@@ -84,60 +88,59 @@ impl Fix {
     }
 }
 
-/// One finding.
+/// One finding, in no language yet: [`wording`] says it in words.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     pub code: Code,
     pub severity: Severity,
-    pub message: String,
+    /// Which of the code's messages it is, where there are several: `decimal-comma` for
+    /// `E003-decimal-comma`. Empty for the message `E003`.
+    pub case: &'static str,
+    /// What stands in the places of the message.
+    pub values: Vec<(&'static str, Value)>,
     /// The place to look at first.
     pub span: Span,
-    /// What to write at that place; empty when the message says it all.
-    pub label: String,
     pub labels: Vec<Label>,
-    pub notes: Vec<String>,
-    pub help: Option<String>,
+    /// Phrases beside the message's own note.
+    pub notes: Vec<&'static str>,
     pub fixes: Vec<Fix>,
 }
 
 impl Diagnostic {
-    /// A finding with the code's own severity.
-    pub fn new(code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
+    /// A finding with the code's own severity and message.
+    pub fn new(code: Code, span: Span) -> Diagnostic {
         Diagnostic {
             code,
             severity: code.severity(),
-            message: message.into(),
+            case: "",
+            values: Vec::new(),
             span,
-            label: String::new(),
             labels: Vec::new(),
             notes: Vec::new(),
-            help: None,
             fixes: Vec::new(),
         }
     }
 
-    /// Says what is the matter at the primary span.
-    pub fn here(mut self, message: impl Into<String>) -> Self {
-        self.label = message.into();
+    /// Chooses one of the code's messages.
+    pub fn case(mut self, case: &'static str) -> Self {
+        self.case = case;
+        self
+    }
+
+    /// Fills a place of the message, its label, notes, help and fixes.
+    pub fn with(mut self, place: &'static str, value: impl Into<Value>) -> Self {
+        self.values.push((place, value.into()));
         self
     }
 
     /// Points at a second place.
-    pub fn label(mut self, span: Span, message: impl Into<String>) -> Self {
-        self.labels.push(Label {
-            span,
-            message: message.into(),
-        });
+    pub fn label(mut self, span: Span, phrase: &'static str) -> Self {
+        self.labels.push(Label { span, phrase });
         self
     }
 
-    pub fn note(mut self, note: impl Into<String>) -> Self {
-        self.notes.push(note.into());
-        self
-    }
-
-    pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+    pub fn note(mut self, phrase: &'static str) -> Self {
+        self.notes.push(phrase);
         self
     }
 

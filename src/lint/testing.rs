@@ -1,6 +1,6 @@
 //! Rules tested as data: a scene, what is found in it, and what a fix makes of it.
 
-use crate::diagnostics::{self, Applicability, Code, Diagnostic, SourceFile};
+use crate::diagnostics::{self, Applicability, Code, Diagnostic, Language, SourceFile};
 use crate::{scene, syntax};
 
 /// What is found in a few records, but for the lack of a render record, a camera and a light.
@@ -17,6 +17,11 @@ fn findings(text: &str) -> (SourceFile, Vec<Diagnostic>) {
     diagnostics::sort(&mut all);
     let aside = [Code::E106, Code::N602, Code::N603];
     all.retain(|d| !aside.contains(&d.code));
+    // Nothing may be missing in any language: that is asserted where it is put into words.
+    for d in &all {
+        d.wording(Language::English);
+        d.wording(Language::Czech);
+    }
     (source, all)
 }
 
@@ -33,13 +38,18 @@ pub fn found(scene: &str) -> Vec<String> {
 
 /// The messages of all findings.
 pub fn messages(scene: &str) -> Vec<String> {
-    findings(scene).1.into_iter().map(|d| d.message).collect()
+    let words = |d: &Diagnostic| d.wording(Language::English).message;
+    findings(scene).1.iter().map(words).collect()
 }
 
 /// Titles and applicabilities of all fixes.
 pub fn fixes(scene: &str) -> Vec<(String, Applicability)> {
-    let all = findings(scene).1.into_iter().flat_map(|d| d.fixes);
-    all.map(|f| (f.title, f.applicability)).collect()
+    let titles = |d: Diagnostic| {
+        let words = d.wording(Language::English);
+        words.fixes.into_iter().zip(d.fixes)
+    };
+    let all = findings(scene).1.into_iter().flat_map(titles);
+    all.map(|(title, f)| (title, f.applicability)).collect()
 }
 
 /// The scene with the first fix of every finding applied. No two edits may overlap.

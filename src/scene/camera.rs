@@ -18,14 +18,7 @@ pub fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {
     geometry::non_zero(p, 3, "view direction", out)?;
     geometry::non_zero(p, 6, "up vector", out)?;
     if parallel(camera.direction, camera.up) {
-        out.push(
-            Diagnostic::new(
-                Code::E207,
-                p.span_of(3, 6),
-                "the camera's view direction and up vector are parallel",
-            )
-            .here("they must span the vertical plane of the picture"),
-        );
+        out.push(Diagnostic::new(Code::E207, p.span_of(3, 6)));
         return None;
     }
     sound.then_some(camera)

@@ -4,7 +4,7 @@ use super::entity::{OpticsParts, State};
 use super::record::Params;
 use super::resolve::Resolver;
 use super::*;
-use crate::diagnostics::{Code, Diagnostic};
+use crate::diagnostics::{Code, Diagnostic, Value};
 
 impl Resolver<'_> {
     /// Applies a changing record to an entity.
@@ -179,15 +179,10 @@ impl Resolver<'_> {
             }
             None if matches!(state, State::Broken(_)) => {}
             None => self.out.push(
-                Diagnostic::new(
-                    Code::E204,
-                    p.span,
-                    format!(
-                        "with this {}, the transformations of {} have no inverse",
-                        p.ty.title, p.id
-                    ),
-                )
-                .here("numbers became too large or too small for double precision"),
+                Diagnostic::new(Code::E204, p.span)
+                    .case("product")
+                    .with("type", Value::Term(p.ty.title))
+                    .with("id", p.id.to_string()),
             ),
         }
     }

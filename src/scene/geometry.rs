@@ -2,7 +2,7 @@
 
 use super::record::Params;
 use super::{Geometry, Matrix, TriangleNormals};
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 
 /// The geometry of a shape record; findings go to `out`. A value comes back even so, where one can
 /// be made.
@@ -108,17 +108,19 @@ fn or_one(p: &Params, i: usize) -> f64 {
 }
 
 /// E203 unless the three parameters from `first` on make a vector with a direction.
-pub fn non_zero(p: &Params, first: usize, what: &str, out: &mut Vec<Diagnostic>) -> Option<()> {
+pub fn non_zero(
+    p: &Params,
+    first: usize,
+    what: &'static str,
+    out: &mut Vec<Diagnostic>,
+) -> Option<()> {
     if p.numbers::<3>(first).iter().any(|&x| x != 0.0) {
         return Some(());
     }
     out.push(
-        Diagnostic::new(
-            Code::E203,
-            p.span_of(first, 3),
-            format!("the {what} of the {} is the zero vector", p.ty.title),
-        )
-        .here("it has no direction"),
+        Diagnostic::new(Code::E203, p.span_of(first, 3))
+            .with("vector", Value::Term(what))
+            .with("type", Value::Term(p.ty.title)),
     );
     None
 }
@@ -141,28 +143,18 @@ pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) ->
         .collect();
     edits.sort_by_key(|e| e.span);
     let at = inverted[0];
-    let others = match inverted.len() {
-        1 => String::new(),
-        more => format!(", and {} more", more - 1),
-    };
     out.push(
-        Diagnostic::new(
-            Code::E202,
-            p.span_of(at, 1),
-            format!(
-                "{} of the {} is greater than {}{others}",
-                name(at),
-                p.ty.title,
-                name(at + n)
-            ),
-        )
-        .here("the lower bound")
-        .label(p.span_of(at + n, 1), "the upper bound")
-        .fix(Fix {
-            title: "swap them".to_owned(),
-            applicability: Applicability::Safe,
-            edits,
-        }),
+        Diagnostic::new(Code::E202, p.span_of(at, 1))
+            .with("lower", name(at))
+            .with("upper", name(at + n))
+            .with("type", Value::Term(p.ty.title))
+            .with("others", Value::Count(inverted.len() as u64 - 1))
+            .label(p.span_of(at + n, 1), "other")
+            .fix(Fix {
+                title: "fix",
+                applicability: Applicability::Safe,
+                edits,
+            }),
     );
     None
 }
@@ -171,14 +163,7 @@ pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) ->
 pub fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     let m = Matrix::from_rows(&p.numbers(0));
     if m.0[3] != [0.0, 0.0, 0.0, 1.0] {
-        out.push(
-            Diagnostic::new(
-                Code::E204,
-                p.span_of(12, 4),
-                "the last row of a rotation matrix must be 0 0 0 1",
-            )
-            .here("this row"),
-        );
+        out.push(Diagnostic::new(Code::E204, p.span_of(12, 4)).case("row"));
         return None;
     }
     invertible(p, m, out)
@@ -189,13 +174,6 @@ pub fn invertible(p: &Params, m: Matrix, out: &mut Vec<Diagnostic>) -> Option<Ma
     if m.inverse().is_some() {
         return Some(m);
     }
-    out.push(
-        Diagnostic::new(
-            Code::E204,
-            p.span_of(0, 16),
-            format!("this {} is singular: it has no inverse", p.ty.title),
-        )
-        .here("it maps space onto something flat"),
-    );
+    out.push(Diagnostic::new(Code::E204, p.span_of(0, 16)).with("type", Value::Term(p.ty.title)));
     None
 }

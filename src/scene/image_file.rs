@@ -12,15 +12,7 @@ pub fn check(file: &str, span: Span, folder: Option<&Path>, out: &mut Vec<Diagno
         .components()
         .all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
     if !inside || file.is_empty() || file.contains('\\') || file.contains('\0') {
-        out.push(
-            Diagnostic::new(
-                Code::E209,
-                span,
-                "the image must lie in the scene's own folder",
-            )
-            .here("this path leaves it")
-            .help("copy the image beside the scene and name it without a folder"),
-        );
+        out.push(Diagnostic::new(Code::E209, span));
         return false;
     }
     let Some(folder) = folder else { return true };
@@ -30,19 +22,15 @@ pub fn check(file: &str, span: Span, folder: Option<&Path>, out: &mut Vec<Diagno
         .and_then(|f| folder.join(path).canonicalize().map(|p| (f, p)));
     match real {
         Ok((folder, path)) if !path.starts_with(&folder) => {
-            out.push(
-                Diagnostic::new(
-                    Code::E209,
-                    span,
-                    "the image must lie in the scene's own folder",
-                )
-                .here("this is a link that leaves it"),
-            );
+            out.push(Diagnostic::new(Code::E209, span).case("link"));
             false
         }
         Ok((_, path)) => match is_picture(&path) {
             Ok(true) => true,
-            Ok(false) => unreadable(span, "it is neither a PNG nor a JPEG picture", out),
+            Ok(false) => {
+                out.push(Diagnostic::new(Code::E210, span).case("format"));
+                false
+            }
             Err(e) => unreadable(span, &e.to_string(), out),
         },
         Err(e) => unreadable(span, &e.to_string(), out),
@@ -61,10 +49,6 @@ fn is_picture(path: &Path) -> std::io::Result<bool> {
 }
 
 fn unreadable(span: Span, why: &str, out: &mut Vec<Diagnostic>) -> bool {
-    out.push(
-        Diagnostic::new(Code::E210, span, "the image cannot be read")
-            .here(why.to_owned())
-            .help("the file is looked for in the scene's folder"),
-    );
+    out.push(Diagnostic::new(Code::E210, span).with("why", why));
     false
 }

@@ -4,7 +4,7 @@ use super::Kind;
 use super::entity::State;
 use super::references::finding_at;
 use super::resolve::Resolver;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::syntax::ast::Broken;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Constraint, Effect, Param, ParamKind, RECORD_TYPES, RecordType};
@@ -29,13 +29,13 @@ impl Resolver<'_> {
             .min_by_key(|ty| i64::from(ty.code).abs_diff(code));
         let finding = finding_at(diagnostics, written.span()).filter(|d| d.code == Code::E007);
         if let (Some(ty), Some(finding)) = (best, finding) {
-            finding.help = Some(format!(
-                "these parameters fit type {}, {}",
-                ty.code,
-                ty.with_article()
-            ));
+            finding.case = "proposal";
+            finding.values.extend([
+                ("number", ty.code.to_string().into()),
+                ("type", Value::Term(ty.title)),
+            ]);
             finding.fixes.push(Fix::replace(
-                format!("write `{}` ({})", ty.code, ty.title),
+                "fix",
                 Applicability::Unsafe,
                 written.span(),
                 ty.code.to_string(),

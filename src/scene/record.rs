@@ -1,6 +1,6 @@
 //! One record's parameters: their tokens, their values, and what the table says about each.
 
-use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Constraint, Param, ParamKind, RecordType};
 use crate::syntax::{Document, Record};
@@ -87,36 +87,25 @@ impl<'a> Params<'a> {
 
     fn violation(&self, i: usize, p: &Param) -> Option<Diagnostic> {
         let x = self.number(i);
-        let shown = self.text_of(i);
-        let (holds, code, rule) = match p.constraint {
+        let (holds, code, case, [low, high]) = match p.constraint {
             Constraint::Any => return None,
-            Constraint::Positive => (x > 0.0, Code::E201, "must be positive".to_owned()),
-            Constraint::ProfileRadius => (x >= 0.0, Code::E208, "cannot be negative".to_owned()),
-            Constraint::NonZeroScale => (x != 0.0, Code::E204, "cannot be zero".to_owned()),
-            Constraint::Between(a, b) => (
-                a < x && x < b,
-                Code::E206,
-                format!("must lie between {a} and {b}, ends excluded"),
-            ),
-            Constraint::Within(a, b) => (
-                a <= x && x <= b,
-                Code::E206,
-                format!("must lie between {a} and {b}"),
-            ),
-            Constraint::AtLeast(a) => (x >= a, Code::E206, format!("must be at least {a}")),
-            Constraint::Axis => (
-                (1.0..=3.0).contains(&x),
-                Code::E205,
-                "must be 1 for x, 2 for y or 3 for z".to_owned(),
-            ),
+            Constraint::Positive => (x > 0.0, Code::E201, "", [0.0; 2]),
+            Constraint::ProfileRadius => (x >= 0.0, Code::E208, "", [0.0; 2]),
+            Constraint::NonZeroScale => (x != 0.0, Code::E204, "scale", [0.0; 2]),
+            Constraint::Between(a, b) => (a < x && x < b, Code::E206, "between", [a, b]),
+            Constraint::Within(a, b) => (a <= x && x <= b, Code::E206, "", [a, b]),
+            Constraint::AtLeast(a) => (x >= a, Code::E206, "least", [a; 2]),
+            Constraint::Axis => ((1.0..=3.0).contains(&x), Code::E205, "", [0.0; 2]),
         };
         (!holds).then(|| {
-            Diagnostic::new(
-                code,
-                self.span_of(i, 1),
-                format!("{} of the {} {rule}", p.doc, self.ty.title),
-            )
-            .here(format!("`{}` is {}", p.name, crate::syntax::quote(shown)))
+            Diagnostic::new(code, self.span_of(i, 1))
+                .case(case)
+                .with("parameter", Value::Term(p.doc))
+                .with("type", Value::Term(self.ty.title))
+                .with("name", p.name)
+                .with("text", crate::syntax::quote(self.text_of(i)))
+                .with("low", low.to_string())
+                .with("high", high.to_string())
         })
     }
 }

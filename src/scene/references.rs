@@ -6,9 +6,9 @@ use super::entity::State;
 use super::record::Params;
 use super::resolve::Resolver;
 use super::{Kind, NodeId, Rgb};
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Label, Span, Value};
 use crate::syntax::table::{Effect, ParamKind, RecordType};
-use crate::syntax::{Document, Item};
+use crate::syntax::{self, Document, Item};
 
 /// How many defined IDs are compared, in all, to find the ones that may have been meant: proposals
 /// for the first few thousand errors of a large file, none for a million of them.
@@ -94,15 +94,15 @@ impl References {
                     return false;
                 };
                 if let Some(f) = finding_at(diagnostics, record.span) {
-                    f.labels.push(crate::diagnostics::Label {
+                    f.labels.push(Label {
                         span: d.finding.span,
-                        message: format!("{} is used here and defined nowhere", d.id),
+                        phrase: "lost-id-used-here",
                     });
-                    f.notes
-                        .push(format!("it may be the record that should define {}", d.id));
+                    f.notes.push("lost-id-may-be-this");
+                    f.values.push(("lost", d.id.to_string().into()));
                     if f.code == Code::E005 && f.fixes.is_empty() {
                         f.fixes.push(Fix::replace(
-                            format!("put `{}` in front", d.id),
+                            "put-lost-id-in-front",
                             Applicability::Unsafe,
                             Span::new(record.span.start, record.span.start),
                             format!("{} ", d.id),
@@ -145,28 +145,23 @@ impl Resolver<'_> {
                 Some(kind) if kinds.contains(&kind) => {
                     return (!matches!(state, State::Broken(_))).then_some(Some(id));
                 }
-                Some(Kind::Undefined) => Diagnostic::new(
-                    Code::E108,
-                    span,
-                    format!("{id} is declared, but not defined yet"),
-                )
-                .here(format!("{what} must be defined before it is used")),
-                Some(kind) => wrong_kind(span, id, kind, what, kinds),
+                Some(Kind::Undefined) => {
+                    Diagnostic::new(Code::E108, span).with("parameter", Value::Term(what))
+                }
+                Some(kind) => wrong_kind(span, kind, what, kinds),
             },
-            None if id == p.id => Diagnostic::new(
-                Code::E104,
-                span,
-                format!("{id} is used in its own definition"),
-            )
-            .here(format!("{what} must be something else")),
-            None if id == 1 => wrong_kind(span, id, Kind::Render, what, kinds),
+            None if id == p.id => {
+                Diagnostic::new(Code::E104, span).with("parameter", Value::Term(what))
+            }
+            None if id == 1 => wrong_kind(span, Kind::Render, what, kinds),
             None => {
                 self.undefined(id, span, kinds, late, p.id);
                 return None;
             }
         };
+        let finding = finding.with("id", id.to_string());
         let finding = match self.entity_span(id) {
-            Some(at) => finding.label(at, format!("{id} is defined here")),
+            Some(at) => finding.label(at, "defined-here"),
             None => finding,
         };
         let finding = self.with_proposal(finding, id, span, kinds, p.id);
@@ -207,14 +202,9 @@ impl Resolver<'_> {
     /// E107 or E101.
     fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, own: u32) {
         if let (false, Some(&at)) = (late, self.references.definition.get(&id)) {
-            let finding = Diagnostic::new(
-                Code::E107,
-                span,
-                format!("{id} is used before it is defined"),
-            )
-            .here("not defined yet")
-            .label(at, "defined here")
-            .help("move the definition up: a scene is read from top to bottom");
+            let finding = Diagnostic::new(Code::E107, span)
+                .with("id", id.to_string())
+                .label(at, "later");
             if self.references.lost.is_empty() {
                 self.out.push(finding);
             } else {
@@ -224,8 +214,7 @@ impl Resolver<'_> {
             }
             return;
         }
-        let finding = Diagnostic::new(Code::E101, span, format!("{id} is not defined"))
-            .here("nothing in this file has this ID");
+        let finding = Diagnostic::new(Code::E101, span).with("id", id.to_string());
         let finding = self.with_proposal(finding, id, span, kinds, own);
         self.references
             .dangling
@@ -241,26 +230,15 @@ impl Resolver<'_> {
         let finding = match state.kind() {
             None => return Some(State::Broken(None)),
             Some(kind) if kinds.contains(&kind) => return Some(state.clone()),
-            Some(Kind::Undefined) => Diagnostic::new(
-                Code::E108,
-                p.id_span,
-                format!("{} is declared, but not defined yet", p.id),
-            )
-            .here(format!("{} needs something to change", p.ty.with_article())),
-            Some(kind) => Diagnostic::new(
-                Code::E103,
-                p.id_span,
-                format!(
-                    "{} is {}; {} does not apply to it",
-                    p.id,
-                    kind.with_article(),
-                    p.ty.with_article()
-                ),
-            )
-            .here(format!("{} was expected", one_of(kinds))),
+            Some(Kind::Undefined) => Diagnostic::new(Code::E108, p.id_span).case("changed"),
+            Some(kind) => Diagnostic::new(Code::E103, p.id_span)
+                .case("changed")
+                .with("kind", Value::Term(kind.name()))
+                .with("kinds", one_of(kinds)),
         };
+        let finding = (finding.with("id", p.id.to_string())).with("type", Value::Term(p.ty.title));
         let finding = match self.entity_span(p.id) {
-            Some(at) => finding.label(at, format!("{} is defined here", p.id)),
+            Some(at) => finding.label(at, "defined-here"),
             None => finding,
         };
         self.say_unless_lost(state.clone(), finding, p.id, kinds);
@@ -309,12 +287,10 @@ impl Resolver<'_> {
         self.references.comparisons += self.scene.entities.len();
         match nearest {
             Some((distance, _, near)) if distance <= 1 + written.len() / 4 => {
-                finding.fix(Fix::replace(
-                    format!("write `{near}`"),
-                    Applicability::Unsafe,
-                    span,
-                    near.to_string(),
-                ))
+                let near = near.to_string();
+                finding
+                    .with("number", syntax::quote(&near))
+                    .fix(Fix::replace("fix-write", Applicability::Unsafe, span, near))
             }
             _ => finding,
         }
@@ -331,21 +307,19 @@ pub fn finding_at(diagnostics: &mut [Diagnostic], span: Span) -> Option<&mut Dia
 }
 
 fn no_id(span: Span, value: i64) -> Diagnostic {
-    Diagnostic::new(Code::E101, span, format!("{value} is no ID"))
-        .here("the ID of something was expected")
+    Diagnostic::new(Code::E101, span)
+        .case("no-id")
+        .with("number", value.to_string())
 }
 
-fn wrong_kind(span: Span, id: u32, kind: Kind, what: &str, kinds: &[Kind]) -> Diagnostic {
-    Diagnostic::new(Code::E103, span, format!("{id} is {}", kind.with_article()))
-        .here(format!("{what} must be {}", one_of(kinds)))
+fn wrong_kind(span: Span, kind: Kind, what: &'static str, kinds: &[Kind]) -> Diagnostic {
+    Diagnostic::new(Code::E103, span)
+        .with("kind", Value::Term(kind.name()))
+        .with("parameter", Value::Term(what))
+        .with("kinds", one_of(kinds))
 }
 
 /// "an object, a point light or a camera".
-fn one_of(kinds: &[Kind]) -> String {
-    let names: Vec<_> = kinds.iter().map(|k| k.with_article()).collect();
-    match names.split_last() {
-        Some((last, [])) => (*last).to_owned(),
-        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
-        None => String::new(),
-    }
+fn one_of(kinds: &[Kind]) -> Value {
+    Value::OneOf(kinds.iter().map(|k| k.name()).collect())
 }

@@ -7,7 +7,7 @@ use super::entity::State;
 use super::record::Params;
 use super::references::{Lost, References};
 use super::*;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile, Value};
 use crate::syntax::ast::{Broken, Fault};
 use crate::syntax::table::Effect;
 use crate::syntax::{Document, Item, Record};
@@ -118,29 +118,16 @@ impl<'a> Resolver<'a> {
         }
         let d = if is_render {
             self.has_render = true;
-            Diagnostic::new(
-                Code::E105,
-                p.id_span,
-                "the render record must have the ID 1",
-            )
-            .here("this ID")
-            .fix(Fix::replace(
-                "write `1`",
+            Diagnostic::new(Code::E105, p.id_span).fix(Fix::replace(
+                "fix",
                 Applicability::Safe,
                 p.id_span,
                 "1",
             ))
         } else {
-            Diagnostic::new(
-                Code::E105,
-                p.id_span,
-                format!(
-                    "the ID 1 is reserved for the render record, not for {}",
-                    p.ty.with_article()
-                ),
-            )
-            .here("this ID")
-            .help("use another ID")
+            Diagnostic::new(Code::E105, p.id_span)
+                .case("other")
+                .with("type", Value::Term(p.ty.title))
         };
         self.out.push(d);
         false
@@ -155,15 +142,11 @@ impl<'a> Resolver<'a> {
         if matches!(state, State::Undefined | State::Broken(_)) && p.ty.code != 0 {
             return false;
         }
-        let mut d = Diagnostic::new(
-            Code::E102,
-            p.id_span,
-            format!("the ID {} is defined already", p.id),
-        )
-        .here(format!("this {} would be a second definition", p.ty.title))
-        .help("give it an ID of its own");
+        let mut d = Diagnostic::new(Code::E102, p.id_span)
+            .with("id", p.id.to_string())
+            .with("type", Value::Term(p.ty.title));
         if let Some(e) = self.references.entity(p.id).map(|i| self.scene.entities[i]) {
-            d = d.label(e.span, "defined here first");
+            d = d.label(e.span, "first");
         }
         self.out.push(d);
         true
@@ -218,12 +201,8 @@ impl<'a> Resolver<'a> {
         }
         if !self.has_render {
             let end = self.text.trim_end().len() as u32;
-            self.out.push(
-                Diagnostic::new(Code::E106, Span::new(end, end), "there is no render record")
-                    .here("nothing says what is to be drawn")
-                    .severity(Severity::Warning)
-                    .help("add `1 9999 OBJECT BACKGROUND` with the ID of an object and of a colour (or 0)"),
-            );
+            self.out
+                .push(Diagnostic::new(Code::E106, Span::new(end, end)).severity(Severity::Warning));
         }
         References::settle(&mut self, diagnostics);
         for i in 0..self.scene.entities.len() {

@@ -1,6 +1,8 @@
 //! The record table in words: what `zpg explain` and the language reference say about a record
 //! type and its parameters.
 
+use crate::diagnostics::wording::with_article;
+
 use super::table::{Constraint, Effect, Kind, Param, ParamKind, RecordType, Unit};
 
 /// A parameter with the group it belongs to.
@@ -30,11 +32,11 @@ impl RecordType {
     /// What a record of this type does with its ID: "Defines an object."
     pub fn effect_text(&self) -> String {
         match self.effect {
-            Effect::Defines(kind) => format!("Defines {}.", kind.with_article()),
+            Effect::Defines(kind) => format!("Defines {}.", with_article(kind.name())),
             Effect::Changes(kinds) => format!("Changes {}.", any_of(kinds)),
             Effect::DefinesOrChanges(new, kinds) => format!(
                 "On a new ID it defines {}; on the ID of {} it changes that.",
-                new.with_article(),
+                with_article(new.name()),
                 any_of(kinds)
             ),
         }
@@ -92,7 +94,7 @@ impl Param {
 
 /// "an object, a point light or a camera".
 fn any_of(kinds: &[Kind]) -> String {
-    let names: Vec<_> = kinds.iter().map(|k| k.with_article()).collect();
+    let names: Vec<_> = kinds.iter().map(|k| with_article(k.name())).collect();
     match names.split_last() {
         Some((last, [])) => (*last).to_owned(),
         Some((last, rest)) => format!("{} or {last}", rest.join(", ")),

@@ -7,7 +7,7 @@ use super::reader::fits;
 use super::stream::Stream;
 use super::table::{ParamKind, RecordType};
 use super::witness::Witnesses;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 
 /// The most numbers that one record may claim to have.
 const NUMBERS_MAX: usize = 100_000_000;
@@ -34,11 +34,6 @@ pub fn quote(text: &str) -> String {
     format!("`{out}`")
 }
 
-/// "1 number", "3 numbers".
-fn numbers(n: usize) -> String {
-    format!("{n} number{}", if n == 1 { "" } else { "s" })
-}
-
 fn header(ty: &RecordType) -> String {
     match ty.signature() {
         s if s.is_empty() => format!("`ID {}`", ty.code),
@@ -52,19 +47,9 @@ pub fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
         if t.kind == TokenKind::UnterminatedComment {
             let end = t.start + t.text(text).trim_end().len() as u32;
             out.push(
-                Diagnostic::new(
-                    Code::E002,
-                    Span::new(t.start, end.max(t.start + 1)),
-                    "this comment is never closed",
-                )
-                .here("it is taken to end with its line")
-                .help("close the comment with `#`")
-                .fix(Fix::replace(
-                    "close the comment at the end of the line",
-                    Applicability::Safe,
-                    Span::new(end, end),
-                    " #",
-                )),
+                Diagnostic::new(Code::E002, Span::new(t.start, end.max(t.start + 1))).fix(
+                    Fix::replace("fix", Applicability::Safe, Span::new(end, end), " #"),
+                ),
             );
         }
     }
@@ -107,24 +92,14 @@ impl Reporter<'_, '_> {
         let last = self.stream.line(piece.end - 1);
         let head = self.stream.line_start(last);
         let line_end = self.stream.line_end(last);
-        Diagnostic::new(
-            Code::W314,
-            self.span(head, piece.end),
-            format!(
-                "this {} takes its last numbers from a line that would be a record of its own",
-                ty.title
-            ),
-        )
-        .here("taken from the head of this line")
-        .label(self.span(piece.start, head), "the record begins here")
-        .note(format!(
-            "by itself the line would read {}",
-            quote(&self.stream.text[self.span(head, line_end).range()])
-        ))
-        .help(format!(
-            "if a number is missing above, add it: {}",
-            header(ty)
-        ))
+        Diagnostic::new(Code::W314, self.span(head, piece.end))
+            .with("type", Value::Term(ty.title))
+            .with(
+                "line",
+                quote(&self.stream.text[self.span(head, line_end).range()]),
+            )
+            .with("header", header(ty))
+            .label(self.span(piece.start, head), "begin")
     }
 
     fn broken(&self, piece: &Piece, out: &mut Vec<Diagnostic>) {
@@ -144,27 +119,15 @@ impl Reporter<'_, '_> {
                 self.real_type(start, out);
                 self.bad_count(ty, start, end, out);
             }
-            Verdict::UnknownType => out.push(
-                Diagnostic::new(
-                    Code::E007,
-                    self.stream.token(start + 1).span(),
-                    format!("there is no record type {}", quote(self.text(start + 1))),
-                )
-                .here("unknown type"),
-            ),
+            Verdict::UnknownType => out.push(self.unknown_type(start + 1)),
             Verdict::BadType => self.bad_type(start + 1, out),
             Verdict::MissingType => out.push(self.missing_type(start)),
             Verdict::LostId { ty } => out.push(
-                Diagnostic::new(
-                    Code::E005,
-                    self.stream.token(start).span(),
-                    format!("this {} has no ID", ty.title),
-                )
-                .here(format!(
-                    "this is the type, {}; an ID belongs in front of it",
-                    ty.code
-                ))
-                .help(format!("{} is written {}", ty.with_article(), header(ty))),
+                Diagnostic::new(Code::E005, self.stream.token(start).span())
+                    .case("lost")
+                    .with("type", Value::Term(ty.title))
+                    .with("number", ty.code.to_string())
+                    .with("header", header(ty)),
             ),
             Verdict::BadId { ty } => {
                 self.bad_id(start, out);
@@ -180,57 +143,26 @@ impl Reporter<'_, '_> {
         let token = self.stream.token(i);
         let text = self.text(i);
         let span = token.span();
+        let new = |code| Diagnostic::new(code, span).with("text", quote(text));
         let d = match token.kind {
             TokenKind::DecimalComma => {
                 let point = text.replace(',', ".");
-                Diagnostic::new(
-                    Code::E003,
+                new(Code::E003)
+                    .case("decimal-comma")
+                    .with("number", quote(&point))
+                    .fix(write(Applicability::Safe, span, point))
+            }
+            TokenKind::HugeNumber => new(Code::E004),
+            TokenKind::MalformedNumber => match repaired(text) {
+                Some(r) => new(Code::E003).with("number", quote(&r)).fix(write(
+                    Applicability::Unsafe,
                     span,
-                    format!("{} has a decimal comma", quote(text)),
-                )
-                .here(format!("read as {}", quote(&point)))
-                .help("numbers are written with a decimal point")
-                .fix(Fix::replace(
-                    format!("write {}", quote(&point)),
-                    Applicability::Safe,
-                    span,
-                    point,
-                ))
-            }
-            TokenKind::HugeNumber => {
-                Diagnostic::new(Code::E004, span, format!("{} is too large", quote(text)))
-                    .here("no double-precision number is that large")
-                    .help("the largest is about 1.8e308")
-            }
-            TokenKind::MalformedNumber => {
-                let d =
-                    Diagnostic::new(Code::E003, span, format!("{} is not a number", quote(text)))
-                        .here("malformed number")
-                        .help("numbers look like `3`, `-0.5` or `1.5e-3`");
-                match repaired(text) {
-                    Some(r) => d.fix(Fix::replace(
-                        format!("write {}", quote(&r)),
-                        Applicability::Unsafe,
-                        span,
-                        r,
-                    )),
-                    None => d,
-                }
-            }
-            TokenKind::Word | TokenKind::Quoted => Diagnostic::new(
-                Code::E012,
-                span,
-                format!("the word {} means nothing here", quote(text)),
-            )
-            .here("a number was expected")
-            .help("comments stand between two `#`"),
-            TokenKind::Invalid => Diagnostic::new(
-                Code::E001,
-                span,
-                format!("{} means nothing here", quote(text)),
-            )
-            .here("a number was expected")
-            .help("remove it, or put it into a comment: `# … #`"),
+                    r,
+                )),
+                None => new(Code::E003),
+            },
+            TokenKind::Word | TokenKind::Quoted => new(Code::E012),
+            TokenKind::Invalid => new(Code::E001),
             _ => return false,
         };
         out.push(d);
@@ -257,39 +189,26 @@ impl Reporter<'_, '_> {
                 continue;
             }
             out.push(if p.kind == ParamKind::FileName {
-                Diagnostic::new(
-                    Code::E011,
-                    span,
-                    format!("{} is no file name", quote(self.text(i))),
-                )
-                .here(format!("{} was expected", p.doc))
-                .help("a file name is one word, or stands in double quotes")
+                Diagnostic::new(Code::E011, span)
+                    .with("text", quote(self.text(i)))
+                    .with("parameter", Value::Term(p.doc))
             } else {
                 self.not_an_integer(i, p.doc)
             });
         }
     }
 
-    fn not_an_integer(&self, i: usize, what: &str) -> Diagnostic {
+    fn not_an_integer(&self, i: usize, what: &'static str) -> Diagnostic {
         let (text, span) = (self.text(i), self.stream.token(i).span());
-        let d = Diagnostic::new(
-            Code::E010,
-            span,
-            format!("{} is not an integer", quote(text)),
-        )
-        .here(format!(
-            "{what} must be a whole number, written without a point"
-        ));
+        let d = Diagnostic::new(Code::E010, span)
+            .with("text", quote(text))
+            .with("parameter", Value::Term(what));
         let value = self.stream.token(i).number(self.stream.text);
         match value.filter(|x| x.fract() == 0.0 && x.abs() < 1e15) {
             Some(x) => {
                 let whole = format!("{}", x as i64);
-                d.fix(Fix::replace(
-                    format!("write {}", quote(&whole)),
-                    Applicability::Safe,
-                    span,
-                    whole,
-                ))
+                d.with("number", quote(&whole))
+                    .fix(write(Applicability::Safe, span, whole))
             }
             None => d,
         }
@@ -304,60 +223,37 @@ impl Reporter<'_, '_> {
 
     fn count(&self, piece: &Piece, ty: &RecordType, got: usize, expected: usize) -> Diagnostic {
         let (start, end) = (piece.start, piece.end);
-        let row = self.odd_row(piece, ty, got, expected);
-        let wanted = match ty.params.len() + ty.optional.len() {
-            _ if ty.optional.is_empty() => numbers(expected),
-            all => format!("{} or {}", ty.params.len(), numbers(all)),
-        };
-        let title = capitalised(ty.title);
+        let count = |n: usize| Value::Count(n as u64);
         if expected > NUMBERS_MAX {
             let n = piece.start + 2;
-            return Diagnostic::new(
-                Code::E013,
-                self.span(n, n + 1),
-                format!("{} points are more than can be handled", self.text(n)),
-            )
-            .here(format!(
-                "N, the number of points; {} follow",
-                numbers(got - 1)
-            ));
+            return Diagnostic::new(Code::E013, self.span(n, n + 1))
+                .with("text", self.text(n))
+                .with("got", count(got - 1));
         }
-        let mut d = if got < expected {
-            let (from, to) = row.unwrap_or((start, end));
-            Diagnostic::new(
-                Code::E008,
-                self.span(from, to),
-                format!(
-                    "too few numbers: {} takes {wanted}, here are {got}",
-                    ty.with_article()
-                ),
-            )
-            .here(match row {
-                Some(_) => "this line has fewer than the others".to_owned(),
-                None => format!("{} missing", numbers(expected - got)),
-            })
-        } else {
-            let (from, to) = row.unwrap_or(((start + 2 + expected).min(end - 1), end));
-            Diagnostic::new(
-                Code::E009,
-                self.span(from, to),
-                format!(
-                    "too many numbers: {} takes {wanted}, here are {got}",
-                    ty.with_article()
-                ),
-            )
-            .here(match row {
-                Some(_) => "this line has more than the others".to_owned(),
-                None => format!("{} too many", numbers(got - expected)),
-            })
+        let row = self.odd_row(piece, ty, got, expected);
+        let few = got < expected;
+        let (from, to) = row.unwrap_or(match few {
+            true => (start, end),
+            false => ((start + 2 + expected).min(end - 1), end),
+        });
+        let d = Diagnostic::new(
+            if few { Code::E008 } else { Code::E009 },
+            self.span(from, to),
+        )
+        .with("type", Value::Term(ty.title))
+        .with("got", count(got))
+        .with("off", count(got.abs_diff(expected)))
+        .with("header", header(ty));
+        let d = match ty.optional.len() {
+            0 => d.with("wanted", count(expected)).with("fewer", "none"),
+            all => d
+                .with("wanted", count(ty.params.len() + all))
+                .with("fewer", ty.params.len().to_string()),
         };
-        if row.is_some() {
-            d = d.label(
-                self.span(start, start + 2),
-                format!("the {} begins here", ty.title),
-            );
+        match row {
+            Some(_) => d.case("row").label(self.span(start, start + 2), "begin"),
+            None => d,
         }
-        d.help(format!("{title}: {}", header(ty)))
     }
 
     /// In a record laid out over lines: the line whose length deviates from the others by just what
@@ -429,13 +325,10 @@ impl Reporter<'_, '_> {
             (start + 2 < end && self.stream.line(start + 2) == on_line).then_some(start + 2)
         else {
             out.push(
-                Diagnostic::new(
-                    Code::E008,
-                    self.span(start, start + 2),
-                    format!("this {} has no number of points", ty.title),
-                )
-                .here("N is missing behind the type")
-                .help(format!("{}: {}", capitalised(ty.title), header(ty))),
+                Diagnostic::new(Code::E008, self.span(start, start + 2))
+                    .case("count")
+                    .with("type", Value::Term(ty.title))
+                    .with("header", header(ty)),
             );
             return;
         };
@@ -443,46 +336,31 @@ impl Reporter<'_, '_> {
             return;
         }
         let sig = &self.stream.sigs[n];
+        let new = |code| Diagnostic::new(code, self.stream.token(n).span()).case("count");
         out.push(match sig.int {
-            Some(value) => Diagnostic::new(
-                Code::E206,
-                self.stream.token(n).span(),
-                format!("{} cannot have {value} points", ty.with_article()),
-            )
-            .here("N, the number of profile points, must be at least 2"),
-            None if sig.kind == TokenKind::Integer => Diagnostic::new(
-                Code::E004,
-                self.stream.token(n).span(),
-                format!(
-                    "{} points are more than any file can hold",
-                    quote(self.text(n))
-                ),
-            )
-            .here("N, the number of profile points"),
+            Some(value) => new(Code::E206)
+                .with("type", Value::Term(ty.title))
+                .with("value", value.to_string()),
+            None if sig.kind == TokenKind::Integer => {
+                new(Code::E004).with("text", quote(self.text(n)))
+            }
             None => self.not_an_integer(n, "N, the number of profile points,"),
         });
+    }
+
+    fn unknown_type(&self, i: usize) -> Diagnostic {
+        Diagnostic::new(Code::E007, self.stream.token(i).span()).with("text", quote(self.text(i)))
     }
 
     fn bad_type(&self, i: usize, out: &mut Vec<Diagnostic>) {
         let token = self.stream.token(i);
         match token.kind {
             TokenKind::Word | TokenKind::Quoted => out.push(
-                Diagnostic::new(
-                    Code::E006,
-                    token.span(),
-                    format!("{} is no record type", quote(self.text(i))),
-                )
-                .here("a type number was expected")
-                .help("`zpg explain` with a name, such as `zpg explain sphere`, tells the number of a type"),
+                Diagnostic::new(Code::E006, token.span())
+                    .case("word")
+                    .with("text", quote(self.text(i))),
             ),
-            TokenKind::Integer => out.push(
-                Diagnostic::new(
-                    Code::E007,
-                    token.span(),
-                    format!("there is no record type {}", quote(self.text(i))),
-                )
-                .here("unknown type"),
-            ),
+            TokenKind::Integer => out.push(self.unknown_type(i)),
             TokenKind::Real => out.push(self.not_an_integer(i, "a record type")),
             _ => {
                 self.bad_token(i, out);
@@ -491,34 +369,22 @@ impl Reporter<'_, '_> {
     }
 
     fn missing_type(&self, start: usize) -> Diagnostic {
-        Diagnostic::new(
-            Code::E006,
-            self.stream.token(start).span(),
-            format!("there is no type behind the ID {}", quote(self.text(start))),
-        )
-        .here("a record type was expected behind this ID")
-        .help("a record is `ID TYPE parameters…`")
+        Diagnostic::new(Code::E006, self.stream.token(start).span())
+            .with("text", quote(self.text(start)))
     }
 
     fn bad_id(&self, i: usize, out: &mut Vec<Diagnostic>) {
         let sig = &self.stream.sigs[i];
         let (text, span) = (self.text(i), self.stream.token(i).span());
-        let expected = |why: &str| {
-            Diagnostic::new(Code::E005, span, format!("{} cannot be an ID", quote(text)))
-                .here(why.to_owned())
-                .help("a record begins with its ID, a whole number from 1 to 2147483647")
-        };
+        let new = |code| Diagnostic::new(code, span).with("text", quote(text));
         let d = match sig.kind {
-            TokenKind::Integer if sig.int.is_none() && !text.starts_with('-') => Diagnostic::new(
-                Code::E004,
-                span,
-                format!("the ID {} is too large", quote(text)),
-            )
-            .here("IDs go up to 2147483647"),
-            TokenKind::Integer => expected("IDs are positive"),
+            TokenKind::Integer if sig.int.is_none() && !text.starts_with('-') => {
+                new(Code::E004).case("id")
+            }
+            TokenKind::Integer => new(Code::E005).case("negative"),
             TokenKind::Real => match self.stream.token(i).number(self.stream.text) {
                 Some(x) if x.fract() == 0.0 && x > 0.0 => self.not_an_integer(i, "an ID"),
-                _ => expected("an ID was expected here"),
+                _ => new(Code::E005),
             },
             _ => {
                 self.bad_token(i, out);
@@ -529,12 +395,9 @@ impl Reporter<'_, '_> {
     }
 }
 
-fn capitalised(text: &str) -> String {
-    let mut chars = text.chars();
-    chars
-        .next()
-        .map(|c| c.to_uppercase().collect::<String>() + chars.as_str())
-        .unwrap_or_default()
+/// A fix that writes something else, which is in the place `number`.
+fn write(applicability: Applicability, span: Span, text: String) -> Fix {
+    Fix::replace("fix", applicability, span, text)
 }
 
 /// A malformed number without the characters that spoil it, where a number is left.

@@ -26,18 +26,18 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The kind with its article, for messages: "an object", "a colour".
-    pub fn with_article(self) -> &'static str {
+    /// For people: "object", "colour"; there is but one render record.
+    pub fn name(self) -> &'static str {
         match self {
-            Kind::Undefined => "an undefined object",
-            Kind::Object => "an object",
-            Kind::Optics => "an optical property",
-            Kind::Texture => "a texture",
-            Kind::Colour => "a colour",
-            Kind::AmbientLight => "an ambient light",
-            Kind::PointLight => "a point light",
-            Kind::Camera => "a camera",
-            Kind::Selection => "a camera selection",
+            Kind::Undefined => "undefined object",
+            Kind::Object => "object",
+            Kind::Optics => "optical property",
+            Kind::Texture => "texture",
+            Kind::Colour => "colour",
+            Kind::AmbientLight => "ambient light",
+            Kind::PointLight => "point light",
+            Kind::Camera => "camera",
+            Kind::Selection => "camera selection",
             Kind::Render => "the render record",
         }
     }
@@ -206,14 +206,6 @@ impl RecordType {
     /// The entry with this keyword.
     pub fn by_keyword(keyword: &str) -> Option<&'static RecordType> {
         RECORD_TYPES.iter().find(|t| t.keyword == keyword)
-    }
-
-    /// The title with its article: "a sphere", "an ellipsoid".
-    pub fn with_article(&self) -> String {
-        // "a union", but "an undefined object".
-        let vowel = self.title.starts_with(['a', 'e', 'i', 'o'])
-            || self.title.starts_with("un") && !self.title.starts_with("uni");
-        format!("{} {}", if vowel { "an" } else { "a" }, self.title)
     }
 
     /// Whether the record's length depends on a count.

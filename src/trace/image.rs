@@ -38,8 +38,7 @@ impl Images {
                 return Err(Box::new(first));
             }
             let bitmap = Bitmap::read(&folder.join(file), left).map_err(|e| {
-                let refusal = Diagnostic::new(Code::E210, span, "the image cannot be read");
-                Box::new(refusal.here(e.to_string()))
+                Box::new(Diagnostic::new(Code::E210, span).with("why", e.to_string()))
             })?;
             left = left.saturating_sub(bitmap.bytes());
             images.0.insert(file.to_owned(), Arc::new(bitmap));

@@ -3,39 +3,74 @@
 use super::ask::Precision;
 use super::trace_support::{Builder, Random};
 use zpg::scene::{Geometry, Matrix, NodeId};
+use zpg::trace::dd::Dd;
+use zpg::trace::precision;
 use zpg::trace::vec::Vec3;
 use zpg::trace::{Ray, Tracer};
 
+/// What became of the rays.
+#[derive(Debug, Default)]
+struct Tally {
+    /// Rays that hit something and left it twice.
+    left: u32,
+    /// Of the latter those that met the next crossing at t ≤ 0.
+    backwards: u32,
+}
+
 /// Sends rays from `from` to a solid and away from where they hit it. Outwards from a convex solid
 /// nothing is met; inwards the next crossing is the way out; and of any solid the crossing that
-/// follows is of the other kind. Returns the number of hits.
-fn leave(tracer: &Tracer, rays: &[(Vec3, Vec3)], convex: bool, r: &mut Random, what: &str) -> u32 {
-    let mut walker = tracer.walker();
-    let mut left = 0;
+/// follows is of the other kind.
+fn leave_in<R: precision::Precision>(
+    tracer: &Tracer,
+    rays: &[(Vec3, Vec3)],
+    convex: bool,
+    r: &mut Random,
+    what: &str,
+) -> Tally {
+    let mut walker = tracer.walker::<R>();
+    let mut tally = Tally::default();
     for &(origin, aim) in rays {
-        let mut ray = Ray::new(origin, (aim - origin).unit());
+        let mut ray = Ray::new(origin, (aim - origin).unit()).cast::<R>();
         ray.outside = !tracer.holds(&mut walker, ray.line.origin);
         let Some(hit) = tracer.hit(&mut walker, &ray) else {
             continue;
         };
-        left += 1;
+        tally.left += 1;
         for _ in 0..2 {
-            let d = r.point(1.0).unit();
-            let outwards = d.dot(hit.normal) > 0.0;
+            let d = r.point(1.0).unit().cast::<R>();
+            let outwards = d.dot(hit.normal) > R::ZERO;
             // `onwards` is inwards for a ray that came from outside.
             let next = hit.leave(d, hit.entering != outwards);
             let again = tracer.hit(&mut walker, &next);
             if let Some(again) = &again {
                 let what = format!("{what}: {ray:?} {d:?} {hit:?} {again:?}");
-                assert!(again.t > 0.0 && again.entering == outwards, "{what}");
+                assert!(again.entering == outwards, "{what}");
                 assert!(!(outwards && convex), "{what}");
+                tally.backwards += u32::from(again.t <= R::ZERO);
             }
         }
     }
-    left
+    tally
 }
 
-pub fn row_18_leave_a_small_sphere(_: Precision) {
+/// [`leave_in`] the numbers of a precision.
+fn leave(
+    precision: Precision,
+    tracer: &Tracer,
+    rays: &[(Vec3, Vec3)],
+    convex: bool,
+    r: &mut Random,
+    what: &str,
+) -> Tally {
+    let leave = match precision {
+        Precision::F32 => leave_in::<f32>,
+        Precision::F64 => leave_in::<f64>,
+        Precision::Dd => leave_in::<Dd>,
+    };
+    leave(tracer, rays, convex, r, what)
+}
+
+pub fn row_18_leave_a_small_sphere(precision: Precision) {
     let mut r = Random(18);
     let mut b = Builder::default();
     let root = b.sphere(0.0, 0.083, 0.4, 0.015);
@@ -44,8 +79,8 @@ pub fn row_18_leave_a_small_sphere(_: Precision) {
     let rays: Vec<_> = (0..20_000)
         .map(|_| (centre + r.point(1.0).unit(), centre + r.point(0.01)))
         .collect();
-    let left = leave(&tracer, &rays, true, &mut r, "sphere");
-    assert!(left > 18_000, "{left}");
+    let tally = leave(precision, &tracer, &rays, true, &mut r, "sphere");
+    assert!(tally.left > 18_000 && tally.backwards == 0, "{tally:?}");
 }
 
 /// A solid within a ball of radius 2·size around `p`, or an unbounded one, and whether it is convex.
@@ -114,10 +149,19 @@ fn solid(b: &mut Builder, r: &mut Random, kind: u32, size: f64) -> (NodeId, bool
     (b.shape(geometry), matches!(kind, 0..=3 | 5 | 11))
 }
 
-/// pbrt's Reintersect test: sizes 1e±4, origins up to 1e8 sizes away, shapes anywhere.
-pub fn row_39_leave_everything(_: Precision) {
+/// pbrt's Reintersect test: sizes 1e±4, origins up to 1e8 sizes away, shapes anywhere. In dd, which
+/// takes six times as long as doubles, a tenth of the rays.
+///
+/// In single precision, where doubts stand as they are rounded, the side of a crossing is always
+/// right, its place not: a ray into a solid may not see the chord before it, being off by more than
+/// that, and then names a way out behind its start. Some 150 of 500 000 hits are left so.
+pub fn row_39_leave_everything(precision: Precision) {
+    let each = match precision {
+        Precision::Dd => 100,
+        Precision::F32 | Precision::F64 => 1000,
+    };
     let mut r = Random(39);
-    let mut left = 0;
+    let mut tally = Tally::default();
     for round in 0..1000 {
         let mut b = Builder::default();
         let size = 10f64.powf(r.within(-4.0, 4.0));
@@ -137,14 +181,20 @@ pub fn row_39_leave_everything(_: Precision) {
         let matrix = Matrix::translation(p[0], p[1], p[2]).after(&shape_of);
         let root = b.moved(shape, matrix);
         let tracer = b.tracer(root);
-        let rays: Vec<_> = (0..1000)
+        let rays: Vec<_> = (0..each)
             .map(|_| {
                 let away = r.point(1.0).unit() * size * 10f64.powf(r.within(0.0, 8.0));
                 (p + away, p + r.point(0.7 * size))
             })
             .collect();
         let what = format!("round {round}, size {size:e}, at {p:?}");
-        left += leave(&tracer, &rays, convex, &mut r, &what);
+        let Tally { left, backwards } = leave(precision, &tracer, &rays, convex, &mut r, &what);
+        tally.left += left;
+        tally.backwards += backwards;
     }
-    assert!(left > 250_000, "{left}");
+    assert!(tally.left > 250 * each, "{tally:?}");
+    match precision {
+        Precision::F32 => assert!(tally.backwards < tally.left / 1000, "{tally:?}"),
+        Precision::F64 | Precision::Dd => assert_eq!(tally.backwards, 0),
+    }
 }

@@ -2,7 +2,7 @@
 //! still meets the scene as often.
 
 use super::trace_support::{Builder, Random};
-use zpg::scene::{Geometry, Matrix, NodeId, Render, Scene};
+use zpg::scene::{Geometry, Matrix, NodeId};
 use zpg::trace::vec::Vec3;
 use zpg::trace::{Ray, Tracer};
 
@@ -156,23 +156,6 @@ fn any_change(r: &mut Random) -> Matrix {
     }
 }
 
-fn tracer(scene: &Scene, root: NodeId) -> Tracer {
-    let copy = Scene {
-        nodes: scene.nodes.clone(),
-        shapes: scene.shapes.clone(),
-        matrices: scene.matrices.clone(),
-        render: Some(Render {
-            root,
-            root_id: 0,
-            background: [0.0; 3],
-            clip: None,
-            span: Default::default(),
-        }),
-        ..Scene::default()
-    };
-    Tracer::new(&copy).unwrap()
-}
-
 /// Which way a ray crosses boundaries, in order.
 fn sides(tracer: &Tracer, ray: &Ray) -> (bool, Vec<Option<bool>>) {
     let probe = tracer.probe(&mut tracer.walker(), ray);
@@ -216,7 +199,7 @@ fn trials(seed: u64, scenes: u64, change: fn(&mut Random) -> Matrix, rounded: bo
         let root = solid(&mut b, &mut r);
         let matrix = change(&mut r);
         let moved = b.moved(root, matrix);
-        let (plain, changed) = (tracer(&b.scene, root), tracer(&b.scene, moved));
+        let (plain, changed) = (b.tracer_of(root), b.tracer_of(moved));
         for _ in 0..50 {
             let before = ray(&mut r);
             let (o, d) = (before.line.origin, before.line.direction);

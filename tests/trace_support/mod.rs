@@ -164,6 +164,20 @@ impl Builder {
     pub fn tracer(self, root: NodeId) -> Tracer {
         Tracer::new(&self.render(root, [0.0; 3])).unwrap()
     }
+
+    /// A tracer of what there is so far, or of a part of it.
+    pub fn tracer_of(&self, root: NodeId) -> Tracer {
+        let copy = Builder {
+            scene: Scene {
+                nodes: self.scene.nodes.clone(),
+                shapes: self.scene.shapes.clone(),
+                matrices: self.scene.matrices.clone(),
+                paints: self.scene.paints.clone(),
+                ..Scene::default()
+            },
+        };
+        copy.tracer(root)
+    }
 }
 
 pub fn picture(scene: &Scene, settings: &Settings) -> Picture {

@@ -21,7 +21,7 @@ const SHARE: usize = 64;
 /// Bytes that a line may have: there is no end to one without a line break.
 const LINE_MAX: u64 = 1 << 16;
 
-/// A line that holds no ray, or one that cannot be answered.
+/// A line that cannot be read, holds no ray, or one that cannot be answered.
 #[derive(Debug)]
 pub struct BadRay {
     line: u64,
@@ -69,8 +69,9 @@ pub fn parse(s: &str) -> Result<Ray, String> {
     Ok(Ray::new(Vec3::new(ox, oy, oz), direction))
 }
 
-/// Answers every ray of a file on standard output, in order. A line that holds no ray ends it, after
-/// all rays before it have been answered, and is told to `bad`.
+/// Answers every ray of a file on standard output, in order. A line that holds no ray, or one that
+/// cannot be answered, is told to `bad` after all rays before it, and some behind, have been answered.
+/// One that cannot be read ends the file.
 pub fn stream<R: Writable>(tracer: &Tracer, input: &mut Input, bad: impl Fn(BadRay)) -> Status {
     let mut lines = Lines {
         input,
@@ -78,6 +79,7 @@ pub fn stream<R: Writable>(tracer: &Tracer, input: &mut Input, bad: impl Fn(BadR
         line: Vec::new(),
     };
     let mut out = io::stdout().lock();
+    let mut status = Status::Clean;
     loop {
         let (batch, end) = lines.batch();
         let (text, unanswered) = trace::<R>(tracer, &batch);
@@ -90,13 +92,17 @@ pub fn stream<R: Writable>(tracer: &Tracer, input: &mut Input, bad: impl Fn(BadR
             }
             Ok(()) => {}
         }
-        match (unanswered, end) {
-            (Some(e), _) | (None, End::Bad(e)) => {
+        for e in unanswered {
+            bad(e);
+            status = Status::Failure;
+        }
+        match end {
+            End::Unreadable(e) => {
                 bad(e);
                 return Status::Failure;
             }
-            (None, End::File) => return Status::Clean,
-            (None, End::Batch) => {}
+            End::File => return status,
+            End::Batch => {}
         }
     }
 }
@@ -109,8 +115,19 @@ enum End {
     /// It is full, or nothing more has arrived yet.
     Batch,
     File,
-    Bad(BadRay),
+    Unreadable(BadRay),
 }
+
+/// What a line holds.
+enum Content {
+    Nothing,
+    Ray(Ray),
+    /// Something else: why it is no ray.
+    NoRay(String),
+}
+
+/// The number of a line, and the ray on it or why there is none.
+type Asked = (u64, Result<Ray, String>);
 
 /// The lines of a file of rays.
 struct Lines<'a> {
@@ -121,27 +138,29 @@ struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    /// The next rays with their lines. A batch ends where waiting for input would begin, so that
-    /// whoever waits for an answer before asking on gets it.
-    fn batch(&mut self) -> (Vec<(u64, Ray)>, End) {
-        let mut rays = Vec::new();
+    /// The next lines that are to hold rays. A batch ends where waiting for input would begin, so
+    /// that whoever waits for an answer before asking on gets it.
+    fn batch(&mut self) -> (Vec<Asked>, End) {
+        let mut asked = Vec::new();
         let mut ready = true;
-        while rays.is_empty() || (ready && rays.len() < BATCH) {
+        while asked.is_empty() || (ready && asked.len() < BATCH) {
             match self.next() {
-                Ok(None) => return (rays, End::File),
-                Ok(Some(ray)) => rays.extend(ray.map(|ray| (self.number, ray))),
+                Ok(None) => return (asked, End::File),
+                Ok(Some(Content::Nothing)) => {}
+                Ok(Some(Content::Ray(ray))) => asked.push((self.number, Ok(ray))),
+                Ok(Some(Content::NoRay(reason))) => asked.push((self.number, Err(reason))),
                 Err(reason) => {
                     let line = self.number;
-                    return (rays, End::Bad(BadRay { line, reason }));
+                    return (asked, End::Unreadable(BadRay { line, reason }));
                 }
             }
             ready = self.input.buffer().contains(&b'\n');
         }
-        (rays, End::Batch)
+        (asked, End::Batch)
     }
 
-    /// The ray on the next line; `None` where the file ends, or where there is none on the line.
-    fn next(&mut self) -> Result<Option<Option<Ray>>, String> {
+    /// The next line; `None` where the file ends. The error says why it cannot be read.
+    fn next(&mut self) -> Result<Option<Content>, String> {
         self.line.clear();
         self.number += 1;
         let mut limited = self.input.by_ref().take(LINE_MAX);
@@ -157,38 +176,45 @@ impl Lines<'_> {
         let text = String::from_utf8_lossy(&self.line);
         let content = text.split('#').next().unwrap_or("").trim();
         if content.is_empty() {
-            return Ok(Some(None));
+            return Ok(Some(Content::Nothing));
         }
-        parse(content).map(|ray| Some(Some(ray)))
+        Ok(Some(
+            parse(content).map_or_else(Content::NoRay, Content::Ray),
+        ))
     }
 }
 
-/// The answers to a batch, up to the first ray that cannot be answered.
-fn trace<R: Writable>(tracer: &Tracer, batch: &[(u64, Ray)]) -> (Vec<u8>, Option<BadRay>) {
-    let shares: Vec<(Vec<u8>, Option<BadRay>)> = batch
+/// The answers to a batch, and the lines that have none.
+fn trace<R: Writable>(tracer: &Tracer, batch: &[Asked]) -> (Vec<u8>, Vec<BadRay>) {
+    let shares: Vec<(Vec<u8>, Vec<BadRay>)> = batch
         .par_chunks(SHARE)
         .map_init(
             || tracer.walker::<R>(),
-            |walkers, rays| {
-                let mut text = Vec::new();
-                for &(line, ray) in rays {
-                    let answered = RayAnswer::new(tracer, walkers, &ray).and_then(|answer| {
+            |walkers, asked| {
+                let (mut text, mut bad) = (Vec::new(), Vec::new());
+                for (line, ray) in asked {
+                    let answer = ray
+                        .as_ref()
+                        .map_err(String::clone)
+                        .and_then(|ray| RayAnswer::new(tracer, walkers, ray));
+                    let answered = answer.and_then(|answer| {
                         answer::write(&mut text, &answer).map_err(|e| e.to_string())
                     });
                     if let Err(reason) = answered {
-                        return (text, Some(BadRay { line, reason }));
+                        bad.push(BadRay {
+                            line: *line,
+                            reason,
+                        });
                     }
                 }
-                (text, None)
+                (text, bad)
             },
         )
         .collect();
-    let mut all = Vec::new();
-    for (text, bad) in shares {
+    let (mut all, mut bad) = (Vec::new(), Vec::new());
+    for (text, unanswered) in shares {
         all.extend(text);
-        if bad.is_some() {
-            return (all, bad);
-        }
+        bad.extend(unanswered);
     }
-    (all, None)
+    (all, bad)
 }

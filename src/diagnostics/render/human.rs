@@ -7,7 +7,8 @@ use ariadne::{Cache, CharSet, Color, Config, Fmt, IndexType, Label, Report, Repo
 use super::excerpt::{self, Excerpt};
 use super::visible;
 use crate::diagnostics::source::Locator;
-use crate::diagnostics::{Applicability, Diagnostic, Fix, Severity, SourceFile, Span};
+use crate::diagnostics::wording::Wording;
+use crate::diagnostics::{Applicability, Diagnostic, Fix, Language, Severity, SourceFile, Span};
 
 /// A second place so many lines away gets a section of its own: ariadne walks through all the lines
 /// of a section.
@@ -19,12 +20,19 @@ const LINE_BUDGET: usize = 20_000_000;
 /// count columns in the excerpt. It never occurs in what is printed.
 const MARK: char = '\u{1}';
 
+/// How findings are shown to people.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Look {
+    pub colour: bool,
+    pub language: Language,
+}
+
 /// Writes a file's findings, in the order they are given.
 pub fn write(
     out: &mut dyn Write,
     file: &SourceFile,
     diagnostics: &[Diagnostic],
-    colour: bool,
+    look: Look,
 ) -> io::Result<()> {
     let mut printer = Printer {
         file,
@@ -32,7 +40,7 @@ pub fn write(
         locator: Locator::new(file),
         common: Excerpt::new(file, diagnostics.iter().flat_map(spans)),
         budget: LINE_BUDGET,
-        colour,
+        look,
     };
     for diagnostic in diagnostics {
         printer.write(out, diagnostic)?;
@@ -52,7 +60,7 @@ struct Printer<'a> {
     /// The lines of all the findings, long ones cut around the first finding on them.
     common: Excerpt,
     budget: usize,
-    colour: bool,
+    look: Look,
 }
 
 /// One place in a report.
@@ -66,14 +74,17 @@ struct Mark<'a> {
 
 impl Printer<'_> {
     fn write(&mut self, out: &mut dyn Write, d: &Diagnostic) -> io::Result<()> {
-        let head = format!("{}[{}]:", d.severity.as_str(), d.code.as_str());
+        let language = self.look.language;
+        let words = d.wording(language);
+        let severity = language.say(d.severity.as_str(), &[]);
+        let head = format!("{severity}[{}]:", d.code.as_str());
         let head = head.fg(self.paint(severity_colour(d.severity)));
-        writeln!(out, "{head} {}", visible(&d.message))?;
+        writeln!(out, "{head} {}", visible(&words.message))?;
 
-        let marks = self.marks(d);
+        let marks = self.marks(d, &words);
         let common = spans(d).all(|span| self.common.place(self.file, span).is_some());
         if common {
-            let report = self.report(d, &marks, &self.common)?;
+            let report = self.report(d, &words, &marks, &self.common)?;
             self.put_places(out, &report, &marks)?;
         } else {
             let deepest = marks.iter().map(|m| m.line).max().unwrap_or(0);
@@ -81,31 +92,31 @@ impl Printer<'_> {
                 Some(rest) => {
                     self.budget = rest;
                     let own = Excerpt::new(self.file, spans(d));
-                    let report = self.report(d, &marks, &own)?;
+                    let report = self.report(d, &words, &marks, &own)?;
                     self.put_places(out, &report, &marks)?;
                 }
-                None => self.write_without_lines(out, d)?,
+                None => self.write_without_lines(out, d, &words)?,
             }
         }
         writeln!(out)
     }
 
     /// The places of a finding by section and line, those of the first place's section first.
-    fn marks<'d>(&self, d: &'d Diagnostic) -> Vec<Mark<'d>> {
+    fn marks<'d>(&self, d: &Diagnostic, words: &'d Wording) -> Vec<Mark<'d>> {
         let line = |span: Span| self.file.line_index(self.file.floor(span.start));
         let here = line(d.span);
         let mut marks = vec![Mark {
             span: d.span,
-            message: if d.label.is_empty() { "here" } else { &d.label },
+            message: &words.label,
             primary: true,
             line: here,
             section: 0,
         }];
-        for (i, label) in d.labels.iter().enumerate() {
+        for (i, (label, message)) in d.labels.iter().zip(&words.labels).enumerate() {
             let line = line(label.span);
             marks.push(Mark {
                 span: label.span,
-                message: &label.message,
+                message,
                 primary: false,
                 line,
                 section: if line.abs_diff(here) <= FAR { 0 } else { i + 1 },
@@ -116,10 +127,16 @@ impl Printer<'_> {
     }
 
     /// The report without its first line, with [`MARK`]s for the places.
-    fn report(&self, d: &Diagnostic, marks: &[Mark], excerpt: &Excerpt) -> io::Result<String> {
+    fn report(
+        &self,
+        d: &Diagnostic,
+        words: &Wording,
+        marks: &[Mark],
+        excerpt: &Excerpt,
+    ) -> io::Result<String> {
         // Character indices: ariadne has the excerpt's characters, and cannot cut one in two.
         let config = Config::default()
-            .with_color(self.colour)
+            .with_color(self.look.colour)
             .with_index_type(IndexType::Char)
             .with_char_set(CharSet::Unicode);
         let place = |span| excerpt.place(self.file, span).unwrap_or(0..1);
@@ -136,10 +153,10 @@ impl Printer<'_> {
                     .with_color(colour),
             );
         }
-        for note in &d.notes {
+        for note in &words.notes {
             report.add_note(visible(note));
         }
-        for help in helps(self.file, d) {
+        for help in self.helps(d, words) {
             report.add_help(help);
         }
         let mut text = Vec::new();
@@ -148,11 +165,16 @@ impl Printer<'_> {
             .write_for_stdout(Sections(&excerpt.source), &mut text)?;
         let text = String::from_utf8_lossy(&text);
         // Ariadne's own first line knows no notes and no style.
-        Ok(text
+        let text: String = text
             .lines()
             .skip(1)
             .flat_map(|line| [line.trim_end(), "\n"])
-            .collect())
+            .collect();
+        Ok(match self.look.language {
+            Language::English => text,
+            // Words of the same length, lest the lines below them be out of line.
+            Language::Czech => (text.replace("│ Help", "│ Rada")).replace("│ Note", "│ Pozn"),
+        })
     }
 
     /// Writes a report, with the real places for the marked ones.
@@ -174,20 +196,46 @@ impl Printer<'_> {
         Ok(())
     }
 
-    fn write_without_lines(&mut self, out: &mut dyn Write, d: &Diagnostic) -> io::Result<()> {
+    fn write_without_lines(
+        &mut self,
+        out: &mut dyn Write,
+        d: &Diagnostic,
+        words: &Wording,
+    ) -> io::Result<()> {
         let place = self.locator.position(d.span.start);
         writeln!(out, "  {}:{}:{}", self.path, place.line, place.column)?;
-        for help in helps(self.file, d) {
-            writeln!(out, "  Help: {help}")?;
+        for help in self.helps(d, words) {
+            writeln!(out, "  {help}")?;
         }
-        for note in &d.notes {
-            writeln!(out, "  Note: {}", visible(note))?;
+        for note in &words.notes {
+            writeln!(out, "  {}", visible(note))?;
         }
         Ok(())
     }
 
     fn paint(&self, colour: Color) -> Option<Color> {
-        self.colour.then_some(colour)
+        self.look.colour.then_some(colour)
+    }
+
+    /// The help, and what the fixes propose.
+    fn helps(&self, d: &Diagnostic, words: &Wording) -> Vec<String> {
+        let help = words.help.iter().map(|h| visible(h).into_owned());
+        let fixes = d.fixes.iter().zip(&words.fixes);
+        help.chain(fixes.map(|(fix, title)| self.proposal(fix, title)))
+            .collect()
+    }
+
+    /// A fix: its title, and the line as it would be.
+    fn proposal(&self, fix: &Fix, title: &str) -> String {
+        let title = visible(title);
+        let title = match fix.applicability {
+            Applicability::Safe => title.into_owned(),
+            Applicability::Unsafe => format!("{title} {}", self.look.language.say("guess", &[])),
+        };
+        match fixed_lines(self.file, fix).as_slice() {
+            [] => title,
+            lines => format!("{title}:\n{}", lines.join("\n")),
+        }
     }
 }
 
@@ -197,27 +245,6 @@ fn severity_colour(severity: Severity) -> Color {
         Severity::Warning => Color::Yellow,
         Severity::Note => Color::Blue,
         Severity::Style => Color::Magenta,
-    }
-}
-
-/// The help, and what the fixes propose.
-fn helps(file: &SourceFile, d: &Diagnostic) -> Vec<String> {
-    let mut helps: Vec<String> = d.help.iter().map(|h| visible(h).into_owned()).collect();
-    helps.extend(d.fixes.iter().map(|fix| proposal(file, fix)));
-    helps
-}
-
-/// A fix: its title, and the line as it would be.
-fn proposal(file: &SourceFile, fix: &Fix) -> String {
-    let sure = match fix.applicability {
-        Applicability::Safe => "",
-        Applicability::Unsafe => " (a guess)",
-    };
-    let title = format!("{}{sure}", visible(&fix.title));
-    let lines = fixed_lines(file, fix);
-    match lines.as_slice() {
-        [] => title,
-        lines => format!("{title}:\n{}", lines.join("\n")),
     }
 }
 
@@ -269,40 +296,81 @@ impl Cache<usize> for Sections<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostics::Code;
+    use crate::diagnostics::{Code, Value};
 
     fn print(text: &str, diagnostics: &[Diagnostic]) -> String {
+        print_as(Look::default(), text, diagnostics)
+    }
+
+    fn print_as(look: Look, text: &str, diagnostics: &[Diagnostic]) -> String {
         let file = SourceFile::new("a.zpg", text.into());
         let mut out = Vec::new();
-        write(&mut out, &file, diagnostics, false).unwrap();
+        write(&mut out, &file, diagnostics, look).unwrap();
         String::from_utf8(out).unwrap()
+    }
+
+    /// A word where a number should be.
+    fn word(span: Span) -> Diagnostic {
+        Diagnostic::new(Code::E012, span).with("text", "`x`")
+    }
+
+    fn swapped(text: &str) -> Diagnostic {
+        let at = text.find("1 9").unwrap() as u32;
+        let span = Span::new(at, at + 1);
+        Diagnostic::new(Code::E202, span)
+            .with("lower", "xmin")
+            .with("upper", "xmax")
+            .with("type", Value::Term("box"))
+            .with("others", Value::Count(0))
+            .label(Span::new(2, 4), "other")
+            .note("no-inside")
+            .fix(Fix::replace("fix", Applicability::Unsafe, span, "7"))
     }
 
     #[test]
     fn two_places_and_a_fix() {
-        let text = "7 9 1 # žluť #\n1 9999 77 0\n";
-        let at = text.find("77").unwrap() as u32;
-        let span = Span::new(at, at + 2);
-        let d = Diagnostic::new(Code::E101, span, "ID 77 is not defined")
-            .here("no record defines 77")
-            .label(Span::new(0, 1), "did you mean this one?")
-            .note("references are defined before they are used")
-            .fix(Fix::replace("use 7", Applicability::Unsafe, span, "7"));
-        insta::assert_snapshot!(print(text, &[d]), @r#"
-        error[E101]: ID 77 is not defined
-           ╭─[ a.zpg:2:8 ]
+        let text = "7 12 1 # žluť #\n1 9999 77 0\n";
+        insta::assert_snapshot!(print(text, &[swapped(text)]), @r#"
+        error[E202]: xmin of the box is greater than xmax
+           ╭─[ a.zpg:2:1 ]
            │
-         1 │ 7 9 1 # žluť #
-           │ ┬
-           │ ╰── did you mean this one?
+         1 │ 7 12 1 # žluť #
+           │   ─┬
+           │    ╰── the upper bound
          2 │ 1 9999 77 0
-           │        ─┬
-           │         ╰── no record defines 77
+           │ ┬
+           │ ╰── the lower bound
            │
-           │ Help: use 7 (a guess):
-           │       1 9999 7 0
+           │ Help: swap them (a guess):
+           │       7 9999 77 0
            │
-           │ Note: references are defined before they are used
+           │ Note: it has no inside: nothing of it is drawn, and nothing is cut by it
+        ───╯
+        "#);
+    }
+
+    #[test]
+    fn the_same_in_czech() {
+        let text = "7 12 1 # žluť #\n1 9999 77 0\n";
+        let look = Look {
+            language: Language::Czech,
+            ..Look::default()
+        };
+        insta::assert_snapshot!(print_as(look, text, &[swapped(text)]), @r#"
+        chyba[E202]: kvádr: xmin je větší než xmax
+           ╭─[ a.zpg:2:1 ]
+           │
+         1 │ 7 12 1 # žluť #
+           │   ─┬
+           │    ╰── horní mez
+         2 │ 1 9999 77 0
+           │ ┬
+           │ ╰── dolní mez
+           │
+           │ Rada: prohodit je (odhad):
+           │       7 9999 77 0
+           │
+           │ Pozn: nemá vnitřek: nic z toho se nezobrazí a nic to neodřízne
         ───╯
         "#);
     }
@@ -310,22 +378,25 @@ mod tests {
     #[test]
     fn far_places_get_sections_of_their_own() {
         let text = format!("2 9 1\n{}2 9 1\n1 9999 2 0\n", "\n".repeat(2_000));
-        let d = Diagnostic::new(Code::E102, Span::new(2006, 2007), "ID 2 is defined already")
-            .here("defined again")
-            .label(Span::new(0, 1), "defined here");
+        let d = Diagnostic::new(Code::E102, Span::new(2006, 2007))
+            .with("id", "2")
+            .with("type", Value::Term("sphere"))
+            .label(Span::new(0, 1), "first");
         insta::assert_snapshot!(print(&text, &[d]), @r#"
-        error[E102]: ID 2 is defined already
+        error[E102]: the ID 2 is defined already
               ╭─[ a.zpg:2002:1 ]
               │
          2002 │ 2 9 1
               │ ┬
-              │ ╰── defined again
+              │ ╰── this sphere would be a second definition
               │
               ├─[ a.zpg:1:1 ]
               │
             1 │ 2 9 1
               │ ┬
-              │ ╰── defined here
+              │ ╰── defined here first
+              │
+              │ Help: give it an ID of its own
         ──────╯
         "#);
     }
@@ -334,8 +405,8 @@ mod tests {
     fn columns_on_long_lines_are_those_of_the_file() {
         let text = format!("{}x", "2 9 1 ".repeat(100_000));
         let at = text.len() as u32 - 1;
-        let d = Diagnostic::new(Code::E012, Span::new(at, at + 1), "a word");
-        let first = Diagnostic::new(Code::E012, Span::new(0, 1), "a number");
+        let d = word(Span::new(at, at + 1));
+        let first = word(Span::new(0, 1));
         let printed = print(&text, &[first, d]);
         assert!(printed.contains("a.zpg:1:600001 "), "{printed}");
         assert!(printed.lines().all(|l| l.chars().count() < 250));
@@ -348,9 +419,14 @@ mod tests {
         let all: Vec<Diagnostic> = (0..n)
             .flat_map(|a| (0..n).map(move |b| (a, b)))
             .map(|(a, b)| {
-                Diagnostic::new(Code::W302, Span::new(a, b), "m")
-                    .label(Span::new(b, a), "l")
-                    .fix(Fix::replace("f", Applicability::Safe, Span::new(a, b), "t"))
+                word(Span::new(a, b))
+                    .label(Span::new(b, a), "nothing-drawn")
+                    .fix(Fix::replace(
+                        "here",
+                        Applicability::Safe,
+                        Span::new(a, b),
+                        "t",
+                    ))
             })
             .collect();
         let printed = print(text, &all);
@@ -364,8 +440,7 @@ mod tests {
         let all: Vec<Diagnostic> = (0..2_000u32)
             .map(|i| {
                 let at = start + 6 * i * 50 + 4;
-                Diagnostic::new(Code::E012, Span::new(at, at + 1), "a word")
-                    .label(Span::new(i * 6, i * 6 + 1), "far away")
+                word(Span::new(at, at + 1)).label(Span::new(i * 6, i * 6 + 1), "here")
             })
             .collect();
         let begin = std::time::Instant::now();

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::Tally;
 use crate::diagnostics::source::{Locator, Position, SourceFile};
-use crate::diagnostics::{Applicability, Diagnostic, Fix, Severity, Span};
+use crate::diagnostics::{Applicability, Diagnostic, Fix, Language, Severity, Span};
 
 /// The version of the form; it grows when a reader would have to change.
 const VERSION: u32 = 1;
@@ -68,49 +68,48 @@ struct Report<'a> {
 
 impl File {
     /// A file's findings, which are sorted by their offset.
-    pub fn new(file: &SourceFile, diagnostics: Vec<Diagnostic>) -> File {
+    pub fn new(file: &SourceFile, diagnostics: Vec<Diagnostic>, language: Language) -> File {
         let mut locator = Locator::new(file);
         File {
             path: file.path.clone(),
             diagnostics: diagnostics
                 .into_iter()
-                .map(|d| Finding::new(&mut locator, d))
+                .map(|d| Finding::new(&mut locator, d, language))
                 .collect(),
         }
     }
 }
 
 impl Finding {
-    fn new(locator: &mut Locator, d: Diagnostic) -> Finding {
+    fn new(locator: &mut Locator, d: Diagnostic, language: Language) -> Finding {
+        let words = d.wording(language);
+        let labels = d.labels.iter().zip(words.labels);
+        let fixes = d.fixes.into_iter().zip(words.fixes);
         Finding {
             code: d.code.as_str(),
             name: d.code.name(),
             severity: d.severity,
-            message: d.message,
+            message: words.message,
             span: range(locator, d.span),
-            labels: d
-                .labels
-                .into_iter()
-                .map(|l| Label {
+            labels: labels
+                .map(|(l, message)| Label {
                     span: range(locator, l.span),
-                    message: l.message,
+                    message,
                 })
                 .collect(),
-            notes: d.notes,
-            help: d.help,
-            fixes: d
-                .fixes
-                .into_iter()
-                .map(|f| Proposal::new(locator, f))
+            notes: words.notes,
+            help: words.help,
+            fixes: fixes
+                .map(|(fix, title)| Proposal::new(locator, fix, title))
                 .collect(),
         }
     }
 }
 
 impl Proposal {
-    fn new(locator: &mut Locator, fix: Fix) -> Proposal {
+    fn new(locator: &mut Locator, fix: Fix, title: String) -> Proposal {
         Proposal {
-            title: fix.title,
+            title,
             applicability: fix.applicability,
             edits: fix
                 .edits
@@ -146,20 +145,29 @@ pub fn write(out: &mut dyn Write, files: &[File], summary: &Tally) -> io::Result
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostics::Code;
+    use crate::diagnostics::{Code, Value};
 
     #[test]
     fn the_form_is_a_contract() {
         let file = SourceFile::new("a.zpg", "# ž #\n4 -204 0 35\n".into());
         let span = Span::new(9, 13);
-        let d = Diagnostic::new(Code::E007, span, "no type -204")
-            .label(Span::new(7, 8), "this record")
-            .note("a note")
-            .fix(Fix::replace("use -299", Applicability::Safe, span, "-299"));
+        let d = Diagnostic::new(Code::E007, span)
+            .case("proposal")
+            .with("text", "`-204`")
+            .with("number", "-299")
+            .with("type", Value::Term("assignment of properties"))
+            .label(Span::new(7, 8), "here")
+            .note("nothing-drawn")
+            .fix(Fix::replace("fix", Applicability::Safe, span, "-299"));
         let mut tally = Tally::default();
         tally.add(std::slice::from_ref(&d));
         let mut out = Vec::new();
-        write(&mut out, &[File::new(&file, vec![d])], &tally).unwrap();
+        write(
+            &mut out,
+            &[File::new(&file, vec![d], Language::English)],
+            &tally,
+        )
+        .unwrap();
         insta::assert_snapshot!(String::from_utf8(out).unwrap(), @r#"
         {
           "version": 1,
@@ -171,7 +179,7 @@ mod tests {
                   "code": "E007",
                   "name": "unknown-type",
                   "severity": "error",
-                  "message": "no type -204",
+                  "message": "there is no record type `-204`",
                   "span": {
                     "start": {
                       "offset": 9,
@@ -198,16 +206,16 @@ mod tests {
                           "column": 2
                         }
                       },
-                      "message": "this record"
+                      "message": "here"
                     }
                   ],
                   "notes": [
-                    "a note"
+                    "nothing of it is drawn"
                   ],
-                  "help": null,
+                  "help": "these parameters fit type -299, an assignment of properties",
                   "fixes": [
                     {
-                      "title": "use -299",
+                      "title": "write `-299` (assignment of properties)",
                       "applicability": "safe",
                       "edits": [
                         {
@@ -240,8 +248,8 @@ mod tests {
         let file = SourceFile::new("a.zpg", bytes);
         let in_text = file.text.find('x').unwrap() as u32;
         assert_ne!(at, in_text as usize);
-        let d = Diagnostic::new(Code::E012, Span::new(in_text, in_text + 1), "x");
-        let json = serde_json::to_value(File::new(&file, vec![d])).unwrap();
+        let d = Diagnostic::new(Code::E106, Span::new(in_text, in_text + 1));
+        let json = serde_json::to_value(File::new(&file, vec![d], Language::English)).unwrap();
         assert_eq!(json["diagnostics"][0]["span"]["start"]["offset"], at);
         assert_eq!(json["diagnostics"][0]["span"]["start"]["column"], at + 1);
     }

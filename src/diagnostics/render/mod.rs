@@ -6,9 +6,8 @@ pub mod json;
 pub mod short;
 
 use std::borrow::Cow;
-use std::fmt;
 
-use super::{Diagnostic, Severity};
+use super::{Diagnostic, Language, Severity, Value};
 
 /// How many findings there are, by severity, over any number of files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
@@ -60,40 +59,37 @@ impl Tally {
     }
 }
 
-impl fmt::Display for Tally {
+impl Tally {
     /// `Found 3 errors and 1 warning in 2 files; 2 of them have a proposed fix.`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    pub fn sentence(&self, language: Language) -> String {
+        let count = |n: usize| Value::Count(n as u64);
         if self.is_clean() {
-            return f.write_str("All checks passed!");
+            return language.say("tally-clean", &[]);
         }
         let parts: Vec<String> = [
-            (self.errors, "error"),
-            (self.warnings, "warning"),
-            (self.notes, "note"),
-            (self.style, "style remark"),
+            (self.errors, "tally-errors"),
+            (self.warnings, "tally-warnings"),
+            (self.notes, "tally-notes"),
+            (self.style, "tally-style"),
         ]
         .into_iter()
         .filter(|&(n, _)| n > 0)
-        .map(|(n, what)| counted(n, what))
+        .map(|(n, what)| language.say(what, &[("count", count(n))]))
         .collect();
-        write!(f, "Found ")?;
-        match parts.split_last() {
-            Some((last, [])) => f.write_str(last)?,
-            Some((last, rest)) => write!(f, "{} and {last}", rest.join(", "))?,
-            None => {}
-        }
-        write!(f, " in {}", counted(self.files_with_findings, "file"))?;
-        match self.with_fix {
-            0 => f.write_str("."),
-            1 => f.write_str("; 1 has a proposed fix."),
-            n => write!(f, "; {n} have a proposed fix."),
-        }
+        let findings = match parts.as_slice() {
+            [rest @ .., last] if !rest.is_empty() => {
+                let (first, last) = (rest.join(", ").into(), last.as_str().into());
+                language.say("list-and", &[("first", first), ("last", last)])
+            }
+            parts => parts.concat(),
+        };
+        let values = [
+            ("findings", findings.into()),
+            ("files", count(self.files_with_findings)),
+            ("fixes", count(self.with_fix)),
+        ];
+        language.say("tally-found", &values)
     }
-}
-
-fn counted(n: usize, what: &str) -> String {
-    let plural = if n == 1 { "" } else { "s" };
-    format!("{n} {what}{plural}")
 }
 
 /// Whether a character would move the cursor, reorder text or end a line on a terminal.
@@ -128,17 +124,22 @@ mod tests {
     #[test]
     fn the_tally_reads_as_a_sentence() {
         let mut tally = Tally::default();
-        assert_eq!(tally.to_string(), "All checks passed!");
-        let error = Diagnostic::new(Code::E101, Span::default(), "m");
-        tally.add(std::slice::from_ref(&error));
+        let says = |tally: &Tally| [Language::English, Language::Czech].map(|l| tally.sentence(l));
+        assert_eq!(says(&tally), ["All checks passed!", "Vše je v pořádku!"]);
+        let found = |code| Diagnostic::new(code, Span::default());
+        tally.add(&[found(Code::E106)]);
         tally.add(&[]);
-        assert_eq!(tally.to_string(), "Found 1 error in 1 file.");
-        let warning = Diagnostic::new(Code::W302, Span::default(), "m");
-        let note = Diagnostic::new(Code::N602, Span::default(), "m");
-        tally.add(&[error, warning, note]);
         assert_eq!(
-            tally.to_string(),
-            "Found 2 errors, 1 warning and 1 note in 2 files."
+            says(&tally),
+            ["Found 1 error in 1 file.", "Nalezeno: 1 chyba (1 soubor)."]
+        );
+        tally.add(&[found(Code::E106), found(Code::W306), found(Code::N602)]);
+        assert_eq!(
+            says(&tally),
+            [
+                "Found 2 errors, 1 warning and 1 note in 2 files.",
+                "Nalezeno: 2 chyby, 1 varování a 1 poznámka (2 soubory)."
+            ]
         );
         assert_eq!(tally.files, 3);
     }

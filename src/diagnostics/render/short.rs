@@ -3,11 +3,16 @@
 use std::io::{self, Write};
 
 use super::visible;
-use crate::diagnostics::Diagnostic;
 use crate::diagnostics::source::{Locator, SourceFile};
+use crate::diagnostics::{Diagnostic, Language};
 
 /// Writes a file's findings, in the order they are given.
-pub fn write(out: &mut dyn Write, file: &SourceFile, diagnostics: &[Diagnostic]) -> io::Result<()> {
+pub fn write(
+    out: &mut dyn Write,
+    file: &SourceFile,
+    diagnostics: &[Diagnostic],
+    language: Language,
+) -> io::Result<()> {
     let path = visible(&file.path);
     let mut locator = Locator::new(file);
     for d in diagnostics {
@@ -19,7 +24,7 @@ pub fn write(out: &mut dyn Write, file: &SourceFile, diagnostics: &[Diagnostic])
             place.column,
             d.code.as_str(),
             d.severity.as_str(),
-            visible(&d.message),
+            visible(&d.wording(language).message),
         )?;
     }
     Ok(())
@@ -33,12 +38,12 @@ mod tests {
     #[test]
     fn a_line_for_each() {
         let file = SourceFile::new("a.zpg", "2 9 1\n1 9999 7 0\n".into());
-        let d = Diagnostic::new(Code::E101, Span::new(13, 14), "no\nsuch ID");
+        let d = Diagnostic::new(Code::E101, Span::new(13, 14)).with("id", "7\n7");
         let mut out = Vec::new();
-        write(&mut out, &file, &[d]).unwrap();
+        write(&mut out, &file, &[d], Language::English).unwrap();
         assert_eq!(
             String::from_utf8(out).unwrap(),
-            "a.zpg:2:8: E101 error: no such ID\n"
+            "a.zpg:2:8: E101 error: 7 7 is not defined\n"
         );
     }
 }

@@ -1,6 +1,6 @@
 //! W304: a quadric whose matrix is not symmetric.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::{Context, spelled};
 use crate::scene::Geometry;
 
@@ -29,34 +29,21 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         edits.sort_by_key(|e| e.span);
         let name = |i: usize| format!("m{}{}", i / 4 + 1, i % 4 + 1);
-        let more = match unequal.len() {
-            1 => String::new(),
-            n => format!(", and {} more pairs differ", n - 1),
-        };
         out.push(
-            Diagnostic::new(
-                Code::W304,
-                p.span_of(first, 1),
-                format!(
-                    "the matrix of the quadric {} is not symmetric: {} is {} but {} is {}{more}",
-                    shape.id,
-                    name(first),
-                    p.text_of(first),
-                    name(mirror),
-                    p.text_of(mirror)
-                ),
-            )
-            .here(name(first))
-            .label(p.span_of(mirror, 1), name(mirror))
-            .note("only the sum of the two counts: the quadric is drawn as if both were their mean")
-            .fix(Fix {
-                title: match unequal.len() {
-                    1 => "write their mean in both places".to_owned(),
-                    n => format!("write the mean of both in all {n} pairs"),
-                },
-                applicability: Applicability::Safe,
-                edits,
-            }),
+            Diagnostic::new(Code::W304, p.span_of(first, 1))
+                .with("id", shape.id.to_string())
+                .with("first", name(first))
+                .with("first-number", p.text_of(first))
+                .with("mirror", name(mirror))
+                .with("mirror-number", p.text_of(mirror))
+                .with("pairs", Value::Count(unequal.len() as u64))
+                .with("more", Value::Count(unequal.len() as u64 - 1))
+                .label(p.span_of(mirror, 1), "other")
+                .fix(Fix {
+                    title: "fix",
+                    applicability: Applicability::Safe,
+                    edits,
+                }),
         );
     }
 }

@@ -25,19 +25,12 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         if introduced || is_directive(t, context.text) {
             continue;
         }
-        out.push(
-            Diagnostic::new(
-                Code::S502,
-                t.span(),
-                "a comment of its own is introduced by `0`",
-            )
-            .fix(Fix::replace(
-                "put `0` in front",
-                Applicability::Safe,
-                Span::new(t.start, t.start),
-                "0 ",
-            )),
-        );
+        out.push(Diagnostic::new(Code::S502, t.span()).fix(Fix::replace(
+            "fix",
+            Applicability::Safe,
+            Span::new(t.start, t.start),
+            "0 ",
+        )));
     }
 }
 

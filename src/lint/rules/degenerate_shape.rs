@@ -1,6 +1,6 @@
 //! W305: a shape without volume, or a surface without area.
 
-use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::lint::definite::{Verdict, judge};
 use crate::scene::record::Params;
@@ -34,15 +34,14 @@ fn is_degenerate(shape: &Shape) -> bool {
 }
 
 fn finding(shape: &Shape, p: &Params) -> Diagnostic {
-    let (of, id) = (shape.ty.title, shape.id);
-    let lacks = match shape.geometry.is_solid() {
-        true => "volume",
-        false => "area",
-    };
-    let start = format!("the {of} {id} has no {lacks}: ");
     let name = |i: usize| p.param(i).map_or("", |q| q.name);
-    let new = |span: Span, why: String| Diagnostic::new(Code::W305, span, start + &why);
-    let finding = match &shape.geometry {
+    let new = |case, first, n| {
+        Diagnostic::new(Code::W305, p.span_of(first, n))
+            .case(case)
+            .with("type", Value::Term(shape.ty.title))
+            .with("id", shape.id.to_string())
+    };
+    match &shape.geometry {
         Geometry::Box { .. } | Geometry::Rectangle { .. } => {
             let half = p.len() / 2;
             let equal: Vec<usize> = (0..half)
@@ -53,37 +52,29 @@ fn finding(shape: &Shape, p: &Params) -> Diagnostic {
                 .map(|&i| format!("{} = {}", name(i), name(i + half)))
                 .collect();
             let first = equal.first().copied().unwrap_or(0);
-            new(p.span_of(first, 1), pairs.join(", "))
-                .here(name(first))
-                .label(p.span_of(first + half, 1), name(first + half))
-        }
-        Geometry::Triangle { .. } => new(
-            p.span_of(0, 9),
-            "its three corners lie on one line".to_owned(),
-        )
-        .here("the corners"),
-        Geometry::Cone { .. } => new(p.span_of(0, 1), "its height is 0".to_owned()).here(name(0)),
-        Geometry::Quadric(q) => {
-            let what = match judge(q) {
-                Verdict::Flat(0) => "a single point satisfies it",
-                Verdict::Flat(1) => "only the points of a line satisfy it",
-                _ => "only the points of a plane satisfy it",
+            let case = match shape.geometry.is_solid() {
+                true => "box",
+                false => "rectangle",
             };
-            new(p.span_of(0, 16), what.to_owned()).here("xᵀQx is nowhere less than 0")
+            new(case, first, 1)
+                .with("pairs", pairs.join(", "))
+                .with("lower", name(first))
+                .with("upper", name(first + half))
+                .label(p.span_of(first + half, 1), "other")
         }
-        Geometry::Revolution { profile, .. } => {
-            let why = match profile.iter().all(|q| q[0] == 0.0) {
-                true => "all points of its profile lie on the axis",
-                false => "its profile surrounds no area",
-            };
-            new(p.span_of(1, 2 * p.count), why.to_owned()).here("the profile")
-        }
-        _ => new(p.span, String::new()),
-    };
-    finding.note(match shape.geometry.is_solid() {
-        true => "it has no inside: nothing of it is drawn, and nothing is cut by it",
-        false => "nothing of it is drawn",
-    })
+        Geometry::Triangle { .. } => new("triangle", 0, 9),
+        Geometry::Cone { .. } => new("cone", 0, 1),
+        Geometry::Quadric(q) => match judge(q) {
+            Verdict::Flat(0) => new("point", 0, 16),
+            Verdict::Flat(1) => new("line", 0, 16),
+            _ => new("plane", 0, 16),
+        },
+        Geometry::Revolution { profile, .. } => match profile.iter().all(|q| q[0] == 0.0) {
+            true => new("axis", 1, 2 * p.count),
+            false => new("profile", 1, 2 * p.count),
+        },
+        _ => new("", 0, p.len()),
+    }
 }
 
 /// a·d − b·c, or exactly zero where that is all that its rounding allows to be said.

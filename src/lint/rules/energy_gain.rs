@@ -23,35 +23,29 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
         .iter()
         .filter_map(|t| t.number(context.text))
         .collect();
-    let names: &[&str] = match record.ty.code {
-        -201 => &[""],
-        _ => &[" in red", " in green", " in blue"],
+    let channels: &[(&str, &str)] = match record.ty.code {
+        -201 => &[("", "")],
+        _ => &[
+            ("red", "sum-in-red"),
+            ("green", "sum-in-green"),
+            ("blue", "sum-in-blue"),
+        ],
     };
-    let mut channels = Vec::new();
-    for ((k, t), name) in values.chunks(3).zip(tokens.chunks(3)).zip(names) {
+    let mut finding: Option<Diagnostic> = None;
+    for ((k, t), &(channel, phrase)) in values.chunks(3).zip(tokens.chunks(3)).zip(channels) {
         let sum: f64 = k.iter().sum();
         let in_range = k.iter().all(|x| (0.0..=1.0).contains(x));
         if in_range && sum > 1.0 + ROUNDING {
-            channels.push((
-                t[0].span().to(t[2].span()),
-                format!("kd + ks + kt = {}{name}", short(sum)),
-            ));
+            let span = t[0].span().to(t[2].span());
+            finding = Some(match finding {
+                None => Diagnostic::new(Code::W302, span)
+                    .case(channel)
+                    .with("sum", short(sum)),
+                Some(d) => d.label(span, phrase).with(channel, short(sum)),
+            });
         }
     }
-    let Some(((span, first), rest)) = channels.split_first() else {
-        return;
-    };
-    let mut d = Diagnostic::new(
-        Code::W302,
-        *span,
-        format!("this surface gives off more light than it gets: {first}"),
-    )
-    .here("more than 1")
-    .help("the three parts share the light that arrives; their sum should be at most 1");
-    for (span, text) in rest {
-        d = d.label(*span, text.clone());
-    }
-    out.push(d);
+    out.extend(finding);
 }
 
 /// A sum of decimals without the rounding of its last digits.

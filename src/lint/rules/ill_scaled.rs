@@ -1,6 +1,6 @@
 //! W322: lengths in one object that differ too much for its numbers.
 
-use crate::diagnostics::{Code, Diagnostic};
+use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::{Context, live_nodes, rough};
 use crate::scene::{Geometry, Matrix, Node, Shape};
 
@@ -21,7 +21,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (i, shape) in scene.shapes.iter().enumerate() {
         if let Some((small, large)) = extremes(&shape.geometry, &Matrix::IDENTITY) {
             spoken[i] = true;
-            out.push(finding(context, shape, small, large, ""));
+            out.push(finding(context, shape, small, large));
         }
     }
     // Shapes that come out like that only by what moves and stretches them.
@@ -36,42 +36,22 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         {
             spoken[s as usize] = true;
             let shape = &scene.shapes[s as usize];
-            out.push(finding(
-                context,
-                shape,
-                small,
-                large,
-                ", as it is moved and stretched,",
-            ));
+            out.push(finding(context, shape, small, large).case("moved"));
         }
     }
 }
 
-fn finding(
-    context: &Context,
-    shape: &Shape,
-    small: Length,
-    large: Length,
-    how: &str,
-) -> Diagnostic {
+fn finding(context: &Context, shape: &Shape, small: Length, large: Length) -> Diagnostic {
     let span = context
         .params(shape.span)
         .map_or(shape.span, |p| p.span_of(0, p.len()));
-    let (s, l) = (rough(small.size), rough(large.size));
-    Diagnostic::new(
-        Code::W322,
-        span,
-        format!(
-            "the {} {}{how} is ill-scaled: {} is {l}, {} only {s}",
-            shape.ty.title, shape.id, large.what, small.what
-        ),
-    )
-    .here("lengths that differ by more than 1e8")
-    .note(
-        "sixteen digits are too few for both: hits on the small parts are off by a good part of \
-         their size, and edges come out ragged",
-    )
-    .help("bring the sizes nearer together, or move the object nearer to the origin")
+    Diagnostic::new(Code::W322, span)
+        .with("type", Value::Term(shape.ty.title))
+        .with("id", shape.id.to_string())
+        .with("large", Value::Term(large.what))
+        .with("large-size", rough(large.size))
+        .with("small", Value::Term(small.what))
+        .with("small-size", rough(small.size))
 }
 
 /// The smallest and the largest length of a shape moved by a matrix, where they are too different.

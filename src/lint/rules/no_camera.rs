@@ -20,13 +20,6 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .iter()
             .any(|e| e.kind == Some(crate::syntax::table::Kind::Camera))
     {
-        out.push(
-            Diagnostic::new(
-                Code::N602,
-                render.span,
-                "there is no camera; the scene is framed automatically",
-            )
-            .help("a camera is written `ID -501 x y z dx dy dz ux uy uz fovy`"),
-        );
+        out.push(Diagnostic::new(Code::N602, render.span));
     }
 }

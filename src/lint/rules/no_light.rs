@@ -17,13 +17,6 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         && !scene.entities.iter().any(|e| light(e.kind))
         && !context.document.items.iter().any(broken)
     {
-        out.push(
-            Diagnostic::new(
-                Code::N603,
-                render.span,
-                "there is no light; a headlight of intensity 1 shines at the camera",
-            )
-            .help("a point light is written `ID -402 intensity` and moved with `ID -1 x y z`"),
-        );
+        out.push(Diagnostic::new(Code::N603, render.span));
     }
 }

@@ -10,44 +10,29 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let Geometry::Quadric(q) = &shape.geometry else {
             continue;
         };
-        let (what, then) = match judge(q) {
-            Verdict::Empty => (
-                "no point satisfies the quadric",
-                "xᵀQx is greater than 0 everywhere: the object is empty, nothing of it is drawn, and \
-                 taking it away from another one changes nothing",
-            ),
-            Verdict::Full => (
-                "every point satisfies the quadric",
-                "xᵀQx is less than 0 everywhere: the object fills all of space, has no surface that \
-                 could be drawn, and leaves nothing of what it is taken away from",
-            ),
-            Verdict::Zero => (
-                "every point satisfies the quadric",
-                "xᵀQx is 0 everywhere: the object fills all of space and has no surface that could \
-                 be drawn",
-            ),
+        let case = match judge(q) {
+            Verdict::Empty => "",
+            Verdict::Full => "full",
+            Verdict::Zero => "zero",
             Verdict::Flat(_) | Verdict::Other => continue,
         };
         let Some(p) = context.params(shape.span) else {
             continue;
         };
-        let mut finding =
-            Diagnostic::new(Code::W306, p.span_of(0, 16), format!("{what} {}", shape.id))
-                .here("this matrix")
-                .note(then);
+        let finding = Diagnostic::new(Code::W306, p.span_of(0, 16))
+            .case(case)
+            .with("id", shape.id.to_string());
         let mut other = *q;
         other[15] = -q[15];
-        if q[15] > 0.0 && judge(&other) == Verdict::Other {
-            finding = finding
-                .help("for a ball of radius r, m11 to m33 are 1 and m44 is -r²")
-                .fix(Fix::replace(
-                    "turn the sign of m44",
-                    Applicability::Unsafe,
-                    p.span_of(15, 1),
-                    spelled(other[15]),
-                ));
-        }
-        out.push(finding);
+        out.push(match q[15] > 0.0 && judge(&other) == Verdict::Other {
+            true => finding.case("ball").fix(Fix::replace(
+                "fix",
+                Applicability::Unsafe,
+                p.span_of(15, 1),
+                spelled(other[15]),
+            )),
+            false => finding,
+        });
     }
 }
 

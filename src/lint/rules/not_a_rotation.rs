@@ -1,6 +1,6 @@
 //! W303: a rotation matrix that does more than turn.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::{Context, spelled};
 use crate::scene::Matrix;
 use crate::scene::record::Params;
@@ -47,16 +47,14 @@ fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
     if distance <= TOLERANCE && !mirrors {
         return;
     }
-    let mut finding = Diagnostic::new(
-        Code::W303,
-        p.span_of(0, 16),
-        format!("this matrix is not a rotation: {}", deed(&linear, mirrors)),
-    )
-    .here("applied as it is given")
-    .help("for a scaling or a mirror image on purpose, use type -3");
+    let mut finding = deed(
+        Diagnostic::new(Code::W303, p.span_of(0, 16)),
+        &linear,
+        mirrors,
+    );
     if let (Some(n), false) = (&nearest, mirrors) {
         finding = finding.fix(Fix {
-            title: "write the nearest rotation".to_owned(),
+            title: "fix",
             applicability: match only_digits(p, n) && distance <= DIGITS_MAX {
                 true => Applicability::Safe,
                 false => Applicability::Unsafe,
@@ -67,8 +65,8 @@ fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
     out.push(finding);
 }
 
-/// What the matrix does besides turning.
-fn deed(m: &Matrix3, mirrors: bool) -> String {
+/// Says what the matrix does besides turning.
+fn deed(finding: Diagnostic, m: &Matrix3, mirrors: bool) -> Diagnostic {
     let column = |j: usize| [m[0][j], m[1][j], m[2][j]];
     let length = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
     let lengths = [0, 1, 2].map(|j| length(column(j)));
@@ -82,27 +80,28 @@ fn deed(m: &Matrix3, mirrors: bool) -> String {
     let scales = lengths.iter().any(|l| (l - 1.0).abs() > TOLERANCE);
     let mut deeds = Vec::new();
     if mirrors {
-        deeds.push("it mirrors".to_owned());
+        deeds.push("mirrors");
     }
     if scales {
-        // As many digits as it takes to see the difference.
-        let [x, y, z] = lengths.map(|l| {
-            format!("{l:.7}")
-                .trim_end_matches('0')
-                .trim_end_matches('.')
-                .to_owned()
-        });
-        deeds.push(format!(
-            "its columns have the lengths {x}, {y} and {z}, not 1"
-        ));
+        deeds.push("scales");
     }
     if skew {
-        deeds.push("its columns are not at right angles".to_owned());
+        deeds.push("skews");
     }
-    match deeds.is_empty() {
-        true => "its entries are off by more than 1e-6".to_owned(),
-        false => deeds.join(", and "),
+    if deeds.is_empty() {
+        deeds.push("rounded");
     }
+    // As many digits as it takes to see the difference.
+    let [x, y, z] = lengths.map(|l| {
+        format!("{l:.7}")
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_owned()
+    });
+    (finding.with("deeds", Value::Phrases(deeds)))
+        .with("x", x)
+        .with("y", y)
+        .with("z", z)
 }
 
 /// The orthogonal matrix nearest to an invertible one, its factor in the polar decomposition:

@@ -1,6 +1,6 @@
 //! S501: separators of the handout's table notation, copied into a scene.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
 use crate::syntax::lexer::{Token, TokenKind};
 
@@ -30,23 +30,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             });
         }
         out.push(
-            Diagnostic::new(
-                Code::S501,
-                first.span(),
-                format!(
-                    "`{}` is notation; a scene needs none",
-                    first.text(context.text)
-                ),
-            )
-            .here("read as white space")
-            .fix(Fix {
-                title: match separators.len() {
-                    1 => "remove it".to_owned(),
-                    n => format!("remove all {n} on this line"),
-                },
-                applicability: Applicability::Safe,
-                edits,
-            }),
+            Diagnostic::new(Code::S501, first.span())
+                .with("text", first.text(context.text))
+                .with("count", Value::Count(separators.len() as u64))
+                .fix(Fix {
+                    title: "fix",
+                    applicability: Applicability::Safe,
+                    edits,
+                }),
         );
     }
 }

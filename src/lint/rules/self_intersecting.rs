@@ -1,6 +1,6 @@
 //! W320: a torus or a profile that runs through itself.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::{Context, rough};
 use crate::scene::{Geometry, Shape};
 
@@ -21,29 +21,22 @@ fn torus(context: &Context, shape: &Shape, out: &mut Vec<Diagnostic>) {
         return;
     };
     out.push(
-        Diagnostic::new(
-            Code::W320,
-            p.span_of(1, 1),
-            format!(
-                "the torus {} runs through itself: its tube (r = {}) is wider than its ring (R = {})",
-                shape.id,
-                p.text_of(1),
-                p.text_of(0)
-            ),
-        )
-        .here("r, the radius of the tube")
-        .label(p.span_of(0, 1), "R, from the axis to the middle of the tube")
-        .note("where the tube overlaps itself, a lemon around the axis, is outside: a hollow within")
-        .fix(Fix {
-            title: "swap R and r".to_owned(),
-            applicability: Applicability::Unsafe,
-            edits: [(0, 1), (1, 0)]
-                .map(|(to, from)| Edit {
-                    span: p.span_of(to, 1),
-                    text: p.text_of(from).to_owned(),
-                })
-                .into(),
-        }),
+        Diagnostic::new(Code::W320, p.span_of(1, 1))
+            .case("torus")
+            .with("id", shape.id.to_string())
+            .with("tube", p.text_of(1))
+            .with("ring", p.text_of(0))
+            .label(p.span_of(0, 1), "ring")
+            .fix(Fix {
+                title: "fix",
+                applicability: Applicability::Unsafe,
+                edits: [(0, 1), (1, 0)]
+                    .map(|(to, from)| Edit {
+                        span: p.span_of(to, 1),
+                        text: p.text_of(from).to_owned(),
+                    })
+                    .into(),
+            }),
     );
 }
 
@@ -58,35 +51,24 @@ fn revolution(context: &Context, shape: &Shape, profile: &[Point], out: &mut Vec
     let n = profile.len();
     // A piece of the profile with its two points, or a disc with its one.
     let piece = |s: usize| match s.checked_sub(n - 1) {
-        Some(0) => (
-            "the disc that closes the first point".to_owned(),
-            p.span_of(1, 2),
-        ),
-        Some(_) => (
-            "the disc that closes the last point".to_owned(),
-            p.span_of(2 * n - 1, 2),
-        ),
-        None => (
-            format!("the piece from point {} to {}", s + 1, s + 2),
-            p.span_of(1 + 2 * s, 4),
-        ),
+        Some(0) => ("start", p.span_of(1, 2)),
+        Some(_) => ("end", p.span_of(2 * n - 1, 2)),
+        None => ("piece", p.span_of(1 + 2 * s, 4)),
     };
-    let (a, b) = (piece(crossing.pieces.0), piece(crossing.pieces.1));
+    let (a, b) = crossing.pieces;
     out.push(
-        Diagnostic::new(
-            Code::W320,
-            a.1,
-            format!(
-                "the profile of the {} {} crosses itself near x = {x}, y = {y}",
-                shape.ty.title, shape.id
-            ),
-        )
-        .here(a.0)
-        .label(b.1, b.0)
-        .note(
-            "what the profile goes around twice is outside, by the even-odd rule: a hollow within",
-        )
-        .help("are two points of the profile in the wrong order?"),
+        Diagnostic::new(Code::W320, piece(a).1)
+            .with("type", Value::Term(shape.ty.title))
+            .with("id", shape.id.to_string())
+            .with("x", x)
+            .with("y", y)
+            .with("one", piece(a).0)
+            .with("one-from", (a + 1).to_string())
+            .with("one-to", (a + 2).to_string())
+            .with("two", piece(b).0)
+            .with("two-from", (b + 1).to_string())
+            .with("two-to", (b + 2).to_string())
+            .label(piece(b).1, "other"),
     );
 }
 

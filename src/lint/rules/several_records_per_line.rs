@@ -1,6 +1,6 @@
 //! S503: more than one record on a line.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::Context;
 use crate::syntax::Item;
 use crate::syntax::lexer::TokenKind;
@@ -31,25 +31,19 @@ fn report(context: &Context, line: &mut Vec<&Item>, out: &mut Vec<Diagnostic>) {
         .map(|item| context.document.item_span(item).start)
         .collect();
     out.push(
-        Diagnostic::new(
-            Code::S503,
-            context.document.item_span(first),
-            match line.len() {
-                1 => "a second record on the same line".to_owned(),
-                n => format!("{n} more records on the same line"),
-            },
-        )
-        .fix(Fix {
-            title: "one record a line".to_owned(),
-            applicability: Applicability::Safe,
-            edits: starts
-                .iter()
-                .map(|&at| Edit {
-                    span: Span::new(at, at),
-                    text: "\n".to_owned(),
-                })
-                .collect(),
-        }),
+        Diagnostic::new(Code::S503, context.document.item_span(first))
+            .with("count", Value::Count(line.len() as u64))
+            .fix(Fix {
+                title: "fix",
+                applicability: Applicability::Safe,
+                edits: starts
+                    .iter()
+                    .map(|&at| Edit {
+                        span: Span::new(at, at),
+                        text: "\n".to_owned(),
+                    })
+                    .collect(),
+            }),
     );
     line.clear();
 }

@@ -59,7 +59,7 @@ pub fn lengthen(p: &Params, geometry: &Geometry, tool: &[Side], workpiece: f64) 
         .collect();
     let edits = edits.filter(|e| !e.is_empty())?;
     Some(Fix {
-        title: "let it reach a hair further".to_owned(),
+        title: "fix",
         applicability: Applicability::Unsafe,
         edits,
     })

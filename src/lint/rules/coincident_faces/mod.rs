@@ -16,7 +16,7 @@ mod vector;
 
 use std::collections::BTreeMap;
 
-use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::{Context, live_nodes};
 use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
@@ -82,47 +82,40 @@ fn finding(
 ) -> Option<Diagnostic> {
     let scene = context.scene;
     let (tool, other, found) = pairs.first()?;
-    let of = |side: &Side| {
-        let shape = &scene.shapes[side.shape as usize];
-        let params = context.params(shape.span)?;
-        let (span, what) = place(&params, &shape.geometry, side.part);
-        Some((format!("the {} {}", shape.ty.title, shape.id), span, what))
-    };
-    let (name, span, what) = of(tool)?;
-    let (other_name, other_span, other_what) = of(other)?;
     let title = match scene.nodes[operation.node as usize] {
         Node::Difference(..) => "difference",
         _ => "intersection",
     };
-    let start = format!("in the {title} {}, {name}", operation.id);
     let size = found.sides.iter().fold(f64::INFINITY, |m, s| m.min(s.size));
     let [x, y, z] = found.witness.map(|x| near(x, size));
-    let (message, note) = match case {
-        Case::Flush => (
-            format!(
-                "{start} ends flush with {other_name}: they share a face around ({x}, {y}, {z})"
-            ),
-            "whether a skin of no thickness is left there is up to rounding",
-        ),
-        Case::Holes => (
-            format!(
-                "{start} cuts up to where {other_name} does: they share a face around ({x}, {y}, {z})"
-            ),
-            "whether a wall of no thickness is left between the two is up to rounding",
-        ),
-        Case::Touch => (
-            format!(
-                "{start} and {other_name} only touch: they share a face around ({x}, {y}, {z})"
-            ),
-            "what they have in common there is a sheet of no thickness; whether it is seen is up to \
-             rounding",
-        ),
+    let shape = |side: &Side| &scene.shapes[side.shape as usize];
+    let face = |side: &Side| {
+        let params = context.params(shape(side).span)?;
+        Some(place(&params, &shape(side).geometry, side.part))
     };
-    let mut d = Diagnostic::new(Code::W321, span, message)
-        .here(what)
-        .label(other_span, other_what)
-        .label(operation.span, format!("the {title}"))
-        .note(note);
+    let (span, face_of_tool, name) = face(tool)?;
+    let (other_span, face_of_other, other_name) = face(other)?;
+    let mut d = Diagnostic::new(Code::W321, span)
+        .case(match case {
+            Case::Flush => "",
+            Case::Holes => "holes",
+            Case::Touch => "touch",
+        })
+        .with("operation", Value::Term(title))
+        .with("id", operation.id.to_string())
+        .with("tool", Value::Term(shape(tool).ty.title))
+        .with("tool-id", shape(tool).id.to_string())
+        .with("tool-face", face_of_tool)
+        .with("tool-name", name)
+        .with("other", Value::Term(shape(other).ty.title))
+        .with("other-id", shape(other).id.to_string())
+        .with("other-face", face_of_other)
+        .with("other-name", other_name)
+        .with("x", x)
+        .with("y", y)
+        .with("z", z)
+        .label(other_span, "other")
+        .label(operation.span, "operation");
     if case != Case::Touch && parents.only_in(tool.node, operation.node) {
         let shape = &scene.shapes[tool.shape as usize];
         let sides: Vec<Side> = pairs.iter().map(|p| p.0).collect();
@@ -131,11 +124,7 @@ fn finding(
             d = d.fix(fix);
         }
     }
-    Some(match case {
-        Case::Flush => d.help("let the tool reach a little past the face that it cuts through"),
-        Case::Holes => d.help("let one of the two reach a little into the other"),
-        Case::Touch => d,
-    })
+    Some(d)
 }
 
 /// A coordinate of a place on something of a size: to a thousandth of that, so that the place named
@@ -162,23 +151,19 @@ fn near(x: f64, size: f64) -> String {
     }
 }
 
-/// Where a face is written, and what it is called there.
-fn place(p: &Params, geometry: &Geometry, part: Part) -> (Span, String) {
-    let name = |i: usize| p.param(i).map_or("", |q| q.name);
+/// Where a face is written, what it is, and the parameter that it is named by.
+fn place(p: &Params, geometry: &Geometry, part: Part) -> (Span, &'static str, &'static str) {
     match (geometry, part) {
         (_, Part::Side { axis, upper }) => {
             let i = if upper { axis + 3 } else { axis };
-            (p.span_of(i, 1), format!("the face at {}", name(i)))
+            (p.span_of(i, 1), "side", p.param(i).map_or("", |q| q.name))
         }
-        (Geometry::HalfSpace(_), _) => (p.span_of(0, 4), "its boundary".to_owned()),
-        (_, Part::Base { .. }) => (p.span_of(0, 1), "its base".to_owned()),
-        (_, Part::Mantle) => (p.span_of(0, 2), "its side".to_owned()),
-        (_, Part::Cap(i)) => (
-            p.span_of(1 + 2 * i, 2),
-            "the disc that closes this end".to_owned(),
-        ),
-        (_, Part::Piece(i)) => (p.span_of(1 + 2 * i, 4), "this piece".to_owned()),
-        (_, Part::All) => (p.span_of(0, p.len()), "its surface".to_owned()),
+        (Geometry::HalfSpace(_), _) => (p.span_of(0, 4), "boundary", ""),
+        (_, Part::Base { .. }) => (p.span_of(0, 1), "base", ""),
+        (_, Part::Mantle) => (p.span_of(0, 2), "mantle", ""),
+        (_, Part::Cap(i)) => (p.span_of(1 + 2 * i, 2), "disc", ""),
+        (_, Part::Piece(i)) => (p.span_of(1 + 2 * i, 4), "piece", ""),
+        (_, Part::All) => (p.span_of(0, p.len()), "all", ""),
     }
 }
 

@@ -1,0 +1,454 @@
+### Co říká zpg, česky.
+###
+### Zprávy jsou tytéž jako v en.ftl. Názvy z jazyka scén jsou v terms.cs.ftl; název na místě $type má
+### i další tvary, které jsou tam uvedeny: $type-gen (2. pád), $type-acc (4. pád).
+
+## Výčty a co stojí kolem nálezů
+
+list-or = { $first } nebo { $last }
+list-and = { $first } a { $last }
+list-clauses = { $first } a { $last }
+
+here = zde
+guess = (odhad)
+
+error = chyba
+warning = varování
+note = poznámka
+style = styl
+
+tally-clean = Vše je v pořádku!
+tally-errors = { $count ->
+    [one] { $count } chyba
+    [few] { $count } chyby
+   *[other] { $count } chyb
+}
+tally-warnings = { $count } varování
+tally-notes = { $count ->
+    [one] { $count } poznámka
+    [few] { $count } poznámky
+   *[other] { $count } poznámek
+}
+tally-style = { $count ->
+    [one] { $count } připomínka ke stylu
+    [few] { $count } připomínky ke stylu
+   *[other] { $count } připomínek ke stylu
+}
+tally-found = Nalezeno: { $findings } ({ $files ->
+    [one] { $files } soubor
+    [few] { $files } soubory
+   *[other] { $files } souborů
+}){ $fixes ->
+    [0] .
+   *[other] ; s návrhem opravy: { $fixes }.
+}
+
+## Společné věty
+
+fix-write = napsat { $number }
+defined-here = { $id } je definováno zde
+
+## Text
+
+E001 = { $text } tu nic neznamená
+    .label = zde mělo být číslo
+    .help = odstraňte to, nebo dejte do komentáře: `# … #`
+
+E002 = tento komentář není ukončen
+    .label = má se za to, že končí s řádkem
+    .help = ukončete komentář znakem `#`
+    .fix = ukončit komentář na konci řádku
+
+E003 = { $text } není číslo
+    .label = chybně zapsané číslo
+    .help = čísla vypadají takto: `3`, `-0.5`, `1.5e-3`
+    .fix = { fix-write }
+E003-decimal-comma = { $text } má desetinnou čárku
+    .label = čteno jako { $number }
+    .help = čísla se píší s desetinnou tečkou
+    .fix = { fix-write }
+
+E004 = { $text } je příliš velké
+    .label = tak velké číslo se do dvojité přesnosti nevejde
+    .help = největší je asi 1.8e308
+E004-count = tolik bodů, { $text }, se nevejde do žádného souboru
+    .label = N, počet bodů profilu
+E004-id = ID { $text } je příliš velké
+    .label = ID jsou nejvýše 2147483647
+
+E005 = { $text } nemůže být ID
+    .label = zde mělo být ID
+    .help = záznam začíná svým ID, celým číslem od 1 do 2147483647
+E005-negative = { E005 }
+    .label = ID jsou kladná
+    .help = { E005.help }
+E005-lost = { $type }: chybí ID
+    .label = toto je typ, { $number }; před něj patří ID
+    .help = { $type } se zapisuje { $header }
+
+E006 = za ID { $text } chybí typ
+    .label = za tímto ID měl být typ záznamu
+    .help = záznam má tvar `ID TYP parametry…`
+E006-word = { $text } není typ záznamu
+    .label = zde mělo být číslo typu
+    .help = číslo typu prozradí `zpg explain` s jeho anglickým názvem, například `zpg explain sphere`
+
+E007 = typ záznamu { $text } neexistuje
+    .label = neznámý typ
+E007-proposal = { E007 }
+    .label = { E007.label }
+    .help = tyto parametry odpovídají typu { $number }, { $type }
+    .fix = napsat `{ $number }` ({ $type })
+
+E008 = příliš málo čísel: { $type } má mít { $fewer ->
+    [none] {""}
+   *[other] { $fewer } nebo{" "}
+}{ $wanted ->
+    [one] { $wanted } číslo
+    [few] { $wanted } čísla
+   *[other] { $wanted } čísel
+}, zde je jich { $got }
+    .label = { $off ->
+        [one] { $off } číslo chybí
+        [few] { $off } čísla chybí
+       *[other] { $off } čísel chybí
+    }
+    .help = { $type-capital }: { $header }
+E008-row = { E008 }
+    .label = tento řádek jich má méně než ostatní
+    .help = { E008.help }
+    .begin = { $type } začíná zde
+E008-count = { $type }: chybí počet bodů
+    .label = za typem chybí N
+    .help = { E008.help }
+
+E009 = příliš mnoho čísel: { $type } má mít { $fewer ->
+    [none] {""}
+   *[other] { $fewer } nebo{" "}
+}{ $wanted ->
+    [one] { $wanted } číslo
+    [few] { $wanted } čísla
+   *[other] { $wanted } čísel
+}, zde je jich { $got }
+    .label = { $off ->
+        [one] { $off } číslo navíc
+        [few] { $off } čísla navíc
+       *[other] { $off } čísel navíc
+    }
+    .help = { $type-capital }: { $header }
+E009-row = { E009 }
+    .label = tento řádek jich má více než ostatní
+    .help = { E009.help }
+    .begin = { $type } začíná zde
+
+E010 = { $text } není celé číslo
+    .label = { $parameter } musí být celé číslo, psané bez tečky
+    .fix = { fix-write }
+
+E011 = { $text } není jméno souboru
+    .label = zde má být { $parameter }
+    .help = jméno souboru je jedno slovo, nebo stojí ve dvojitých uvozovkách
+
+E012 = slovo { $text } tu nic neznamená
+    .label = zde mělo být číslo
+    .help = komentáře stojí mezi dvěma `#`
+
+E013 = { $text } bodů je více, než lze zpracovat
+    .label = N, počet bodů; { $got ->
+        [one] následuje { $got } číslo
+        [few] následují { $got } čísla
+       *[other] následuje { $got } čísel
+    }
+
+W314 = { $type } si bere poslední čísla z řádku, který by byl sám celým záznamem
+    .label = vzato ze začátku tohoto řádku
+    .begin = záznam začíná zde
+    .note = sám o sobě by řádek zněl { $line }
+    .help = chybí-li výše číslo, doplňte je: { $header }
+
+N601 = soubor není platné UTF-8; čte se jako Windows-1250
+    .label = první bajt, který není UTF-8
+    .help = uložte soubor v UTF-8
+
+## ID
+
+lost-id-used-here = { $lost } se používá zde a není nikde definováno
+lost-id-may-be-this = možná je to záznam, který má definovat { $lost }
+put-lost-id-in-front = napsat před to `{ $lost }`
+
+E101 = { $id } není definováno
+    .label = toto ID v souboru nic nemá
+E101-no-id = { $number } není ID
+    .label = zde mělo být nějaké ID
+
+E102 = ID { $id } už je definováno
+    .label = { $type } by zde bylo definováno podruhé
+    .help = dejte mu jeho vlastní ID
+    .first = poprvé je definováno zde
+
+E103 = { $id } je { $kind }
+    .label = { $parameter } musí být { $kinds }
+E103-changed = { $id } je { $kind }; { $type } na to použít nelze
+    .label = zde má být { $kinds }
+
+E104 = { $id } je použito ve své vlastní definici
+    .label = { $parameter } musí být něco jiného
+
+E105 = zobrazovací záznam musí mít ID 1
+    .label = toto ID
+    .fix = napsat `1`
+E105-other = ID 1 je vyhrazeno zobrazovacímu záznamu; { $type } je mít nemůže
+    .label = toto ID
+    .help = použijte jiné ID
+
+E106 = chybí zobrazovací záznam
+    .label = nic neříká, co se má zobrazit
+    .help = přidejte `1 9999 OBJEKT POZADÍ` s ID objektu a s ID barvy (nebo 0)
+
+E107 = { $id } se používá dříve, než je definováno
+    .label = ještě není definováno
+    .help = přesuňte definici výš: scéna se čte shora dolů
+    .later = definováno zde
+
+E108 = { $id } je ohlášeno, ale ještě není definováno
+    .label = { $parameter } musí být před použitím definováno
+E108-changed = { E108 }
+    .label = { $type } potřebuje něco, co by šlo změnit
+
+## Hodnoty
+
+E201 = { $type }: { $parameter } musí být větší než nula
+    .label = `{ $name }` je { $text }
+
+E202 = { $type }: { $lower } je větší než { $upper }{ $others ->
+    [0] {""}
+   *[other] , a ještě { $others }×
+}
+    .label = dolní mez
+    .other = horní mez
+    .fix = prohodit je
+
+E203 = { $type }: { $vector } je nulový vektor
+    .label = nemá žádný směr
+
+E204 = { $type } je singulární: nemá inverzi
+    .label = zobrazuje prostor na něco plochého
+E204-row = poslední řádek matice otočení musí být 0 0 0 1
+    .label = tento řádek
+E204-scale = { $type }: { $parameter } nesmí být nula
+    .label = `{ $name }` je { $text }
+E204-product = { $type }: transformace objektu { $id } pak nemají inverzi
+    .label = čísla jsou příliš velká nebo příliš malá pro dvojitou přesnost
+
+E205 = { $type }: { $parameter } musí být 1 pro x, 2 pro y, nebo 3 pro z
+    .label = `{ $name }` je { $text }
+
+E206 = { $type }: { $parameter } musí být mezi { $low } a { $high }
+    .label = `{ $name }` je { $text }
+E206-between = { $type }: { $parameter } musí být mezi { $low } a { $high } (kromě krajních hodnot)
+    .label = `{ $name }` je { $text }
+E206-least = { $type }: { $parameter } musí být aspoň { $low }
+    .label = `{ $name }` je { $text }
+E206-count = { $type } nemůže mít { $value } bodů
+    .label = N, počet bodů profilu, musí být aspoň 2
+
+E207 = směr pohledu kamery a vektor vzhůru jsou rovnoběžné
+    .label = mají určovat svislou rovinu obrazu
+
+E208 = { $type }: { $parameter } nesmí být záporná
+    .label = `{ $name }` je { $text }
+
+E209 = obrázek musí ležet ve složce scény
+    .label = tato cesta vede jinam
+    .help = zkopírujte obrázek ke scéně a uveďte jej bez složky
+E209-link = { E209 }
+    .label = toto je odkaz, který vede jinam
+
+E210 = obrázek nelze přečíst
+    .label = { $why }
+    .help = soubor se hledá ve složce scény
+E210-format = { E210 }
+    .label = není to obrázek PNG ani JPEG
+    .help = { E210.help }
+
+## Varování
+
+sum-in-red = kd + ks + kt = { $red } v červené
+sum-in-green = kd + ks + kt = { $green } v zelené
+sum-in-blue = kd + ks + kt = { $blue } v modré
+
+W302 = tento povrch vydává více světla, než dostává: kd + ks + kt = { $sum }
+    .label = více než 1
+    .help = tyto tři části se dělí o dopadající světlo; jejich součet má být nejvýše 1
+W302-red = { W302 } v červené
+    .label = { W302.label }
+    .help = { W302.help }
+W302-green = { W302 } v zelené
+    .label = { W302.label }
+    .help = { W302.help }
+W302-blue = { W302 } v modré
+    .label = { W302.label }
+    .help = { W302.help }
+
+W303 = tato matice není otočení: { $deeds }
+    .label = použije se tak, jak je
+    .help = k záměrnému zvětšení nebo zrcadlení použijte typ -3
+    .fix = napsat nejbližší otočení
+    .mirrors = zrcadlí
+    .scales = její sloupce mají délky { $x }, { $y } a { $z }, ne 1
+    .skews = její sloupce nejsou na sebe kolmé
+    .rounded = její čísla se liší o více než 1e-6
+
+W304 = matice kvadriky { $id } není symetrická: { $first } je { $first-number }, ale { $mirror } je { $mirror-number }{ $more ->
+    [0] {""}
+    [one] {" "}a liší se ještě { $more } dvojice
+    [few] {" "}a liší se ještě { $more } dvojice
+   *[other] {" "}a liší se ještě { $more } dvojic
+}
+    .label = { $first }
+    .other = { $mirror }
+    .note = záleží jen na součtu obou: kvadrika se kreslí, jako by obě čísla byla jejich průměr
+    .fix = { $pairs ->
+        [one] napsat na obě místa jejich průměr
+        [few] napsat průměr ve všech { $pairs } dvojicích
+       *[other] napsat průměr ve všech { $pairs } dvojicích
+    }
+
+no-inside = nemá vnitřek: nic z toho se nezobrazí a nic to neodřízne
+nothing-drawn = nic z toho se nezobrazí
+
+W305 = { $type } { $id } má nulový objem
+    .note = { no-inside }
+W305-box = { $type } { $id } má nulový objem: { $pairs }
+    .label = { $lower }
+    .other = { $upper }
+    .note = { no-inside }
+W305-rectangle = { $type } { $id } má nulovou plochu: { $pairs }
+    .label = { $lower }
+    .other = { $upper }
+    .note = { nothing-drawn }
+W305-triangle = { $type } { $id } má nulovou plochu: jeho tři vrcholy leží na přímce
+    .label = vrcholy
+    .note = { nothing-drawn }
+W305-cone = { $type } { $id } má nulový objem: jeho výška je 0
+    .label = h
+    .note = { no-inside }
+W305-point = { $type } { $id } má nulový objem: vyhovuje jí jediný bod
+    .label = xᵀQx není nikde menší než 0
+    .note = { no-inside }
+W305-line = { $type } { $id } má nulový objem: vyhovují jí jen body přímky
+    .label = { W305-point.label }
+    .note = { no-inside }
+W305-plane = { $type } { $id } má nulový objem: vyhovují jí jen body roviny
+    .label = { W305-point.label }
+    .note = { no-inside }
+W305-axis = { $type } { $id } má nulový objem: všechny body jejího profilu leží na ose
+    .label = profil
+    .note = { no-inside }
+W305-profile = { $type } { $id } má nulový objem: její profil neohraničuje žádnou plochu
+    .label = profil
+    .note = { no-inside }
+
+W306 = kvadrice { $id } nevyhovuje žádný bod
+    .label = tato matice
+    .note = xᵀQx je všude větší než 0: objekt je prázdný, nic z něj se nezobrazí, a odečtením od jiného se nic nezmění
+W306-ball = { W306 }
+    .label = { W306.label }
+    .note = { W306.note }
+    .help = koule s poloměrem r má na místech m11 až m33 čísla 1 a m44 je -r²
+    .fix = obrátit znaménko m44
+W306-full = kvadrice { $id } vyhovuje každý bod
+    .label = { W306.label }
+    .note = xᵀQx je všude menší než 0: objekt vyplňuje celý prostor, nemá povrch, který by šlo zobrazit, a z čeho se odečte, z toho nic nezbude
+W306-zero = kvadrice { $id } vyhovuje každý bod
+    .label = { W306.label }
+    .note = xᵀQx je všude 0: objekt vyplňuje celý prostor a nemá povrch, který by šlo zobrazit
+
+W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
+    .label = { $one ->
+        [start] kruh, který uzavírá první bod
+        [end] kruh, který uzavírá poslední bod
+       *[piece] úsek z bodu { $one-from } do bodu { $one-to }
+    }
+    .other = { $two ->
+        [start] kruh, který uzavírá první bod
+        [end] kruh, který uzavírá poslední bod
+       *[piece] úsek z bodu { $two-from } do bodu { $two-to }
+    }
+    .note = co profil obíhá dvakrát, je podle pravidla sudá–lichá venku: uvnitř je dutina
+    .help = nejsou dva body profilu v opačném pořadí?
+W320-torus = torus { $id } prochází sám sebou: trubka (r = { $tube }) je širší než prstenec (R = { $ring })
+    .label = r, poloměr trubky
+    .ring = R, od osy do středu trubky
+    .note = kde se trubka překrývá sama se sebou, v čočce kolem osy, je venku: uvnitř je dutina
+    .fix = prohodit R a r
+
+W321 = { $operation } { $id }: { $tool } { $tool-id } končí přesně na povrchu, který má { $other } { $other-id }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+    .label = { $tool-face ->
+        [side] stěna { $tool-name }
+        [boundary] hraniční rovina
+        [base] podstava
+        [mantle] plášť
+        [disc] kruh, který uzavírá tento konec
+        [piece] tento úsek
+       *[all] povrch
+    }
+    .other = { $other-face ->
+        [side] stěna { $other-name }
+        [boundary] hraniční rovina
+        [base] podstava
+        [mantle] plášť
+        [disc] kruh, který uzavírá tento konec
+        [piece] tento úsek
+       *[all] povrch
+    }
+    .operation = { $operation }
+    .note = zda tam zbude blána bez tloušťky, záleží na zaokrouhlení
+    .help = nechte nástroj sahat o kousek za stěnu, kterou prořezává
+    .fix = nechat jej sahat o vlásek dál
+W321-holes = { $operation } { $id }: { $tool } { $tool-id } řeže až tam, kam { $other } { $other-id }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+    .label = { W321.label }
+    .other = { W321.other }
+    .operation = { W321.operation }
+    .note = zda mezi nimi zbude stěna bez tloušťky, záleží na zaokrouhlení
+    .help = nechte jeden z nich zasahovat o kousek do druhého
+    .fix = { W321.fix }
+W321-touch = { $operation } { $id }: { $tool } { $tool-id } a { $other } { $other-id } se jen dotýkají: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+    .label = { W321.label }
+    .other = { W321.other }
+    .operation = { W321.operation }
+    .note = co tam mají společného, je list bez tloušťky; zda je vidět, záleží na zaokrouhlení
+
+W322 = { $type } { $id } má příliš rozdílné rozměry: { $large } je { $large-size }, { $small } jen { $small-size }
+    .label = délky, které se liší více než 1e8krát
+    .note = na obojí šestnáct číslic nestačí: průsečíky na malých částech jsou vedle o velkou část jejich rozměru a hrany vyjdou roztřepené
+    .help = přibližte rozměry k sobě, nebo přesuňte objekt blíže k počátku
+W322-moved = { $type } { $id } má po přesunutí a natažení příliš rozdílné rozměry: { $large } je { $large-size }, { $small } jen { $small-size }
+    .label = { W322.label }
+    .note = { W322.note }
+    .help = { W322.help }
+
+## Poznámky a styl
+
+N602 = chybí kamera; pohled na scénu se zvolí sám
+    .help = kamera se zapisuje `ID -501 x y z dx dy dz ux uy uz fovy`
+
+N603 = chybí světlo; od kamery svítí světlo s intenzitou 1
+    .help = bodové světlo se zapisuje `ID -402 intenzita` a přesouvá se pomocí `ID -1 x y z`
+
+S501 = `{ $text }` patří do popisu v tabulce; ve scéně se nepíše
+    .label = čteno jako mezera
+    .fix = { $count ->
+        [one] odstranit
+       *[other] odstranit všechny na tomto řádku ({ $count })
+    }
+
+S502 = samostatný komentář se uvádí záznamem `0`
+    .fix = napsat před něj `0`
+
+S503 = { $count ->
+    [one] další záznam na tomtéž řádku
+    [few] { $count } další záznamy na tomtéž řádku
+   *[other] { $count } dalších záznamů na tomtéž řádku
+}
+    .fix = jeden záznam na řádek

@@ -1,0 +1,448 @@
+### What zpg says, in English.
+###
+### A message is named by a code, and by the case where a code has several. Its attributes: `.label`
+### is written at the place itself, `.note` and `.help` below it, `.fix` is the title of a fix; others
+### are named by the rule. A name of the language in the place $type has further forms: $type-a, with
+### its article, and $type-capital.
+
+## Lists and what stands around findings
+
+list-or = { $first } or { $last }
+list-and = { $first } and { $last }
+list-clauses = { $first }, and { $last }
+
+here = here
+guess = (a guess)
+
+error = error
+warning = warning
+note = note
+style = style
+
+tally-clean = All checks passed!
+tally-errors = { $count ->
+    [one] { $count } error
+   *[other] { $count } errors
+}
+tally-warnings = { $count ->
+    [one] { $count } warning
+   *[other] { $count } warnings
+}
+tally-notes = { $count ->
+    [one] { $count } note
+   *[other] { $count } notes
+}
+tally-style = { $count ->
+    [one] { $count } style remark
+   *[other] { $count } style remarks
+}
+tally-found = Found { $findings } in { $files ->
+    [one] { $files } file
+   *[other] { $files } files
+}{ $fixes ->
+    [0] .
+    [one] ; { $fixes } has a proposed fix.
+   *[other] ; { $fixes } have a proposed fix.
+}
+
+## Shared phrases
+
+fix-write = write { $number }
+defined-here = { $id } is defined here
+
+## The text
+
+E001 = { $text } means nothing here
+    .label = a number was expected
+    .help = remove it, or put it into a comment: `# … #`
+
+E002 = this comment is never closed
+    .label = it is taken to end with its line
+    .help = close the comment with `#`
+    .fix = close the comment at the end of the line
+
+E003 = { $text } is not a number
+    .label = malformed number
+    .help = numbers look like `3`, `-0.5` or `1.5e-3`
+    .fix = { fix-write }
+E003-decimal-comma = { $text } has a decimal comma
+    .label = read as { $number }
+    .help = numbers are written with a decimal point
+    .fix = { fix-write }
+
+E004 = { $text } is too large
+    .label = no double-precision number is that large
+    .help = the largest is about 1.8e308
+E004-count = { $text } points are more than any file can hold
+    .label = N, the number of profile points
+E004-id = the ID { $text } is too large
+    .label = IDs go up to 2147483647
+
+E005 = { $text } cannot be an ID
+    .label = an ID was expected here
+    .help = a record begins with its ID, a whole number from 1 to 2147483647
+E005-negative = { E005 }
+    .label = IDs are positive
+    .help = { E005.help }
+E005-lost = this { $type } has no ID
+    .label = this is the type, { $number }; an ID belongs in front of it
+    .help = { $type-a } is written { $header }
+
+E006 = there is no type behind the ID { $text }
+    .label = a record type was expected behind this ID
+    .help = a record is `ID TYPE parameters…`
+E006-word = { $text } is no record type
+    .label = a type number was expected
+    .help = `zpg explain` with a name, such as `zpg explain sphere`, tells the number of a type
+
+E007 = there is no record type { $text }
+    .label = unknown type
+E007-proposal = { E007 }
+    .label = { E007.label }
+    .help = these parameters fit type { $number }, { $type-a }
+    .fix = write `{ $number }` ({ $type })
+
+E008 = too few numbers: { $type-a } takes { $fewer ->
+    [none] {""}
+   *[other] { $fewer } or{" "}
+}{ $wanted ->
+    [one] { $wanted } number
+   *[other] { $wanted } numbers
+}, here are { $got }
+    .label = { $off ->
+        [one] { $off } number missing
+       *[other] { $off } numbers missing
+    }
+    .help = { $type-capital }: { $header }
+E008-row = { E008 }
+    .label = this line has fewer than the others
+    .help = { E008.help }
+    .begin = the { $type } begins here
+E008-count = this { $type } has no number of points
+    .label = N is missing behind the type
+    .help = { E008.help }
+
+E009 = too many numbers: { $type-a } takes { $fewer ->
+    [none] {""}
+   *[other] { $fewer } or{" "}
+}{ $wanted ->
+    [one] { $wanted } number
+   *[other] { $wanted } numbers
+}, here are { $got }
+    .label = { $off ->
+        [one] { $off } number too many
+       *[other] { $off } numbers too many
+    }
+    .help = { $type-capital }: { $header }
+E009-row = { E009 }
+    .label = this line has more than the others
+    .help = { E009.help }
+    .begin = the { $type } begins here
+
+E010 = { $text } is not an integer
+    .label = { $parameter } must be a whole number, written without a point
+    .fix = { fix-write }
+
+E011 = { $text } is no file name
+    .label = { $parameter } was expected
+    .help = a file name is one word, or stands in double quotes
+
+E012 = the word { $text } means nothing here
+    .label = a number was expected
+    .help = comments stand between two `#`
+
+E013 = { $text } points are more than can be handled
+    .label = N, the number of points; { $got ->
+        [one] { $got } number follows
+       *[other] { $got } numbers follow
+    }
+
+W314 = this { $type } takes its last numbers from a line that would be a record of its own
+    .label = taken from the head of this line
+    .begin = the record begins here
+    .note = by itself the line would read { $line }
+    .help = if a number is missing above, add it: { $header }
+
+N601 = the file is not valid UTF-8; it is read as Windows-1250
+    .label = the first byte that is not UTF-8
+    .help = save the file as UTF-8
+
+## IDs
+
+lost-id-used-here = { $lost } is used here and defined nowhere
+lost-id-may-be-this = it may be the record that should define { $lost }
+put-lost-id-in-front = put `{ $lost }` in front
+
+E101 = { $id } is not defined
+    .label = nothing in this file has this ID
+E101-no-id = { $number } is no ID
+    .label = the ID of something was expected
+
+E102 = the ID { $id } is defined already
+    .label = this { $type } would be a second definition
+    .help = give it an ID of its own
+    .first = defined here first
+
+E103 = { $id } is { $kind-a }
+    .label = { $parameter } must be { $kinds }
+E103-changed = { $id } is { $kind-a }; { $type-a } does not apply to it
+    .label = { $kinds } was expected
+
+E104 = { $id } is used in its own definition
+    .label = { $parameter } must be something else
+
+E105 = the render record must have the ID 1
+    .label = this ID
+    .fix = write `1`
+E105-other = the ID 1 is reserved for the render record, not for { $type-a }
+    .label = this ID
+    .help = use another ID
+
+E106 = there is no render record
+    .label = nothing says what is to be drawn
+    .help = add `1 9999 OBJECT BACKGROUND` with the ID of an object and of a colour (or 0)
+
+E107 = { $id } is used before it is defined
+    .label = not defined yet
+    .help = move the definition up: a scene is read from top to bottom
+    .later = defined here
+
+E108 = { $id } is declared, but not defined yet
+    .label = { $parameter } must be defined before it is used
+E108-changed = { E108 }
+    .label = { $type-a } needs something to change
+
+## Values
+
+E201 = { $parameter } of the { $type } must be positive
+    .label = `{ $name }` is { $text }
+
+E202 = { $lower } of the { $type } is greater than { $upper }{ $others ->
+    [0] {""}
+   *[other] , and { $others } more
+}
+    .label = the lower bound
+    .other = the upper bound
+    .fix = swap them
+
+E203 = the { $vector } of the { $type } is the zero vector
+    .label = it has no direction
+
+E204 = this { $type } is singular: it has no inverse
+    .label = it maps space onto something flat
+E204-row = the last row of a rotation matrix must be 0 0 0 1
+    .label = this row
+E204-scale = { $parameter } of the { $type } cannot be zero
+    .label = `{ $name }` is { $text }
+E204-product = with this { $type }, the transformations of { $id } have no inverse
+    .label = numbers became too large or too small for double precision
+
+E205 = { $parameter } of the { $type } must be 1 for x, 2 for y or 3 for z
+    .label = `{ $name }` is { $text }
+
+E206 = { $parameter } of the { $type } must lie between { $low } and { $high }
+    .label = `{ $name }` is { $text }
+E206-between = { $parameter } of the { $type } must lie between { $low } and { $high }, ends excluded
+    .label = `{ $name }` is { $text }
+E206-least = { $parameter } of the { $type } must be at least { $low }
+    .label = `{ $name }` is { $text }
+E206-count = { $type-a } cannot have { $value } points
+    .label = N, the number of profile points, must be at least 2
+
+E207 = the camera's view direction and up vector are parallel
+    .label = they must span the vertical plane of the picture
+
+E208 = { $parameter } of the { $type } cannot be negative
+    .label = `{ $name }` is { $text }
+
+E209 = the image must lie in the scene's own folder
+    .label = this path leaves it
+    .help = copy the image beside the scene and name it without a folder
+E209-link = { E209 }
+    .label = this is a link that leaves it
+
+E210 = the image cannot be read
+    .label = { $why }
+    .help = the file is looked for in the scene's folder
+E210-format = { E210 }
+    .label = it is neither a PNG nor a JPEG picture
+    .help = { E210.help }
+
+## Warnings
+
+sum-in-red = kd + ks + kt = { $red } in red
+sum-in-green = kd + ks + kt = { $green } in green
+sum-in-blue = kd + ks + kt = { $blue } in blue
+
+W302 = this surface gives off more light than it gets: kd + ks + kt = { $sum }
+    .label = more than 1
+    .help = the three parts share the light that arrives; their sum should be at most 1
+W302-red = { W302 } in red
+    .label = { W302.label }
+    .help = { W302.help }
+W302-green = { W302 } in green
+    .label = { W302.label }
+    .help = { W302.help }
+W302-blue = { W302 } in blue
+    .label = { W302.label }
+    .help = { W302.help }
+
+W303 = this matrix is not a rotation: { $deeds }
+    .label = applied as it is given
+    .help = for a scaling or a mirror image on purpose, use type -3
+    .fix = write the nearest rotation
+    .mirrors = it mirrors
+    .scales = its columns have the lengths { $x }, { $y } and { $z }, not 1
+    .skews = its columns are not at right angles
+    .rounded = its entries are off by more than 1e-6
+
+W304 = the matrix of the quadric { $id } is not symmetric: { $first } is { $first-number } but { $mirror } is { $mirror-number }{ $more ->
+    [0] {""}
+    [one] , and { $more } more pair differs
+   *[other] , and { $more } more pairs differ
+}
+    .label = { $first }
+    .other = { $mirror }
+    .note = only the sum of the two counts: the quadric is drawn as if both were their mean
+    .fix = { $pairs ->
+        [one] write their mean in both places
+       *[other] write the mean of both in all { $pairs } pairs
+    }
+
+no-inside = it has no inside: nothing of it is drawn, and nothing is cut by it
+nothing-drawn = nothing of it is drawn
+
+W305 = the { $type } { $id } has no volume
+    .note = { no-inside }
+W305-box = the { $type } { $id } has no volume: { $pairs }
+    .label = { $lower }
+    .other = { $upper }
+    .note = { no-inside }
+W305-rectangle = the { $type } { $id } has no area: { $pairs }
+    .label = { $lower }
+    .other = { $upper }
+    .note = { nothing-drawn }
+W305-triangle = the { $type } { $id } has no area: its three corners lie on one line
+    .label = the corners
+    .note = { nothing-drawn }
+W305-cone = the { $type } { $id } has no volume: its height is 0
+    .label = h
+    .note = { no-inside }
+W305-point = the { $type } { $id } has no volume: a single point satisfies it
+    .label = xᵀQx is nowhere less than 0
+    .note = { no-inside }
+W305-line = the { $type } { $id } has no volume: only the points of a line satisfy it
+    .label = { W305-point.label }
+    .note = { no-inside }
+W305-plane = the { $type } { $id } has no volume: only the points of a plane satisfy it
+    .label = { W305-point.label }
+    .note = { no-inside }
+W305-axis = the { $type } { $id } has no volume: all points of its profile lie on the axis
+    .label = the profile
+    .note = { no-inside }
+W305-profile = the { $type } { $id } has no volume: its profile surrounds no area
+    .label = the profile
+    .note = { no-inside }
+
+W306 = no point satisfies the quadric { $id }
+    .label = this matrix
+    .note = xᵀQx is greater than 0 everywhere: the object is empty, nothing of it is drawn, and taking it away from another one changes nothing
+W306-ball = { W306 }
+    .label = { W306.label }
+    .note = { W306.note }
+    .help = for a ball of radius r, m11 to m33 are 1 and m44 is -r²
+    .fix = turn the sign of m44
+W306-full = every point satisfies the quadric { $id }
+    .label = { W306.label }
+    .note = xᵀQx is less than 0 everywhere: the object fills all of space, has no surface that could be drawn, and leaves nothing of what it is taken away from
+W306-zero = every point satisfies the quadric { $id }
+    .label = { W306.label }
+    .note = xᵀQx is 0 everywhere: the object fills all of space and has no surface that could be drawn
+
+W320 = the profile of the { $type } { $id } crosses itself near x = { $x }, y = { $y }
+    .label = { $one ->
+        [start] the disc that closes the first point
+        [end] the disc that closes the last point
+       *[piece] the piece from point { $one-from } to { $one-to }
+    }
+    .other = { $two ->
+        [start] the disc that closes the first point
+        [end] the disc that closes the last point
+       *[piece] the piece from point { $two-from } to { $two-to }
+    }
+    .note = what the profile goes around twice is outside, by the even-odd rule: a hollow within
+    .help = are two points of the profile in the wrong order?
+W320-torus = the torus { $id } runs through itself: its tube (r = { $tube }) is wider than its ring (R = { $ring })
+    .label = r, the radius of the tube
+    .ring = R, from the axis to the middle of the tube
+    .note = where the tube overlaps itself, a lemon around the axis, is outside: a hollow within
+    .fix = swap R and r
+
+W321 = in the { $operation } { $id }, the { $tool } { $tool-id } ends flush with the { $other } { $other-id }: they share a face around ({ $x }, { $y }, { $z })
+    .label = { $tool-face ->
+        [side] the face at { $tool-name }
+        [boundary] its boundary
+        [base] its base
+        [mantle] its side
+        [disc] the disc that closes this end
+        [piece] this piece
+       *[all] its surface
+    }
+    .other = { $other-face ->
+        [side] the face at { $other-name }
+        [boundary] its boundary
+        [base] its base
+        [mantle] its side
+        [disc] the disc that closes this end
+        [piece] this piece
+       *[all] its surface
+    }
+    .operation = the { $operation }
+    .note = whether a skin of no thickness is left there is up to rounding
+    .help = let the tool reach a little past the face that it cuts through
+    .fix = let it reach a hair further
+W321-holes = in the { $operation } { $id }, the { $tool } { $tool-id } cuts up to where the { $other } { $other-id } does: they share a face around ({ $x }, { $y }, { $z })
+    .label = { W321.label }
+    .other = { W321.other }
+    .operation = { W321.operation }
+    .note = whether a wall of no thickness is left between the two is up to rounding
+    .help = let one of the two reach a little into the other
+    .fix = { W321.fix }
+W321-touch = in the { $operation } { $id }, the { $tool } { $tool-id } and the { $other } { $other-id } only touch: they share a face around ({ $x }, { $y }, { $z })
+    .label = { W321.label }
+    .other = { W321.other }
+    .operation = { W321.operation }
+    .note = what they have in common there is a sheet of no thickness; whether it is seen is up to rounding
+
+W322 = the { $type } { $id } is ill-scaled: { $large } is { $large-size }, { $small } only { $small-size }
+    .label = lengths that differ by more than 1e8
+    .note = sixteen digits are too few for both: hits on the small parts are off by a good part of their size, and edges come out ragged
+    .help = bring the sizes nearer together, or move the object nearer to the origin
+W322-moved = the { $type } { $id }, as it is moved and stretched, is ill-scaled: { $large } is { $large-size }, { $small } only { $small-size }
+    .label = { W322.label }
+    .note = { W322.note }
+    .help = { W322.help }
+
+## Notes and style
+
+N602 = there is no camera; the scene is framed automatically
+    .help = a camera is written `ID -501 x y z dx dy dz ux uy uz fovy`
+
+N603 = there is no light; a headlight of intensity 1 shines at the camera
+    .help = a point light is written `ID -402 intensity` and moved with `ID -1 x y z`
+
+S501 = `{ $text }` is notation; a scene needs none
+    .label = read as white space
+    .fix = { $count ->
+        [one] remove it
+       *[other] remove all { $count } on this line
+    }
+
+S502 = a comment of its own is introduced by `0`
+    .fix = put `0` in front
+
+S503 = { $count ->
+    [one] a second record on the same line
+   *[other] { $count } more records on the same line
+}
+    .fix = one record a line

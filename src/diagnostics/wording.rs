@@ -1,0 +1,296 @@
+//! What findings say, in words.
+//!
+//! The words stand in catalogues, a file a language, in the form of [Project
+//! Fluent](https://projectfluent.org): `messages/en.ftl` and `messages/cs.ftl`. A message is named
+//! by a code and, where a code has several, the case; its attributes are the label at the primary
+//! place, a note, help, and whatever else a rule names. Such a name is a *phrase*: an attribute of
+//! the finding's own message, or a message of its own that several share.
+//!
+//! What fills the places of a message is a [`Value`]. Names of things of the language (types of
+//! records, parameters, kinds) are *terms*: a catalogue translates them as `term-…` and may give
+//! other forms as attributes. A term in the place `$shape` also fills `$shape-FORM` for each of these,
+//! in English `$shape-a`, the name with its article.
+
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+
+use fluent_syntax::ast::Pattern;
+
+use super::Diagnostic;
+
+/// A language that messages are given in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Language {
+    #[default]
+    English,
+    Czech,
+}
+
+/// What stands in a place of a message.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Value {
+    /// As it is: text of the user's, numbers as they are spelled.
+    Text(String),
+    /// How many; the words around it follow.
+    Count(u64),
+    /// A name of the language, in English.
+    Term(&'static str),
+    /// One of several names: "an object or a camera".
+    OneOf(Vec<&'static str>),
+    /// Phrases one after the other: "it mirrors, and its columns are not at right angles".
+    Phrases(Vec<&'static str>),
+}
+
+impl From<String> for Value {
+    fn from(text: String) -> Value {
+        Value::Text(text)
+    }
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Value {
+        Value::Text(text.to_owned())
+    }
+}
+
+/// Everything a finding says.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Wording {
+    pub message: String,
+    /// What to write at the primary place; "here" when the message says it all.
+    pub label: String,
+    /// One for each label.
+    pub labels: Vec<String>,
+    pub notes: Vec<String>,
+    pub help: Option<String>,
+    /// The title of each fix.
+    pub fixes: Vec<String>,
+}
+
+impl Diagnostic {
+    /// The finding in words.
+    pub fn wording(&self, language: Language) -> Wording {
+        let speaker = Speaker {
+            catalogue: language.catalogue(),
+            own: match self.case {
+                "" => Cow::Borrowed(self.code.as_str()),
+                case => Cow::Owned(format!("{}-{case}", self.code.as_str())),
+            },
+            arguments: FluentArgs::new(),
+        }
+        .filled(language, &self.values);
+        let own = |name: &str| speaker.attribute(name);
+        Wording {
+            message: speaker.message(&speaker.own),
+            label: own("label").unwrap_or_else(|| speaker.message("here")),
+            labels: (self.labels.iter())
+                .map(|l| speaker.phrase(l.phrase))
+                .collect(),
+            notes: (own("note").into_iter())
+                .chain(self.notes.iter().map(|n| speaker.phrase(n)))
+                .collect(),
+            help: own("help"),
+            fixes: self.fixes.iter().map(|f| speaker.phrase(f.title)).collect(),
+        }
+    }
+}
+
+impl Language {
+    /// A message that is not a finding's.
+    pub fn say(self, message: &'static str, values: &[(&'static str, Value)]) -> String {
+        let speaker = Speaker {
+            catalogue: self.catalogue(),
+            own: Cow::Borrowed(message),
+            arguments: FluentArgs::new(),
+        }
+        .filled(self, values);
+        speaker.message(message)
+    }
+
+    fn catalogue(self) -> &'static Catalogue {
+        static ALL: [OnceLock<Catalogue>; 2] = [const { OnceLock::new() }; 2];
+        ALL[self as usize].get_or_init(|| {
+            let (tag, texts) = self.sources();
+            let mut bundle = FluentBundle::new_concurrent(tag.parse().into_iter().collect());
+            // No marks around what fills a place: everything is read from left to right.
+            bundle.set_use_isolating(false);
+            for text in texts {
+                // What is wrong in a catalogue is left out; tests look for that.
+                let resource = FluentResource::try_new((*text).to_owned()).unwrap_or_else(|e| e.0);
+                let _ = bundle.add_resource(resource);
+            }
+            bundle
+        })
+    }
+
+    /// The language's tag and its files.
+    fn sources(self) -> (&'static str, &'static [&'static str]) {
+        match self {
+            Language::English => ("en", &[include_str!("messages/en.ftl")]),
+            Language::Czech => (
+                "cs",
+                &[
+                    include_str!("messages/cs.ftl"),
+                    include_str!("messages/terms.cs.ftl"),
+                ],
+            ),
+        }
+    }
+}
+
+type Catalogue = FluentBundle<FluentResource>;
+
+/// A language, a message of its catalogue and what fills its places.
+struct Speaker<'a> {
+    catalogue: &'static Catalogue,
+    own: Cow<'static, str>,
+    arguments: FluentArgs<'a>,
+}
+
+impl<'a> Speaker<'a> {
+    fn filled(mut self, language: Language, values: &'a [(&'static str, Value)]) -> Self {
+        for (place, value) in values {
+            let value = match value {
+                Value::Text(text) => FluentValue::from(text.as_str()),
+                Value::Count(n) => FluentValue::from(*n),
+                Value::Term(name) => {
+                    for (form, text) in forms(language, name) {
+                        self.arguments.set(format!("{place}-{form}"), text);
+                    }
+                    term(language, name).into()
+                }
+                Value::OneOf(names) => one_of(language, names).into(),
+                // Phrases may have places themselves: these are filled when all values are known.
+                Value::Phrases(_) => continue,
+            };
+            self.arguments.set(*place, value);
+        }
+        for (place, value) in values {
+            if let Value::Phrases(names) = value {
+                let phrases: Vec<String> = names.iter().map(|n| self.phrase(n)).collect();
+                let all = phrases.into_iter().reduce(|first, last| {
+                    language.say(
+                        "list-clauses",
+                        &[("first", first.into()), ("last", last.into())],
+                    )
+                });
+                self.arguments.set(*place, all.unwrap_or_default());
+            }
+        }
+        self
+    }
+
+    /// An attribute of the finding's own message, or a message that several share.
+    fn phrase(&self, name: &str) -> String {
+        self.attribute(name).unwrap_or_else(|| self.message(name))
+    }
+
+    fn attribute(&self, name: &str) -> Option<String> {
+        let message = self.catalogue.get_message(&self.own)?;
+        let pattern = message.get_attribute(name)?.value();
+        Some(self.format(pattern))
+    }
+
+    /// A message that is missing is given by its name; tests see to it that none is.
+    fn message(&self, id: &str) -> String {
+        let pattern = self.catalogue.get_message(id).and_then(|m| m.value());
+        debug_assert!(pattern.is_some(), "there is no message {id}");
+        pattern.map_or_else(|| id.to_owned(), |p| self.format(p))
+    }
+
+    fn format(&self, pattern: &Pattern<&str>) -> String {
+        let mut errors = Vec::new();
+        let text = self
+            .catalogue
+            .format_pattern(pattern, Some(&self.arguments), &mut errors);
+        debug_assert!(errors.is_empty(), "{}: {errors:?}", self.own);
+        text.into_owned()
+    }
+}
+
+/// A name of the language in another language.
+fn term(language: Language, name: &'static str) -> String {
+    let message = match language {
+        Language::English => None,
+        Language::Czech => language.catalogue().get_message(&term_id(name)),
+    };
+    match message.and_then(|m| m.value()) {
+        Some(pattern) => plain(language, pattern),
+        None => {
+            debug_assert!(language == Language::English, "{name} is not translated");
+            name.to_owned()
+        }
+    }
+}
+
+/// Other forms of a name: at the beginning of a sentence, and what the catalogue has.
+fn forms(language: Language, name: &'static str) -> Vec<(&'static str, String)> {
+    let mut forms = vec![("capital", capitalised(&term(language, name)))];
+    match language {
+        Language::English => forms.push(("a", with_article(name))),
+        Language::Czech => {
+            if let Some(message) = language.catalogue().get_message(&term_id(name)) {
+                let own = message.attributes();
+                forms.extend(own.map(|a| (a.id(), plain(language, a.value()))));
+            }
+        }
+    }
+    forms
+}
+
+fn capitalised(text: &str) -> String {
+    let mut chars = text.chars();
+    let first = chars.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(chars.as_str().chars()).collect()
+}
+
+fn plain(language: Language, pattern: &Pattern<&str>) -> String {
+    let text = language
+        .catalogue()
+        .format_pattern(pattern, None, &mut Vec::new());
+    text.into_owned()
+}
+
+fn one_of(language: Language, names: &[&'static str]) -> String {
+    let name = |n: &&'static str| match language {
+        Language::English => with_article(n),
+        Language::Czech => term(language, n),
+    };
+    match names.split_last() {
+        Some((last, rest @ [_, ..])) => {
+            let rest: Vec<String> = rest.iter().map(name).collect();
+            let values = [
+                ("first", Value::Text(rest.join(", "))),
+                ("last", Value::Text(name(last))),
+            ];
+            language.say("list-or", &values)
+        }
+        Some((last, [])) => name(last),
+        None => String::new(),
+    }
+}
+
+/// The message that translates a name: `term-` and the name's letters and digits.
+fn term_id(name: &str) -> String {
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric());
+    words
+        .filter(|w| !w.is_empty())
+        .fold("term".to_owned(), |id, word| {
+            id + "-" + &word.to_lowercase()
+        })
+}
+
+/// An English name with its article: "a sphere", "an ellipsoid", "the render record".
+pub fn with_article(name: &str) -> String {
+    // "a union", but "an undefined object".
+    let vowel = name.starts_with(['a', 'e', 'i', 'o'])
+        || name.starts_with("un") && !name.starts_with("uni");
+    match () {
+        _ if name.starts_with("the ") => name.to_owned(),
+        _ if vowel => format!("an {name}"),
+        _ => format!("a {name}"),
+    }
+}

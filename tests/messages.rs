@@ -1,0 +1,239 @@
+//! The catalogues of messages: none is missing in any language, and each is used.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use fluent_syntax::ast::{
+    Attribute, CallArguments, Entry, Expression, InlineExpression, Pattern, PatternElement,
+};
+use zpg::diagnostics::{Code, Language, Value};
+use zpg::syntax::table::{Effect, Kind, ParamKind, RECORD_TYPES};
+
+const ENGLISH: &str = include_str!("../src/diagnostics/messages/en.ftl");
+const CZECH: &str = include_str!("../src/diagnostics/messages/cs.ftl");
+const CZECH_TERMS: &str = include_str!("../src/diagnostics/messages/terms.cs.ftl");
+
+/// Messages and, as `message.attribute`, their attributes; with the places of each.
+type Catalogue = BTreeMap<String, BTreeSet<String>>;
+
+fn catalogue(text: &str) -> Catalogue {
+    let resource = fluent_syntax::parser::parse(text).expect("no error in the catalogue");
+    let mut all = Catalogue::new();
+    let mut add = |name: String, pattern: &Pattern<&str>| {
+        let mut places = BTreeSet::new();
+        collect(pattern, &mut places);
+        let before = all.insert(name.clone(), places);
+        assert!(before.is_none(), "{name} stands there twice");
+    };
+    for entry in &resource.body {
+        match entry {
+            Entry::Message(m) => {
+                let id = m.id.name;
+                add(
+                    id.to_owned(),
+                    m.value.as_ref().expect("a message says something"),
+                );
+                for Attribute { id: name, value } in &m.attributes {
+                    add(format!("{id}.{}", name.name), value);
+                }
+            }
+            Entry::Term(t) => panic!("-{}: names of the language are messages, term-…", t.id.name),
+            Entry::Junk { content } => panic!("{content}"),
+            _ => {}
+        }
+    }
+    all
+}
+
+/// The places of a pattern, and the messages it refers to as `message` or `message.attribute`.
+fn collect(pattern: &Pattern<&str>, places: &mut BTreeSet<String>) {
+    for element in &pattern.elements {
+        if let PatternElement::Placeable { expression } = element {
+            expression_places(expression, places);
+        }
+    }
+}
+
+fn expression_places(expression: &Expression<&str>, places: &mut BTreeSet<String>) {
+    match expression {
+        Expression::Inline(inline) => inline_places(inline, places),
+        Expression::Select { selector, variants } => {
+            inline_places(selector, places);
+            for v in variants {
+                collect(&v.value, places);
+            }
+        }
+    }
+}
+
+fn inline_places(inline: &InlineExpression<&str>, places: &mut BTreeSet<String>) {
+    match inline {
+        InlineExpression::VariableReference { id } => {
+            places.insert(format!("${}", id.name));
+        }
+        InlineExpression::MessageReference { id, attribute } => {
+            let attribute = attribute.as_ref().map(|a| format!(".{}", a.name));
+            places.insert(id.name.to_owned() + &attribute.unwrap_or_default());
+        }
+        InlineExpression::Placeable { expression } => expression_places(expression, places),
+        InlineExpression::FunctionReference {
+            arguments: CallArguments { .. },
+            id,
+        } => panic!("no function {} is known", id.name),
+        _ => {}
+    }
+}
+
+/// The places of a message, those of the messages it refers to included.
+fn all_places(catalogue: &Catalogue, name: &str) -> BTreeSet<String> {
+    let mut places = BTreeSet::new();
+    for place in &catalogue[name] {
+        match place.strip_prefix('$') {
+            Some(_) => {
+                places.insert(place.clone());
+            }
+            None => {
+                assert!(catalogue.contains_key(place), "{name} refers to {place}");
+                places.extend(all_places(catalogue, place));
+            }
+        }
+    }
+    places
+}
+
+#[test]
+fn every_message_is_there_in_every_language() {
+    let (english, czech) = (catalogue(ENGLISH), catalogue(CZECH));
+    let names = |c: &Catalogue| c.keys().cloned().collect::<Vec<_>>();
+    assert_eq!(names(&english), names(&czech));
+    let base = |place: &str| {
+        let mut place = place.to_owned();
+        for form in ["-a", "-capital", "-gen", "-acc"] {
+            if let Some(name) = place.strip_suffix(form) {
+                place = name.to_owned();
+            }
+        }
+        place
+    };
+    for name in english.keys() {
+        let places = |c: &Catalogue| {
+            let all = all_places(c, name);
+            all.iter().map(|p| base(p)).collect::<BTreeSet<_>>()
+        };
+        let (en, cs) = (places(&english), places(&czech));
+        // What one language says in other words need not name everything, but nothing unknown.
+        assert!(
+            cs.is_subset(&en),
+            "{name}: {cs:?} in Czech, {en:?} in English"
+        );
+    }
+}
+
+#[test]
+fn every_name_of_the_language_is_translated() {
+    let terms = catalogue(CZECH_TERMS);
+    assert!(
+        terms.values().all(BTreeSet::is_empty),
+        "terms have no places"
+    );
+    let mut names: BTreeSet<&'static str> = BTreeSet::new();
+    for ty in RECORD_TYPES {
+        names.insert(ty.title);
+        let params = ty.params.iter().chain(ty.optional);
+        for p in params.chain(ty.repeats.iter().copied().flatten()) {
+            names.insert(p.doc);
+            if let ParamKind::Reference { kinds, .. } = p.kind {
+                names.extend(kinds.iter().map(|k| k.name()));
+            }
+        }
+        match ty.effect {
+            Effect::Defines(kind) => names.insert(kind.name()),
+            Effect::Changes(_) | Effect::DefinesOrChanges(..) => false,
+        };
+    }
+    names.insert(Kind::Undefined.name());
+    names.extend(sources().iter().flat_map(|s| literals(s, "Value::Term(\"")));
+    let value = |name| {
+        Language::Czech.say(
+            "list-and",
+            &[("first", Value::Term(name)), ("last", "".into())],
+        )
+    };
+    let missing: Vec<_> = names
+        .iter()
+        .filter(|name| value(name).starts_with(**name))
+        // Words that are the same in both languages.
+        .filter(|name| !["torus", "hyperboloid"].contains(name))
+        .collect();
+    assert!(missing.is_empty(), "not translated: {missing:#?}");
+}
+
+/// The program's own text, without its tests.
+fn sources() -> Vec<&'static str> {
+    fn walk(folder: &Path, out: &mut Vec<&'static str>) {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                walk(&path, out);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                let text = std::fs::read_to_string(&path).unwrap();
+                let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+                out.push(code.to_owned().leak());
+            }
+        }
+    }
+    let mut all = Vec::new();
+    walk(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
+    all
+}
+
+/// What stands between some opening and the next quotation mark, everywhere in a text.
+fn literals(text: &'static str, opening: &str) -> Vec<&'static str> {
+    text.split(opening)
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+        .collect()
+}
+
+#[test]
+fn every_message_is_used() {
+    let sources = sources();
+    let all = sources.concat();
+    let english = catalogue(ENGLISH);
+    let literal = |name: &str| all.contains(&format!("\"{name}\""));
+    let referred: BTreeSet<&String> = english.values().flatten().collect();
+    for name in english.keys() {
+        let (message, attribute) = name.split_once('.').unwrap_or((name, ""));
+        let (code, case) = message.split_once('-').unwrap_or((message, ""));
+        let used = match (Code::parse(code).filter(|c| c.as_str() == code), attribute) {
+            (_, "label" | "note" | "help") => true,
+            (Some(_), "") => {
+                all.contains(&format!("Code::{code}")) && (case.is_empty() || literal(case))
+            }
+            (_, "") => literal(message),
+            (_, attribute) => literal(attribute),
+        };
+        assert!(used || referred.contains(name), "{name} is never said");
+    }
+    for code in Code::ALL {
+        let own = |name: &&String| name.split(['-', '.']).next() == Some(code.as_str());
+        assert!(
+            english.keys().any(|n| own(&n)),
+            "{} says nothing",
+            code.as_str()
+        );
+    }
+}
+
+#[test]
+fn a_message_in_both_languages() {
+    let values = [
+        ("first", Value::Term("sphere")),
+        ("last", Value::Term("box")),
+    ];
+    assert_eq!(Language::English.say("list-or", &values), "sphere or box");
+    assert_eq!(Language::Czech.say("list-or", &values), "koule nebo kvádr");
+    // Text of the user's stays what it is, whatever it looks like.
+    let foreign = [("first", "{ $last }".into()), ("last", "{\"".into())];
+    assert_eq!(Language::Czech.say("list-and", &foreign), "{ $last } a {\"");
+}
