@@ -35,7 +35,7 @@ pub trait Real:
     fn of(x: f64) -> Self;
     /// The nearest double.
     fn to_f64(self) -> f64;
-    /// The number as the sum of a double and what is left of it: exact.
+    /// The number as the sum of a double and what is left of it: exact, but for quad-doubles.
     fn parts(self) -> (f64, f64);
     /// The nearest number to the sum of such parts.
     fn of_parts(parts: (f64, f64)) -> Self;
