@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::{LoadError, LookChoice, Status, complain, load, paths, terminal};
 use crate::diagnostics::render::human::{self, Look};
-use crate::diagnostics::render::{Tally, json, short};
+use crate::diagnostics::render::{Tally, json, sarif, short};
 
 /// Check scenes for mistakes
 #[derive(Debug, clap::Args)]
@@ -20,6 +20,7 @@ Examples:
   zpg check scenes/                    all *.zpg in the folder, .gitignore honoured
   zpg check --format short scenes/     one line for each finding
   zpg check --format json - < scene.zpg
+  zpg check --format sarif scenes/ > zpg.sarif
 
 `zpg explain E101` tells more about a finding.")]
 pub struct Args {
@@ -41,6 +42,8 @@ enum Format {
     Short,
     /// For programs
     Json,
+    /// For code scanning: SARIF 2.1.0
+    Sarif,
 }
 
 /// One file's findings, ready to be put out.
@@ -52,6 +55,7 @@ struct Checked {
 enum Output {
     Text(Vec<u8>),
     Json(json::File),
+    Sarif(sarif::File),
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
@@ -87,10 +91,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     };
     terminal::print(status, |out| {
         let mut reports = Vec::new();
+        let mut scans = Vec::new();
         for output in outputs {
             match output {
                 Output::Text(text) => out.write_all(&text)?,
                 Output::Json(report) => reports.push(report),
+                Output::Sarif(scan) => scans.push(scan),
             }
         }
         match args.format {
@@ -98,6 +104,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             Format::Human if total.files > 0 => writeln!(out, "{}", total.sentence(look.language)),
             Format::Human | Format::Short => Ok(()),
             Format::Json => json::write(out, &reports, &total),
+            Format::Sarif => sarif::write(out, &scans, look.language, !failed),
         }
     })
 }
@@ -117,6 +124,14 @@ fn check(path: &Path, format: Format, look: Look) -> Result<Checked, LoadError> 
         ),
         Format::Json => {
             let output = Output::Json(json::File::new(
+                &loaded.source,
+                loaded.diagnostics,
+                look.language,
+            ));
+            return Ok(Checked { output, tally });
+        }
+        Format::Sarif => {
+            let output = Output::Sarif(sarif::File::new(
                 &loaded.source,
                 loaded.diagnostics,
                 look.language,
