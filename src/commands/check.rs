@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::{LoadError, LookChoice, Status, complain, load, paths, terminal};
 use crate::diagnostics::render::human::{self, Look};
-use crate::diagnostics::render::{Tally, json, sarif, short};
+use crate::diagnostics::render::{Tally, github, json, sarif, short};
 
 /// Check scenes for mistakes
 #[derive(Debug, clap::Args)]
@@ -44,6 +44,8 @@ enum Format {
     Json,
     /// For code scanning: SARIF 2.1.0
     Sarif,
+    /// For GitHub Actions: annotations of pull requests
+    Github,
 }
 
 /// One file's findings, ready to be put out.
@@ -102,7 +104,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         match args.format {
             // With nothing read there is nothing to sum up.
             Format::Human if total.files > 0 => writeln!(out, "{}", total.sentence(look.language)),
-            Format::Human | Format::Short => Ok(()),
+            Format::Human | Format::Short | Format::Github => Ok(()),
             Format::Json => json::write(out, &reports, &total),
             Format::Sarif => sarif::write(out, &scans, look.language, !failed),
         }
@@ -138,6 +140,12 @@ fn check(path: &Path, format: Format, look: Look) -> Result<Checked, LoadError> 
             ));
             return Ok(Checked { output, tally });
         }
+        Format::Github => github::write(
+            &mut text,
+            &loaded.source,
+            &loaded.diagnostics,
+            look.language,
+        ),
     };
     debug_assert!(written.is_ok(), "memory takes everything");
     Ok(Checked {

@@ -1,6 +1,7 @@
 //! Findings as text: one file per output format.
 
 mod excerpt;
+pub mod github;
 pub mod human;
 pub mod json;
 pub mod sarif;
