@@ -54,6 +54,9 @@ impl Loaded {
         let source = SourceFile::new(path, bytes);
         let (document, mut diagnostics) = syntax::parse(&source.text);
         let scene = scene::resolve(&document, &source, &mut diagnostics);
+        if let (Encoding::Windows1250, Some(at)) = (source.encoding, not_utf8) {
+            diagnostics.push(not_utf8_note(&source, at));
+        }
         lint::run(
             &lint::Context {
                 text: &source.text,
@@ -62,9 +65,6 @@ impl Loaded {
             },
             &mut diagnostics,
         );
-        if let (Encoding::Windows1250, Some(at)) = (source.encoding, not_utf8) {
-            diagnostics.push(not_utf8_note(&source, at));
-        }
         diagnostics::sort(&mut diagnostics);
         Loaded {
             source,

@@ -452,3 +452,18 @@ S503 = { $count ->
    *[other] { $count } dalších záznamů na tomtéž řádku
 }
     .fix = jeden záznam na řádek
+
+S504 = { $count ->
+    [one] { $entries } se zde dovoluje, ale nevyskytuje
+   *[other] { $entries } se zde dovolují, ale nevyskytují
+}
+    .label = není co dovolit
+    .fix = { $count ->
+        [one] odstranit to
+       *[other] odstranit je
+    }
+S504-unknown = tomuto komentáři zpg nerozumí
+    .help = co je v pořádku, se zapisuje `# zpg: allow(W307) #`, s kódy nebo názvy
+S504-no-code = kód { $text } neexistuje
+    .help = všechny kódy vypíše `zpg explain`
+S504-error = chybu { $code } dovolit nelze

@@ -446,3 +446,18 @@ S503 = { $count ->
    *[other] { $count } more records on the same line
 }
     .fix = one record a line
+
+S504 = { $count ->
+    [one] { $entries } is allowed here, but not found
+   *[other] { $entries } are allowed here, but not found
+}
+    .label = nothing to allow
+    .fix = { $count ->
+        [one] take it out
+       *[other] take them out
+    }
+S504-unknown = zpg does not understand this comment
+    .help = what is all right is written `# zpg: allow(W307) #`, with codes or names
+S504-no-code = there is no code { $text }
+    .help = `zpg explain` lists all codes
+S504-error = an error, { $code }, cannot be allowed
