@@ -254,7 +254,8 @@ mod tests {
 
     #[test]
     fn the_lines_of_a_record_are_one() {
-        let scene = "2 9 1\n35 -202 0.7 0.7 0.7\n 0 0 0 # zpg: allow(W302) #\n 0 0 0\n2 -299 0 35\n";
+        let scene =
+            "2 9 1\n35 -202 0.7 0.7 0.7\n 0 0 0 # zpg: allow(W302) #\n 0 0 0\n2 -299 0 35\n";
         assert!(found(scene).is_empty());
     }
 
@@ -276,9 +277,15 @@ mod tests {
     #[test]
     fn what_is_not_understood() {
         let says = |comment: &str| messages(&format!("2 9 1 # {comment} #\n"));
-        assert_eq!(says("zpg: alow(W302)"), ["zpg does not understand this comment"]);
+        assert_eq!(
+            says("zpg: alow(W302)"),
+            ["zpg does not understand this comment"]
+        );
         assert_eq!(says("zpg: allow(W999)"), ["there is no code `W999`"]);
-        assert_eq!(says("zpg: allow(E101)"), ["an error, E101, cannot be allowed"]);
+        assert_eq!(
+            says("zpg: allow(E101)"),
+            ["an error, E101, cannot be allowed"]
+        );
         assert!(says("zpg is a language").is_empty());
     }
 }

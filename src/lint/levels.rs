@@ -77,6 +77,11 @@ impl Selector {
         }
     }
 
+    /// How many codes it selects.
+    pub fn breadth(&self) -> usize {
+        self.0.len()
+    }
+
     fn holds(&self, code: Code) -> bool {
         self.0.contains(&code)
     }
@@ -164,7 +169,13 @@ mod tests {
     fn levels_and_choices() {
         let mut levels = Levels::default();
         let none = Choice::default();
-        let own = ["E101 error", "W302 warning", "W303 warning", "N602 note", "S502 style"];
+        let own = [
+            "E101 error",
+            "W302 warning",
+            "W303 warning",
+            "N602 note",
+            "S502 style",
+        ];
         assert_eq!(after(&levels, &none), own);
         levels.set(&"W3".parse().unwrap(), Level::Note);
         levels.set(&"energy-gain".parse().unwrap(), Level::Off);
@@ -197,8 +208,14 @@ mod tests {
             says("enery-gain"),
             "there is no code `enery-gain`; did you mean `energy-gain`?"
         );
-        assert_eq!(says("Q9"), "there is no code `Q9` (`zpg explain` lists all)");
-        assert_eq!("e101".parse::<Selector>().unwrap().fixed_error(), Some(Code::E101));
+        assert_eq!(
+            says("Q9"),
+            "there is no code `Q9` (`zpg explain` lists all)"
+        );
+        assert_eq!(
+            "e101".parse::<Selector>().unwrap().fixed_error(),
+            Some(Code::E101)
+        );
         assert_eq!("E".parse::<Selector>().unwrap().fixed_error(), None);
     }
 }
