@@ -83,6 +83,7 @@ codes! {
     E208 "negative-profile-radius";
     E209 "unsafe-path";
     E210 "unreadable-file";
+    W301 "colour-out-of-range";
     W302 "energy-gain";
     W303 "not-a-rotation";
     W304 "asymmetric-quadric";

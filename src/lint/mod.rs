@@ -2,6 +2,7 @@
 //! broken: the parser or the resolver has done so.
 
 mod definite;
+mod records;
 mod rules;
 
 use crate::diagnostics::{Diagnostic, Span};
@@ -75,6 +76,7 @@ type Rule = fn(&Context, &mut Vec<Diagnostic>);
 
 /// Every rule, in the order of its code.
 const RULES: &[Rule] = &[
+    rules::colour_out_of_range::check,
     rules::energy_gain::check,
     rules::not_a_rotation::check,
     rules::asymmetric_quadric::check,
