@@ -89,6 +89,7 @@ codes! {
     W304 "asymmetric-quadric";
     W305 "degenerate-shape";
     W306 "no-real-points";
+    W308 "mixed-intersection";
     W314 "suspicious-line-break";
     W320 "self-intersecting";
     W321 "coincident-faces";

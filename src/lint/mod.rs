@@ -2,6 +2,7 @@
 //! broken: the parser or the resolver has done so.
 
 mod definite;
+mod parts;
 mod records;
 mod rules;
 
@@ -82,6 +83,7 @@ const RULES: &[Rule] = &[
     rules::asymmetric_quadric::check,
     rules::degenerate_shape::check,
     rules::no_real_points::check,
+    rules::mixed_intersection::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

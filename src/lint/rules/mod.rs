@@ -7,6 +7,7 @@ pub mod colour_out_of_range;
 pub mod degenerate_shape;
 pub mod energy_gain;
 pub mod ill_scaled;
+pub mod mixed_intersection;
 pub mod no_camera;
 pub mod no_light;
 pub mod no_real_points;
