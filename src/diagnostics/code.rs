@@ -90,6 +90,7 @@ codes! {
     W305 "degenerate-shape";
     W306 "no-real-points";
     W308 "mixed-intersection";
+    W309 "stale-operand";
     W314 "suspicious-line-break";
     W320 "self-intersecting";
     W321 "coincident-faces";

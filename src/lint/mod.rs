@@ -84,6 +84,7 @@ const RULES: &[Rule] = &[
     rules::degenerate_shape::check,
     rules::no_real_points::check,
     rules::mixed_intersection::check,
+    rules::stale_operand::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

@@ -396,6 +396,27 @@ W308 = průnik { $id } nevypadá všude stejně: { $first } { $first-id } a { $s
     .help = má-li celý povrch vypadat stejně, přiřaďte vlastnosti výsledku: `{ $id } -299 TEXTURA OPTIKA`
     .fix = dát { $id } tytéž vlastnosti, jaké má { $source }
 
+W309 = { $change } přichází pozdě: { $taker } { $taker-id } už používá { $id } v předchozí podobě{ $more ->
+    [0] {""}
+    [one] ; totéž platí o další { $more } změně
+    [few] ; totéž platí o dalších { $more } změnách
+   *[other] ; totéž platí o dalších { $more } změnách
+}
+    .label = na ničem použitém se to neprojeví
+    .taken = zde se { $id } použije
+    .note = operace bere operandy v té podobě, jakou v daném místě mají
+    .help = přesuňte tento záznam před ten, který { $id } používá, nebo změňte { $taker-id } místo { $id }
+W309-property = { $type } { $id } se mění pozdě: { $taker-id } má předchozí podobu{ $more ->
+    [0] {""}
+    [one] ; totéž platí o další { $more } změně
+    [few] ; totéž platí o dalších { $more } změnách
+   *[other] ; totéž platí o dalších { $more } změnách
+}
+    .label = { W309.label }
+    .taken = { W309.taken }
+    .note = vlastnosti a barvy se přiřazují v té podobě, jakou v daném místě mají
+    .help = přesuňte tento záznam před ten, který { $id } používá
+
 W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
     .label = { $one ->
         [start] kruh, který uzavírá první bod

@@ -15,3 +15,4 @@ pub mod not_a_rotation;
 pub mod notation_separator;
 pub mod self_intersecting;
 pub mod several_records_per_line;
+pub mod stale_operand;
