@@ -91,6 +91,7 @@ codes! {
     W306 "no-real-points";
     W308 "mixed-intersection";
     W309 "stale-operand";
+    W310 "unused-definition";
     W314 "suspicious-line-break";
     W320 "self-intersecting";
     W321 "coincident-faces";

@@ -85,6 +85,7 @@ const RULES: &[Rule] = &[
     rules::no_real_points::check,
     rules::mixed_intersection::check,
     rules::stale_operand::check,
+    rules::unused_definition::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

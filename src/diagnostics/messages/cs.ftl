@@ -417,6 +417,16 @@ W309-property = { $type } { $id } se mění pozdě: { $taker-id } má předchoz�
     .note = vlastnosti a barvy se přiřazují v té podobě, jakou v daném místě mají
     .help = přesuňte tento záznam před ten, který { $id } používá
 
+W310 = { $type } { $id }: nic to nepoužívá
+    .label = nic z toho, co se zobrazí, to nemá
+    .help = přiřaďte to pomocí `ID -299 TEXTURA OPTIKA`, nebo záznam odstraňte
+W310-object = { $type } { $id } není součástí toho, co se zobrazí
+    .label = nic z toho, co se zobrazí, objekt nepoužívá
+    .help = připojte objekt ke scéně sjednocením, nebo jej odstraňte
+W310-placeholder = { $id } je ohlášeno, ale není ani definováno, ani použito
+    .label = ohlášení bez definice
+    .help = definujte objekt níže, nebo ohlášení odstraňte
+
 W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
     .label = { $one ->
         [start] kruh, který uzavírá první bod

@@ -409,6 +409,16 @@ W309-property = the { $type } { $id } is changed too late: { $taker-id } has tak
     .note = properties and colours are taken as they are at that point
     .help = move this in front of the record that takes { $id }
 
+W310 = the { $type } { $id } is never used
+    .label = nothing that is drawn has it
+    .help = assign it with `ID -299 TEXTURE OPTICS`, or remove it
+W310-object = the { $type } { $id } is not part of what is drawn
+    .label = nothing that is drawn is made of it
+    .help = join it to the scene with a union, or remove it
+W310-placeholder = { $id } is declared, but neither defined nor used
+    .label = a placeholder of nothing
+    .help = define it below, or remove the declaration
+
 W320 = the profile of the { $type } { $id } crosses itself near x = { $x }, y = { $y }
     .label = { $one ->
         [start] the disc that closes the first point

@@ -16,3 +16,4 @@ pub mod notation_separator;
 pub mod self_intersecting;
 pub mod several_records_per_line;
 pub mod stale_operand;
+pub mod unused_definition;
