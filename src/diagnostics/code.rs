@@ -92,6 +92,7 @@ codes! {
     W308 "mixed-intersection";
     W309 "stale-operand";
     W310 "unused-definition";
+    W313 "surface-operand";
     W314 "suspicious-line-break";
     W320 "self-intersecting";
     W321 "coincident-faces";

@@ -86,6 +86,7 @@ const RULES: &[Rule] = &[
     rules::mixed_intersection::check,
     rules::stale_operand::check,
     rules::unused_definition::check,
+    rules::surface_operand::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

@@ -16,4 +16,5 @@ pub mod notation_separator;
 pub mod self_intersecting;
 pub mod several_records_per_line;
 pub mod stale_operand;
+pub mod surface_operand;
 pub mod unused_definition;
