@@ -94,6 +94,7 @@ codes! {
     W310 "unused-definition";
     W313 "surface-operand";
     W314 "suspicious-line-break";
+    W315 "comment-hides-records";
     W320 "self-intersecting";
     W321 "coincident-faces";
     W322 "ill-scaled";

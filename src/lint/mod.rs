@@ -87,6 +87,7 @@ const RULES: &[Rule] = &[
     rules::stale_operand::check,
     rules::unused_definition::check,
     rules::surface_operand::check,
+    rules::comment_hides_records::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

@@ -460,6 +460,16 @@ W313-complement = { $operand } { $operand-id } { $what ->
     .surface = { W313.surface }
     .help = { W313.help }
 
+W315 = tento komentář skrývá { $count ->
+    [one] záznam: { $type } { $id }
+    [few] { $count } záznamy, první je { $type } { $id }
+   *[other] { $count } záznamů, první je { $type } { $id }
+}
+    .label = zde komentář začíná
+    .first = toto by byl záznam
+    .end = zde komentář končí
+    .help = ukončete komentář znakem `#` na jeho řádku; co už není potřeba, je lépe odstranit
+
 W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
     .label = { $one ->
         [start] kruh, který uzavírá první bod

@@ -452,6 +452,15 @@ W313-complement = the { $operand } { $operand-id } { $what ->
     .surface = { W313.surface }
     .help = { W313.help }
 
+W315 = this comment hides { $count ->
+    [one] a record, the { $type } { $id }
+   *[other] { $count } records, from the { $type } { $id } on
+}
+    .label = the comment begins here
+    .first = this would be a record
+    .end = the comment ends here
+    .help = close the comment with `#` on its own line; what is not wanted any more is better removed
+
 W320 = the profile of the { $type } { $id } crosses itself near x = { $x }, y = { $y }
     .label = { $one ->
         [start] the disc that closes the first point

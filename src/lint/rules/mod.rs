@@ -4,6 +4,7 @@ pub mod asymmetric_quadric;
 pub mod bare_comment;
 pub mod coincident_faces;
 pub mod colour_out_of_range;
+pub mod comment_hides_records;
 pub mod degenerate_shape;
 pub mod energy_gain;
 pub mod ill_scaled;
