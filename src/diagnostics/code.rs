@@ -95,6 +95,7 @@ codes! {
     W313 "surface-operand";
     W314 "suspicious-line-break";
     W315 "comment-hides-records";
+    W316 "several-cameras";
     W320 "self-intersecting";
     W321 "coincident-faces";
     W322 "ill-scaled";

@@ -88,6 +88,7 @@ const RULES: &[Rule] = &[
     rules::unused_definition::check,
     rules::surface_operand::check,
     rules::comment_hides_records::check,
+    rules::several_cameras::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

@@ -470,6 +470,16 @@ W315 = tento komentář skrývá { $count ->
     .end = zde komentář končí
     .help = ukončete komentář znakem `#` na jeho řádku; co už není potřeba, je lépe odstranit
 
+W316 = { $count ->
+    [one] je tu { $count } kamera a není vybrána
+    [few] jsou tu { $count } kamery a žádná není vybrána
+   *[other] je tu { $count } kamer a žádná není vybrána
+}: obraz se pořídí poslední z nich, { $id }
+    .label = tato se použije
+    .unused = { $other } se nepoužije
+    .help = jednu lze vybrat pomocí `ID -502 KAMERA`, dvojici pro stereoskopický obraz pomocí `ID -503 LEVÁ PRAVÁ`
+    .fix = vybrat { $id }
+
 W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
     .label = { $one ->
         [start] kruh, který uzavírá první bod

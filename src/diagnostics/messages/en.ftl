@@ -461,6 +461,12 @@ W315 = this comment hides { $count ->
     .end = the comment ends here
     .help = close the comment with `#` on its own line; what is not wanted any more is better removed
 
+W316 = there are { $count } cameras and none is selected: { $id }, the last one, takes the picture
+    .label = this one is used
+    .unused = { $other } is not used
+    .help = select one with `ID -502 CAMERA`, or two for a stereo picture with `ID -503 LEFT RIGHT`
+    .fix = select { $id }
+
 W320 = the profile of the { $type } { $id } crosses itself near x = { $x }, y = { $y }
     .label = { $one ->
         [start] the disc that closes the first point
