@@ -96,6 +96,7 @@ codes! {
     W314 "suspicious-line-break";
     W315 "comment-hides-records";
     W316 "several-cameras";
+    W318 "pointless-index";
     W320 "self-intersecting";
     W321 "coincident-faces";
     W322 "ill-scaled";

@@ -89,6 +89,7 @@ const RULES: &[Rule] = &[
     rules::surface_operand::check,
     rules::comment_hides_records::check,
     rules::several_cameras::check,
+    rules::pointless_index::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

@@ -480,6 +480,13 @@ W316 = { $count ->
     .help = jednu lze vybrat pomocí `ID -502 KAMERA`, dvojici pro stereoskopický obraz pomocí `ID -503 LEVÁ PRAVÁ`
     .fix = vybrat { $id }
 
+W318 = tento index lomu nemá žádný vliv: { $object } { $object-id } nepropouští světlo
+    .label = všude, kde index platí, je kt 0
+    .help = světlo se láme tam, kde se ho část propouští: dejte objektu optickou vlastnost s kt > 0, například `{ $object-id } -201 0 0.1 0.9`
+W318-below-one = index lomu je nejméně 1, jako ve vakuu; zde je { $parts }
+    .label = méně než 1
+    .help = index patří látce samotného objektu; okolí se započítává zvlášť
+
 W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
     .label = { $one ->
         [start] kruh, který uzavírá první bod

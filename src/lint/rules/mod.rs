@@ -14,6 +14,7 @@ pub mod no_light;
 pub mod no_real_points;
 pub mod not_a_rotation;
 pub mod notation_separator;
+pub mod pointless_index;
 pub mod self_intersecting;
 pub mod several_cameras;
 pub mod several_records_per_line;
