@@ -76,7 +76,7 @@ fn main() -> Outcome<()> {
 /// A scene with the textbook's methods in single and double precision, and with the program.
 fn draw(path: &Path) -> Outcome<[Film; 3]> {
     let loaded = Loaded::new(path.to_string_lossy(), fs::read(path)?);
-    if loaded.has_errors() {
+    if !loaded.sound {
         return Err("the scene has errors".into());
     }
     let [width, height] = SIZE;

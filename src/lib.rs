@@ -6,12 +6,15 @@
 //! - [`syntax`]: bytes to tokens to a typed tree. `syntax/table.rs` is *the* table of record types.
 //! - [`mod@format`]: the pretty-printer; it needs the syntax alone.
 //! - [`scene`]: the tree read as a program of assignments: nodes in an arena, lights, cameras.
-//! - [`lint`]: rules over the tree and the scene, one file a rule.
 //! - [`trace`]: the reference ray tracer.
+//! - [`lint`]: rules over the tree and the scene, one file a rule; those about geometry prove what they
+//!   say with the tracer's means.
 //! - [`translate`]: the scene for other programs.
+//! - [`config`]: `zpg.toml`, the settings for a folder of scenes.
 //! - [`commands`]: one file per subcommand of the command line.
 
 pub mod commands;
+pub mod config;
 pub mod diagnostics;
 pub mod format;
 pub mod lint;

@@ -234,7 +234,7 @@ fn try_kind(kind: usize, cases: u32) -> (u32, u32, Option<String>) {
     let result = runner.run(&(scene(first), rays()), |(text, rays)| {
         let loaded = Loaded::new("a.zpg", text.into_bytes());
         // What the language does not allow is not drawn.
-        if loaded.has_errors() {
+        if !loaded.sound {
             return Ok(());
         }
         let Ok(tracer) = Tracer::new(&loaded.scene) else {
@@ -306,7 +306,7 @@ type Met = (bool, Vec<(f64, [f64; 3], Option<bool>)>);
 fn met<R: Precision>(text: &str, o: [f64; 3], d: [f64; 3]) -> Met {
     let text = format!("{text}\n1 9999 10 0\n");
     let loaded = Loaded::new("a.zpg", text.into_bytes());
-    assert!(!loaded.has_errors());
+    assert!(loaded.sound);
     let tracer = Tracer::new(&loaded.scene).expect("a scene that can be drawn");
     let probe = tracer.probe(
         &mut tracer.walker::<R>(),

@@ -44,7 +44,7 @@ fn edited(text: &str, edits: &[(&str, &str)]) -> String {
 
 fn load(text: &str) -> Loaded {
     let loaded = Loaded::new("scene.zpg", text.into());
-    assert!(!loaded.has_errors(), "{:?}\n{text}", loaded.diagnostics);
+    assert!(loaded.sound, "{:?}\n{text}", loaded.diagnostics);
     loaded
 }
 

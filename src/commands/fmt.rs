@@ -1,14 +1,12 @@
 //! `zpg fmt`: prints scenes anew, one record a line.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use clap::builder::styling::AnsiColor;
 use rayon::prelude::*;
-use similar::TextDiff;
 
 use super::loaded::{self, STDIN};
+use super::rewrite::{diff, replace};
 use super::{LookChoice, Status, complain, paths, terminal};
 use crate::diagnostics::SourceFile;
 use crate::{format, syntax};
@@ -163,49 +161,4 @@ fn format_text(source: &SourceFile) -> Result<String, String> {
         }
     }
     Ok(text)
-}
-
-/// Replaces a file in one step, so that it is whole at any time. Links are followed.
-fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let path = path.canonicalize()?;
-    let permissions = fs::metadata(&path)?.permissions();
-    if permissions.readonly() {
-        return Err(io::Error::new(
-            io::ErrorKind::PermissionDenied,
-            "it is read-only",
-        ));
-    }
-    let folder = path.parent().unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().set_permissions(permissions)?;
-    file.persist(&path)?;
-    Ok(())
-}
-
-/// How long the search for the smallest difference may take.
-const DIFF_TIMEOUT: std::time::Duration = std::time::Duration::from_secs(2);
-
-/// Writes a unified diff.
-fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: bool) {
-    let diff = TextDiff::configure()
-        .timeout(DIFF_TIMEOUT)
-        .diff_lines(old, new);
-    let unified = diff.unified_diff().header(path, path).to_string();
-    for line in unified.split_inclusive('\n') {
-        let style = match line.as_bytes().first() {
-            _ if !colour => None,
-            Some(b'+') => Some(AnsiColor::Green),
-            Some(b'-') => Some(AnsiColor::Red),
-            Some(b'@') => Some(AnsiColor::Cyan),
-            _ => None,
-        };
-        match style.map(AnsiColor::on_default) {
-            Some(style) => {
-                let text = line.trim_end_matches('\n');
-                out.extend(format!("{style}{text}{style:#}\n").into_bytes());
-            }
-            None => out.extend(line.as_bytes()),
-        }
-    }
 }

@@ -7,9 +7,11 @@ use std::path::Path;
 
 use super::Status;
 use super::terminal::{LookChoice, complain, reason, report};
+use crate::config::Configs;
 use crate::diagnostics::source::{Encoding, MAX_FILE_BYTES};
 use crate::diagnostics::{self, Code, Diagnostic, Severity, SourceFile, Span};
 use crate::lint;
+use crate::lint::levels::Choice;
 use crate::scene::{self, Render, Scene};
 use crate::syntax::{self, Document};
 
@@ -23,6 +25,8 @@ pub struct Loaded {
     pub scene: Scene,
     /// Sorted by place.
     pub diagnostics: Vec<Diagnostic>,
+    /// Whether the scene has no errors of its own, whatever settings make one.
+    pub sound: bool,
 }
 
 /// Why a file could not be read at all.
@@ -54,6 +58,9 @@ impl Loaded {
         let source = SourceFile::new(path, bytes);
         let (document, mut diagnostics) = syntax::parse(&source.text);
         let scene = scene::resolve(&document, &source, &mut diagnostics);
+        if let (Encoding::Windows1250, Some(at)) = (source.encoding, not_utf8) {
+            diagnostics.push(not_utf8_note(&source, at));
+        }
         lint::run(
             &lint::Context {
                 text: &source.text,
@@ -62,21 +69,14 @@ impl Loaded {
             },
             &mut diagnostics,
         );
-        if let (Encoding::Windows1250, Some(at)) = (source.encoding, not_utf8) {
-            diagnostics.push(not_utf8_note(&source, at));
-        }
         diagnostics::sort(&mut diagnostics);
         Loaded {
             source,
             document,
             scene,
+            sound: !diagnostics.iter().any(Diagnostic::is_error),
             diagnostics,
         }
-    }
-
-    /// Whether anything found is an error.
-    pub fn has_errors(&self) -> bool {
-        self.diagnostics.iter().any(Diagnostic::is_error)
     }
 
     /// The render record, for commands that cannot do without one: that it is missing, a warning so
@@ -131,7 +131,7 @@ pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Loaded, S
     let complete = !needs.render || loaded.require_render().is_some();
     loaded.diagnostics.retain(|d| needs.concern(d));
     report(&loaded, look);
-    if loaded.has_errors() || !complete {
+    if !loaded.sound || !complete {
         return Err(Status::Negative);
     }
     Ok(loaded)
@@ -146,10 +146,27 @@ fn not_utf8_note(source: &SourceFile, byte: usize) -> Diagnostic {
     Diagnostic::new(Code::N601, Span::new(start as u32, end as u32))
 }
 
-/// Reads a scene file; `-` is standard input.
+/// Reads a scene file, with the settings of its folder; `-` is standard input.
 pub fn load(path: &Path) -> Result<Loaded, LoadError> {
+    load_with(path, path, &Configs::default(), &Choice::default())
+}
+
+/// As [`load`], for a file that goes by the name `name`, with settings that may be known already and
+/// what the command line says of codes.
+pub fn load_with(
+    path: &Path,
+    name: &Path,
+    configs: &Configs,
+    choice: &Choice,
+) -> Result<Loaded, LoadError> {
+    let config = configs.for_file(name).map_err(|e| LoadError {
+        path: e.path.to_string_lossy().into_owned(),
+        reason: e.reason,
+    })?;
     let bytes = read(path)?;
-    Ok(Loaded::new(path.to_string_lossy(), bytes))
+    let mut loaded = Loaded::new(name.to_string_lossy(), bytes);
+    config.levels.apply(choice, &mut loaded.diagnostics);
+    Ok(loaded)
 }
 
 /// Reads a file's bytes; `-` is standard input.

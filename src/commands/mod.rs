@@ -2,8 +2,8 @@
 //! returns the exit [`Status`].
 //!
 //! What they share: [`loaded`] reads a scene, [`paths`] expands folders, [`draft`] writes files that
-//! appear when they are complete, [`size`] reads `640x480`, [`terminal`] knows about colour and about
-//! output that nobody reads any more.
+//! appear when they are complete, [`rewrite`] changes files and shows how, [`size`] reads `640x480`,
+//! [`terminal`] knows about colour and about output that nobody reads any more.
 
 pub mod check;
 pub mod completions;
@@ -17,10 +17,11 @@ pub mod paths;
 pub mod plan;
 pub mod probe;
 pub mod render;
+mod rewrite;
 pub mod size;
 pub mod terminal;
 
-pub use loaded::{LoadError, Loaded, Needs, load, load_for, load_sound};
+pub use loaded::{LoadError, Loaded, Needs, load, load_for, load_sound, load_with};
 pub use terminal::{LookChoice, complain, report};
 
 /// How a command ended; its number is the exit status.

@@ -106,6 +106,7 @@ codes! {
     S501 "notation-separator";
     S502 "bare-comment";
     S503 "several-records-per-line";
+    S504 "unused-allow";
 }
 
 impl Code {
@@ -132,6 +133,12 @@ impl Code {
             b'N' => Severity::Note,
             _ => Severity::Style,
         }
+    }
+
+    /// Whether it is always an error. That there is no render record is a warning as long as nothing
+    /// is to be drawn.
+    pub fn is_never_allowed(self) -> bool {
+        self.severity() == Severity::Error && self != Code::E106
     }
 
     /// Finds a code by its number (in any case) or its name.

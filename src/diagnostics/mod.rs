@@ -4,6 +4,7 @@
 //! Nothing here knows the language: the other modules make diagnostics, this one carries them.
 
 pub mod code;
+pub mod fixes;
 pub mod render;
 pub mod source;
 pub mod wording;

@@ -8,7 +8,7 @@ use std::ops::{Mul, Sub};
 pub enum Verdict {
     /// The form is positive everywhere: no point at all.
     Empty,
-    /// The form is negative everywhere: all of space, with no surface.
+    /// The form is nowhere positive, and not zero everywhere: all of space, with no surface.
     Full,
     /// The form is nowhere negative, and zero on a flat of this many dimensions, 0 to 2.
     Flat(u32),
@@ -134,6 +134,8 @@ pub fn judge(q: &[f64; 16]) -> Verdict {
         (Some((least, _)), _) if least.low > 0.0 => Verdict::Empty,
         (_, Some((least, _))) if least.low > 0.0 => Verdict::Full,
         (Some((least, rank @ 1..)), _) if least.is_zero() => Verdict::Flat(3 - rank),
+        // Zero on a flat, negative elsewhere: the flat has the object on both sides.
+        (_, Some((least, 1..))) if least.is_zero() => Verdict::Full,
         _ => Verdict::Other,
     }
 }
@@ -188,6 +190,35 @@ mod tests {
         assert_eq!(judge(&diagonal([0.0, 0.1, 0.0, 0.0])), Verdict::Flat(2));
         assert_eq!(judge(&diagonal([1.0, 1.0, -1.0, 5.0])), Verdict::Other);
         assert_eq!(judge(&[0.0; 16]), Verdict::Zero);
+    }
+
+    #[test]
+    fn turned_round_a_flat_fills_space() {
+        for d in [
+            [-1.0, -1.0, -1.0, 0.0],
+            [-1.0, 0.0, -2.0, 0.0],
+            [0.0, -0.1, 0.0, 0.0],
+        ] {
+            assert_eq!(judge(&diagonal(d)), Verdict::Full, "{d:?}");
+        }
+        // −(x − 2)² + e, with e none, half an ulp of 4 either way.
+        let moved = |c: f64| {
+            let mut q = diagonal([-1.0, 0.0, 0.0, c]);
+            (q[3], q[12]) = (2.0, 2.0);
+            q
+        };
+        assert_eq!(judge(&moved(-4.0)), Verdict::Full);
+        assert_eq!(judge(&moved((-4.0f64).next_down())), Verdict::Full);
+        assert_eq!(judge(&moved((-4.0f64).next_up())), Verdict::Other);
+        // −(x − 0.1)²: 0.1·0.1 is rounded, so that nothing is known.
+        let mut odd = diagonal([-1.0, 0.0, 0.0, -(0.1 * 0.1)]);
+        (odd[3], odd[12]) = (0.1, 0.1);
+        assert_eq!(judge(&odd), Verdict::Other);
+        // −x² + y, −x² + z²: surfaces.
+        let mut bowl = diagonal([-1.0, 0.0, 0.0, 0.0]);
+        (bowl[7], bowl[13]) = (0.5, 0.5);
+        assert_eq!(judge(&bowl), Verdict::Other);
+        assert_eq!(judge(&diagonal([-1.0, 0.0, 1.0, 0.0])), Verdict::Other);
     }
 
     #[test]

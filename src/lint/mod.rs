@@ -1,7 +1,9 @@
 //! Rules over the tree and the scene, one file a rule. A rule never speaks about a record that is
 //! broken: the parser or the resolver has done so.
 
+mod allow;
 mod definite;
+pub mod levels;
 mod parts;
 mod records;
 mod rules;
@@ -100,11 +102,13 @@ const RULES: &[Rule] = &[
     rules::several_records_per_line::check,
 ];
 
-/// Runs all rules; the findings are added.
+/// Runs all rules; the findings are added to those of the parser and the resolver, and what comments
+/// allow is taken out.
 pub fn run(context: &Context, out: &mut Vec<Diagnostic>) {
     for rule in RULES {
         rule(context, out);
     }
+    allow::apply(context, out);
 }
 
 #[cfg(test)]

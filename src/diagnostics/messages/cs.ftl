@@ -38,10 +38,40 @@ tally-found = Nalezeno: { $findings } ({ $files ->
     [one] { $files } soubor
     [few] { $files } soubory
    *[other] { $files } souborů
-}){ $fixes ->
-    [0] .
-   *[other] ; s návrhem opravy: { $fixes }.
+}){ $fixable ->
+    [0] { $unsafe ->
+        [0] .
+       *[other] ; opraví `zpg check --fix --unsafe-fixes`: { $unsafe }.
+    }
+   *[other] ; opraví `zpg check --fix`: { $fixable }{ $unsafe ->
+        [0] .
+       *[other] , s `--unsafe-fixes` ještě { $unsafe }.
+    }
 }
+fixed = Opraveno: { $count ->
+    [one] { $count } nález
+    [few] { $count } nálezy
+   *[other] { $count } nálezů
+} ({ $files ->
+    [one] { $files } soubor
+    [few] { $files } soubory
+   *[other] { $files } souborů
+}).
+would-fix = K opravě: { $count ->
+    [one] { $count } nález
+    [few] { $count } nálezy
+   *[other] { $count } nálezů
+} ({ $files ->
+    [one] { $files } soubor
+    [few] { $files } soubory
+   *[other] { $files } souborů
+}).
+folded = { $count ->
+    [one] ještě { $count } takový nález, na { $places }
+    [few] ještě { $count } takové nálezy, na { $places }
+   *[other] ještě { $count } takových nálezů, na { $places }
+}
+folded-cut = ještě { $count } takových nálezů, první na { $places }
 
 ## Společné věty
 
@@ -377,7 +407,7 @@ W306-ball = { W306 }
     .fix = obrátit znaménko m44
 W306-full = kvadrice { $id } vyhovuje každý bod
     .label = { W306.label }
-    .note = xᵀQx je všude menší než 0: objekt vyplňuje celý prostor, nemá povrch, který by šlo zobrazit, a z čeho se odečte, z toho nic nezbude
+    .note = xᵀQx není nikde větší než 0: objekt vyplňuje celý prostor, nemá povrch, který by šlo zobrazit, a z čeho se odečte, z toho nic nezbude
 W306-zero = kvadrice { $id } vyhovuje každý bod
     .label = { W306.label }
     .note = xᵀQx je všude 0: objekt vyplňuje celý prostor a nemá povrch, který by šlo zobrazit
@@ -506,7 +536,7 @@ W320-torus = torus { $id } prochází sám sebou: trubka (r = { $tube }) je šir
     .note = kde se trubka překrývá sama se sebou, v čočce kolem osy, je venku: uvnitř je dutina
     .fix = prohodit R a r
 
-W321 = { $operation } { $id }: { $tool } { $tool-id } končí přesně na povrchu, který má { $other } { $other-id }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+W321 = { $operation } { $id }: { W321.the-tool } končí přesně na povrchu, který má { W321.the-other }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
     .label = { $tool-face ->
         [side] stěna { $tool-name }
         [boundary] hraniční rovina
@@ -529,14 +559,29 @@ W321 = { $operation } { $id }: { $tool } { $tool-id } končí přesně na povrch
     .note = zda tam zbude blána bez tloušťky, záleží na zaokrouhlení
     .help = nechte nástroj sahat o kousek za stěnu, kterou prořezává
     .fix = nechat jej sahat o vlásek dál
-W321-holes = { $operation } { $id }: { $tool } { $tool-id } řeže až tam, kam { $other } { $other-id }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+    .the-tool = { $tool-copy ->
+        [none] { $tool } { $tool-id }
+       *[other] { $tool } { $tool-id } v kopii { $tool-copy }
+    }
+    .the-other = { $other-copy ->
+        [none] { $other } { $other-id }
+       *[other] { $other } { $other-id } v kopii { $other-copy }
+    }
+W321-round = { W321 }
+    .label = { W321.label }
+    .other = { W321.other }
+    .operation = { W321.operation }
+    .note = { W321.note }
+    .help = udělejte tam nástroj o kousek větší než to, co řeže, nebo zapište obojí stejně: o stejných tvarech na jednom místě se rozhoduje přesně
+    .fix = { W321.fix }
+W321-holes = { $operation } { $id }: { W321.the-tool } řeže až tam, kam { W321.the-other }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
     .note = zda mezi nimi zbude stěna bez tloušťky, záleží na zaokrouhlení
     .help = nechte jeden z nich zasahovat o kousek do druhého
     .fix = { W321.fix }
-W321-touch = { $operation } { $id }: { $tool } { $tool-id } a { $other } { $other-id } se jen dotýkají: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+W321-touch = { $operation } { $id }: { W321.the-tool } a { W321.the-other } se jen dotýkají: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
@@ -547,6 +592,10 @@ W322 = { $type } { $id } má příliš rozdílné rozměry: { $large } je { $lar
     .note = na obojí šestnáct číslic nestačí: průsečíky na malých částech jsou vedle o velkou část jejich rozměru a hrany vyjdou roztřepené
     .help = přibližte rozměry k sobě, nebo přesuňte objekt blíže k počátku
 W322-moved = { $type } { $id } má po přesunutí a natažení příliš rozdílné rozměry: { $large } je { $large-size }, { $small } jen { $small-size }
+    .label = { W322.label }
+    .note = { W322.note }
+    .help = { W322.help }
+W322-stretched = { $type } { $id } má po přesunutí a natažení příliš rozdílné rozměry: { $large } podél vlastní osy { $large-axis } je { $large-size }, { $small } podél vlastní osy { $small-axis } jen { $small-size }
     .label = { W322.label }
     .note = { W322.note }
     .help = { W322.help }
@@ -575,3 +624,18 @@ S503 = { $count ->
    *[other] { $count } dalších záznamů na tomtéž řádku
 }
     .fix = jeden záznam na řádek
+
+S504 = { $count ->
+    [one] { $entries } se zde dovoluje, ale nevyskytuje
+   *[other] { $entries } se zde dovolují, ale nevyskytují
+}
+    .label = není co dovolit
+    .fix = { $count ->
+        [one] odstranit to
+       *[other] odstranit je
+    }
+S504-unknown = tomuto komentáři zpg nerozumí
+    .help = co je v pořádku, se zapisuje `# zpg: allow(W307) #`, s kódy nebo názvy
+S504-no-code = kód { $text } neexistuje
+    .help = všechny kódy vypíše `zpg explain`
+S504-error = chybu { $code } dovolit nelze

@@ -39,11 +39,35 @@ tally-style = { $count ->
 tally-found = Found { $findings } in { $files ->
     [one] { $files } file
    *[other] { $files } files
-}{ $fixes ->
-    [0] .
-    [one] ; { $fixes } has a proposed fix.
-   *[other] ; { $fixes } have a proposed fix.
+}{ $fixable ->
+    [0] { $unsafe ->
+        [0] .
+       *[other] ; { $unsafe } can be fixed with `zpg check --fix --unsafe-fixes`.
+    }
+   *[other] ; { $fixable } can be fixed with `zpg check --fix`{ $unsafe ->
+        [0] .
+       *[other] , { $unsafe } more with `--unsafe-fixes`.
+    }
 }
+fixed = Fixed { $count ->
+    [one] { $count } finding
+   *[other] { $count } findings
+} in { $files ->
+    [one] { $files } file
+   *[other] { $files } files
+}.
+would-fix = Would fix { $count ->
+    [one] { $count } finding
+   *[other] { $count } findings
+} in { $files ->
+    [one] { $files } file
+   *[other] { $files } files
+}.
+folded = { $count ->
+    [one] { $count } more finding like these nine, at { $places }
+   *[other] { $count } more findings like these nine, at { $places }
+}
+folded-cut = { $count } more findings like these nine, the first at { $places }
 
 ## Shared phrases
 
@@ -371,7 +395,7 @@ W306-ball = { W306 }
     .fix = turn the sign of m44
 W306-full = every point satisfies the quadric { $id }
     .label = { W306.label }
-    .note = xᵀQx is less than 0 everywhere: the object fills all of space, has no surface that could be drawn, and leaves nothing of what it is taken away from
+    .note = xᵀQx is nowhere greater than 0: the object fills all of space, has no surface that could be drawn, and leaves nothing of what it is taken away from
 W306-zero = every point satisfies the quadric { $id }
     .label = { W306.label }
     .note = xᵀQx is 0 everywhere: the object fills all of space and has no surface that could be drawn
@@ -493,7 +517,7 @@ W320-torus = the torus { $id } runs through itself: its tube (r = { $tube }) is 
     .note = where the tube overlaps itself, a lemon around the axis, is outside: a hollow within
     .fix = swap R and r
 
-W321 = in the { $operation } { $id }, the { $tool } { $tool-id } ends flush with the { $other } { $other-id }: they share a face around ({ $x }, { $y }, { $z })
+W321 = in the { $operation } { $id }, { W321.the-tool } ends flush with { W321.the-other }: they share a face around ({ $x }, { $y }, { $z })
     .label = { $tool-face ->
         [side] the face at { $tool-name }
         [boundary] its boundary
@@ -516,14 +540,29 @@ W321 = in the { $operation } { $id }, the { $tool } { $tool-id } ends flush with
     .note = whether a skin of no thickness is left there is up to rounding
     .help = let the tool reach a little past the face that it cuts through
     .fix = let it reach a hair further
-W321-holes = in the { $operation } { $id }, the { $tool } { $tool-id } cuts up to where the { $other } { $other-id } does: they share a face around ({ $x }, { $y }, { $z })
+    .the-tool = { $tool-copy ->
+        [none] the { $tool } { $tool-id }
+       *[other] the { $tool } { $tool-id } in the copy { $tool-copy }
+    }
+    .the-other = { $other-copy ->
+        [none] the { $other } { $other-id }
+       *[other] the { $other } { $other-id } in the copy { $other-copy }
+    }
+W321-round = { W321 }
+    .label = { W321.label }
+    .other = { W321.other }
+    .operation = { W321.operation }
+    .note = { W321.note }
+    .help = make the tool a little larger there than what it cuts, or write both alike: equal shapes in one place are decided exactly
+    .fix = { W321.fix }
+W321-holes = in the { $operation } { $id }, { W321.the-tool } cuts up to where { W321.the-other } does: they share a face around ({ $x }, { $y }, { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
     .note = whether a wall of no thickness is left between the two is up to rounding
     .help = let one of the two reach a little into the other
     .fix = { W321.fix }
-W321-touch = in the { $operation } { $id }, the { $tool } { $tool-id } and the { $other } { $other-id } only touch: they share a face around ({ $x }, { $y }, { $z })
+W321-touch = in the { $operation } { $id }, { W321.the-tool } and { W321.the-other } only touch: they share a face around ({ $x }, { $y }, { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
@@ -534,6 +573,10 @@ W322 = the { $type } { $id } is ill-scaled: { $large } is { $large-size }, { $sm
     .note = sixteen digits are too few for both: hits on the small parts are off by a good part of their size, and edges come out ragged
     .help = bring the sizes nearer together, or move the object nearer to the origin
 W322-moved = the { $type } { $id }, as it is moved and stretched, is ill-scaled: { $large } is { $large-size }, { $small } only { $small-size }
+    .label = { W322.label }
+    .note = { W322.note }
+    .help = { W322.help }
+W322-stretched = the { $type } { $id }, as it is moved and stretched, is ill-scaled: { $large } along its { $large-axis } axis is { $large-size }, { $small } along its { $small-axis } axis only { $small-size }
     .label = { W322.label }
     .note = { W322.note }
     .help = { W322.help }
@@ -561,3 +604,18 @@ S503 = { $count ->
    *[other] { $count } more records on the same line
 }
     .fix = one record a line
+
+S504 = { $count ->
+    [one] { $entries } is allowed here, but not found
+   *[other] { $entries } are allowed here, but not found
+}
+    .label = nothing to allow
+    .fix = { $count ->
+        [one] take it out
+       *[other] take them out
+    }
+S504-unknown = zpg does not understand this comment
+    .help = what is all right is written `# zpg: allow(W307) #`, with codes or names
+S504-no-code = there is no code { $text }
+    .help = `zpg explain` lists all codes
+S504-error = an error, { $code }, cannot be allowed

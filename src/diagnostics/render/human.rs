@@ -1,14 +1,17 @@
 //! Findings for people: the lines in question with what is the matter, notes, help and fixes.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use ariadne::{Cache, CharSet, Color, Config, Fmt, IndexType, Label, Report, ReportKind, Source};
 
 use super::excerpt::{self, Excerpt};
 use super::visible;
-use crate::diagnostics::source::Locator;
+use crate::diagnostics::source::{Locator, Position};
 use crate::diagnostics::wording::Wording;
-use crate::diagnostics::{Applicability, Diagnostic, Fix, Language, Severity, SourceFile, Span};
+use crate::diagnostics::{
+    Applicability, Diagnostic, Fix, Language, Severity, SourceFile, Span, Value,
+};
 
 /// A second place so many lines away gets a section of its own: ariadne walks through all the lines
 /// of a section.
@@ -42,10 +45,50 @@ pub fn write(
         budget: LINE_BUDGET,
         look,
     };
+    let mut folds: BTreeMap<&str, Fold> = BTreeMap::new();
     for diagnostic in diagnostics {
+        if !diagnostic.is_error() {
+            let fold = folds.entry(diagnostic.code.as_str()).or_insert(Fold {
+                severity: diagnostic.severity,
+                shown: 0,
+                places: Vec::new(),
+                more: 0,
+            });
+            if fold.shown == SHOWN {
+                fold.add(printer.locator.position(diagnostic.span.start));
+                continue;
+            }
+            fold.shown += 1;
+        }
         printer.write(out, diagnostic)?;
     }
+    for (code, fold) in &folds {
+        printer.write_fold(out, code, fold)?;
+    }
     Ok(())
+}
+
+/// So many findings of one code are shown; the others of a file become a count. Errors never do.
+const SHOWN: usize = 9;
+/// Of those that are not shown, so many are named by their places.
+const PLACES: usize = 6;
+
+/// Findings of one code.
+struct Fold {
+    severity: Severity,
+    shown: usize,
+    /// The first places of those that are not shown.
+    places: Vec<String>,
+    more: usize,
+}
+
+impl Fold {
+    fn add(&mut self, place: Position) {
+        if self.places.len() < PLACES {
+            self.places.push(format!("{}:{}", place.line, place.column));
+        }
+        self.more += 1;
+    }
 }
 
 /// The places a finding points at, the first one first.
@@ -99,6 +142,25 @@ impl Printer<'_> {
             }
         }
         writeln!(out)
+    }
+
+    fn write_fold(&self, out: &mut dyn Write, code: &str, fold: &Fold) -> io::Result<()> {
+        if fold.more == 0 {
+            return Ok(());
+        }
+        let language = self.look.language;
+        let severity = language.say(fold.severity.as_str(), &[]);
+        let head = format!("{severity}[{code}]:");
+        let head = head.fg(self.paint(severity_colour(fold.severity)));
+        let message = match fold.more > fold.places.len() {
+            true => "folded-cut",
+            false => "folded",
+        };
+        let values = [
+            ("count", Value::Count(fold.more as u64)),
+            ("places", fold.places.join(", ").into()),
+        ];
+        writeln!(out, "{head} {}\n", language.say(message, &values))
     }
 
     /// The places of a finding by section and line, those of the first place's section first.
@@ -296,7 +358,7 @@ impl Cache<usize> for Sections<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostics::{Code, Value};
+    use crate::diagnostics::Code;
 
     fn print(text: &str, diagnostics: &[Diagnostic]) -> String {
         print_as(Look::default(), text, diagnostics)
@@ -399,6 +461,26 @@ mod tests {
               │ Help: give it an ID of its own
         ──────╯
         "#);
+    }
+
+    #[test]
+    fn the_tenth_equal_warning_is_counted() {
+        let text = "2 9 1\n".repeat(40);
+        let warning = |i: u32| Diagnostic::new(Code::S502, Span::new(6 * i, 6 * i + 1));
+        let shown = |n: u32| print(&text, &(0..n).map(warning).collect::<Vec<_>>());
+        assert_eq!(shown(9).matches("style[S502]").count(), 9);
+        let ten = shown(10);
+        assert!(ten.ends_with("style[S502]: 1 more finding like these nine, at 10:1\n\n"));
+        let many = shown(40);
+        assert_eq!(many.matches("style[S502]").count(), 10);
+        let places = "10:1, 11:1, 12:1, 13:1, 14:1, 15:1";
+        assert!(many.contains(&format!(
+            "31 more findings like these nine, the first at {places}"
+        )));
+        // Errors are all shown.
+        let error = |i: u32| word(Span::new(6 * i, 6 * i + 1));
+        let errors = print(&text, &(0..40).map(error).collect::<Vec<_>>());
+        assert_eq!(errors.matches("error[E012]").count(), 40);
     }
 
     #[test]

@@ -21,9 +21,11 @@ pub struct Tally {
     /// Files in which something was found.
     #[serde(skip)]
     pub files_with_findings: usize,
-    /// Findings that come with at least one fix.
+    /// Findings with a fix that may be applied without asking, and with none but others.
     #[serde(skip)]
-    pub with_fix: usize,
+    pub fixable: usize,
+    #[serde(skip)]
+    pub fixable_unsafe: usize,
 }
 
 impl Tally {
@@ -38,7 +40,9 @@ impl Tally {
                 Severity::Note => self.notes += 1,
                 Severity::Style => self.style += 1,
             }
-            self.with_fix += usize::from(!diagnostic.fixes.is_empty());
+            let safe = diagnostic.applicable_fix(false).is_some();
+            self.fixable += usize::from(safe);
+            self.fixable_unsafe += usize::from(!safe && !diagnostic.fixes.is_empty());
         }
     }
 
@@ -50,7 +54,8 @@ impl Tally {
         self.notes += other.notes;
         self.style += other.style;
         self.files_with_findings += other.files_with_findings;
-        self.with_fix += other.with_fix;
+        self.fixable += other.fixable;
+        self.fixable_unsafe += other.fixable_unsafe;
     }
 
     /// Whether nothing at all was found.
@@ -60,7 +65,7 @@ impl Tally {
 }
 
 impl Tally {
-    /// `Found 3 errors and 1 warning in 2 files; 2 of them have a proposed fix.`
+    /// `Found 3 errors and 1 warning in 2 files; 2 can be fixed with …`
     pub fn sentence(&self, language: Language) -> String {
         let count = |n: usize| Value::Count(n as u64);
         if self.is_clean() {
@@ -86,7 +91,8 @@ impl Tally {
         let values = [
             ("findings", findings.into()),
             ("files", count(self.files_with_findings)),
-            ("fixes", count(self.with_fix)),
+            ("fixable", count(self.fixable)),
+            ("unsafe", count(self.fixable_unsafe)),
         ];
         language.say("tally-found", &values)
     }

@@ -1,7 +1,7 @@
 //! S502: a stand-alone comment that no VOID record introduces.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
-use crate::lint::Context;
+use crate::lint::{Context, allow};
 use crate::syntax::Item;
 use crate::syntax::lexer::{Token, TokenKind};
 
@@ -22,7 +22,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         let introduced = matches!(previous, Some(Item::Void { token })
             if tokens[*token as usize + 1..i].iter().all(|t| t.kind == TokenKind::Newline));
-        if introduced || is_directive(t, context.text) {
+        if introduced || allow::is_directive(t, context.text) {
             continue;
         }
         out.push(Diagnostic::new(Code::S502, t.span()).fix(Fix::replace(
@@ -38,12 +38,4 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 fn stands_alone(tokens: &[Token], i: usize) -> bool {
     let edge = |t: &Token| matches!(t.kind, TokenKind::Newline | TokenKind::ByteOrderMark);
     tokens[..i].last().is_none_or(edge) && tokens.get(i + 1).is_none_or(edge)
-}
-
-/// Comments that talk to zpg, `# zpg: … #`, need no introduction.
-fn is_directive(t: &Token, text: &str) -> bool {
-    t.text(text)
-        .trim_start_matches('#')
-        .trim_start()
-        .starts_with("zpg:")
 }

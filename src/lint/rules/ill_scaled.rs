@@ -13,7 +13,15 @@ const RATIO_MAX: f64 = 1e8;
 struct Length {
     size: f64,
     what: &'static str,
+    /// The axis of the shape along which it lies, where the others come out differently.
+    axis: Option<usize>,
 }
+
+/// How much two axes must differ in stretch for a length to be told with its axis: lengths are told
+/// in four digits, and what is the same in all of them needs no axis.
+const UNEVEN: f64 = 1.001;
+
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -36,7 +44,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         {
             spoken[s as usize] = true;
             let shape = &scene.shapes[s as usize];
-            out.push(finding(context, shape, small, large).case("moved"));
+            let finding = finding(context, shape, small, large);
+            out.push(match (small.axis, large.axis) {
+                (Some(s), Some(l)) => finding
+                    .case("stretched")
+                    .with("small-axis", AXES[s])
+                    .with("large-axis", AXES[l]),
+                _ => finding.case("moved"),
+            });
         }
     }
 }
@@ -58,14 +73,14 @@ fn finding(context: &Context, shape: &Shape, small: Length, large: Length) -> Di
 fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
     let mut small: Option<Length> = None;
     let mut large: Option<Length> = None;
-    lengths(geometry, m, &mut |size, what| {
+    lengths(geometry, m, &mut |size, what, axis| {
         // A length of zero is another rule's matter.
         if size > 0.0 && size.is_finite() {
             if small.is_none_or(|s| size < s.size) {
-                small = Some(Length { size, what });
+                small = Some(Length { size, what, axis });
             }
             if large.is_none_or(|l| size > l.size) {
-                large = Some(Length { size, what });
+                large = Some(Length { size, what, axis });
             }
         }
     });
@@ -76,7 +91,11 @@ fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
         let size = x.hypot(y).hypot(z);
         if size.is_finite() && size > large.size {
             let what = "its distance from the origin";
-            large = Length { size, what };
+            large = Length {
+                size,
+                what,
+                axis: None,
+            };
         }
     }
     (large.size / small.size > RATIO_MAX).then_some((small, large))
@@ -98,62 +117,78 @@ fn place(geometry: &Geometry) -> Option<[f64; 3]> {
     }
 }
 
-fn lengths(geometry: &Geometry, m: &Matrix, add: &mut dyn FnMut(f64, &'static str)) {
+type Add<'a> = &'a mut dyn FnMut(f64, &'static str, Option<usize>);
+
+fn lengths(geometry: &Geometry, m: &Matrix, add: Add) {
     // How much longer the matrix makes what lies along an axis.
     let stretch: [f64; 3] = std::array::from_fn(|j| m.0[0][j].hypot(m.0[1][j]).hypot(m.0[2][j]));
-    let mut axes = |sizes: [f64; 3], what: [&'static str; 3]| {
-        for i in 0..3 {
-            add(sizes[i] * stretch[i], what[i]);
-        }
-    };
+    let (least, most) = stretch
+        .iter()
+        .fold((f64::INFINITY, 0.0f64), |(a, b), x| (a.min(*x), b.max(*x)));
+    let uneven = most > UNEVEN * least;
+    let told = |i: usize| uneven.then_some(i);
+    let mut axes =
+        |sizes: [f64; 3], what: [&'static str; 3], told: &dyn Fn(usize) -> Option<usize>| {
+            for i in 0..3 {
+                add(sizes[i] * stretch[i], what[i], told(i));
+            }
+        };
+    // Sizes that have an axis in their name.
+    let named = |_| None;
     const RADIUS: &str = "its radius";
     match geometry {
         Geometry::Sphere { radius, .. } | Geometry::GeodesicSphere { radius, .. } => {
-            axes([*radius; 3], [RADIUS; 3]);
+            axes([*radius; 3], [RADIUS; 3], &told);
         }
         Geometry::Ellipsoid { semi_axes } => axes(
             *semi_axes,
             ["its semi-axis a", "its semi-axis b", "its semi-axis c"],
+            &named,
         ),
         Geometry::Box { min, max } => axes(
             std::array::from_fn(|i| max[i] - min[i]),
             ["its width in x", "its height in y", "its depth in z"],
+            &named,
         ),
         Geometry::Rectangle { min, max } => axes(
             [max[0] - min[0], max[1] - min[1], 0.0],
             ["its width in x", "its height in y", ""],
+            &named,
         ),
         Geometry::Torus { major, minor } => {
-            axes([*major, 0.0, *major], ["its ring's radius R"; 3]);
-            axes([*minor; 3], ["its tube's radius r"; 3]);
+            axes([*major, 0.0, *major], ["its ring's radius R"; 3], &told);
+            axes([*minor; 3], ["its tube's radius r"; 3], &told);
         }
         Geometry::Cone { height, radius } | Geometry::DoubleCone { height, radius } => axes(
             [*radius, height.abs(), *radius],
             [RADIUS, "its height", RADIUS],
+            &told,
         ),
-        Geometry::ParabolicCylinder { a } => axes([*a, 0.0, 0.0], ["a"; 3]),
-        Geometry::HyperbolicCylinder { a, b } => axes([*a, *b, 0.0], ["a", "b", ""]),
-        Geometry::Hyperboloid { a, b, c, .. } => axes([*a, *b, *c], ["a", "b", "c"]),
-        Geometry::HyperbolicParaboloid { a, b } => axes([*a, 0.0, *b], ["a", "", "b"]),
+        Geometry::ParabolicCylinder { a } => axes([*a, 0.0, 0.0], ["a"; 3], &named),
+        Geometry::HyperbolicCylinder { a, b } => axes([*a, *b, 0.0], ["a", "b", ""], &named),
+        Geometry::Hyperboloid { a, b, c, .. } => axes([*a, *b, *c], ["a", "b", "c"], &named),
+        Geometry::HyperbolicParaboloid { a, b } => axes([*a, 0.0, *b], ["a", "", "b"], &named),
         Geometry::Triangle { vertices, .. } => {
             let [a, b, c] = vertices.map(|v| m.point(v));
             let distance =
                 |p: [f64; 3], q: [f64; 3]| (p[0] - q[0]).hypot(p[1] - q[1]).hypot(p[2] - q[2]);
             for (p, q) in [(a, b), (b, c), (c, a)] {
-                add(distance(p, q), "an edge");
+                add(distance(p, q), "an edge", None);
             }
         }
         Geometry::Revolution { profile, .. } => {
-            let radial = stretch[0].min(stretch[2]);
-            for p in profile {
-                add(p[0] * radial, "a radius of its profile");
-            }
-            for w in profile.windows(2) {
-                let (dx, dy) = (
-                    (w[1][0] - w[0][0]) * radial,
-                    (w[1][1] - w[0][1]) * stretch[1],
-                );
-                add(dx.hypot(dy), "a piece of its profile");
+            for axis in [0, 2] {
+                let radial = stretch[axis];
+                for p in profile {
+                    add(p[0] * radial, "a radius of its profile", told(axis));
+                }
+                for w in profile.windows(2) {
+                    let (dx, dy) = (
+                        (w[1][0] - w[0][0]) * radial,
+                        (w[1][1] - w[0][1]) * stretch[1],
+                    );
+                    add(dx.hypot(dy), "a piece of its profile", None);
+                }
             }
         }
         Geometry::Plane(_) | Geometry::HalfSpace(_) | Geometry::Quadric(_) => {}
@@ -193,6 +228,44 @@ mod tests {
         // Stretched back, it is as it was, and even scaling does no harm.
         assert!(found("2 12 0 0 0 1 1 1e-5\n2 -3 1 1 1e5\n").is_empty());
         assert!(found("2 9 1\n2 -3 1e12 1e12 1e12\n").is_empty());
+    }
+
+    #[test]
+    fn stretched_lengths_are_told_with_their_axis() {
+        for (scene, told) in [
+            (
+                "2 9 1\n2 -3 1e9 1 1\n",
+                "its radius along its x axis is 1000000000, its radius along its y axis only 1",
+            ),
+            // The axes are the shape's own: turned about y, its x axis is the scene's -z axis.
+            (
+                "2 9 1\n2 -3 1 1 1e9\n2 -2 90 2\n",
+                "its radius along its z axis is 1000000000, its radius along its x axis only 1",
+            ),
+            (
+                "2 16 1 1\n2 -3 1e9 2 1\n",
+                "its radius along its x axis is 1000000000, its radius along its z axis only 1",
+            ),
+            (
+                "2 1 2 1 0 1 1\n2 -3 1 1 1e9\n",
+                "a radius of its profile along its z axis is 1000000000, \
+                 a radius of its profile along its x axis only 1",
+            ),
+            // Sizes that have an axis in their name, and even stretching.
+            (
+                "2 12 0 0 0 1 1 1\n2 -3 1e9 1 1\n",
+                "its width in x is 1000000000, its height in y only 1",
+            ),
+            (
+                "2 14 1 1e-9\n2 -3 2 2 2\n",
+                "its ring's radius R is 1, its tube's radius r only 1e-9",
+            ),
+        ] {
+            let message = &messages(scene)[0];
+            assert!(message.ends_with(told), "{message}");
+        }
+        assert!(found("2 9 1\n2 -3 1e7 1 1\n").is_empty());
+        assert!(found("2 1 2 1 0 1 1\n2 -3 1e7 1 1\n").is_empty());
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! W306: a quadric whose equation no real point satisfies.
+//! W306: a quadric with no surface: no real point satisfies it, or every one does.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
 use crate::lint::definite::{Verdict, judge};
@@ -60,6 +60,19 @@ mod tests {
             found(&"0 ".repeat(17).replacen("0 ", "2 15 ", 1)),
             ["W306 1:6"]
         );
+    }
+
+    #[test]
+    fn a_form_that_is_nowhere_positive() {
+        let scene = "2 15 -1 0 0 0  0 -1 0 0  0 0 -1 0  0 0 0 0\n";
+        assert_eq!(found(scene), ["W306 1:6"]);
+        assert_eq!(fixed(scene), scene);
+        // −(x + y)² ≤ 0 everywhere; −x² + 2xy ≤ 0 is one of two pairs of wedges.
+        assert_eq!(
+            found("2 15 -1 -1 0 0  -1 -1 0 0  0 0 0 0  0 0 0 0\n"),
+            ["W306 1:6"]
+        );
+        assert!(found("2 15 -1 1 0 0  1 0 0 0  0 0 0 0  0 0 0 0\n").is_empty());
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! surfaces with a point that tells them from others.
 
 use super::inside::in_profile;
+use super::quadric;
 use super::vector::{add, cross, dot, length, sub, unit};
 use crate::scene::bounds::shape_bounds;
 use crate::scene::{Aabb, Geometry, Matrix, NodeId, Scene, Vec3};
@@ -10,37 +11,67 @@ use crate::scene::{Aabb, Geometry, Matrix, NodeId, Scene, Vec3};
 /// the square of their number. The rule stays silent about them.
 const PROFILE_MAX: usize = 64;
 
-/// A shape where it occurs in an operand.
+/// A shape where it occurs, or something that is known as a whole only.
 #[derive(Debug, Clone)]
 pub struct Leaf {
-    /// The shape's own node.
+    /// Its own node.
     pub node: NodeId,
-    /// Index into the scene's shapes.
-    pub shape: u32,
-    /// From the shape's coordinates into those of the search.
+    /// Index into the scene's shapes; `None` for what is known as a whole.
+    pub shape: Option<u32>,
+    /// The ID by which the shape is written where it occurs: its own or that of a copy.
+    pub id: u32,
+    /// From its own coordinates into those of the root.
     pub matrix: Matrix,
     /// Where it is; infinite for what has no end.
     pub bounds: Aabb,
     /// The longest side of its bounds.
     pub size: f64,
+    /// Index into the places of the tree.
+    pub place: u32,
 }
 
 impl Leaf {
-    pub fn new(scene: &Scene, node: NodeId, shape: u32, matrix: Matrix) -> Leaf {
-        let bounds = shape_bounds(&scene.shapes[shape as usize].geometry, &matrix);
-        let size = (0..3).fold(0.0f64, |s, i| s.max(bounds.max[i] - bounds.min[i]));
+    pub fn new(
+        scene: &Scene,
+        node: NodeId,
+        shape: u32,
+        copy: Option<u32>,
+        matrix: Matrix,
+        place: u32,
+    ) -> Leaf {
+        let written = &scene.shapes[shape as usize];
+        Leaf {
+            shape: Some(shape),
+            id: copy.unwrap_or(written.id),
+            ..Leaf::within(
+                node,
+                shape_bounds(&written.geometry, &matrix),
+                matrix,
+                place,
+            )
+        }
+    }
+
+    /// A part whose bounds in its own coordinates are these.
+    pub fn part(node: NodeId, bounds: Aabb, matrix: Matrix, place: u32) -> Leaf {
+        Leaf::within(node, bounds.transformed(&matrix), matrix, place)
+    }
+
+    fn within(node: NodeId, bounds: Aabb, matrix: Matrix, place: u32) -> Leaf {
         Leaf {
             node,
-            shape,
+            shape: None,
+            id: 0,
             matrix,
             bounds,
-            size,
+            size: (0..3).fold(0.0f64, |s, i| s.max(bounds.max[i] - bounds.min[i])),
+            place,
         }
     }
 }
 
 /// Which part of a shape's surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Part {
     /// The whole of it.
     All,
@@ -79,7 +110,7 @@ pub enum Form {
 
 #[derive(Debug, Clone)]
 pub struct Face {
-    /// Index into the leaves of the search.
+    /// Index into the leaves of the tree.
     pub leaf: u32,
     pub part: Part,
     pub form: Form,
@@ -141,7 +172,20 @@ pub fn faces(geometry: &Geometry, leaf: u32, m: &Matrix, out: &mut Vec<Face>) {
         Geometry::Revolution { profile, .. } if profile.len() <= PROFILE_MAX => {
             faces.revolution(profile);
         }
-        _ => {}
+        _ => {
+            let form = quadric::form(geometry);
+            if let Some(at) = form.and_then(|q| quadric::fingerprint(&q, m)) {
+                faces.out.push(Face {
+                    leaf,
+                    part: Part::All,
+                    form: Form::Round {
+                        anchor: [at, 0.0, 0.0],
+                        scale: 0.0,
+                        class: QUADRIC,
+                    },
+                });
+            }
+        }
     }
 }
 
@@ -150,6 +194,8 @@ const BALL: u8 = 0;
 const TORUS: u8 = 1;
 const CONE: u8 = 2;
 const CYLINDER: u8 = 3;
+/// These have a number that stands for their matrix in the place of an anchor.
+pub const QUADRIC: u8 = 4;
 
 struct Faces<'a> {
     leaf: u32,

@@ -1,11 +1,12 @@
 //! Whether a point is in an object: an answer only where it is certain enough to build on.
 
+use super::tree::{both, either};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
 
-/// Steps of all tests together: nodes visited and profile points compared. A second's worth of
-/// work is many times that.
-const STEPS: usize = 1_000_000;
+/// Steps of all tests together: nodes visited and profile points compared. A second has room for
+/// many times that.
+const STEPS: usize = 5_000_000;
 
 /// Answers for one scene, as long as the steps last.
 pub struct Inside<'a> {
@@ -123,19 +124,6 @@ impl<'a> Inside<'a> {
         }
         in_shape(geometry, p)
     }
-}
-
-/// Kleene's "or": true if one is.
-fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
-    match (a, b) {
-        (Some(true), _) | (_, Some(true)) => Some(true),
-        (Some(false), Some(false)) => Some(false),
-        _ => None,
-    }
-}
-
-fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
-    either(a.map(|x| !x), b.map(|x| !x)).map(|x| !x)
 }
 
 fn in_shape(geometry: &Geometry, p: Vec3) -> Option<bool> {

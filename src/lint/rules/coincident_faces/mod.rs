@@ -4,14 +4,19 @@
 //! the other out of it: in A ∩ B where the outsides of A and B look against each other, in A − B
 //! where they look the same way. A tool that lies against a face from outside, or faces that look
 //! the same way in an intersection, only decide whose face it is; nothing is said of them, and
-//! nothing of equal shapes in equal places, which are decided exactly. Faces of quadrics of types 15
-//! and 18 to 21, of geodesic spheres and of profiles of more than 64 points are not known here.
+//! nothing of equal shapes in equal places, which are decided exactly. Nothing
+//! is said either of what is covered or cut off by another operation, or not drawn. Faces of geodesic
+//! spheres and of profiles of more than 64 points are not known here.
 
 mod face;
 mod fix;
 mod inside;
+mod planes;
+mod points;
+mod quadric;
 mod sample;
 mod search;
+mod tree;
 mod vector;
 
 use std::collections::BTreeMap;
@@ -35,9 +40,6 @@ enum Case {
     Touch,
 }
 
-/// A face that two shapes share: the tool's, the other's, and what was found.
-type Shared = (Side, Side, Found);
-
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let cuts = |n: &Node| matches!(n, Node::Difference(..) | Node::Intersection(..));
@@ -47,17 +49,16 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let live = live_nodes(scene);
     let bounds = node_bounds(scene);
     // One finding for each tool of an operation, however many faces it shares.
-    let mut groups: BTreeMap<(NodeId, u32, Case), Vec<Shared>> = BTreeMap::new();
+    let mut groups: BTreeMap<(NodeId, u32, Case), Vec<Found>> = BTreeMap::new();
     for found in search(scene, &bounds, &live) {
-        let [new, old] = found.sides;
-        let (case, tool, other) = match (new.cuts, old.cuts) {
-            (false, true) => (Case::Flush, old, new),
-            (true, false) => (Case::Flush, new, old),
-            (true, true) => (Case::Holes, new, old),
-            (false, false) => (Case::Touch, new, old),
+        let [tool, other] = found.sides;
+        let case = match (tool.cuts, other.cuts) {
+            (true, false) => Case::Flush,
+            (true, true) => Case::Holes,
+            _ => Case::Touch,
         };
         let group = groups.entry((found.operation, tool.shape, case));
-        group.or_default().push((tool, other, found));
+        group.or_default().push(found);
     }
     if groups.is_empty() {
         return;
@@ -77,11 +78,12 @@ fn finding(
     context: &Context,
     operation: &OperationRecord,
     case: Case,
-    pairs: &[Shared],
+    pairs: &[Found],
     parents: &Parents,
 ) -> Option<Diagnostic> {
     let scene = context.scene;
-    let (tool, other, found) = pairs.first()?;
+    let found = pairs.first()?;
+    let [tool, other] = &found.sides;
     let title = match scene.nodes[operation.node as usize] {
         Node::Difference(..) => "difference",
         _ => "intersection",
@@ -93,10 +95,12 @@ fn finding(
         let params = context.params(shape(side).span)?;
         Some(place(&params, &shape(side).geometry, side.part))
     };
+    let copy = |side: &Side| side.copy.map_or("none".to_owned(), |id| id.to_string());
     let (span, face_of_tool, name) = face(tool)?;
     let (other_span, face_of_other, other_name) = face(other)?;
     let mut d = Diagnostic::new(Code::W321, span)
         .case(match case {
+            Case::Flush if tool.round => "round",
             Case::Flush => "",
             Case::Holes => "holes",
             Case::Touch => "touch",
@@ -104,11 +108,13 @@ fn finding(
         .with("operation", Value::Term(title))
         .with("id", operation.id.to_string())
         .with("tool", Value::Term(shape(tool).ty.title))
-        .with("tool-id", shape(tool).id.to_string())
+        .with("tool-id", tool.id.to_string())
+        .with("tool-copy", copy(tool))
         .with("tool-face", face_of_tool)
         .with("tool-name", name)
         .with("other", Value::Term(shape(other).ty.title))
-        .with("other-id", shape(other).id.to_string())
+        .with("other-id", other.id.to_string())
+        .with("other-copy", copy(other))
         .with("other-face", face_of_other)
         .with("other-name", other_name)
         .with("x", x)
@@ -118,7 +124,7 @@ fn finding(
         .label(operation.span, "operation");
     if case != Case::Touch && parents.only_in(tool.node, operation.node) {
         let shape = &scene.shapes[tool.shape as usize];
-        let sides: Vec<Side> = pairs.iter().map(|p| p.0).collect();
+        let sides: Vec<Side> = pairs.iter().map(|p| p.sides[0]).collect();
         let params = context.params(shape.span)?;
         if let Some(fix) = fix::lengthen(&params, &shape.geometry, &sides, other.size) {
             d = d.fix(fix);
@@ -163,42 +169,47 @@ fn place(p: &Params, geometry: &Geometry, part: Part) -> (Span, &'static str, &'
         (_, Part::Mantle) => (p.span_of(0, 2), "mantle", ""),
         (_, Part::Cap(i)) => (p.span_of(1 + 2 * i, 2), "disc", ""),
         (_, Part::Piece(i)) => (p.span_of(1 + 2 * i, 4), "piece", ""),
+        // Some types have no parameters.
+        (_, Part::All) if p.len() == 0 => (p.span, "all", ""),
         (_, Part::All) => (p.span_of(0, p.len()), "all", ""),
     }
 }
 
 /// Who is made of what.
 struct Parents {
-    /// How many live nodes have this one as a child, and one of them.
-    of: Vec<(u32, NodeId)>,
+    /// For each node the highest one of which it is part, once, and by way of which alone it is part
+    /// of anything else.
+    sole: Vec<NodeId>,
 }
 
 impl Parents {
     fn new(scene: &Scene, live: &[bool]) -> Parents {
+        // How many live nodes have this one as a child, and one of them.
         let mut of = vec![(0, 0); scene.nodes.len()];
         for (i, node) in scene.nodes.iter().enumerate().filter(|(i, _)| live[*i]) {
             for child in node.children().into_iter().flatten() {
                 of[child as usize].0 += 1;
-                of[child as usize].1 = i as NodeId;
+                of[child as usize].1 = i;
             }
         }
         if let Some(render) = &scene.render {
             of[render.root as usize].0 += 1;
         }
-        Parents { of }
+        let mut sole: Vec<NodeId> = (0..scene.nodes.len() as NodeId).collect();
+        for i in (0..sole.len()).rev() {
+            if let (1, parent) = of[i]
+                && parent > i
+            {
+                sole[i] = sole[parent];
+            }
+        }
+        Parents { sole }
     }
 
-    /// Whether a node is part of this operation, once, and of nothing that is not.
+    /// Whether a node that is part of this operation is so once, and part of nothing that is not:
+    /// whatever is made of the highest one comes after it.
     fn only_in(&self, node: NodeId, operation: NodeId) -> bool {
-        let mut at = node;
-        while at < operation {
-            let (count, parent) = self.of[at as usize];
-            if count != 1 {
-                return false;
-            }
-            at = parent;
-        }
-        at == operation
+        operation <= self.sole[node as usize]
     }
 }
 

@@ -1,6 +1,7 @@
 //! Points at which two faces are tried: where both can be, and nowhere special.
 
-use super::face::{Face, Form, Leaf, Part};
+use super::face::{Face, Form, Leaf, Part, QUADRIC};
+use super::quadric;
 use super::vector::{add, cross, dot, length, middle, sub, unit};
 use crate::scene::{Geometry, Vec3};
 
@@ -26,7 +27,7 @@ pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
         return Vec::new();
     };
     let outline = match (a.is_empty(), b.is_empty()) {
-        (true, true) => return vec![(*point, *normal)],
+        (true, true) => return plane(*point, *normal, size),
         (true, false) => b.clone(),
         (false, true) => a.clone(),
         (false, false) => clipped(a, b, *normal),
@@ -55,6 +56,27 @@ pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
     }
     points.extend(s.iter().chain(t));
     points.into_iter().map(|p| (p, *normal)).collect()
+}
+
+/// Points of a plane, up to some way from this one.
+fn plane(point: Vec3, normal: Vec3, size: f64) -> Vec<Sample> {
+    let least = (0..3).fold(0, |i, j| {
+        if normal[j].abs() < normal[i].abs() {
+            j
+        } else {
+            i
+        }
+    });
+    let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
+    let u = cross(normal, axis);
+    let v = cross(normal, u);
+    let away = |i: u32| {
+        // Golden angles, and distances of no pattern.
+        let (sin, cos) = (f64::from(i) * 2.399_963 + 0.3).sin_cos();
+        let far = size * 0.317 * f64::from(i);
+        (add(add(point, u, far * cos), v, far * sin), normal)
+    };
+    (0..8).map(away).collect()
 }
 
 /// The part of a convex outline that lies within another one of the same plane (Sutherland and
@@ -95,6 +117,9 @@ pub fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> 
         Geometry::Sphere { centre, radius } => ball(*centre, [*radius; 3]),
         Geometry::Ellipsoid { semi_axes } => ball([0.0; 3], *semi_axes),
         Geometry::Torus { major, minor } => torus(*major, *minor),
+        _ if matches!(face.form, Form::Round { class: QUADRIC, .. }) => {
+            quadric::form(geometry).map_or(Vec::new(), |q| quadric::samples(&q))
+        }
         _ => {
             let (Some(mantle), Some(other)) =
                 (mantle(geometry, face.part), mantle(two.2, two.0.part))

@@ -1,32 +1,27 @@
 //! The search for faces that lie in one another, in time that hardly grows faster than the scene.
-//!
-//! From each difference or intersection the search goes down to the child that is made of more
-//! shapes, as far as there is one. On the way back up it knows the faces of everything below, by
-//! the planes they lie in; the smaller child of each operation is looked up among them and added.
-//! So a face is added once for each time that what it belongs to at least doubles.
 
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 
 use super::face::{Face, Form, Leaf, Part, faces};
-use super::inside::Inside;
+use super::planes::pairs;
+use super::points::Points;
 use super::sample::{self, Sample};
-use super::vector::{add, dot};
+use super::tree::{Answer, NONE, Tree};
+use super::vector::{add, cross, unit};
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Aabb, Matrix, Node, NodeId, Scene, Vec3};
+use crate::scene::{Geometry, NodeId, Scene, Vec3};
 
 /// How near two faces must be, as a share of the smaller shape: the language's own bound.
 pub const NEAR: f64 = 1e-9;
 
 /// Rounding of a point's coordinates on the way through two matrices, as a share of their size.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Nodes visited and faces compared, in all and on the way down from one operation. Scenes that share
-/// parts without end would take longer: what is not looked at is not spoken of.
-const STEPS: usize = 4_000_000;
-const CHAIN_STEPS: usize = 2_000_000;
-
-/// What a trial of two faces at all their samples costs, in steps.
-const SAMPLES_COST: usize = 128;
+/// A place must show what it shows at three points around it too, lest it be the border of
+/// something else, where the side is up to rounding: so far away, as a multiple of the distance that
+/// counts as none. Over a curved surface of a size that leads off it by the square of this share of
+/// the size, which is less than that distance down to radii of a hundred-thousandth of the size.
+const AROUND: f64 = 100.0;
 
 /// One of two faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +30,13 @@ pub struct Side {
     pub node: NodeId,
     /// Index into the scene's shapes.
     pub shape: u32,
+    /// The ID by which it is written in the operand, and that of the copy of which it is a part.
+    pub id: u32,
+    pub copy: Option<u32>,
     pub part: Part,
-    /// The longest side of the shape's bounds, in the coordinates of the operation.
+    /// Whether the face is round.
+    pub round: bool,
+    /// The longest side of the shape's bounds, in the coordinates of the scene.
     pub size: f64,
     /// How much longer its lengths are there than in its record, on the average.
     pub stretch: f64,
@@ -48,371 +48,169 @@ pub struct Side {
 pub struct Found {
     /// The difference or intersection.
     pub operation: NodeId,
-    /// One from each operand.
+    /// One from each operand, the second operand's first unless only the other one cuts.
     pub sides: [Side; 2],
-    /// A point of both, in the coordinates of the operation.
+    /// A point of both, in the coordinates of the scene that is drawn, or of the largest object of
+    /// which the operation is a part.
     pub witness: Vec3,
 }
 
-/// All pairs of faces that lie in one another so that what is left of the two is up to rounding.
+/// For each face of a tool the first face that lies in it so that what is left of the two is up to
+/// rounding, and is seen.
 pub fn search(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<Found> {
+    let tree = Tree::new(scene, bounds, &roots(scene, live));
+    let mut all = Vec::new();
+    for (i, leaf) in tree.leaves.iter().enumerate() {
+        if let Some(shape) = leaf.shape
+            && tree.places[leaf.place as usize].group != NONE
+        {
+            let geometry = &scene.shapes[shape as usize].geometry;
+            faces(geometry, i as u32, &leaf.matrix, &mut all);
+        }
+    }
+    let pairs = pairs(&tree, &all);
+    if pairs.is_empty() {
+        return Vec::new();
+    }
     let mut search = Search {
         scene,
-        inside: Inside::new(scene, bounds),
-        weights: weights(scene),
-        left: 0,
-        found: Vec::new(),
+        points: Points::new(scene, bounds, &tree),
+        tree: &tree,
     };
-    let mut done = vec![false; scene.nodes.len()];
-    let mut steps = STEPS;
-    for top in (0..scene.nodes.len()).rev() {
-        let cuts = matches!(
-            scene.nodes[top],
-            Node::Difference(..) | Node::Intersection(..)
-        );
-        if cuts && live[top] && !done[top] {
-            let allowed = steps.min(CHAIN_STEPS);
-            search.left = allowed;
-            // A chain that is too long is left where it is; the others have their turn.
-            let _ = search.chain(top as NodeId, &mut done);
-            steps -= allowed - search.left;
+    let mut done = HashSet::new();
+    let mut found = Vec::new();
+    for (f, g) in pairs {
+        let faces = [&all[f as usize], &all[g as usize]];
+        let leaves = faces.map(|f| &tree.leaves[f.leaf as usize]);
+        let operation = tree.join(leaves[0].place, leaves[1].place);
+        let pair = Pair {
+            operation,
+            faces,
+            leaves,
+        };
+        if !tree.places[operation as usize].cuts || search.identical(&pair) {
+            continue;
         }
-        if steps == 0 {
-            break;
+        let sides = search.sides(&pair);
+        let [tool, other] = sides;
+        let group = (
+            tree.places[operation as usize].node,
+            (tool.shape, tool.part),
+            (tool.cuts, other.cuts),
+        );
+        if done.contains(&group) {
+            continue;
+        }
+        if let Some(witness) = search.witness(&pair) {
+            done.insert(group);
+            found.push(Found {
+                operation: group.0,
+                sides,
+                witness,
+            });
         }
     }
-    search.found
+    found
 }
 
-/// Of how many shapes each node is made, shared ones counted as often as they occur.
-fn weights(scene: &Scene) -> Vec<u32> {
-    let mut out: Vec<u32> = Vec::with_capacity(scene.nodes.len());
-    for node in &scene.nodes {
-        let children = node.children().into_iter().flatten();
-        let sum = children.fold(0u32, |w, c| w.saturating_add(out[c as usize]));
-        out.push(sum.max(1));
+/// What is drawn; without a render record all objects that are part of no other.
+fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
+    if let Some(render) = &scene.render {
+        return vec![render.root];
     }
-    out
+    let mut part = vec![false; scene.nodes.len()];
+    for (node, _) in scene.nodes.iter().zip(live).filter(|n| *n.1) {
+        for child in node.children().into_iter().flatten() {
+            part[child as usize] = true;
+        }
+    }
+    let tops = (0..scene.nodes.len()).filter(|&i| live[i] && !part[i]);
+    tops.map(|i| i as NodeId).collect()
 }
 
 struct Search<'a> {
     scene: &'a Scene,
-    inside: Inside<'a>,
-    weights: Vec<u32>,
-    left: usize,
-    found: Vec<Found>,
+    tree: &'a Tree,
+    points: Points<'a>,
 }
 
-/// Faces of what a chain is made of so far.
-#[derive(Default)]
-struct Known {
-    leaves: Vec<Leaf>,
-    /// Each with whether it is turned round, before `turned` is counted in.
-    faces: Vec<(Face, bool)>,
-    /// Whether everything so far has been turned round.
-    turned: bool,
-    /// By the direction of the outward normal and the distance of the plane, or by class and place.
-    index: BTreeSet<(Cell, i64, u32)>,
-    /// The largest size of a finite leaf.
-    largest: f64,
+/// Two faces to be compared, one from each operand.
+struct Pair<'a> {
+    /// Its place.
+    operation: u32,
+    faces: [&'a Face; 2],
+    leaves: [&'a Leaf; 2],
 }
 
-type Cell = [i32; 3];
-
-/// A unit vector's components in steps of a ten-thousandth.
-const CELLS: f64 = 1e4;
-
-/// A direction that no scene is built along, to tell places apart by one number.
-const ODD: Vec3 = [0.612_372, 0.288_675, 0.736_203];
-
-/// Doubles as integers of the same order.
-fn order(x: f64) -> i64 {
-    let bits = (x + 0.0).to_bits() as i64;
-    bits ^ (((bits >> 63) as u64) >> 1) as i64
-}
-
-/// Where a face is filed: its cell and a number that differs little for faces that differ little.
-fn key(form: &Form, turned: bool) -> (Cell, f64, f64) {
-    match form {
-        Form::Flat { normal, point, .. } => {
-            let n = if turned { normal.map(|x| -x) } else { *normal };
-            let cell = n.map(|x| (x * CELLS).round() as i32);
-            let size = point.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-            (cell, dot(n, *point), size)
+impl Pair<'_> {
+    /// The smaller shape's size. Two that have no end have no size: how far from the origin they are
+    /// stands for it, and where they go through the origin any length will do.
+    fn size(&self, p: Vec3) -> f64 {
+        let size = self.leaves[0].size.min(self.leaves[1].size);
+        if size.is_finite() {
+            return size;
         }
-        Form::Round {
-            anchor,
-            scale,
-            class,
-        } => {
-            let size = anchor.iter().fold(scale.abs(), |m, x| m.max(x.abs()));
-            let at = dot(ODD, *anchor) + std::f64::consts::SQRT_2 * scale;
-            ([i32::MAX, i32::from(*class), 0], at, size)
+        let far = |p: Vec3| p.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let planes = self.faces.map(|f| match &f.form {
+            Form::Flat { point, .. } => far(*point),
+            Form::Round { .. } => far(p),
+        });
+        match planes[0].max(planes[1]) {
+            0.0 => 1.0,
+            far => far,
         }
     }
-}
-
-/// All cells in which a neighbour of this one's face can be.
-fn cells(form: &Form, turned: bool, cell: Cell) -> Vec<Cell> {
-    let Form::Flat { normal, .. } = form else {
-        return vec![cell];
-    };
-    let sign = if turned { -1.0 } else { 1.0 };
-    let mut out = vec![cell];
-    for i in 0..3 {
-        let x = normal[i] * sign * CELLS;
-        // Within a hundredth of a step of the border, neighbours may be on its other side.
-        let other = [x - 0.01, x + 0.01].map(|x| x.round() as i32);
-        if let Some(&o) = other.iter().find(|&&o| o != cell[i]) {
-            for k in 0..out.len() {
-                let mut c = out[k];
-                c[i] = o;
-                out.push(c);
-            }
-        }
-    }
-    out
-}
-
-impl Known {
-    fn take(&mut self, faces: &mut Vec<(Face, bool)>) {
-        for (face, turned) in faces.drain(..) {
-            self.add(face, turned);
-        }
-    }
-
-    fn add(&mut self, face: Face, turned: bool) {
-        let turned = turned != self.turned;
-        let (cell, at, _) = key(&face.form, turned);
-        let number = self.faces.len() as u32;
-        self.index.insert((cell, order(at), number));
-        self.faces.push((face, turned));
-    }
-
-    /// Faces that look the other way in the plane of a face with these sides, and equal round ones.
-    fn against(&self, face: &Face, turned: bool, size: f64) -> Vec<u32> {
-        // Filed under `self.turned`, and for flat ones the normal is the opposite one.
-        let as_filed = (turned != self.turned) != matches!(face.form, Form::Flat { .. });
-        let (cell, at, magnitude) = key(&face.form, as_filed);
-        let size = if size.is_finite() { size } else { self.largest };
-        let reach = 2.0 * NEAR * size + ROUNDING * magnitude;
-        let mut out = Vec::new();
-        let (low, high) = (at - reach, at + reach);
-        if low.is_nan() || high.is_nan() {
-            // Beyond the numbers nothing is in one place.
-            return out;
-        }
-        for cell in cells(&face.form, as_filed, cell) {
-            let range = (cell, order(low), 0)..=(cell, order(high), u32::MAX);
-            out.extend(self.index.range(range).map(|e| e.2));
-        }
-        out
-    }
-}
-
-/// A node on the way down, and from its coordinates into those of the search.
-struct Step {
-    node: NodeId,
-    matrix: Matrix,
 }
 
 impl Search<'_> {
-    fn spend(&mut self, steps: usize) -> Option<()> {
-        let left = self.left.checked_sub(steps);
-        self.left = left.unwrap_or(0);
-        left.map(|_| ())
-    }
-
-    /// Looks at all operations on the way from this one down; `None` when no steps are left.
-    fn chain(&mut self, top: NodeId, done: &mut [bool]) -> Option<()> {
-        let mut steps = vec![Step {
-            node: top,
-            matrix: Matrix::IDENTITY,
-        }];
-        loop {
-            self.spend(1)?;
-            let Step { node, matrix } = steps[steps.len() - 1];
-            let node = self.scene.nodes[node as usize];
-            let matrix = match node {
-                Node::Transform { matrix: m, .. } => matrix.after(&self.scene.matrices[m as usize]),
-                _ => matrix,
-            };
-            match self.heavy(node) {
-                Some((heavy, _)) => steps.push(Step {
-                    node: heavy,
-                    matrix,
-                }),
-                None => break,
-            }
-        }
-        let mut known = Known::default();
-        let bottom = steps.pop()?;
-        let mut new = Vec::new();
-        self.collect(&bottom, false, &mut known, &mut new)?;
-        known.take(&mut new);
-        while let Some(Step { node: id, matrix }) = steps.pop() {
-            let node = self.scene.nodes[id as usize];
-            let Some((heavy, Some(light))) = self.heavy(node) else {
-                known.turned ^= matches!(node, Node::Complement(_));
-                continue;
-            };
-            let mut turned = false;
-            if let Node::Difference(first, _) = node {
-                turned = heavy == first;
-                known.turned ^= !turned;
-            }
-            let side = Step {
-                node: light,
-                matrix,
-            };
-            self.collect(&side, turned, &mut known, &mut new)?;
-            let cuts = !matches!(node, Node::Union(..));
-            if cuts && !std::mem::replace(&mut done[id as usize], true) {
-                self.compare(id, &matrix, &known, &new)?;
-            }
-            // At the top nobody asks any more.
-            match steps.is_empty() {
-                true => new.clear(),
-                false => known.take(&mut new),
-            }
-        }
-        Some(())
-    }
-
-    /// The child that is made of more shapes, and the other one.
-    fn heavy(&self, node: Node) -> Option<(NodeId, Option<NodeId>)> {
-        let weight = |n: NodeId| self.weights[n as usize];
-        match node.children() {
-            [Some(a), Some(b)] if weight(a) >= weight(b) => Some((a, Some(b))),
-            [Some(a), Some(b)] => Some((b, Some(a))),
-            [Some(a), None] => Some((a, None)),
-            _ => None,
-        }
-    }
-
-    /// Collects the faces of all shapes of a node; the shapes are added to those of the chain.
-    fn collect(
-        &mut self,
-        top: &Step,
-        turned: bool,
-        known: &mut Known,
-        out: &mut Vec<(Face, bool)>,
-    ) -> Option<()> {
-        let mut todo = vec![(top.node, top.matrix, turned)];
-        let mut new = Vec::new();
-        while let Some((id, matrix, turned)) = todo.pop() {
-            self.spend(1)?;
-            match self.scene.nodes[id as usize] {
-                Node::Shape(shape) => {
-                    let leaf = Leaf::new(self.scene, id, shape, matrix);
-                    if leaf.size.is_finite() {
-                        known.largest = known.largest.max(leaf.size);
-                    }
-                    let geometry = &self.scene.shapes[shape as usize].geometry;
-                    faces(geometry, known.leaves.len() as u32, &matrix, &mut new);
-                    self.spend(new.len())?;
-                    known.leaves.push(leaf);
-                    out.extend(new.drain(..).map(|face| (face, turned)));
-                }
-                Node::Transform { child, matrix: m } => {
-                    let m = &self.scene.matrices[m as usize];
-                    todo.push((child, matrix.after(m), turned));
-                }
-                Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                    todo.push((child, matrix, turned));
-                }
-                Node::Complement(child) => todo.push((child, matrix, !turned)),
-                Node::Union(a, b) | Node::Intersection(a, b) => {
-                    todo.extend([(b, matrix, turned), (a, matrix, turned)]);
-                }
-                Node::Difference(a, b) => {
-                    todo.extend([(b, matrix, !turned), (a, matrix, turned)]);
-                }
-            }
-        }
-        Some(())
-    }
-
-    /// Looks up the faces of the smaller operand among those of the larger one.
-    fn compare(
-        &mut self,
-        operation: NodeId,
-        matrix: &Matrix,
-        known: &Known,
-        new: &[(Face, bool)],
-    ) -> Option<()> {
-        let leaves = &known.leaves;
-        let back = matrix.inverse()?;
-        for (face, turned) in new {
-            let leaf = &leaves[face.leaf as usize];
-            let mut partners = known.against(face, *turned, leaf.size);
-            // The earliest is mostly the workpiece.
-            partners.sort_unstable();
-            self.spend(partners.len())?;
-            for partner in partners {
-                let (other, other_turned) = &known.faces[partner as usize];
-                let other_leaf = &leaves[other.leaf as usize];
-                let pair = Pair {
-                    operation,
-                    back: &back,
-                    faces: [face, other],
-                    leaves: [leaf, other_leaf],
-                };
-                if self.identical(&pair) || !touch(&pair) {
-                    continue;
-                }
-                self.spend(SAMPLES_COST)?;
-                if let Some(witness) = self.witness(&pair) {
-                    let side = |f: &Face, l: &Leaf, cuts: bool| {
-                        let stretch = l.matrix.determinant3().abs().cbrt();
-                        let out = back.determinant3().abs().cbrt();
-                        Side {
-                            node: l.node,
-                            shape: l.shape,
-                            part: f.part,
-                            size: l.size * out,
-                            stretch: stretch * out,
-                            cuts,
-                        }
-                    };
-                    self.found.push(Found {
-                        operation,
-                        sides: [
-                            side(face, leaf, *turned),
-                            side(other, other_leaf, *other_turned != known.turned),
-                        ],
-                        witness: back.point(witness),
-                    });
-                    break;
-                }
-            }
-        }
-        Some(())
+    fn geometry(&self, leaf: &Leaf) -> Option<&Geometry> {
+        Some(&self.scene.shapes[leaf.shape? as usize].geometry)
     }
 
     /// Equal shapes in equal places: their surfaces are one, and decided exactly.
     fn identical(&self, pair: &Pair) -> bool {
         let [a, b] = pair.leaves;
-        let geometry = |l: &Leaf| &self.scene.shapes[l.shape as usize].geometry;
-        a.matrix == b.matrix && geometry(a) == geometry(b)
+        a.matrix == b.matrix && self.geometry(a) == self.geometry(b)
+    }
+
+    /// The two sides of a pair, the tool's first.
+    fn sides(&self, pair: &Pair) -> [Side; 2] {
+        let place = |i: u32| &self.tree.places[i as usize];
+        let side = |face: &Face, leaf: &Leaf| Side {
+            node: leaf.node,
+            shape: leaf.shape.unwrap_or_default(),
+            id: leaf.id,
+            copy: self.tree.copy_within(leaf.place, pair.operation),
+            part: face.part,
+            round: matches!(face.form, Form::Round { .. }),
+            size: leaf.size,
+            stretch: leaf.matrix.determinant3().abs().cbrt(),
+            cuts: place(leaf.place).turned != place(pair.operation).turned,
+        };
+        let first = side(pair.faces[0], pair.leaves[0]);
+        let second = side(pair.faces[1], pair.leaves[1]);
+        match first.cuts && !second.cuts {
+            true => [first, second],
+            false => [second, first],
+        }
     }
 
     /// A point at which both operands change sides, one into the result and one out of it, within
-    /// the distance that counts as none.
+    /// the distance that counts as none, and at which that can be seen.
     fn witness(&mut self, pair: &Pair) -> Option<Vec3> {
-        let size = pair.size();
-        let scene = self.scene;
-        let geometry = |l: &Leaf| &scene.shapes[l.shape as usize].geometry;
         let [f, g] = pair.faces;
         let [l, k] = pair.leaves;
-        let (samples, needed): (Vec<Sample>, usize) = match f.form {
-            Form::Flat { .. } => (sample::flat(f, g, size), 1),
+        let (samples, needed): (Vec<Sample>, usize) = match &f.form {
+            Form::Flat { point, .. } => (sample::flat(f, g, pair.size(*point)), 1),
             // Round surfaces can touch in a point or a line; two odd points are no chance.
-            Form::Round { .. } => (sample::round((f, l, geometry(l)), (g, k, geometry(k))), 2),
+            Form::Round { .. } => (
+                sample::round((f, l, self.geometry(l)?), (g, k, self.geometry(k)?)),
+                2,
+            ),
         };
         let mut met = 0;
         for (p, n) in samples {
-            if self.meets(pair, p, n, size) {
+            if self.shows(pair, p, n) {
                 met += 1;
                 if met >= needed {
                     return Some(p);
@@ -422,78 +220,67 @@ impl Search<'_> {
         None
     }
 
-    fn meets(&mut self, pair: &Pair, p: Vec3, n: Vec3, size: f64) -> bool {
+    /// Whether the two faces meet at a point and at three points around it.
+    fn shows(&mut self, pair: &Pair, p: Vec3, n: Vec3) -> bool {
         let magnitude = p.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        let reach = NEAR * if size.is_finite() { size } else { magnitude };
-        let reach = reach + ROUNDING * magnitude;
-        let sides = [add(p, n, -reach), add(p, n, reach)];
-        // Both shapes first: that is quick.
-        for leaf in pair.leaves {
-            if !leaf
-                .bounds
-                .overlaps(&Aabb::new(sides[0], sides[0]).hull(&Aabb::new(sides[1], sides[1])))
-            {
-                return false;
-            }
-            let Some(back) = leaf.matrix.inverse() else {
-                return false;
-            };
-            let geometry = &self.scene.shapes[leaf.shape as usize].geometry;
-            let [below, above] = sides.map(|q| self.inside.shape(geometry, back.point(q)));
-            if below.is_none() || above.is_none() || below == above {
-                return false;
-            }
+        let reach = NEAR * pair.size(p) + ROUNDING * magnitude;
+        if !self.meets(pair, p, n, reach) {
+            return false;
         }
-        let (node, [a, b]) = (
-            self.scene.nodes[pair.operation as usize],
-            self.scene.nodes[pair.operation as usize].children(),
-        );
-        let (Some(a), Some(b)) = (a, b) else {
+        let least = (0..3).fold(0, |i, j| if n[j].abs() < n[i].abs() { j } else { i });
+        let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
+        let Some(u) = unit(cross(n, axis)) else {
             return false;
         };
-        let [p, q] = sides.map(|q| pair.back.point(q));
-        let mut ask = |operand: NodeId, turned: bool| -> Option<[bool; 2]> {
-            let below = self.inside.node(operand, p)?;
-            let above = self.inside.node(operand, q)?;
-            Some([below != turned, above != turned])
+        let v = cross(n, u);
+        // The corners of a triangle: whatever line goes through the middle, some are on either side.
+        [(1.0, 0.1), (-0.6, 0.8), (-0.4, -0.9)]
+            .into_iter()
+            .all(|(a, b)| {
+                let away = AROUND * reach;
+                let q = add(add(p, u, a * away), v, b * away);
+                self.meets(pair, q, n, reach)
+            })
+    }
+
+    fn meets(&mut self, pair: &Pair, p: Vec3, n: Vec3, reach: f64) -> bool {
+        let sides = [add(p, n, -reach), add(p, n, reach)];
+        // Both shapes first: that is quick.
+        for face in pair.faces {
+            match sides.map(|q| self.points.in_leaf(face.leaf, q)) {
+                [Some(below), Some(above)] if below != above => {}
+                _ => return false,
+            }
+        }
+        if let Some((low, high)) = self.scene.render.and_then(|r| r.clip)
+            && !sides
+                .iter()
+                .all(|q| (0..3).all(|i| low[i] < q[i] && q[i] < high[i]))
+        {
+            return false;
+        }
+        let [Some(below), Some(above)] = sides.map(|q| self.points.at(q)) else {
+            return false;
         };
-        let difference = matches!(node, Node::Difference(..));
-        match (ask(a, false), ask(b, difference)) {
-            (Some(x), Some(y)) => x[0] != x[1] && y[0] != y[1] && x[0] != y[0],
+        let operands = self.tree.places[pair.operation as usize].children;
+        let changes = operands.map(|operand| {
+            let negated = self.tree.places[operand as usize].negated;
+            let ask = |answers: &[(u32, Answer)]| self.tree.value(operand, answers);
+            Some([ask(&below)? != negated, ask(&above)? != negated])
+        });
+        let [Some(a), Some(b)] = changes else {
+            return false;
+        };
+        if a[0] == a[1] || b[0] == b[1] || a[0] == b[0] {
+            return false;
+        }
+        if self.scene.render.is_none() {
+            return true;
+        }
+        // Something else that changes sides there would have its own say in what is left.
+        match [below, above].map(|answers| self.tree.decides(pair.operation, &answers)) {
+            [Some(x), Some(y)] => x == y,
             _ => false,
         }
     }
-}
-
-/// Two faces to be compared, one from each operand.
-struct Pair<'a> {
-    operation: NodeId,
-    /// From the coordinates of the search into the operation's.
-    back: &'a Matrix,
-    faces: [&'a Face; 2],
-    leaves: [&'a Leaf; 2],
-}
-
-impl Pair<'_> {
-    /// The smaller shape's size; infinite where neither has an end.
-    fn size(&self) -> f64 {
-        self.leaves[0].size.min(self.leaves[1].size)
-    }
-}
-
-/// Whether the outlines of two faces can overlap.
-fn touch(pair: &Pair) -> bool {
-    let around = |f: &Face| match &f.form {
-        Form::Flat { corners, .. } if !corners.is_empty() => {
-            let points = corners.iter().map(|&p| Aabb::new(p, p));
-            points.fold(Aabb::EMPTY, |b, p| b.hull(&p))
-        }
-        _ => Aabb::ALL,
-    };
-    let size = pair.size();
-    let room = if size.is_finite() { NEAR * size } else { 0.0 };
-    let mut a = around(pair.faces[0]);
-    a.min = a.min.map(|x| x - room - ROUNDING * x.abs());
-    a.max = a.max.map(|x| x + room + ROUNDING * x.abs());
-    a.overlaps(&around(pair.faces[1])) && pair.leaves[0].bounds.overlaps(&pair.leaves[1].bounds)
 }

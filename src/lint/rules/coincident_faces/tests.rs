@@ -279,3 +279,162 @@ fn long_chains_and_shared_parts_end() {
         assert!(start.elapsed().as_secs() < 20);
     }
 }
+
+#[test]
+fn what_is_covered_or_cut_off_later_is_not_seen() {
+    let flush_cut = "2 12 0 0 0 2 2 2\n3 12 .5 .5 .5 1.5 2 1.5\n4 -103 2 3\n";
+    let later = |rest: &str| format!("{flush_cut}{rest}");
+    flush(&later("1 9999 4 0\n"));
+    // Swallowed by a union, cut off by a difference, left out of an intersection.
+    silent(&later("5 12 -1 -1 -1 3 3 3\n6 -101 4 5\n1 9999 6 0\n"));
+    silent(&later("5 12 -1 1 -1 3 3 3\n6 -103 4 5\n1 9999 6 0\n"));
+    silent(&later("5 12 -1 -1 -1 3 1 3\n6 -102 4 5\n1 9999 6 0\n"));
+    // Taken away from something that is not there; and from something that is.
+    silent(&later("5 12 5 5 5 6 6 6\n6 -103 5 4\n1 9999 6 0\n"));
+    flush(&later("5 12 -1 -1 -1 3 3 3\n6 -103 5 4\n1 9999 6 0\n"));
+    // What covers it ends in the very plane: it has its own say there.
+    silent(&later("5 12 -1 -1 -1 3 2 3\n6 -101 4 5\n1 9999 6 0\n"));
+    // Covered by a part of it only: the rest is seen, and the place named is of the rest.
+    let partly = later("5 12 -1 1 -1 1.1 3 3\n6 -101 4 5\n1 9999 6 0\n");
+    let message = &messages(&partly)[0];
+    let (_, point) = message.rsplit_once('(').unwrap();
+    let x: f64 = point.split(',').next().unwrap().parse().unwrap();
+    assert!((1.1..=1.5).contains(&x), "{message}");
+    // Outside of the render box; within it.
+    silent(&later("1 9999 4 0 -1 -1 -1 3 1.9 3\n"));
+    flush(&later("1 9999 4 0 -1 -1 -1 3 2.1 3\n"));
+    // Not drawn at all; drawn in one of two places.
+    silent(&later("5 9 1\n1 9999 5 0\n"));
+    flush(&later(
+        "5 12 -1 -1 -1 3 3 3\n6 -105 4\n6 -1 9 0 0\n7 -101 4 5\n8 -101 7 6\n1 9999 8 0\n",
+    ));
+    // Without a render record the operation's own result counts.
+    flush(&later("5 12 -1 -1 -1 3 3 3\n6 -101 4 5\n"));
+}
+
+/// A place is named only if it shows at three points around it too, at a hundred times the distance
+/// that counts as none, here 1.5e-9, since the tool is 1.5 long: the furthest is 0.9 of that across the slit.
+#[test]
+fn the_edge_of_what_is_around() {
+    let slit = |half: f64| {
+        format!(
+            "2 12 0 0 0 2 2 2\n3 12 .5 .5 .5 1.5 2 1.5\n4 -103 2 3\n5 12 -1 1 -1 {:?} 3 3\n\
+             7 12 {:?} 1 -1 3 3 3\n8 -101 5 7\n6 -101 4 8\n1 9999 6 0\n",
+            1.0 - half,
+            1.0 + half
+        )
+    };
+    flush(&slit(1.4e-7));
+    silent(&slit(1.3e-7));
+    silent(&slit(1e-12));
+}
+
+#[test]
+fn the_place_named_is_in_the_scene_that_is_drawn() {
+    let scene =
+        "2 12 -1 -1 -1 1 1 1\n3 12 -.5 0 -.5 .5 1 .5\n4 -103 2 3\n4 -1 10 20 30\n1 9999 4 0\n";
+    assert!(messages(scene)[0].ends_with("around (10, 21, 30)"));
+}
+
+#[test]
+fn half_spaces_that_touch() {
+    let both = |a: &str, b: &str| format!("2 4 {a}\n3 4 {b}\n4 -102 2 3\n");
+    assert_eq!(
+        messages(&both("0 1 0 0", "0 -1 0 0")),
+        [
+            "in the intersection 4, the half-space 3 and the half-space 2 only touch: they share a face around (0, 0, 0)"
+        ]
+    );
+    // One equation times any factor; elsewhere than at the origin; at an angle.
+    flush(&both("0 1 0 -5", "0 -3 0 15"));
+    flush(&both("0.1 0.2 0.3 0.4", "-0.3 -0.6 -0.9 -1.2"));
+    // A slab, nothing at all, and a distance that is no rounding, however near to the origin.
+    silent(&both("0 1 0 -1", "0 -1 0 0"));
+    silent(&both("0 1 0 1", "0 -1 0 0"));
+    silent(&both("0 1 0 -1e-12", "0 -1 0 0"));
+    flush(&both("0 1 0 -5", "0 -1 0 5.000000004"));
+    silent(&both("0 1 0 -5", "0 -1 0 5.000000011"));
+    // A wedge and two of one kind.
+    silent(&both("0 1 0 0", "1 0 0 0"));
+    silent(&both("0 1 0 0", "0 2 0 0"));
+}
+
+#[test]
+fn quadrics_of_one_surface() {
+    for q in [
+        "15 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 -1",
+        "18",
+        "19 1 2",
+        "20 1 2 3 1",
+        "20 1 2 1 2",
+        "21",
+    ] {
+        let moved = "2 -2 30 3\n2 -1 1 2 3\n";
+        let same = |rest: &str| {
+            format!(
+                "2 {q}\n3 {q}\n{moved}{}{rest}4 -103 2 3\n",
+                moved.replace("2 -", "3 -")
+            )
+        };
+        // In one place by other records: turned on and back.
+        flush(&same("3 -2 20 1\n3 -2 -20 1\n"));
+        silent(&same(""));
+        silent(&same("3 -1 1 0 0\n"));
+    }
+    // A matrix times a factor, and its opposite.
+    let ball = |f: f64| format!("15 {f} 0 0 0  0 {f} 0 0  0 0 {f} 0  0 0 0 {}", -4.0 * f);
+    let pair = |f: f64, op: &str| format!("2 {}\n3 {}\n4 {op} 2 3\n", ball(1.0), ball(f));
+    flush(&pair(3.0, "-103"));
+    flush(&pair(-3.0, "-102"));
+    silent(&pair(3.0, "-102"));
+    silent(&pair(-3.0, "-103"));
+}
+
+#[test]
+fn operands_are_named_as_they_are_written() {
+    let scene = "2 12 0 0 0 1 1 1\n3 -105 2\n3 -1 0 1 0\n4 -102 2 3\n";
+    assert_eq!(
+        messages(scene),
+        [
+            "in the intersection 4, the box 3 and the box 2 only touch: they share a face around (0.5, 1, 0.5)"
+        ]
+    );
+    // A shape within a copy of more.
+    let scene = "2 12 0 0 0 1 1 1\n5 9 .1\n6 -101 2 5\n3 -105 6\n3 -1 0 1 0\n4 -102 6 3\n";
+    assert_eq!(
+        messages(scene),
+        [
+            "in the intersection 4, the box 2 in the copy 3 and the box 2 only touch: they share a face around (0.5, 1, 0.5)"
+        ]
+    );
+    // What is copied as a whole is named without the copy.
+    let scene = "2 12 0 0 0 2 2 2\n3 12 .5 .5 .5 1.5 2 1.5\n4 -103 2 3\n5 -105 4\n1 9999 5 0\n";
+    assert!(
+        messages(scene)[0].starts_with("in the difference 4, the box 3 ends flush with the box 2:")
+    );
+}
+
+#[test]
+fn every_tool_of_many_is_found() {
+    const COUNT: usize = 10_000;
+    let tool = |id: usize, i: usize, deep: &str| {
+        let (x, z) = (i % 100 * 30 + 10, i / 100 * 30 + 10);
+        format!("{id} 12 {x} {deep} {z} {} 1 {}\n", x + 5, z + 5)
+    };
+    // One after the other, and in one union.
+    let mut chain = String::from("2 12 0 0 0 1e4 1 1e4\n");
+    let mut union = chain.clone();
+    for i in 0..COUNT {
+        let (id, sum, last) = (2 * i + 3, 2 * i + 4, 2 * i + 2);
+        chain += &format!("{}{sum} -103 {last} {id}\n", tool(id, i, "0.5"));
+        union += &tool(id, i, "0.5");
+        if i > 0 {
+            let last = if i == 1 { 3 } else { last };
+            union += &format!("{sum} -101 {last} {id}\n");
+        }
+    }
+    union += &format!("{} -103 2 {}\n", 2 * COUNT + 10, 2 * COUNT + 2);
+    for scene in [chain, union] {
+        assert_eq!(found(&scene).len(), COUNT);
+    }
+}

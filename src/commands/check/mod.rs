@@ -1,0 +1,303 @@
+//! `zpg check`: reads scenes, says what is wrong with them, and mends it.
+
+mod fixing;
+mod statistics;
+mod watch;
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use super::loaded::STDIN;
+use super::rewrite::{diff, replace};
+use super::{LookChoice, Status, complain, load_with, paths, terminal};
+use crate::config::Configs;
+use crate::diagnostics::render::human::{self, Look};
+use crate::diagnostics::render::{Tally, json, short};
+use crate::diagnostics::{Code, Value};
+use crate::lint::levels::{Choice, Selector};
+use statistics::Statistics;
+
+/// Check scenes for mistakes
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Findings go to standard output. The exit status is 0 when there is no error, 1 when there is
+one (or --diff shows a change), 2 when a file cannot be read or written.
+
+CODE is a code (W307), its name (overlapping-union), how codes begin (W3), or one of warnings,
+notes, style and all. Levels for a folder of scenes stand in zpg.toml; a comment
+`# zpg: allow(W307) #` allows a finding where it is. Errors of the language are always reported.
+
+Examples:
+  zpg check scene.zpg
+  zpg check scenes/                    all *.zpg in the folder, .gitignore honoured
+  zpg check --fix scene.zpg            mend what is certain
+  zpg check --diff scene.zpg           show what --fix would change
+  zpg check --deny warnings scenes/    for a continuous build
+  zpg check --format short scenes/     one line for each finding
+  zpg check --format json - < scene.zpg
+
+`zpg explain E101` tells more about a finding.")]
+pub struct Args {
+    /// Scene files or folders; `-` is standard input
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<PathBuf>,
+
+    /// How to print the findings
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+
+    /// Mend what can be mended safely, in place; a scene from standard input goes to standard output
+    #[arg(long)]
+    fix: bool,
+
+    /// With --fix or --diff: apply guesses, too
+    #[arg(long)]
+    unsafe_fixes: bool,
+
+    /// Write nothing; show what --fix would change
+    #[arg(long)]
+    diff: bool,
+
+    /// Report only these (and errors)
+    #[arg(long, value_name = "CODE", value_delimiter = ',')]
+    select: Vec<Selector>,
+
+    /// Do not report these
+    #[arg(long, value_name = "CODE", value_delimiter = ',')]
+    ignore: Vec<Selector>,
+
+    /// Take these for errors
+    #[arg(long, value_name = "CODE", value_delimiter = ',')]
+    deny: Vec<Selector>,
+
+    /// Count the findings of each code instead of printing them
+    #[arg(long, conflicts_with_all = ["diff", "format"])]
+    statistics: bool,
+
+    /// What standard input goes by, in messages, for zpg.toml and for images
+    #[arg(long, value_name = "NAME")]
+    stdin_filename: Option<PathBuf>,
+
+    /// Check again whenever a file changes
+    #[arg(long, conflicts_with_all = ["fix", "diff"])]
+    watch: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+enum Format {
+    /// With the lines in question, notes and proposed fixes
+    #[default]
+    Human,
+    /// One line for each finding
+    Short,
+    /// For programs
+    Json,
+}
+
+/// One file's findings, ready to be put out.
+struct Checked {
+    output: Output,
+    /// The scene as it is mended, or the difference.
+    data: Vec<u8>,
+    tally: Tally,
+    statistics: Statistics,
+    /// How many findings were mended.
+    fixed: usize,
+}
+
+enum Output {
+    Text(Vec<u8>),
+    Json(json::File),
+}
+
+pub fn run(args: &Args, look: LookChoice) -> Status {
+    let fixed_error = |s: &Selector| s.fixed_error().map(Code::as_str);
+    if let Some(code) = args.ignore.iter().find_map(fixed_error) {
+        complain(&format!("{code} is always an error and cannot be ignored"));
+        return Status::Failure;
+    }
+    if args.watch {
+        return watch::run(&args.paths, || once(args, look));
+    }
+    once(args, look)
+}
+
+/// Checks everything.
+fn once(args: &Args, look: LookChoice) -> Status {
+    let files = paths::expand(&args.paths);
+    let checker = Checker {
+        args,
+        look: look.on(&io::stdout()),
+        configs: Configs::default(),
+        choice: Choice {
+            select: args.select.clone(),
+            ignore: args.ignore.clone(),
+            deny: args.deny.clone(),
+        },
+    };
+    let results: Vec<_> = files.files.par_iter().map(|p| checker.check(p)).collect();
+
+    let mut failed = files.failed;
+    let mut all = Vec::new();
+    for result in results {
+        match result {
+            Ok(checked) => all.push(checked),
+            Err(message) => {
+                complain(&message);
+                failed = true;
+            }
+        }
+    }
+    let mut total = Tally::default();
+    all.iter().for_each(|c| total.merge(&c.tally));
+    let changed = all.iter().any(|c| c.fixed > 0);
+    let status = if failed {
+        Status::Failure
+    } else if total.errors > 0 || args.diff && changed {
+        Status::Negative
+    } else {
+        Status::Clean
+    };
+    checker.print(status, all, &total)
+}
+
+struct Checker<'a> {
+    args: &'a Args,
+    look: Look,
+    configs: Configs,
+    choice: Choice,
+}
+
+impl Checker<'_> {
+    /// Checks and mends one file; the error is a message for people.
+    fn check(&self, path: &Path) -> Result<Checked, String> {
+        let is_stdin = path.as_os_str() == STDIN;
+        let name = match &self.args.stdin_filename {
+            Some(name) if is_stdin => name.as_path(),
+            _ => path,
+        };
+        let mut loaded =
+            load_with(path, name, &self.configs, &self.choice).map_err(|e| e.to_string())?;
+        let mut data = Vec::new();
+        let mut fixed = 0;
+        if self.args.fix || self.args.diff {
+            let again = |bytes| self.again(name, bytes);
+            let old = loaded.source.text.clone();
+            (loaded, fixed) = fixing::to_fixed_point(loaded, self.args.unsafe_fixes, again);
+            let source = &loaded.source;
+            if self.args.diff {
+                if fixed > 0 {
+                    diff(
+                        &mut data,
+                        &source.path,
+                        &old,
+                        &source.text,
+                        self.look.colour,
+                    );
+                }
+            } else if is_stdin {
+                data = source.encode(&source.text);
+            } else if fixed > 0 {
+                replace(path, &source.encode(&source.text)).map_err(|e| {
+                    let reason = terminal::reason(&e);
+                    format!("cannot write {}: {reason}", source.path)
+                })?;
+            }
+        }
+        let mut tally = Tally::default();
+        tally.add(&loaded.diagnostics);
+        let statistics = Statistics::new(&loaded.diagnostics);
+        Ok(Checked {
+            output: self.output(loaded),
+            data,
+            tally,
+            statistics,
+            fixed,
+        })
+    }
+
+    /// The same file with other bytes.
+    fn again(&self, name: &Path, bytes: Vec<u8>) -> super::Loaded {
+        let mut loaded = super::Loaded::new(name.to_string_lossy(), bytes);
+        // The settings could be read before.
+        if let Ok(config) = self.configs.for_file(name) {
+            config.levels.apply(&self.choice, &mut loaded.diagnostics);
+        }
+        loaded
+    }
+
+    fn output(&self, loaded: super::Loaded) -> Output {
+        let (source, diagnostics) = (loaded.source, loaded.diagnostics);
+        let language = self.look.language;
+        let mut text = Vec::new();
+        let written = match self.args.format {
+            _ if self.args.statistics => Ok(()),
+            Format::Human => human::write(&mut text, &source, &diagnostics, self.look),
+            Format::Short => short::write(&mut text, &source, &diagnostics, language),
+            Format::Json => return Output::Json(json::File::new(&source, diagnostics, language)),
+        };
+        debug_assert!(written.is_ok(), "memory takes everything");
+        Output::Text(text)
+    }
+
+    fn print(&self, status: Status, all: Vec<Checked>, total: &Tally) -> Status {
+        let args = self.args;
+        let language = self.look.language;
+        let fixed = all.iter().map(|c| c.fixed).sum::<usize>();
+        let files = all.iter().filter(|c| c.fixed > 0).count();
+        let fixes = (fixed > 0).then(|| {
+            let message = if args.diff { "would-fix" } else { "fixed" };
+            let values = [
+                ("count", Value::Count(fixed as u64)),
+                ("files", Value::Count(files as u64)),
+            ];
+            language.say(message, &values)
+        });
+        // Where standard output carries a scene or a difference, it carries nothing else.
+        let mends_stdin = args.fix && args.paths.iter().any(|p| p.as_os_str() == STDIN);
+        if args.diff || mends_stdin {
+            let mut findings = io::stderr().lock();
+            // Nobody is left to be told when standard error is gone.
+            let _ = fixes.iter().try_for_each(|f| writeln!(findings, "{f}"));
+            if !args.diff {
+                let texts = all.iter().filter_map(|c| match &c.output {
+                    Output::Text(text) => Some(text),
+                    Output::Json(_) => None,
+                });
+                let _ = texts.into_iter().try_for_each(|t| findings.write_all(t));
+                if total.files > 0 {
+                    let _ = writeln!(findings, "{}", total.sentence(language));
+                }
+            }
+            return terminal::print(status, |out| {
+                all.iter().try_for_each(|c| out.write_all(&c.data))
+            });
+        }
+        terminal::print(status, |out| {
+            if args.statistics {
+                return Statistics::sum(all.iter().map(|c| &c.statistics)).write(out);
+            }
+            let mut reports = Vec::new();
+            for checked in all {
+                match checked.output {
+                    Output::Text(text) => out.write_all(&text)?,
+                    Output::Json(report) => reports.push(report),
+                }
+            }
+            match args.format {
+                Format::Human => {
+                    fixes.iter().try_for_each(|f| writeln!(out, "{f}"))?;
+                    // With nothing read there is nothing to sum up.
+                    match total.files {
+                        0 => Ok(()),
+                        _ => writeln!(out, "{}", total.sentence(language)),
+                    }
+                }
+                Format::Short => Ok(()),
+                Format::Json => json::write(out, &reports, total),
+            }
+        })
+    }
+}

@@ -1,0 +1,95 @@
+//! Checking again whenever something changes.
+
+use std::collections::HashSet;
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver};
+use std::time::Duration;
+
+use notify::{Event, EventKind, RecursiveMode, Watcher};
+
+use crate::commands::loaded::STDIN;
+use crate::commands::{Status, complain};
+
+/// An editor writes a file in several steps: so long nothing must happen before it is read.
+const QUIET: Duration = Duration::from_millis(100);
+
+/// Runs `check` now and after every change of a scene or of settings, until it is stopped.
+pub fn run(paths: &[PathBuf], check: impl Fn() -> Status) -> Status {
+    if paths.iter().any(|p| p.as_os_str() == STDIN) {
+        complain("standard input cannot be watched");
+        return Status::Failure;
+    }
+    let (sender, changes) = mpsc::channel();
+    let watcher = notify::recommended_watcher(move |event: notify::Result<Event>| {
+        // When nobody listens any more, the program is at its end.
+        let _ = sender.send(event);
+    });
+    let watched = watcher.and_then(|mut watcher| {
+        for (folder, mode) in folders(paths) {
+            watcher.watch(&folder, mode)?;
+        }
+        Ok(watcher)
+    });
+    let _watcher = match watched {
+        Ok(watcher) => watcher,
+        Err(e) => {
+            complain(&format!("cannot watch for changes: {e}"));
+            return Status::Failure;
+        }
+    };
+    loop {
+        if io::stdout().is_terminal() {
+            print!("\x1b[2J\x1b[H");
+        }
+        check();
+        // People who watch a pipe want to see when a run is complete.
+        let _ = io::stdout().flush();
+        eprintln!("Watching for changes; Ctrl-C ends it");
+        if !wait(&changes) {
+            return Status::Failure;
+        }
+    }
+}
+
+/// What to watch: a folder with all below it, and for a file its folder, since editors put a new file
+/// in the place of the old one.
+fn folders(paths: &[PathBuf]) -> HashSet<(PathBuf, RecursiveMode)> {
+    let of = |path: &PathBuf| match path.is_dir() {
+        true => (path.clone(), RecursiveMode::Recursive),
+        false => match path.parent().filter(|p| !p.as_os_str().is_empty()) {
+            Some(folder) => (folder.to_owned(), RecursiveMode::NonRecursive),
+            None => (PathBuf::from("."), RecursiveMode::NonRecursive),
+        },
+    };
+    paths.iter().map(of).collect()
+}
+
+/// Waits until something has changed and it is quiet again. `false`: nothing will come any more.
+fn wait(changes: &Receiver<notify::Result<Event>>) -> bool {
+    loop {
+        match changes.recv() {
+            Ok(Ok(event)) if matters(&event) => break,
+            Ok(Err(e)) => complain(&format!("cannot watch for changes: {e}")),
+            Ok(_) => {}
+            Err(_) => return false,
+        }
+    }
+    while changes.recv_timeout(QUIET).is_ok() {}
+    true
+}
+
+/// Whether an event may change what is found: not that a file was read.
+fn matters(event: &Event) -> bool {
+    let kind = !matches!(event.kind, EventKind::Access(_));
+    let file = |path: &PathBuf| is_read(path);
+    kind && event.paths.iter().any(file)
+}
+
+/// Scenes, the pictures they name, and settings.
+fn is_read(path: &Path) -> bool {
+    let extensions = ["zpg", "png", "jpg", "jpeg"];
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    let settings = path.file_name().is_some_and(|n| n == "zpg.toml");
+    settings || extensions.iter().any(|e| extension.eq_ignore_ascii_case(e))
+}

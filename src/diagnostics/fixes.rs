@@ -1,0 +1,103 @@
+//! Applying fixes to a text.
+
+use super::{Applicability, Diagnostic, Edit, Fix};
+
+impl Diagnostic {
+    /// The fix that is applied, if one may be: the first that is safe, or the first of all.
+    pub fn applicable_fix(&self, unsafe_too: bool) -> Option<&Fix> {
+        let safe = |f: &&Fix| f.applicability == Applicability::Safe;
+        let safe_one = self.fixes.iter().find(safe);
+        safe_one.or(self.fixes.first().filter(|_| unsafe_too))
+    }
+}
+
+/// The text after as many of the fixes as go together, and how many these were. Of two that touch
+/// the same place the first counts; the other may be found again in what comes out. Line breaks in
+/// a fix become what ends the text's own lines.
+pub fn apply<'a>(text: &str, fixes: impl Iterator<Item = &'a Fix>) -> (String, usize) {
+    let mut chosen: Vec<&Edit> = Vec::new();
+    let mut count = 0;
+    // Everything up to here is spoken for; one insertion at its very end, too, would come in doubtful
+    // order with another one.
+    let mut taken: Vec<(u32, u32)> = Vec::new();
+    for fix in fixes {
+        let valid = |e: &Edit| text.get(e.span.range()).is_some();
+        let meets = |e: &Edit| {
+            // `taken` is sorted and has no overlaps: only the one before and the one after can meet.
+            let at = taken.partition_point(|t| t.0 < e.span.start);
+            let near = at.saturating_sub(1)..(at + 1).min(taken.len());
+            taken[near]
+                .iter()
+                .any(|t| e.span.start <= t.1 && t.0 <= e.span.end)
+        };
+        if !fix.edits.iter().all(valid) || fix.edits.iter().any(meets) || fix.edits.is_empty() {
+            continue;
+        }
+        for edit in &fix.edits {
+            let at = taken.partition_point(|t| t.0 < edit.span.start);
+            taken.insert(at, (edit.span.start, edit.span.end));
+        }
+        chosen.extend(&fix.edits);
+        count += 1;
+    }
+    chosen.sort_by_key(|e| e.span);
+    let crlf = text.contains("\r\n");
+    let mut out = String::with_capacity(text.len());
+    let mut at = 0;
+    for edit in chosen {
+        out.push_str(&text[at..edit.span.start as usize]);
+        match crlf {
+            true => out.push_str(&edit.text.replace('\n', "\r\n")),
+            false => out.push_str(&edit.text),
+        }
+        at = edit.span.end as usize;
+    }
+    out.push_str(&text[at..]);
+    (out, count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostics::Span;
+
+    fn fix(edits: &[(u32, u32, &str)]) -> Fix {
+        let edit = |&(start, end, text): &(u32, u32, &str)| Edit {
+            span: Span::new(start, end),
+            text: text.to_owned(),
+        };
+        Fix {
+            title: "fix",
+            applicability: Applicability::Safe,
+            edits: edits.iter().map(edit).collect(),
+        }
+    }
+
+    #[test]
+    fn fixes_that_meet_wait_for_the_next_round() {
+        let fixes = [
+            fix(&[(6, 7, "X"), (0, 1, "Y")]),
+            fix(&[(0, 1, "Z"), (3, 4, "Z")]),
+            fix(&[(3, 4, "W")]),
+            fix(&[(4, 4, "!")]),
+        ];
+        let (text, count) = apply("abcdefgh", fixes.iter());
+        assert_eq!((text.as_str(), count), ("YbcWefXh", 2));
+    }
+
+    #[test]
+    fn what_is_out_of_range_is_left_out() {
+        let fixes = [fix(&[(1, 3, "x")]), fix(&[(2, 9, "x")]), fix(&[])];
+        // The first would cut a character in two.
+        let (text, count) = apply("až", fixes.iter());
+        assert_eq!((text.as_str(), count), ("ax", 1));
+        let (text, count) = apply("ž", [fix(&[(1, 2, "x")])].iter());
+        assert_eq!((text.as_str(), count), ("ž", 0));
+    }
+
+    #[test]
+    fn line_breaks_are_those_of_the_text() {
+        let (text, _) = apply("a b\r\nc", [fix(&[(1, 2, "\n")])].iter());
+        assert_eq!(text, "a\r\nb\r\nc");
+    }
+}

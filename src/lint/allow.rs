@@ -1,0 +1,291 @@
+//! Comments that say what is all right: `# zpg: allow(W307, colour-out-of-range) #`.
+//!
+//! On a record's line such a comment covers the record, alone on the line above one too; at the head
+//! of the file, before any record, it covers the file. What it allows is not reported. An entry that
+//! allows nothing is S504.
+
+use super::Context;
+use crate::diagnostics::{self, Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::syntax::Item;
+use crate::syntax::lexer::{Token, TokenKind};
+
+/// What every such comment begins with, behind its `#`.
+const PREFIX: &str = "zpg:";
+
+/// Comments that talk to zpg need no `0` in front.
+pub fn is_directive(comment: &Token, text: &str) -> bool {
+    inside(comment.text(text)).starts_with(PREFIX)
+}
+
+fn inside(comment: &str) -> &str {
+    comment.trim_start_matches('#').trim_end_matches('#').trim()
+}
+
+/// Takes out what comments allow, and adds what is wrong with the comments. Sorts the findings.
+pub fn apply(context: &Context, out: &mut Vec<Diagnostic>) {
+    let document = context.document;
+    let comments = (document.tokens.iter().enumerate())
+        .filter(|(_, t)| t.kind == TokenKind::Comment && is_directive(t, context.text));
+    let directives: Vec<Directive> = comments.map(|(i, _)| Directive::new(context, i)).collect();
+    if directives.is_empty() {
+        return;
+    }
+    diagnostics::sort(out);
+    let mut allowed = vec![false; out.len()];
+    let mut remarks = Vec::new();
+    for directive in directives {
+        remarks.extend(directive.apply(out, &mut allowed));
+    }
+    let mut at = 0;
+    out.retain(|_| {
+        at += 1;
+        !allowed[at - 1]
+    });
+    out.append(&mut remarks);
+    diagnostics::sort(out);
+}
+
+/// One such comment.
+struct Directive {
+    comment: Span,
+    /// The comment with what belongs to nothing else once it is gone: its line, its `0`.
+    removal: Span,
+    /// What stands between the brackets; `None` if it is no `allow(…)`.
+    entries: Option<Vec<String>>,
+    /// Where findings begin that it may allow.
+    covers: Option<Span>,
+}
+
+impl Directive {
+    /// `at` is the index of the comment's token.
+    fn new(context: &Context, at: usize) -> Directive {
+        let (text, tokens) = (context.text, &context.document.tokens);
+        let token = &tokens[at];
+        let is_break = |t: &Token| t.kind == TokenKind::Newline;
+        let first = tokens[..at].iter().rposition(is_break).map_or(0, |i| i + 1);
+        let last = (tokens[at..].iter().position(is_break)).map_or(tokens.len(), |i| at + i);
+        let line = Span::new(
+            tokens[first].start,
+            tokens.get(last).map_or(text.len() as u32, |t| t.end()),
+        );
+        let items = Items { context };
+        let on_line = items.touching(line);
+        let no_record = |i: &Item| matches!(i, Item::Void { .. });
+        let alone = on_line.iter().all(no_record);
+        let covers = if !alone {
+            Some(on_line.iter().fold(line, |span, i| span.to(items.span(i))))
+        } else if items.none_before(line.start) {
+            Some(Span::new(0, text.len() as u32))
+        } else {
+            items.below(line.end).map(|i| items.line_of(i))
+        };
+        let inside = inside(token.text(text));
+        let list = inside
+            .strip_prefix(PREFIX)
+            .and_then(|rest| rest.trim().strip_prefix("allow"))
+            .and_then(|rest| rest.trim().strip_prefix('('))
+            .and_then(|rest| rest.strip_suffix(')'));
+        let entries = list.map(|l| l.split(',').map(|e| e.trim().to_owned()).collect());
+        Directive {
+            comment: token.span(),
+            removal: match alone {
+                true => line,
+                false => {
+                    let before = &text[..token.start as usize];
+                    let kept = before.trim_end_matches([' ', '\t']).len();
+                    Span::new(kept as u32, token.end())
+                }
+            },
+            entries,
+            covers,
+        }
+    }
+
+    /// Marks what it allows; a remark if it allows nothing or is not understood.
+    fn apply(&self, found: &[Diagnostic], allowed: &mut [bool]) -> Option<Diagnostic> {
+        let new = |case| Diagnostic::new(Code::S504, self.comment).case(case);
+        let Some(entries) = &self.entries else {
+            return Some(new("unknown"));
+        };
+        let mut used = Vec::new();
+        let mut unused = Vec::new();
+        for entry in entries {
+            match Code::parse(entry) {
+                None => return Some(new("no-code").with("text", crate::syntax::quote(entry))),
+                Some(code) if code.is_never_allowed() => {
+                    return Some(new("error").with("code", code.as_str()));
+                }
+                // It may be there to allow this very remark.
+                Some(Code::S504) => used.push(entry.as_str()),
+                Some(code) => match self.allows(code, found, allowed) {
+                    true => used.push(entry),
+                    false => unused.push(entry.as_str()),
+                },
+            }
+        }
+        if unused.is_empty() || entries.iter().any(|e| Code::parse(e) == Some(Code::S504)) {
+            return None;
+        }
+        let edit = match used.as_slice() {
+            [] => Edit {
+                span: self.removal,
+                text: String::new(),
+            },
+            used => Edit {
+                span: self.comment,
+                text: format!("# {PREFIX} allow({}) #", used.join(", ")),
+            },
+        };
+        Some(
+            new("")
+                .with("entries", unused.join(", "))
+                .with("count", Value::Count(unused.len() as u64))
+                .fix(Fix {
+                    title: "fix",
+                    applicability: Applicability::Safe,
+                    edits: vec![edit],
+                }),
+        )
+    }
+
+    fn allows(&self, code: Code, found: &[Diagnostic], allowed: &mut [bool]) -> bool {
+        let Some(covers) = self.covers else {
+            return false;
+        };
+        let first = found.partition_point(|d| d.span.start < covers.start);
+        let mut any = false;
+        for (d, allowed) in found[first..].iter().zip(&mut allowed[first..]) {
+            if d.span.start > covers.end {
+                break;
+            }
+            if d.code == code {
+                *allowed = true;
+                any = true;
+            }
+        }
+        any
+    }
+}
+
+/// The records and what stands in their place, by their position in the text.
+struct Items<'a, 'c> {
+    context: &'a Context<'c>,
+}
+
+impl<'a> Items<'a, '_> {
+    fn span(&self, item: &Item) -> Span {
+        self.context.document.item_span(item)
+    }
+
+    /// Those that have a part in a stretch of text.
+    fn touching(&self, span: Span) -> &'a [Item] {
+        let items = &self.context.document.items;
+        let first = items.partition_point(|i| self.span(i).end <= span.start);
+        let count = items[first..].partition_point(|i| self.span(i).start < span.end);
+        &items[first..first + count]
+    }
+
+    /// Whether no record begins before a place.
+    fn none_before(&self, at: u32) -> bool {
+        let items = &self.context.document.items;
+        let before = items.partition_point(|i| self.span(i).start < at);
+        let void = |i: &Item| matches!(i, Item::Void { .. });
+        items[..before].iter().all(void)
+    }
+
+    /// The record on the line that begins at a place, or on one of the next lines if nothing but
+    /// comments stands between.
+    fn below(&self, at: u32) -> Option<&'a Item> {
+        let document = self.context.document;
+        let first = document.items.partition_point(|i| self.span(i).start < at);
+        let void = |i: &&Item| matches!(i, Item::Void { .. });
+        let item = document.items[first..].iter().find(|i| !void(i))?;
+        let tokens = &document.tokens;
+        let from = tokens.partition_point(|t| t.start < at);
+        let between = tokens.get(from..item.ends().0 as usize)?;
+        // Each line break ends a line with a comment on it: none is blank.
+        let lines = between.split(|t| t.kind == TokenKind::Newline);
+        let all = lines.clone().count();
+        let blank = lines.take(all - 1).any(<[Token]>::is_empty);
+        (!blank).then_some(item)
+    }
+
+    /// A record with all that stands on its lines.
+    fn line_of(&self, item: &Item) -> Span {
+        let span = self.span(item);
+        let text = self.context.text;
+        let rest = &text[span.end as usize..];
+        let end = rest.find(['\n', '\r']).unwrap_or(rest.len());
+        Span::new(span.start, span.end + end as u32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lint::testing::{fixed, found, messages};
+
+    /// A scene with W302 in its second line, and whatever else is put in.
+    fn scene(head: &str, above: &str, behind: &str) -> String {
+        format!("{head}2 9 1\n{above}35 -201 0.7 0.7 0.7{behind}\n2 -299 0 35\n1 9999 2 0\n")
+    }
+
+    #[test]
+    fn where_it_covers() {
+        let allow = "# zpg: allow(W302) #";
+        assert_eq!(found(&scene("", "", "")), ["W302 2:9"]);
+        assert!(found(&scene("", "", &format!(" {allow}"))).is_empty());
+        assert!(found(&scene("", &format!("{allow}\n"), "")).is_empty());
+        assert!(found(&scene("", &format!("0 {allow}\n"), "")).is_empty());
+        assert!(found(&scene("", &format!("{allow}\n0 # heading #\n"), "")).is_empty());
+        assert!(found(&scene(&format!("{allow}\n"), "", "")).is_empty());
+        assert!(found(&scene(&format!("0 # a scene #\n\n{allow}\n\n"), "", "")).is_empty());
+        assert!(found(&scene("", "", " # zpg:allow( energy-gain ) #")).is_empty());
+        assert!(found(&scene("", "", " ## zpg: allow(w302) ##")).len() > 1);
+        // A line too far up, or a record further down.
+        assert_eq!(
+            found(&scene("", &format!("{allow}\n\n"), "")),
+            ["S504 2:1", "W302 4:9"]
+        );
+        assert_eq!(
+            found(&scene("", "", &format!("\n{allow}"))),
+            ["W302 2:9", "S504 3:1"]
+        );
+    }
+
+    #[test]
+    fn the_lines_of_a_record_are_one() {
+        let scene =
+            "2 9 1\n35 -202 0.7 0.7 0.7\n 0 0 0 # zpg: allow(W302) #\n 0 0 0\n2 -299 0 35\n";
+        assert!(found(scene).is_empty());
+    }
+
+    #[test]
+    fn what_allows_nothing_is_said_and_goes() {
+        let one = scene("", "", " # zpg: allow(W302, W320) #");
+        assert_eq!(found(&one), ["S504 2:21"]);
+        assert_eq!(fixed(&one), scene("", "", " # zpg: allow(W302) #"));
+        let trailing = "2 9 1 # zpg: allow(W302) #\n1 9999 2 0 # keep #\n";
+        assert_eq!(found(trailing), ["S504 1:7"]);
+        assert_eq!(fixed(trailing), "2 9 1\n1 9999 2 0 # keep #\n");
+        let alone = "2 9 1\n0 # zpg: allow(W302) #\r\n1 9999 2 0\n";
+        assert_eq!(fixed(alone), "2 9 1\n1 9999 2 0\n");
+        let head = "# zpg: allow(W302, W303) #\n2 9 1\n1 9999 2 0\n";
+        assert_eq!(fixed(head), "2 9 1\n1 9999 2 0\n");
+        assert!(found("# zpg: allow(S504, W303) #\n2 9 1\n").is_empty());
+    }
+
+    #[test]
+    fn what_is_not_understood() {
+        let says = |comment: &str| messages(&format!("2 9 1 # {comment} #\n"));
+        assert_eq!(
+            says("zpg: alow(W302)"),
+            ["zpg does not understand this comment"]
+        );
+        assert_eq!(says("zpg: allow(W999)"), ["there is no code `W999`"]);
+        assert_eq!(
+            says("zpg: allow(E101)"),
+            ["an error, E101, cannot be allowed"]
+        );
+        assert!(says("zpg is a language").is_empty());
+    }
+}

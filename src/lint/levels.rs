@@ -1,0 +1,221 @@
+//! How much each finding weighs: what the command line and `zpg.toml` make of the codes' own
+//! severities.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::diagnostics::{Code, Diagnostic, Severity};
+
+/// What becomes of a finding.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Level {
+    Error,
+    Warning,
+    Note,
+    Off,
+}
+
+/// A code or several: `W307`, `overlapping-union`, `W3` for all that begin so, `warnings`, `notes`,
+/// `style`, `all`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Selector(Vec<Code>);
+
+/// Why a text selects nothing.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnknownCode(String);
+
+impl fmt::Display for UnknownCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let meant = Code::ALL
+            .iter()
+            .flat_map(|c| [c.as_str(), c.name()])
+            .map(|name| (strsim::osa_distance(&self.0, name), name))
+            .min()
+            .filter(|&(distance, _)| distance <= 1 + self.0.len() / 4);
+        write!(f, "there is no code {}", crate::syntax::quote(&self.0))?;
+        match meant {
+            Some((_, name)) => write!(f, "; did you mean `{name}`?"),
+            None => f.write_str(" (`zpg explain` lists all)"),
+        }
+    }
+}
+
+impl std::error::Error for UnknownCode {}
+
+impl FromStr for Selector {
+    type Err = UnknownCode;
+
+    fn from_str(text: &str) -> Result<Selector, UnknownCode> {
+        if let Some(code) = Code::parse(text) {
+            return Ok(Selector(vec![code]));
+        }
+        let upper = text.to_ascii_uppercase();
+        let chosen = |code: &&Code| match upper.as_str() {
+            "ALL" => true,
+            "WARNINGS" => code.severity() == Severity::Warning || **code == Code::E106,
+            "NOTES" => code.severity() == Severity::Note,
+            "STYLE" => code.severity() == Severity::Style,
+            "" => false,
+            prefix => code.as_str().starts_with(prefix),
+        };
+        let codes: Vec<Code> = Code::ALL.iter().filter(chosen).copied().collect();
+        match codes.is_empty() {
+            true => Err(UnknownCode(text.to_owned())),
+            false => Ok(Selector(codes)),
+        }
+    }
+}
+
+impl Selector {
+    /// The code, if it selects just one and that is an error of the language, which no setting
+    /// changes.
+    pub fn fixed_error(&self) -> Option<Code> {
+        match self.0.as_slice() {
+            [code] if code.is_never_allowed() => Some(*code),
+            _ => None,
+        }
+    }
+
+    /// How many codes it selects.
+    pub fn breadth(&self) -> usize {
+        self.0.len()
+    }
+
+    fn holds(&self, code: Code) -> bool {
+        self.0.contains(&code)
+    }
+}
+
+/// What a run is to report.
+#[derive(Debug, Clone, Default)]
+pub struct Choice {
+    /// If not empty, only these.
+    pub select: Vec<Selector>,
+    pub ignore: Vec<Selector>,
+    /// These are errors.
+    pub deny: Vec<Selector>,
+}
+
+/// A level for each code that has another one than its own.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Levels(Vec<(Code, Level)>);
+
+impl Levels {
+    /// Gives codes a level; what was said of them before counts no more.
+    pub fn set(&mut self, codes: &Selector, level: Level) {
+        self.0.retain(|(code, _)| !codes.holds(*code));
+        self.0.extend(codes.0.iter().map(|&code| (code, level)));
+    }
+
+    /// Takes out what is off and gives the rest its weight. Errors of the language stay what they
+    /// are.
+    pub fn apply(&self, choice: &Choice, diagnostics: &mut Vec<Diagnostic>) {
+        diagnostics.retain_mut(|d| {
+            let any = |list: &[Selector]| list.iter().any(|s| s.holds(d.code));
+            if d.is_error() {
+                return true;
+            }
+            let own = self.0.iter().find(|(code, _)| *code == d.code);
+            let mut level = own.map(|(_, level)| *level);
+            if !choice.select.is_empty() {
+                match any(&choice.select) {
+                    // Chosen by name, it is on.
+                    true => level = level.filter(|&l| l != Level::Off),
+                    false => level = Some(Level::Off),
+                }
+            }
+            if any(&choice.deny) {
+                level = Some(Level::Error);
+            }
+            if any(&choice.ignore) {
+                level = Some(Level::Off);
+            }
+            match level {
+                Some(Level::Off) => return false,
+                Some(Level::Error) => d.severity = Severity::Error,
+                Some(Level::Warning) => d.severity = Severity::Warning,
+                Some(Level::Note) => d.severity = Severity::Note,
+                None => {}
+            }
+            true
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostics::Span;
+
+    fn some() -> Vec<Diagnostic> {
+        [Code::E101, Code::W302, Code::W303, Code::N602, Code::S502]
+            .map(|c| Diagnostic::new(c, Span::default()))
+            .into()
+    }
+
+    fn after(levels: &Levels, choice: &Choice) -> Vec<String> {
+        let mut all = some();
+        levels.apply(choice, &mut all);
+        let line = |d: &Diagnostic| format!("{} {}", d.code.as_str(), d.severity.as_str());
+        all.iter().map(line).collect()
+    }
+
+    fn these(text: &str) -> Vec<Selector> {
+        text.split(' ').map(|t| t.parse().unwrap()).collect()
+    }
+
+    #[test]
+    fn levels_and_choices() {
+        let mut levels = Levels::default();
+        let none = Choice::default();
+        let own = [
+            "E101 error",
+            "W302 warning",
+            "W303 warning",
+            "N602 note",
+            "S502 style",
+        ];
+        assert_eq!(after(&levels, &none), own);
+        levels.set(&"W3".parse().unwrap(), Level::Note);
+        levels.set(&"energy-gain".parse().unwrap(), Level::Off);
+        levels.set(&"s502".parse().unwrap(), Level::Warning);
+        let set = ["E101 error", "W303 note", "N602 note", "S502 warning"];
+        assert_eq!(after(&levels, &none), set);
+        let select = Choice {
+            select: these("W302 W303"),
+            ..none.clone()
+        };
+        assert_eq!(
+            after(&levels, &select),
+            ["E101 error", "W302 warning", "W303 note"]
+        );
+        let deny = Choice {
+            deny: these("warnings"),
+            ignore: these("W303"),
+            ..none
+        };
+        assert_eq!(
+            after(&levels, &deny),
+            ["E101 error", "W302 error", "N602 note", "S502 warning"]
+        );
+    }
+
+    #[test]
+    fn what_selects_nothing_is_told_what_would() {
+        let says = |t: &str| t.parse::<Selector>().unwrap_err().to_string();
+        assert_eq!(
+            says("enery-gain"),
+            "there is no code `enery-gain`; did you mean `energy-gain`?"
+        );
+        assert_eq!(
+            says("Q9"),
+            "there is no code `Q9` (`zpg explain` lists all)"
+        );
+        assert_eq!(
+            "e101".parse::<Selector>().unwrap().fixed_error(),
+            Some(Code::E101)
+        );
+        assert_eq!("E".parse::<Selector>().unwrap().fixed_error(), None);
+    }
+}

@@ -1,0 +1,115 @@
+//! Which shapes hold a point.
+
+use super::inside::Inside;
+use super::tree::{Answer, Tree};
+use crate::scene::bounds::NodeBounds;
+use crate::scene::{Matrix, Scene, Vec3};
+use crate::trace::bounds::Bounds;
+use crate::trace::bvh::Bvh;
+use crate::trace::vec;
+
+/// Boxes looked at, for all points together: some tenths of a second.
+const STEPS: usize = 30_000_000;
+
+/// What placing a point in the coordinates of a shape costs, in steps.
+const SHAPE_COST: usize = 4;
+
+pub struct Points<'a> {
+    scene: &'a Scene,
+    tree: &'a Tree,
+    inside: Inside<'a>,
+    finite: Bvh,
+    /// Leaves that have no end.
+    endless: Vec<u32>,
+    left: usize,
+}
+
+impl<'a> Points<'a> {
+    pub fn new(scene: &'a Scene, bounds: &'a [NodeBounds], tree: &'a Tree) -> Points<'a> {
+        let mut finite = Vec::new();
+        let mut endless = Vec::new();
+        for (i, leaf) in tree.leaves.iter().enumerate() {
+            if leaf.bounds.is_empty() {
+                continue;
+            }
+            match leaf.bounds.is_finite() {
+                true => {
+                    let (min, max) = (vec::Vec3(leaf.bounds.min), vec::Vec3(leaf.bounds.max));
+                    finite.push((i as u32, Bounds::new(min, max)));
+                }
+                false => endless.push(i as u32),
+            }
+        }
+        Points {
+            scene,
+            tree,
+            inside: Inside::new(scene, bounds),
+            finite: Bvh::new(finite),
+            endless,
+            left: STEPS,
+        }
+    }
+
+    /// The leaves that hold a point or may do so, in the order of their places; `None` when no steps
+    /// are left.
+    pub fn at(&mut self, p: Vec3) -> Option<Vec<(u32, Answer)>> {
+        let mut near: Vec<u32> = Vec::new();
+        let mut todo: Vec<u32> = (!self.finite.nodes.is_empty())
+            .then_some(0)
+            .into_iter()
+            .collect();
+        let mut steps = self.endless.len();
+        while let Some(i) = todo.pop() {
+            let node = &self.finite.nodes[i as usize];
+            steps += 1;
+            if (0..3).any(|k| p[k] < node.bounds.min[k] || p[k] > node.bounds.max[k]) {
+                continue;
+            }
+            match node.count {
+                0 => todo.extend([node.index, i + 1]),
+                n => {
+                    let items = node.index as usize..(node.index + n) as usize;
+                    near.extend_from_slice(&self.finite.items[items]);
+                }
+            }
+        }
+        near.extend_from_slice(&self.endless);
+        near.sort_unstable();
+        let mut out = Vec::new();
+        for i in near {
+            let leaf = &self.tree.leaves[i as usize];
+            if !leaf.bounds.contains(p) {
+                continue;
+            }
+            steps += SHAPE_COST;
+            let local = local(&leaf.matrix, p)?;
+            let answer = match leaf.shape {
+                Some(shape) => {
+                    let geometry = &self.scene.shapes[shape as usize].geometry;
+                    self.inside.shape(geometry, local)
+                }
+                None => self.inside.node(leaf.node, local),
+            };
+            if answer != Some(false) {
+                out.push((leaf.place, answer));
+            }
+        }
+        self.left = self.left.checked_sub(steps)?;
+        Some(out)
+    }
+
+    /// Whether a point is in the shape of a leaf.
+    pub fn in_leaf(&mut self, leaf: u32, p: Vec3) -> Answer {
+        self.left = self.left.checked_sub(SHAPE_COST)?;
+        let leaf = &self.tree.leaves[leaf as usize];
+        let geometry = &self.scene.shapes[leaf.shape? as usize].geometry;
+        self.inside.shape(geometry, local(&leaf.matrix, p)?)
+    }
+}
+
+fn local(m: &Matrix, p: Vec3) -> Option<Vec3> {
+    match *m == Matrix::IDENTITY {
+        true => Some(p),
+        false => Some(m.inverse()?.point(p)),
+    }
+}

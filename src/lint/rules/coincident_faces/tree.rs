@@ -1,0 +1,477 @@
+//! The scene with every shape in its place, and what every part of it comes to at a point.
+//!
+//! A node that occurs twice stands here twice. At a point most shapes are out; what an operation
+//! comes to where all of its shapes are is known beforehand, so that only the few whose bounds hold
+//! the point are looked at, however long the chain that they are part of.
+
+use super::face::Leaf;
+use crate::scene::bounds::NodeBounds;
+use crate::scene::{Matrix, Node, NodeId, Scene};
+
+/// Nodes gone through for the second time or more. Scenes that share parts without end would take
+/// more: parts beyond are known as a whole only.
+const REPEATED: u32 = 400_000;
+
+/// No place in the tree.
+pub const NONE: u32 = u32::MAX;
+
+/// Inside, outside, or not known.
+pub type Answer = Option<bool>;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Join {
+    Leaf,
+    Or,
+    And,
+}
+
+/// A leaf, or an operation with two operands. Transformations are in the leaves' matrices,
+/// complements and the second operands of differences in `negated`.
+#[derive(Debug, Clone, Copy)]
+pub struct Place {
+    /// The scene's node.
+    pub node: NodeId,
+    join: Join,
+    parent: u32,
+    pub children: [u32; 2],
+    /// One more than the last place below.
+    end: u32,
+    depth: u32,
+    /// The top of a way down along the larger children.
+    head: u32,
+    /// Whether its complement is what the parent is made of.
+    pub negated: bool,
+    /// Whether there is an odd number of complements on the way from the root.
+    pub turned: bool,
+    /// Whether it is a difference or an intersection.
+    pub cuts: bool,
+    /// The topmost difference or intersection that this is part of, or [`NONE`].
+    pub group: u32,
+    /// What it comes to where none of its shapes is.
+    rests: bool,
+    /// The depth of the lowest place above that rests whatever this comes to, as long as the other
+    /// operands on the way rest; −1 where there is none.
+    stops: i64,
+    /// The innermost copy of more than a shape that this is part of: its ID, and the depth at which
+    /// it begins.
+    copy: Option<(u32, u32)>,
+}
+
+pub struct Tree {
+    /// Parents stand before their children, and what first operands are made of before second ones.
+    pub places: Vec<Place>,
+    pub leaves: Vec<Leaf>,
+}
+
+/// What is still to be placed.
+struct Task {
+    node: NodeId,
+    matrix: Matrix,
+    negated: bool,
+    parent: u32,
+    operand: usize,
+    copy: Option<(u32, u32)>,
+    /// Part of something that has been paid for.
+    paid: bool,
+}
+
+/// What nodes cost when they are gone through again.
+struct Costs {
+    /// Of each node, with everything below, shared nodes as often as they occur.
+    weights: Vec<u32>,
+    seen: Vec<bool>,
+    left: u32,
+}
+
+impl Tree {
+    /// Everything that these nodes are made of.
+    pub fn new(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Tree {
+        let mut costs = Costs {
+            weights: weights(scene),
+            seen: vec![false; scene.nodes.len()],
+            left: REPEATED,
+        };
+        let mut tree = Tree {
+            places: Vec::new(),
+            leaves: Vec::new(),
+        };
+        let start = |&node: &NodeId| Task {
+            node,
+            matrix: Matrix::IDENTITY,
+            negated: false,
+            parent: NONE,
+            operand: 0,
+            copy: None,
+            paid: false,
+        };
+        let mut todo: Vec<Task> = roots.iter().rev().map(start).collect();
+        while let Some(task) = todo.pop() {
+            tree.place(scene, bounds, task, &mut costs, &mut todo);
+        }
+        tree.finish();
+        tree
+    }
+
+    fn place(
+        &mut self,
+        scene: &Scene,
+        bounds: &[NodeBounds],
+        mut task: Task,
+        costs: &mut Costs,
+        todo: &mut Vec<Task>,
+    ) {
+        let here = self.places.len() as u32;
+        let above = (task.parent != NONE).then(|| self.places[task.parent as usize]);
+        let depth = above.map_or(0, |p| p.depth + 1);
+        // A copy of just a shape: the shape's name is the copy's.
+        let mut direct = None;
+        let known = loop {
+            let weight = costs.weights[task.node as usize];
+            if weight > 1
+                && !task.paid
+                && std::mem::replace(&mut costs.seen[task.node as usize], true)
+            {
+                match costs.left.checked_sub(weight) {
+                    Some(left) => (costs.left, task.paid) = (left, true),
+                    None => break false,
+                }
+            }
+            task.node = match scene.nodes[task.node as usize] {
+                Node::Transform { child, matrix } => {
+                    task.matrix = task.matrix.after(&scene.matrices[matrix as usize]);
+                    child
+                }
+                Node::Paint { child, .. } => child,
+                Node::Copy { child, id } => {
+                    direct = direct.or(Some(id));
+                    child
+                }
+                Node::Complement(child) => {
+                    task.negated = !task.negated;
+                    task.copy = direct.take().map(|id| (id, depth)).or(task.copy);
+                    child
+                }
+                _ => break true,
+            };
+        };
+        let node = scene.nodes[task.node as usize];
+        let operands = match node.children() {
+            [Some(a), Some(b)] if known => Some([a, b]),
+            _ => None,
+        };
+        if operands.is_some() {
+            task.copy = direct.take().map(|id| (id, depth)).or(task.copy);
+        }
+        let cuts = operands.is_some() && !matches!(node, Node::Union(..));
+        let group = match above.map_or(NONE, |p| p.group) {
+            NONE if cuts => here,
+            group => group,
+        };
+        if let Some(above) = self.places.get_mut(task.parent as usize) {
+            above.children[task.operand] = here;
+        }
+        self.places.push(Place {
+            node: task.node,
+            join: match (operands, cuts) {
+                (None, _) => Join::Leaf,
+                (_, true) => Join::And,
+                (_, false) => Join::Or,
+            },
+            parent: task.parent,
+            children: [NONE; 2],
+            end: here + 1,
+            depth,
+            head: here,
+            negated: task.negated,
+            turned: above.is_some_and(|p| p.turned) != task.negated,
+            cuts,
+            group,
+            rests: false,
+            stops: -1,
+            copy: task.copy,
+        });
+        match operands {
+            Some(operands) => {
+                for (operand, child) in operands.into_iter().enumerate().rev() {
+                    todo.push(Task {
+                        node: child,
+                        matrix: task.matrix,
+                        negated: operand == 1 && matches!(node, Node::Difference(..)),
+                        parent: here,
+                        operand,
+                        copy: task.copy,
+                        paid: task.paid,
+                    });
+                }
+            }
+            None => {
+                let (node, matrix) = (task.node, task.matrix);
+                self.leaves.push(match scene.nodes[node as usize] {
+                    Node::Shape(shape) => Leaf::new(scene, node, shape, direct, matrix, here),
+                    _ => Leaf::part(node, bounds[node as usize].all, matrix, here),
+                });
+            }
+        }
+    }
+
+    /// What follows from the places below, and then from those above.
+    fn finish(&mut self) {
+        for i in (0..self.places.len()).rev() {
+            let place = self.places[i];
+            if place.join != Join::Leaf {
+                let [a, b] = place.children.map(|c| self.places[c as usize]);
+                let rest = [a, b].map(|p| p.rests != p.negated);
+                let place = &mut self.places[i];
+                place.end = b.end;
+                place.rests = match place.join {
+                    Join::Or => rest[0] || rest[1],
+                    _ => rest[0] && rest[1],
+                };
+            }
+        }
+        for i in 0..self.places.len() {
+            let place = self.places[i];
+            if place.join == Join::Leaf {
+                continue;
+            }
+            let weight = |c: u32| self.places[c as usize].end - c;
+            let [a, b] = place.children;
+            let heavy = if weight(a) >= weight(b) { a } else { b };
+            self.places[heavy as usize].head = place.head;
+            for (child, other) in [(a, b), (b, a)] {
+                let other = self.places[other as usize];
+                // True settles an "or", false an "and".
+                let settles = (other.rests != other.negated) == (place.join == Join::Or);
+                self.places[child as usize].stops = match settles {
+                    true => i64::from(place.depth),
+                    false => place.stops,
+                };
+            }
+        }
+    }
+
+    /// The lowest place that two places of one root are part of.
+    pub fn join(&self, mut a: u32, mut b: u32) -> u32 {
+        let at = |i: u32| &self.places[i as usize];
+        while at(a).head != at(b).head {
+            if at(at(a).head).depth < at(at(b).head).depth {
+                std::mem::swap(&mut a, &mut b);
+            }
+            a = at(at(a).head).parent;
+        }
+        if at(a).depth < at(b).depth { a } else { b }
+    }
+
+    pub fn root(&self, place: u32) -> u32 {
+        let mut top = self.places[place as usize].head;
+        while self.places[top as usize].parent != NONE {
+            top = self.places[self.places[top as usize].parent as usize].head;
+        }
+        top
+    }
+
+    /// The copy by whose ID a place is known within an operation that it is part of.
+    pub fn copy_within(&self, place: u32, operation: u32) -> Option<u32> {
+        let (id, depth) = self.places[place as usize].copy?;
+        (depth > self.places[operation as usize].depth).then_some(id)
+    }
+
+    /// What a place above comes to if this one comes to `x` and everything else there rests.
+    fn lift(&self, from: u32, to: u32, x: Answer) -> Answer {
+        let (from, to) = (&self.places[from as usize], &self.places[to as usize]);
+        if from.stops >= i64::from(to.depth) {
+            return Some(to.rests);
+        }
+        x.map(|x| x != (from.turned != to.turned))
+    }
+
+    /// What a place comes to, where these places come to these answers, in their order and none
+    /// part of another, and all other leaves are out. What is not part of it is passed over.
+    pub fn value(&self, top: u32, answers: &[(u32, Answer)]) -> Answer {
+        let end = self.places[top as usize].end;
+        let start = answers.partition_point(|a| a.0 < top);
+        // Each with the place where it meets the one below it.
+        let mut stack: Vec<(u32, Answer, u32)> = Vec::new();
+        for &(place, answer) in answers[start..].iter().take_while(|a| a.0 < end) {
+            let mut meet = top;
+            if let Some(last) = stack.last() {
+                meet = self.join(last.0, place);
+                self.reduce(&mut stack, i64::from(self.places[meet as usize].depth));
+            }
+            stack.push((place, answer, meet));
+        }
+        self.reduce(&mut stack, -1);
+        match stack.pop() {
+            Some((place, answer, _)) => self.lift(place, top, answer),
+            None => Some(self.places[top as usize].rests),
+        }
+    }
+
+    /// Joins the last entries of the stack as long as they meet below a depth.
+    fn reduce(&self, stack: &mut Vec<(u32, Answer, u32)>, depth: i64) {
+        while let [.., one, two] = stack.as_slice() {
+            let meet = self.places[two.2 as usize];
+            if i64::from(meet.depth) <= depth {
+                break;
+            }
+            let [a, b] = meet.children;
+            let side = |of: (u32, Answer, u32), child: u32| {
+                let x = self.lift(of.0, child, of.1);
+                x.map(|x| x != self.places[child as usize].negated)
+            };
+            let (x, y) = (side(*one, a), side(*two, b));
+            let answer = match meet.join {
+                Join::Or => either(x, y),
+                _ => both(x, y),
+            };
+            let joined = (two.2, answer, one.2);
+            stack.truncate(stack.len() - 2);
+            stack.push(joined);
+        }
+    }
+
+    /// Whether what a place comes to decides what its root comes to; and what that is without it.
+    /// `None` where it does not decide, or that is not known.
+    pub fn decides(&self, place: u32, answers: &[(u32, Answer)]) -> Answer {
+        let end = self.places[place as usize].end;
+        let before = answers.partition_point(|a| a.0 < place);
+        let after = answers.partition_point(|a| a.0 < end);
+        let mut others = answers[..before].to_vec();
+        others.push((place, None));
+        others.extend_from_slice(&answers[after..]);
+        let root = self.root(place);
+        let [without, with] = [false, true].map(|x| {
+            others[before].1 = Some(x);
+            self.value(root, &others)
+        });
+        (with? != without?).then_some(without?)
+    }
+}
+
+/// How many nodes each node is made of, shared ones counted as often as they occur.
+fn weights(scene: &Scene) -> Vec<u32> {
+    let mut out: Vec<u32> = Vec::with_capacity(scene.nodes.len());
+    for node in &scene.nodes {
+        let children = node.children().into_iter().flatten();
+        out.push(children.fold(1u32, |w, c| w.saturating_add(out[c as usize])));
+    }
+    out
+}
+
+/// Kleene's "or": true if one is.
+pub fn either(a: Answer, b: Answer) -> Answer {
+    match (a, b) {
+        (Some(true), _) | (_, Some(true)) => Some(true),
+        (Some(false), Some(false)) => Some(false),
+        _ => None,
+    }
+}
+
+pub fn both(a: Answer, b: Answer) -> Answer {
+    either(a.map(|x| !x), b.map(|x| !x)).map(|x| !x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostics::SourceFile;
+    use crate::scene::bounds::node_bounds;
+    use crate::{scene, syntax};
+
+    /// What a node comes to where these leaves hold the point, one operation after the other.
+    fn plainly(tree: &Tree, held: &[(u32, Answer)], forced: Option<(u32, Answer)>) -> Vec<Answer> {
+        let mut out = vec![Some(false); tree.places.len()];
+        for i in (0..tree.places.len()).rev() {
+            let place = &tree.places[i];
+            if place.join == Join::Leaf {
+                if let Some(h) = held.iter().find(|h| h.0 == i as u32) {
+                    out[i] = h.1;
+                }
+            } else {
+                let [a, b] = place.children.map(|c| {
+                    let c = c as usize;
+                    out[c].map(|x| x != tree.places[c].negated)
+                });
+                out[i] = match place.join {
+                    Join::Or => either(a, b),
+                    _ => both(a, b),
+                };
+            }
+            if let Some((at, answer)) = forced
+                && at == i as u32
+            {
+                out[i] = answer;
+            }
+        }
+        out
+    }
+
+    fn tree(text: &str) -> Tree {
+        let source = SourceFile::new("t.zpg", text.into());
+        let mut all = Vec::new();
+        let (document, _) = syntax::parse(&source.text);
+        let scene = scene::resolve(&document, &source, &mut all);
+        assert!(
+            all.iter()
+                .all(|d| !d.code.as_str().starts_with('E') || d.code.as_str() == "E106")
+        );
+        let root = scene.entities.last().and_then(|e| e.node).unwrap();
+        Tree::new(&scene, &node_bounds(&scene), &[root])
+    }
+
+    /// Random trees, all of whose operations and some of whose leaves are asked for.
+    #[test]
+    fn jumps_come_to_what_single_steps_do() {
+        let mut state = 12345u64;
+        let mut random = move |n: u64| {
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (state >> 33) % n
+        };
+        for _ in 0..300 {
+            let count = 2 + random(12);
+            let mut text = String::new();
+            let mut parts: Vec<u64> = (2..2 + count).collect();
+            parts.iter().for_each(|i| text += &format!("{i} 9 1\n"));
+            let mut next = 2 + count;
+            while parts.len() > 1 {
+                let a = parts.swap_remove(random(parts.len() as u64) as usize);
+                let b = parts.swap_remove(random(parts.len() as u64) as usize);
+                text += &format!("{next} -10{} {a} {b}\n", 1 + random(3));
+                if random(4) == 0 {
+                    text += &format!("{} -104 {next}\n", next + 1);
+                    next += 1;
+                }
+                parts.push(next);
+                next += 1;
+            }
+            let tree = tree(&text);
+            for _ in 0..8 {
+                let mut held: Vec<(u32, Answer)> = Vec::new();
+                for leaf in &tree.leaves {
+                    match random(5) {
+                        0 => held.push((leaf.place, None)),
+                        1 | 2 => held.push((leaf.place, Some(true))),
+                        _ => {}
+                    }
+                }
+                let expected = plainly(&tree, &held, None);
+                for i in 0..tree.places.len() as u32 {
+                    assert_eq!(
+                        tree.value(i, &held),
+                        expected[i as usize],
+                        "{text}\n{held:?} {i}"
+                    );
+                    let [without, with] =
+                        [false, true].map(|x| plainly(&tree, &held, Some((i, Some(x))))[0]);
+                    let decides = match (without, with) {
+                        (Some(a), Some(b)) if a != b => Some(a),
+                        _ => None,
+                    };
+                    assert_eq!(tree.decides(i, &held), decides, "{text}\n{held:?} {i}");
+                }
+            }
+        }
+    }
+}
