@@ -14,7 +14,7 @@ use super::rewrite::{diff, replace};
 use super::{LookChoice, Status, complain, load_with, paths, terminal};
 use crate::config::Configs;
 use crate::diagnostics::render::human::{self, Look};
-use crate::diagnostics::render::{Tally, json, short};
+use crate::diagnostics::render::{Tally, github, json, sarif, short};
 use crate::diagnostics::{Code, Value};
 use crate::lint::levels::{Choice, Selector};
 use statistics::Statistics;
@@ -37,6 +37,7 @@ Examples:
   zpg check --deny warnings scenes/    for a continuous build
   zpg check --format short scenes/     one line for each finding
   zpg check --format json - < scene.zpg
+  zpg check --format sarif scenes/ > zpg.sarif
 
 `zpg explain E101` tells more about a finding.")]
 pub struct Args {
@@ -94,6 +95,10 @@ enum Format {
     Short,
     /// For programs
     Json,
+    /// For code scanning: SARIF 2.1.0
+    Sarif,
+    /// For GitHub Actions: annotations of pull requests
+    Github,
 }
 
 /// One file's findings, ready to be put out.
@@ -110,6 +115,7 @@ struct Checked {
 enum Output {
     Text(Vec<u8>),
     Json(json::File),
+    Sarif(sarif::File),
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
@@ -237,6 +243,10 @@ impl Checker<'_> {
             Format::Human => human::write(&mut text, &source, &diagnostics, self.look),
             Format::Short => short::write(&mut text, &source, &diagnostics, language),
             Format::Json => return Output::Json(json::File::new(&source, diagnostics, language)),
+            Format::Sarif => {
+                return Output::Sarif(sarif::File::new(&source, diagnostics, language));
+            }
+            Format::Github => github::write(&mut text, &source, &diagnostics, language),
         };
         debug_assert!(written.is_ok(), "memory takes everything");
         Output::Text(text)
@@ -264,7 +274,7 @@ impl Checker<'_> {
             if !args.diff {
                 let texts = all.iter().filter_map(|c| match &c.output {
                     Output::Text(text) => Some(text),
-                    Output::Json(_) => None,
+                    Output::Json(_) | Output::Sarif(_) => None,
                 });
                 let _ = texts.into_iter().try_for_each(|t| findings.write_all(t));
                 if total.files > 0 {
@@ -280,10 +290,12 @@ impl Checker<'_> {
                 return Statistics::sum(all.iter().map(|c| &c.statistics)).write(out);
             }
             let mut reports = Vec::new();
+            let mut scans = Vec::new();
             for checked in all {
                 match checked.output {
                     Output::Text(text) => out.write_all(&text)?,
                     Output::Json(report) => reports.push(report),
+                    Output::Sarif(scan) => scans.push(scan),
                 }
             }
             match args.format {
@@ -295,8 +307,12 @@ impl Checker<'_> {
                         _ => writeln!(out, "{}", total.sentence(language)),
                     }
                 }
-                Format::Short => Ok(()),
+                Format::Short | Format::Github => Ok(()),
                 Format::Json => json::write(out, &reports, total),
+                Format::Sarif => {
+                    let complete = status != Status::Failure;
+                    sarif::write(out, &scans, language, complete)
+                }
             }
         })
     }

@@ -205,6 +205,7 @@ N601 = soubor není platné UTF-8; čte se jako Windows-1250
 lost-id-used-here = { $lost } se používá zde a není nikde definováno
 lost-id-may-be-this = možná je to záznam, který má definovat { $lost }
 put-lost-id-in-front = napsat před to `{ $lost }`
+write-lost-id = napsat `{ $lost }`
 
 E101 = { $id } není definováno
     .label = toto ID v souboru nic nemá

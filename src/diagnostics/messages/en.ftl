@@ -196,6 +196,7 @@ N601 = the file is not valid UTF-8; it is read as Windows-1250
 lost-id-used-here = { $lost } is used here and defined nowhere
 lost-id-may-be-this = it may be the record that should define { $lost }
 put-lost-id-in-front = put `{ $lost }` in front
+write-lost-id = write `{ $lost }`
 
 E101 = { $id } is not defined
     .label = nothing in this file has this ID
