@@ -6,6 +6,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use zpg::commands::Loaded;
+use zpg::diagnostics::Code;
 use zpg::syntax::grammar;
 use zpg::syntax::table::RECORD_TYPES;
 
@@ -56,6 +57,22 @@ fn the_scenes_in_the_reference_are_good() {
         let loaded = Loaded::new("scene.zpg", scene.into());
         assert!(loaded.diagnostics.is_empty(), "{:#?}", loaded.diagnostics);
     }
+}
+
+#[test]
+fn the_pages_of_the_codes_are_up_to_date() {
+    let mut pages = "# Diagnostics\n\nThe pages that `zpg explain` shows.\n".to_owned();
+    for code in Code::ALL {
+        let page = code.explanation().replace("\n## ", "\n### ");
+        let page = page.replacen("## ", "### ", 1);
+        pages += &format!(
+            "\n## {} {}\n\n{}\n",
+            code.as_str(),
+            code.name(),
+            page.trim_end()
+        );
+    }
+    agrees("diagnostics.md", &pages);
 }
 
 #[test]

@@ -117,7 +117,7 @@ impl<R: Real> Affine<R> {
     /// The slack of a line behind the map: what it was before, and what the map rounds, its own
     /// numbers included. That is γ₅ of the sizes of the terms of each component, or, where a
     /// coordinate is only moved, γ₄: more than the sum rounds, but what the scene's numbers may have
-    /// been rounded by before. Nothing where it stays.
+    /// been rounded by before. Nothing where it stays, or where the sum is known to be exact.
     pub fn slack(&self, line: &Line<R>) -> Slack<R> {
         let (o, d) = (line.origin.abs(), line.direction.abs());
         let (mut point, mut vector) = (R::ZERO, R::ZERO);
@@ -127,7 +127,7 @@ impl<R: Real> Affine<R> {
             if !self.plain[i] {
                 point = greater(point, R::gamma(5) * (row.dot(o) + offset));
                 vector = greater(vector, R::gamma(5) * row.dot(d));
-            } else if offset != R::ZERO {
+            } else if offset != R::ZERO && !self.moves_exactly(i, line.origin) {
                 point = greater(point, R::gamma(4) * (row.dot(o) + offset));
             }
         }
@@ -140,6 +140,12 @@ impl<R: Real> Affine<R> {
             origin: point,
             direction: vector,
         }
+    }
+
+    /// Whether a coordinate that this map only moves, and perhaps scales by a power of two, is known
+    /// not to be rounded.
+    pub fn moves_exactly(&self, i: usize, p: Vec3<R>) -> bool {
+        self.rows[i].dot(p).adds_exactly(self.offset[i])
     }
 
     /// A bound on the error of `point(p)` where p is off by at most `error`:
@@ -220,6 +226,7 @@ pub struct Placement {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::trace::dd::Dd;
 
     fn linear(rows: [[f64; 3]; 3]) -> Affine {
         Affine::of(rows.map(Vec3), Vec3::ZERO)
@@ -258,6 +265,24 @@ mod tests {
             let map = linear([[3.0 * size, 4.0 * size, 0.0], [0.0; 3], [0.0; 3]]);
             let n = map.unit_normal(Vec3::new(0.25, 0.0, 0.0));
             assert!((n - Vec3::new(0.6, 0.8, 0.0)).abs().max_component() <= f64::EPSILON);
+        }
+    }
+
+    /// Two doubles are a double-double; three need not be.
+    #[test]
+    fn moving_doubles_rounds_no_double_double() {
+        let third = Dd::ONE / Dd::of(3.0);
+        for row in [1.0, -4.0] {
+            let rows = [[row, 0.0, 0.0], [0.0, row, 0.0], [0.0, 0.0, row]];
+            let offset = Vec3::new(1e-30, 0.1, 0.0);
+            let map = Affine::of(rows.map(|r| Vec3(r.map(Dd::of))), offset.cast());
+            let line = Line::new(Vec3::new(1e30, 0.7, 2.0), Vec3::ONE).cast::<Dd>();
+            assert_eq!(line.through(&map).slack, Slack::default());
+            let moved = Line::new(Vec3::new(third, Dd::ONE, Dd::ONE), line.direction);
+            let slack = moved.through(&map).slack;
+            assert!(slack.origin > Dd::ZERO && slack.direction == Dd::ZERO);
+            let plain = Line::new(Vec3::new(1.0, 0.7, 2.0), Vec3::ONE);
+            assert!(plain.through(&map.cast::<f64>()).slack.origin > 0.0);
         }
     }
 

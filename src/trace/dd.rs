@@ -204,6 +204,11 @@ impl Real for Dd {
     fn is_finite(self) -> bool {
         self.high.is_finite()
     }
+
+    /// That of two doubles is.
+    fn adds_exactly(self, other: Dd) -> bool {
+        self.low == 0.0 && other.low == 0.0 && (self.high + other.high).is_finite()
+    }
 }
 
 #[cfg(test)]

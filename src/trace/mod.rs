@@ -9,7 +9,8 @@
 //!
 //! All that is between a ray and its hits is generic over the number it computes with
 //! ([`precision`], [`number`], [`dd`]). Every decision knows its rounding errors ([`order`], and the
-//! shapes); what is closer than these in doubles, [`decide`] asks again in double-double.
+//! shapes); what is closer than these in doubles, [`decide`] asks again in double-double, and some
+//! shapes ask once more in quad-double ([`qd`]).
 
 pub mod adaptive;
 pub mod affine;
@@ -36,6 +37,7 @@ mod picture;
 pub mod plan;
 pub mod precision;
 mod probe;
+mod qd;
 mod quartic;
 pub mod ray;
 pub mod sampling;

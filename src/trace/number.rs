@@ -35,7 +35,7 @@ pub trait Real:
     fn of(x: f64) -> Self;
     /// The nearest double.
     fn to_f64(self) -> f64;
-    /// The number as the sum of a double and what is left of it: exact.
+    /// The number as the sum of a double and what is left of it: exact, but for quad-doubles.
     fn parts(self) -> (f64, f64);
     /// The nearest number to the sum of such parts.
     fn of_parts(parts: (f64, f64)) -> Self;
@@ -45,6 +45,12 @@ pub trait Real:
     /// self · a + b, rounded once where the number can.
     fn mul_add(self, a: Self, b: Self) -> Self;
     fn is_finite(self) -> bool;
+
+    /// Whether the sum of two numbers is known to be exact. Doubles are never asked to know: what is
+    /// closer than they can tell is decided in double-double.
+    fn adds_exactly(self, _other: Self) -> bool {
+        false
+    }
 
     fn is_nan(self) -> bool {
         self.partial_cmp(&self).is_none()

@@ -59,7 +59,10 @@ impl<R: Real> Line<R> {
         if map.moves() {
             // The usual case, and the cheapest.
             let size = self.origin.abs() + map.offset.abs();
-            let rounded = R::gamma(4) * (size[0] + size[1] + size[2]);
+            let mut rounded = R::gamma(4) * (size[0] + size[1] + size[2]);
+            if (0..3).all(|i| map.moves_exactly(i, self.origin)) {
+                rounded = R::ZERO;
+            }
             return Line {
                 origin: self.origin + map.offset,
                 slack: Slack {

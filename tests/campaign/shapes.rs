@@ -452,7 +452,10 @@ fn cone(height: f64, radius: f64, double: bool, rng: &mut Rng) -> Target {
     }
 }
 
-/// A random profile: any line, a ring, steps, a crossing one, many points.
+/// How thin needles are, in sizes of the shape: powers of ten.
+const THIN: (f64, f64) = (-17.0, -2.0);
+
+/// A random profile: any line, a ring, steps, a crossing one, needles, many points.
 fn revolution(size: f64, rng: &mut Rng) -> Target {
     let few = 2 + rng.below(6);
     let far = if rng.chance(0.3) {
@@ -460,7 +463,8 @@ fn revolution(size: f64, rng: &mut Rng) -> Target {
     } else {
         0.0
     };
-    let style = rng.below(4);
+    let style = rng.below(5);
+    let closed = rng.chance(0.5);
     let count = if rng.chance(0.1) { 40 } else { few };
     let mut points: Vec<[f64; 2]> = Vec::new();
     for i in 0..count {
@@ -473,13 +477,26 @@ fn revolution(size: f64, rng: &mut Rng) -> Target {
             (1, _) => {
                 let angle = std::f64::consts::PI * i as f64 / (count - 1) as f64;
                 let waves = 1.0 + 0.2 * (5.0 * angle).cos();
-                // The sine of π is not zero; a needle of 10⁻¹⁶ sizes is not what is meant.
-                let on_axis = i == 0 || i + 1 == count;
+                // The sine of π is not zero: half of them end in a disc of 10⁻¹⁶ sizes.
+                let on_axis = closed && (i == 0 || i + 1 == count);
                 let x = if on_axis { 0.0 } else { angle.sin() * waves };
                 p = [size * x, far - size * angle.cos()];
             }
             // On the axis now and then, and small whole numbers.
             (2, _) => p = [size * rng.below(4) as f64, far + size * rng.below(4) as f64],
+            // Needles and steps that are next to nothing: close to one of the last points.
+            (3, Some(_)) if rng.chance(0.7) => {
+                let near = *rng.pick(&points[points.len().saturating_sub(3)..]);
+                p = near.map(|x| x + rng.sign() * size * rng.decade(THIN.0, THIN.1));
+                // Some are upright, level, or meet the axis.
+                match rng.below(6) {
+                    0 => p[0] = near[0],
+                    1 => p[1] = near[1],
+                    2 => p[0] = size * rng.decade(THIN.0, THIN.1),
+                    _ => {}
+                }
+                p[0] = p[0].abs();
+            }
             _ => {}
         }
         points.push(p);

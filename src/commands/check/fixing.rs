@@ -77,7 +77,7 @@ mod tests {
     fn until_none_is_left() {
         // The separators hide that two records share a line.
         let (text, count) = fixed("2 11 <0,1,2> 1 3 9 0,5\n1 9999 2 0\n", false);
-        assert_eq!(text, "2 11 0 1 2 1 \n3 9 0.5\n1 9999 2 0\n");
+        assert_eq!(text, "2 11 0 1 2 1\n3 9 0.5\n1 9999 2 0\n");
         assert_eq!(count, 3);
         // What cannot be mended stays byte for byte.
         let broken = "2 9 # of what size? #\n1 9999 2 0\n";
@@ -99,7 +99,7 @@ mod tests {
         let out = loaded.source.encode(&loaded.source.text);
         assert_eq!(
             out,
-            b"0 # \xf8 #\r\n2 9 0.5 # \xe9 # \r\n3 9 1\r\n1 9999 2 0\r\n"
+            b"0 # \xf8 #\r\n2 9 0.5 # \xe9 #\r\n3 9 1\r\n1 9999 2 0\r\n"
         );
     }
 }

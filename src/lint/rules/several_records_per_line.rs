@@ -26,23 +26,24 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 fn report(context: &Context, line: &mut Vec<&Item>, out: &mut Vec<Diagnostic>) {
     let Some(first) = line.first() else { return };
-    let starts: Vec<u32> = line
-        .iter()
-        .map(|item| context.document.item_span(item).start)
-        .collect();
+    let text = context.text;
+    let edits = line.iter().map(|item| {
+        let start = context.document.item_span(item).start;
+        let before = &text[..start as usize];
+        let blank = before.trim_end_matches([' ', '\t']).len() as u32;
+        Edit {
+            span: Span::new(blank, start),
+            text: "\n".to_owned(),
+        }
+    });
+    let edits = edits.collect();
     out.push(
         Diagnostic::new(Code::S503, context.document.item_span(first))
             .with("count", Value::Count(line.len() as u64))
             .fix(Fix {
                 title: "fix",
                 applicability: Applicability::Safe,
-                edits: starts
-                    .iter()
-                    .map(|&at| Edit {
-                        span: Span::new(at, at),
-                        text: "\n".to_owned(),
-                    })
-                    .collect(),
+                edits,
             }),
     );
     line.clear();

@@ -2,8 +2,9 @@
 
 use crate::trace::number::Real;
 
-/// Whether there is no finer number to ask: what this one cannot tell from a touch is one. That is
-/// double-double, whose products and sums are not fused and rounded once as those of the others.
+/// Whether there is no finer number to ask, but for shapes that go on [`closer`](super::closer): what
+/// this one cannot tell from a touch is one. That is double-double, whose products and sums are not
+/// fused and rounded once as those of the others.
 pub(super) fn is_final<R: Real>() -> bool {
     R::ROUNDOFF < R::of(f64::EPSILON / 4.0)
 }

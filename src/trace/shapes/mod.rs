@@ -5,6 +5,7 @@
 
 #[cfg(test)]
 mod close_calls;
+mod closer;
 #[cfg(test)]
 mod contract_tests;
 mod cuboid;

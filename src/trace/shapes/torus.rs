@@ -11,6 +11,7 @@
 //! through itself, and g₊ ≤ 0 in the lemon around the axis: that is inside twice, hence outside by
 //! the even-odd rule, and there the quartic is positive too. The solid is where it is not.
 
+use super::closer::decide_closer;
 use super::doubt::is_final;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
@@ -75,40 +76,13 @@ impl Torus {
     fn radii<R: Real>(&self) -> [R; 2] {
         [self.major, self.minor].map(|r| R::of(shifted(r, -self.size)))
     }
-}
 
-impl Shape for Torus {
-    fn bounds(&self) -> Bounds {
-        let reach = self.major + self.minor;
-        let corner = Vec3::new(reach, self.minor, reach);
-        Bounds::new(-corner, corner).padded()
-    }
-
-    fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
-        let [x, y, z] = point.0;
-        let rho = x.hypot(z);
-        let across = if face == LEMON { -rho } else { rho };
-        let turn = |angle: f64| angle.rem_euclid(TAU) / TAU;
-        [turn((-z).atan2(x)), turn(y.atan2(across - self.major))]
-    }
-
-    fn is_convex(&self) -> bool {
-        false
-    }
-
-    fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        sink(self.major);
-        sink(self.minor);
-    }
-}
-
-impl<R: Real> Intersect<R> for Torus {
     /// The stretch of the line in the bounding sphere falls apart where the quartic may turn
     /// ([`Quartic::pieces`]). On which side these points are is read off g₋ and g₊, whose rounding
     /// errors shrink with the tube as those of the quartic's coefficients do not. Where two
     /// neighbours differ is one root: the quartic's, polished by Newton's method on the g that
     /// changes sign. A point too close to the surface to tell is taken for a touch.
-    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+    fn decide<R: Real>(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let longest = line.direction.abs().max_component();
         let unit = exponent(longest.to_f64());
         let origin = shifted_vector(line.origin, -self.size);
@@ -162,6 +136,38 @@ impl<R: Real> Intersect<R> for Torus {
             roots.list.clear();
             roots.uncertain = true;
         }
+    }
+}
+
+impl Shape for Torus {
+    fn bounds(&self) -> Bounds {
+        let reach = self.major + self.minor;
+        let corner = Vec3::new(reach, self.minor, reach);
+        Bounds::new(-corner, corner).padded()
+    }
+
+    fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
+        let [x, y, z] = point.0;
+        let rho = x.hypot(z);
+        let across = if face == LEMON { -rho } else { rho };
+        let turn = |angle: f64| angle.rem_euclid(TAU) / TAU;
+        [turn((-z).atan2(x)), turn(y.atan2(across - self.major))]
+    }
+
+    fn is_convex(&self) -> bool {
+        false
+    }
+
+    fn feed(&self, sink: &mut dyn FnMut(f64)) {
+        sink(self.major);
+        sink(self.minor);
+    }
+}
+
+impl<R: Real> Intersect<R> for Torus {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        self.decide(line, roots);
+        decide_closer(line, roots, |line, roots| self.decide(line, roots));
     }
 
     fn speed(&self, _: &Line<R>, _: Root<R>) -> Option<R> {

@@ -169,6 +169,27 @@ fn the_lemon_is_outside() {
     );
 }
 
+/// Across the pinch of a horn torus: outside is where |x| < 1 − √(1 − y²), half of y² wide, which is
+/// less than the digits of t in the end.
+#[test]
+fn the_pinch_is_open_at_any_height() {
+    let torus = Torus::new(1.0, 1.0);
+    const X: [f64; 3] = [1.0, 0.0, 0.0];
+    for y in [1e-3, 1e-7, 1e-8, 1e-14, 1e-15, 1e-16, 1e-17, 1e-22, 1e-28] {
+        for y in [y, -y] {
+            let found = meet::<Dd>(&torus, [-5.0, y, 0.0], X);
+            assert_eq!(found.list.len(), 4, "{y}");
+            assert!(!found.uncertain);
+            for root in &found.list[1..3] {
+                assert!((root.t.to_f64() - 5.0).abs() <= 0.5001 * y * y + 1e-15);
+            }
+            let plain = meet::<f64>(&torus, [-5.0, y, 0.0], X);
+            assert!(plain.uncertain || plain.list.len() == 4, "{y}");
+        }
+    }
+    assert_eq!(meet::<Dd>(&torus, [-5.0, 0.0, 0.0], X).list.len(), 2);
+}
+
 #[test]
 fn surface_coordinates() {
     let torus = Torus::new(1.0, 0.25);

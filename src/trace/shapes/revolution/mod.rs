@@ -6,7 +6,7 @@ mod path;
 mod tests;
 mod tree;
 
-use super::doubt::is_final;
+use super::closer::{decide_closer, is_last};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::scene::Rgb;
 use crate::trace::bounds::Bounds;
@@ -184,22 +184,9 @@ impl Shape for Revolution {
 }
 
 impl<R: Real> Intersect<R> for Revolution {
-    /// Decided ring by ring as [`path`] explains, so that the list is even, hence alternates. Two
-    /// crossings at the same t are a layer without thickness and cancel.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let Some(path) = Path::new(line, self.scale, self.centre) else {
-            roots.uncertain = true;
-            return;
-        };
-        self.append(&path, roots);
-        if is_final::<R>() && roots.uncertain && !path.climbs() {
-            // A line in the plane of a seam may lie in a surface, and inside is only what is so
-            // just above and just below.
-            let mut below = Roots::default();
-            self.append(&path.seams_below(), &mut below);
-            roots.list = common(&roots.list, &below.list);
-        }
-        turn_outwards(&mut roots.list);
+        self.decide(line, roots);
+        decide_closer(line, roots, |line, roots| self.decide(line, roots));
     }
 
     /// By the segment's normal (h, −w) in the half-plane of the point; on the axis only what is
@@ -365,7 +352,7 @@ impl<R: Real> Close<R> {
         let beside = (high <= bottom || top <= low) && (low, high) != (bottom, top);
         let mut corners = self.ends.iter().flat_map(|a| other.ends.map(|b| (a, b)));
         let corner = corners.any(|(a, b)| (a.radius, a.y) == (b.radius, b.y) && !a.is_uncertain());
-        let apart = is_final::<R>() && (corner || (climbs && beside));
+        let apart = is_last::<R>() && (corner || (climbs && beside));
         let known = self.piece == other.piece || apart;
         let gap = (self.cut.tau - other.cut.tau).abs();
         // Written so that NaN is none.
@@ -375,6 +362,24 @@ impl<R: Real> Close<R> {
 }
 
 impl Revolution {
+    /// Decided ring by ring as [`path`] explains, so that the list is even, hence alternates. Two
+    /// crossings at the same t are a layer without thickness and cancel.
+    fn decide<R: Real>(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        let Some(path) = Path::new(line, self.scale, self.centre) else {
+            roots.uncertain = true;
+            return;
+        };
+        self.append(&path, roots);
+        if is_last::<R>() && roots.uncertain && !path.climbs() {
+            // A line in the plane of a seam may lie in a surface, and inside is only what is so
+            // just above and just below.
+            let mut below = Roots::default();
+            self.append(&path.seams_below(), &mut below);
+            roots.list = common(&roots.list, &below.list);
+        }
+        turn_outwards(&mut roots.list);
+    }
+
     /// Appends the crossings, in order; their faces say whether the line goes against them.
     fn append<R: Real>(&self, path: &Path<R>, roots: &mut Roots<R>) {
         // The largest error of a crossing.
@@ -460,7 +465,7 @@ impl Revolution {
         let mut kept: Vec<&Close<R>> = Vec::new();
         for here in &all {
             match kept.last() {
-                Some(last) if is_final::<R>() && here.meets(last, climbs) => {
+                Some(last) if is_last::<R>() && here.meets(last, climbs) => {
                     kept.pop();
                 }
                 Some(last) if last.root.t == here.root.t => {

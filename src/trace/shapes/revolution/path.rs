@@ -10,10 +10,14 @@
 //! on the ring between them, so whatever the rounding, the crossings of a closed profile are even
 //! in number and the line changes sides at each.
 
+mod cut;
+
+pub use cut::Cut;
+
 use super::tree::Run;
 use crate::trace::number::Real;
-use crate::trace::quartic::root_between;
 use crate::trace::ray::{Line, Slack};
+use crate::trace::shapes::closer::is_last;
 use crate::trace::shapes::doubt::is_final;
 use crate::trace::vec::Vec3;
 
@@ -60,23 +64,6 @@ pub struct Ring<R> {
     uncertain: bool,
     /// along²(ρ² − r²) is at least this.
     least: R,
-}
-
-/// A crossing of the line with one segment.
-#[derive(Debug, Clone, Copy)]
-pub struct Cut<R> {
-    pub tau: R,
-    /// Bound on the error of τ.
-    pub error: R,
-    /// The line goes against the segment's normal: towards the axis, down for flat segments.
-    pub against: bool,
-}
-
-/// The crossings of a line with one segment, not in order.
-#[derive(Debug, Clone, Copy)]
-pub struct Cuts<R> {
-    pub list: [Option<Cut<R>>; 2],
-    pub uncertain: bool,
 }
 
 /// The power of two 2⁻ᵉ that brings a finite number |x| with 2ᵉ ≤ |x| < 2ᵉ⁺¹ into [1, 2), as far
@@ -212,7 +199,7 @@ impl<R: Real> Path<R> {
         let power = R::difference_of_products(offset, offset, inner, radius + self.delta);
         let low = (self.point[1] - y).abs();
         let bound = self.power_error(offset.abs(), self.offset_size(y), low, radius);
-        let touch = if is_final::<R>() { bound } else { R::ZERO };
+        let touch = if is_last::<R>() { bound } else { R::ZERO };
         Ring {
             radius,
             y,
@@ -285,282 +272,6 @@ impl<R: Real> Path<R> {
         let bound = self.power_error(size, size, far, outer);
         let slack = bound + bound + bound;
         outside > slack || inside > slack
-    }
-
-    /// The crossings with the segment between two rings.
-    ///
-    /// Between the heights of its ends a segment with the direction (w, h) in (ρ, y) is the set of
-    /// h²(s² + δ²) = (h·r + w(y − y₁))², a quadratic aτ² + 2bτ + c once the line is put in. Moved
-    /// to the line's closest approach to (0, y₁), N away, where s = N·along and
-    /// y = y₁ − N·across, it has
-    ///
-    ///   a = (h·across − w·along)(h·across + w·along)
-    ///   b = along (N·across (h² + w²) − r·h·w)
-    ///   b² − ac = h² (E² − a δ²),  E = r·h·across − w·N
-    ///
-    /// of which every difference is one of two products (Kahan's algorithm). The root at which the
-    /// line goes in is (−b − √)/a and the other one (−b + √)/a, whatever the sign of a.
-    pub fn segment(&self, first: &Ring<R>, second: &Ring<R>) -> Cuts<R> {
-        let mut cuts = Cuts {
-            list: [None; 2],
-            uncertain: false,
-        };
-        if first.y == second.y {
-            cuts.list[0] = self.level(first, second);
-            return cuts;
-        }
-        // From below, so that a segment is the same in both directions.
-        let (low, high) = if first.y < second.y {
-            (first, second)
-        } else {
-            (second, first)
-        };
-        if low.inside && high.inside || self.is_beyond(low.radius.max(high.radius)) {
-            return cuts;
-        }
-        let (w, h) = (high.radius - low.radius, high.y - low.y);
-        let k = R::of(normaliser(w.abs().max(h).to_f64()));
-        let (w, h) = (w * k, h * k);
-        let (n, r) = (low.offset, low.radius);
-        let (x, z) = (self.across, self.along);
-        let left = R::difference_of_products(h, x, w, z);
-        let right = R::difference_of_products(h, x, -w, z);
-        let a = left * right;
-        // Both factors have at most six roundings of the unit direction behind them, those of w
-        // and h, and what the direction is off by.
-        let factor = R::gamma(8) * ((h * x).abs() + (w * z).abs()) + (h + w.abs()) * self.turned;
-        let a_error = factor * (left.abs() + right.abs() + factor) + R::gamma(2) * a.abs();
-
-        let both = low.inside == high.inside;
-        if both {
-            // Outside of both rings. As a function of the height along²(ρ² − r²) has the second
-            // derivative 2a/h²: on the way from one ring to the other, h/k high, it falls no lower
-            // than a/4k² below the lesser of its values there. And where a is negative, not at all.
-            let dip = a + a_error;
-            if dip <= R::ZERO || dip < R::of(4.0) * k * k * low.least.min(high.least) {
-                return cuts;
-            }
-        }
-        let e = R::difference_of_products(r * h, x, w, n);
-        let delta2 = self.delta.square();
-        let d = R::difference_of_products(e, e, a * self.delta, self.delta);
-        if both {
-            // The frustum is convex: there is a chord between the rings if the line meets the cone
-            // at all and the chord's middle, s = w·along·E / a, lies between the two heights.
-            // Half-open, and in offsets, which neighbours share: what one of them leaves to the
-            // other the other takes.
-            let middle = z.square() * w * e;
-            let (bottom, top) = (low.offset * a, high.offset * a);
-            // E's two products have three and two roundings, N its own error.
-            let n_error = self.offset_error(low.y);
-            let e_error = R::gamma(8) * ((r * h * x).abs() + (w * n).abs())
-                + w.abs() * n_error
-                + r * h * self.turned;
-            let bound = (e.abs() + e.abs() + e_error) * e_error
-                + a_error * (self.delta + self.error).square()
-                + a.abs() * (self.delta + self.delta + self.error) * self.error
-                + R::gamma(6) * (e.square() + a.abs() * delta2);
-            let two = R::of(2.0);
-            let middle_error = (w * z * z).abs() * e_error
-                + (e.abs() + e_error) * w.abs() * self.turned * (two * z.abs() + self.turned)
-                + R::gamma(6) * middle.abs();
-            let side_error = |ring: &Ring<R>, n_error: R| {
-                ring.offset.abs() * a_error + (a.abs() + a_error) * n_error
-            };
-            let beside = |from: R, to: R, error: R| {
-                if to - from > error {
-                    Some(true)
-                } else if from - to > error {
-                    Some(false)
-                } else {
-                    None
-                }
-            };
-            let sure = [
-                (a > a_error).then_some(true),
-                beside(bottom, middle, middle_error + side_error(low, n_error)),
-                beside(
-                    middle,
-                    top,
-                    middle_error + side_error(high, self.offset_error(high.y)),
-                ),
-                beside(R::ZERO, d, bound),
-            ];
-            let touch = if is_final::<R>() { bound } else { R::ZERO };
-            if sure.contains(&Some(false)) {
-                return cuts;
-            }
-            cuts.uncertain = sure.contains(&None);
-            let between = if self.below {
-                bottom < middle && middle <= top
-            } else {
-                bottom <= middle && middle < top
-            };
-            if !(a > R::ZERO && between && d > touch) {
-                return cuts;
-            }
-        }
-        let root = d.max(R::ZERO).sqrt() * h;
-        let b = z * R::difference_of_products(n * x, h.square() + w.square(), r * h, w);
-        let s = n * z;
-        let radius = R::difference_of_products(r, h, w, n * x);
-        let c = R::difference_of_products(h.square(), s.square() + delta2, radius, radius);
-        // Both are zero in a line through the apex: the point that all is reckoned from.
-        let near = |q: R| if q == R::ZERO { q } else { c / q };
-        let (enter, leave) = if b < R::ZERO {
-            let q = root - b;
-            (near(q), q / a)
-        } else {
-            let q = -(b + root);
-            (q / a, near(q))
-        };
-        let base = -(self.s0 * x + (self.point[1] - low.y) * z);
-        let (from, to) = (self.reach(low), self.reach(high));
-        let (from, to) = (from.min(to), from.max(to));
-        let cut = |local: R, against: bool| {
-            // No farther than the rings at the segment's ends: whatever its error, the crossing
-            // stays on its own side of the seams, and of the middle of a chord.
-            let mut tau = base + local;
-            if z != R::ZERO {
-                let (mut from, mut to) = (from, to);
-                if both {
-                    let middle = (base - b / a).max(from).min(to);
-                    *(if against { &mut to } else { &mut from }) = middle;
-                }
-                tau = self.polished([w, h], low, tau, (from, to), against);
-            }
-            let local = (tau - base).abs();
-            // The quadratic is a difference of two squares with at most sixteen roundings; its
-            // slope at a root is twice the root of the discriminant, and less than that up to where
-            // an error takes it only while the discriminant stays positive: the root moves by at
-            // most error/√ then. If it may not, the vertex is within √(error/|a|), the other root
-            // as far beyond it, and another such step takes the quadratic out of its error; one
-            // more is for what the error grows by on the way. And the root never moves by more
-            // than from one ring to the other.
-            let size = (r * h).abs()
-                + (w * n).abs()
-                + h * (s.abs() + x * local + self.delta)
-                + (w * z).abs() * local;
-            let shift = self.rounded + self.moved + self.turned * tau.abs();
-            let noise = R::gamma(16) * size.square() + (size + size) * (h + w.abs()) * shift;
-            let reach = if root.square() > a.abs() * noise {
-                noise / root
-            } else {
-                let four = R::of(4.0);
-                let parabola = four * (noise / a.abs()).sqrt();
-                parabola.min(to - from + (shift + shift) / z.abs())
-            };
-            Cut {
-                tau,
-                error: reach,
-                against,
-            }
-        };
-        if both {
-            cuts.list = [Some(cut(enter, true)), Some(cut(leave, false))];
-        } else {
-            // Upwards, it goes in where the lower ring is the one that is passed outside.
-            let against = high.inside == (z > R::ZERO);
-            cuts.list[0] = Some(cut(if against { enter } else { leave }, against));
-        }
-        cuts
-    }
-
-    /// A closer bound on the error of a crossing between two rings, from f = h(ρ − r) − w(y − y₁)
-    /// at the line's own points.
-    ///
-    /// The line that is meant has an f that is off by `noise` at most. Where f keeps half of its
-    /// slope as far as 2·noise/|slope|, it has a root no farther than that. The slope changes with
-    /// ρ″ = across²·δ²/ρ³, and with the direction.
-    pub fn closer_error(&self, cut: Cut<R>, first: &Ring<R>, second: &Ring<R>) -> R {
-        let (low, high) = if first.y < second.y {
-            (first, second)
-        } else {
-            (second, first)
-        };
-        let (w, h) = (high.radius - low.radius, high.y - low.y);
-        if h == R::ZERO {
-            return cut.error;
-        }
-        let k = R::of(normaliser(w.abs().max(h).to_f64()));
-        let (w, h) = (w * k, h * k);
-        let (x, z, tau) = (self.across, self.along, cut.tau);
-        let s = self.s0 + tau * x;
-        let rho = (s.square() + self.delta.square()).sqrt();
-        let y = self.point[1] + tau * z;
-        let f = h * (rho - low.radius) - w * (y - low.y);
-        let slope = (h * x * (s / rho) - w * z).abs();
-        // Five roundings of a term or less, and of its own terms.
-        let terms = rho + low.radius + y.abs() + low.y.abs() + self.s0.abs() + tau.abs();
-        let shift = self.rounded + self.moved + self.turned * tau.abs() + R::gamma(8) * terms;
-        let noise = (h + w.abs()) * shift + f.abs();
-        let reach = (noise + noise) / slope;
-        let nearest = (s.abs() - x * reach).max(R::ZERO);
-        let least = (nearest.square() + self.delta.square()).sqrt();
-        let share = self.delta / least;
-        let bend = h * x.square() * share.square() / least * reach;
-        // False for NaN.
-        if bend + (h + w.abs()) * self.turned <= slope * R::of(0.5) {
-            cut.error.min(reach)
-        } else {
-            cut.error
-        }
-    }
-
-    /// The root of h(ρ − r) − w(y − y₁) between two places, by Newton's method from `start`.
-    ///
-    /// The quadratic is reckoned from the ring below, which may be far from where the line meets
-    /// the segment, and the roots of lines along its slope suffer from that; this is reckoned from
-    /// the line's own points.
-    fn polished(&self, [w, h]: [R; 2], low: &Ring<R>, start: R, ends: (R, R), against: bool) -> R {
-        let off = |tau: R| {
-            let s = self.s0 + tau * self.across;
-            let rho = (s.square() + self.delta.square()).sqrt();
-            let y = self.point[1] + tau * self.along;
-            let slope = if rho > R::ZERO { s / rho } else { R::ZERO };
-            (
-                h * (rho - low.radius) - w * (y - low.y),
-                h * self.across * slope - w * self.along,
-            )
-        };
-        let start = start.max(ends.0).min(ends.1);
-        // Eight roundings of its terms are as good as it gets.
-        let (value, size) = (off(start).0.abs(), low.radius + low.y.abs());
-        let size = size + (start - ends.0).abs().min((start - ends.1).abs());
-        if value <= (h + w.abs()) * (self.rounded + R::gamma(8) * size) {
-            return start;
-        }
-        let precision = R::ROUNDOFF * ends.0.abs().max(ends.1.abs());
-        root_between(off, ends, !against, start, precision)
-    }
-
-    /// τ at the height of a ring; the line must not be level.
-    fn reach(&self, ring: &Ring<R>) -> R {
-        (ring.y - self.point[1]) / self.along
-    }
-
-    /// The crossing with a flat segment.
-    fn level(&self, first: &Ring<R>, second: &Ring<R>) -> Option<Cut<R>> {
-        (first.inside != second.inside).then(|| {
-            let tau = self.reach(first);
-            let least = self.along.abs() - self.turned;
-            let error = if least > R::ZERO {
-                (self.rounded + self.moved + self.turned * tau.abs()) / least
-            } else {
-                R::INFINITY
-            };
-            Cut {
-                tau,
-                error: error + R::gamma(4) * tau.abs(),
-                against: self.along < R::ZERO,
-            }
-        })
-    }
-
-    /// A bound on the error of a crossing's t, with a division, a sum and a product.
-    pub fn t_error(&self, cut: Cut<R>) -> R {
-        let rounded = R::gamma(4) * (self.start.abs() + cut.tau.abs() / self.length);
-        (cut.error / self.length + rounded) * self.unit.abs()
     }
 
     /// The same path, with what is level with a seam counted to the segment below it.

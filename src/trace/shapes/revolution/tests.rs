@@ -1,4 +1,5 @@
 use super::*;
+use crate::trace::affine::Affine;
 use crate::trace::dd::Dd;
 
 /// splitmix64.
@@ -275,6 +276,72 @@ fn close_crossings_of_two_segments_are_told_from_layers() {
     let needle = [[0.0, -1.0], [1e-17, 1.0]];
     for (x, count) in [(3e-18, 2), (-9.9e-18, 2), (1.01e-17, 0), (-1.01e-17, 0)] {
         assert_eq!(final_count(&needle, [x, -5.0, 0.0], [0.0, 1.0, 0.0]), count);
+    }
+}
+
+/// A waist of radius 1: at x = −2η the line (x, η + x/2, 1) is level with it and 2η² outside, and
+/// else it is inside, where |y| exceeds half of x². The gap is as wide as 8η².
+#[test]
+fn a_corner_is_passed_at_any_distance() {
+    let waist = [[2.0, -1.0], [1.0, 0.0], [2.0, 1.0]];
+    let shape = Revolution::new(&waist, &[]);
+    let map = Affine::<Dd>::of(
+        [[0.0, 2.0, 0.0], [0.0, 0.0, -2.0], [-2.0, 0.0, 0.0]].map(|row| Vec3(row.map(Dd::of))),
+        Vec3::new(Dd::ZERO, Dd::of(1.0), Dd::of(-3.0)),
+    );
+    for eta in [1e-3, 1e-7, 1e-8, 1e-9, 1e-15, 1e-16, 1e-17, 1e-22, 1e-28] {
+        for eta in [eta, -eta] {
+            let line = Line::new([0.0, eta, 1.0].into(), [1.0, 0.5, 0.0].into());
+            let plain = roots::<f64>(&shape, &line);
+            assert!(plain.uncertain || plain.list.len() == 4, "{eta}");
+            let fine = roots::<Dd>(&shape, &line);
+            assert_eq!(fine.list.len(), 4, "{eta}");
+            assert!(!fine.uncertain);
+        }
+    }
+    // At the corner itself.
+    assert_eq!(final_count(&waist, [0.0, 0.0, 1.0], [1.0, 0.5, 0.0]), 2);
+    // A map that rounds nothing changes nothing: z = 1 is x = −2, and y = η is z = (1 − η)/2.
+    for eta in [2f64.powi(-30), 2f64.powi(-50), -(2f64.powi(-52))] {
+        let o = [-2.0, 0.0, 0.5 - 0.5 * eta].map(Dd::of);
+        let d = [0.0, 0.5, -0.25].map(Dd::of);
+        let line = Line::new(Vec3(o), Vec3(d)).through(&map);
+        let mut found = Roots::default();
+        shape.crossings(&line, &mut found);
+        assert_eq!(found.list.len(), 4, "{eta}");
+    }
+}
+
+/// Needles from an apex at y = −1 to a rim at y = 1.
+#[test]
+fn needles_have_an_inside() {
+    for width in [1e-3, 1e-9, 1e-16, 1e-17, 1e-25, 1e-60, 1e-150] {
+        let needle = [[0.0, -1.0], [width, 1.0]];
+        let shape = Revolution::new(&needle, &[]);
+        let (less, more) = (width.next_down(), width.next_up());
+        for (o, d, count) in [
+            // Through the rim's disc, and past it.
+            ([less, -5.0, 0.0], [0.0, 1.0, 0.0], 2),
+            ([width, -5.0, 0.0], [0.0, 1.0, 0.0], 0),
+            ([more, -5.0, 0.0], [0.0, 1.0, 0.0], 0),
+            ([0.0, -5.0, 0.0], [0.0, 1.0, 0.0], 2),
+            // From the apex along the surface.
+            ([0.0, -1.0, 0.0], [less, 2.0, 0.0], 2),
+            ([0.0, -1.0, 0.0], [width, 2.0, 0.0], 0),
+            ([0.0, -1.0, 0.0], [more, 2.0, 0.0], 0),
+            // Across, half-way up, where it is half as wide.
+            ([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], 2),
+            ([-1.0, 0.0, 0.5 * less], [1.0, 0.0, 0.0], 2),
+            ([-1.0, 0.0, 0.5 * width], [1.0, 0.0, 0.0], 0),
+            ([-1.0, 0.0, 0.5 * more], [1.0, 0.0, 0.0], 0),
+        ] {
+            let line = Line::new(o.into(), d.into());
+            let plain = roots::<f64>(&shape, &line);
+            let fine = roots::<Dd>(&shape, &line);
+            assert_eq!(fine.list.len(), count, "{width:e} {o:?} {d:?}");
+            let agree = plain.list.len() == count;
+            assert!(plain.uncertain || agree, "{width:e} {o:?} {d:?}");
+        }
     }
 }
 

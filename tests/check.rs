@@ -1,0 +1,241 @@
+//! `zpg check` from outside: fixes, levels, languages, and what goes where.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+/// A decimal comma (a safe fix), a torus that runs through itself (a guess), and energy gain (none).
+const SCENE: &str = "2 9 0,5\n3 14 1 3\n35 -201 0.7 0.7 0.7\n4 -101 2 3\n4 -299 0 35\n\
+                     9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 4 0\n";
+
+fn zpg(folder: &Path, args: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .args(args)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+    child.wait_with_output().unwrap()
+}
+
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        fs::write(dir.path().join(name), text).unwrap();
+    }
+    dir
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// The codes and severities that `--format short` prints.
+fn short(folder: &Path, args: &[&str]) -> (Vec<String>, Option<i32>) {
+    let run = zpg(
+        folder,
+        &[&["check", "--format", "short"], args].concat(),
+        "",
+    );
+    let words = |line: &str| {
+        line.split(' ')
+            .skip(1)
+            .take(2)
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    let found = text(&run.stdout).lines().map(words).collect();
+    (found, run.status.code())
+}
+
+#[test]
+fn fixes_are_written_and_the_rest_is_reported() {
+    let dir = folder(&[("a.zpg", SCENE), ("b.zpg", "1 9999 2 0\n")]);
+    let run = zpg(dir.path(), &["check", "--fix", "a.zpg"], "");
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    let out = text(&run.stdout);
+    assert!(out.contains("W302") && out.contains("W320") && !out.contains("E003"));
+    assert!(out.ends_with(
+        "Fixed 1 finding in 1 file.\nFound 2 warnings in 1 file; \
+         1 can be fixed with `zpg check --fix --unsafe-fixes`.\n"
+    ));
+    let fixed = SCENE.replace("0,5", "0.5");
+    assert_eq!(fs::read_to_string(dir.path().join("a.zpg")).unwrap(), fixed);
+    // Guesses on demand only; what has nothing to mend is not touched.
+    zpg(dir.path(), &["check", "--fix", "--unsafe-fixes", "."], "");
+    let all = fixed.replace("14 1 3", "14 3 1");
+    assert_eq!(fs::read_to_string(dir.path().join("a.zpg")).unwrap(), all);
+    assert_eq!(
+        fs::read_to_string(dir.path().join("b.zpg")).unwrap(),
+        "1 9999 2 0\n"
+    );
+}
+
+#[test]
+fn a_difference_changes_nothing() {
+    let dir = folder(&[("a.zpg", SCENE)]);
+    let run = zpg(dir.path(), &["check", "--diff", "a.zpg"], "");
+    assert_eq!(run.status.code(), Some(1));
+    let out = text(&run.stdout);
+    assert!(out.starts_with("--- a.zpg\n+++ a.zpg\n"));
+    assert!(out.contains("\n-2 9 0,5\n+2 9 0.5\n") || out.contains("@@\n-2 9 0,5\n+2 9 0.5\n"));
+    assert_eq!(text(&run.stderr), "Would fix 1 finding in 1 file.\n");
+    assert_eq!(fs::read_to_string(dir.path().join("a.zpg")).unwrap(), SCENE);
+    let clean = folder(&[("a.zpg", &SCENE.replace("0,5", "0.5"))]);
+    let run = zpg(clean.path(), &["check", "--diff", "a.zpg"], "");
+    assert_eq!(
+        (run.status.code(), text(&run.stdout)),
+        (Some(0), String::new())
+    );
+}
+
+#[test]
+fn standard_input_is_mended_to_standard_output() {
+    let dir = folder(&[("zpg.toml", "[lint]\nW302 = \"off\"\n")]);
+    let args = ["check", "--fix", "--stdin-filename", "in/scene.zpg", "-"];
+    let run = zpg(dir.path(), &args, SCENE);
+    assert_eq!(text(&run.stdout), SCENE.replace("0,5", "0.5"));
+    let findings = text(&run.stderr);
+    assert!(findings.contains("in/scene.zpg:2:") && !findings.contains("W302"));
+    assert_eq!(run.status.code(), Some(0));
+    let run = zpg(
+        dir.path(),
+        &["check", "--fix", "--format", "json", "-"],
+        SCENE,
+    );
+    assert_eq!(text(&run.stdout), SCENE.replace("0,5", "0.5"));
+    let report: serde_json::Value = serde_json::from_slice(&run.stderr).unwrap();
+    assert_eq!(report["files"][0]["diagnostics"][0]["code"], "W320");
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_said() {
+    let dir = folder(&[("a.zpg", SCENE)]);
+    let path = dir.path().join("a.zpg");
+    let mut permissions = fs::metadata(&path).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&path, permissions).unwrap();
+    let run = zpg(dir.path(), &["check", "--fix", "a.zpg"], "");
+    assert_eq!(run.status.code(), Some(2));
+    assert!(text(&run.stderr).contains("cannot write a.zpg: it is read-only"));
+}
+
+#[test]
+fn the_command_line_chooses() {
+    let dir = folder(&[("a.zpg", SCENE)]);
+    let at = |args: &[&str]| short(dir.path(), &[args, &["a.zpg"]].concat());
+    let (all, status) = at(&[]);
+    assert_eq!(all, ["E003 error:", "W320 warning:", "W302 warning:"]);
+    assert_eq!(status, Some(1));
+    assert_eq!(
+        at(&["--select", "W302"]).0,
+        ["E003 error:", "W302 warning:"]
+    );
+    assert_eq!(at(&["--ignore", "W3"]).0, ["E003 error:"]);
+    assert_eq!(
+        at(&["--ignore", "W302,self-intersecting"]).0,
+        ["E003 error:"]
+    );
+    let denied = ["E003 error:", "W320 error:", "W302 error:"];
+    assert_eq!(at(&["--deny", "warnings"]).0, denied);
+    for wrong in [["--ignore", "E003"], ["--select", "W999"], ["--deny", ""]] {
+        let (found, status) = at(&wrong);
+        assert_eq!((found.len(), status), (0, Some(2)), "{wrong:?}");
+    }
+    // A denied warning alone is a reason to fail.
+    fs::write(dir.path().join("a.zpg"), SCENE.replace("0,5", "0.5")).unwrap();
+    assert_eq!(at(&[]).1, Some(0));
+    assert_eq!(at(&["--deny", "energy-gain"]).1, Some(1));
+}
+
+#[test]
+fn settings_of_a_folder() {
+    let dir = folder(&[
+        ("a.zpg", SCENE),
+        ("zpg.toml", "[lint]\nW3 = \"note\"\nW320 = \"off\"\n"),
+    ]);
+    assert_eq!(
+        short(dir.path(), &["a.zpg"]).0,
+        ["E003 error:", "W302 note:"]
+    );
+    let selected = short(dir.path(), &["--select", "W320", "a.zpg"]).0;
+    assert_eq!(selected, ["E003 error:", "W320 warning:"]);
+    fs::write(dir.path().join("zpg.toml"), "[lint]\nW399 = \"off\"\n").unwrap();
+    let run = zpg(dir.path(), &["check", "a.zpg"], "");
+    assert_eq!(run.status.code(), Some(2));
+    let message = text(&run.stderr);
+    assert!(
+        message.contains("zpg.toml: line 2: there is no code `W399`"),
+        "{message}"
+    );
+    // What is an error by settings does not keep a sound scene from being drawn.
+    fs::write(dir.path().join("zpg.toml"), "[lint]\nW3 = \"error\"\n").unwrap();
+    fs::write(dir.path().join("a.zpg"), SCENE.replace("0,5", "0.5")).unwrap();
+    assert_eq!(short(dir.path(), &["a.zpg"]).1, Some(1));
+    let run = zpg(dir.path(), &["render", "a.zpg", "--size", "4x3"], "");
+    assert_eq!(run.status.code(), Some(0));
+}
+
+#[test]
+fn statistics_count() {
+    let dir = folder(&[("a.zpg", SCENE), ("b.zpg", SCENE)]);
+    let run = zpg(dir.path(), &["check", "--statistics", "."], "");
+    assert_eq!(
+        text(&run.stdout),
+        "2  E003  malformed-number  [--fix]\n2  W302  energy-gain\n2  W320  self-intersecting\n"
+    );
+    assert_eq!(run.status.code(), Some(1));
+}
+
+#[test]
+fn messages_in_czech() {
+    let dir = folder(&[("a.zpg", "2 9 -1\n1 9999 2 0\n")]);
+    let run = zpg(dir.path(), &["check", "--lang", "cs", "a.zpg"], "");
+    let out = text(&run.stdout);
+    assert!(out.starts_with("chyba[E201]: koule v počátku: poloměr musí být větší než nula\n"));
+    let run = zpg(
+        dir.path(),
+        &["check", "--lang", "cs", "--format", "json", "a.zpg"],
+        "",
+    );
+    let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    let first = &json["files"][0]["diagnostics"][0];
+    assert_eq!(first["severity"], "error");
+    assert_eq!(first["labels"].as_array().unwrap().len(), 0);
+    let run = zpg(dir.path(), &["render", "--lang", "cs", "a.zpg"], "");
+    assert!(text(&run.stderr).contains("Nalezeno: 1 chyba"));
+}
+
+#[test]
+fn watching_checks_again() {
+    let dir = folder(&[("a.zpg", SCENE)]);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .args(["check", "--watch", "--format", "short", "a.zpg"])
+        .current_dir(dir.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut errors = BufReader::new(child.stderr.take().unwrap()).lines();
+    let mut findings = BufReader::new(child.stdout.take().unwrap()).lines();
+    let ready = "Watching for changes; Ctrl-C ends it";
+    assert_eq!(errors.next().unwrap().unwrap(), ready);
+    let mut three = || {
+        (0..3)
+            .map(|_| findings.next().unwrap().unwrap())
+            .collect::<Vec<_>>()
+    };
+    assert!(three()[0].contains("E003"));
+    let changed = SCENE.replace("0,5", "x");
+    fs::write(dir.path().join("a.zpg"), changed).unwrap();
+    assert_eq!(errors.next().unwrap().unwrap(), ready);
+    assert!(three()[0].contains("E012"));
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let run = zpg(dir.path(), &["check", "--watch", "-"], "");
+    assert_eq!(run.status.code(), Some(2));
+}
