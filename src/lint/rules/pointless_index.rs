@@ -213,8 +213,8 @@ mod tests {
     #[track_caller]
     fn finds(records: &str, expected: &[&str]) {
         let mut all = found(&(BALLS.to_owned() + records));
-        // Not everything is used.
-        all.retain(|f| !f.starts_with("W310"));
+        // Not everything is used, and the balls are in one place.
+        all.retain(|f| !["W307", "W310", "W319"].iter().any(|c| f.starts_with(c)));
         assert_eq!(all, expected, "{records}");
     }
 

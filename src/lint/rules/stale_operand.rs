@@ -115,7 +115,7 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
 mod tests {
     use crate::lint::testing::{found, messages};
 
-    const BALLS: &str = "2 9 1\n3 9 1\n7 -701 1 0 0\n8 -201 0 1 0\n";
+    const BALLS: &str = "2 9 1\n3 9 0.5\n7 -701 1 0 0\n8 -201 0 1 0\n";
 
     #[track_caller]
     fn silent(records: &str) {
