@@ -102,6 +102,14 @@ fn standard_input_is_mended_to_standard_output() {
     let findings = text(&run.stderr);
     assert!(findings.contains("in/scene.zpg:2:") && !findings.contains("W302"));
     assert_eq!(run.status.code(), Some(0));
+    let run = zpg(
+        dir.path(),
+        &["check", "--fix", "--format", "json", "-"],
+        SCENE,
+    );
+    assert_eq!(text(&run.stdout), SCENE.replace("0,5", "0.5"));
+    let report: serde_json::Value = serde_json::from_slice(&run.stderr).unwrap();
+    assert_eq!(report["files"][0]["diagnostics"][0]["code"], "W320");
 }
 
 #[test]

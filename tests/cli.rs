@@ -211,3 +211,29 @@ fn fmt_keeps_permissions_and_links() {
     let link = fs::symlink_metadata(dir.path().join("link.zpg")).unwrap();
     assert!(link.is_symlink());
 }
+
+#[test]
+fn github_gets_a_command_for_each_finding() {
+    let broken = GOOD.replace("9999 2", "9999 7");
+    let dir = folder(&[
+        ("a b.zpg", broken.as_bytes()),
+        ("good.zpg", GOOD.as_bytes()),
+    ]);
+    let run = zpg(dir.path(), &["check", "--format", "github", "."]);
+    assert_eq!(run.status.code(), Some(1));
+    let said = text(&run.stdout);
+    assert!(
+        said.starts_with(
+            "::error file=a b.zpg,line=4,col=8,endLine=4,endColumn=9,title=zpg (E101 undefined-id)::\
+             a b.zpg:4:8: E101: 7 is not defined"
+        ),
+        "{said}"
+    );
+    assert!(said.lines().all(|line| line.starts_with("::")), "{said}");
+    assert!(!said.contains("good.zpg"), "{said}");
+    let run = zpg(dir.path(), &["check", "--format", "github", "good.zpg"]);
+    assert_eq!(
+        (run.status.code(), text(&run.stdout)),
+        (Some(0), String::new())
+    );
+}

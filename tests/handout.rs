@@ -1,10 +1,11 @@
 //! The handout's examples: as printed they give the findings that lie beside them, repaired they
-//! give none.
+//! give none but the few that are named here.
 
 use std::fmt::Write;
 use std::path::PathBuf;
 
 use zpg::commands::load;
+use zpg::diagnostics::Diagnostic;
 
 fn scenes(folder: &str) -> Vec<PathBuf> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(folder);
@@ -45,16 +46,25 @@ fn printed_examples() {
     }
 }
 
+/// What is left in the repaired examples, as a code and a line.
+const LEFT: &[(&str, &str)] = &[
+    // The colour comes after the union that has taken the ball.
+    ("3-camera.zpg", "W309 7"),
+    // The handout defines the checkerboard 16, and gives 17 one of its own.
+    ("4-checkerboard-and-spheres.zpg", "W310 7"),
+];
+
 #[test]
 fn repaired_examples() {
     for path in scenes("scenes/handout") {
         let loaded = load(&path).unwrap();
-        assert!(
-            loaded.diagnostics.is_empty(),
-            "{}: {:?}",
-            path.display(),
-            loaded.diagnostics
-        );
+        let line = |d: &Diagnostic| loaded.source.position(d.span.start).line;
+        let found: Vec<String> = (loaded.diagnostics.iter())
+            .map(|d| format!("{} {}", d.code.as_str(), line(d)))
+            .collect();
+        let name = path.file_name().unwrap().to_string_lossy();
+        let left = LEFT.iter().filter(|l| name == l.0).map(|l| l.1);
+        assert_eq!(found, left.collect::<Vec<_>>(), "{name}");
         assert!(loaded.scene.render.is_some());
     }
 }

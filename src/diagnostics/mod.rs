@@ -11,7 +11,7 @@ pub mod wording;
 
 pub use code::{Code, Severity};
 pub use source::SourceFile;
-pub use wording::{Language, Value};
+pub use wording::{Language, Value, Wording};
 
 /// A stretch of a source text: byte offsets into [`SourceFile::text`], half-open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]

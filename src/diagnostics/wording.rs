@@ -126,6 +126,11 @@ impl Language {
         })
     }
 
+    /// `en`.
+    pub fn tag(self) -> &'static str {
+        self.sources().0
+    }
+
     /// The language's tag and its files.
     fn sources(self) -> (&'static str, &'static [&'static str]) {
         match self {

@@ -4,6 +4,8 @@
 mod allow;
 mod definite;
 pub mod levels;
+mod parts;
+mod records;
 mod rules;
 
 use crate::diagnostics::{Diagnostic, Span};
@@ -77,11 +79,19 @@ type Rule = fn(&Context, &mut Vec<Diagnostic>);
 
 /// Every rule, in the order of its code.
 const RULES: &[Rule] = &[
+    rules::colour_out_of_range::check,
     rules::energy_gain::check,
     rules::not_a_rotation::check,
     rules::asymmetric_quadric::check,
     rules::degenerate_shape::check,
     rules::no_real_points::check,
+    rules::mixed_intersection::check,
+    rules::stale_operand::check,
+    rules::unused_definition::check,
+    rules::surface_operand::check,
+    rules::comment_hides_records::check,
+    rules::several_cameras::check,
+    rules::pointless_index::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

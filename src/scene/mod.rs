@@ -38,6 +38,8 @@ pub type NodeId = u32;
 #[derive(Debug, Default)]
 pub struct Scene {
     pub nodes: Vec<Node>,
+    /// The record that made each node, as long as `nodes` and in file order.
+    pub origins: Vec<Origin>,
     pub shapes: Vec<Shape>,
     pub matrices: Vec<Matrix>,
     pub paints: Vec<Paint>,
@@ -96,6 +98,14 @@ impl Node {
             | Node::Copy { child, .. } => [Some(child), None],
         }
     }
+}
+
+/// The record that made a node: every node is made by one record, and a record makes at most one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Origin {
+    /// The entity that the record defines or changes.
+    pub id: u32,
+    pub span: Span,
 }
 
 /// One shape record.

@@ -101,11 +101,17 @@ impl References {
                     f.notes.push("lost-id-may-be-this");
                     f.values.push(("lost", d.id.to_string().into()));
                     if f.code == Code::E005 && f.fixes.is_empty() {
+                        let start = record.span.start;
+                        // Either nothing stands in the place of the ID, or something else does.
+                        let (title, span, text) = match f.case {
+                            "lost" => ("put-lost-id-in-front", Span::new(start, start), " "),
+                            _ => ("write-lost-id", record.span, ""),
+                        };
                         f.fixes.push(Fix::replace(
-                            "put-lost-id-in-front",
+                            title,
                             Applicability::Unsafe,
-                            Span::new(record.span.start, record.span.start),
-                            format!("{} ", d.id),
+                            span,
+                            format!("{}{text}", d.id),
                         ));
                     }
                 }

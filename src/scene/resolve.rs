@@ -38,7 +38,10 @@ pub fn resolve(
     for item in &document.items {
         match item {
             Item::Void { .. } => {}
-            Item::Record(record) => resolver.record(record),
+            Item::Record(record) => {
+                resolver.record(record);
+                resolver.sign(record);
+            }
             Item::Broken(broken) => resolver.broken(broken, diagnostics),
         }
     }
@@ -90,6 +93,16 @@ impl<'a> Resolver<'a> {
                 let state = self.new_property(&p);
                 self.define(&p, state.unwrap_or(State::Broken(Some(kind))));
             }
+        }
+    }
+
+    /// Keeps which record made the node that is new, if one is.
+    fn sign(&mut self, record: &Record) {
+        if self.scene.origins.len() < self.scene.nodes.len() {
+            self.scene.origins.push(Origin {
+                id: record.id,
+                span: self.document.span(record.first, record.last),
+            });
         }
     }
 

@@ -18,6 +18,10 @@ pub enum Verdict {
     Damaged {
         ty: &'static RecordType,
     },
+    /// A line that is a record but for integers that are spelled as reals, `2.0 9.0 1`.
+    Reals {
+        ty: &'static RecordType,
+    },
     /// Too few or too many parameters.
     Count {
         ty: &'static RecordType,
@@ -156,6 +160,9 @@ pub fn judge(
     if end == start + 1 && id.kind.is_bad() {
         return (Verdict::BadId { ty: None }, FAULT + 10);
     }
+    if let Some(ty) = all_but_reals(stream, start, end) {
+        return (Verdict::Reals { ty }, REALS);
+    }
     let good_id = id.int.is_some_and(|id| id > 0);
     let ty = (start + 1 < end)
         .then(|| type_at(stream, start + 1))
@@ -201,6 +208,40 @@ pub fn judge(
             (Verdict::BadId { ty }, FAULT + 200 + price.min(200) + void)
         }
     }
+}
+
+/// The price of a line that is a record but for integers that are spelled as reals. A program may have
+/// written all lines like that: it is less than what three numbers too many cost.
+const REALS: u32 = 50;
+
+/// The type of the record that a whole line is, if all that is wrong are integers spelled as reals.
+fn all_but_reals(stream: &Stream, start: usize, end: usize) -> Option<&'static RecordType> {
+    let whole = |i: usize| integral(stream, i).is_some();
+    let line = start + 1 < end && stream.starts_line(start) && stream.ends_line(end);
+    if !line || stream.line(start) != stream.line(end - 1) {
+        return None;
+    }
+    let id = stream.sigs[start]
+        .int
+        .map(i64::from)
+        .or_else(|| integral(stream, start));
+    id.filter(|&id| id > 0)?;
+    let code = stream.sigs[start + 1].int.map(i64::from);
+    let ty = RecordType::by_code(code.or_else(|| integral(stream, start + 1))?)?;
+    let n = match ty.is_counted() {
+        true => count(stream, start + 2).ok()?,
+        false => 0,
+    };
+    let got = (end - start - 2) as u64;
+    let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
+    let right = |i: usize| {
+        let param = ty.param(i - start - 2, n as usize);
+        param.is_some_and(|p| {
+            let sig = stream.sigs[i];
+            fits(sig.kind, p.kind) || p.kind != ParamKind::FileName && whole(i)
+        })
+    };
+    (exact && (start + 2..end).all(right)).then_some(ty)
 }
 
 fn untyped(stream: &Stream, start: usize, end: usize) -> (Verdict, u32) {
@@ -378,6 +419,14 @@ impl Piece {
             },
             Verdict::Whole(r) => Item::Record(reader::whole(stream, self.start, &r)),
             Verdict::Damaged { ty } | Verdict::Count { ty, .. } | Verdict::BadCount { ty } => {
+                broken.ty = Some(ty);
+                Item::Broken(broken)
+            }
+            Verdict::Reals { ty } => {
+                broken.id = broken.id.or_else(|| {
+                    let id = integral(stream, self.start)?;
+                    u32::try_from(id).ok()
+                });
                 broken.ty = Some(ty);
                 Item::Broken(broken)
             }

@@ -110,6 +110,13 @@ impl Reporter<'_, '_> {
                 self.real_type(start, out);
                 self.params(ty, start + 2, end, out);
             }
+            Verdict::Reals { ty } => {
+                if self.stream.sigs[start].int.is_none() {
+                    out.push(self.not_an_integer(start, "an ID"));
+                }
+                self.real_type(start, out);
+                self.params(ty, start + 2, end, out);
+            }
             Verdict::Count { ty, got, expected } => {
                 self.real_type(start, out);
                 self.bad_tokens(ty, start + 2, end, out);

@@ -1,6 +1,7 @@
 //! `zpg check`: reads scenes, says what is wrong with them, and mends it.
 
 mod fixing;
+mod report;
 mod statistics;
 mod watch;
 
@@ -13,10 +14,11 @@ use super::loaded::STDIN;
 use super::rewrite::{diff, replace};
 use super::{LookChoice, Status, complain, load_with, paths, terminal};
 use crate::config::Configs;
-use crate::diagnostics::render::human::{self, Look};
-use crate::diagnostics::render::{Tally, json, short};
+use crate::diagnostics::render::Tally;
+use crate::diagnostics::render::human::Look;
 use crate::diagnostics::{Code, Value};
 use crate::lint::levels::{Choice, Selector};
+use report::{Format, Output};
 use statistics::Statistics;
 
 /// Check scenes for mistakes
@@ -37,6 +39,7 @@ Examples:
   zpg check --deny warnings scenes/    for a continuous build
   zpg check --format short scenes/     one line for each finding
   zpg check --format json - < scene.zpg
+  zpg check --format sarif scenes/ > zpg.sarif
 
 `zpg explain E101` tells more about a finding.")]
 pub struct Args {
@@ -85,17 +88,6 @@ pub struct Args {
     watch: bool,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-enum Format {
-    /// With the lines in question, notes and proposed fixes
-    #[default]
-    Human,
-    /// One line for each finding
-    Short,
-    /// For programs
-    Json,
-}
-
 /// One file's findings, ready to be put out.
 struct Checked {
     output: Output,
@@ -105,11 +97,6 @@ struct Checked {
     statistics: Statistics,
     /// How many findings were mended.
     fixed: usize,
-}
-
-enum Output {
-    Text(Vec<u8>),
-    Json(json::File),
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
@@ -210,7 +197,10 @@ impl Checker<'_> {
         tally.add(&loaded.diagnostics);
         let statistics = Statistics::new(&loaded.diagnostics);
         Ok(Checked {
-            output: self.output(loaded),
+            output: match self.args.statistics {
+                true => Output::Text(Vec::new()),
+                false => Output::new(self.args.format, loaded, self.look),
+            },
             data,
             tally,
             statistics,
@@ -228,76 +218,55 @@ impl Checker<'_> {
         loaded
     }
 
-    fn output(&self, loaded: super::Loaded) -> Output {
-        let (source, diagnostics) = (loaded.source, loaded.diagnostics);
-        let language = self.look.language;
-        let mut text = Vec::new();
-        let written = match self.args.format {
-            _ if self.args.statistics => Ok(()),
-            Format::Human => human::write(&mut text, &source, &diagnostics, self.look),
-            Format::Short => short::write(&mut text, &source, &diagnostics, language),
-            Format::Json => return Output::Json(json::File::new(&source, diagnostics, language)),
-        };
-        debug_assert!(written.is_ok(), "memory takes everything");
-        Output::Text(text)
-    }
-
     fn print(&self, status: Status, all: Vec<Checked>, total: &Tally) -> Status {
         let args = self.args;
-        let language = self.look.language;
-        let fixed = all.iter().map(|c| c.fixed).sum::<usize>();
-        let files = all.iter().filter(|c| c.fixed > 0).count();
-        let fixes = (fixed > 0).then(|| {
-            let message = if args.diff { "would-fix" } else { "fixed" };
-            let values = [
-                ("count", Value::Count(fixed as u64)),
-                ("files", Value::Count(files as u64)),
-            ];
-            language.say(message, &values)
-        });
+        let fixes = self.fixes(&all);
         // Where standard output carries a scene or a difference, it carries nothing else.
         let mends_stdin = args.fix && args.paths.iter().any(|p| p.as_os_str() == STDIN);
-        if args.diff || mends_stdin {
-            let mut findings = io::stderr().lock();
-            // Nobody is left to be told when standard error is gone.
-            let _ = fixes.iter().try_for_each(|f| writeln!(findings, "{f}"));
-            if !args.diff {
-                let texts = all.iter().filter_map(|c| match &c.output {
-                    Output::Text(text) => Some(text),
-                    Output::Json(_) => None,
-                });
-                let _ = texts.into_iter().try_for_each(|t| findings.write_all(t));
-                if total.files > 0 {
-                    let _ = writeln!(findings, "{}", total.sentence(language));
-                }
-            }
-            return terminal::print(status, |out| {
-                all.iter().try_for_each(|c| out.write_all(&c.data))
-            });
-        }
-        terminal::print(status, |out| {
+        let data: Vec<Vec<u8>> = (all.iter()).map(|c| c.data.clone()).collect();
+        let report = |out: &mut dyn Write| {
             if args.statistics {
                 return Statistics::sum(all.iter().map(|c| &c.statistics)).write(out);
             }
-            let mut reports = Vec::new();
-            for checked in all {
-                match checked.output {
-                    Output::Text(text) => out.write_all(&text)?,
-                    Output::Json(report) => reports.push(report),
-                }
-            }
-            match args.format {
-                Format::Human => {
-                    fixes.iter().try_for_each(|f| writeln!(out, "{f}"))?;
-                    // With nothing read there is nothing to sum up.
-                    match total.files {
-                        0 => Ok(()),
-                        _ => writeln!(out, "{}", total.sentence(language)),
-                    }
-                }
-                Format::Short => Ok(()),
-                Format::Json => json::write(out, &reports, total),
-            }
-        })
+            let outputs = all.into_iter().map(|c| c.output).collect();
+            let complete = status != Status::Failure;
+            report::write(
+                out,
+                args.format,
+                outputs,
+                &fixes,
+                total,
+                complete,
+                self.look,
+            )
+        };
+        if args.diff || mends_stdin {
+            let mut stderr = io::stderr().lock();
+            // Nobody is left to be told when standard error is gone.
+            let _ = match args.diff {
+                true => stderr.write_all(fixes.as_bytes()),
+                false => report(&mut stderr),
+            };
+            return terminal::print(status, |out| data.iter().try_for_each(|d| out.write_all(d)));
+        }
+        terminal::print(status, report)
+    }
+
+    /// `Fixed 3 findings in 1 file.`, a line; empty if that is not so.
+    fn fixes(&self, all: &[Checked]) -> String {
+        let fixed = all.iter().map(|c| c.fixed).sum::<usize>();
+        if fixed == 0 {
+            return String::new();
+        }
+        let files = all.iter().filter(|c| c.fixed > 0).count();
+        let message = match self.args.diff {
+            true => "would-fix",
+            false => "fixed",
+        };
+        let values = [
+            ("count", Value::Count(fixed as u64)),
+            ("files", Value::Count(files as u64)),
+        ];
+        self.look.language.say(message, &values) + "\n"
     }
 }

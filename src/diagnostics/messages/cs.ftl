@@ -205,6 +205,7 @@ N601 = soubor není platné UTF-8; čte se jako Windows-1250
 lost-id-used-here = { $lost } se používá zde a není nikde definováno
 lost-id-may-be-this = možná je to záznam, který má definovat { $lost }
 put-lost-id-in-front = napsat před to `{ $lost }`
+write-lost-id = napsat `{ $lost }`
 
 E101 = { $id } není definováno
     .label = toto ID v souboru nic nemá
@@ -303,6 +304,24 @@ E210-format = { E210 }
 
 ## Varování
 
+W301 = složky barvy leží mezi 0 a 1; zde je { $parts }
+    .label = použije se tak, jak je
+    .note = složka větší než 1 činí povrch jasnějším než světlo, které na něj dopadá, záporná světlo ubírá; světlo má kromě barvy i intenzitu
+    .bytes = vypadá to na čísla od 0 do 255
+    .divide = vydělit číslem 255
+    .fix = napsat nejbližší přípustnou hodnotu
+W301-point = složky barvy leží mezi 0 a 1; v bodě profilu { $point } je { $parts }{ $others ->
+    [0] {""}
+    [one] {" "}a mimo rozsah je ještě { $others } barva
+    [few] {" "}a mimo rozsah jsou ještě { $others } barvy
+   *[other] {" "}a mimo rozsah je ještě { $others } barev
+}
+    .label = { W301.label }
+    .note = { W301.note }
+    .bytes = { W301.bytes }
+    .divide = { W301.divide }
+    .fix = { W301.fix }
+
 sum-in-red = kd + ks + kt = { $red } v červené
 sum-in-green = kd + ks + kt = { $green } v zelené
 sum-in-blue = kd + ks + kt = { $blue } v modré
@@ -393,6 +412,111 @@ W306-full = kvadrice { $id } vyhovuje každý bod
 W306-zero = kvadrice { $id } vyhovuje každý bod
     .label = { W306.label }
     .note = xᵀQx je všude 0: objekt vyplňuje celý prostor a nemá povrch, který by šlo zobrazit
+
+W308 = průnik { $id } nevypadá všude stejně: { $first } { $first-id } a { $second } { $second-id } se liší ({ $aspects ->
+    [texture] barva
+    [optics] optická vlastnost
+    [index] index lomu
+    [texture-optics] barva a optická vlastnost
+    [texture-index] barva a index lomu
+    [optics-index] optická vlastnost a index lomu
+   *[all] barva, optická vlastnost a index lomu
+})
+    .label = výsledku { $id } není nic přiřazeno
+    .note = každá část povrchu má vlastnosti toho operandu, ze kterého pochází
+    .help = má-li celý povrch vypadat stejně, přiřaďte vlastnosti výsledku: `{ $id } -299 TEXTURA OPTIKA`
+    .fix = dát { $id } tytéž vlastnosti, jaké má { $source }
+
+W309 = { $change } přichází pozdě: { $taker } { $taker-id } už používá { $id } v předchozí podobě{ $more ->
+    [0] {""}
+    [one] ; totéž platí o další { $more } změně
+    [few] ; totéž platí o dalších { $more } změnách
+   *[other] ; totéž platí o dalších { $more } změnách
+}
+    .label = na ničem použitém se to neprojeví
+    .taken = zde se { $id } použije
+    .note = operace bere operandy v té podobě, jakou v daném místě mají
+    .help = přesuňte tento záznam před ten, který { $id } používá, nebo změňte { $taker-id } místo { $id }
+W309-property = { $type } { $id } se mění pozdě: { $taker-id } má předchozí podobu{ $more ->
+    [0] {""}
+    [one] ; totéž platí o další { $more } změně
+    [few] ; totéž platí o dalších { $more } změnách
+   *[other] ; totéž platí o dalších { $more } změnách
+}
+    .label = { W309.label }
+    .taken = { W309.taken }
+    .note = vlastnosti a barvy se přiřazují v té podobě, jakou v daném místě mají
+    .help = přesuňte tento záznam před ten, který { $id } používá
+
+W310 = { $type } { $id }: nic to nepoužívá
+    .label = nic z toho, co se zobrazí, to nemá
+    .help = přiřaďte to pomocí `ID -299 TEXTURA OPTIKA`, nebo záznam odstraňte
+W310-object = { $type } { $id } není součástí toho, co se zobrazí
+    .label = nic z toho, co se zobrazí, objekt nepoužívá
+    .help = připojte objekt ke scéně sjednocením, nebo jej odstraňte
+W310-placeholder = { $id } je ohlášeno, ale není ani definováno, ani použito
+    .label = ohlášení bez definice
+    .help = definujte objekt níže, nebo ohlášení odstraňte
+
+W313 = { $operand } { $operand-id } { $what ->
+    [whole] je plocha bez vnitřku: průnik { $id } z ní
+   *[part] obsahuje plochu bez vnitřku: průnik { $id } z ní
+} ponechá to, co je uvnitř ({ $other } { $other-id })
+    .label = tento operand
+    .surface = { $shape } { $shape-id } je plocha: nemá vnitřek
+    .help = operace jsou určeny tělesům: místo roviny (typ 3) lze použít poloprostor (typ 4), místo obdélníku tenký kvádr
+W313-outside = { $operand } { $operand-id } { $what ->
+    [whole] je plocha bez vnitřku: rozdíl { $id } z ní
+   *[part] obsahuje plochu bez vnitřku: rozdíl { $id } z ní
+} ponechá to, co je venku ({ $other } { $other-id })
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+W313-tool = { $operand } { $operand-id } { $what ->
+    [whole] je plocha bez vnitřku: jejím
+   *[part] obsahuje plochu bez vnitřku: jejím
+} odečtením se nic nezmění ({ $other } { $other-id })
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+W313-both = { $operand } { $operand-id } a { $other } { $other-id } jsou plochy bez vnitřku: jejich průnik { $id } je prázdný
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+W313-complement = { $operand } { $operand-id } { $what ->
+    [whole] je plocha bez vnitřku: jejím doplňkem { $id } je celý prostor
+   *[part] obsahuje plochu bez vnitřku: doplněk { $id } k ní nepřihlíží
+}
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+
+W315 = tento komentář skrývá { $count ->
+    [one] záznam: { $type } { $id }
+    [few] { $count } záznamy, první je { $type } { $id }
+   *[other] { $count } záznamů, první je { $type } { $id }
+}
+    .label = zde komentář začíná
+    .first = toto by byl záznam
+    .end = zde komentář končí
+    .help = ukončete komentář znakem `#` na jeho řádku; co už není potřeba, je lépe odstranit
+
+W316 = { $count ->
+    [one] je tu { $count } kamera a není vybrána
+    [few] jsou tu { $count } kamery a žádná není vybrána
+   *[other] je tu { $count } kamer a žádná není vybrána
+}: obraz se pořídí poslední z nich, { $id }
+    .label = tato se použije
+    .unused = { $other } se nepoužije
+    .help = jednu lze vybrat pomocí `ID -502 KAMERA`, dvojici pro stereoskopický obraz pomocí `ID -503 LEVÁ PRAVÁ`
+    .fix = vybrat { $id }
+
+W318 = tento index lomu nemá žádný vliv: { $object } { $object-id } nepropouští světlo
+    .label = všude, kde index platí, je kt 0
+    .help = světlo se láme tam, kde se ho část propouští: dejte objektu optickou vlastnost s kt > 0, například `{ $object-id } -201 0 0.1 0.9`
+W318-below-one = index lomu je nejméně 1, jako ve vakuu; zde je { $parts }
+    .label = méně než 1
+    .help = index patří látce samotného objektu; okolí se započítává zvlášť
 
 W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
     .label = { $one ->

@@ -196,6 +196,7 @@ N601 = the file is not valid UTF-8; it is read as Windows-1250
 lost-id-used-here = { $lost } is used here and defined nowhere
 lost-id-may-be-this = it may be the record that should define { $lost }
 put-lost-id-in-front = put `{ $lost }` in front
+write-lost-id = write `{ $lost }`
 
 E101 = { $id } is not defined
     .label = nothing in this file has this ID
@@ -294,6 +295,23 @@ E210-format = { E210 }
 
 ## Warnings
 
+W301 = the parts of a colour lie between 0 and 1; here { $parts }
+    .label = taken as it is
+    .note = a part above 1 makes a surface brighter than the light that falls on it, a negative one takes light away; a light has an intensity besides its colour
+    .bytes = these look like numbers from 0 to 255
+    .divide = divide by 255
+    .fix = write the nearest that is in range
+W301-point = the parts of a colour lie between 0 and 1; at profile point { $point }, { $parts }{ $others ->
+    [0] {""}
+    [one] , and { $others } more colour is out of range
+   *[other] , and { $others } more colours are out of range
+}
+    .label = { W301.label }
+    .note = { W301.note }
+    .bytes = { W301.bytes }
+    .divide = { W301.divide }
+    .fix = { W301.fix }
+
 sum-in-red = kd + ks + kt = { $red } in red
 sum-in-green = kd + ks + kt = { $green } in green
 sum-in-blue = kd + ks + kt = { $blue } in blue
@@ -382,6 +400,104 @@ W306-full = every point satisfies the quadric { $id }
 W306-zero = every point satisfies the quadric { $id }
     .label = { W306.label }
     .note = xᵀQx is 0 everywhere: the object fills all of space and has no surface that could be drawn
+
+W308 = the intersection { $id } keeps two looks: the { $first } { $first-id } and the { $second } { $second-id } differ in { $aspects ->
+    [texture] colour
+    [optics] optical property
+    [index] refractive index
+    [texture-optics] colour and optical property
+    [texture-index] colour and refractive index
+    [optics-index] optical property and refractive index
+   *[all] colour, optical property and refractive index
+}
+    .label = nothing is assigned to { $id }
+    .note = every piece of its surface has the properties of the operand that it comes from
+    .help = if it is meant to look the same all over, assign properties to the result: `{ $id } -299 TEXTURE OPTICS`
+    .fix = give { $id } the properties of { $source }
+
+W309 = this { $change } of { $id } comes too late for the { $taker } { $taker-id }{ $more ->
+    [0] {""}
+    [one] , and so does { $more } more change
+   *[other] , and so do { $more } more changes
+}
+    .label = this reaches nothing that is used
+    .taken = { $id } is taken here
+    .note = an operation takes its operands as they are at that point
+    .help = move this in front of the { $taker }, or change { $taker-id } in place of { $id }
+W309-property = the { $type } { $id } is changed too late: { $taker-id } has taken it as it was{ $more ->
+    [0] {""}
+    [one] {" "}({ $more } more change likewise)
+   *[other] {" "}({ $more } more changes likewise)
+}
+    .label = { W309.label }
+    .taken = { $id } is taken here
+    .note = properties and colours are taken as they are at that point
+    .help = move this in front of the record that takes { $id }
+
+W310 = the { $type } { $id } is never used
+    .label = nothing that is drawn has it
+    .help = assign it with `ID -299 TEXTURE OPTICS`, or remove it
+W310-object = the { $type } { $id } is not part of what is drawn
+    .label = nothing that is drawn is made of it
+    .help = join it to the scene with a union, or remove it
+W310-placeholder = { $id } is declared, but neither defined nor used
+    .label = a placeholder of nothing
+    .help = define it below, or remove the declaration
+
+W313 = the { $operand } { $operand-id } { $what ->
+    [whole] is a surface: of it,
+   *[part] has a surface in it: of that,
+} the intersection { $id } keeps what is inside the { $other } { $other-id }
+    .label = this operand
+    .surface = the { $shape } { $shape-id } is a surface: it has no inside
+    .help = operations are made for solids: a half-space (type 4) has the inside that a plane (type 3) lacks, a thin box that of a rectangle
+W313-outside = the { $operand } { $operand-id } { $what ->
+    [whole] is a surface: of it,
+   *[part] has a surface in it: of that,
+} the difference { $id } keeps what is outside the { $other } { $other-id }
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+W313-tool = the { $operand } { $operand-id } { $what ->
+    [whole] is a surface: taking it away
+   *[part] has a surface in it: taking that away
+} from the { $other } { $other-id } changes nothing
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+W313-both = the { $operand } { $operand-id } and the { $other } { $other-id } are surfaces: their intersection { $id } is empty
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+W313-complement = the { $operand } { $operand-id } { $what ->
+    [whole] is a surface: its complement { $id } is all of space
+   *[part] has a surface in it: the complement { $id } ignores that
+}
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+
+W315 = this comment hides { $count ->
+    [one] a record, the { $type } { $id }
+   *[other] { $count } records, from the { $type } { $id } on
+}
+    .label = the comment begins here
+    .first = this would be a record
+    .end = the comment ends here
+    .help = close the comment with `#` on its own line; what is not wanted any more is better removed
+
+W316 = there are { $count } cameras and none is selected: { $id }, the last one, takes the picture
+    .label = this one is used
+    .unused = { $other } is not used
+    .help = select one with `ID -502 CAMERA`, or two for a stereo picture with `ID -503 LEFT RIGHT`
+    .fix = select { $id }
+
+W318 = this refractive index has no effect: no light goes through the { $object } { $object-id }
+    .label = kt is 0 wherever this index counts
+    .help = light is refracted where a part of it is transmitted: give it an optical property with kt > 0, such as `{ $object-id } -201 0 0.1 0.9`
+W318-below-one = a refractive index is at least 1, that of a vacuum; here { $parts }
+    .label = less than 1
+    .help = the index is that of the object's own material; what surrounds it counts by itself
 
 W320 = the profile of the { $type } { $id } crosses itself near x = { $x }, y = { $y }
     .label = { $one ->

@@ -1,13 +1,15 @@
 //! Findings as text: one file per output format.
 
 mod excerpt;
+pub mod github;
 pub mod human;
 pub mod json;
+pub mod sarif;
 pub mod short;
 
 use std::borrow::Cow;
 
-use super::{Diagnostic, Language, Severity, Value};
+use super::{Diagnostic, Language, Severity, Value, Wording};
 
 /// How many findings there are, by severity, over any number of files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
@@ -96,6 +98,24 @@ impl Tally {
         ];
         language.say("tally-found", &values)
     }
+}
+
+/// What a finding says besides its second places, as lines of one text.
+fn one_text(words: &Wording, language: Language) -> String {
+    let mut lines = vec![words.message.as_str()];
+    // A label that points says nothing where nothing is pointed at.
+    if words.label != language.say("here", &[]) {
+        lines.push(&words.label);
+    }
+    lines.extend(words.notes.iter().chain(&words.help).map(String::as_str));
+    lines.join("\n")
+}
+
+/// A path as machines compare them: with slashes, and without what leads nowhere (`./a` is `a`).
+fn plain_path(path: &str, windows: bool) -> String {
+    let separators: &[char] = if windows { &['/', '\\'] } else { &['/'] };
+    let parts: Vec<&str> = path.split(separators).filter(|&p| p != ".").collect();
+    parts.join("/")
 }
 
 /// Whether a character would move the cursor, reorder text or end a line on a terminal.

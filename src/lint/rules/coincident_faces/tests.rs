@@ -304,7 +304,10 @@ fn what_is_covered_or_cut_off_later_is_not_seen() {
     silent(&later("1 9999 4 0 -1 -1 -1 3 1.9 3\n"));
     flush(&later("1 9999 4 0 -1 -1 -1 3 2.1 3\n"));
     // Not drawn at all; drawn in one of two places.
-    silent(&later("5 9 1\n1 9999 5 0\n"));
+    assert_eq!(
+        messages(&later("5 9 1\n1 9999 5 0\n")),
+        ["the difference 4 is not part of what is drawn"]
+    );
     flush(&later(
         "5 12 -1 -1 -1 3 3 3\n6 -105 4\n6 -1 9 0 0\n7 -101 4 5\n8 -101 7 6\n1 9999 8 0\n",
     ));

@@ -1,0 +1,80 @@
+//! The report of a run, in the form that was asked for.
+
+use std::io::{self, Write};
+
+use crate::commands::Loaded;
+use crate::diagnostics::render::human::{self, Look};
+use crate::diagnostics::render::{Tally, github, json, sarif, short};
+
+/// How to print the findings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum Format {
+    /// With the lines in question, notes and proposed fixes
+    #[default]
+    Human,
+    /// One line for each finding
+    Short,
+    /// For programs
+    Json,
+    /// For code scanning: SARIF 2.1.0
+    Sarif,
+    /// For GitHub Actions: annotations of pull requests
+    Github,
+}
+
+/// One file's findings, ready to be put out.
+pub enum Output {
+    Text(Vec<u8>),
+    Json(json::File),
+    Sarif(sarif::File),
+}
+
+impl Output {
+    pub fn new(format: Format, loaded: Loaded, look: Look) -> Output {
+        let (source, diagnostics) = (loaded.source, loaded.diagnostics);
+        let language = look.language;
+        let mut text = Vec::new();
+        let written = match format {
+            Format::Human => human::write(&mut text, &source, &diagnostics, look),
+            Format::Short => short::write(&mut text, &source, &diagnostics, language),
+            Format::Json => return Output::Json(json::File::new(&source, diagnostics, language)),
+            Format::Sarif => {
+                return Output::Sarif(sarif::File::new(&source, diagnostics, language));
+            }
+            Format::Github => github::write(&mut text, &source, &diagnostics, language),
+        };
+        debug_assert!(written.is_ok(), "memory takes everything");
+        Output::Text(text)
+    }
+}
+
+/// Writes what was found in all files. `fixes` says in a line what was mended; `complete` is whether
+/// every file could be read.
+pub fn write(
+    out: &mut dyn Write,
+    format: Format,
+    outputs: Vec<Output>,
+    fixes: &str,
+    total: &Tally,
+    complete: bool,
+    look: Look,
+) -> io::Result<()> {
+    let mut reports = Vec::new();
+    let mut scans = Vec::new();
+    for output in outputs {
+        match output {
+            Output::Text(text) => out.write_all(&text)?,
+            Output::Json(report) => reports.push(report),
+            Output::Sarif(scan) => scans.push(scan),
+        }
+    }
+    match format {
+        // With nothing read there is nothing to sum up.
+        Format::Human if total.files > 0 => {
+            writeln!(out, "{fixes}{}", total.sentence(look.language))
+        }
+        Format::Human | Format::Short | Format::Github => Ok(()),
+        Format::Json => json::write(out, &reports, total),
+        Format::Sarif => sarif::write(out, &scans, look.language, complete),
+    }
+}

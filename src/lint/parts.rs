@@ -1,0 +1,45 @@
+//! Whether objects have surfaces and solids in them.
+
+use crate::scene::{Node, NodeId, Scene};
+
+/// What an object is made of.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Parts {
+    /// A surface that is part of it; index into [`Scene::shapes`].
+    pub surface: Option<u32>,
+    /// Whether something solid is.
+    pub solid: bool,
+}
+
+/// What each node is made of. What came out of an operation with a surface is not asked about
+/// again: the finding there says what it is.
+pub fn parts(scene: &Scene) -> Vec<Parts> {
+    let mut parts: Vec<Parts> = Vec::with_capacity(scene.nodes.len());
+    for node in &scene.nodes {
+        let of = |n: NodeId| parts[n as usize];
+        parts.push(match *node {
+            Node::Shape(s) => match scene.shapes[s as usize].geometry.is_solid() {
+                true => Parts {
+                    surface: None,
+                    solid: true,
+                },
+                false => Parts {
+                    surface: Some(s),
+                    solid: false,
+                },
+            },
+            Node::Union(a, b) => Parts {
+                surface: of(a).surface.or(of(b).surface),
+                solid: of(a).solid || of(b).solid,
+            },
+            Node::Transform { child, .. }
+            | Node::Paint { child, .. }
+            | Node::Copy { child, .. } => of(child),
+            Node::Intersection(..) | Node::Difference(..) | Node::Complement(_) => Parts {
+                surface: None,
+                solid: true,
+            },
+        });
+    }
+    parts
+}

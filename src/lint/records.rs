@@ -1,0 +1,97 @@
+//! What rules that follow IDs from record to record ask of a file.
+
+use std::collections::HashMap;
+
+use super::Context;
+use crate::diagnostics::{Applicability, Fix, Span};
+use crate::scene::record::Params;
+use crate::syntax::lexer::TokenKind;
+use crate::syntax::table::{Effect, Param, ParamKind};
+use crate::syntax::{Item, Record};
+
+impl<'a> Context<'a> {
+    /// The records that can be read, in file order.
+    pub fn records(&self) -> impl Iterator<Item = &'a Record> {
+        self.document.items.iter().filter_map(|item| match item {
+            Item::Record(record) => Some(record),
+            _ => None,
+        })
+    }
+
+    /// Whether something stands in the file that could not be read. It may use, change or define
+    /// anything.
+    pub fn has_broken(&self) -> bool {
+        let broken = |item: &Item| matches!(item, Item::Broken(_));
+        self.document.items.iter().any(broken)
+    }
+
+    pub fn record_params(&self, record: &Record) -> Params<'a> {
+        Params::new(self.document, self.text, record)
+    }
+
+    /// The IDs that a record refers to, without those that are 0.
+    pub fn references(&self, record: &'a Record) -> impl Iterator<Item = u32> {
+        let (document, text) = (self.document, self.text);
+        let refers = |p: &Param| matches!(p.kind, ParamKind::Reference { .. });
+        let any = (record.ty.params.iter().chain(record.ty.optional)).any(refers);
+        let tokens = any.then(|| document.params(record).enumerate());
+        (tokens.into_iter().flatten()).filter_map(move |(i, token)| {
+            let param = record.ty.param(i, record.count as usize)?;
+            let id = token.integer(text).filter(|_| refers(param))?;
+            u32::try_from(id).ok().filter(|&id| id > 0)
+        })
+    }
+
+    /// An ID that is free: one above the largest of the file, if there is one.
+    pub fn free_id(&self) -> Option<u32> {
+        const LARGEST: u32 = i32::MAX as u32;
+        let ids = self.document.items.iter().filter_map(|item| match item {
+            Item::Record(r) => Some(r.id),
+            Item::Broken(b) => b.id,
+            Item::Void { .. } => None,
+        });
+        Some(ids.max()? + 1).filter(|&id| id <= LARGEST)
+    }
+
+    /// What each ID is called: the title of the record that defines it.
+    pub fn titles(&self) -> HashMap<u32, &'static str> {
+        let mut titles = HashMap::new();
+        for record in self.records() {
+            let placeholder = record.ty.code == 0;
+            if !placeholder && !matches!(record.ty.effect, Effect::Changes(_)) {
+                titles.entry(record.id).or_insert(record.ty.title);
+            }
+        }
+        titles
+    }
+
+    /// A fix that puts lines behind a record.
+    pub fn add_behind(
+        &self,
+        span: Span,
+        title: &'static str,
+        applicability: Applicability,
+        lines: &[String],
+    ) -> Fix {
+        let newline = if self.text.contains("\r\n") {
+            "\r\n"
+        } else {
+            "\n"
+        };
+        let tokens = &self.document.tokens;
+        let next = tokens.partition_point(|t| t.start < span.end);
+        // What stands behind the record on its line stays there, a comment of several lines too.
+        let rest = &tokens[next..];
+        let comments = (rest.iter()).take_while(|t| t.kind.is_comment()).count();
+        let (at, closes_line) = match rest.get(comments) {
+            Some(t) if t.kind == TokenKind::Newline => (t.start, true),
+            Some(_) => (span.end, false),
+            None => (self.text.trim_end().len() as u32, true),
+        };
+        let mut text: String = lines.iter().map(|l| newline.to_owned() + l).collect();
+        if !closes_line {
+            text += newline;
+        }
+        Fix::replace(title, applicability, Span::new(at, at), text)
+    }
+}

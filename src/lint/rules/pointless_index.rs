@@ -1,0 +1,274 @@
+//! W318: a refractive index that nothing is seen of, because no light goes through, or one that is
+//! less than 1.
+
+use std::collections::HashMap;
+
+use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::lint::Context;
+use crate::scene::record::Params;
+use crate::scene::{DEFAULT_INDEX, Node, NodeId, Paint, Scene};
+use crate::syntax::table::Kind;
+
+/// The refractive index of a vacuum: nothing is thinner.
+const VACUUM: f64 = 1.0;
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut any = false;
+    for record in context.records().filter(|r| r.ty.code == -203) {
+        any = true;
+        let p = context.record_params(record);
+        out.extend(below_one(&p));
+    }
+    if any {
+        opaque(context, out);
+    }
+}
+
+fn below_one(p: &Params) -> Option<Diagnostic> {
+    let below: Vec<usize> = (0..p.len())
+        .filter(|&i| (0.0..VACUUM).contains(&p.number(i)) && p.number(i) > 0.0)
+        .collect();
+    let (&first, &last) = (below.first()?, below.last()?);
+    let parts: Vec<String> = below
+        .iter()
+        .map(|&i| {
+            let name = p.param(i).map_or("", |q| q.name);
+            format!("{name} = {}", p.text_of(i))
+        })
+        .collect();
+    let d = Diagnostic::new(Code::W318, p.span_of(first, last - first + 1));
+    Some(d.case("below-one").with("parts", parts.join(", ")))
+}
+
+/// Indices that have no effect on any object that has them.
+fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
+    let scene = context.scene;
+    let sources = sources(context);
+    let transmits = transmits(scene);
+    let reach = reach(scene);
+    // For each record that gives an index: whether light goes through anything that has it, and
+    // something that none goes through.
+    let mut of_record: HashMap<Span, (bool, Option<u32>)> = HashMap::new();
+    for (i, node) in scene.nodes.iter().enumerate() {
+        let (Node::Paint { child, .. }, Some(source)) = (node, sources[i]) else {
+            continue;
+        };
+        if reach[i] == Reach::default() {
+            continue;
+        }
+        let own = paint_of(scene, *node).and_then(|p| p.optics);
+        let clear = match own {
+            Some(optics) => lets_through(optics.kt),
+            None => transmits[*child as usize],
+        };
+        let through = reach[i].transmits || reach[i].bare && clear;
+        let known = of_record.entry(source).or_insert((false, None));
+        known.0 |= through;
+        if known.1.is_none() && !through {
+            known.1 = Some(scene.origins[i].id);
+        }
+    }
+    let mut silent: Vec<(Span, u32)> = (of_record.into_iter())
+        .filter_map(|(span, (through, object))| Some((span, object.filter(|_| !through)?)))
+        .collect();
+    if silent.is_empty() {
+        return;
+    }
+    silent.sort_by_key(|s| s.0);
+    let titles = context.titles();
+    for (span, object) in silent {
+        let Some(p) = context.params(span) else {
+            continue;
+        };
+        // An index below 1 has been reported.
+        if below_one(&p).is_some() {
+            continue;
+        }
+        let title = titles.get(&object).copied().unwrap_or("object");
+        out.push(
+            Diagnostic::new(Code::W318, p.span_of(0, 3))
+                .with("object", Value::Term(title))
+                .with("object-id", object.to_string()),
+        );
+    }
+}
+
+fn lets_through(kt: [f64; 3]) -> bool {
+    kt.iter().any(|&k| k > 0.0)
+}
+
+fn paint_of(scene: &Scene, node: Node) -> Option<&Paint> {
+    match node {
+        Node::Paint { paint, .. } => Some(&scene.paints[paint as usize]),
+        _ => None,
+    }
+}
+
+/// For each node that sets an index other than the default: the record that says so.
+fn sources(context: &Context) -> Vec<Option<Span>> {
+    let scene = context.scene;
+    let mut sources = vec![None; scene.nodes.len()];
+    // The last word on the index of each object and each property.
+    let mut last: HashMap<u32, Option<Span>> = HashMap::new();
+    let mut next = 0;
+    for record in context.records() {
+        let span = context.document.span(record.first, record.last);
+        let made = scene.origins.get(next).is_some_and(|o| o.span == span);
+        match record.ty.code {
+            -203 => {
+                last.insert(record.id, Some(span));
+            }
+            -299 => {
+                let optics = context.record_params(record).integer(1);
+                let optics = u32::try_from(optics).ok();
+                let source = optics.and_then(|id| last.get(&id).copied().flatten());
+                last.insert(record.id, source);
+            }
+            _ => {}
+        }
+        if made {
+            let index = paint_of(scene, scene.nodes[next]).and_then(|p| p.index);
+            if index.is_some_and(|i| i != DEFAULT_INDEX) {
+                sources[next] = last.get(&record.id).copied().flatten();
+            }
+            next += 1;
+        }
+    }
+    sources
+}
+
+/// Whether light goes through any part of each node, as it is by itself.
+fn transmits(scene: &Scene) -> Vec<bool> {
+    let mut transmits: Vec<bool> = Vec::with_capacity(scene.nodes.len());
+    for &node in &scene.nodes {
+        let of = |n: NodeId| transmits[n as usize];
+        let optics = paint_of(scene, node).and_then(|p| p.optics);
+        transmits.push(match (node, optics) {
+            (_, Some(optics)) => lets_through(optics.kt),
+            (Node::Difference(a, _), _) => of(a),
+            _ => node.children().into_iter().flatten().any(of),
+        });
+    }
+    transmits
+}
+
+/// In what company the index of a node is seen: it is covered by none that holds it, and the optical
+/// property is its own, or one that lets light through, or one that does not.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Reach {
+    bare: bool,
+    transmits: bool,
+    opaque: bool,
+}
+
+fn reach(scene: &Scene) -> Vec<Reach> {
+    let bare = Reach {
+        bare: true,
+        ..Reach::default()
+    };
+    let mut reach = vec![Reach::default(); scene.nodes.len()];
+    match scene.render {
+        Some(render) => reach[render.root as usize] = bare,
+        None => {
+            let objects = (scene.entities.iter()).filter(|e| e.kind == Some(Kind::Object));
+            for node in objects.filter_map(|e| e.node) {
+                reach[node as usize] = bare;
+            }
+        }
+    }
+    for (i, &node) in scene.nodes.iter().enumerate().rev() {
+        let mut down = reach[i];
+        if let Some(paint) = paint_of(scene, node) {
+            if paint.index.is_some() {
+                continue;
+            }
+            if let (Some(optics), true) = (paint.optics, down.bare) {
+                let through = lets_through(optics.kt);
+                down.bare = false;
+                down.transmits |= through;
+                down.opaque |= !through;
+            }
+        }
+        let children = match node {
+            // Of a tool nothing is seen.
+            Node::Difference(a, _) => [Some(a), None],
+            _ => node.children(),
+        };
+        for child in children.into_iter().flatten() {
+            let child = &mut reach[child as usize];
+            child.bare |= down.bare;
+            child.transmits |= down.transmits;
+            child.opaque |= down.opaque;
+        }
+    }
+    reach
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lint::testing::{found, messages};
+
+    const BALLS: &str = "2 9 1\n3 9 2\n8 -201 0.1 0 0.9\n";
+
+    #[track_caller]
+    fn finds(records: &str, expected: &[&str]) {
+        let mut all = found(&(BALLS.to_owned() + records));
+        // Not everything is used.
+        all.retain(|f| !f.starts_with("W310"));
+        assert_eq!(all, expected, "{records}");
+    }
+
+    #[test]
+    fn nothing_goes_through() {
+        finds("2 -203 1.5 1.5 1.5", &["W318 4:8"]);
+        finds("2 -203 1.5 1.5 1.5\n2 -201 0.5 0.5 0", &["W318 4:8"]);
+        finds("9 -203 1.5 1.5 1.5\n2 -299 0 9", &["W318 4:8"]);
+        // The property that covers it lets nothing through.
+        finds(
+            "2 -203 1.5 1.5 1.5\n4 -101 2 3\n4 -201 1 0 0\n1 9999 4 0",
+            &["W318 4:8"],
+        );
+        // Once for a property of many.
+        let many = "9 -203 1.5 1.5 1.5\n2 -299 0 9\n3 -299 0 9\n4 -101 2 3";
+        finds(many, &["W318 4:8"]);
+        assert_eq!(
+            messages(&(BALLS.to_owned() + many)),
+            [
+                "this refractive index has no effect: no light goes through the sphere at the origin 2"
+            ]
+        );
+    }
+
+    #[test]
+    fn light_goes_through() {
+        for records in [
+            "2 -203 1.5 1.5 1.5\n2 -201 0 0.1 0.9",
+            "2 -201 0 0.1 0.9\n2 -1 0 1 0\n2 -203 1.5 1.5 1.5",
+            "2 -203 1.5 1.5 1.5\n2 -202 1 0 0 1 0 0 0.5 0 0.5",
+            "8 -203 1.5 1.5 1.5\n2 -299 0 8",
+            // Through one part of it, or with the property of what holds it.
+            "2 -299 0 8\n4 -101 2 3\n4 -203 1.5 1.5 1.5",
+            "2 -203 1.5 1.5 1.5\n4 -101 2 3\n4 -201 0 0 1",
+            // One of the objects that have it.
+            "9 -203 1.5 1.5 1.5\n2 -299 0 9\n3 -299 0 9\n3 -201 0 0 1",
+            // The default has no effect anywhere.
+            "2 -203 1 1 1",
+            "2 -203 1.5 1.5 1.5\n2 -299 0 0",
+        ] {
+            finds(records, &[]);
+        }
+        // A tool is not seen, nor is what is covered.
+        finds("3 -203 2 2 2\n4 -103 2 3\n1 9999 4 0", &[]);
+    }
+
+    #[test]
+    fn below_one() {
+        finds("8 -203 0.9 1 0.8\n2 -299 0 8", &["W318 4:8"]);
+        finds("2 -203 0.9 1 1", &["W318 4:8"]);
+        finds("8 -203 1 1 1.0\n2 -299 0 8", &[]);
+        assert_eq!(
+            messages("8 -203 0.9 1 0.8"),
+            ["a refractive index is at least 1, that of a vacuum; here etaR = 0.9, etaB = 0.8"]
+        );
+    }
+}

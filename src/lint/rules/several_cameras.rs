@@ -1,0 +1,80 @@
+//! W316: several cameras, and nothing that says which one takes the picture.
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Value};
+use crate::lint::Context;
+use crate::scene::{Entity, View};
+use crate::syntax::Item;
+use crate::syntax::table::Kind;
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let cameras = &context.scene.cameras;
+    let View::Mono(used) = context.scene.view else {
+        return;
+    };
+    // A selection counts even where it could not be read.
+    let selects = |item: &Item| match item {
+        Item::Record(r) => matches!(r.ty.code, -502 | -503),
+        Item::Broken(b) => b.ty.is_none_or(|t| matches!(t.code, -502 | -503)),
+        Item::Void { .. } => false,
+    };
+    if cameras.len() < 2 || context.document.items.iter().any(selects) {
+        return;
+    }
+    let place = |id: u32| {
+        let is_camera = |e: &&Entity| e.id == id && e.kind == Some(Kind::Camera);
+        context.scene.entities.iter().rev().find(is_camera)
+    };
+    let (used, first) = (cameras[used].id, cameras[0].id);
+    let (Some(camera), Some(other)) = (place(used), place(first)) else {
+        return;
+    };
+    let d = Diagnostic::new(Code::W316, camera.span)
+        .with("count", Value::Count(cameras.len() as u64))
+        .with("id", used.to_string())
+        .with("other", first.to_string())
+        .label(other.span, "unused");
+    // The picture stays the same, but only its author knows whether it is the right one.
+    let selection = (context.params(camera.span).zip(context.free_id())).map(|(p, id)| {
+        let line = format!("{id} -502 {used}");
+        context.add_behind(p.span, "fix", Applicability::Unsafe, &[line])
+    });
+    out.push(match selection {
+        Some(fix) => d.fix(fix),
+        None => d,
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lint::testing::{fixed, found, messages};
+
+    const TWO: &str =
+        "8 -501 0 0 9 0 0 -1 0 1 0 45 # front #\n9 -501 0 9 0 0 -1 0 0 0 1 45 # top #\n";
+
+    #[test]
+    fn nothing_selected() {
+        assert_eq!(found(TWO), ["W316 2:1"]);
+        assert_eq!(
+            messages(TWO),
+            ["there are 2 cameras and none is selected: 9, the last one, takes the picture"]
+        );
+        // A copy and a projection are cameras, too.
+        assert_eq!(found(&(TWO.to_owned() + "7 -105 8")), ["W316 3:1"]);
+        let projection = "3 -99 1 0 0 0 0 1 0 0 0 0 -1 -2 0 0 -1 0";
+        assert_eq!(found(&(TWO.to_owned() + projection)), ["W316 3:1"]);
+        assert_eq!(fixed(TWO), TWO.replace("# top #\n", "# top #\n10 -502 9\n"));
+        assert!(found(&fixed(TWO)).is_empty());
+    }
+
+    #[test]
+    fn selected_or_alone() {
+        for end in ["60 -502 8", "60 -503 8 9"] {
+            let all = found(&(TWO.to_owned() + end));
+            assert!(!all.iter().any(|f| f.starts_with("W316")), "{end}: {all:?}");
+        }
+        assert!(found(&TWO[..TWO.find('\n').unwrap()]).is_empty());
+        // What cannot be read may be the selection.
+        let broken = found(&(TWO.to_owned() + "60 -502"));
+        assert!(!broken.iter().any(|f| f.starts_with("W316")), "{broken:?}");
+    }
+}

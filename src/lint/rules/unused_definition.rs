@@ -1,0 +1,181 @@
+//! W310: something that is defined and not needed for the picture.
+
+use std::collections::HashMap;
+
+use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::lint::Context;
+use crate::syntax::table::Kind;
+
+/// What an ID stands for and which others its records name, whether they define or change it.
+struct Definition {
+    id: u32,
+    kind: Option<Kind>,
+    /// Whether an object could be made of it; otherwise something else has been said about it.
+    sound: bool,
+    span: Span,
+    title: &'static str,
+    names: Vec<u32>,
+    used: bool,
+    /// Named by something else that is not used.
+    held: bool,
+}
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    if context.scene.render.is_none() || context.has_broken() {
+        return;
+    }
+    let Some(mut all) = definitions(context) else {
+        return;
+    };
+    follow(&mut all);
+    // What only an unused thing needs goes with it.
+    for i in 0..all.len() {
+        for name in std::mem::take(&mut all[i].names) {
+            if !all[i].used && name as usize != i {
+                all[name as usize].held = true;
+            }
+        }
+    }
+    let reported = all.iter().filter(|d| d.sound && !d.used && !d.held);
+    out.extend(reported.filter_map(|d| {
+        let case = match d.kind? {
+            Kind::Object => "object",
+            Kind::Undefined => "placeholder",
+            Kind::Optics | Kind::Texture | Kind::Colour => "",
+            _ => return None,
+        };
+        Some(
+            Diagnostic::new(Code::W310, d.span)
+                .case(case)
+                .with("type", Value::Term(d.title))
+                .with("id", d.id.to_string()),
+        )
+    }));
+}
+
+/// Every definition, its names as indices; `None` if a record names what is not there: what seems
+/// to be unused may be what was meant.
+fn definitions(context: &Context) -> Option<Vec<Definition>> {
+    let mut at: HashMap<u32, usize> = HashMap::new();
+    let mut all: Vec<Definition> = Vec::new();
+    for e in &context.scene.entities {
+        let new = Definition {
+            id: e.id,
+            kind: e.kind,
+            sound: e.kind != Some(Kind::Object) || e.node.is_some(),
+            span: e.span,
+            title: "object",
+            names: Vec::new(),
+            // Lights and cameras are asked for by nobody; the render record is the beginning.
+            used: matches!(
+                e.kind,
+                None | Some(
+                    Kind::AmbientLight
+                        | Kind::PointLight
+                        | Kind::Camera
+                        | Kind::Selection
+                        | Kind::Render
+                )
+            ),
+            held: false,
+        };
+        match at.get(&e.id) {
+            // A placeholder and what has become of it.
+            Some(&i) => {
+                let sound = all[i].sound || new.sound;
+                all[i] = Definition { sound, ..new };
+            }
+            None => {
+                at.insert(e.id, all.len());
+                all.push(new);
+            }
+        }
+    }
+    for record in context.records() {
+        let &own = at.get(&record.id)?;
+        if context.document.id_token(record).span() == all[own].span {
+            all[own].title = record.ty.title;
+        }
+        for name in context.references(record) {
+            let &named = at.get(&name)?;
+            all[own].names.push(named as u32);
+        }
+    }
+    Some(all)
+}
+
+/// Marks as used what the used ones name.
+fn follow(all: &mut [Definition]) {
+    let mut open: Vec<usize> = (0..all.len()).filter(|&i| all[i].used).collect();
+    while let Some(i) = open.pop() {
+        for k in 0..all[i].names.len() {
+            let name = all[i].names[k] as usize;
+            if !std::mem::replace(&mut all[name].used, true) {
+                open.push(name);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lint::testing::{found, messages};
+
+    #[track_caller]
+    fn unused(records: &str, expected: &[&str]) {
+        let scene = records.to_owned() + "\n1 9999 2 6";
+        assert_eq!(
+            found(&("2 9 1\n6 -701 0 0 0\n".to_owned() + &scene)),
+            expected
+        );
+    }
+
+    #[test]
+    fn every_kind() {
+        unused("3 9 1", &["W310 3:1"]);
+        unused("3 -701 1 0 0", &["W310 3:1"]);
+        unused("3 -201 1 0 0", &["W310 3:1"]);
+        unused("3 -302", &["W310 3:1"]);
+        unused("3 0", &["W310 3:1"]);
+        unused("3 0\n3 9 1", &["W310 4:1"]);
+        let scene = "2 9 1\n3 9 1\n4 -701 1 0 0\n5 0\n1 9999 2 0";
+        assert_eq!(
+            messages(scene),
+            [
+                "the sphere at the origin 3 is not part of what is drawn",
+                "the colour 4 is never used",
+                "5 is declared, but neither defined nor used"
+            ]
+        );
+    }
+
+    #[test]
+    fn what_it_holds_goes_with_it() {
+        unused("3 9 1\n4 -701 1 0 0\n3 -299 4 0\n5 -101 2 3", &["W310 6:1"]);
+        unused("3 -701 1 0 0\n4 -399 2 2 3 6", &["W310 4:1"]);
+        unused("3 9 1\n4 -105 3\n5 -105 3", &["W310 4:1", "W310 5:1"]);
+    }
+
+    #[test]
+    fn what_is_used() {
+        unused("", &[]);
+        // By a property of what is drawn, by the background, by a later change.
+        unused("3 -701 1 0 0\n4 -399 2 2 3 6\n2 -299 4 0", &[]);
+        unused("4 0\n4 -701 1 0 0\n2 -299 4 0", &[]);
+        // Lights and cameras need nobody; nor do their copies and selections.
+        unused("3 -402 1\n4 -401 1\n5 -105 3", &[]);
+        unused("8 -501 0 0 9 0 0 -1 0 1 0 45\n9 -105 8\n10 -502 9", &[]);
+        // Tools are needed.
+        let tools = "3 9 1\n4 9 2\n2 -103 4 3\n1 9999 2 0";
+        assert!(found(tools).is_empty());
+    }
+
+    #[test]
+    fn silent_in_doubt() {
+        assert!(found("2 9 1\n3 9 2").is_empty());
+        unused("3 9 1\n4 9 1 1", &["E009 4:7"]);
+        unused("3 9 1\n2 -299 33 0", &["E101 4:8"]);
+        // The record of what would be unused is wrong itself.
+        unused("3 9 1\n4 -104 4", &["W310 3:1", "E104 4:8"]);
+    }
+}

@@ -1,0 +1,155 @@
+//! Every fix of every finding: applied alone it leaves a file that checks better, loses no comment,
+//! and draws the same picture if it is called safe.
+
+mod trace_support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use zpg::commands::Loaded;
+use zpg::diagnostics::{Applicability, Code, Diagnostic, Severity, fixes};
+
+/// What the examples leave out: other cases of a code, and comments between any two tokens.
+const TRIGGERS: &[&str] = &[
+    "2 9 1 # never closed\n3 9 2 # closed #\n4 -101 2 3\n1 9999 4 0\n",
+    "2 # a # 9 # b # 0,5 # c #\n1 9999 2 0\n",
+    "2 11 0 −1 0 1\n1 9999 2 0\n",
+    "2 9 1\n9 1\n1 9999 2 0\n",
+    "11 0 0 0 1\n3 9 1\n4 -101 2 3\n1 9999 4 0\n",
+    "2.0 9 1\n3 9.0 1\n4 13 1 3.0\n4 -2 90 1.0\n1 9999 2 0\n",
+    "14 -701 1 0 0\n35 -201 1 0 0\n4 9 1\n4 -204 # paint # 0 35\n1 9999 4 0\n",
+    "15 -701 1 0 0\n16 -399 10 15 14 55\n1 9999 4 0\n",
+    "20 9 1\n3 9 1\n4 -101 2 3\n1 9999 44 0\n",
+    "7 9999 2 0\n2 9 1\n",
+    "2 12 1 0 0 # x # -1 1 1\n3 5 2 2 1 1\n4 -101 2 3\n1 9999 4 0\n",
+    "2 9 1\n2 -601 1 1 1 -1 -1 -1\n1 9999 2 0  9 9 9  -9 -9 -9\n",
+    "2 15 1 2 0 0  0 1 0 0  0 0 1 3  0 0 0 -1\n1 9999 2 0\n",
+    "2 15 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\n1 9999 2 0\n",
+    "2 12 -1 -1 -1 1 1 1\n2 -4 0.707 0 0.707 0  0 1 0 0  -0.707 0 0.707 0  0 0 0 1\n1 9999 2 0\n",
+    "2 14 1 3\n1 9999 2 0\n",
+    "2 12 0 0 0 2 2 2\n3 12 .5 .5 .5 1.5 2 1.5\n4 -103 2 3\n1 9999 4 0\n",
+    "# a heading #\n2 (9) {1}; # b # 3 9 2\n# c #\n4 -101 2 3 1 9999 4 0\n",
+    "2 9 1 # zpg: allow(W302, W303) #\n# zpg: allow(W320) #\n\n# zpg: allow(W302) #\n1 9999 2 0\n",
+];
+
+/// Scenes that trigger something: the examples of all codes, and the files of the repository.
+fn scenes() -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = (TRIGGERS.iter())
+        .flat_map(|t| [t.to_string(), t.replace('\n', "\r\n")])
+        .map(|t| (t.clone(), t))
+        .collect();
+    for code in Code::ALL {
+        let fences = code.explanation().split("```zpg\n").skip(1);
+        for (i, fence) in fences.enumerate() {
+            let scene = fence.split("```").next().unwrap();
+            all.push((
+                format!("example {i} of {}", code.as_str()),
+                scene.to_owned(),
+            ));
+        }
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut folders: Vec<PathBuf> = vec![root.join("scenes"), root.join("tests")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "zpg") {
+                let bytes = fs::read(&path).unwrap();
+                let text = Loaded::new("a", bytes).source.text;
+                // The large ones take long and trigger nothing else.
+                if text.len() < 20_000 {
+                    all.push((path.display().to_string(), text));
+                }
+            }
+        }
+    }
+    all
+}
+
+fn read(text: &str) -> Loaded {
+    Loaded::new("scene.zpg", text.into())
+}
+
+/// How many errors, warnings, notes and remarks on style.
+fn weight(found: &[Diagnostic]) -> [usize; 4] {
+    let of = |s: Severity| found.iter().filter(|d| d.severity == s).count();
+    [
+        Severity::Error,
+        Severity::Warning,
+        Severity::Note,
+        Severity::Style,
+    ]
+    .map(of)
+}
+
+fn comments(loaded: &Loaded) -> Vec<String> {
+    let text = &loaded.source.text;
+    let comments = loaded.document.comments();
+    comments.map(|t| t.text(text).to_owned()).collect()
+}
+
+/// A small picture, bit by bit; `None` where the scene cannot be drawn.
+fn picture(loaded: &Loaded) -> Option<Vec<u32>> {
+    let drawable = loaded.sound && loaded.scene.render.is_some();
+    // Images lie beside the scene, which is no file here.
+    if !drawable || loaded.source.text.contains("-301") {
+        return None;
+    }
+    let settings = trace_support::small(24, 18);
+    let picture = trace_support::picture(&loaded.scene, &settings);
+    Some(
+        picture
+            .film
+            .pixels
+            .iter()
+            .flatten()
+            .map(|x| x.to_bits())
+            .collect(),
+    )
+}
+
+#[test]
+fn every_fix_makes_it_better() {
+    let mut tried = 0;
+    let mut drawn = 0;
+    let mut wrong = String::new();
+    let mut with_fix = std::collections::BTreeSet::new();
+    for (name, text) in scenes() {
+        let before = read(&text);
+        for d in &before.diagnostics {
+            for fix in &d.fixes {
+                tried += 1;
+                with_fix.insert(d.code);
+                let (fixed, count) = fixes::apply(&text, std::iter::once(fix));
+                assert_eq!(count, 1, "{name}: {d:?}");
+                let after = read(&fixed);
+                let what = format!("{name}: {} {:?}", d.code.as_str(), fix);
+                if weight(&after.diagnostics) >= weight(&before.diagnostics) {
+                    let found: Vec<_> = after.diagnostics.iter().map(|d| d.code).collect();
+                    wrong += &format!("{what} checks no better: {found:?}\n{fixed}\n");
+                }
+                // Closing a comment adds its end, and a comment that allows nothing may go.
+                let own = [Code::E002, Code::S504].contains(&d.code);
+                if !own && comments(&before) != comments(&after) {
+                    wrong += &format!("{what} changes a comment\n");
+                }
+                if fix.applicability == Applicability::Safe
+                    && let Some(picture_before) = picture(&before)
+                {
+                    drawn += 1;
+                    if Some(picture_before) != picture(&after) {
+                        wrong += &format!("{what} is called safe, but draws another picture\n");
+                    }
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+    // Fewer would mean that the test looks past its matter.
+    assert!(
+        tried > 100 && drawn > 20,
+        "{tried} fixes of {with_fix:?}, {drawn} pictures"
+    );
+}
