@@ -6,6 +6,7 @@
 //! Markstein, "High-precision division and square root", ACM TOMS 23(4), 1997).
 
 use super::number::Real;
+use super::way::Before;
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -148,6 +149,8 @@ impl PartialOrd for Dd {
 }
 
 impl Real for Dd {
+    type Way = Option<Before>;
+
     const ZERO: Dd = Dd {
         high: 0.0,
         low: 0.0,

@@ -47,6 +47,7 @@ pub mod spans;
 pub mod stats;
 pub mod vec;
 pub mod walk;
+mod way;
 
 pub use costs::CostMap;
 pub use decide::Walkers;

@@ -2,17 +2,20 @@
 
 use super::affine::Affine;
 use super::number::Real;
+use super::qd::Qd;
 use super::vec::Vec3;
+use super::way::Way;
 
 /// A line o + t·d. Affine maps keep t, so all spaces share one parameter.
 #[derive(Debug, Clone, Copy)]
-pub struct Line<R = f64> {
+pub struct Line<R: Real = f64> {
     pub origin: Vec3<R>,
     /// Of any length but zero.
     pub direction: Vec3<R>,
     /// 1 / direction, component by component; infinite where that is zero.
     pub inverse: Vec3<R>,
     pub slack: Slack<R>,
+    pub way: R::Way,
 }
 
 /// How far a line may be from the one that is meant: what its way into this space has rounded.
@@ -31,6 +34,7 @@ impl<R: Real> Line<R> {
             direction,
             inverse: direction.map(R::recip),
             slack: Slack::default(),
+            way: R::Way::default(),
         }
     }
 
@@ -69,13 +73,20 @@ impl<R: Real> Line<R> {
                     origin: self.slack.origin + rounded,
                     direction: self.slack.direction,
                 },
+                way: R::Way::through(self, map),
                 ..*self
             };
         }
         Line {
             slack: map.slack(self),
+            way: R::Way::through(self, map),
             ..Line::new(map.point(self.origin), map.vector(self.direction))
         }
+    }
+
+    /// In quad-double, as it has come into this space.
+    pub fn closer(&self) -> Line<Qd> {
+        R::Way::closer(self)
     }
 
     /// A bound on how far, along each axis, the line is from the one that is meant, at its points
@@ -155,7 +166,7 @@ pub struct Left<R = f64> {
 
 /// A ray: a line from t = 0 on.
 #[derive(Debug, Clone, Copy)]
-pub struct Ray<R = f64> {
+pub struct Ray<R: Real = f64> {
     pub line: Line<R>,
     pub left: Option<Left<R>>,
     /// Known to start outside of every solid.

@@ -35,7 +35,7 @@ pub const DISPERSION: u8 = 8;
 
 /// A ray still to be followed, and how much its light counts, per channel.
 #[derive(Debug, Clone, Copy)]
-struct Branch<R> {
+struct Branch<R: Precision> {
     ray: Ray<R>,
     weight: Vec3,
     depth: u32,

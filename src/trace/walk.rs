@@ -4,6 +4,7 @@ use super::compile::outermost;
 use super::graph::{Coat, Graph, Operation, Part, Target};
 use super::membership::DIRECTION;
 use super::nearest::{Entry, Search};
+use super::number::Real;
 use super::order::{Scale, Start};
 use super::precision::{Doubt, Precision};
 use super::ray::{Beam, Line, Ray};
@@ -29,7 +30,7 @@ pub struct Painted {
 
 /// An object entered on the way down from the root, with everything above it folded in.
 #[derive(Debug, Clone, Copy)]
-pub struct Context<R = f64> {
+pub struct Context<R: Real = f64> {
     pub object: u32,
     /// The ray in the object's space.
     pub line: Line<R>,

@@ -29,7 +29,7 @@ pub(super) fn decide_closer<R: Real>(
         return;
     }
     let mut closer = Roots::default();
-    decide(&line.cast(), &mut closer);
+    decide(&line.closer(), &mut closer);
     roots.inside = closer.inside;
     roots.uncertain = closer.uncertain;
     roots.list.clear();
