@@ -50,6 +50,8 @@ fn printed_examples() {
 const LEFT: &[(&str, &str)] = &[
     // The colour comes after the union that has taken the ball.
     ("3-camera.zpg", "W309 7"),
+    // Two balls of different glass overlap.
+    ("4-checkerboard-and-spheres.zpg", "W307 20"),
     // The handout defines the checkerboard 16, and gives 17 one of its own.
     ("4-checkerboard-and-spheres.zpg", "W310 7"),
 ];

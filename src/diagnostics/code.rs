@@ -89,14 +89,18 @@ codes! {
     W304 "asymmetric-quadric";
     W305 "degenerate-shape";
     W306 "no-real-points";
+    W307 "overlapping-union";
     W308 "mixed-intersection";
     W309 "stale-operand";
     W310 "unused-definition";
+    W311 "bound-too-small";
+    W312 "scene-box-cuts";
     W313 "surface-operand";
     W314 "suspicious-line-break";
     W315 "comment-hides-records";
     W316 "several-cameras";
     W318 "pointless-index";
+    W319 "empty-result";
     W320 "self-intersecting";
     W321 "coincident-faces";
     W322 "ill-scaled";

@@ -7,6 +7,7 @@ pub mod levels;
 mod parts;
 mod records;
 mod rules;
+mod solids;
 
 use crate::diagnostics::{Diagnostic, Span};
 use crate::scene::record::Params;
@@ -85,13 +86,17 @@ const RULES: &[Rule] = &[
     rules::asymmetric_quadric::check,
     rules::degenerate_shape::check,
     rules::no_real_points::check,
+    rules::overlapping_union::check,
     rules::mixed_intersection::check,
     rules::stale_operand::check,
     rules::unused_definition::check,
+    rules::bound_too_small::check,
+    rules::scene_box_cuts::check,
     rules::surface_operand::check,
     rules::comment_hides_records::check,
     rules::several_cameras::check,
     rules::pointless_index::check,
+    rules::empty_result::check,
     rules::self_intersecting::check,
     rules::coincident_faces::check,
     rules::ill_scaled::check,

@@ -413,6 +413,14 @@ W306-zero = kvadrice { $id } vyhovuje každý bod
     .label = { W306.label }
     .note = xᵀQx je všude 0: objekt vyplňuje celý prostor a nemá povrch, který by šlo zobrazit
 
+W307 = { $id }, sjednocení: { $one } { $one-id } a { $two } { $two-id } se překrývají a jsou z různých prostředí: ({ $x }, { $y }, { $z }) leží v obou
+    .label = co leží v obou, patří prvnímu operandu
+    .first = { $one }
+    .second = { $two }
+    .note = kde je první operand, není povrch druhého vidět: obrázek závisí na pořadí operandů
+    .help = odečtěte jedno od druhého, nebo zapište překryv jako část s vlastními vlastnostmi
+    .fix = zapsat jako (A − B) ∪ (B − A) ∪ (A ∩ B)
+
 W308 = průnik { $id } nevypadá všude stejně: { $first } { $first-id } a { $second } { $second-id } se liší ({ $aspects ->
     [texture] barva
     [optics] optická vlastnost
@@ -457,6 +465,27 @@ W310-object = { $type } { $id } není součástí toho, co se zobrazí
 W310-placeholder = { $id } je ohlášeno, ale není ani definováno, ani použito
     .label = ohlášení bez definice
     .help = definujte objekt níže, nebo ohlášení odstraňte
+
+W311 = ohraničující kvádr objektu { $id } je příliš malý: ({ $x }, { $y }, { $z }) je bod povrchu objektu
+    .label = tento kvádr má obsahovat celý objekt
+    .note = obrázek zůstane stejný, ale program, který kvádru věří, vynechá vše, co leží vně
+    .fix = zvětšit jej
+W311-sphere = ohraničující koule objektu { $id } je příliš malá: ({ $x }, { $y }, { $z }) je bod povrchu objektu
+    .label = tato koule má obsahovat celý objekt
+    .note = obrázek zůstane stejný, ale program, který kouli věří, vynechá vše, co leží vně
+    .fix = zvětšit ji
+
+W312 = kvádr vykreslovacího záznamu ořezává scénu: { $type } { $id } z něj přesahuje v bodě ({ $x }, { $y }, { $z })
+    .label = co leží mimo tento kvádr, není vidět
+    .shape = toto z něj přesahuje
+    .note = řez není uzavřený: je vidět dovnitř objektu
+    .help = zvětšete kvádr, nebo označte řez za záměrný: `# zpg: allow(W312) #`
+W312-outside = nic nebude vidět: celý objekt { $id } leží mimo kvádr vykreslovacího záznamu, { $axis } má všude { $where ->
+        [above] nejméně
+       *[below] nejvýše
+    } { $reach }
+    .label = { $name }, stěna kvádru
+    .note = co leží mimo kvádr, není vidět žádným paprskem
 
 W313 = { $operand } { $operand-id } { $what ->
     [whole] je plocha bez vnitřku: průnik { $id } z ní
@@ -517,6 +546,37 @@ W318 = tento index lomu nemá žádný vliv: { $object } { $object-id } nepropou
 W318-below-one = index lomu je nejméně 1, jako ve vakuu; zde je { $parts }
     .label = méně než 1
     .help = index patří látce samotného objektu; okolí se započítává zvlášť
+
+W319 = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a { $two } { $two-id } leží mimo sebe, { $axis } ≤ { $end } a { $axis } ≥ { $begin }
+    .label = nic nezbude
+    .one = { $one }
+    .two = { $two }
+    .note = nic z něj se nevykreslí
+W319-balls = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a { $two } { $two-id } leží mimo sebe, středy jsou od sebe { $between }, součet poloměrů je { $radii }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-beyond = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } leží zcela mimo druhý operand: { $two } { $two-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-within = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } leží uvnitř odečítaného objektu: { $two } { $two-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-same = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a odečítaný objekt jsou totéž: { $two } { $two-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-itself = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } se odečítá od sebe
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
 
 W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
     .label = { $one ->

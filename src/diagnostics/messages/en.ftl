@@ -401,6 +401,14 @@ W306-zero = every point satisfies the quadric { $id }
     .label = { W306.label }
     .note = xᵀQx is 0 everywhere: the object fills all of space and has no surface that could be drawn
 
+W307 = in the union { $id }, the { $one } { $one-id } and the { $two } { $two-id } overlap, and they are of different media: ({ $x }, { $y }, { $z }) is in both
+    .label = the first operand owns what both hold
+    .first = the { $one }
+    .second = the { $two }
+    .note = the surface of the second one is not seen where the first one is: the picture depends on the order of the operands
+    .help = take one away from the other, or write the overlap as a part with properties of its own
+    .fix = write it as (A − B) ∪ (B − A) ∪ (A ∩ B)
+
 W308 = the intersection { $id } keeps two looks: the { $first } { $first-id } and the { $second } { $second-id } differ in { $aspects ->
     [texture] colour
     [optics] optical property
@@ -443,6 +451,27 @@ W310-object = the { $type } { $id } is not part of what is drawn
 W310-placeholder = { $id } is declared, but neither defined nor used
     .label = a placeholder of nothing
     .help = define it below, or remove the declaration
+
+W311 = the bounding box of the object { $id } is too small: ({ $x }, { $y }, { $z }) is a point of its surface
+    .label = this box shall hold the object
+    .note = the picture is the same, but a program that trusts the box leaves out what lies outside
+    .fix = enlarge it
+W311-sphere = the bounding sphere of the object { $id } is too small: ({ $x }, { $y }, { $z }) is a point of its surface
+    .label = this sphere shall hold the object
+    .note = the picture is the same, but a program that trusts the sphere leaves out what lies outside
+    .fix = { W311.fix }
+
+W312 = the box of the render record cuts the scene: the { $type } { $id } reaches out of it at ({ $x }, { $y }, { $z })
+    .label = what lies outside of this box is invisible
+    .shape = this reaches out of it
+    .note = the cut is not closed: one looks into the object
+    .help = make the box larger, or say that the cut is meant: `# zpg: allow(W312) #`
+W312-outside = nothing will be seen: all of the object { $id } lies outside of the box of the render record, its { $axis } is { $where ->
+        [above] at least
+       *[below] at most
+    } { $reach } everywhere
+    .label = { $name }, the side of the box
+    .note = what lies outside of the box is invisible, for all rays
 
 W313 = the { $operand } { $operand-id } { $what ->
     [whole] is a surface: of it,
@@ -498,6 +527,37 @@ W318 = this refractive index has no effect: no light goes through the { $object 
 W318-below-one = a refractive index is at least 1, that of a vacuum; here { $parts }
     .label = less than 1
     .help = the index is that of the object's own material; what surrounds it counts by itself
+
+W319 = the { $operation } { $id } is empty: the { $one } { $one-id } and the { $two } { $two-id } lie apart, { $axis } ≤ { $end } and { $axis } ≥ { $begin }
+    .label = nothing is left
+    .one = the { $one }
+    .two = the { $two }
+    .note = nothing of it is drawn
+W319-balls = the { $operation } { $id } is empty: the { $one } { $one-id } and the { $two } { $two-id } lie apart, their centres by { $between }, their radii add up to { $radii }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-beyond = the { $operation } { $id } is empty: the { $one } { $one-id } lies outside of the { $two } { $two-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-within = the { $operation } { $id } is empty: the { $one } { $one-id } lies within the { $two } { $two-id }, which is taken away
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-same = the { $operation } { $id } is empty: the { $one } { $one-id } and the { $two } { $two-id }, which is taken away, are the same
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-itself = the { $operation } { $id } is empty: the { $one } { $one-id } is taken away from itself
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
 
 W320 = the profile of the { $type } { $id } crosses itself near x = { $x }, y = { $y }
     .label = { $one ->

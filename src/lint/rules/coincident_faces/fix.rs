@@ -1,10 +1,10 @@
 //! A tool that reaches a hair further.
 
 use super::face::Part;
-use super::inside::in_profile;
 use super::search::Side;
 use super::vector::length;
 use crate::diagnostics::{Applicability, Edit, Fix};
+use crate::lint::solids::inside::in_profile;
 use crate::lint::spelled;
 use crate::scene::Geometry;
 use crate::scene::record::Params;

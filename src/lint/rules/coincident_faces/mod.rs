@@ -10,18 +10,16 @@
 
 mod face;
 mod fix;
-mod inside;
 mod planes;
-mod points;
 mod quadric;
 mod sample;
 mod search;
-mod tree;
 mod vector;
 
 use std::collections::BTreeMap;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::lint::solids::near;
 use crate::lint::{Context, live_nodes};
 use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
@@ -131,30 +129,6 @@ fn finding(
         }
     }
     Some(d)
-}
-
-/// A coordinate of a place on something of a size: to a thousandth of that, so that the place named
-/// is still there.
-fn near(x: f64, size: f64) -> String {
-    let digits = if size.is_finite() && size > 0.0 {
-        3 - size.log10().floor() as i32
-    } else {
-        3
-    };
-    if !(0..=12).contains(&digits) {
-        let rounded = format!("{x:.9e}").parse().unwrap_or(x);
-        return format!("{rounded}");
-    }
-    let text = format!("{x:.precision$}", precision = digits as usize);
-    let text = match text.split_once('.') {
-        Some(_) => text.trim_end_matches('0').trim_end_matches('.'),
-        None => &text,
-    };
-    if text == "-0" {
-        "0".into()
-    } else {
-        text.into()
-    }
 }
 
 /// Where a face is written, what it is, and the parameter that it is named by.

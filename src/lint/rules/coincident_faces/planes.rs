@@ -2,8 +2,8 @@
 
 use super::face::{Face, Form, QUADRIC};
 use super::search::{NEAR, ROUNDING};
-use super::tree::{NONE, Tree};
 use super::vector::dot;
+use crate::lint::solids::tree::{NONE, Tree};
 use crate::scene::{Aabb, Vec3};
 use crate::trace::bounds::Bounds;
 use crate::trace::bvh::Bvh;

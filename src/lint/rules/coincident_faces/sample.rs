@@ -1,8 +1,9 @@
 //! Points at which two faces are tried: where both can be, and nowhere special.
 
-use super::face::{Face, Form, Leaf, Part, QUADRIC};
+use super::face::{Face, Form, Part, QUADRIC};
 use super::quadric;
 use super::vector::{add, cross, dot, length, middle, sub, unit};
+use crate::lint::solids::leaf::Leaf;
 use crate::scene::{Geometry, Vec3};
 
 /// A point of a surface and the direction at right angles to it, of length 1.

@@ -2,12 +2,14 @@
 
 use std::collections::HashSet;
 
-use super::face::{Face, Form, Leaf, Part, faces};
+use super::face::{Face, Form, Part, faces};
 use super::planes::pairs;
-use super::points::Points;
 use super::sample::{self, Sample};
-use super::tree::{Answer, NONE, Tree};
 use super::vector::{add, cross, unit};
+use crate::lint::solids::leaf::Leaf;
+use crate::lint::solids::points::Points;
+use crate::lint::solids::roots;
+use crate::lint::solids::tree::{Answer, NONE, Tree};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, NodeId, Scene, Vec3};
 
@@ -111,21 +113,6 @@ pub fn search(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<Found>
         }
     }
     found
-}
-
-/// What is drawn; without a render record all objects that are part of no other.
-fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
-    if let Some(render) = &scene.render {
-        return vec![render.root];
-    }
-    let mut part = vec![false; scene.nodes.len()];
-    for (node, _) in scene.nodes.iter().zip(live).filter(|n| *n.1) {
-        for child in node.children().into_iter().flatten() {
-            part[child as usize] = true;
-        }
-    }
-    let tops = (0..scene.nodes.len()).filter(|&i| live[i] && !part[i]);
-    tops.map(|i| i as NodeId).collect()
 }
 
 struct Search<'a> {

@@ -4,7 +4,7 @@
 //! comes to where all of its shapes are is known beforehand, so that only the few whose bounds hold
 //! the point are looked at, however long the chain that they are part of.
 
-use super::face::Leaf;
+use super::leaf::Leaf;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Matrix, Node, NodeId, Scene};
 

@@ -1,0 +1,179 @@
+//! W312: the box of the render record cuts what is drawn.
+//!
+//! Planes, half-spaces, quadrics and everything else without end are what the box is for: they are
+//! passed over. A point of something that ends, outside of the box, and one inside are the proof.
+
+use std::collections::HashSet;
+
+use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::lint::Context;
+use crate::lint::solids::reach::{RAYS, Search, WRITTEN, bare, beyond, size, tracer};
+use crate::lint::solids::{near, tree::Tree};
+use crate::scene::bounds::node_bounds;
+use crate::scene::{Aabb, Volume};
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let scene = context.scene;
+    let Some(render) = scene.render else { return };
+    let Some((min, max)) = render.clip else {
+        return;
+    };
+    let Some(p) = context.params(render.span) else {
+        return;
+    };
+    let bounds = node_bounds(scene);
+    let whole = bounds[render.root as usize];
+    let clip = Aabb::new(min, max);
+    let span = p.span_of(2, 6);
+    if let Some((axis, above)) = apart(&whole.all, &clip) {
+        let (side, reach) = match above {
+            true => (5 + axis, whole.all.min[axis]),
+            false => (2 + axis, whole.all.max[axis]),
+        };
+        out.push(
+            Diagnostic::new(Code::W312, p.span_of(side, 1))
+                .case("outside")
+                .with("id", render.root_id.to_string())
+                .with("axis", ["x", "y", "z"][axis])
+                .with("reach", near(reach, clip.radius()))
+                .with("name", p.param(side).map_or("", |q| q.name))
+                .with("where", if above { "above" } else { "below" }),
+        );
+        return;
+    }
+    let volume = Volume::Box { min, max };
+    let slack = WRITTEN * size(&volume);
+    let inside = |b: &Aabb| {
+        b.is_empty() || (0..3).all(|i| min[i] - slack <= b.min[i] && b.max[i] <= max[i] + slack)
+    };
+    if inside(&whole.bounded) {
+        return;
+    }
+    let tree = Tree::new(scene, &bounds, &[render.root]);
+    let finite = |b: &Aabb| b.is_finite() && !b.is_empty();
+    let (ends, endless): (Vec<_>, Vec<_>) = (tree.leaves.iter()).partition(|l| finite(&l.bounds));
+    let endless: HashSet<u32> = endless.iter().map(|l| l.id).collect();
+    let aims = || -> Vec<Aabb> {
+        let within = ends.iter().map(|l| l.bounds.intersection(&whole.bounded));
+        within.filter(|b| !b.is_empty()).collect()
+    };
+    if aims().iter().all(inside) {
+        return;
+    }
+    let Some(tracer) = tracer(&mut bare(scene), render.root) else {
+        return;
+    };
+    let mut search = Search {
+        tracer: &tracer,
+        rays: &mut { RAYS },
+    };
+    let Some(met) = search.outside(&volume, aims(), |id| !endless.contains(&id)) else {
+        return;
+    };
+    if search.inside(&volume, aims()).is_none() {
+        return;
+    }
+    let leaf = ends.iter().find(|l| l.id == met.shape);
+    let Some(shape) = leaf.and_then(|l| l.shape) else {
+        return;
+    };
+    let shape = &scene.shapes[shape as usize];
+    // So finely that the place named is outside too.
+    let out_by = beyond(&volume, met.point);
+    let [x, y, z] = met.point.map(|x| near(x, out_by));
+    out.push(
+        Diagnostic::new(Code::W312, span)
+            .with("type", Value::Term(shape.ty.title))
+            .with("id", met.shape.to_string())
+            .with("x", x)
+            .with("y", y)
+            .with("z", z)
+            .label(shape.span, "shape"),
+    );
+}
+
+/// An axis along which a box lies wholly beyond another one, and whether it lies above. The first is
+/// rounded outwards, the second is as written: what is so apart is apart.
+fn apart(b: &Aabb, clip: &Aabb) -> Option<(usize, bool)> {
+    if b.is_empty() {
+        return None;
+    }
+    (0..3).find_map(|i| match (b.min[i] > clip.max[i], b.max[i] < clip.min[i]) {
+        (true, _) => Some((i, true)),
+        (_, true) => Some((i, false)),
+        _ => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lint::testing::{self, messages};
+
+    /// What this rule finds.
+    fn found(scene: &str) -> Vec<String> {
+        let all = testing::found(scene).into_iter();
+        all.filter(|f| f.starts_with("W312")).collect()
+    }
+
+    fn boxed(records: &str, region: &str) -> String {
+        format!("{records}\n1 9999 2 0 {region}\n")
+    }
+
+    #[test]
+    fn a_sphere_that_reaches_out() {
+        let scene = boxed("2 9 1", "-2 -2 -2 2 2 0.5");
+        assert_eq!(found(&scene), ["W312 2:12"]);
+        assert_eq!(
+            messages(&scene),
+            [
+                "the box of the render record cuts the scene: the sphere at the origin 2 reaches out of it at (0, 0, 1)"
+            ]
+        );
+        assert!(found(&boxed("2 9 1", "-1 -1 -1 1 1 1")).is_empty());
+        // A millionth of the box may be rounding.
+        assert!(found(&boxed("2 9 1", "-1 -1 -1 1 1 0.9999995")).is_empty());
+        assert_eq!(found(&boxed("2 9 1", "-1 -1 -1 1 1 0.999998")).len(), 1);
+    }
+
+    #[test]
+    fn what_has_no_end_is_what_the_box_is_for() {
+        let region = "-3 -3 -3 3 3 3";
+        for record in ["2 3 0 1 0 0", "2 4 0 1 0 0", "2 21", "2 20"] {
+            assert!(found(&boxed(record, region)).is_empty(), "{record}");
+        }
+        // A ball on a floor: the floor is cut, the ball is not.
+        assert!(found(&boxed("3 9 1\n4 3 0 1 0 1\n2 -101 3 4", region)).is_empty());
+        assert_eq!(
+            found(&boxed("3 9 4\n4 3 0 1 0 1\n2 -101 3 4", region)).len(),
+            1
+        );
+        // What is cut out of a ball reaches out of the box, the rest does not.
+        let rest = "3 12 -1 -1 -1 1 1 1\n4 11 0 6 0 5.5\n2 -103 3 4";
+        assert!(found(&boxed(rest, region)).is_empty());
+    }
+
+    #[test]
+    fn all_of_it_is_outside() {
+        let scene = boxed("2 11 0 5 0 1", "-2 -2 -2 2 2 2");
+        assert_eq!(
+            messages(&scene),
+            [
+                "nothing will be seen: all of the object 2 lies outside of the box of the render record, its y is at least 4 everywhere"
+            ]
+        );
+        assert_eq!(found(&scene), ["W312 2:23"]);
+        let surface = boxed("2 5 -1 -1 1 1\n2 -1 -9 0 0", "-2 -2 -2 2 2 2");
+        assert_eq!(found(&surface).len(), 1);
+    }
+
+    #[test]
+    fn surfaces_and_moved_things() {
+        let region = "-2 -2 -2 2 2 2";
+        assert_eq!(found(&boxed("2 5 -3 -1 1 1", region)), ["W312 2:12"]);
+        assert_eq!(
+            found(&boxed("2 12 -1 -1 -1 1 1 1\n2 -1 1.5 0 0", region)),
+            ["W312 3:12"]
+        );
+        assert!(found(&boxed("2 12 -1 -1 -1 1 1 1\n2 -2 30 2", region)).is_empty());
+    }
+}

@@ -1,0 +1,63 @@
+//! Shapes where they occur.
+
+use crate::scene::bounds::shape_bounds;
+use crate::scene::{Aabb, Matrix, NodeId, Scene};
+
+/// A shape where it occurs, or something that is known as a whole only.
+#[derive(Debug, Clone)]
+pub struct Leaf {
+    /// Its own node.
+    pub node: NodeId,
+    /// Index into the scene's shapes; `None` for what is known as a whole.
+    pub shape: Option<u32>,
+    /// The ID by which the shape is written where it occurs: its own or that of a copy.
+    pub id: u32,
+    /// From its own coordinates into those of the root.
+    pub matrix: Matrix,
+    /// Where it is; infinite for what has no end.
+    pub bounds: Aabb,
+    /// The longest side of its bounds.
+    pub size: f64,
+    /// Index into the places of the tree.
+    pub place: u32,
+}
+
+impl Leaf {
+    pub fn new(
+        scene: &Scene,
+        node: NodeId,
+        shape: u32,
+        copy: Option<u32>,
+        matrix: Matrix,
+        place: u32,
+    ) -> Leaf {
+        let written = &scene.shapes[shape as usize];
+        Leaf {
+            shape: Some(shape),
+            id: copy.unwrap_or(written.id),
+            ..Leaf::within(
+                node,
+                shape_bounds(&written.geometry, &matrix),
+                matrix,
+                place,
+            )
+        }
+    }
+
+    /// A part whose bounds in its own coordinates are these.
+    pub fn part(node: NodeId, bounds: Aabb, matrix: Matrix, place: u32) -> Leaf {
+        Leaf::within(node, bounds.transformed(&matrix), matrix, place)
+    }
+
+    fn within(node: NodeId, bounds: Aabb, matrix: Matrix, place: u32) -> Leaf {
+        Leaf {
+            node,
+            shape: None,
+            id: 0,
+            matrix,
+            bounds,
+            size: (0..3).fold(0.0f64, |s, i| s.max(bounds.max[i] - bounds.min[i])),
+            place,
+        }
+    }
+}
