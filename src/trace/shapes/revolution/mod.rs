@@ -295,8 +295,8 @@ fn order<R: Real>(a: R, b: R) -> std::cmp::Ordering {
 
 /// The crossings with what two solids have in common, from those with either. Where both are in one
 /// place, as far as doubles can tell, it is the first one's surface: a seam belongs to one segment.
-/// What they have in common may have no thickness: then it is none.
-fn common<R: Real>(a: &[Close<R>], b: &[Close<R>], climbs: bool) -> Vec<Root<R>> {
+/// What they have in common may have no thickness: then it is none. For lines that do not climb.
+fn common<R: Real>(a: &[Close<R>], b: &[Close<R>]) -> Vec<Root<R>> {
     let mut found = Vec::new();
     let (mut i, mut j) = (0, 0);
     while let (Some([from, to]), Some([start, end])) = (a.get(i..i + 2), b.get(j..j + 2)) {
@@ -312,7 +312,7 @@ fn common<R: Real>(a: &[Close<R>], b: &[Close<R>], climbs: bool) -> Vec<Root<R>>
             from
         };
         let last = if end.root.t < to.root.t { end } else { to };
-        if first.root.t < last.root.t && !last.meets(first, climbs) {
+        if first.root.t < last.root.t && !last.meets(first, false) {
             found.extend([of(from, start, first), of(to, end, last)]);
         }
         if to.root.t < end.root.t {
@@ -377,7 +377,7 @@ impl Revolution {
             // just above and just below.
             let above = self.closely(&path, &mut roots.uncertain);
             let below = self.closely(&path.seams_below(), &mut roots.uncertain);
-            roots.list = common(&above, &below, path.climbs());
+            roots.list = common(&above, &below);
         }
         turn_outwards(&mut roots.list);
     }
@@ -457,6 +457,10 @@ impl Revolution {
                 });
             }
         });
+        if all.iter().any(|x| !x.root.t.is_finite()) {
+            *uncertain = true;
+            return Vec::new();
+        }
         all.sort_by(|a, b| order(a.cut.tau, b.cut.tau));
         let climbs = path.climbs();
         let widest = all.iter().fold(R::ZERO, |e, x| e.max(x.cut.error));
