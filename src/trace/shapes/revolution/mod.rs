@@ -295,25 +295,27 @@ fn order<R: Real>(a: R, b: R) -> std::cmp::Ordering {
 
 /// The crossings with what two solids have in common, from those with either. Where both are in one
 /// place, as far as doubles can tell, it is the first one's surface: a seam belongs to one segment.
-fn common<R: Real>(a: &[Root<R>], b: &[Root<R>]) -> Vec<Root<R>> {
+/// What they have in common may have no thickness: then it is none. For lines that do not climb.
+fn common<R: Real>(a: &[Close<R>], b: &[Close<R>]) -> Vec<Root<R>> {
     let mut found = Vec::new();
     let (mut i, mut j) = (0, 0);
     while let (Some([from, to]), Some([start, end])) = (a.get(i..i + 2), b.get(j..j + 2)) {
-        let of = |own: &Root<R>, other: &Root<R>, t: R| {
-            let alike = (own.t - other.t).abs() <= R::of(f64::EPSILON) * t.abs();
-            let face = if alike || t == own.t {
-                own.face
-            } else {
-                other.face
-            };
+        let of = |own: &Close<R>, other: &Close<R>, bound: &Close<R>| {
+            let t = bound.root.t;
+            let alike = (own.root.t - other.root.t).abs() <= R::of(f64::EPSILON) * t.abs();
+            let face = if alike { own } else { bound }.root.face;
             Root { t, face }
         };
-        let first = of(from, start, from.t.max(start.t));
-        let last = of(to, end, to.t.min(end.t));
-        if first.t < last.t {
-            found.extend([first, last]);
+        let first = if from.root.t < start.root.t {
+            start
+        } else {
+            from
+        };
+        let last = if end.root.t < to.root.t { end } else { to };
+        if first.root.t < last.root.t && !last.meets(first, false) {
+            found.extend([of(from, start, first), of(to, end, last)]);
         }
-        if to.t < end.t {
+        if to.root.t < end.root.t {
             i += 2;
         } else {
             j += 2;
@@ -373,9 +375,9 @@ impl Revolution {
         if is_last::<R>() && roots.uncertain && !path.climbs() {
             // A line in the plane of a seam may lie in a surface, and inside is only what is so
             // just above and just below.
-            let mut below = Roots::default();
-            self.append(&path.seams_below(), &mut below);
-            roots.list = common(&roots.list, &below.list);
+            let above = self.closely(&path, &mut roots.uncertain);
+            let below = self.closely(&path.seams_below(), &mut roots.uncertain);
+            roots.list = common(&above, &below);
         }
         turn_outwards(&mut roots.list);
     }
@@ -391,7 +393,9 @@ impl Revolution {
             }
         });
         if !settle(roots, error) {
-            self.settle_closely(path, roots);
+            let kept = self.closely(path, &mut roots.uncertain);
+            roots.list.clear();
+            roots.list.extend(kept.iter().map(|x| x.root));
         }
     }
 
@@ -437,7 +441,7 @@ impl Revolution {
 
     /// The crossings once more, compared one by one. Two in one place are a layer without thickness
     /// and cancel, as do, where decisions are final, two that cannot be told from such.
-    fn settle_closely<R: Real>(&self, path: &Path<R>, roots: &mut Roots<R>) {
+    fn closely<R: Real>(&self, path: &Path<R>, uncertain: &mut bool) -> Vec<Close<R>> {
         let mut all: Vec<Close<R>> = Vec::new();
         self.cuts(path, |piece, [a, b], list| {
             for mut cut in list.into_iter().flatten() {
@@ -453,6 +457,10 @@ impl Revolution {
                 });
             }
         });
+        if all.iter().any(|x| !x.root.t.is_finite()) {
+            *uncertain = true;
+            return Vec::new();
+        }
         all.sort_by(|a, b| order(a.cut.tau, b.cut.tau));
         let climbs = path.climbs();
         let widest = all.iter().fold(R::ZERO, |e, x| e.max(x.cut.error));
@@ -460,22 +468,21 @@ impl Revolution {
             let far = here.cut.error + widest;
             let before = all[..i].iter().rev();
             let mut near = before.take_while(|x| x.cut.tau >= here.cut.tau - far);
-            roots.uncertain |= near.any(|x| here.meets(x, climbs));
+            *uncertain |= near.any(|x| here.meets(x, climbs));
         }
-        let mut kept: Vec<&Close<R>> = Vec::new();
-        for here in &all {
+        let mut kept: Vec<Close<R>> = Vec::new();
+        for here in all {
             match kept.last() {
                 Some(last) if is_last::<R>() && here.meets(last, climbs) => {
                     kept.pop();
                 }
                 Some(last) if last.root.t == here.root.t => {
-                    roots.uncertain = true;
+                    *uncertain = true;
                     kept.pop();
                 }
                 _ => kept.push(here),
             }
         }
-        roots.list.clear();
-        roots.list.extend(kept.iter().map(|x| x.root));
+        kept
     }
 }

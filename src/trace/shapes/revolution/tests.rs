@@ -235,6 +235,30 @@ fn a_line_in_a_disc_crosses_nothing() {
     }
 }
 
+/// Above a seam a solid is inside of a ring, below it outside of it: nothing is inside on both sides,
+/// wherever rounding puts the ring.
+#[test]
+fn solids_that_meet_in_a_ring_have_nothing_in_common() {
+    let mut r = Random(53);
+    for _ in 0..200 {
+        let (y, ring) = (r.within(-0.5, 0.5), r.within(0.5, 1.0));
+        let profile = [
+            [r.within(0.3, 2.0), 1.0],
+            [ring, y],
+            [r.within(1.5, 2.0), y],
+            [r.within(1.1, 2.0), -1.0],
+            [r.within(0.3, 1.0), -1.0],
+            [ring, y],
+        ];
+        let along = Vec3::new(r.within(-1.0, 1.0), 0.0, r.within(-1.0, 1.0));
+        let o = [r.within(-4.0, 4.0), y, r.within(-4.0, 4.0)];
+        assert_eq!(final_count(&profile, o, along.0), 0, "{profile:?}");
+        // Through the upper solid alone, at a height that no corner has.
+        let o = [0.0, (y + 1.0) / 2.0, 0.0];
+        assert_eq!(final_count(&profile, o, along.0), 2, "{profile:?}");
+    }
+}
+
 /// Counts from an evaluation in rational numbers.
 #[test]
 fn close_crossings_of_two_segments_are_told_from_layers() {
