@@ -77,7 +77,7 @@ impl Maker {
         self.text += if comment { " # so #\n" } else { "\n" };
     }
 
-    fn new(&mut self, code: i32, numbers: &[f64]) -> u32 {
+    fn define(&mut self, code: i32, numbers: &[f64]) -> u32 {
         let id = self.id();
         self.write(id, code, numbers);
         id
@@ -95,19 +95,19 @@ impl Maker {
     fn looks(&mut self) {
         for _ in 0..3 {
             let rgb: [f64; 3] = self.numbers(0.0, 1.0);
-            let colour = self.new(-701, &rgb);
+            let colour = self.define(-701, &rgb);
             self.colours.push(colour);
         }
         let kt = self.number(0.3, 0.9);
-        let glass = self.new(-201, &[0.05, 0.05, kt]);
+        let glass = self.define(-201, &[0.05, 0.05, kt]);
         self.write(glass, -203, &[1.5, 1.5, 1.52]);
         let kd = self.number(0.1, 0.3);
-        let tinted = self.new(-202, &[kd, 0.1, 0.5, kd, 0.1, 0.4, kd, 0.1, 0.3]);
-        let mirror = self.new(-201, &[0.3, 0.6, 0.0]);
+        let tinted = self.define(-202, &[kd, 0.1, 0.5, kd, 0.1, 0.4, kd, 0.1, 0.3]);
+        let mirror = self.define(-201, &[0.3, 0.6, 0.0]);
         self.optics = vec![glass, tinted, mirror, 0];
         let [a, b] = [0, 1].map(|i| f64::from(self.colours[i]));
-        let board = self.new(-399, &[4.0, 3.0, a, b]);
-        let cubes = self.new(-302, &[b, a, 0.4]);
+        let board = self.define(-399, &[4.0, 3.0, a, b]);
+        let cubes = self.define(-302, &[b, a, 0.4]);
         self.textures = vec![board, cubes, self.colours[2], 0];
     }
 
@@ -184,7 +184,7 @@ impl Maker {
             }
             other => panic!("what is type {other}?"),
         };
-        let id = self.new(code, &numbers);
+        let id = self.define(code, &numbers);
         Object {
             id,
             solid: !matches!(code, 3 | 5..=8),
@@ -245,7 +245,7 @@ impl Maker {
         let kind = self.rng.below(10);
         if kind == 0 || solids.is_empty() {
             let of = pick(&mut self.rng, objects);
-            let id = self.new(-105, &[f64::from(of.id)]);
+            let id = self.define(-105, &[f64::from(of.id)]);
             return Object { id, ..of };
         }
         if kind < 4 {
@@ -255,18 +255,18 @@ impl Maker {
         let (a, b) = (pick(&mut self.rng, &solids), pick(&mut self.rng, &solids));
         let (a, b) = (f64::from(a.id), f64::from(b.id));
         let id = match kind {
-            4..=6 => self.new(-103, &[a, b]),
-            7 | 8 => self.new(-102, &[a, b]),
+            4..=6 => self.define(-103, &[a, b]),
+            7 | 8 => self.define(-102, &[a, b]),
             _ => {
-                let not = self.new(-104, &[b]);
-                self.new(-102, &[a, f64::from(not)])
+                let not = self.define(-104, &[b]);
+                self.define(-102, &[a, f64::from(not)])
             }
         };
         Object { id, solid: true }
     }
 
     fn join(&mut self, a: Object, b: Object) -> Object {
-        let id = self.new(-101, &[f64::from(a.id), f64::from(b.id)]);
+        let id = self.define(-101, &[f64::from(a.id), f64::from(b.id)]);
         Object {
             id,
             solid: a.solid && b.solid,
@@ -275,10 +275,10 @@ impl Maker {
 
     fn view(&mut self, root: Object) {
         let up = self.number(0.0, 3.0);
-        let camera = self.new(-501, &[1.0, up, 9.0, -0.1, -0.1, -1.0, 0.0, 1.0, 0.0, 45.0]);
-        self.new(-502, &[f64::from(camera)]);
-        self.new(-401, &[0.2]);
-        let lamp = self.new(-402, &[0.8]);
+        let camera = self.define(-501, &[1.0, up, 9.0, -0.1, -0.1, -1.0, 0.0, 1.0, 0.0, 45.0]);
+        self.define(-502, &[f64::from(camera)]);
+        self.define(-401, &[0.2]);
+        let lamp = self.define(-402, &[0.8]);
         self.write(lamp, -1, &[4.0, 6.0, 8.0]);
         let background = f64::from(self.colours[0]);
         let mut all = vec![f64::from(root.id), background];

@@ -1,0 +1,212 @@
+//! The unions of a scene and what they are made of, every part in its place.
+
+use std::collections::HashMap;
+
+use super::medium::{Coat, Medium, medium};
+use crate::lint::solids::{Named, named};
+use crate::scene::bounds::NodeBounds;
+use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
+
+/// Nodes gone through more often than once, in scenes that share parts.
+const REPEATED: usize = 200_000;
+
+const NONE: u32 = u32::MAX;
+
+/// A union where it occurs.
+pub(super) struct Place {
+    pub(super) node: NodeId,
+    pub(super) parent: u32,
+    pub(super) depth: u32,
+    /// The topmost union of unions that this is part of.
+    pub(super) top: u32,
+    /// The top of a way down along the larger operands.
+    pub(super) head: u32,
+}
+
+/// A part of a union that is none itself.
+pub(super) struct Part {
+    pub(super) node: NodeId,
+    pub(super) named: Named,
+    /// From its own coordinates into those of the root.
+    pub(super) matrix: Matrix,
+    pub(super) bounds: Aabb,
+    pub(super) medium: u32,
+    pub(super) union: u32,
+    /// What it is part of altogether, where an intersection or a difference may cut something off.
+    pub(super) cut: Option<NodeId>,
+}
+
+pub(super) struct Task {
+    pub(super) node: NodeId,
+    pub(super) matrix: Matrix,
+    pub(super) coat: Coat,
+    pub(super) copy: Option<u32>,
+    pub(super) union: u32,
+    pub(super) root: NodeId,
+    pub(super) cut: bool,
+}
+
+pub(super) struct Unions {
+    pub(super) places: Vec<Place>,
+    /// In the order of their operands.
+    pub(super) parts: Vec<Part>,
+    pub(super) media: Vec<Medium>,
+}
+
+impl Unions {
+    /// Everything that is a part of a union and whose properties show.
+    pub(super) fn new(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Unions {
+        let mut all = Unions {
+            places: Vec::new(),
+            parts: Vec::new(),
+            media: Vec::new(),
+        };
+        let mut known: HashMap<[u64; 12], u32> = HashMap::new();
+        let start = |&node: &NodeId| Task {
+            node,
+            matrix: Matrix::IDENTITY,
+            coat: Coat::default(),
+            copy: None,
+            union: NONE,
+            root: node,
+            cut: false,
+        };
+        let mut todo: Vec<Task> = roots.iter().rev().map(start).collect();
+        let mut left = scene.nodes.len() + REPEATED;
+        while let Some(mut task) = todo.pop() {
+            match left.checked_sub(1) {
+                Some(l) => left = l,
+                None => break,
+            }
+            match scene.nodes[task.node as usize] {
+                Node::Transform { child, matrix } => {
+                    task.matrix = task.matrix.after(&scene.matrices[matrix as usize]);
+                    todo.push(Task {
+                        node: child,
+                        ..task
+                    });
+                }
+                Node::Paint { child, paint } => {
+                    task.coat = task.coat.over(scene, paint);
+                    todo.push(Task {
+                        node: child,
+                        ..task
+                    });
+                }
+                Node::Copy { child, id } => {
+                    task.copy = task.copy.or(Some(id));
+                    todo.push(Task {
+                        node: child,
+                        ..task
+                    });
+                }
+                Node::Union(a, b) => {
+                    let union = all.places.len() as u32;
+                    let above = all.places.get(task.union as usize);
+                    let (depth, top) = above.map_or((0, union), |p| (p.depth + 1, p.top));
+                    all.places.push(Place {
+                        node: task.node,
+                        parent: task.union,
+                        depth,
+                        top,
+                        head: union,
+                    });
+                    for node in [b, a] {
+                        let copy = None;
+                        todo.push(Task {
+                            node,
+                            union,
+                            copy,
+                            ..task
+                        });
+                    }
+                }
+                Node::Shape(s) => {
+                    if scene.shapes[s as usize].geometry.is_solid() {
+                        all.part(scene, bounds, &task, &mut known);
+                    }
+                }
+                Node::Intersection(first, _) | Node::Difference(first, _) => {
+                    all.part(scene, bounds, &task, &mut known);
+                    // What is within is of the first operand.
+                    todo.push(Task {
+                        node: first,
+                        copy: None,
+                        union: NONE,
+                        cut: true,
+                        ..task
+                    });
+                }
+                // What its inside is made of is not to be told.
+                Node::Complement(_) => {}
+            }
+        }
+        all.find_heads();
+        all
+    }
+
+    /// Chains of unions are as deep as they are long: ways along the larger operands are gone at once.
+    pub(super) fn find_heads(&mut self) {
+        let count = self.places.len();
+        let mut weights = vec![1u32; count];
+        let mut larger = vec![NONE; count];
+        // Parents stand before their children.
+        for i in (0..count).rev() {
+            let parent = self.places[i].parent as usize;
+            if let Some(other) = larger.get_mut(parent) {
+                if *other == NONE || weights[*other as usize] < weights[i] {
+                    *other = i as u32;
+                }
+                weights[parent] += weights[i];
+            }
+        }
+        for i in 0..count {
+            let parent = self.places[i].parent;
+            if parent != NONE && larger[parent as usize] == i as u32 {
+                self.places[i].head = self.places[parent as usize].head;
+            }
+        }
+    }
+
+    pub(super) fn part(
+        &mut self,
+        scene: &Scene,
+        bounds: &[NodeBounds],
+        task: &Task,
+        known: &mut HashMap<[u64; 12], u32>,
+    ) {
+        if task.union == NONE {
+            return;
+        }
+        let (Some(mut named), Some(medium)) =
+            (named(scene, task.node), medium(scene, task.node, task.coat))
+        else {
+            return;
+        };
+        named.id = task.copy.unwrap_or(named.id);
+        let media = &mut self.media;
+        let medium = *known.entry(medium.bits()).or_insert_with(|| {
+            media.push(medium);
+            media.len() as u32 - 1
+        });
+        let own = bounds[task.node as usize].all;
+        let bounds = match scene.nodes[task.node as usize] {
+            // Closer than its own box would come, moved.
+            Node::Shape(s) => {
+                crate::scene::bounds::shape_bounds(&scene.shapes[s as usize].geometry, &task.matrix)
+            }
+            _ => own.transformed(&task.matrix),
+        };
+        if !bounds.is_empty() {
+            self.parts.push(Part {
+                node: task.node,
+                named,
+                matrix: task.matrix,
+                bounds,
+                medium,
+                union: task.union,
+                cut: task.cut.then_some(task.root),
+            });
+        }
+    }
+}
