@@ -5,6 +5,7 @@ mod allow;
 mod definite;
 pub mod levels;
 mod parts;
+mod properties;
 mod records;
 mod rules;
 mod solids;

@@ -1,13 +1,12 @@
 //! W308: an intersection whose surface is made of pieces with different properties.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::lint::parts::parts;
-use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Geometry, Node, NodeId, Paint, Scene, Texture};
-use crate::syntax::Record;
-use crate::syntax::table::{Effect, Family};
+use crate::lint::properties::{ASPECTS, Properties, sets};
+use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Geometry, Node, NodeId, Scene, Texture};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -50,9 +49,6 @@ fn is_complement(scene: &Scene, mut node: NodeId) -> bool {
         };
     }
 }
-
-/// Texture, optics, refractive index.
-const ASPECTS: usize = 3;
 
 /// Where all of an object has an aspect from, if it is the same everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,15 +95,6 @@ fn looks(scene: &Scene) -> Vec<[Source; ASPECTS]> {
         });
     }
     looks
-}
-
-/// Which aspects a paint overrides.
-fn sets(paint: &Paint) -> [bool; ASPECTS] {
-    [
-        paint.texture.is_some(),
-        paint.optics.is_some(),
-        paint.index.is_some(),
-    ]
 }
 
 fn same(scene: &Scene, aspect: usize, a: Source, b: Source) -> bool {
@@ -206,74 +193,6 @@ fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagno
             }
         }
         out.push(d);
-    }
-}
-
-/// The records that give properties to objects, and when properties change themselves.
-struct Properties<'a> {
-    given: HashMap<u32, Vec<&'a Record>>,
-    /// The start of the last record with this ID.
-    last: HashMap<u32, u32>,
-}
-
-impl<'a> Properties<'a> {
-    fn new(context: &Context<'a>) -> Self {
-        let mut properties = Properties {
-            given: HashMap::new(),
-            last: HashMap::new(),
-        };
-        for record in context.records() {
-            let family = record.ty.family;
-            if matches!(family, Family::Property | Family::Texture | Family::Colour) {
-                properties.given.entry(record.id).or_default().push(record);
-            }
-            if !matches!(record.ty.effect, Effect::Defines(_)) {
-                properties.last.insert(record.id, record.first);
-            }
-        }
-        properties
-    }
-
-    /// The records that give an operand its properties, once more for the result; `None` if these do
-    /// not make up all that differs, or would no longer mean the same.
-    fn again(
-        &self,
-        context: &Context,
-        operand: u32,
-        node: NodeId,
-        result: u32,
-        differ: [bool; ASPECTS],
-    ) -> Option<Vec<String>> {
-        let scene = context.scene;
-        let mut node = node;
-        while let Node::Transform { child, .. } = scene.nodes[node as usize] {
-            node = child;
-        }
-        let Node::Paint { paint, .. } = scene.nodes[node as usize] else {
-            return None;
-        };
-        let paint = &scene.paints[paint as usize];
-        let set = sets(paint);
-        if paint.owner != operand || (0..ASPECTS).any(|i| differ[i] && !set[i]) {
-            return None;
-        }
-        // Up to the operation, of which the operand's node is a part.
-        let end = scene.origins[node as usize].span.end;
-        let mut lines = Vec::new();
-        for &record in self.given.get(&operand)? {
-            let start = context.document.tokens[record.first as usize].start;
-            if start >= end {
-                break;
-            }
-            let changed = |id: u32| self.last.get(&id).is_some_and(|&at| at > record.first);
-            if context.references(record).any(changed) {
-                return None;
-            }
-            let tokens = context.document.significant(record.first, record.last);
-            let words: Vec<&str> = tokens.skip(1).map(|t| t.text(context.text)).collect();
-            lines.push(format!("{result} {}", words.join(" ")));
-        }
-        Some(lines).filter(|l| !l.is_empty())
     }
 }
 

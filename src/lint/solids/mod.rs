@@ -3,6 +3,7 @@
 pub mod inside;
 pub mod leaf;
 pub mod points;
+pub mod proofs;
 pub mod reach;
 pub mod tree;
 

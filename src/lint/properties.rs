@@ -1,0 +1,88 @@
+//! The records that give objects their properties, for rules that repeat them.
+
+use std::collections::HashMap;
+
+use super::Context;
+use crate::scene::{Node, NodeId, Paint};
+use crate::syntax::Record;
+use crate::syntax::table::{Effect, Family};
+
+/// Texture, optics, refractive index.
+pub const ASPECTS: usize = 3;
+
+/// Which aspects a paint overrides.
+pub fn sets(paint: &Paint) -> [bool; ASPECTS] {
+    [
+        paint.texture.is_some(),
+        paint.optics.is_some(),
+        paint.index.is_some(),
+    ]
+}
+
+/// The records that give properties to objects, and when properties change themselves.
+pub struct Properties<'a> {
+    given: HashMap<u32, Vec<&'a Record>>,
+    /// The start of the last record with this ID.
+    last: HashMap<u32, u32>,
+}
+
+impl<'a> Properties<'a> {
+    pub fn new(context: &Context<'a>) -> Self {
+        let mut properties = Properties {
+            given: HashMap::new(),
+            last: HashMap::new(),
+        };
+        for record in context.records() {
+            let family = record.ty.family;
+            if matches!(family, Family::Property | Family::Texture | Family::Colour) {
+                properties.given.entry(record.id).or_default().push(record);
+            }
+            if !matches!(record.ty.effect, Effect::Defines(_)) {
+                properties.last.insert(record.id, record.first);
+            }
+        }
+        properties
+    }
+
+    /// The records that give an operand its properties, once more for the result; `None` if these do
+    /// not make up all that differs, or would no longer mean the same.
+    pub fn again(
+        &self,
+        context: &Context,
+        operand: u32,
+        node: NodeId,
+        result: u32,
+        differ: [bool; ASPECTS],
+    ) -> Option<Vec<String>> {
+        let scene = context.scene;
+        let mut node = node;
+        while let Node::Transform { child, .. } = scene.nodes[node as usize] {
+            node = child;
+        }
+        let Node::Paint { paint, .. } = scene.nodes[node as usize] else {
+            return None;
+        };
+        let paint = &scene.paints[paint as usize];
+        let set = sets(paint);
+        if paint.owner != operand || (0..ASPECTS).any(|i| differ[i] && !set[i]) {
+            return None;
+        }
+        // Up to the operation, of which the operand's node is a part.
+        let end = scene.origins[node as usize].span.end;
+        let mut lines = Vec::new();
+        for &record in self.given.get(&operand)? {
+            let start = context.document.tokens[record.first as usize].start;
+            if start >= end {
+                break;
+            }
+            let changed = |id: u32| self.last.get(&id).is_some_and(|&at| at > record.first);
+            if context.references(record).any(changed) {
+                return None;
+            }
+            let tokens = context.document.significant(record.first, record.last);
+            let words: Vec<&str> = tokens.skip(1).map(|t| t.text(context.text)).collect();
+            lines.push(format!("{result} {}", words.join(" ")));
+        }
+        Some(lines).filter(|l| !l.is_empty())
+    }
+}
