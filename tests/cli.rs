@@ -117,6 +117,16 @@ fn wrong_usage_is_2() {
 }
 
 #[test]
+fn explain_lists_all_topics() {
+    let dir = folder(&[]);
+    let run = zpg(dir.path(), &["explain"]);
+    assert_eq!(run.status.code(), Some(0));
+    let list = text(&run.stdout);
+    assert!(list.starts_with(" E001  invalid-character\n"));
+    assert!(list.contains("\n W307  overlapping-union\n") && list.contains("\n   11  sphere\n"));
+}
+
+#[test]
 fn explain_suggests() {
     let dir = folder(&[]);
     let run = zpg(dir.path(), &["explain", "chekerboard"]);

@@ -10,6 +10,8 @@ use crate::syntax::table::{RECORD_TYPES, RecordType};
 /// Explain a finding or a record type
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
+Without an argument, all codes and record types are listed.
+
 Examples:
   zpg explain E101            a finding by its code
   zpg explain undefined-id    … or by its name
@@ -18,15 +20,18 @@ Examples:
 pub struct Args {
     /// A code or name of a finding, or a number or keyword of a record type
     #[arg(value_name = "CODE|TYPE", allow_negative_numbers = true)]
-    topic: String,
+    topic: Option<String>,
 }
 
 pub fn run(args: &Args) -> Status {
-    match page(&args.topic) {
+    let Some(topic) = &args.topic else {
+        return terminal::print(Status::Clean, |out| out.write_all(index().as_bytes()));
+    };
+    match page(topic) {
         Some(page) => terminal::print(Status::Clean, |out| out.write_all(page.as_bytes())),
         None => {
-            let mut message = format!("there is no finding or record type `{}`", args.topic);
-            let near = suggestions(&args.topic);
+            let mut message = format!("there is no finding or record type `{topic}`");
+            let near = suggestions(topic);
             if !near.is_empty() {
                 let near: Vec<_> = near.iter().map(|s| format!("`{s}`")).collect();
                 let _ = write!(message, "; did you mean {}?", near.join(" or "));
@@ -35,6 +40,20 @@ pub fn run(args: &Args) -> Status {
             Status::Failure
         }
     }
+}
+
+/// All topics, a line each.
+fn index() -> String {
+    let mut index = String::new();
+    for code in Code::ALL {
+        // Writing to a string cannot fail.
+        let _ = writeln!(index, "{:>5}  {}", code.as_str(), code.name());
+    }
+    index.push('\n');
+    for ty in RECORD_TYPES {
+        let _ = writeln!(index, "{:>5}  {}", ty.code, ty.keyword);
+    }
+    index
 }
 
 /// The page on a topic.
