@@ -7,11 +7,11 @@ use std::path::Path;
 
 use super::Status;
 use super::terminal::{LookChoice, complain, reason, report};
-use crate::config::Configs;
+use crate::config::{ConfigError, Configs};
 use crate::diagnostics::source::{Encoding, MAX_FILE_BYTES};
 use crate::diagnostics::{self, Code, Diagnostic, Severity, SourceFile, Span};
 use crate::lint;
-use crate::lint::levels::Choice;
+use crate::lint::levels::{Choice, Levels};
 use crate::scene::{self, Render, Scene};
 use crate::syntax::{self, Document};
 
@@ -44,6 +44,15 @@ impl fmt::Display for LoadError {
 
 impl std::error::Error for LoadError {}
 
+impl From<ConfigError> for LoadError {
+    fn from(e: ConfigError) -> LoadError {
+        LoadError {
+            path: e.path.to_string_lossy().into_owned(),
+            reason: e.reason,
+        }
+    }
+}
+
 impl Loaded {
     /// Says on standard error what about the scene stands in the way, and where.
     pub fn refuse(&self, file: &Path, span: Span, why: &dyn fmt::Display) {
@@ -61,14 +70,8 @@ impl Loaded {
         if let (Encoding::Windows1250, Some(at)) = (source.encoding, not_utf8) {
             diagnostics.push(not_utf8_note(&source, at));
         }
-        lint::run(
-            &lint::Context {
-                text: &source.text,
-                document: &document,
-                scene: &scene,
-            },
-            &mut diagnostics,
-        );
+        let context = lint::Context::new(&source.text, &document, &scene);
+        lint::run(&context, &mut diagnostics);
         diagnostics::sort(&mut diagnostics);
         Loaded {
             source,
@@ -77,6 +80,13 @@ impl Loaded {
             sound: !diagnostics.iter().any(Diagnostic::is_error),
             diagnostics,
         }
+    }
+
+    /// As [`new`](Self::new), with what settings and the command line make of the findings.
+    pub fn with(name: &Path, bytes: Vec<u8>, levels: &Levels, choice: &Choice) -> Loaded {
+        let mut loaded = Loaded::new(name.to_string_lossy(), bytes);
+        levels.apply(choice, &mut loaded.diagnostics);
+        loaded
     }
 
     /// The render record, for commands that cannot do without one: that it is missing, a warning so
@@ -148,25 +158,14 @@ fn not_utf8_note(source: &SourceFile, byte: usize) -> Diagnostic {
 
 /// Reads a scene file, with the settings of its folder; `-` is standard input.
 pub fn load(path: &Path) -> Result<Loaded, LoadError> {
-    load_with(path, path, &Configs::default(), &Choice::default())
-}
-
-/// As [`load`], for a file that goes by the name `name`, with settings that may be known already and
-/// what the command line says of codes.
-pub fn load_with(
-    path: &Path,
-    name: &Path,
-    configs: &Configs,
-    choice: &Choice,
-) -> Result<Loaded, LoadError> {
-    let config = configs.for_file(name).map_err(|e| LoadError {
-        path: e.path.to_string_lossy().into_owned(),
-        reason: e.reason,
-    })?;
+    let config = Configs::default().for_file(path)?;
     let bytes = read(path)?;
-    let mut loaded = Loaded::new(name.to_string_lossy(), bytes);
-    config.levels.apply(choice, &mut loaded.diagnostics);
-    Ok(loaded)
+    Ok(Loaded::with(
+        path,
+        bytes,
+        &config.levels,
+        &Choice::default(),
+    ))
 }
 
 /// Reads a file's bytes; `-` is standard input.

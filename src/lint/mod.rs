@@ -10,7 +10,10 @@ mod records;
 mod rules;
 mod solids;
 
+use std::cell::OnceCell;
+
 use crate::diagnostics::{Diagnostic, Span};
+use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::record::Params;
 use crate::scene::{Node, Scene};
 use crate::syntax::{Document, Item};
@@ -20,9 +23,24 @@ pub struct Context<'a> {
     pub text: &'a str,
     pub document: &'a Document,
     pub scene: &'a Scene,
+    bounds: OnceCell<Vec<NodeBounds>>,
 }
 
-impl Context<'_> {
+impl<'a> Context<'a> {
+    pub fn new(text: &'a str, document: &'a Document, scene: &'a Scene) -> Context<'a> {
+        Context {
+            text,
+            document,
+            scene,
+            bounds: OnceCell::new(),
+        }
+    }
+
+    /// The bounds of each node, for the rules about geometry.
+    fn bounds(&self) -> &[NodeBounds] {
+        self.bounds.get_or_init(|| node_bounds(self.scene))
+    }
+
     /// The parameters of the record that starts where the span does.
     fn params(&self, span: Span) -> Option<Params<'_>> {
         let items = &self.document.items;

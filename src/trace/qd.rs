@@ -6,7 +6,7 @@
 //! Rump and Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26(6), 2005); u = 2⁻⁵³
 //! below.
 
-use super::dd::Dd;
+use super::dd::{Dd, two_product, two_sum};
 use super::number::Real;
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -18,19 +18,6 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 pub struct Qd([f64; PARTS]);
 
 const PARTS: usize = 4;
-
-/// a + b = s + e exactly (Knuth).
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
-    let s = a + b;
-    let back = s - a;
-    (s, (a - (s - back)) + (b - back))
-}
-
-/// a · b = p + e exactly, short of underflow.
-fn two_product(a: f64, b: f64) -> (f64, f64) {
-    let p = a * b;
-    (p, a.mul_add(b, -p))
-}
 
 impl Qd {
     /// The sum of the terms, the larger ones first as far as that is known: exact but for what is

@@ -1,7 +1,8 @@
 //! Applying fixes until none is left.
 
 use crate::commands::Loaded;
-use crate::diagnostics::{Diagnostic, Fix, Severity, fixes};
+use crate::diagnostics::render::Tally;
+use crate::diagnostics::{Diagnostic, Fix, fixes};
 
 /// Fixes that do harm together are tried one by one, so many of them.
 const TRIED_ALONE: usize = 64;
@@ -30,11 +31,8 @@ fn step(
     unsafe_too: bool,
     again: &impl Fn(Vec<u8>) -> Loaded,
 ) -> Option<(Loaded, usize)> {
-    let fixable = || {
-        let fix = |d: &'_ Diagnostic| d.applicable_fix(unsafe_too).cloned();
-        loaded.diagnostics.iter().filter_map(fix)
-    };
-    let all: Vec<Fix> = fixable().collect();
+    let fix = |d: &Diagnostic| d.applicable_fix(unsafe_too).cloned();
+    let all: Vec<Fix> = loaded.diagnostics.iter().filter_map(fix).collect();
     let try_these = |fixes: &[Fix]| {
         let (text, count) = fixes::apply(&loaded.source.text, fixes.iter());
         if count == 0 {
@@ -51,16 +49,9 @@ fn step(
 
 /// How many errors, warnings, notes and remarks on style there are.
 fn weight(loaded: &Loaded) -> [usize; 4] {
-    let mut weight = [0; 4];
-    for d in &loaded.diagnostics {
-        weight[match d.severity {
-            Severity::Error => 0,
-            Severity::Warning => 1,
-            Severity::Note => 2,
-            Severity::Style => 3,
-        }] += 1;
-    }
-    weight
+    let mut tally = Tally::default();
+    tally.add(&loaded.diagnostics);
+    [tally.errors, tally.warnings, tally.notes, tally.style]
 }
 
 #[cfg(test)]

@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::loaded::STDIN;
+use super::loaded::{self, STDIN};
 use super::rewrite::{diff, replace};
-use super::{LookChoice, Status, complain, load_with, paths, terminal};
+use super::{LoadError, Loaded, LookChoice, Status, complain, paths, terminal};
 use crate::config::Configs;
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::Look;
@@ -165,14 +165,16 @@ impl Checker<'_> {
             Some(name) if is_stdin => name.as_path(),
             _ => path,
         };
-        let mut loaded =
-            load_with(path, name, &self.configs, &self.choice).map_err(|e| e.to_string())?;
+        let words = |e: LoadError| e.to_string();
+        let config = (self.configs.for_file(name)).map_err(|e| words(e.into()))?;
+        let bytes = loaded::read(path).map_err(words)?;
+        let read = |bytes| Loaded::with(name, bytes, &config.levels, &self.choice);
+        let mut loaded = read(bytes);
         let mut data = Vec::new();
         let mut fixed = 0;
         if self.args.fix || self.args.diff {
-            let again = |bytes| self.again(name, bytes);
             let old = loaded.source.text.clone();
-            (loaded, fixed) = fixing::to_fixed_point(loaded, self.args.unsafe_fixes, again);
+            (loaded, fixed) = fixing::to_fixed_point(loaded, self.args.unsafe_fixes, read);
             let source = &loaded.source;
             if self.args.diff {
                 if fixed > 0 {
@@ -206,16 +208,6 @@ impl Checker<'_> {
             statistics,
             fixed,
         })
-    }
-
-    /// The same file with other bytes.
-    fn again(&self, name: &Path, bytes: Vec<u8>) -> super::Loaded {
-        let mut loaded = super::Loaded::new(name.to_string_lossy(), bytes);
-        // The settings could be read before.
-        if let Ok(config) = self.configs.for_file(name) {
-            config.levels.apply(&self.choice, &mut loaded.diagnostics);
-        }
-        loaded
     }
 
     fn print(&self, status: Status, all: Vec<Checked>, total: &Tally) -> Status {

@@ -40,12 +40,11 @@ pub fn run(paths: &[PathBuf], check: impl Fn() -> Status) -> Status {
     };
     loop {
         if io::stdout().is_terminal() {
-            print!("\x1b[2J\x1b[H");
+            let _ = write!(io::stdout(), "\x1b[2J\x1b[H");
         }
         check();
-        // People who watch a pipe want to see when a run is complete.
-        let _ = io::stdout().flush();
-        eprintln!("Watching for changes; Ctrl-C ends it");
+        // Nobody is left to be told when standard error is gone.
+        let _ = writeln!(io::stderr(), "Watching for changes; Ctrl-C ends it");
         if !wait(&changes) {
             return Status::Failure;
         }

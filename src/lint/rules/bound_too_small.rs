@@ -7,7 +7,6 @@ use crate::lint::solids::reach::{
 };
 use crate::lint::solids::{near, tree::Tree};
 use crate::lint::{Context, spelled};
-use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
 use crate::scene::{Aabb, Promise, Volume};
 
@@ -19,7 +18,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if scene.promises.is_empty() {
         return;
     }
-    let bounds = node_bounds(scene);
+    let bounds = context.bounds();
     let mut rays = RAYS;
     let mut nodes = NODES;
     let mut geometry = None;
@@ -32,7 +31,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             Some(left) => nodes = left,
             None => return,
         }
-        let tree = Tree::new(scene, &bounds, &[promise.node]);
+        let tree = Tree::new(scene, bounds, &[promise.node]);
         let reach = match promise.volume {
             Volume::Sphere { centre, .. } => farthest_leaf(scene, &tree, &whole, centre),
             Volume::Box { .. } => f64::INFINITY,

@@ -8,7 +8,6 @@ use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::lint::solids::proofs::{KEPT, Literal, Proofs, Reason};
 use crate::lint::solids::{named, near};
-use crate::scene::bounds::node_bounds;
 use crate::scene::{Node, NodeId, OperationRecord};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -16,8 +15,8 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if scene.operations.is_empty() {
         return;
     }
-    let bounds = node_bounds(scene);
-    let mut proofs = Proofs::new(scene, &bounds);
+    let bounds = context.bounds();
+    let mut proofs = Proofs::new(scene, bounds);
     // What is empty has been spoken of, here or by the rules about shapes.
     let mut empty: Vec<bool> = Vec::with_capacity(scene.nodes.len());
     let mut lists: Vec<Vec<Literal>> = Vec::with_capacity(scene.nodes.len());

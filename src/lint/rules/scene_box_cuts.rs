@@ -9,7 +9,6 @@ use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::lint::solids::reach::{RAYS, Search, WRITTEN, bare, beyond, size, tracer};
 use crate::lint::solids::{near, tree::Tree};
-use crate::scene::bounds::node_bounds;
 use crate::scene::{Aabb, Volume};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -21,7 +20,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(p) = context.params(render.span) else {
         return;
     };
-    let bounds = node_bounds(scene);
+    let bounds = context.bounds();
     let whole = bounds[render.root as usize];
     let clip = Aabb::new(min, max);
     let span = p.span_of(2, 6);
@@ -49,7 +48,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if inside(&whole.bounded) {
         return;
     }
-    let tree = Tree::new(scene, &bounds, &[render.root]);
+    let tree = Tree::new(scene, bounds, &[render.root]);
     let finite = |b: &Aabb| b.is_finite() && !b.is_empty();
     let (ends, endless): (Vec<_>, Vec<_>) = (tree.leaves.iter()).partition(|l| finite(&l.bounds));
     let endless: HashSet<u32> = endless.iter().map(|l| l.id).collect();

@@ -1,5 +1,6 @@
 //! What rules about geometry share: the scene with every shape in its place, and tests of points.
 
+pub mod boxes;
 pub mod inside;
 pub mod leaf;
 pub mod points;

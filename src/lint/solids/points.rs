@@ -1,12 +1,10 @@
 //! Which shapes hold a point.
 
+use super::boxes::Boxes;
 use super::inside::Inside;
 use super::tree::{Answer, Tree};
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Matrix, Scene, Vec3};
-use crate::trace::bounds::Bounds;
-use crate::trace::bvh::Bvh;
-use crate::trace::vec;
+use crate::scene::{Aabb, Matrix, Scene, Vec3};
 
 /// Boxes looked at, for all points together: some tenths of a second.
 const STEPS: usize = 30_000_000;
@@ -18,34 +16,18 @@ pub struct Points<'a> {
     scene: &'a Scene,
     tree: &'a Tree,
     inside: Inside<'a>,
-    finite: Bvh,
-    /// Leaves that have no end.
-    endless: Vec<u32>,
+    boxes: Boxes,
     left: usize,
 }
 
 impl<'a> Points<'a> {
     pub fn new(scene: &'a Scene, bounds: &'a [NodeBounds], tree: &'a Tree) -> Points<'a> {
-        let mut finite = Vec::new();
-        let mut endless = Vec::new();
-        for (i, leaf) in tree.leaves.iter().enumerate() {
-            if leaf.bounds.is_empty() {
-                continue;
-            }
-            match leaf.bounds.is_finite() {
-                true => {
-                    let (min, max) = (vec::Vec3(leaf.bounds.min), vec::Vec3(leaf.bounds.max));
-                    finite.push((i as u32, Bounds::new(min, max)));
-                }
-                false => endless.push(i as u32),
-            }
-        }
+        let leaves = tree.leaves.iter().enumerate();
         Points {
             scene,
             tree,
             inside: Inside::new(scene, bounds),
-            finite: Bvh::new(finite),
-            endless,
+            boxes: Boxes::new(leaves.map(|(i, l)| (i as u32, l.bounds))),
             left: STEPS,
         }
     }
@@ -54,26 +36,7 @@ impl<'a> Points<'a> {
     /// are left.
     pub fn at(&mut self, p: Vec3) -> Option<Vec<(u32, Answer)>> {
         let mut near: Vec<u32> = Vec::new();
-        let mut todo: Vec<u32> = (!self.finite.nodes.is_empty())
-            .then_some(0)
-            .into_iter()
-            .collect();
-        let mut steps = self.endless.len();
-        while let Some(i) = todo.pop() {
-            let node = &self.finite.nodes[i as usize];
-            steps += 1;
-            if (0..3).any(|k| p[k] < node.bounds.min[k] || p[k] > node.bounds.max[k]) {
-                continue;
-            }
-            match node.count {
-                0 => todo.extend([node.index, i + 1]),
-                n => {
-                    let items = node.index as usize..(node.index + n) as usize;
-                    near.extend_from_slice(&self.finite.items[items]);
-                }
-            }
-        }
-        near.extend_from_slice(&self.endless);
+        let mut steps = self.boxes.near(&Aabb::new(p, p), &mut near);
         near.sort_unstable();
         let mut out = Vec::new();
         for i in near {

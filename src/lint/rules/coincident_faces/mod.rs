@@ -21,7 +21,6 @@ use std::collections::BTreeMap;
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::solids::near;
 use crate::lint::{Context, live_nodes};
-use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Node, NodeId, OperationRecord, Scene};
 use face::Part;
@@ -45,10 +44,10 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let live = live_nodes(scene);
-    let bounds = node_bounds(scene);
+    let bounds = context.bounds();
     // One finding for each tool of an operation, however many faces it shares.
     let mut groups: BTreeMap<(NodeId, u32, Case), Vec<Found>> = BTreeMap::new();
-    for found in search(scene, &bounds, &live) {
+    for found in search(scene, bounds, &live) {
         let [tool, other] = found.sides;
         let case = match (tool.cuts, other.cuts) {
             (true, false) => Case::Flush,

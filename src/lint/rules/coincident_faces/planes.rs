@@ -3,11 +3,9 @@
 use super::face::{Face, Form, QUADRIC};
 use super::search::{NEAR, ROUNDING};
 use super::vector::dot;
+use crate::lint::solids::boxes::Boxes;
 use crate::lint::solids::tree::{NONE, Tree};
 use crate::scene::{Aabb, Vec3};
-use crate::trace::bounds::Bounds;
-use crate::trace::bvh::Bvh;
-use crate::trace::vec;
 
 /// Faces and boxes looked at, for all faces together: some tenths of a second. What is not looked at
 /// is not spoken of.
@@ -45,12 +43,7 @@ struct Run {
     start: usize,
     end: usize,
     /// Over the entries from `start` on; made when it is first needed.
-    index: Option<Index>,
-}
-
-struct Index {
-    finite: Bvh,
-    endless: Vec<u32>,
+    index: Option<Boxes>,
 }
 
 /// Where a face is filed: its cell and a number that differs little for faces that differ little,
@@ -205,7 +198,7 @@ fn sorted(mut pairs: Vec<(u32, u32)>, faces: &[Face]) -> Vec<(u32, u32)> {
 }
 
 impl Run {
-    /// Entries whose outlines overlap a box; says how many steps that took.
+    /// Leaves in `out` the entries whose outlines overlap a box; says how many steps that took.
     fn near(&mut self, entries: &[Entry], around: &Aabb, out: &mut Vec<u32>) -> usize {
         let all = self.start as u32..self.end as u32;
         let overlaps = |i: &u32| entries[*i as usize].bounds.overlaps(around);
@@ -217,46 +210,11 @@ impl Run {
         let mut steps = 0;
         let index = self.index.get_or_insert_with(|| {
             steps += all.len() * 4;
-            Index::new(all.clone(), entries)
+            Boxes::new(all.clone().map(|i| (i, entries[i as usize].bounds)))
         });
-        let mut todo: Vec<u32> = (!index.finite.nodes.is_empty())
-            .then_some(0)
-            .into_iter()
-            .collect();
-        while let Some(i) = todo.pop() {
-            let node = &index.finite.nodes[i as usize];
-            steps += 1;
-            let apart =
-                |k: usize| around.max[k] < node.bounds.min[k] || around.min[k] > node.bounds.max[k];
-            if (0..3).any(apart) {
-                continue;
-            }
-            match node.count {
-                0 => todo.extend([node.index, i + 1]),
-                n => {
-                    let items = &index.finite.items[node.index as usize..][..n as usize];
-                    out.extend(items.iter().copied().filter(|i| overlaps(i)));
-                }
-            }
-        }
-        steps += index.endless.len();
-        out.extend(index.endless.iter().copied().filter(|i| overlaps(i)));
+        steps += index.near(around, out);
+        out.retain(overlaps);
         steps
-    }
-}
-
-impl Index {
-    fn new(all: std::ops::Range<u32>, entries: &[Entry]) -> Index {
-        let bounds = |i: u32| &entries[i as usize].bounds;
-        let (finite, endless): (Vec<u32>, Vec<u32>) = all.partition(|&i| bounds(i).is_finite());
-        let boxes = finite.into_iter().map(|i| {
-            let Aabb { min, max } = *bounds(i);
-            (i, Bounds::new(vec::Vec3(min), vec::Vec3(max)))
-        });
-        Index {
-            finite: Bvh::new(boxes.collect()),
-            endless,
-        }
     }
 }
 

@@ -12,7 +12,6 @@ mod unions;
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::solids::{near, operation_of, roots};
 use crate::lint::{Context, live_nodes};
-use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
 use crate::scene::{Node, OperationRecord, Optics};
 use search::{Found, Search};
@@ -27,15 +26,15 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     {
         return;
     }
-    let bounds = node_bounds(scene);
+    let bounds = context.bounds();
     let roots = roots(scene, &live_nodes(scene));
-    let unions = Unions::new(scene, &bounds, &roots);
-    let mut search = Search::new(scene, &unions, &bounds);
+    let unions = Unions::new(scene, bounds, &roots);
+    let mut search = Search::new(scene, &unions, bounds);
     let found = search.all();
     if found.is_empty() {
         return;
     }
-    let mut splitter = Splitter::new(context, &bounds);
+    let mut splitter = Splitter::new(context, bounds);
     for found in found {
         if let Some(record) = operation_of(scene, found.union)
             && let Some(p) = context.params(record.span)

@@ -3,12 +3,10 @@
 use std::collections::HashSet;
 
 use super::unions::{Part, Unions};
+use crate::lint::solids::boxes::Boxes;
 use crate::lint::solids::inside::Inside;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Matrix, NodeId, Scene, Vec3};
-use crate::trace::bounds::Bounds;
-use crate::trace::bvh::Bvh;
-use crate::trace::vec;
 
 /// Boxes looked at and steps up the unions, for all parts together: some hundredths of a second.
 const STEPS: usize = 10_000_000;
@@ -31,12 +29,12 @@ pub(super) struct Found {
 }
 
 pub(super) struct Search<'a> {
-    pub(super) scene: &'a Scene,
-    pub(super) unions: &'a Unions,
-    pub(super) inside: Inside<'a>,
-    pub(super) left: usize,
+    scene: &'a Scene,
+    unions: &'a Unions,
+    inside: Inside<'a>,
+    left: usize,
     /// Unions that have been spoken of.
-    pub(super) done: HashSet<NodeId>,
+    done: HashSet<NodeId>,
 }
 
 impl<'a> Search<'a> {
@@ -60,27 +58,23 @@ impl<'a> Search<'a> {
         if unions.media.len() < 2 || !unions.parts.iter().any(transmits) {
             return Vec::new();
         }
-        let (mut finite, mut endless) = (Vec::new(), Vec::new());
-        for (i, part) in unions.parts.iter().enumerate() {
-            match part.bounds.is_finite() {
-                true => {
-                    let (min, max) = (vec::Vec3(part.bounds.min), vec::Vec3(part.bounds.max));
-                    finite.push((i as u32, Bounds::new(min, max)));
-                }
-                false => endless.push(i as u32),
-            }
-        }
-        let tree = Bvh::new(finite);
+        let parts = unions.parts.iter().enumerate();
+        let boxes = Boxes::new(parts.map(|(i, p)| (i as u32, p.bounds)));
         let mut found = Vec::new();
         for (i, part) in unions.parts.iter().enumerate() {
             let i = i as u32;
-            let near = match part.bounds.is_finite() {
-                true => self.near(&tree, &part.bounds, &endless),
+            let mut near = Vec::new();
+            let steps = match part.bounds.is_finite() {
+                true => boxes.near(&part.bounds, &mut near),
                 // Two without end: no place to look at.
-                false if transmits(part) => self.near(&tree, &part.bounds, &[]),
-                false => Some(Vec::new()),
+                false if transmits(part) => boxes.near_finite(&part.bounds, &mut near),
+                false => 0,
             };
-            let Some(near) = near else { break };
+            near.retain(|&j| unions.parts[j as usize].bounds.overlaps(&part.bounds));
+            match self.left.checked_sub(steps + 1) {
+                Some(left) => self.left = left,
+                None => break,
+            }
             for j in near {
                 let other = &unions.parts[j as usize];
                 // Each pair once.
@@ -99,32 +93,6 @@ impl<'a> Search<'a> {
             }
         }
         found
-    }
-
-    /// Parts whose boxes overlap a box; `None` when no steps are left.
-    fn near(&mut self, tree: &Bvh, b: &Aabb, endless: &[u32]) -> Option<Vec<u32>> {
-        let mut near = Vec::new();
-        let mut steps = 1 + endless.len();
-        let mut todo: Vec<u32> = (!tree.nodes.is_empty()).then_some(0).into_iter().collect();
-        while let Some(i) = todo.pop() {
-            let node = &tree.nodes[i as usize];
-            steps += 1;
-            let apart = |k: usize| b.max[k] < node.bounds.min[k] || node.bounds.max[k] < b.min[k];
-            if (0..3).any(apart) {
-                continue;
-            }
-            match node.count {
-                0 => todo.extend([node.index, i + 1]),
-                n => {
-                    let items = node.index as usize..(node.index + n) as usize;
-                    near.extend_from_slice(&tree.items[items]);
-                }
-            }
-        }
-        near.extend_from_slice(endless);
-        near.retain(|&j| self.unions.parts[j as usize].bounds.overlaps(b));
-        self.left = self.left.checked_sub(steps)?;
-        Some(near)
     }
 
     fn pair(&mut self, pair: [u32; 2]) -> Option<Found> {

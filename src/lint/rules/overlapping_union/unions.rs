@@ -36,14 +36,14 @@ pub(super) struct Part {
     pub(super) cut: Option<NodeId>,
 }
 
-pub(super) struct Task {
-    pub(super) node: NodeId,
-    pub(super) matrix: Matrix,
-    pub(super) coat: Coat,
-    pub(super) copy: Option<u32>,
-    pub(super) union: u32,
-    pub(super) root: NodeId,
-    pub(super) cut: bool,
+struct Task {
+    node: NodeId,
+    matrix: Matrix,
+    coat: Coat,
+    copy: Option<u32>,
+    union: u32,
+    root: NodeId,
+    cut: bool,
 }
 
 pub(super) struct Unions {
@@ -146,7 +146,7 @@ impl Unions {
     }
 
     /// Chains of unions are as deep as they are long: ways along the larger operands are gone at once.
-    pub(super) fn find_heads(&mut self) {
+    fn find_heads(&mut self) {
         let count = self.places.len();
         let mut weights = vec![1u32; count];
         let mut larger = vec![NONE; count];
@@ -168,7 +168,7 @@ impl Unions {
         }
     }
 
-    pub(super) fn part(
+    fn part(
         &mut self,
         scene: &Scene,
         bounds: &[NodeBounds],

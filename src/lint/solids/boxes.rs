@@ -1,0 +1,93 @@
+//! Boxes to be looked up by where they are.
+
+use crate::scene::Aabb;
+use crate::trace::bounds::Bounds;
+use crate::trace::bvh::Bvh;
+use crate::trace::vec::Vec3;
+
+/// Numbered boxes: a hierarchy of those that end, and the others. Empty ones are nowhere.
+pub struct Boxes {
+    finite: Bvh,
+    endless: Vec<u32>,
+}
+
+impl Boxes {
+    pub fn new(all: impl Iterator<Item = (u32, Aabb)>) -> Boxes {
+        let mut finite = Vec::new();
+        let mut endless = Vec::new();
+        for (i, b) in all.filter(|(_, b)| !b.is_empty()) {
+            match b.is_finite() {
+                true => finite.push((i, Bounds::new(Vec3(b.min), Vec3(b.max)))),
+                false => endless.push(i),
+            }
+        }
+        Boxes {
+            finite: Bvh::new(finite),
+            endless,
+        }
+    }
+
+    /// Adds the numbers of all boxes that may overlap or touch one; says how many steps that took.
+    pub fn near(&self, around: &Aabb, out: &mut Vec<u32>) -> usize {
+        let steps = self.near_finite(around, out);
+        out.extend_from_slice(&self.endless);
+        steps + self.endless.len()
+    }
+
+    /// As [`near`](Self::near), of those that end.
+    pub fn near_finite(&self, around: &Aabb, out: &mut Vec<u32>) -> usize {
+        let tree = &self.finite;
+        let mut steps = 0;
+        let mut todo: Vec<u32> = (!tree.nodes.is_empty()).then_some(0).into_iter().collect();
+        while let Some(i) = todo.pop() {
+            let node = &tree.nodes[i as usize];
+            steps += 1;
+            let apart =
+                |k: usize| around.max[k] < node.bounds.min[k] || node.bounds.max[k] < around.min[k];
+            if (0..3).any(apart) {
+                continue;
+            }
+            match node.count {
+                0 => todo.extend([node.index, i + 1]),
+                n => {
+                    let items = node.index as usize..(node.index + n) as usize;
+                    out.extend_from_slice(&tree.items[items]);
+                }
+            }
+        }
+        steps
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_touches_is_near_and_what_is_empty_is_nowhere() {
+        let row = (0..100u32).map(|i| {
+            let x = 2.0 * f64::from(i);
+            (i, Aabb::new([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]))
+        });
+        let others = [
+            (100, Aabb::new([0.0; 3], [f64::INFINITY; 3])),
+            (101, Aabb::EMPTY),
+        ];
+        let boxes = Boxes::new(row.chain(others));
+        let around = Aabb::new([41.0, 0.5, 1.0], [44.0, 0.5, 3.0]);
+        let mut near = Vec::new();
+        let steps = boxes.near(&around, &mut near);
+        // A leaf's boxes come together; the tree is no deeper than its halves.
+        assert!(
+            [20, 21, 22, 100].iter().all(|i| near.contains(i)),
+            "{near:?}"
+        );
+        assert!(
+            near.len() <= 16 && !near.contains(&101) && steps < 40,
+            "{near:?}, {steps}"
+        );
+        near.clear();
+        boxes.near_finite(&Aabb::new([0.0, 1.5, 0.0], [9.0, 2.0, 1.0]), &mut near);
+        assert!(near.is_empty());
+    }
+}
