@@ -37,13 +37,11 @@ impl<'a> Points<'a> {
     pub fn at(&mut self, p: Vec3) -> Option<Vec<(u32, Answer)>> {
         let mut near: Vec<u32> = Vec::new();
         let mut steps = self.boxes.near(&Aabb::new(p, p), &mut near);
+        near.retain(|&i| self.tree.leaves[i as usize].bounds.contains(p));
         near.sort_unstable();
         let mut out = Vec::new();
         for i in near {
             let leaf = &self.tree.leaves[i as usize];
-            if !leaf.bounds.contains(p) {
-                continue;
-            }
             steps += SHAPE_COST;
             let local = local(&leaf.matrix, p)?;
             let answer = match leaf.shape {
