@@ -9,7 +9,6 @@
 //! ```
 
 use std::collections::{BTreeMap, HashMap};
-use std::fmt;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -17,7 +16,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::lint::levels::{Level, Levels, Selector};
+use crate::diagnostics::Complaint;
+use crate::lint::levels::{Level, Levels, Selector, UnknownCode};
 
 /// What the file is called.
 const NAME: &str = "zpg.toml";
@@ -32,16 +32,17 @@ pub struct Config {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConfigError {
     pub path: PathBuf,
-    pub reason: String,
+    pub reason: Complaint,
 }
 
-impl fmt::Display for ConfigError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.path.display(), self.reason)
+impl ConfigError {
+    /// What to say about it.
+    pub fn complaint(self) -> Complaint {
+        Complaint::new("cannot-read")
+            .with("path", self.path.as_path())
+            .with("reason", self.reason)
     }
 }
-
-impl std::error::Error for ConfigError {}
 
 /// The file as it is written.
 #[derive(Deserialize)]
@@ -57,16 +58,21 @@ impl Config {
     /// # Errors
     ///
     /// What is wrong with the text, and in which line.
-    pub fn parse(text: &str) -> Result<Config, String> {
-        let written: Written = toml::from_str(text).map_err(|e| e.to_string())?;
+    pub fn parse(text: &str) -> Result<Config, Complaint> {
+        let written: Written = toml::from_str(text).map_err(Complaint::quoted)?;
         let mut chosen: Vec<(Selector, Level)> = Vec::new();
         for (name, level) in written.lint {
             let line = text[..name.span().start].matches('\n').count() + 1;
+            let in_line = |why: Complaint| {
+                Complaint::new("in-line")
+                    .with("line", line.to_string())
+                    .with("why", why)
+            };
             let codes: Selector =
-                (name.as_ref().parse()).map_err(|e| format!("line {line}: {e}"))?;
+                (name.as_ref().parse()).map_err(|e: UnknownCode| in_line(e.complaint()))?;
             if let Some(code) = codes.fixed_error().filter(|_| level != Level::Error) {
-                let code = code.as_str();
-                return Err(format!("line {line}: {code} is always an error"));
+                let why = Complaint::new("always-error").with("code", code.as_str());
+                return Err(in_line(why));
             }
             chosen.push((codes, level));
         }
@@ -119,7 +125,7 @@ fn nearest(folder: &Path) -> Found {
             }
             Err(e) if matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {}
             Err(e) => {
-                let reason = e.to_string();
+                let reason = Complaint::from(&e);
                 return Err(ConfigError { path, reason });
             }
         }
@@ -130,7 +136,7 @@ fn nearest(folder: &Path) -> Found {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostics::{Code, Diagnostic, Severity, Span};
+    use crate::diagnostics::{Code, Diagnostic, Language, Severity, Span};
     use crate::lint::levels::Choice;
 
     fn severity(config: &Config, code: Code) -> Option<Severity> {
@@ -150,7 +156,7 @@ mod tests {
 
     #[test]
     fn mistakes_name_their_line() {
-        let says = |text: &str| Config::parse(text).unwrap_err();
+        let says = |text: &str| Config::parse(text).unwrap_err().wording(Language::English);
         assert!(says("\n[lint]\nW399 = \"off\"\n").starts_with("line 3: there is no code"));
         assert_eq!(
             says("[lint]\nE101 = \"off\"\n"),

@@ -55,8 +55,8 @@ fn main() -> ExitCode {
         Command::Render(args) => render::run(args, cli.look),
         Command::Probe(args) => probe::run(args, cli.look),
         Command::Plan(args) => plan::run(args, cli.look),
-        Command::Explain(args) => explain::run(args),
-        Command::Completions(args) => completions::run(args, Cli::command()),
+        Command::Explain(args) => explain::run(args, cli.look),
+        Command::Completions(args) => completions::run(args, Cli::command(), cli.look),
     };
     status.into()
 }

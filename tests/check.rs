@@ -25,7 +25,9 @@ fn zpg(folder: &Path, args: &[&str], input: &str) -> Output {
 fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let dir = tempfile::tempdir().unwrap();
     for (name, text) in files {
-        fs::write(dir.path().join(name), text).unwrap();
+        let path = dir.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
     }
     dir
 }
@@ -208,6 +210,45 @@ fn messages_in_czech() {
     assert_eq!(first["labels"].as_array().unwrap().len(), 0);
     let run = zpg(dir.path(), &["render", "--lang", "cs", "a.zpg"], "");
     assert!(text(&run.stderr).contains("Nalezeno: 1 chyba"));
+}
+
+#[test]
+fn complaints_in_czech() {
+    let dir = folder(&[
+        ("a.zpg", SCENE),
+        ("b/a.zpg", SCENE),
+        ("b/zpg.toml", "[lint]\nW30 = \"off\"\nE101 = \"off\"\n"),
+    ]);
+    for (args, complaint) in [
+        (
+            &["check", "c.zpg"][..],
+            "c.zpg nelze přečíst: soubor nebo složka neexistuje",
+        ),
+        (
+            &["check", "--ignore", "E101", "a.zpg"],
+            "E101 je vždy chyba a nelze ji vynechat",
+        ),
+        (
+            &["check", "b"],
+            "zpg.toml nelze přečíst: řádek 3: E101 je vždy chyba",
+        ),
+        (
+            &["check", "--watch", "-"],
+            "standardní vstup nelze sledovat",
+        ),
+        (
+            &["explain", "W999"],
+            "žádný nález ani typ záznamu se nejmenuje `W999`",
+        ),
+    ] {
+        let run = zpg(dir.path(), &[args, &["--lang", "cs"]].concat(), "");
+        let said = text(&run.stderr);
+        assert!(
+            said.starts_with("chyba: ") && said.contains(complaint),
+            "{said}"
+        );
+        assert_eq!(run.status.code(), Some(2));
+    }
 }
 
 #[test]

@@ -9,8 +9,14 @@ use fluent_syntax::ast::{
 use zpg::diagnostics::{Code, Language, Value};
 use zpg::syntax::table::{Effect, Kind, ParamKind, RECORD_TYPES};
 
-const ENGLISH: &str = include_str!("../src/diagnostics/messages/en.ftl");
-const CZECH: &str = include_str!("../src/diagnostics/messages/cs.ftl");
+const ENGLISH: &str = concat!(
+    include_str!("../src/diagnostics/messages/en.ftl"),
+    include_str!("../src/diagnostics/messages/complaints.en.ftl"),
+);
+const CZECH: &str = concat!(
+    include_str!("../src/diagnostics/messages/cs.ftl"),
+    include_str!("../src/diagnostics/messages/complaints.cs.ftl"),
+);
 const CZECH_TERMS: &str = include_str!("../src/diagnostics/messages/terms.cs.ftl");
 
 /// Messages and, as `message.attribute`, their attributes; with the places of each.

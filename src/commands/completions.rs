@@ -2,7 +2,7 @@
 
 use clap_complete::Shell;
 
-use super::{Status, terminal};
+use super::{LookChoice, Status, terminal};
 
 /// Print a script that completes this command line in a shell
 #[derive(Debug, clap::Args)]
@@ -18,9 +18,9 @@ pub struct Args {
 }
 
 /// Prints the script for the given command line.
-pub fn run(args: &Args, mut command: clap::Command) -> Status {
+pub fn run(args: &Args, mut command: clap::Command, look: LookChoice) -> Status {
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut command, name, &mut script);
-    terminal::print(Status::Clean, |out| out.write_all(&script))
+    terminal::print(look, Status::Clean, |out| out.write_all(&script))
 }

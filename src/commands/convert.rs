@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::draft::{Draft, unwritable};
 use super::size::Size;
 use super::{LookChoice, Status, complain, load_sound};
+use crate::diagnostics::Complaint;
 use crate::translate::{Report, Translation, Unsupported, pov};
 
 /// Translate a scene for another program
@@ -49,13 +50,13 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Err(status) => return status,
     };
     match translate(args, &loaded.scene) {
-        Ok(translation) => deliver(args, &translation),
+        Ok(translation) => deliver(args, &translation, look),
         Err(unsupported) => {
             let at = unsupported.span.map(|s| loaded.source.position(s.start));
             let place = at.map_or(String::new(), |p| {
                 format!("{}:{}:{}: ", loaded.source.path, p.line, p.column)
             });
-            complain(&format!("{place}{unsupported}"));
+            complain(look, &Complaint::quoted(format!("{place}{unsupported}")));
             Status::Negative
         }
     }
@@ -74,7 +75,7 @@ fn translate(args: &Args, scene: &crate::scene::Scene) -> Result<Translation, Un
 }
 
 /// Writes the translation and its report.
-fn deliver(args: &Args, translation: &Translation) -> Status {
+fn deliver(args: &Args, translation: &Translation, look: LookChoice) -> Status {
     let written = match &args.output {
         Some(path) => write_file(path, &translation.text).map_err(|e| (path.clone(), e)),
         None => match io::stdout().lock().write_all(translation.text.as_bytes()) {
@@ -94,7 +95,7 @@ fn deliver(args: &Args, translation: &Translation) -> Status {
     match written {
         Ok(()) => Status::Clean,
         Err((path, e)) => {
-            complain(&unwritable(&path, &e));
+            complain(look, &unwritable(&path, &e));
             Status::Failure
         }
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use super::terminal::reason;
+use crate::diagnostics::Complaint;
 
 /// A file under way.
 pub enum Draft {
@@ -60,7 +60,9 @@ impl Draft {
     }
 }
 
-/// Why a file could not be written, for people.
-pub fn unwritable(path: &Path, error: &io::Error) -> String {
-    format!("cannot write {}: {}", path.display(), reason(error))
+/// A file cannot be written.
+pub fn unwritable(path: &Path, error: &io::Error) -> Complaint {
+    Complaint::new("cannot-write")
+        .with("path", path)
+        .with("reason", Complaint::from(error))
 }

@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
-use super::{Status, complain, terminal};
-use crate::diagnostics::Code;
+use super::{LookChoice, Status, complain, terminal};
+use crate::diagnostics::{Code, Complaint, Value};
 use crate::syntax::describe::Group;
+use crate::syntax::quote;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
 
 /// Explain a finding or a record type
@@ -23,20 +24,27 @@ pub struct Args {
     topic: Option<String>,
 }
 
-pub fn run(args: &Args) -> Status {
+pub fn run(args: &Args, look: LookChoice) -> Status {
     let Some(topic) = &args.topic else {
-        return terminal::print(Status::Clean, |out| out.write_all(index().as_bytes()));
+        return terminal::print(look, Status::Clean, |out| out.write_all(index().as_bytes()));
     };
     match page(topic) {
-        Some(page) => terminal::print(Status::Clean, |out| out.write_all(page.as_bytes())),
+        Some(page) => terminal::print(look, Status::Clean, |out| out.write_all(page.as_bytes())),
         None => {
-            let mut message = format!("there is no finding or record type `{topic}`");
-            let near = suggestions(topic);
-            if !near.is_empty() {
-                let near: Vec<_> = near.iter().map(|s| format!("`{s}`")).collect();
-                let _ = write!(message, "; did you mean {}?", near.join(" or "));
-            }
-            complain(&message);
+            let near = suggestions(topic)
+                .into_iter()
+                .map(|s| Value::Text(format!("`{s}`")));
+            let near = near.reduce(|first, last| {
+                Complaint::new("list-or")
+                    .with("first", first)
+                    .with("last", last)
+                    .into()
+            });
+            let complaint = match near {
+                Some(near) => Complaint::new("no-topic-near").with("near", near),
+                None => Complaint::new("no-topic"),
+            };
+            complain(look, &complaint.with("text", quote(topic)));
             Status::Failure
         }
     }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::loaded::{self, STDIN};
 use super::rewrite::{diff, replace};
 use super::{LookChoice, Status, complain, paths, terminal};
-use crate::diagnostics::SourceFile;
+use crate::diagnostics::{Complaint, SourceFile};
 use crate::{format, syntax};
 
 /// Format scenes, one record a line
@@ -54,15 +54,15 @@ struct Formatted {
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
-    let found = paths::expand(&args.paths);
+    let found = paths::expand(&args.paths, look);
     let colour = look.colour(&io::stdout());
     let formatted: Vec<Formatted> = found
         .files
         .par_iter()
         .map(|path| match format_file(path, args, colour) {
             Ok(formatted) => formatted,
-            Err(message) => {
-                complain(&message);
+            Err(complaint) => {
+                complain(look, &complaint);
                 Formatted {
                     outcome: Outcome::Failed,
                     output: Vec::new(),
@@ -84,7 +84,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     };
     // Where standard output carries a scene or a diff, it carries nothing else.
     let carries_data = args.diff || found.files.iter().any(|f| f.as_os_str() == STDIN);
-    terminal::print(status, |out| {
+    terminal::print(look, status, |out| {
         for file in &formatted {
             out.write_all(&file.output)?;
         }
@@ -116,9 +116,9 @@ fn summary(
     }
 }
 
-/// Formats one file; the error is a message for people.
-fn format_file(path: &Path, args: &Args, colour: bool) -> Result<Formatted, String> {
-    let bytes = loaded::read(path).map_err(|e| e.to_string())?;
+/// Formats one file.
+fn format_file(path: &Path, args: &Args, colour: bool) -> Result<Formatted, Complaint> {
+    let bytes = loaded::read(path)?;
     let is_stdin = path.as_os_str() == STDIN;
     let source = SourceFile::new(path.to_string_lossy(), bytes);
     let text = format_text(&source)?;
@@ -138,26 +138,19 @@ fn format_file(path: &Path, args: &Args, colour: bool) -> Result<Formatted, Stri
     } else if is_stdin {
         output = source.encode(&text);
     } else if changed {
-        replace(path, &source.encode(&text)).map_err(|e| {
-            let reason = terminal::reason(&e);
-            format!("cannot write {}: {reason}", source.path)
-        })?;
+        replace(path, &source.encode(&text))?;
     }
     Ok(Formatted { outcome, output })
 }
 
 /// The formatted text. A formatter must not change what a scene says: that is not left to trust.
-fn format_text(source: &SourceFile) -> Result<String, String> {
+fn format_text(source: &SourceFile) -> Result<String, Complaint> {
     let (document, _) = syntax::parse(&source.text);
     let text = format::format(&source.text, &document);
     if text != source.text {
         let (again, _) = syntax::parse(&text);
         if !format::same_content((&source.text, &document), (&text, &again)) {
-            return Err(format!(
-                "{} is left as it is: its mistakes would be read differently in another layout \
-                 (`zpg check` shows them)",
-                source.path
-            ));
+            return Err(Complaint::new("not-formatted").with("path", source.path.clone()));
         }
     }
     Ok(text)

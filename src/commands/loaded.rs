@@ -1,15 +1,14 @@
 //! Reading a scene file as far as it goes.
 
-use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
 use super::Status;
-use super::terminal::{LookChoice, complain, reason, report};
-use crate::config::{ConfigError, Configs};
+use super::terminal::{LookChoice, complain, report};
+use crate::config::Configs;
 use crate::diagnostics::source::{Encoding, MAX_FILE_BYTES};
-use crate::diagnostics::{self, Code, Diagnostic, Severity, SourceFile, Span};
+use crate::diagnostics::{self, Code, Complaint, Diagnostic, Severity, SourceFile, Span};
 use crate::lint;
 use crate::lint::levels::{Choice, Levels};
 use crate::scene::{self, Render, Scene};
@@ -29,36 +28,16 @@ pub struct Loaded {
     pub sound: bool,
 }
 
-/// Why a file could not be read at all.
-#[derive(Debug)]
-pub struct LoadError {
-    path: String,
-    reason: String,
-}
-
-impl fmt::Display for LoadError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "cannot read {}: {}", self.path, self.reason)
-    }
-}
-
-impl std::error::Error for LoadError {}
-
-impl From<ConfigError> for LoadError {
-    fn from(e: ConfigError) -> LoadError {
-        LoadError {
-            path: e.path.to_string_lossy().into_owned(),
-            reason: e.reason,
-        }
-    }
-}
-
 impl Loaded {
     /// Says on standard error what about the scene stands in the way, and where.
-    pub fn refuse(&self, file: &Path, span: Span, why: &dyn fmt::Display) {
+    pub fn refuse(&self, file: &Path, span: Span, why: Complaint, look: LookChoice) {
         let place = self.source.position(span.start);
-        let (line, column) = (place.line, place.column);
-        complain(&format!("{}:{line}:{column}: {why}", file.display()));
+        let complaint = Complaint::new("at-place")
+            .with("path", file)
+            .with("line", place.line.to_string())
+            .with("column", place.column.to_string())
+            .with("why", why);
+        complain(look, &complaint);
     }
 
     /// Reads a scene from the bytes of its file; never fails.
@@ -135,7 +114,7 @@ pub fn load_sound(path: &Path, look: LookChoice) -> Result<Loaded, Status> {
 /// As [`load_sound`], for a command that can do without some things; nothing is said about these.
 pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Loaded, Status> {
     let mut loaded = load(path).map_err(|e| {
-        complain(&e.to_string());
+        complain(look, &e);
         Status::Failure
     })?;
     let complete = !needs.render || loaded.require_render().is_some();
@@ -157,8 +136,8 @@ fn not_utf8_note(source: &SourceFile, byte: usize) -> Diagnostic {
 }
 
 /// Reads a scene file, with the settings of its folder; `-` is standard input.
-pub fn load(path: &Path) -> Result<Loaded, LoadError> {
-    let config = Configs::default().for_file(path)?;
+pub fn load(path: &Path) -> Result<Loaded, Complaint> {
+    let config = (Configs::default().for_file(path)).map_err(|e| e.complaint())?;
     let bytes = read(path)?;
     Ok(Loaded::with(
         path,
@@ -169,16 +148,11 @@ pub fn load(path: &Path) -> Result<Loaded, LoadError> {
 }
 
 /// Reads a file's bytes; `-` is standard input.
-pub fn read(path: &Path) -> Result<Vec<u8>, LoadError> {
-    let error = |reason| LoadError {
-        path: path.to_string_lossy().into_owned(),
-        reason,
-    };
+pub fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
+    let error = |reason: Complaint| unreadable(path, reason);
     let too_large = || {
-        error(format!(
-            "it is larger than {} GiB",
-            MAX_FILE_BYTES.div_ceil(1 << 30)
-        ))
+        let size = MAX_FILE_BYTES.div_ceil(1 << 30).to_string();
+        error(Complaint::new("too-large").with("size", size))
     };
     let result = if path.as_os_str() == STDIN {
         read_limited(io::stdin().lock())
@@ -194,8 +168,15 @@ pub fn read(path: &Path) -> Result<Vec<u8>, LoadError> {
     match result {
         Ok(Some(bytes)) => Ok(bytes),
         Ok(None) => Err(too_large()),
-        Err(e) => Err(error(reason(&e))),
+        Err(e) => Err(error((&e).into())),
     }
+}
+
+/// A file cannot be read.
+pub fn unreadable(path: &Path, reason: Complaint) -> Complaint {
+    Complaint::new("cannot-read")
+        .with("path", path)
+        .with("reason", reason)
 }
 
 /// Reads everything, or nothing when there is more than may be.

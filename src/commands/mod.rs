@@ -21,7 +21,7 @@ mod rewrite;
 pub mod size;
 pub mod terminal;
 
-pub use loaded::{LoadError, Loaded, Needs, load, load_for, load_sound};
+pub use loaded::{Loaded, Needs, load, load_for, load_sound};
 pub use terminal::{LookChoice, complain, report};
 
 /// How a command ended; its number is the exit status.

@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 
 use ignore::WalkBuilder;
 
-use super::terminal::complain;
+use super::loaded::unreadable;
+use super::terminal::{LookChoice, complain, warn};
+use crate::diagnostics::Complaint;
 
 /// The extension of scene files.
 const EXTENSION: &str = "zpg";
@@ -21,14 +23,17 @@ pub struct Files {
 
 /// Expands folders to their `*.zpg`, recursively, without what `.gitignore` and its kin exclude.
 /// A file is taken whatever it is called, even one that does not exist: reading it will tell.
-pub fn expand(paths: &[PathBuf]) -> Files {
+pub fn expand(paths: &[PathBuf], look: LookChoice) -> Files {
     let mut found = Files::default();
     let mut seen = HashSet::new();
     for path in paths {
         if path.is_dir() {
-            let mut scenes = scenes_in(path, &mut found.failed);
+            let mut scenes = scenes_in(path, &mut found.failed, look);
             if scenes.is_empty() {
-                super::terminal::warn(&format!("no scene files (*.zpg) in {}", path.display()));
+                warn(
+                    look,
+                    &Complaint::new("no-scenes").with("path", path.as_path()),
+                );
             }
             scenes.sort();
             found.files.extend(scenes);
@@ -40,7 +45,7 @@ pub fn expand(paths: &[PathBuf]) -> Files {
     found
 }
 
-fn scenes_in(folder: &Path, failed: &mut bool) -> Vec<PathBuf> {
+fn scenes_in(folder: &Path, failed: &mut bool, look: LookChoice) -> Vec<PathBuf> {
     let mut scenes = Vec::new();
     for entry in WalkBuilder::new(folder).require_git(false).build() {
         match entry {
@@ -55,7 +60,7 @@ fn scenes_in(folder: &Path, failed: &mut bool) -> Vec<PathBuf> {
                 }
             }
             Err(e) => {
-                complain(&e.to_string());
+                complain(look, &unreadable(folder, Complaint::quoted(e)));
                 *failed = true;
             }
         }
@@ -78,7 +83,7 @@ mod tests {
             fs::write(at(name), "").unwrap();
         }
         let paths = [at("sub/c.zpg"), dir.path().to_owned(), at("d.txt")];
-        let found = expand(&paths);
+        let found = expand(&paths, LookChoice::default());
         let expected = ["sub/c.zpg", "a.zpg", "b.zpg", "d.txt"].map(at);
         assert_eq!(found.files, expected);
         assert!(!found.failed);

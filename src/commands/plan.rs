@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
+use super::terminal::unprintable;
 use super::{LookChoice, Status, complain, load_sound};
 use crate::diagnostics::SourceFile;
 use crate::trace::Unsupported;
@@ -76,7 +77,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Err(status) => return status,
     };
     let Some(plan) = Plan::new(&loaded.scene) else {
-        complain(&Unsupported::nothing().to_string());
+        complain(look, &Unsupported::nothing().complaint());
         return Status::Negative;
     };
     let decisions = plan.effects.iter();
@@ -98,7 +99,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         // Nobody reads any more.
         Err(e) if e.kind() == io::ErrorKind::BrokenPipe => Status::Clean,
         Err(e) => {
-            complain(&format!("cannot write: {e}"));
+            complain(look, &unprintable(&e));
             Status::Failure
         }
         Ok(()) => Status::Clean,

@@ -8,12 +8,11 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use super::loaded::STDIN;
+use super::loaded::{STDIN, unreadable};
 use super::size::Size;
-use super::terminal::{print, reason};
+use super::terminal::print;
 use super::{Loaded, LookChoice, Needs, Status, complain, load_for, report};
-use crate::diagnostics::wording::with_article;
-use crate::diagnostics::{Diagnostic, Span};
+use crate::diagnostics::{Complaint, Diagnostic, Language, Span, Value};
 use crate::scene::{Camera, Render, Scene};
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
@@ -104,7 +103,8 @@ impl FromStr for RayArg {
     type Err = String;
 
     fn from_str(s: &str) -> Result<RayArg, String> {
-        rays::parse(s).map(RayArg)
+        let ray = rays::parse(s).map(RayArg);
+        ray.map_err(|e| e.wording(Language::English))
     }
 }
 
@@ -115,7 +115,8 @@ impl FromStr for PointArg {
     type Err = String;
 
     fn from_str(s: &str) -> Result<PointArg, String> {
-        rays::numbers(s).map(|p| PointArg(Vec3(p)))
+        let point = rays::numbers(s).map(|p| PointArg(Vec3(p)));
+        point.map_err(|e| e.wording(Language::English))
     }
 }
 
@@ -137,28 +138,28 @@ impl FromStr for PixelArg {
 /// Why there is no answer.
 enum Failure {
     /// What it is about the scene, and where.
-    Scene(String, Span),
+    Scene(Complaint, Span),
     /// A picture the scene names cannot be used.
     Image(Box<Diagnostic>),
-    Usage(String),
+    Usage(Complaint),
 }
 
 impl From<Unsupported> for Failure {
     fn from(e: Unsupported) -> Failure {
-        Failure::Scene(e.to_string(), e.span)
+        Failure::Scene(e.complaint(), e.span)
     }
 }
 
 impl From<Unanswered> for Failure {
     fn from(e: Unanswered) -> Failure {
-        Failure::Scene(e.reason, e.span)
+        Failure::Scene(Complaint::new(e.reason), e.span)
     }
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
     let from_stdin = |path: &Path| path.as_os_str() == STDIN;
     if from_stdin(&args.file) && args.rays.as_deref().is_some_and(from_stdin) {
-        complain("the scene and the rays cannot both be standard input");
+        complain(look, &Complaint::new("two-inputs"));
         return Status::Failure;
     }
     let needs = Needs {
@@ -171,10 +172,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
-    match answer(args, &mut loaded) {
+    match answer(args, &mut loaded, look) {
         Ok(status) => status,
         Err(Failure::Scene(e, span)) => {
-            loaded.refuse(&args.file, span, &e);
+            loaded.refuse(&args.file, span, e, look);
             Status::Negative
         }
         Err(Failure::Image(error)) => {
@@ -182,14 +183,14 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             report(&loaded, look);
             Status::Negative
         }
-        Err(Failure::Usage(message)) => {
-            complain(&message);
+        Err(Failure::Usage(complaint)) => {
+            complain(look, &complaint);
             Status::Failure
         }
     }
 }
 
-fn answer(args: &Args, loaded: &mut Loaded) -> Result<Status, Failure> {
+fn answer(args: &Args, loaded: &mut Loaded, look: LookChoice) -> Result<Status, Failure> {
     let scene = &mut loaded.scene;
     if let Some(id) = args.object {
         scene.render = Some(alone(scene, id)?);
@@ -201,27 +202,33 @@ fn answer(args: &Args, loaded: &mut Loaded) -> Result<Status, Failure> {
             .clip
             .is_none_or(|(min, max)| (0..3).all(|i| min[i] <= point[i] && point[i] <= max[i]));
         let answer = PointAnswer::new(point, found, shown);
-        return Ok(print(Status::Clean, |out| answer::write(out, &answer)));
+        return Ok(print(look, Status::Clean, |out| {
+            answer::write(out, &answer)
+        }));
     }
     if let Some(path) = &args.rays {
         let mut input = open(path)?;
         let tracer = tracer(loaded)?;
-        let bad = |e: BadRay| complain(&format!("{}:{e}", path.display()));
+        let bad = |e: BadRay| complain(look, &e.complaint(path));
         return Ok(match args.precision {
-            Numbers::F32 => rays::stream::<f32>(&tracer, &mut input, bad),
-            Numbers::F64 => rays::stream::<f64>(&tracer, &mut input, bad),
-            Numbers::Dd => rays::stream::<Dd>(&tracer, &mut input, bad),
+            Numbers::F32 => rays::stream::<f32>(&tracer, &mut input, bad, look),
+            Numbers::F64 => rays::stream::<f64>(&tracer, &mut input, bad, look),
+            Numbers::Dd => rays::stream::<Dd>(&tracer, &mut input, bad, look),
         });
     }
     if let Some(PixelArg(pixel)) = args.pixel {
         let answer = pixel_answer(args, loaded, pixel)?;
-        return Ok(print(Status::Clean, |out| answer::write(out, &answer)));
+        return Ok(print(look, Status::Clean, |out| {
+            answer::write(out, &answer)
+        }));
     }
     let Some(RayArg(ray)) = args.ray else {
-        return Err(Failure::Usage("there is no question".into()));
+        return Err(Failure::Usage(Complaint::new("no-question")));
     };
     let answer = ray_answer(&tracer(loaded)?, &ray, args.precision)?;
-    Ok(print(Status::Clean, |out| answer::write(out, &answer)))
+    Ok(print(look, Status::Clean, |out| {
+        answer::write(out, &answer)
+    }))
 }
 
 fn ray_answer(tracer: &Tracer, ray: &Ray, numbers: Numbers) -> Result<RayAnswer, Failure> {
@@ -238,9 +245,7 @@ fn open(path: &Path) -> Result<Input, Failure> {
     let input: Box<dyn Read> = if path.as_os_str() == STDIN {
         Box::new(io::stdin().lock())
     } else {
-        let file = File::open(path).map_err(|e| {
-            Failure::Usage(format!("cannot read {}: {}", path.display(), reason(&e)))
-        })?;
+        let file = File::open(path).map_err(|e| Failure::Usage(unreadable(path, (&e).into())))?;
         Box::new(file)
     };
     Ok(Input::with_capacity(rays::BUFFER, input))
@@ -259,10 +264,12 @@ fn alone(scene: &Scene, id: u32) -> Result<Render, Failure> {
                 span: entity.span,
             }),
             None => {
-                let kind = entity
-                    .kind
-                    .map_or("something else".to_owned(), |k| with_article(k.name()));
-                Err(Failure::Usage(format!("{id} is {kind}, not an object")))
+                let kind = entity.kind.unwrap_or(Kind::Undefined).name();
+                Err(Failure::Usage(
+                    Complaint::new("not-an-object")
+                        .with("id", id.to_string())
+                        .with("kind", Value::Term(kind)),
+                ))
             }
         },
         None => Err(unknown(scene, id, Kind::Object)),
@@ -278,15 +285,16 @@ fn unknown(scene: &Scene, id: u32, kind: Kind) -> Failure {
         let distance = strsim::osa_distance(&written, &e.id.to_string());
         (distance, e.id.abs_diff(id), e.id)
     });
-    let what = match kind {
-        Kind::Camera => "camera",
-        _ => "object",
+    let camera = kind == Kind::Camera;
+    let complaint = match near.min() {
+        Some((.., near)) if camera => {
+            Complaint::new("no-such-camera-near").with("near", near.to_string())
+        }
+        Some((.., near)) => Complaint::new("no-such-object-near").with("near", near.to_string()),
+        None if camera => Complaint::new("no-such-camera"),
+        None => Complaint::new("no-such-object"),
     };
-    let proposal = match near.min() {
-        Some((.., near)) => format!("; did you mean {near}?"),
-        None => String::new(),
-    };
-    Failure::Usage(format!("the scene has no {what} {id}{proposal}"))
+    Failure::Usage(complaint.with("id", id.to_string()))
 }
 
 /// The tracer of a scene, with its pictures.
@@ -301,9 +309,13 @@ fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAn
     let Size { width, height } = args.size;
     let [x, y] = pixel;
     if x >= width || y >= height {
-        return Err(Failure::Usage(format!(
-            "pixel {x},{y} is not in a picture of {width}x{height} pixels"
-        )));
+        return Err(Failure::Usage(
+            Complaint::new("not-a-pixel")
+                .with("x", x.to_string())
+                .with("y", y.to_string())
+                .with("width", width.to_string())
+                .with("height", height.to_string()),
+        ));
     }
     let camera: Camera = match args.camera {
         Some(id) => match scene.cameras.iter().find(|c| c.id == id) {
@@ -329,9 +341,11 @@ fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAn
     let centre = [x, y].map(|i| f64::from(i) + 0.5);
     let ray = View::new(&camera, width, height).and_then(|v| v.ray(centre[0], centre[1]));
     let ray = ray.ok_or_else(|| {
-        Failure::Usage(format!(
-            "the camera's projection has no ray in pixel {x},{y}"
-        ))
+        Failure::Usage(
+            Complaint::new("no-ray-in-pixel")
+                .with("x", x.to_string())
+                .with("y", y.to_string()),
+        )
     })?;
     let answer = ray_answer(&tracer, &ray, args.precision)?;
     Ok(PixelAnswer::new(pixel, film.pixel(0, 0), answer))

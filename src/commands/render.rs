@@ -15,9 +15,9 @@ use serde::Serialize;
 
 use super::draft::{Draft, unwritable};
 use super::size::Size;
-use super::terminal::warn;
+use super::terminal::{tell, warn};
 use super::{Loaded, LookChoice, Status, complain, load_sound, report};
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Complaint, Diagnostic};
 use crate::scene::{Camera, Scene, View};
 use crate::syntax::Document;
 use crate::trace::plan::Plan;
@@ -154,12 +154,12 @@ enum Failure {
     /// Somebody has pressed Ctrl-C.
     Interrupted,
     /// Wrong usage, or a file that cannot be written.
-    Usage(String),
+    Usage(Complaint),
 }
 
-impl From<String> for Failure {
-    fn from(message: String) -> Failure {
-        Failure::Usage(message)
+impl From<Complaint> for Failure {
+    fn from(complaint: Complaint) -> Failure {
+        Failure::Usage(complaint)
     }
 }
 
@@ -209,10 +209,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     // The records are not needed any more, and take more memory than the scene.
     loaded.document = Document::default();
     let load = start.elapsed().as_secs_f64();
-    match draw(args, &loaded, load) {
+    match draw(args, &loaded, load, look) {
         Ok(()) => Status::Clean,
         Err(Failure::Scene(e)) => {
-            loaded.refuse(&args.file, e.span, &e);
+            loaded.refuse(&args.file, e.span, e.complaint(), look);
             Status::Negative
         }
         Err(Failure::Image(error)) => {
@@ -221,16 +221,16 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             Status::Negative
         }
         Err(Failure::Interrupted) => Status::Interrupted,
-        Err(Failure::Usage(message)) => {
-            complain(&message);
+        Err(Failure::Usage(complaint)) => {
+            complain(look, &complaint);
             Status::Failure
         }
     }
 }
 
-fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
+fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(), Failure> {
     let scene = &loaded.scene;
-    let stop = stop_on_interrupt();
+    let stop = stop_on_interrupt(look);
     let settings = Settings {
         stop: Some(stop.clone()),
         ..settings(args)?
@@ -250,7 +250,7 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(args.threads)
         .build()
-        .map_err(|e| Failure::Usage(format!("cannot start threads: {e}")))?;
+        .map_err(|e| Complaint::new("no-threads").with("reason", e.to_string()))?;
 
     let mut seconds = Seconds {
         load,
@@ -280,7 +280,7 @@ fn draw(args: &Args, loaded: &Loaded, load: f64) -> Result<(), Failure> {
 
     let start = Instant::now();
     let (counts, samples) = totals(&pictures);
-    write_maps(maps, &pictures, args.stereo)?;
+    write_maps(maps, &pictures, args.stereo, look)?;
     let films = compose(pictures, args.stereo, outputs.len());
     for (output, film) in outputs.into_iter().zip(&films) {
         output.finish(film)?;
@@ -312,16 +312,16 @@ fn settings(args: &Args) -> Result<Settings, Failure> {
         let fits =
             |at: u32, extent: u32, side: u32| at.checked_add(extent).is_some_and(|end| end <= side);
         if !fits(c.x, c.width, width) || !fits(c.y, c.height, height) {
-            return Err(Failure::Usage(format!(
-                "--crop reaches beyond the picture of {width}x{height} pixels"
-            )));
+            return Err(Complaint::new("crop-too-large")
+                .with("width", width.to_string())
+                .with("height", height.to_string())
+                .into());
         }
     }
     let (w, h) = crop.map_or((width, height), |c| (c.width, c.height));
     if u64::from(w) * u64::from(h) > MAX_PIXELS {
-        return Err(Failure::Usage(format!(
-            "a picture has at most {MAX_PIXELS} pixels"
-        )));
+        let max = MAX_PIXELS.to_string();
+        return Err(Complaint::new("too-many-pixels").with("max", max).into());
     }
     let default = Settings::default();
     Ok(Settings {
@@ -343,7 +343,9 @@ fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Failure> {
         let found = scene.cameras.iter().find(|c| c.id == id);
         return match found {
             Some(camera) => Ok(vec![*camera]),
-            None => Err(Failure::Usage(format!("the scene has no camera {id}"))),
+            None => Err(Complaint::new("no-such-camera")
+                .with("id", id.to_string())
+                .into()),
         };
     }
     if let View::Stereo { left, right } = scene.view
@@ -415,7 +417,12 @@ fn totals(pictures: &[Picture]) -> (Counts, Samples) {
 }
 
 /// Writes the maps of costs, if they are asked for, on one scale, and says which.
-fn write_maps(files: Vec<Output>, pictures: &[Picture], stereo: Stereo) -> Result<(), Failure> {
+fn write_maps(
+    files: Vec<Output>,
+    pictures: &[Picture],
+    stereo: Stereo,
+    look: LookChoice,
+) -> Result<(), Failure> {
     let maps: Vec<CostMap> = match pictures {
         [left, right] if files.len() == 1 => vec![match stereo {
             Stereo::Anaglyph => left.costs.plus(&right.costs),
@@ -428,22 +435,22 @@ fn write_maps(files: Vec<Output>, pictures: &[Picture], stereo: Stereo) -> Resul
     for (file, map) in files.into_iter().zip(&maps) {
         file.finish_map(map, max)?;
     }
-    // Nobody is left to be told when standard error is gone.
-    let _ = writeln!(
-        std::io::stderr(),
-        "heatmap: intersection tests per pixel, from 0 (black) to {max} (light yellow), \
-         on the scale log(1 + n)"
-    );
+    let scale = Complaint::new("heatmap-scale").with("max", max.to_string());
+    tell(&scale.wording(look.language()));
     Ok(())
 }
 
 /// A flag that Ctrl-C sets, so that the drawing ends and drafts of files are removed.
-fn stop_on_interrupt() -> Arc<AtomicBool> {
+fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let flag = stop.clone();
     let handler = move || flag.store(true, Ordering::Relaxed);
     if let Err(e) = ctrlc::set_handler(handler) {
-        warn(&format!("Ctrl-C may leave temporary files: {e}"));
+        let reason = e.to_string();
+        warn(
+            look,
+            &Complaint::new("ctrl-c-leaves").with("reason", reason),
+        );
     }
     stop
 }
@@ -464,7 +471,7 @@ fn write_stats(path: &Path, stats: &Stats) -> Result<(), Failure> {
     };
     Draft::create(path)
         .and_then(|draft| draft.finish(path, write))
-        .map_err(|e| Failure::Usage(unwritable(path, &e)))
+        .map_err(|e| unwritable(path, &e).into())
 }
 
 /// The most memory the process has held, in bytes; 0 where the system does not tell.

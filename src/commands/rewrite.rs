@@ -7,16 +7,23 @@ use std::path::Path;
 use clap::builder::styling::AnsiColor;
 use similar::TextDiff;
 
+use super::draft::unwritable;
+use crate::diagnostics::Complaint;
+
 /// Replaces a file in one step, so that it is whole at any time. Links are followed.
-pub fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let path = path.canonicalize()?;
-    let permissions = fs::metadata(&path)?.permissions();
+pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
+    let error = |e: io::Error| unwritable(path, &e);
+    let permissions = fs::metadata(path).map_err(error)?.permissions();
     if permissions.readonly() {
-        return Err(io::Error::new(
-            io::ErrorKind::PermissionDenied,
-            "it is read-only",
-        ));
+        return Err(Complaint::new("cannot-write")
+            .with("path", path)
+            .with("reason", Complaint::new("read-only-file")));
     }
+    exchange(path, bytes, permissions).map_err(error)
+}
+
+fn exchange(path: &Path, bytes: &[u8], permissions: fs::Permissions) -> io::Result<()> {
+    let path = path.canonicalize()?;
     let folder = path.parent().unwrap_or(Path::new("."));
     let mut file = tempfile::NamedTempFile::new_in(folder)?;
     file.write_all(bytes)?;

@@ -3,9 +3,9 @@
 use std::io::{self, BufWriter, IsTerminal, Write};
 
 use super::{Loaded, Status};
-use crate::diagnostics::Language;
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::{self, Look};
+use crate::diagnostics::{Complaint, Language};
 
 /// How people want to be spoken to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::Args)]
@@ -70,27 +70,21 @@ impl LookChoice {
 }
 
 /// Says on standard error what went wrong.
-pub fn complain(message: &str) {
-    say("error", message);
+pub fn complain(look: LookChoice, complaint: &Complaint) {
+    let kind = look.language().say("error", &[]);
+    tell(&format!("{kind}: {}", complaint.wording(look.language())));
 }
 
 /// Says on standard error what should be known.
-pub fn warn(message: &str) {
-    say("warning", message);
+pub fn warn(look: LookChoice, complaint: &Complaint) {
+    let kind = look.language().say("warning", &[]);
+    tell(&format!("{kind}: {}", complaint.wording(look.language())));
 }
 
-fn say(kind: &str, message: &str) {
+/// Writes a line to standard error.
+pub fn tell(line: &str) {
     // Nobody is left to be told when standard error is gone.
-    let _ = writeln!(io::stderr(), "{kind}: {message}");
-}
-
-/// An I/O error in words, without the number of the operating system.
-pub fn reason(error: &io::Error) -> String {
-    let text = error.to_string();
-    match text.find(" (os error ") {
-        Some(at) => text[..at].to_owned(),
-        None => text,
-    }
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 /// Prints what was found in a scene for people, on standard error, with a summary; nothing when
@@ -112,14 +106,23 @@ pub fn report(loaded: &Loaded, look: LookChoice) {
 
 /// Writes to standard output, buffered. Output that nobody reads any more (a closed pipe) is no
 /// failure; an unwritable one is.
-pub fn print(status: Status, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Status {
+pub fn print(
+    look: LookChoice,
+    status: Status,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Status {
     let mut out = BufWriter::new(io::stdout().lock());
     match write(&mut out).and_then(|()| out.flush()) {
         Ok(()) => status,
         Err(e) if e.kind() == io::ErrorKind::BrokenPipe => status,
         Err(e) => {
-            complain(&format!("cannot write to standard output: {}", reason(&e)));
+            complain(look, &unprintable(&e));
             Status::Failure
         }
     }
+}
+
+/// Standard output cannot be written to.
+pub fn unprintable(error: &io::Error) -> Complaint {
+    Complaint::new("cannot-print").with("reason", Complaint::from(error))
 }

@@ -1,15 +1,18 @@
 //! What the tools have to say about a scene: [`Diagnostic`]s with a stable [`Code`], spans, notes,
 //! help and fixes; what they say in words ([`wording`]); and the ways to print them ([`render`]).
+//! What is about no place in a scene is a [`Complaint`].
 //!
 //! Nothing here knows the language: the other modules make diagnostics, this one carries them.
 
 pub mod code;
+pub mod complaint;
 pub mod fixes;
 pub mod render;
 pub mod source;
 pub mod wording;
 
 pub use code::{Code, Severity};
+pub use complaint::Complaint;
 pub use source::SourceFile;
 pub use wording::{Language, Value, Wording};
 

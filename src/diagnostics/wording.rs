@@ -12,6 +12,7 @@
 //! in English `$shape-a`, the name with its article.
 
 use std::borrow::Cow;
+use std::path::Path;
 use std::sync::OnceLock;
 
 use fluent_bundle::concurrent::FluentBundle;
@@ -19,7 +20,7 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 
 use fluent_syntax::ast::Pattern;
 
-use super::Diagnostic;
+use super::{Complaint, Diagnostic};
 
 /// A language that messages are given in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -42,6 +43,8 @@ pub enum Value {
     OneOf(Vec<&'static str>),
     /// Phrases one after the other: "it mirrors, and its columns are not at right angles".
     Phrases(Vec<&'static str>),
+    /// Another message, with what fills its own places.
+    Said(Box<Complaint>),
 }
 
 impl From<String> for Value {
@@ -53,6 +56,12 @@ impl From<String> for Value {
 impl From<&str> for Value {
     fn from(text: &str) -> Value {
         Value::Text(text.to_owned())
+    }
+}
+
+impl From<&Path> for Value {
+    fn from(path: &Path) -> Value {
+        Value::Text(path.to_string_lossy().into_owned())
     }
 }
 
@@ -134,11 +143,18 @@ impl Language {
     /// The language's tag and its files.
     fn sources(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            Language::English => ("en", &[include_str!("messages/en.ftl")]),
+            Language::English => (
+                "en",
+                &[
+                    include_str!("messages/en.ftl"),
+                    include_str!("messages/complaints.en.ftl"),
+                ],
+            ),
             Language::Czech => (
                 "cs",
                 &[
                     include_str!("messages/cs.ftl"),
+                    include_str!("messages/complaints.cs.ftl"),
                     include_str!("messages/terms.cs.ftl"),
                 ],
             ),
@@ -168,6 +184,7 @@ impl<'a> Speaker<'a> {
                     term(language, name).into()
                 }
                 Value::OneOf(names) => one_of(language, names).into(),
+                Value::Said(inner) => inner.wording(language).into(),
                 // Phrases may have places themselves: these are filled when all values are known.
                 Value::Phrases(_) => continue,
             };

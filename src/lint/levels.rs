@@ -4,7 +4,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::diagnostics::{Code, Diagnostic, Severity};
+use crate::diagnostics::{Code, Complaint, Diagnostic, Language, Severity};
 
 /// What becomes of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
@@ -25,19 +25,27 @@ pub struct Selector(Vec<Code>);
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownCode(String);
 
-impl fmt::Display for UnknownCode {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl UnknownCode {
+    /// What to say about it.
+    pub fn complaint(&self) -> Complaint {
         let meant = Code::ALL
             .iter()
             .flat_map(|c| [c.as_str(), c.name()])
             .map(|name| (strsim::osa_distance(&self.0, name), name))
             .min()
             .filter(|&(distance, _)| distance <= 1 + self.0.len() / 4);
-        write!(f, "there is no code {}", crate::syntax::quote(&self.0))?;
         match meant {
-            Some((_, name)) => write!(f, "; did you mean `{name}`?"),
-            None => f.write_str(" (`zpg explain` lists all)"),
+            Some((_, name)) => Complaint::new("no-code-near").with("near", name),
+            None => Complaint::new("no-code"),
         }
+        .with("text", crate::syntax::quote(&self.0))
+    }
+}
+
+/// For usage errors of the command line, which are English.
+impl fmt::Display for UnknownCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.complaint().wording(Language::English))
     }
 }
 

@@ -180,8 +180,8 @@ impl Compiler<'_> {
         if let (None, Some(texture)) = (place.coat.texture, &record.texture) {
             let bitmap = match texture {
                 Texture::Image { file, span } => {
-                    Some(self.images.get(file).ok_or_else(|| Unsupported {
-                        what: "an image texture without its picture".into(),
+                    Some(self.images.get(file).ok_or(Unsupported {
+                        what: "draw-no-picture",
                         span: *span,
                         id: record.owner,
                     })?)
@@ -210,7 +210,7 @@ impl Compiler<'_> {
         self.interner
             .matrix(&mut self.graph, m)
             .ok_or_else(|| Unsupported {
-                what: "a transformation whose inverse is out of range".into(),
+                what: "draw-matrix",
                 span: self.scene.render.map(|r| r.span).unwrap_or_default(),
                 id: self.scene.render.map_or(0, |r| r.root_id),
             })

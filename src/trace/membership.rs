@@ -8,7 +8,7 @@ use super::dd::Dd;
 use super::ray::Line;
 use super::shapes::{Primitive, Roots};
 use super::vec::Vec3;
-use crate::diagnostics::Span;
+use crate::diagnostics::{Complaint, Language, Span};
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
 use std::collections::{BTreeSet, HashMap};
@@ -40,14 +40,15 @@ pub struct Membership {
 /// Why there is no telling where a point is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unanswered {
-    pub reason: String,
+    /// A message of the catalogues.
+    pub reason: &'static str,
     /// The record concerned.
     pub span: Span,
 }
 
 impl fmt::Display for Unanswered {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.reason)
+        f.write_str(&Complaint::new(self.reason).wording(Language::English))
     }
 }
 
@@ -170,9 +171,7 @@ impl Walk<'_> {
             }
             steps += 1;
             if steps > limit {
-                return Err(self.refusal(
-                    "the point is in the bounds of too many occurrences of shared objects",
-                ));
+                return Err(self.refusal("too-many-occurrences"));
             }
         }
         Ok(self.values.pop().unwrap_or(false))
@@ -261,9 +260,7 @@ impl Walk<'_> {
             Some(m) => *m,
             None => {
                 let inverse = self.scene.matrices[matrix as usize].inverse();
-                let inverse = inverse.ok_or_else(|| {
-                    self.refusal("a transformation has no inverse in double precision")
-                })?;
+                let inverse = inverse.ok_or_else(|| self.refusal("no-inverse"))?;
                 self.inverses.insert(matrix, inverse);
                 inverse
             }
@@ -272,8 +269,7 @@ impl Walk<'_> {
         if point.is_finite() {
             Ok(point)
         } else {
-            Err(self
-                .refusal("a transformation takes the point out of the range of double precision"))
+            Err(self.refusal("point-out-of-range"))
         }
     }
 
@@ -300,9 +296,9 @@ impl Walk<'_> {
         Ok(behind || on_boundary)
     }
 
-    fn refusal(&self, reason: &str) -> Unanswered {
+    fn refusal(&self, reason: &'static str) -> Unanswered {
         Unanswered {
-            reason: reason.to_owned(),
+            reason,
             span: self.scene.render.map(|r| r.span).unwrap_or_default(),
         }
     }

@@ -59,7 +59,7 @@ pub use picture::{Crop, Numbers, Picture, Settings, selected_camera};
 pub use probe::{Crossing, Probe};
 pub use ray::Ray;
 
-use crate::diagnostics::Span;
+use crate::diagnostics::{Complaint, Language, Span};
 use crate::scene::Scene;
 use bounds::Bounds;
 use graph::Graph;
@@ -73,8 +73,8 @@ use vec::Vec3;
 /// Why a scene cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unsupported {
-    /// What it is that cannot be drawn, with its article.
-    pub what: String,
+    /// What it is that cannot be drawn: a message of the catalogues.
+    pub what: &'static str,
     /// The record that asks for it.
     pub span: Span,
     /// The entity of that record.
@@ -85,16 +85,27 @@ impl Unsupported {
     /// What a scene without a render record is refused with.
     pub fn nothing() -> Unsupported {
         Unsupported {
-            what: "a scene without a render record".into(),
+            what: "draw-nothing",
             span: Span::default(),
             id: 0,
+        }
+    }
+
+    /// What to say about it.
+    pub fn complaint(&self) -> Complaint {
+        let what = Complaint::new(self.what);
+        match self.id {
+            0 => what,
+            id => Complaint::new("cannot-draw")
+                .with("what", what)
+                .with("id", id.to_string()),
         }
     }
 }
 
 impl fmt::Display for Unsupported {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} cannot be drawn yet (object {})", self.what, self.id)
+        f.write_str(&self.complaint().wording(Language::English))
     }
 }
 

@@ -168,7 +168,7 @@ impl Tracer {
     ) -> Result<Picture, Unsupported> {
         let Settings { width, height, .. } = *settings;
         let view = View::new(camera, width, height).ok_or_else(|| Unsupported {
-            what: "what a camera with this projection sees".into(),
+            what: "draw-projection",
             span: Default::default(),
             id: camera.id,
         })?;

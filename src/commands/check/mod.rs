@@ -12,11 +12,11 @@ use rayon::prelude::*;
 
 use super::loaded::{self, STDIN};
 use super::rewrite::{diff, replace};
-use super::{LoadError, Loaded, LookChoice, Status, complain, paths, terminal};
-use crate::config::Configs;
+use super::{Loaded, LookChoice, Status, complain, paths, terminal};
+use crate::config::{ConfigError, Configs};
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::Look;
-use crate::diagnostics::{Code, Value};
+use crate::diagnostics::{Code, Complaint, Value};
 use crate::lint::levels::{Choice, Selector};
 use report::{Format, Output};
 use statistics::Statistics;
@@ -102,20 +102,24 @@ struct Checked {
 pub fn run(args: &Args, look: LookChoice) -> Status {
     let fixed_error = |s: &Selector| s.fixed_error().map(Code::as_str);
     if let Some(code) = args.ignore.iter().find_map(fixed_error) {
-        complain(&format!("{code} is always an error and cannot be ignored"));
+        complain(
+            look,
+            &Complaint::new("error-not-ignored").with("code", code),
+        );
         return Status::Failure;
     }
     if args.watch {
-        return watch::run(&args.paths, || once(args, look));
+        return watch::run(&args.paths, look, || once(args, look));
     }
     once(args, look)
 }
 
 /// Checks everything.
 fn once(args: &Args, look: LookChoice) -> Status {
-    let files = paths::expand(&args.paths);
+    let files = paths::expand(&args.paths, look);
     let checker = Checker {
         args,
+        choice_of_look: look,
         look: look.on(&io::stdout()),
         configs: Configs::default(),
         choice: Choice {
@@ -131,8 +135,8 @@ fn once(args: &Args, look: LookChoice) -> Status {
     for result in results {
         match result {
             Ok(checked) => all.push(checked),
-            Err(message) => {
-                complain(&message);
+            Err(complaint) => {
+                complain(look, &complaint);
                 failed = true;
             }
         }
@@ -152,22 +156,22 @@ fn once(args: &Args, look: LookChoice) -> Status {
 
 struct Checker<'a> {
     args: &'a Args,
+    choice_of_look: LookChoice,
     look: Look,
     configs: Configs,
     choice: Choice,
 }
 
 impl Checker<'_> {
-    /// Checks and mends one file; the error is a message for people.
-    fn check(&self, path: &Path) -> Result<Checked, String> {
+    /// Checks and mends one file.
+    fn check(&self, path: &Path) -> Result<Checked, Complaint> {
         let is_stdin = path.as_os_str() == STDIN;
         let name = match &self.args.stdin_filename {
             Some(name) if is_stdin => name.as_path(),
             _ => path,
         };
-        let words = |e: LoadError| e.to_string();
-        let config = (self.configs.for_file(name)).map_err(|e| words(e.into()))?;
-        let bytes = loaded::read(path).map_err(words)?;
+        let config = (self.configs.for_file(name)).map_err(ConfigError::complaint)?;
+        let bytes = loaded::read(path)?;
         let read = |bytes| Loaded::with(name, bytes, &config.levels, &self.choice);
         let mut loaded = read(bytes);
         let mut data = Vec::new();
@@ -189,10 +193,7 @@ impl Checker<'_> {
             } else if is_stdin {
                 data = source.encode(&source.text);
             } else if fixed > 0 {
-                replace(path, &source.encode(&source.text)).map_err(|e| {
-                    let reason = terminal::reason(&e);
-                    format!("cannot write {}: {reason}", source.path)
-                })?;
+                replace(path, &source.encode(&source.text))?;
             }
         }
         let mut tally = Tally::default();
@@ -239,9 +240,11 @@ impl Checker<'_> {
                 true => stderr.write_all(fixes.as_bytes()),
                 false => report(&mut stderr),
             };
-            return terminal::print(status, |out| data.iter().try_for_each(|d| out.write_all(d)));
+            return terminal::print(self.choice_of_look, status, |out| {
+                data.iter().try_for_each(|d| out.write_all(d))
+            });
         }
-        terminal::print(status, report)
+        terminal::print(self.choice_of_look, status, report)
     }
 
     /// `Fixed 3 findings in 1 file.`, a line; empty if that is not so.

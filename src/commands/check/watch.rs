@@ -9,15 +9,17 @@ use std::time::Duration;
 use notify::{Event, EventKind, RecursiveMode, Watcher};
 
 use crate::commands::loaded::STDIN;
-use crate::commands::{Status, complain};
+use crate::commands::terminal::tell;
+use crate::commands::{LookChoice, Status, complain};
+use crate::diagnostics::Complaint;
 
 /// An editor writes a file in several steps: so long nothing must happen before it is read.
 const QUIET: Duration = Duration::from_millis(100);
 
 /// Runs `check` now and after every change of a scene or of settings, until it is stopped.
-pub fn run(paths: &[PathBuf], check: impl Fn() -> Status) -> Status {
+pub fn run(paths: &[PathBuf], look: LookChoice, check: impl Fn() -> Status) -> Status {
     if paths.iter().any(|p| p.as_os_str() == STDIN) {
-        complain("standard input cannot be watched");
+        complain(look, &Complaint::new("stdin-not-watched"));
         return Status::Failure;
     }
     let (sender, changes) = mpsc::channel();
@@ -34,7 +36,7 @@ pub fn run(paths: &[PathBuf], check: impl Fn() -> Status) -> Status {
     let _watcher = match watched {
         Ok(watcher) => watcher,
         Err(e) => {
-            complain(&format!("cannot watch for changes: {e}"));
+            complain(look, &unwatchable(&e));
             return Status::Failure;
         }
     };
@@ -43,12 +45,15 @@ pub fn run(paths: &[PathBuf], check: impl Fn() -> Status) -> Status {
             let _ = write!(io::stdout(), "\x1b[2J\x1b[H");
         }
         check();
-        // Nobody is left to be told when standard error is gone.
-        let _ = writeln!(io::stderr(), "Watching for changes; Ctrl-C ends it");
-        if !wait(&changes) {
+        tell(&look.language().say("watching", &[]));
+        if !wait(&changes, look) {
             return Status::Failure;
         }
     }
+}
+
+fn unwatchable(error: &notify::Error) -> Complaint {
+    Complaint::new("cannot-watch").with("reason", error.to_string())
 }
 
 /// What to watch: a folder with all below it, and for a file its folder, since editors put a new file
@@ -65,11 +70,11 @@ fn folders(paths: &[PathBuf]) -> HashSet<(PathBuf, RecursiveMode)> {
 }
 
 /// Waits until something has changed and it is quiet again. `false`: nothing will come any more.
-fn wait(changes: &Receiver<notify::Result<Event>>) -> bool {
+fn wait(changes: &Receiver<notify::Result<Event>>, look: LookChoice) -> bool {
     loop {
         match changes.recv() {
             Ok(Ok(event)) if matters(&event) => break,
-            Ok(Err(e)) => complain(&format!("cannot watch for changes: {e}")),
+            Ok(Err(e)) => complain(look, &unwatchable(&e)),
             Ok(_) => {}
             Err(_) => return false,
         }

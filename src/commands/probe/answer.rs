@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use crate::commands::numbers::{Writable, Written};
+use crate::diagnostics::Complaint;
 use crate::trace::vec::Vec3;
 use crate::trace::{Crossing, Membership, Ray, Tracer, Walkers};
 
@@ -56,16 +57,15 @@ fn plain<const N: usize>(numbers: [f64; N]) -> [f64; N] {
 }
 
 impl RayAnswer {
-    /// Traces a ray in some precision; the error is a message about numbers out of range.
+    /// Traces a ray in some precision; the error is that numbers are out of range.
     pub fn new<R: Writable>(
         tracer: &Tracer,
         walkers: &mut Walkers<R>,
         ray: &Ray,
-    ) -> Result<RayAnswer, String> {
-        const RANGE: &str = "this ray meets the scene out of the range of this precision";
+    ) -> Result<RayAnswer, Complaint> {
         let rounded: Ray<R> = ray.cast();
         if !rounded.line.is_sound() {
-            return Err("this ray is out of the range of this precision".into());
+            return Err(Complaint::new("ray-out-of-range"));
         }
         let probe = tracer.probe(walkers, &rounded);
         let hits: Option<Vec<HitJson>> = probe.crossings.iter().map(HitJson::new).collect();
@@ -75,7 +75,7 @@ impl RayAnswer {
                 direction: plain(ray.line.direction.0),
             },
             inside_at_origin: probe.inside_at_origin,
-            hits: hits.ok_or(RANGE)?,
+            hits: hits.ok_or_else(|| Complaint::new("hits-out-of-range"))?,
         })
     }
 }

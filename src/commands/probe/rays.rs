@@ -1,14 +1,17 @@
 //! Files of rays: read, traced and answered in batches, so that any number of them will do.
 
-use std::fmt;
 use std::io::{self, BufRead, BufReader, Read, Write};
+
+use std::path::Path;
 
 use rayon::prelude::*;
 
 use super::answer::{self, RayAnswer};
 use crate::commands::Status;
 use crate::commands::numbers::Writable;
-use crate::commands::terminal::{complain, reason};
+use crate::commands::terminal::{LookChoice, complain, unprintable};
+use crate::diagnostics::Complaint;
+use crate::syntax::quote;
 use crate::trace::vec::Vec3;
 use crate::trace::{Ray, Tracer};
 
@@ -25,17 +28,21 @@ const LINE_MAX: u64 = 1 << 16;
 #[derive(Debug)]
 pub struct BadRay {
     line: u64,
-    reason: String,
+    reason: Complaint,
 }
 
-impl fmt::Display for BadRay {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.line, self.reason)
+impl BadRay {
+    /// What to say about it; `path` is the file of rays.
+    pub fn complaint(self, path: &Path) -> Complaint {
+        Complaint::new("at-line")
+            .with("path", path)
+            .with("line", self.line.to_string())
+            .with("why", self.reason)
     }
 }
 
 /// Reads N numbers separated by white space.
-pub fn numbers<const N: usize>(s: &str) -> Result<[f64; N], String> {
+pub fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
     let mut out = [0.0; N];
     let mut count = 0;
     for word in s.split_whitespace() {
@@ -43,9 +50,9 @@ pub fn numbers<const N: usize>(s: &str) -> Result<[f64; N], String> {
             Ok(x) if x.is_finite() => x,
             // "inf" and "NaN" are words to us.
             Ok(_) if word.bytes().any(|b| b.is_ascii_digit()) => {
-                return Err(format!("`{word}` is out of range"));
+                return Err(Complaint::new("number-out-of-range").with("word", quote(word)));
             }
-            _ => return Err(format!("`{word}` is not a number")),
+            _ => return Err(Complaint::new("not-a-number").with("word", quote(word))),
         };
         if let Some(slot) = out.get_mut(count) {
             *slot = number;
@@ -55,16 +62,18 @@ pub fn numbers<const N: usize>(s: &str) -> Result<[f64; N], String> {
     if count == N {
         Ok(out)
     } else {
-        Err(format!("expected {N} numbers, found {count}"))
+        Err(Complaint::new("wrong-count")
+            .with("expected", N.to_string())
+            .with("found", count.to_string()))
     }
 }
 
 /// Reads a ray: origin and direction.
-pub fn parse(s: &str) -> Result<Ray, String> {
+pub fn parse(s: &str) -> Result<Ray, Complaint> {
     let [ox, oy, oz, dx, dy, dz] = numbers(s)?;
     let direction = Vec3::new(dx, dy, dz);
     if !direction.any() {
-        return Err("the direction is the zero vector".into());
+        return Err(Complaint::new("zero-direction"));
     }
     Ok(Ray::new(Vec3::new(ox, oy, oz), direction))
 }
@@ -72,7 +81,12 @@ pub fn parse(s: &str) -> Result<Ray, String> {
 /// Answers every ray of a file on standard output, in order. A line that holds no ray, or one that
 /// cannot be answered, is told to `bad` after all rays before it, and some behind, have been answered.
 /// One that cannot be read ends the file.
-pub fn stream<R: Writable>(tracer: &Tracer, input: &mut Input, bad: impl Fn(BadRay)) -> Status {
+pub fn stream<R: Writable>(
+    tracer: &Tracer,
+    input: &mut Input,
+    bad: impl Fn(BadRay),
+    look: LookChoice,
+) -> Status {
     let mut lines = Lines {
         input,
         number: 0,
@@ -87,7 +101,7 @@ pub fn stream<R: Writable>(tracer: &Tracer, input: &mut Input, bad: impl Fn(BadR
         match written {
             Err(e) if e.kind() == io::ErrorKind::BrokenPipe => return Status::Clean,
             Err(e) => {
-                complain(&format!("cannot write to standard output: {}", reason(&e)));
+                complain(look, &unprintable(&e));
                 return Status::Failure;
             }
             Ok(()) => {}
@@ -123,11 +137,11 @@ enum Content {
     Nothing,
     Ray(Ray),
     /// Something else: why it is no ray.
-    NoRay(String),
+    NoRay(Complaint),
 }
 
 /// The number of a line, and the ray on it or why there is none.
-type Asked = (u64, Result<Ray, String>);
+type Asked = (u64, Result<Ray, Complaint>);
 
 /// The lines of a file of rays.
 struct Lines<'a> {
@@ -160,17 +174,18 @@ impl Lines<'_> {
     }
 
     /// The next line; `None` where the file ends. The error says why it cannot be read.
-    fn next(&mut self) -> Result<Option<Content>, String> {
+    fn next(&mut self) -> Result<Option<Content>, Complaint> {
         self.line.clear();
         self.number += 1;
         let mut limited = self.input.by_ref().take(LINE_MAX);
         let read = limited.read_until(b'\n', &mut self.line);
-        let read = read.map_err(|e| format!("cannot be read: {}", reason(&e)))?;
+        let read = read
+            .map_err(|e| Complaint::new("line-unreadable").with("reason", Complaint::from(&e)))?;
         if read == 0 {
             return Ok(None);
         }
         if read as u64 == LINE_MAX && self.line.last() != Some(&b'\n') {
-            return Err(format!("the line is longer than {LINE_MAX} bytes"));
+            return Err(Complaint::new("line-too-long").with("max", LINE_MAX.to_string()));
         }
         // Comments may be in any encoding, numbers are ASCII.
         let text = String::from_utf8_lossy(&self.line);
@@ -195,10 +210,10 @@ fn trace<R: Writable>(tracer: &Tracer, batch: &[Asked]) -> (Vec<u8>, Vec<BadRay>
                 for (line, ray) in asked {
                     let answer = ray
                         .as_ref()
-                        .map_err(String::clone)
+                        .map_err(Complaint::clone)
                         .and_then(|ray| RayAnswer::new(tracer, walkers, ray));
                     let answered = answer.and_then(|answer| {
-                        answer::write(&mut text, &answer).map_err(|e| e.to_string())
+                        answer::write(&mut text, &answer).map_err(Complaint::quoted)
                     });
                     if let Err(reason) = answered {
                         bad.push(BadRay {

@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::commands::draft::{Draft, unwritable};
+use crate::diagnostics::Complaint;
 use crate::trace::{CostMap, Film};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,18 +22,15 @@ pub struct Output {
 }
 
 impl Output {
-    /// Makes sure that the file can be written; the error is a message for people.
-    pub fn create(path: &Path) -> Result<Output, String> {
+    /// Makes sure that the file can be written.
+    pub fn create(path: &Path) -> Result<Output, Complaint> {
         let extension = path.extension().unwrap_or_default().to_string_lossy();
         let format = match extension.to_lowercase().as_str() {
             "png" => Format::Png,
             "exr" => Format::Exr,
             "pfm" => Format::Pfm,
             _ => {
-                return Err(format!(
-                    "cannot tell the format of {}: expected a name that ends in .png, .exr or .pfm",
-                    path.display()
-                ));
+                return Err(Complaint::new("unknown-format").with("path", path));
             }
         };
         let file = Draft::create(path).map_err(|e| unwritable(path, &e))?;
@@ -44,25 +42,22 @@ impl Output {
     }
 
     /// The same for a map of costs, which is a PNG.
-    pub fn create_map(path: &Path) -> Result<Output, String> {
+    pub fn create_map(path: &Path) -> Result<Output, Complaint> {
         let output = Output::create(path)?;
         match output.format {
             Format::Png => Ok(output),
-            _ => Err(format!(
-                "a heatmap is a PNG picture: expected a name that ends in .png, not {}",
-                path.display()
-            )),
+            _ => Err(Complaint::new("map-is-png").with("path", path)),
         }
     }
 
     /// Writes a map of costs whose scale ends at `max`.
-    pub fn finish_map(self, costs: &CostMap, max: u32) -> Result<(), String> {
+    pub fn finish_map(self, costs: &CostMap, max: u32) -> Result<(), Complaint> {
         self.file
             .finish(&self.path, |out| costs.write_png(out, max))
             .map_err(|e| unwritable(&self.path, &e))
     }
 
-    pub fn finish(self, film: &Film) -> Result<(), String> {
+    pub fn finish(self, film: &Film) -> Result<(), Complaint> {
         let write = |out: &mut dyn Write| match self.format {
             Format::Png => film.write_png(out),
             Format::Exr => film.write_exr(out),

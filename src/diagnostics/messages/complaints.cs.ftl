@@ -1,0 +1,79 @@
+### Co se netýká místa ve scéně, česky: soubory, nastavení, přání na příkazovém řádku.
+
+## Slova kolem a slova cizí
+
+quoted = { $text }
+at-place = { $path }:{ $line }:{ $column }: { $why }
+at-line = { $path }:{ $line }: { $why }
+in-line = řádek { $line }: { $why }
+
+## Soubory
+
+cannot-read = { $path } nelze přečíst: { $reason }
+cannot-write = { $path } nelze zapsat: { $reason }
+cannot-print = na standardní výstup nelze psát: { $reason }
+too-large = soubor je větší než { $size } GiB
+read-only-file = soubor je jen pro čtení
+no-scenes = ve složce { $path } není žádný soubor se scénou (*.zpg)
+
+io-not-found = soubor nebo složka neexistuje
+io-denied = přístup odepřen
+io-is-a-directory = je to složka
+io-not-a-directory = není to složka
+io-full = na disku není místo
+io-read-only = disk je jen pro čtení
+
+## Kódy a témata
+
+no-code = kód { $text } neexistuje (všechny vypíše `zpg explain`)
+no-code-near = kód { $text } neexistuje; mysleli jste `{ $near }`?
+always-error = { $code } je vždy chyba
+error-not-ignored = { $code } je vždy chyba a nelze ji vynechat
+no-topic = žádný nález ani typ záznamu se nejmenuje { $text }
+no-topic-near = žádný nález ani typ záznamu se nejmenuje { $text }; mysleli jste { $near }?
+
+## Sledování
+
+stdin-not-watched = standardní vstup nelze sledovat
+cannot-watch = změny nelze sledovat: { $reason }
+watching = Sleduji změny; konec Ctrl-C
+
+## Formátování
+
+not-formatted = { $path } zůstává, jak je: při jiném rozložení by se chyby v něm četly jinak (ukáže je `zpg check`)
+
+## Kreslení a dotazy
+
+cannot-draw = nelze nakreslit { $what } (objekt { $id })
+draw-nothing = není co kreslit: ve scéně chybí záznam pro vykreslení
+draw-no-picture = texturu bez obrázku
+draw-matrix = transformaci, jejíž inverze je mimo rozsah čísel
+draw-projection = pohled kamery s touto projekcí
+crop-too-large = --crop přesahuje obrázek o velikosti { $width }x{ $height } pixelů
+too-many-pixels = obrázek má nejvýše { $max } pixelů
+no-threads = vlákna nelze spustit: { $reason }
+ctrl-c-leaves = po Ctrl-C mohou zůstat dočasné soubory: { $reason }
+heatmap-scale = mapa nákladů: testy průsečíků na pixel, od 0 (černá) do { $max } (světle žlutá), ve stupnici log(1 + n)
+unknown-format = formát souboru { $path } není poznat: jméno má končit na .png, .exr nebo .pfm
+map-is-png = mapa nákladů je obrázek PNG: jméno má končit na .png, ne { $path }
+
+no-such-camera = scéna nemá kameru { $id }
+no-such-camera-near = scéna nemá kameru { $id }; mysleli jste { $near }?
+no-such-object = scéna nemá objekt { $id }
+no-such-object-near = scéna nemá objekt { $id }; mysleli jste { $near }?
+not-an-object = { $id } je { $kind }, ne objekt
+two-inputs = scéna i paprsky nemohou být obojí na standardním vstupu
+no-question = chybí otázka
+not-a-pixel = pixel { $x },{ $y } v obrázku o velikosti { $width }x{ $height } pixelů není
+no-ray-in-pixel = projekce kamery nemá v pixelu { $x },{ $y } žádný paprsek
+ray-out-of-range = tento paprsek je mimo rozsah čísel této přesnosti
+hits-out-of-range = tento paprsek protíná scénu mimo rozsah čísel této přesnosti
+too-many-occurrences = bod leží v mezích příliš mnoha výskytů sdílených objektů
+no-inverse = transformace nemá ve dvojnásobné přesnosti inverzi
+point-out-of-range = transformace vynáší bod mimo rozsah čísel dvojnásobné přesnosti
+line-unreadable = nelze přečíst: { $reason }
+line-too-long = řádek je delší než { $max } bajtů
+number-out-of-range = { $word } je mimo rozsah
+not-a-number = { $word } není číslo
+wrong-count = očekává se { $expected } čísel, je jich { $found }
+zero-direction = směr je nulový vektor

@@ -1,0 +1,79 @@
+### What is about no place in a scene, in English: files, settings, wishes on the command line.
+
+## Words around and of others
+
+quoted = { $text }
+at-place = { $path }:{ $line }:{ $column }: { $why }
+at-line = { $path }:{ $line }: { $why }
+in-line = line { $line }: { $why }
+
+## Files
+
+cannot-read = cannot read { $path }: { $reason }
+cannot-write = cannot write { $path }: { $reason }
+cannot-print = cannot write to standard output: { $reason }
+too-large = it is larger than { $size } GiB
+read-only-file = it is read-only
+no-scenes = no scene files (*.zpg) in { $path }
+
+io-not-found = No such file or directory
+io-denied = Permission denied
+io-is-a-directory = Is a directory
+io-not-a-directory = Not a directory
+io-full = No space left on device
+io-read-only = Read-only file system
+
+## Codes and topics
+
+no-code = there is no code { $text } (`zpg explain` lists all)
+no-code-near = there is no code { $text }; did you mean `{ $near }`?
+always-error = { $code } is always an error
+error-not-ignored = { $code } is always an error and cannot be ignored
+no-topic = there is no finding or record type { $text }
+no-topic-near = there is no finding or record type { $text }; did you mean { $near }?
+
+## Watching
+
+stdin-not-watched = standard input cannot be watched
+cannot-watch = cannot watch for changes: { $reason }
+watching = Watching for changes; Ctrl-C ends it
+
+## Formatting
+
+not-formatted = { $path } is left as it is: its mistakes would be read differently in another layout (`zpg check` shows them)
+
+## Drawing and asking
+
+cannot-draw = { $what } cannot be drawn (object { $id })
+draw-nothing = there is nothing to draw: the scene has no render record
+draw-no-picture = an image texture without its picture
+draw-matrix = a transformation whose inverse is out of range
+draw-projection = what a camera with this projection sees
+crop-too-large = --crop reaches beyond the picture of { $width }x{ $height } pixels
+too-many-pixels = a picture has at most { $max } pixels
+no-threads = cannot start threads: { $reason }
+ctrl-c-leaves = Ctrl-C may leave temporary files: { $reason }
+heatmap-scale = heatmap: intersection tests per pixel, from 0 (black) to { $max } (light yellow), on the scale log(1 + n)
+unknown-format = cannot tell the format of { $path }: expected a name that ends in .png, .exr or .pfm
+map-is-png = a heatmap is a PNG picture: expected a name that ends in .png, not { $path }
+
+no-such-camera = the scene has no camera { $id }
+no-such-camera-near = the scene has no camera { $id }; did you mean { $near }?
+no-such-object = the scene has no object { $id }
+no-such-object-near = the scene has no object { $id }; did you mean { $near }?
+not-an-object = { $id } is { $kind-a }, not an object
+two-inputs = the scene and the rays cannot both be standard input
+no-question = there is no question
+not-a-pixel = pixel { $x },{ $y } is not in a picture of { $width }x{ $height } pixels
+no-ray-in-pixel = the camera's projection has no ray in pixel { $x },{ $y }
+ray-out-of-range = this ray is out of the range of this precision
+hits-out-of-range = this ray meets the scene out of the range of this precision
+too-many-occurrences = the point is in the bounds of too many occurrences of shared objects
+no-inverse = a transformation has no inverse in double precision
+line-unreadable = cannot be read: { $reason }
+line-too-long = the line is longer than { $max } bytes
+point-out-of-range = a transformation takes the point out of the range of double precision
+number-out-of-range = { $word } is out of range
+not-a-number = { $word } is not a number
+wrong-count = expected { $expected } numbers, found { $found }
+zero-direction = the direction is the zero vector
