@@ -270,6 +270,20 @@ impl Tree {
         top
     }
 
+    /// Whether there are nothing but differences and intersections between a place and an operation
+    /// that it is part of, so that no more is left of the operand than of the place.
+    pub fn only_cuts_between(&self, mut place: u32, operation: u32) -> bool {
+        loop {
+            place = self.places[place as usize].parent;
+            if place == operation || place == NONE {
+                return place == operation;
+            }
+            if !self.places[place as usize].cuts {
+                return false;
+            }
+        }
+    }
+
     /// The copy by whose ID a place is known within an operation that it is part of.
     pub fn copy_within(&self, place: u32, operation: u32) -> Option<u32> {
         let (id, depth) = self.places[place as usize].copy?;

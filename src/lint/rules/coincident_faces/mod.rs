@@ -119,7 +119,8 @@ fn finding(
         .with("z", z)
         .label(other_span, "other")
         .label(operation.span, "operation");
-    if case != Case::Touch && parents.only_in(tool.node, operation.node) {
+    let skin = pairs.iter().any(|p| p.skin);
+    if case != Case::Touch && !skin && parents.only_in(tool.node, operation.node) {
         let shape = &scene.shapes[tool.shape as usize];
         let sides: Vec<Side> = pairs.iter().map(|p| p.sides[0]).collect();
         let params = context.params(shape.span)?;

@@ -25,6 +25,9 @@ pub const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// the size, which is less than that distance down to radii of a hundred-thousandth of the size.
 const AROUND: f64 = 100.0;
 
+/// How thick a skin may be, as a share of what it is a skin of: more than a hair.
+const SKIN: f64 = 0.01;
+
 /// One of two faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Side {
@@ -55,6 +58,9 @@ pub struct Found {
     /// A point of both, in the coordinates of the scene that is drawn, or of the largest object of
     /// which the operation is a part.
     pub witness: Vec3,
+    /// Whether the tool leaves no more than a skin of the shape it cuts: reaching any further, it
+    /// would leave nothing.
+    pub skin: bool,
 }
 
 /// For each face of a tool the first face that lies in it so that what is left of the two is up to
@@ -105,10 +111,12 @@ pub fn search(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<Found>
         }
         if let Some(witness) = search.witness(&pair) {
             done.insert(group);
+            let skin = search.leaves_a_skin(&pair);
             found.push(Found {
                 operation: group.0,
                 sides,
                 witness,
+                skin,
             });
         }
     }
@@ -160,9 +168,40 @@ impl Search<'_> {
         a.matrix == b.matrix && self.geometry(a) == self.geometry(b)
     }
 
+    /// Whether the tool holds the corners of the workpiece's bounds, these drawn in by the thickness of
+    /// a skin.
+    fn leaves_a_skin(&mut self, pair: &Pair) -> bool {
+        let tool = self.tool(pair);
+        let other = pair.leaves[1 - tool];
+        let b = other.bounds;
+        let held = (0..8).all(|k| {
+            let corner: Vec3 = std::array::from_fn(|i| {
+                let (from, to) = match k >> i & 1 {
+                    0 => (b.min[i], b.max[i]),
+                    _ => (b.max[i], b.min[i]),
+                };
+                from + SKIN * (to - from)
+            });
+            self.points.in_leaf(pair.faces[tool].leaf, corner) == Some(true)
+        });
+        held && self.tree.only_cuts_between(other.place, pair.operation)
+    }
+
+    /// Which of a pair is the tool: the second, unless only the first one cuts.
+    fn tool(&self, pair: &Pair) -> usize {
+        match pair.leaves.map(|leaf| self.cuts(pair, leaf)) {
+            [true, false] => 0,
+            _ => 1,
+        }
+    }
+
+    fn cuts(&self, pair: &Pair, leaf: &Leaf) -> bool {
+        let turned = |i: u32| self.tree.places[i as usize].turned;
+        turned(leaf.place) != turned(pair.operation)
+    }
+
     /// The two sides of a pair, the tool's first.
     fn sides(&self, pair: &Pair) -> [Side; 2] {
-        let place = |i: u32| &self.tree.places[i as usize];
         let side = |face: &Face, leaf: &Leaf| Side {
             node: leaf.node,
             shape: leaf.shape.unwrap_or_default(),
@@ -172,14 +211,10 @@ impl Search<'_> {
             round: matches!(face.form, Form::Round { .. }),
             size: leaf.size,
             stretch: leaf.matrix.determinant3().abs().cbrt(),
-            cuts: place(leaf.place).turned != place(pair.operation).turned,
+            cuts: self.cuts(pair, leaf),
         };
-        let first = side(pair.faces[0], pair.leaves[0]);
-        let second = side(pair.faces[1], pair.leaves[1]);
-        match first.cuts && !second.cuts {
-            true => [first, second],
-            false => [second, first],
-        }
+        let tool = self.tool(pair);
+        [tool, 1 - tool].map(|i| side(pair.faces[i], pair.leaves[i]))
     }
 
     /// A point at which both operands change sides, one into the result and one out of it, within

@@ -116,10 +116,13 @@ fn tools_of_all_kinds_and_their_fixes() {
             None => silent(&scene),
         }
     }
-    let scene = cut("3 4 0 1 0 -1");
+    let more = |tool: &str| {
+        format!("5 12 0 0 0 9 9 9\n6 12 -1 -1 -1 1 1 1\n2 -101 6 5\n{tool}\n4 -103 2 3\n")
+    };
+    let scene = more("3 4 0 1 0 -1");
     flush(&scene);
     // A thousandth of the box's side further up.
-    assert_eq!(fixed(&scene), cut("3 4 0 1 0 -1.002"));
+    assert_eq!(fixed(&scene), more("3 4 0 1 0 -1.002"));
     silent(&fixed(&scene));
 }
 
@@ -236,6 +239,16 @@ fn no_fix_for_what_is_used_elsewhere() {
     let scene = "2 12 -1 -1 -1 1 1 1\n3 12 -0.5 0 -0.5 0.5 1 0.5\n4 -103 2 3\n5 -101 4 3\n";
     flush(scene);
     assert!(fixes(scene).is_empty());
+}
+
+#[test]
+fn no_fix_that_would_leave_nothing() {
+    let wall = |tool: &str| format!("2 12 -1 -1 -1 1 1 1\n3 {tool}\n4 -103 2 3\n");
+    for all in ["12 -2 -2 -2 2 0.9999999999999998 2", "4 0 1 0 -1"] {
+        flush(&wall(all));
+        assert!(fixes(&wall(all)).is_empty());
+    }
+    assert_eq!(fixes(&wall("12 -2 -0.9 -2 2 1 2")).len(), 1);
 }
 
 #[test]
