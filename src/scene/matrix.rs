@@ -71,6 +71,15 @@ impl Matrix {
         })
     }
 
+    /// Whether the linear part turns and does nothing else: no entry of MᵀM is further from the
+    /// identity's than this, and M does not mirror.
+    pub fn is_rotation(&self, tolerance: f64) -> bool {
+        let m = &self.0;
+        let dot = |i: usize, j: usize| (0..3).map(|k| m[k][i] * m[k][j]).sum::<f64>();
+        let off = |i: usize, j: usize| (dot(i, j) - f64::from(u8::from(i == j))).abs();
+        (0..9).all(|k| off(k / 3, k % 3) <= tolerance) && self.determinant3() > 0.0
+    }
+
     /// The determinant of the upper left 3×3 block.
     pub fn determinant3(&self) -> f64 {
         let m = &self.0;

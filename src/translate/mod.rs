@@ -2,6 +2,7 @@
 //! ([`fidelity`]).
 
 pub mod fidelity;
+pub mod json;
 pub mod pov;
 
 pub use fidelity::{Fidelity, Report};

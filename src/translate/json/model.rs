@@ -1,0 +1,304 @@
+//! A scene as it stands in JSON. Things are referred to by their index in their list, from 0; a node
+//! only names nodes before it. Matrices are sixteen numbers, row by row.
+
+use serde::{Deserialize, Serialize};
+
+pub type Vec3 = [f64; 3];
+/// Linear red, green, blue.
+pub type Rgb = [f64; 3];
+
+/// The version of the format.
+pub const VERSION: u32 = 1;
+
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    pub version: u32,
+    pub nodes: Vec<Item>,
+    #[serde(default)]
+    pub ambient_lights: Vec<AmbientLight>,
+    #[serde(default)]
+    pub point_lights: Vec<PointLight>,
+    #[serde(default)]
+    pub cameras: Vec<Camera>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub view: Option<View>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub render: Option<Render>,
+    #[serde(default)]
+    pub bounds: Vec<Bound>,
+}
+
+/// A node with the ID by which the language knows it. Transformations and paints have none: they
+/// change what they are of.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "serde_json::Map<String, serde_json::Value>")]
+pub struct Item {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<u32>,
+    #[serde(flatten)]
+    pub node: Node,
+}
+
+/// Told apart by hand: with `flatten` a field that is not known would pass.
+impl TryFrom<serde_json::Map<String, serde_json::Value>> for Item {
+    type Error = serde_json::Error;
+
+    fn try_from(
+        mut fields: serde_json::Map<String, serde_json::Value>,
+    ) -> Result<Item, Self::Error> {
+        let id = fields
+            .remove("id")
+            .map(serde_json::from_value)
+            .transpose()?;
+        let node = serde_json::from_value(fields.into())?;
+        Ok(Item { id, node })
+    }
+}
+
+/// An object; lengths and meanings as in the record of the same name.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(tag = "type", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Node {
+    SurfaceOfRevolution {
+        /// (x, y)
+        profile: Vec<[f64; 2]>,
+        /// None, or one for each point.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        colours: Vec<Rgb>,
+    },
+    Plane {
+        a: f64,
+        b: f64,
+        c: f64,
+        d: f64,
+    },
+    HalfSpace {
+        a: f64,
+        b: f64,
+        c: f64,
+        d: f64,
+    },
+    Rectangle {
+        min: [f64; 2],
+        max: [f64; 2],
+    },
+    Triangle {
+        vertices: [Vec3; 3],
+        /// None, one for all of it, or one for each vertex.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        normals: Vec<Vec3>,
+    },
+    Sphere {
+        #[serde(default)]
+        centre: Vec3,
+        radius: f64,
+    },
+    Ellipsoid {
+        semi_axes: Vec3,
+    },
+    Box {
+        min: Vec3,
+        max: Vec3,
+    },
+    GeodesicSphere {
+        radius: f64,
+        splits: u32,
+    },
+    Torus {
+        major: f64,
+        minor: f64,
+    },
+    Quadric {
+        matrix: [f64; 16],
+    },
+    Cone {
+        height: f64,
+        radius: f64,
+    },
+    DoubleCone {
+        height: f64,
+        radius: f64,
+    },
+    ParabolicCylinder {
+        a: f64,
+    },
+    HyperbolicCylinder {
+        a: f64,
+        b: f64,
+    },
+    Hyperboloid {
+        a: f64,
+        b: f64,
+        c: f64,
+        sheets: u32,
+    },
+    HyperbolicParaboloid {
+        a: f64,
+        b: f64,
+    },
+    Union {
+        operands: [u32; 2],
+    },
+    Intersection {
+        operands: [u32; 2],
+    },
+    Difference {
+        operands: [u32; 2],
+    },
+    Complement {
+        of: u32,
+    },
+    Copy {
+        of: u32,
+    },
+    Transform {
+        of: u32,
+        matrix: [f64; 16],
+    },
+    Paint {
+        of: u32,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        texture: Option<Texture>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        optics: Option<Optics>,
+        /// The refractive index of each channel.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        index: Option<Rgb>,
+    },
+}
+
+impl Node {
+    /// The nodes that it is made of.
+    pub fn children(&self) -> [Option<u32>; 2] {
+        match *self {
+            Node::Union { operands: [a, b] }
+            | Node::Intersection { operands: [a, b] }
+            | Node::Difference { operands: [a, b] } => [Some(a), Some(b)],
+            Node::Complement { of }
+            | Node::Copy { of }
+            | Node::Transform { of, .. }
+            | Node::Paint { of, .. } => [Some(of), None],
+            _ => [None; 2],
+        }
+    }
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Texture {
+    Colour(Rgb),
+    Checkerboard {
+        n: u32,
+        m: u32,
+        colours: [Rgb; 2],
+    },
+    Solid {
+        colours: [Rgb; 2],
+        size: f64,
+    },
+    /// The name of a file beside the scene.
+    Image(String),
+}
+
+/// Diffuse, mirrored and transmitted parts, each per channel.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Optics {
+    pub kd: Rgb,
+    pub ks: Rgb,
+    pub kt: Rgb,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct AmbientLight {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub id: Option<u32>,
+    pub intensity: f64,
+    #[serde(default = "white")]
+    pub colour: Rgb,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct PointLight {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub id: Option<u32>,
+    pub position: Vec3,
+    pub intensity: f64,
+    #[serde(default = "white")]
+    pub colour: Rgb,
+}
+
+fn white() -> Rgb {
+    [1.0; 3]
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Camera {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub id: Option<u32>,
+    pub position: Vec3,
+    pub direction: Vec3,
+    pub up: Vec3,
+    /// Degrees.
+    pub fovy: f64,
+    /// In place of `fovy`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub projection: Option<[f64; 16]>,
+}
+
+/// Which cameras take the picture.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum View {
+    Mono(u32),
+    Stereo { left: u32, right: u32 },
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Render {
+    pub root: u32,
+    #[serde(default)]
+    pub background: Rgb,
+    /// The region that is drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clip: Option<Region>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Region {
+    pub min: Vec3,
+    pub max: Vec3,
+}
+
+/// The promise that a node lies within a volume.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Bound {
+    pub node: u32,
+    pub volume: Volume,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Volume {
+    Box { min: Vec3, max: Vec3 },
+    Sphere { centre: Vec3, radius: f64 },
+}

@@ -1,0 +1,440 @@
+//! A model of a scene as records of the language, one a line.
+//!
+//! Records change objects, nodes never change: a node that transforms or paints another is written as
+//! a change of the object that is the other so far, if nothing else needs that as it is, and as the
+//! change of a copy if something does.
+
+use std::collections::{HashMap, HashSet};
+use std::fmt::{self, Write};
+
+use super::model::{self, Item, Node, Rgb, Scene, Texture, Vec3, Volume};
+use crate::scene::Matrix;
+
+/// The largest ID.
+pub const ID_MAX: u32 = i32::MAX as u32;
+
+/// How far a matrix may be from a rotation to be written as one without more ado: less than what is
+/// found fault with (W303).
+const TURN: f64 = 1e-7;
+
+/// A part of the model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    Head,
+    Node(u32),
+    AmbientLight(u32),
+    PointLight(u32),
+    Camera(u32),
+    View,
+    Render,
+    Bound(u32),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Head => f.write_str("version"),
+            Place::Node(i) => write!(f, "nodes[{i}]"),
+            Place::AmbientLight(i) => write!(f, "ambient_lights[{i}]"),
+            Place::PointLight(i) => write!(f, "point_lights[{i}]"),
+            Place::Camera(i) => write!(f, "cameras[{i}]"),
+            Place::View => f.write_str("view"),
+            Place::Render => f.write_str("render"),
+            Place::Bound(i) => write!(f, "bounds[{i}]"),
+        }
+    }
+}
+
+/// The records of a scene.
+#[derive(Debug)]
+pub struct Records {
+    /// One record or heading a line.
+    pub text: String,
+    /// What each line stands for.
+    pub places: Vec<Place>,
+}
+
+/// Writes the records that make a scene, which has passed through [`read`](super::read()).
+pub fn spell(scene: &Scene) -> Records {
+    let mut speller = Speller::new(scene);
+    speller.objects();
+    speller.lights();
+    speller.cameras();
+    speller.render();
+    if speller.any_matrix {
+        let allow = "# zpg: allow(not-a-rotation) #\n";
+        speller.text.insert_str(0, allow);
+        speller.places.insert(0, Place::Head);
+    }
+    Records {
+        text: speller.text,
+        places: speller.places,
+    }
+}
+
+struct Speller<'a> {
+    scene: &'a Scene,
+    text: String,
+    places: Vec<Place>,
+    /// What the next lines stand for.
+    place: Place,
+    ids: HashSet<u32>,
+    next_id: u32,
+    /// For each node that has been written, the ID of the object that it is.
+    holders: Vec<u32>,
+    /// How often each node will still be named.
+    uses: Vec<u32>,
+    colours: HashMap<[u64; 3], u32>,
+    /// Whether a matrix has been written that is no rotation.
+    any_matrix: bool,
+}
+
+impl<'a> Speller<'a> {
+    fn new(scene: &'a Scene) -> Speller<'a> {
+        let nodes = scene.nodes.iter().filter_map(|n| n.id);
+        let ambient = scene.ambient_lights.iter().filter_map(|l| l.id);
+        let points = scene.point_lights.iter().filter_map(|l| l.id);
+        let cameras = scene.cameras.iter().filter_map(|c| c.id);
+        let ids: HashSet<u32> = nodes.chain(ambient).chain(points).chain(cameras).collect();
+        let mut uses = vec![0; scene.nodes.len()];
+        let children = scene.nodes.iter().flat_map(|n| n.node.children());
+        let render = scene.render.map(|r| r.root);
+        for n in children.flatten().chain(render) {
+            uses[n as usize] += 1;
+        }
+        Speller {
+            scene,
+            text: String::new(),
+            places: Vec::new(),
+            place: Place::Head,
+            next_id: ids.iter().max().map_or(2, |m| m + 1),
+            ids,
+            holders: Vec::with_capacity(scene.nodes.len()),
+            uses,
+            colours: HashMap::new(),
+            any_matrix: false,
+        }
+    }
+
+    /// An ID that nothing has.
+    fn fresh(&mut self) -> u32 {
+        while self.next_id > ID_MAX || !self.ids.insert(self.next_id) {
+            self.next_id = if self.next_id >= ID_MAX {
+                2
+            } else {
+                self.next_id + 1
+            };
+        }
+        self.next_id
+    }
+
+    /// Writes a record.
+    fn record(&mut self, id: u32, ty: i32, params: &[Param]) {
+        // Writing to a string cannot fail.
+        let _ = write!(self.text, "{id} {ty}");
+        for p in params {
+            let _ = match *p {
+                Param::Real(x) => write!(self.text, " {x:?}"),
+                Param::Integer(n) => write!(self.text, " {n}"),
+                Param::Name(name) => write!(self.text, " \"{name}\""),
+            };
+        }
+        self.text.push('\n');
+        self.places.push(self.place);
+    }
+
+    fn heading(&mut self, text: &str) {
+        let _ = writeln!(self.text, "0 # {text} #");
+        self.places.push(self.place);
+    }
+
+    fn objects(&mut self) {
+        let scene = self.scene;
+        let mut bounds: Vec<(u32, u32)> = (scene.bounds.iter().zip(0..))
+            .map(|(b, i)| (b.node, i))
+            .collect();
+        bounds.sort_unstable();
+        let mut bounds = bounds.into_iter().peekable();
+        for (item, i) in scene.nodes.iter().zip(0..) {
+            self.place = Place::Node(i);
+            let holder = self.node(item);
+            self.holders.push(holder);
+            while let Some((_, bound)) = bounds.next_if(|b| b.0 == i) {
+                self.place = Place::Bound(bound);
+                match scene.bounds[bound as usize].volume {
+                    Volume::Box { min, max } => self.record(holder, -601, &reals(&[min, max])),
+                    Volume::Sphere { centre, radius } => {
+                        let params = [&centre[..], &[radius]].concat();
+                        self.record(holder, -602, &reals(&[params]));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Writes a node; the ID of the object that it is.
+    fn node(&mut self, item: &Item) -> u32 {
+        match &item.node {
+            Node::Transform { of, matrix } => {
+                let id = self.changeable(*of);
+                self.transform(id, matrix);
+                id
+            }
+            Node::Paint {
+                of,
+                texture,
+                optics,
+                index,
+            } => {
+                let id = self.changeable(*of);
+                if let Some(texture) = texture {
+                    self.texture(id, texture);
+                }
+                if let Some(model::Optics { kd, ks, kt }) = optics {
+                    let channel = |c: usize| [kd[c], ks[c], kt[c]];
+                    match channel(0) == channel(1) && channel(0) == channel(2) {
+                        true => self.record(id, -201, &reals(&[channel(0)])),
+                        false => self.record(id, -202, &reals(&[0, 1, 2].map(channel))),
+                    }
+                }
+                if let Some(index) = index {
+                    self.record(id, -203, &reals(&[*index]));
+                }
+                id
+            }
+            node => {
+                let id = item.id.unwrap_or_else(|| self.fresh());
+                let operands: Vec<Param> = (node.children().into_iter().flatten())
+                    .map(|n| Param::Integer(self.used(n)))
+                    .collect();
+                match operation(node) {
+                    Some(ty) => self.record(id, ty, &operands),
+                    None => self.shape(id, node),
+                }
+                id
+            }
+        }
+    }
+
+    /// The ID of a node that is named once more.
+    fn used(&mut self, node: u32) -> u32 {
+        self.uses[node as usize] -= 1;
+        self.holders[node as usize]
+    }
+
+    /// The ID of an object that is the node and may be changed.
+    fn changeable(&mut self, node: u32) -> u32 {
+        let holder = self.used(node);
+        if self.uses[node as usize] == 0 {
+            return holder;
+        }
+        let copy = self.fresh();
+        self.record(copy, -105, &[Param::Integer(holder)]);
+        copy
+    }
+
+    fn transform(&mut self, id: u32, matrix: &[f64; 16]) {
+        let m = Matrix::from_rows(matrix);
+        let diagonal = [m.0[0][0], m.0[1][1], m.0[2][2]];
+        let step = [m.0[0][3], m.0[1][3], m.0[2][3]];
+        let mut stretch = Matrix::scaling(diagonal[0], diagonal[1], diagonal[2]);
+        (0..3).for_each(|i| stretch.0[i][3] = step[i]);
+        if m != stretch {
+            self.any_matrix |= !m.is_rotation(TURN);
+            return self.record(id, -4, &reals(&[*matrix]));
+        }
+        if diagonal != [1.0; 3] {
+            self.record(id, -3, &reals(&[diagonal]));
+        }
+        if step != [0.0; 3] {
+            self.record(id, -1, &reals(&[step]));
+        }
+    }
+
+    fn texture(&mut self, id: u32, texture: &Texture) {
+        match texture {
+            Texture::Colour(rgb) => self.record(id, -701, &reals(&[*rgb])),
+            Texture::Image(file) => self.record(id, -301, &[Param::Name(file)]),
+            Texture::Checkerboard { n, m, colours } => {
+                let [c, d] = colours.map(|c| Param::Integer(self.colour(c)));
+                self.record(id, -399, &[Param::Integer(*n), Param::Integer(*m), c, d]);
+            }
+            Texture::Solid { colours, size } => {
+                let [c, d] = colours.map(|c| Param::Integer(self.colour(c)));
+                self.record(id, -302, &[c, d, Param::Real(*size)]);
+            }
+        }
+    }
+
+    /// The ID of a colour.
+    fn colour(&mut self, rgb: Rgb) -> u32 {
+        let key = rgb.map(f64::to_bits);
+        if let Some(&id) = self.colours.get(&key) {
+            return id;
+        }
+        let id = self.fresh();
+        self.record(id, -701, &reals(&[rgb]));
+        self.colours.insert(key, id);
+        id
+    }
+
+    fn shape(&mut self, id: u32, node: &Node) {
+        let (ty, params) = match node {
+            Node::SurfaceOfRevolution { profile, colours } => {
+                let count = Param::Integer(profile.len() as u32);
+                let points = profile.iter().flatten().copied();
+                let all = points.chain(colours.iter().flatten().copied());
+                let params = std::iter::once(count).chain(all.map(Param::Real));
+                (if colours.is_empty() { 1 } else { 2 }, params.collect())
+            }
+            &Node::Plane { a, b, c, d } => (3, reals(&[[a, b, c, d]])),
+            &Node::HalfSpace { a, b, c, d } => (4, reals(&[[a, b, c, d]])),
+            &Node::Rectangle { min, max } => (5, reals(&[min, max])),
+            Node::Triangle { vertices, normals } => {
+                let all: Vec<Vec3> = vertices.iter().chain(normals).copied().collect();
+                let ty = [6, 7, 8][normals.len().min(2)];
+                (ty, reals(&all))
+            }
+            &Node::Sphere { centre, radius } if centre == [0.0; 3] => (9, reals(&[[radius]])),
+            &Node::Sphere {
+                centre: [x, y, z],
+                radius,
+            } => (11, reals(&[[x, y, z, radius]])),
+            &Node::Ellipsoid { semi_axes } => (10, reals(&[semi_axes])),
+            &Node::Box { min, max } => (12, reals(&[min, max])),
+            &Node::GeodesicSphere { radius, splits } => {
+                (13, vec![Param::Real(radius), Param::Integer(splits)])
+            }
+            &Node::Torus { major, minor } => (14, reals(&[[major, minor]])),
+            &Node::Quadric { matrix } => (15, reals(&[matrix])),
+            &Node::Cone { height, radius } => (16, reals(&[[height, radius]])),
+            &Node::DoubleCone { height, radius } => (17, reals(&[[height, radius]])),
+            &Node::ParabolicCylinder { a } => (18, reals(&[[a]])),
+            &Node::HyperbolicCylinder { a, b } => (19, reals(&[[a, b]])),
+            &Node::Hyperboloid { a, b, c, sheets } => {
+                let mut params = reals(&[[a, b, c]]);
+                params.push(Param::Integer(sheets));
+                (20, params)
+            }
+            &Node::HyperbolicParaboloid { a, b } => (21, reals(&[[a, b]])),
+            // Everything else is no shape.
+            _ => return,
+        };
+        self.record(id, ty, &params);
+    }
+
+    fn lights(&mut self) {
+        let scene = self.scene;
+        self.place = Place::Head;
+        if !scene.ambient_lights.is_empty() || !scene.point_lights.is_empty() {
+            self.heading("lights");
+        }
+        for (light, i) in scene.ambient_lights.iter().zip(0..) {
+            self.place = Place::AmbientLight(i);
+            let id = light.id.unwrap_or_else(|| self.fresh());
+            self.record(id, -401, &reals(&[[light.intensity]]));
+            self.tint(id, light.colour);
+        }
+        for (light, i) in scene.point_lights.iter().zip(0..) {
+            self.place = Place::PointLight(i);
+            let id = light.id.unwrap_or_else(|| self.fresh());
+            self.record(id, -402, &reals(&[[light.intensity]]));
+            if light.position != [0.0; 3] {
+                self.record(id, -1, &reals(&[light.position]));
+            }
+            self.tint(id, light.colour);
+        }
+    }
+
+    fn tint(&mut self, id: u32, colour: Rgb) {
+        if colour != [1.0; 3] {
+            self.record(id, -701, &reals(&[colour]));
+        }
+    }
+
+    fn cameras(&mut self) {
+        let scene = self.scene;
+        self.place = Place::Head;
+        if !scene.cameras.is_empty() {
+            self.heading(if scene.cameras.len() == 1 {
+                "camera"
+            } else {
+                "cameras"
+            });
+        }
+        let mut ids = Vec::new();
+        for (camera, i) in scene.cameras.iter().zip(0..) {
+            self.place = Place::Camera(i);
+            let id = camera.id.unwrap_or_else(|| self.fresh());
+            let model::Camera {
+                position,
+                direction,
+                up,
+                fovy,
+                ..
+            } = *camera;
+            let params = [&position[..], &direction, &up, &[fovy]].concat();
+            self.record(id, -501, &reals(&[params]));
+            if let Some(projection) = camera.projection {
+                self.record(id, -99, &reals(&[projection]));
+            }
+            ids.push(Param::Integer(id));
+        }
+        self.place = Place::View;
+        match scene.view {
+            Some(model::View::Mono(camera)) if ids.len() > 1 => {
+                let id = self.fresh();
+                self.record(id, -502, &[ids[camera as usize]]);
+            }
+            Some(model::View::Stereo { left, right }) => {
+                let id = self.fresh();
+                self.record(id, -503, &[ids[left as usize], ids[right as usize]]);
+            }
+            _ => {}
+        }
+    }
+
+    fn render(&mut self) {
+        let Some(render) = self.scene.render else {
+            return;
+        };
+        self.place = Place::Render;
+        self.heading("what is drawn");
+        let background = match render.background == [0.0; 3] {
+            true => 0,
+            false => self.colour(render.background),
+        };
+        let root = self.used(render.root);
+        let mut params = vec![Param::Integer(root), Param::Integer(background)];
+        if let Some(model::Region { min, max }) = render.clip {
+            params.extend(reals(&[min, max]));
+        }
+        self.record(1, 9999, &params);
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Param<'a> {
+    Real(f64),
+    Integer(u32),
+    /// Quoted.
+    Name(&'a str),
+}
+
+/// Numbers, groups of them run together.
+fn reals<'a, T: AsRef<[f64]>>(groups: &[T]) -> Vec<Param<'a>> {
+    let all = groups.iter().flat_map(|g| g.as_ref());
+    all.map(|&x| Param::Real(x)).collect()
+}
+
+/// The type of the record that makes a node of others.
+fn operation(node: &Node) -> Option<i32> {
+    Some(match node {
+        Node::Union { .. } => -101,
+        Node::Intersection { .. } => -102,
+        Node::Difference { .. } => -103,
+        Node::Complement { .. } => -104,
+        Node::Copy { .. } => -105,
+        _ => return None,
+    })
+}

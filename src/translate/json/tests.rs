@@ -1,0 +1,221 @@
+//! There and back.
+
+use super::*;
+use crate::diagnostics::{Diagnostic, SourceFile};
+use crate::{scene, syntax};
+
+fn resolve(text: &str) -> (scene::Scene, Vec<Diagnostic>) {
+    let source = SourceFile::new("a.zpg", text.as_bytes().to_vec());
+    let (document, mut found) = syntax::parse(&source.text);
+    let scene = scene::resolve(&document, &source, &mut found);
+    (scene, found)
+}
+
+/// The model of a scene, through text.
+fn model(text: &str) -> model::Scene {
+    let (scene, found) = resolve(text);
+    assert!(!found.iter().any(Diagnostic::is_error), "{text}{found:?}");
+    let json = serde_json::to_string(&write(&scene)).unwrap();
+    read(&json).unwrap_or_else(|e| panic!("{e}\n{json}"))
+}
+
+/// The records of a model, which must resolve.
+fn records(model: &model::Scene) -> String {
+    let records = spell(model);
+    assert_eq!(records.text.lines().count(), records.places.len());
+    records.text
+}
+
+#[test]
+fn what_comes_back_is_the_same() {
+    for text in [
+        "2 9 1\n3 11 0 1 2 0.1\n4 -101 2 3\n4 -2 33 2\n4 -1 1 2 3\n4 -3 1 -2 3\n1 9999 4 0\n",
+        "2 1 3 0 1 1 0.5 0 0\n2 -201 0.1 0.2 0.3\n2 -203 1.1 1.2 1.3\n2 -701 0.1 0 1\n",
+        "2 2 2 0 1 1 0 1 0 0 0 0 1\n3 6 0 0 0 1 0 0 0 1 0\n4 7 0 0 0 1 0 0 0 1 0 0 0 1\n",
+        "8 8 0 0 0 1 0 0 0 1 0 0 0 1 0 0 1 0 0 1\n9 14 1 0.25\n10 13 1 3\n11 20 1 2 3 2\n",
+        "2 18 3\n3 19 1 2\n4 21 1 2\n5 16 -1 2\n6 17 1 2\n7 5 0 0 1 1\n8 3 0 1 0 2\n9 4 1 0 0 2\n",
+        "2 9 1\n2 -601 -1 -1 -1 1 1 1\n2 -1 1 0 0\n2 -602 1 0 0 1\n3 -104 2\n4 -105 3\n",
+        "5 -701 1 0 0\n6 -701 0 0 1\n2 9 1\n2 -399 3 4 5 6\n3 9 2\n3 -302 5 6 0.5\n1 9999 2 5 -1 -1 -1 1 1 1\n",
+        "9 -501 0 0 5 0 0 -1 0 1 0 45\n10 -105 9\n10 -1 1 0 0\n11 -503 10 9\n12 -401 0.5\n13 -402 1\n13 -1 1 2 3\n13 -701 0 1 0\n",
+        "9 -99 1 0 0 0 0 1 0 0 0 0 -1.2 -2.2 0 0 -1 0\n2 12 -1e-300 -1 -1 0.1 1 1e300\n",
+    ] {
+        let first = model(text);
+        let second = model(&records(&first));
+        assert_eq!(second, first, "{text}\n{}", records(&first));
+    }
+}
+
+#[test]
+fn a_state_that_others_need_is_copied() {
+    // The union holds the sphere as it is before it moves.
+    let first = model("2 9 1\n3 12 0 0 0 1 1 1\n4 -101 2 3\n2 -1 5 0 0\n5 -103 4 2\n1 9999 5 0\n");
+    assert_eq!(
+        records(&first),
+        "2 9 1.0\n3 12 0.0 0.0 0.0 1.0 1.0 1.0\n4 -101 2 3\n2 -1 5.0 0.0 0.0\n5 -103 4 2\n\
+         0 # what is drawn #\n1 9999 5 0\n"
+    );
+    // Here it is the other way round in the arena: both states of 2 are made of the sphere.
+    let text = "2 9 1\n2 -1 5 0 0\n4 -104 2\n2 -1 5 0 0\n";
+    assert_eq!(
+        records(&model(text)),
+        "2 9 1.0\n5 -105 2\n5 -1 5.0 0.0 0.0\n4 -104 5\n2 -1 10.0 0.0 0.0\n"
+    );
+}
+
+#[test]
+fn matrices_that_are_no_rotations_are_allowed() {
+    let text = records(&model("2 9 1\n2 -3 1 2 3\n2 -2 30 1\n"));
+    assert!(text.starts_with("# zpg: allow(not-a-rotation) #\n2 9 1.0\n2 -4 1.0 0.0 0.0 0.0 "));
+    let text = records(&model("2 9 1\n2 -2 30 1\n2 -1 1 2 3\n"));
+    assert!(text.starts_with("2 9 1.0\n2 -4 1.0 0.0 0.0 1.0 "), "{text}");
+}
+
+#[test]
+fn what_a_program_may_leave_out() {
+    let json = r#"{"version": 1, "nodes": [
+        {"type": "sphere", "radius": 1},
+        {"type": "transform", "of": 0, "matrix": [1,0,0,2, 0,1,0,0, 0,0,1,0, 0,0,0,1]},
+        {"type": "union", "operands": [0, 1], "id": 2},
+        {"type": "paint", "of": 2, "texture": {"colour": [1, 0, 0]}}
+      ], "point_lights": [{"position": [0, 5, 0], "intensity": 1}], "render": {"root": 3}}"#;
+    assert_eq!(
+        records(&read(json).unwrap()),
+        "3 9 1.0\n4 -105 3\n4 -1 2.0 0.0 0.0\n2 -101 3 4\n2 -701 1.0 0.0 0.0\n0 # lights #\n\
+         5 -402 1.0\n5 -1 0.0 5.0 0.0\n0 # what is drawn #\n1 9999 2 0\n"
+    );
+}
+
+#[test]
+fn mistakes_are_named_by_their_place() {
+    let scene = |nodes: &str, more: &str| format!(r#"{{"version": 1, "nodes": [{nodes}]{more}}}"#);
+    let ball = r#"{"type": "sphere", "radius": 1}"#;
+    for (json, says) in [
+        (String::from("{"), "EOF while parsing"),
+        (
+            String::from(r#"{"version": 2, "nodes": []}"#),
+            "version: version 2 is not known",
+        ),
+        (scene(r#"{"type": "ball"}"#, ""), "unknown variant `ball`"),
+        (
+            scene(r#"{"type": "sphere", "radius": 1, "colour": 3}"#, ""),
+            "unknown field `colour`",
+        ),
+        (scene(r#"{"type": "sphere"}"#, ""), "missing field `radius`"),
+        (
+            scene(r#"{"type": "sphere", "radius": 1e999}"#, ""),
+            "number out of range",
+        ),
+        (
+            scene(r#"{"type": "copy", "of": 0}"#, ""),
+            "nodes[0]: it names node 0, which does not",
+        ),
+        (
+            scene(r#"{"type": "sphere", "radius": 1, "id": 1}"#, ""),
+            "nodes[0]: an ID is from 2",
+        ),
+        (
+            scene(&format!("{ball}, {ball}"), r#", "render": {"root": 2}"#),
+            "render: there is no node 2",
+        ),
+        (
+            scene(ball, r#", "view": {"mono": 0}"#),
+            "view: there is no camera 0",
+        ),
+    ] {
+        let found = read(&json).unwrap_err().to_string();
+        assert!(found.contains(says), "{json}: {found}");
+    }
+}
+
+#[test]
+fn ids_are_found_at_the_end_of_the_numbers() {
+    let json = r#"{"version": 1, "nodes": [
+        {"type": "sphere", "radius": 1, "id": 2147483647},
+        {"type": "complement", "of": 0, "id": 2},
+        {"type": "complement", "of": 1}]}"#;
+    assert_eq!(
+        records(&read(json).unwrap()),
+        "2147483647 9 1.0\n2 -104 2147483647\n3 -104 2\n"
+    );
+}
+
+/// Every form of a node may have an ID.
+impl schemars::JsonSchema for model::Item {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Node".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let mut schema = model::Node::json_schema(generator);
+        let id = serde_json::json!({
+            "description": "The ID by which the language knows it; one is found where it is left out.",
+            "type": "integer",
+            "minimum": 2,
+            "maximum": spell::ID_MAX,
+        });
+        let forms = schema.get_mut("oneOf").and_then(|v| v.as_array_mut());
+        for form in forms.into_iter().flatten() {
+            // What changes another node has the ID of that.
+            let ty = form["properties"]["type"]["const"].as_str();
+            if !["transform", "paint"].map(Some).contains(&ty) {
+                form["properties"]["id"] = id.clone();
+            }
+        }
+        schema
+    }
+}
+
+#[test]
+fn the_schema_is_that_of_the_model() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/grammar/scene.schema.json");
+    let mut schema = schemars::schema_for!(model::Scene);
+    schema.insert("title".into(), "A scene of the ZPG scene language".into());
+    let text = serde_json::to_string_pretty(&schema).unwrap() + "\n";
+    if std::env::var_os("UPDATE_GRAMMAR").is_some() {
+        std::fs::write(path, &text).unwrap();
+    }
+    assert_eq!(
+        text,
+        std::fs::read_to_string(path).unwrap_or_default(),
+        "UPDATE_GRAMMAR=1 cargo test --lib schema writes it anew"
+    );
+}
+
+#[test]
+fn scenes_are_what_the_schema_says() {
+    let schema = include_str!("../../../grammar/scene.schema.json");
+    let schema = serde_json::from_str(schema).unwrap();
+    let validator = jsonschema::validator_for(&schema).unwrap();
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
+    let mut count = 0;
+    for entry in ignore::Walk::new(folder).map(Result::unwrap) {
+        if entry.path().extension().is_some_and(|e| e == "zpg") {
+            let source = SourceFile::new(
+                entry.path().to_string_lossy(),
+                std::fs::read(entry.path()).unwrap(),
+            );
+            let (document, mut found) = syntax::parse(&source.text);
+            let scene = scene::resolve(&document, &source, &mut found);
+            let json = serde_json::to_value(write(&scene)).unwrap();
+            let wrong: Vec<String> = validator
+                .iter_errors(&json)
+                .map(|e| e.to_string())
+                .collect();
+            assert!(wrong.is_empty(), "{}: {wrong:#?}", entry.path().display());
+            count += 1;
+        }
+    }
+    assert!(count > 30, "{count} scenes");
+    for bad in [
+        serde_json::json!({"version": 1}),
+        serde_json::json!({"version": 1, "nodes": [{"type": "sphere", "radius": 1, "colour": 3}]}),
+        serde_json::json!({"version": 1, "nodes": [{"type": "torus", "major": 1}]}),
+        serde_json::json!({"version": 1, "nodes": [{"type": "copy", "of": -1}]}),
+    ] {
+        assert!(!validator.is_valid(&bad), "{bad}");
+    }
+}

@@ -1,0 +1,182 @@
+//! A resolved scene as a model of JSON.
+
+use super::model::{self, Item, Node};
+use crate::scene::{self, Geometry, Matrix, NodeId, Scene, Texture, TriangleNormals, Volume};
+
+/// The scene with all that its records still stand for at the end of the file: states of objects that
+/// nothing names any more are left out.
+pub fn write(scene: &Scene) -> model::Scene {
+    let numbers = numbers(scene);
+    let node = |n: NodeId| numbers[n as usize].unwrap_or_default();
+    let items = (0..scene.nodes.len()).filter(|&i| numbers[i].is_some());
+    model::Scene {
+        version: model::VERSION,
+        nodes: items.map(|i| item(scene, i, node)).collect(),
+        ambient_lights: (scene.ambient_lights.iter())
+            .map(|l| model::AmbientLight {
+                id: Some(l.id),
+                intensity: l.intensity,
+                colour: l.colour,
+            })
+            .collect(),
+        point_lights: (scene.point_lights.iter())
+            .map(|l| model::PointLight {
+                id: Some(l.id),
+                position: l.position,
+                intensity: l.intensity,
+                colour: l.colour,
+            })
+            .collect(),
+        cameras: (scene.cameras.iter())
+            .map(|c| model::Camera {
+                id: Some(c.id),
+                position: c.position,
+                direction: c.direction,
+                up: c.up,
+                fovy: c.fovy,
+                projection: c.projection.as_ref().map(rows),
+            })
+            .collect(),
+        view: match scene.view {
+            scene::View::Automatic => None,
+            scene::View::Mono(i) => Some(model::View::Mono(i as u32)),
+            scene::View::Stereo { left, right } => Some(model::View::Stereo {
+                left: left as u32,
+                right: right as u32,
+            }),
+        },
+        render: scene.render.map(|r| model::Render {
+            root: node(r.root),
+            background: r.background,
+            clip: r.clip.map(|(min, max)| model::Region { min, max }),
+        }),
+        bounds: (scene.promises.iter())
+            .map(|p| model::Bound {
+                node: node(p.node),
+                volume: match p.volume {
+                    Volume::Box { min, max } => model::Volume::Box { min, max },
+                    Volume::Sphere { centre, radius } => model::Volume::Sphere { centre, radius },
+                },
+            })
+            .collect(),
+    }
+}
+
+/// For each node its index among those that count, in their order.
+fn numbers(scene: &Scene) -> Vec<Option<u32>> {
+    let mut used = vec![false; scene.nodes.len()];
+    let ends = scene.entities.iter().filter_map(|e| e.node);
+    let promised = scene.promises.iter().map(|p| p.node);
+    for n in ends.chain(promised).chain(scene.render.map(|r| r.root)) {
+        used[n as usize] = true;
+    }
+    // Children stand before their parents.
+    for i in (0..used.len()).rev() {
+        if used[i] {
+            for child in scene.nodes[i].children().into_iter().flatten() {
+                used[child as usize] = true;
+            }
+        }
+    }
+    let mut next = 0;
+    let number = |used: bool| {
+        used.then(|| {
+            next += 1;
+            next - 1
+        })
+    };
+    used.into_iter().map(number).collect()
+}
+
+fn item(scene: &Scene, i: usize, node: impl Fn(NodeId) -> u32) -> Item {
+    use scene::Node as N;
+    let pair = |a, b| [node(a), node(b)];
+    let made = match scene.nodes[i] {
+        N::Shape(s) => shape(&scene.shapes[s as usize].geometry),
+        N::Union(a, b) => Node::Union {
+            operands: pair(a, b),
+        },
+        N::Intersection(a, b) => Node::Intersection {
+            operands: pair(a, b),
+        },
+        N::Difference(a, b) => Node::Difference {
+            operands: pair(a, b),
+        },
+        N::Complement(child) => Node::Complement { of: node(child) },
+        N::Copy { child, .. } => Node::Copy { of: node(child) },
+        N::Transform { child, matrix } => Node::Transform {
+            of: node(child),
+            matrix: rows(&scene.matrices[matrix as usize]),
+        },
+        N::Paint { child, paint } => {
+            let paint = &scene.paints[paint as usize];
+            Node::Paint {
+                of: node(child),
+                texture: paint.texture.as_ref().map(texture),
+                optics: (paint.optics).map(|o| model::Optics {
+                    kd: o.kd,
+                    ks: o.ks,
+                    kt: o.kt,
+                }),
+                index: paint.index,
+            }
+        }
+    };
+    let changes = matches!(made, Node::Transform { .. } | Node::Paint { .. });
+    Item {
+        id: (!changes).then_some(scene.origins[i].id),
+        node: made,
+    }
+}
+
+fn rows(m: &Matrix) -> [f64; 16] {
+    std::array::from_fn(|i| m.0[i / 4][i % 4])
+}
+
+fn texture(texture: &Texture) -> model::Texture {
+    match texture {
+        Texture::Colour(rgb) => model::Texture::Colour(*rgb),
+        Texture::Checkerboard { n, m, colours } => model::Texture::Checkerboard {
+            n: *n,
+            m: *m,
+            colours: *colours,
+        },
+        Texture::Solid { colours, size } => model::Texture::Solid {
+            colours: *colours,
+            size: *size,
+        },
+        Texture::Image { file, .. } => model::Texture::Image(file.clone()),
+    }
+}
+
+fn shape(geometry: &Geometry) -> Node {
+    match geometry {
+        Geometry::Revolution { profile, colours } => Node::SurfaceOfRevolution {
+            profile: profile.clone(),
+            colours: colours.clone(),
+        },
+        &Geometry::Plane([a, b, c, d]) => Node::Plane { a, b, c, d },
+        &Geometry::HalfSpace([a, b, c, d]) => Node::HalfSpace { a, b, c, d },
+        &Geometry::Rectangle { min, max } => Node::Rectangle { min, max },
+        Geometry::Triangle { vertices, normals } => Node::Triangle {
+            vertices: *vertices,
+            normals: match normals {
+                TriangleNormals::Flat => Vec::new(),
+                TriangleNormals::One(n) => vec![*n],
+                TriangleNormals::PerVertex(all) => all.to_vec(),
+            },
+        },
+        &Geometry::Sphere { centre, radius } => Node::Sphere { centre, radius },
+        &Geometry::Ellipsoid { semi_axes } => Node::Ellipsoid { semi_axes },
+        &Geometry::Box { min, max } => Node::Box { min, max },
+        &Geometry::GeodesicSphere { radius, splits } => Node::GeodesicSphere { radius, splits },
+        &Geometry::Torus { major, minor } => Node::Torus { major, minor },
+        &Geometry::Quadric(matrix) => Node::Quadric { matrix },
+        &Geometry::Cone { height, radius } => Node::Cone { height, radius },
+        &Geometry::DoubleCone { height, radius } => Node::DoubleCone { height, radius },
+        &Geometry::ParabolicCylinder { a } => Node::ParabolicCylinder { a },
+        &Geometry::HyperbolicCylinder { a, b } => Node::HyperbolicCylinder { a, b },
+        &Geometry::Hyperboloid { a, b, c, sheets } => Node::Hyperboloid { a, b, c, sheets },
+        &Geometry::HyperbolicParaboloid { a, b } => Node::HyperbolicParaboloid { a, b },
+    }
+}
