@@ -1,10 +1,12 @@
 //! The scene for other programs: one folder per target, and what each translation costs
-//! ([`fidelity`]).
+//! ([`fidelity`]) of what scenes consist of ([`feature`]).
 
+pub mod feature;
 pub mod fidelity;
 pub mod pov;
 
-pub use fidelity::{Fidelity, Report};
+pub use feature::{Effect, Feature};
+pub use fidelity::{Fidelity, Report, Verdict};
 
 use std::fmt;
 

@@ -6,6 +6,7 @@ use super::facts::{self, Facts};
 use super::look::Looks;
 use super::names;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
+use super::verdict::verdict;
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, NodeId, Scene};
 use crate::translate::fidelity::{Fidelity, Report};
@@ -24,8 +25,6 @@ pub(super) struct Builder<'a> {
     pub cut_open: bool,
     /// An index that differs by channel was written.
     pub dispersive: bool,
-    /// An index was written.
-    pub refractive: bool,
 }
 
 impl<'a> Builder<'a> {
@@ -45,10 +44,9 @@ impl<'a> Builder<'a> {
             bounds,
             cut_open,
             looks: Looks::default(),
-            report: Report::new("pov"),
+            report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
             dispersive: false,
-            refractive: false,
         }
     }
 

@@ -10,7 +10,6 @@ use super::text::{matrix, number};
 use crate::scene::{Node, NodeId};
 use crate::syntax::table::RecordType;
 use crate::translate::Unsupported;
-use crate::translate::fidelity::Fidelity;
 
 /// What there is to do: look what a key needs, or write it, once that is written.
 enum Step {
@@ -120,9 +119,6 @@ impl<'b, 'a> Emitter<'b, 'a> {
             Body::Shape(shape) => {
                 let record = &self.builder.scene.shapes[*shape as usize];
                 let (keyword, parameters) = primitive(record)?;
-                self.builder
-                    .report
-                    .count(record.ty.title, Fidelity::Exact, "");
                 (keyword, vec![parameters])
             }
             Body::Declared(key) => match self.names.get(key).cloned().flatten() {
@@ -143,9 +139,6 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 if *kind == Group::CutawayDifference {
                     lines.push("cutaway_textures".to_owned());
                 }
-                self.builder
-                    .report
-                    .count(group_name(*kind), Fidelity::Exact, "");
                 (group_keyword(*kind), lines)
             }
         };
@@ -182,7 +175,6 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     format!("texture {{ {} }}", self.builder.looks.name(*look))
                 }
                 Modifier::Interior(index) => {
-                    self.builder.refractive = true;
                     match self.builder.aspects.index(*index) {
                         [r, g, b] if r == g && g == b => {
                             format!("interior {{ ior {} }}", number(r))
@@ -215,15 +207,6 @@ fn group_keyword(kind: Group) -> &'static str {
     match kind {
         Group::Union => "union",
         Group::Merge => "merge",
-        Group::Intersection => "intersection",
-        Group::Difference | Group::CutawayDifference => "difference",
-    }
-}
-
-fn group_name(kind: Group) -> &'static str {
-    match kind {
-        Group::Union => "union",
-        Group::Merge => "union of transparent parts",
         Group::Intersection => "intersection",
         Group::Difference | Group::CutawayDifference => "difference",
     }

@@ -24,6 +24,7 @@ mod shape;
 mod text;
 mod union;
 mod uv;
+mod verdict;
 
 use std::fmt::Write as _;
 
@@ -86,7 +87,13 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
     out.push('\n');
     out.push_str(&objects);
     out.push_str(&picture(root, &render));
-    account(&mut builder, &render, &cameras, options);
+    if options.depth >= MOST_LEVELS {
+        builder.report.state(
+            "depth",
+            Fidelity::Approximate(format!("rays end at depth {}", MOST_LEVELS - 1)),
+            "",
+        );
+    }
     Ok(Translation {
         text: out,
         report: builder.report,
@@ -195,51 +202,4 @@ fn picture(root: Option<String>, render: &Render) -> String {
         "\n// the scene: {}\nobject {{\n  {root}\n{clip}  scale Unit\n}}\n",
         render.root_id
     )
-}
-
-/// What the report says about the scene as a whole.
-fn account(builder: &mut Builder, render: &Render, cameras: &[Camera], options: &Options) {
-    let report = &mut builder.report;
-    let scene = builder.scene;
-    for _ in &scene.point_lights {
-        report.count("point light", Fidelity::Exact, "");
-    }
-    for _ in &scene.ambient_lights {
-        report.count("ambient light", Fidelity::Exact, "");
-    }
-    report.state("camera", Fidelity::Exact, "");
-    if cameras.len() > 1 {
-        report.state(
-            "stereo camera",
-            Fidelity::Exact,
-            "rendered twice, Eye 0 and 1",
-        );
-    }
-    if render.clip.is_some() {
-        report.state("render box", Fidelity::Exact, "clipped_by");
-    }
-    if builder.dispersive {
-        report.state(
-            "refractive index by channel",
-            Fidelity::Exact,
-            "three passes, Channel 0, 1 and 2",
-        );
-    }
-    let refracts = |o: u32| builder.aspects.is_transparent(o);
-    if builder.looks.optics().any(refracts) && builder.refractive {
-        report.state(
-            "total internal reflection",
-            Fidelity::Approximate(
-                "the mirrored ray counts with weight 1 instead of ks + kt".to_owned(),
-            ),
-            "",
-        );
-    }
-    if options.depth >= MOST_LEVELS {
-        report.state(
-            "depth",
-            Fidelity::Approximate(format!("rays end at depth {}", MOST_LEVELS - 1)),
-            "",
-        );
-    }
 }
