@@ -25,6 +25,8 @@ pub(super) struct Builder<'a> {
     pub cut_open: bool,
     /// An index that differs by channel was written.
     pub dispersive: bool,
+    /// An index was written.
+    pub refractive: bool,
 }
 
 impl<'a> Builder<'a> {
@@ -47,6 +49,7 @@ impl<'a> Builder<'a> {
             report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
             dispersive: false,
+            refractive: false,
         }
     }
 

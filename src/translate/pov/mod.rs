@@ -1,6 +1,6 @@
 //! POV-Ray 3.7 scenes.
 //!
-//! Coordinates stay as they are; the whole scene is scaled to a size of about 1 at the end, since
+//! Coordinates stay as they are; the whole scene is scaled to a fixed size at the end, since
 //! POV-Ray's tolerances are absolute. With `assumed_gamma 1`, no attenuation and no highlights its
 //! light is that of the reference ray tracer, except at total internal reflection.
 //!
@@ -141,6 +141,15 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
             text: file(&eyes),
         }],
     };
+    if builder.cut_open && builder.refractive {
+        builder.report.state(
+            "refraction in solids that the render box cuts open",
+            Fidelity::Approximate(
+                "rays that enter through the cut leave the solid as if they entered it".to_owned(),
+            ),
+            "",
+        );
+    }
     if options.depth >= MOST_LEVELS {
         builder.report.state(
             "depth",
@@ -218,7 +227,7 @@ fn settings(
         "#version 3.7;\n\n\
          // All light is multiplied by this, so that no pixel exceeds what an image file can hold.\n\
          #declare Light_Scale = {};\n\
-         // The finished scene is scaled by this to a size of about 1, because tolerances are absolute.\n\
+         // The finished scene is scaled by this to a size of about 30, because tolerances are absolute.\n\
          #declare Unit = {};\n\n\
          global_settings {{\n  assumed_gamma 1\n  ambient_light {ambient}*Light_Scale\n  \
          max_trace_level {levels}\n  adc_bailout 0\n}}\n\

@@ -45,7 +45,11 @@ pub fn ambient(scene: &Scene) -> Rgb {
     sum
 }
 
-/// The power of two that brings the scene to a size of about 1: tolerances are absolute there.
+/// The size that the scene is scaled to. Shadow rays overlook what is closer than 1e-3, and nothing
+/// is seen beyond 1e7: these are 1/32 000 and 300 000 of the scene.
+const SIZE: f64 = 32.0;
+
+/// The power of two that brings the scene to about that size: tolerances are absolute there.
 pub fn unit(scene: &Scene, bounds: &[NodeBounds], eyes: &[Eye]) -> f64 {
     let seen = seen_box(scene, bounds);
     let size = if seen.is_empty() {
@@ -54,7 +58,7 @@ pub fn unit(scene: &Scene, bounds: &[NodeBounds], eyes: &[Eye]) -> f64 {
     } else {
         seen.radius()
     };
-    power_of_two_about(1.0 / size)
+    power_of_two_about(SIZE / size)
 }
 
 /// The largest power of two that is not above `x`; 1 for a number without one.
