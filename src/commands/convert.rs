@@ -7,7 +7,8 @@ use super::draft::{Draft, unwritable};
 use super::size::Size;
 use super::{LookChoice, Status, complain, load_sound};
 use crate::diagnostics::Complaint;
-use crate::translate::{Report, Translation, Unsupported, pov};
+use crate::scene::Scene;
+use crate::translate::{File, Report, Translation, Unsupported, pov};
 
 /// Translate a scene for another program
 #[derive(Debug, clap::Args)]
@@ -62,23 +63,46 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
 }
 
-fn translate(args: &Args, scene: &crate::scene::Scene) -> Result<Translation, Unsupported> {
+fn translate(args: &Args, scene: &Scene) -> Result<Translation, Unsupported> {
     match args.to {
-        Target::Pov => pov::write(
-            scene,
-            &pov::Options {
+        Target::Pov => {
+            let options = pov::Options {
                 size: (args.size.width, args.size.height),
                 depth: args.depth,
-            },
-        ),
+                pictures: pictures(&args.file, args.output.as_deref()),
+                stereo: match args.output {
+                    Some(_) => pov::Stereo::TwoFiles,
+                    None => pov::Stereo::OneFile,
+                },
+            };
+            let pov::Translation { files, report, .. } = pov::write(scene, &options)?;
+            Ok(Translation { files, report })
+        }
+    }
+}
+
+/// What leads from the translation to the pictures beside the scene: nothing where it is written
+/// beside them, too, else their folder with its whole path.
+fn pictures(scene: &Path, output: Option<&Path>) -> String {
+    let folder = |path: &Path| {
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
+        folder.unwrap_or(Path::new(".")).canonicalize().ok()
+    };
+    match (folder(scene), output.map(folder)) {
+        (Some(from), Some(Some(to))) if from == to => String::new(),
+        (Some(from), _) => format!("{}/", from.display()),
+        (None, _) => String::new(),
     }
 }
 
 /// Writes the translation and its report.
 fn deliver(args: &Args, translation: &Translation, look: LookChoice) -> Status {
     let written = match &args.output {
-        Some(path) => write_file(path, &translation.text).map_err(|e| (path.clone(), e)),
-        None => match io::stdout().lock().write_all(translation.text.as_bytes()) {
+        Some(path) => translation.files.iter().try_for_each(|file| {
+            let path = suffixed(path, file.suffix);
+            write_file(&path, &file.text).map_err(|e| (path, e))
+        }),
+        None => match write_all(&translation.files) {
             // Nobody reads any more: that is their choice.
             Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {
                 Err((PathBuf::from("standard output"), e))
@@ -99,6 +123,27 @@ fn deliver(args: &Args, translation: &Translation, look: LookChoice) -> Status {
             Status::Failure
         }
     }
+}
+
+/// `NAME` and a suffix, before the extension.
+fn suffixed(path: &Path, suffix: &str) -> PathBuf {
+    if suffix.is_empty() {
+        return path.to_owned();
+    }
+    let mut name = path.file_stem().unwrap_or_default().to_owned();
+    name.push(suffix);
+    if let Some(extension) = path.extension() {
+        name.push(".");
+        name.push(extension);
+    }
+    path.with_file_name(name)
+}
+
+fn write_all(files: &[File]) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    files
+        .iter()
+        .try_for_each(|f| out.write_all(f.text.as_bytes()))
 }
 
 fn write_report(path: &Path, report: &Report) -> io::Result<()> {

@@ -4,6 +4,9 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use super::feature::{Feature, used};
+use crate::scene::Scene;
+
 /// How well one feature of the scene came through.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Fidelity {
@@ -12,6 +15,37 @@ pub enum Fidelity {
     Approximate(String),
     /// Not in the translation at all.
     Dropped,
+}
+
+/// What a target makes of a feature in general.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Verdict {
+    pub fidelity: Fidelity,
+    /// How the feature is expressed, where that is worth saying.
+    pub note: &'static str,
+}
+
+impl Verdict {
+    pub fn exact(note: &'static str) -> Verdict {
+        Verdict {
+            fidelity: Fidelity::Exact,
+            note,
+        }
+    }
+
+    pub fn approximate(bound: &str, note: &'static str) -> Verdict {
+        Verdict {
+            fidelity: Fidelity::Approximate(bound.to_owned()),
+            note,
+        }
+    }
+
+    pub fn dropped(note: &'static str) -> Verdict {
+        Verdict {
+            fidelity: Fidelity::Dropped,
+            note,
+        }
+    }
 }
 
 /// One line of the report.
@@ -39,6 +73,23 @@ impl Report {
             target,
             entries: BTreeMap::new(),
         }
+    }
+
+    /// A line for each feature that the scene uses, by what the target makes of it; a feature
+    /// that the target does not know is dropped.
+    pub fn of(
+        target: &'static str,
+        scene: &Scene,
+        verdict: impl Fn(Feature) -> Option<Verdict>,
+    ) -> Report {
+        let mut report = Report::new(target);
+        for (feature, uses) in used(scene) {
+            let verdict = verdict(feature).unwrap_or_else(|| Verdict::dropped(""));
+            report
+                .add(feature.name(), verdict.fidelity, verdict.note)
+                .uses = uses;
+        }
+        report
     }
 
     /// Counts one more use of a feature.

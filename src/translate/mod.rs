@@ -1,11 +1,13 @@
 //! The scene for other programs: one folder per target, and what each translation costs
-//! ([`fidelity`]).
+//! ([`fidelity`]) of what scenes consist of ([`feature`]).
 
+pub mod feature;
 pub mod fidelity;
 pub mod json;
 pub mod pov;
 
-pub use fidelity::{Fidelity, Report};
+pub use feature::{Effect, Feature};
+pub use fidelity::{Fidelity, Report, Verdict};
 
 use std::fmt;
 
@@ -14,8 +16,16 @@ use crate::diagnostics::Span;
 /// A finished translation.
 #[derive(Debug)]
 pub struct Translation {
-    pub text: String,
+    pub files: Vec<File>,
     pub report: Report,
+}
+
+/// A file of a translation.
+#[derive(Debug)]
+pub struct File {
+    /// What its name has before the extension, and other files of the translation have not.
+    pub suffix: &'static str,
+    pub text: String,
 }
 
 /// What a target cannot express.

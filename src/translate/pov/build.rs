@@ -1,11 +1,12 @@
 //! From nodes to objects: which `#declare`s a scene becomes, and what each consists of.
 
-use super::aspects::{Aspects, DEFAULT};
+use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::descend::{End, Stop};
 use super::facts::{self, Facts};
 use super::look::Looks;
 use super::names;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
+use super::verdict::verdict;
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, NodeId, Scene};
 use crate::translate::fidelity::{Fidelity, Report};
@@ -45,7 +46,7 @@ impl<'a> Builder<'a> {
             bounds,
             cut_open,
             looks: Looks::default(),
-            report: Report::new("pov"),
+            report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
             dispersive: false,
             refractive: false,
@@ -118,7 +119,12 @@ impl<'a> Builder<'a> {
         match state.look {
             // A texture that lies on shapes was handed down to here.
             Look::Own { texture, optics } => {
-                let texture = texture.unwrap_or_default();
+                let own = if facts::has_colours(&record.geometry) {
+                    TextureUse::here(PROFILE)
+                } else {
+                    TextureUse::DEFAULT
+                };
+                let texture = texture.unwrap_or(own);
                 let optics = optics.unwrap_or(DEFAULT);
                 let on = Some((shape, record.id));
                 let look = self.looks.number(&self.aspects, texture, optics, on);
@@ -190,6 +196,17 @@ impl<'a> Builder<'a> {
 
     pub fn box_of(&self, node: NodeId) -> Aabb {
         self.bounds[node as usize].all
+    }
+
+    /// A box around all that is drawn.
+    pub fn box_of_root(&self) -> Aabb {
+        let Some(render) = self.scene.render else {
+            return Aabb::EMPTY;
+        };
+        match render.clip {
+            Some((min, max)) => Aabb::new(min, max),
+            None => self.box_of(render.root),
+        }
     }
 
     pub fn media_are_approximate(&mut self) {

@@ -1,0 +1,248 @@
+//! What a scene may consist of: every type of record of the language's table, and the effects that
+//! no record stands for alone. Every target has to say of each what becomes of it.
+
+use std::collections::BTreeMap;
+
+use crate::scene::{Matrix, Node, Scene, Texture, View, Volume};
+use crate::syntax::table::{RECORD_TYPES, RecordType};
+use crate::trace::plan::{self, Plan};
+
+/// One thing that a translation has to deal with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Feature {
+    /// A type of record, by its number.
+    Record(i32),
+    Effect(Effect),
+}
+
+/// What is seen of a scene beyond its records.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Effect {
+    Diffuse,
+    Shadows,
+    TransparentShadows,
+    Reflection,
+    Refraction,
+    Dispersion,
+    TotalReflection,
+    VertexColours,
+    SmoothNormals,
+    Background,
+    RenderBox,
+    AutomaticCamera,
+    Headlight,
+    Depth,
+    Cutoff,
+}
+
+impl Effect {
+    pub const ALL: [Effect; 15] = [
+        Effect::Diffuse,
+        Effect::Shadows,
+        Effect::TransparentShadows,
+        Effect::Reflection,
+        Effect::Refraction,
+        Effect::Dispersion,
+        Effect::TotalReflection,
+        Effect::VertexColours,
+        Effect::SmoothNormals,
+        Effect::Background,
+        Effect::RenderBox,
+        Effect::AutomaticCamera,
+        Effect::Headlight,
+        Effect::Depth,
+        Effect::Cutoff,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            Effect::Diffuse => "diffuse light",
+            Effect::Shadows => "shadows",
+            Effect::TransparentShadows => "shadows of transparent objects",
+            Effect::Reflection => "reflection",
+            Effect::Refraction => "refraction",
+            Effect::Dispersion => "refractive index by channel",
+            Effect::TotalReflection => "total internal reflection",
+            Effect::VertexColours => "colours along a profile",
+            Effect::SmoothNormals => "shading normals",
+            Effect::Background => "background",
+            Effect::RenderBox => "render box",
+            Effect::AutomaticCamera => "automatic camera",
+            Effect::Headlight => "headlight",
+            Effect::Depth => "depth of rays",
+            Effect::Cutoff => "cutoff of faint rays",
+        }
+    }
+}
+
+impl Feature {
+    /// All features: those of the table in its order, then the effects.
+    pub fn all() -> impl Iterator<Item = Feature> {
+        let records = RECORD_TYPES.iter().map(|t| Feature::Record(t.code));
+        records.chain(Effect::ALL.into_iter().map(Feature::Effect))
+    }
+
+    /// As reports call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Feature::Record(code) => {
+                RecordType::by_code(code.into()).map_or("unknown record", |t| t.title)
+            }
+            Feature::Effect(effect) => effect.name(),
+        }
+    }
+}
+
+/// What a scene uses where it can be reached from the render record, and how often; effects count
+/// as 0 times.
+pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
+    let mut out = BTreeMap::new();
+    let (Some(render), Some(plan)) = (&scene.render, Plan::new(scene)) else {
+        return out;
+    };
+    let mut count = |code: i32| *out.entry(Feature::Record(code)).or_insert(0) += 1;
+    let mut reached = vec![false; scene.nodes.len()];
+    if let Some(root) = reached.get_mut(render.root as usize) {
+        *root = true;
+    }
+    // Children come before their parents.
+    for (i, node) in scene.nodes.iter().enumerate().rev() {
+        if !reached[i] {
+            continue;
+        }
+        for child in node.children().into_iter().flatten() {
+            reached[child as usize] = true;
+        }
+        match *node {
+            Node::Shape(shape) => count(scene.shapes[shape as usize].ty.code),
+            Node::Union(..) => count(-101),
+            Node::Intersection(..) => count(-102),
+            Node::Difference(..) => count(-103),
+            Node::Complement(_) => count(-104),
+            Node::Copy { .. } => count(-105),
+            Node::Transform { matrix, .. } => {
+                count(transformation(&scene.matrices[matrix as usize]));
+            }
+            Node::Paint { paint, .. } => {
+                let paint = &scene.paints[paint as usize];
+                if paint.texture.is_some() && paint.optics.is_some() {
+                    count(-299);
+                }
+                paint
+                    .texture
+                    .as_ref()
+                    .map(texture)
+                    .into_iter()
+                    .for_each(&mut count);
+                if let Some(o) = &paint.optics {
+                    let mono = [o.kd, o.ks, o.kt].iter().all(|[r, g, b]| r == g && g == b);
+                    count(if mono { -201 } else { -202 });
+                }
+                if paint.index.is_some() {
+                    count(-203);
+                }
+            }
+        }
+    }
+    for promise in &scene.promises {
+        if reached.get(promise.node as usize) == Some(&true) {
+            count(match promise.volume {
+                Volume::Box { .. } => -601,
+                Volume::Sphere { .. } => -602,
+            });
+        }
+    }
+    scene.ambient_lights.iter().for_each(|_| count(-401));
+    scene.point_lights.iter().for_each(|_| count(-402));
+    let views = match scene.view {
+        View::Automatic => vec![],
+        View::Mono(i) => {
+            count(-502);
+            vec![i]
+        }
+        View::Stereo { left, right } => {
+            count(-503);
+            vec![left, right]
+        }
+    };
+    for camera in views.into_iter().filter_map(|i| scene.cameras.get(i)) {
+        count(if camera.projection.is_some() {
+            -99
+        } else {
+            -501
+        });
+    }
+    count(9999);
+    for effect in Effect::ALL {
+        if shows(effect, scene, &plan) {
+            out.insert(Feature::Effect(effect), 0);
+        }
+    }
+    out
+}
+
+fn texture(texture: &Texture) -> i32 {
+    match texture {
+        Texture::Colour(_) => -701,
+        Texture::Image { .. } => -301,
+        Texture::Solid { .. } => -302,
+        Texture::Checkerboard { .. } => -399,
+    }
+}
+
+/// The type of record that says what a matrix does.
+fn transformation(m: &Matrix) -> i32 {
+    let r = &m.0;
+    let moved = (0..3).any(|i| r[i][3] != 0.0);
+    let diagonal = (0..3).all(|i| (0..3).all(|j| i == j || r[i][j] == 0.0));
+    let kept = (0..3)
+        .any(|k| (0..3).all(|i| r[i][k] == r[k][i] && r[i][k] == f64::from(u8::from(i == k))));
+    match (diagonal, moved) {
+        (true, true) if (0..3).all(|i| r[i][i] == 1.0) => -1,
+        (true, false) => -3,
+        (false, false) if kept && (m.determinant3() - 1.0).abs() < 1e-9 => -2,
+        _ => -4,
+    }
+}
+
+fn shows(effect: Effect, scene: &Scene, plan: &Plan) -> bool {
+    use plan::Effect as Planned;
+    let refracts = plan.on(Planned::Refraction);
+    let bent = |p: &crate::scene::Paint| p.index.is_some_and(|i| i != [1.0; 3]);
+    match effect {
+        Effect::Diffuse => plan.on(Planned::Diffuse),
+        Effect::Shadows => plan.on(Planned::Shadows),
+        Effect::TransparentShadows => plan.on(Planned::TransparentShadows),
+        Effect::Reflection => plan.on(Planned::Reflection),
+        Effect::Refraction => refracts,
+        Effect::Dispersion => plan.on(Planned::Dispersion),
+        Effect::TotalReflection => refracts && scene.paints.iter().any(bent),
+        Effect::VertexColours => plan.on(Planned::VertexColour),
+        Effect::SmoothNormals => plan.on(Planned::SmoothNormals),
+        Effect::Background => true,
+        Effect::RenderBox => plan.on(Planned::ClipBox),
+        Effect::AutomaticCamera => scene.view == View::Automatic,
+        Effect::Headlight => scene.ambient_lights.is_empty() && scene.point_lights.is_empty(),
+        Effect::Depth | Effect::Cutoff => refracts || plan.on(Planned::Reflection),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn matrices_are_told_apart() {
+        assert_eq!(transformation(&Matrix::translation(1.0, 0.0, 0.0)), -1);
+        assert_eq!(transformation(&Matrix::rotation(30.0, 1)), -2);
+        assert_eq!(transformation(&Matrix::scaling(2.0, -1.0, 1.0)), -3);
+        let turned = Matrix::rotation(30.0, 1).after(&Matrix::rotation(30.0, 0));
+        assert_eq!(transformation(&turned), -4);
+    }
+
+    #[test]
+    fn names_are_unique() {
+        let names: std::collections::BTreeSet<_> = Feature::all().map(Feature::name).collect();
+        assert_eq!(names.len(), Feature::all().count());
+    }
+}
