@@ -10,6 +10,7 @@
 //! - [`lint`]: rules over the tree and the scene, one file a rule; those about geometry prove what they
 //!   say with the tracer's means.
 //! - [`translate`]: the scene for other programs.
+//! - [`study`]: scenes under study: our picture beside that of another program.
 //! - [`config`]: `zpg.toml`, the settings for a folder of scenes.
 //! - [`commands`]: one file per subcommand of the command line.
 
@@ -19,6 +20,7 @@ pub mod diagnostics;
 pub mod format;
 pub mod lint;
 pub mod scene;
+pub mod study;
 pub mod syntax;
 pub mod trace;
 pub mod translate;

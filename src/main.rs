@@ -4,7 +4,9 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use zpg::commands::{LookChoice, check, completions, convert, explain, fmt, plan, probe, render};
+use zpg::commands::{
+    LookChoice, check, completions, convert, crosscheck, explain, fmt, plan, probe, render,
+};
 
 /// Tools for scenes in the ZPG scene language
 #[derive(Debug, Parser)]
@@ -22,6 +24,7 @@ Examples:
   zpg render scene.zpg      a picture, scene.png
   zpg plan scene.zpg        which effects the picture needs, and why
   zpg convert scene.zpg --to pov -o scene.pov
+  zpg crosscheck scene.zpg --with povray
   zpg probe scene.zpg --ray \"0 0 9  0 0 -1\"
   zpg explain E101          what a finding means and how to fix it
   zpg explain checkerboard  what a record type means and how it is written"
@@ -39,6 +42,7 @@ enum Command {
     Check(check::Args),
     Fmt(fmt::Args),
     Convert(convert::Args),
+    Crosscheck(crosscheck::Args),
     Render(render::Args),
     Probe(probe::Args),
     Plan(plan::Args),
@@ -52,6 +56,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::run(args, cli.look),
         Command::Fmt(args) => fmt::run(args, cli.look),
         Command::Convert(args) => convert::run(args, cli.look),
+        Command::Crosscheck(args) => crosscheck::run(args, cli.look),
         Command::Render(args) => render::run(args, cli.look),
         Command::Probe(args) => probe::run(args, cli.look),
         Command::Plan(args) => plan::run(args, cli.look),

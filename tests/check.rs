@@ -198,7 +198,11 @@ fn messages_in_czech() {
     let dir = folder(&[("a.zpg", "2 9 -1\n1 9999 2 0\n")]);
     let run = zpg(dir.path(), &["check", "--lang", "cs", "a.zpg"], "");
     let out = text(&run.stdout);
-    assert!(out.starts_with("chyba[E201]: koule v počátku: poloměr musí být větší než nula\n"));
+    assert!(
+        out.starts_with(
+            "chyba[E201]: koule se středem v počátku: poloměr musí být větší než nula\n"
+        )
+    );
     let run = zpg(
         dir.path(),
         &["check", "--lang", "cs", "--format", "json", "a.zpg"],

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::draft::{Draft, unwritable};
 use super::size::Size;
-use super::{LookChoice, Status, complain, load_sound};
+use super::{Loaded, LookChoice, Status, complain, load_sound};
 use crate::diagnostics::Complaint;
 use crate::scene::Scene;
 use crate::translate::{File, Report, Translation, Unsupported, pov};
@@ -52,15 +52,18 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     };
     match translate(args, &loaded.scene) {
         Ok(translation) => deliver(args, &translation, look),
-        Err(unsupported) => {
-            let at = unsupported.span.map(|s| loaded.source.position(s.start));
-            let place = at.map_or(String::new(), |p| {
-                format!("{}:{}:{}: ", loaded.source.path, p.line, p.column)
-            });
-            complain(look, &Complaint::quoted(format!("{place}{unsupported}")));
-            Status::Negative
-        }
+        Err(unsupported) => refuse(&loaded, &unsupported, look),
     }
+}
+
+/// Says what cannot be translated, and where it is written.
+pub(super) fn refuse(loaded: &Loaded, unsupported: &Unsupported, look: LookChoice) -> Status {
+    let at = unsupported.span.map(|s| loaded.source.position(s.start));
+    let place = at.map_or(String::new(), |p| {
+        format!("{}:{}:{}: ", loaded.source.path, p.line, p.column)
+    });
+    complain(look, &Complaint::quoted(format!("{place}{unsupported}")));
+    Status::Negative
 }
 
 fn translate(args: &Args, scene: &Scene) -> Result<Translation, Unsupported> {
@@ -83,7 +86,7 @@ fn translate(args: &Args, scene: &Scene) -> Result<Translation, Unsupported> {
 
 /// What leads from the translation to the pictures beside the scene: nothing where it is written
 /// beside them, too, else their folder with its whole path.
-fn pictures(scene: &Path, output: Option<&Path>) -> String {
+pub(super) fn pictures(scene: &Path, output: Option<&Path>) -> String {
     let folder = |path: &Path| {
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
         folder.unwrap_or(Path::new(".")).canonicalize().ok()

@@ -8,6 +8,7 @@
 pub mod check;
 pub mod completions;
 pub mod convert;
+pub mod crosscheck;
 pub mod draft;
 pub mod explain;
 pub mod fmt;

@@ -330,6 +330,7 @@ fn settings(args: &Args) -> Result<Settings, Failure> {
         crop,
         samples: args.samples,
         tolerance: args.adaptive,
+        shift: [0.0; 2],
         depth: args.depth,
         cutoff: args.cutoff.unwrap_or(default.cutoff),
         numbers: args.precision,

@@ -1,9 +1,9 @@
 //! Image files that a scene names: only from the scene's own folder.
 
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::{Component, Path};
 
-use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::diagnostics::{Code, Complaint, Diagnostic, Span};
 
 /// Checks a file name; `folder` is where the scene lies, if it is a file. `true` if it can be used.
 pub fn check(file: &str, span: Span, folder: Option<&Path>, out: &mut Vec<Diagnostic>) -> bool {
@@ -31,14 +31,14 @@ pub fn check(file: &str, span: Span, folder: Option<&Path>, out: &mut Vec<Diagno
                 out.push(Diagnostic::new(Code::E210, span).case("format"));
                 false
             }
-            Err(e) => unreadable(span, &e.to_string(), out),
+            Err(e) => unreadable(span, &e, out),
         },
-        Err(e) => unreadable(span, &e.to_string(), out),
+        Err(e) => unreadable(span, &e, out),
     }
 }
 
 /// Whether a file begins like a PNG or JPEG picture.
-fn is_picture(path: &Path) -> std::io::Result<bool> {
+fn is_picture(path: &Path) -> io::Result<bool> {
     let mut start = Vec::new();
     // Only what lies on disk: opening a pipe would wait for somebody to write.
     if std::fs::metadata(path)?.is_file() {
@@ -48,7 +48,7 @@ fn is_picture(path: &Path) -> std::io::Result<bool> {
     Ok(start == b"\x89PNG\r\n\x1a\n" || start.starts_with(&[0xff, 0xd8, 0xff]))
 }
 
-fn unreadable(span: Span, why: &str, out: &mut Vec<Diagnostic>) -> bool {
-    out.push(Diagnostic::new(Code::E210, span).with("why", why));
+fn unreadable(span: Span, why: &io::Error, out: &mut Vec<Diagnostic>) -> bool {
+    out.push(Diagnostic::new(Code::E210, span).with("why", Complaint::from(why)));
     false
 }

@@ -33,7 +33,7 @@ pub fn srgb8(linear: f32) -> u8 {
 }
 
 /// A PNG of 8-bit sRGB, from rows of red, green and blue from the top.
-pub(super) fn write_rgb8(out: impl Write, width: u32, height: u32, rgb: &[u8]) -> io::Result<()> {
+pub fn write_rgb8(out: impl Write, width: u32, height: u32, rgb: &[u8]) -> io::Result<()> {
     let mut encoder = png::Encoder::new(out, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);

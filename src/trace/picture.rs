@@ -64,6 +64,8 @@ pub struct Settings {
     /// Instead: as many samples as bring the estimated error of a pixel, in linear RGB, below this
     /// number above 0; see [`super::adaptive`].
     pub tolerance: Option<f64>,
+    /// All samples are moved by so much, to the right and down, in pixels.
+    pub shift: [f64; 2],
     /// Rays deeper than this contribute nothing; a camera ray has depth 0.
     pub depth: u32,
     /// Branches that count for less than this contribute nothing; 0: all do.
@@ -81,6 +83,7 @@ impl Default for Settings {
             crop: None,
             samples: 1,
             tolerance: None,
+            shift: [0.0; 2],
             depth: 10,
             cutoff: 1.0 / 4096.0,
             numbers: Numbers::F64,
@@ -190,6 +193,7 @@ impl Tracer {
             lights: self.lights.as_deref().unwrap_or(&headlight),
             limits,
             outside,
+            shift: settings.shift,
             radiance: radiance(self.features(outside)),
             view,
             stop: settings.stop.as_deref(),
@@ -257,6 +261,7 @@ struct Drawing<'t, R: Precision> {
     limits: Limits,
     view: View,
     outside: bool,
+    shift: [f64; 2],
     /// The shading code for what the plan calls for.
     radiance: Radiance<'t, R>,
     stop: Option<&'t AtomicBool>,
@@ -336,6 +341,7 @@ impl<R: Precision> Pen<'_, '_, R> {
     /// the range of the precision, there is nothing to be seen.
     fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
         let [dx, dy] = sample(x, y, i, n);
+        let [dx, dy] = [dx + self.drawing.shift[0], dy + self.drawing.shift[1]];
         match self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy) {
             Some(ray) if ray.cast::<R>().line.is_sound() => {
                 let mut ray: Ray<R> = ray.cast();

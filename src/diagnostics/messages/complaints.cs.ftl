@@ -77,3 +77,10 @@ number-out-of-range = { $word } je mimo rozsah
 not-a-number = { $word } není číslo
 wrong-count = očekává se { $expected } čísel, je jich { $found }
 zero-direction = směr je nulový vektor
+
+## Srovnávání
+
+no-program = { $program } není nainstalován: získáte ho { $how }
+program-failed = { $program } selhal:
+    { $said }
+program-strange = { $program }: { $what }

@@ -77,3 +77,10 @@ number-out-of-range = { $word } is out of range
 not-a-number = { $word } is not a number
 wrong-count = expected { $expected } numbers, found { $found }
 zero-direction = the direction is the zero vector
+
+## Comparing
+
+no-program = { $program } is not installed: get it { $how }
+program-failed = { $program } has failed:
+    { $said }
+program-strange = { $program }: { $what }

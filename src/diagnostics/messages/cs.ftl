@@ -213,26 +213,26 @@ E101-no-id = { $number } není ID
     .label = zde mělo být nějaké ID
 
 E102 = ID { $id } už je definováno
-    .label = { $type } by zde bylo definováno podruhé
+    .label = toto by byla druhá definice ({ $type })
     .help = dejte mu jeho vlastní ID
     .first = poprvé je definováno zde
 
 E103 = { $id } je { $kind }
-    .label = { $parameter } musí být { $kinds }
-E103-changed = { $id } je { $kind }; { $type } na to použít nelze
+    .label = zde má být ID tohoto druhu: { $kinds }
+E103-changed = na { $id } nelze použít záznam „{ $type }“: je to { $kind }
     .label = zde má být { $kinds }
 
 E104 = { $id } je použito ve své vlastní definici
     .label = { $parameter } musí být něco jiného
 
-E105 = zobrazovací záznam musí mít ID 1
+E105 = renderovací záznam musí mít ID 1
     .label = toto ID
     .fix = napsat `1`
-E105-other = ID 1 je vyhrazeno zobrazovacímu záznamu; { $type } je mít nemůže
+E105-other = ID 1 je vyhrazeno renderovacímu záznamu; { $type } je mít nemůže
     .label = toto ID
     .help = použijte jiné ID
 
-E106 = chybí zobrazovací záznam
+E106 = chybí renderovací záznam
     .label = nic neříká, co se má zobrazit
     .help = přidejte `1 9999 OBJEKT POZADÍ` s ID objektu a s ID barvy (nebo 0)
 
@@ -242,7 +242,7 @@ E107 = { $id } se používá dříve, než je definováno
     .later = definováno zde
 
 E108 = { $id } je ohlášeno, ale ještě není definováno
-    .label = { $parameter } musí být před použitím definováno
+    .label = nejprve je třeba definovat: { $parameter }
 E108-changed = { E108 }
     .label = { $type } potřebuje něco, co by šlo změnit
 
@@ -264,7 +264,7 @@ E203 = { $type }: { $vector } je nulový vektor
 
 E204 = { $type } je singulární: nemá inverzi
     .label = zobrazuje prostor na něco plochého
-E204-row = poslední řádek matice otočení musí být 0 0 0 1
+E204-row = poslední řádek matice rotace musí být 0 0 0 1
     .label = tento řádek
 E204-scale = { $type }: { $parameter } nesmí být nula
     .label = `{ $name }` je { $text }
@@ -280,10 +280,10 @@ E206-between = { $type }: { $parameter } musí být mezi { $low } a { $high } (k
     .label = `{ $name }` je { $text }
 E206-least = { $type }: { $parameter } musí být aspoň { $low }
     .label = `{ $name }` je { $text }
-E206-count = { $type } nemůže mít { $value } bodů
+E206-count = { $type }: počet bodů profilu nemůže být { $value }
     .label = N, počet bodů profilu, musí být aspoň 2
 
-E207 = směr pohledu kamery a vektor vzhůru jsou rovnoběžné
+E207 = směr pohledu kamery a vektor „nahoru“ (up-vector) jsou rovnoběžné
     .label = mají určovat svislou rovinu obrazu
 
 E208 = { $type }: { $parameter } nesmí být záporná
@@ -339,10 +339,10 @@ W302-blue = { W302 } v modré
     .label = { W302.label }
     .help = { W302.help }
 
-W303 = tato matice není otočení: { $deeds }
+W303 = tato matice není rotace: { $deeds }
     .label = použije se tak, jak je
     .help = k záměrnému zvětšení nebo zrcadlení použijte typ -3
-    .fix = napsat nejbližší otočení
+    .fix = napsat nejbližší rotaci
     .mirrors = zrcadlí
     .scales = její sloupce mají délky { $x }, { $y } a { $z }, ne 1
     .skews = její sloupce nejsou na sebe kolmé
@@ -413,7 +413,7 @@ W306-zero = kvadrice { $id } vyhovuje každý bod
     .label = { W306.label }
     .note = xᵀQx je všude 0: objekt vyplňuje celý prostor a nemá povrch, který by šlo zobrazit
 
-W307 = { $id }, sjednocení: { $one } { $one-id } a { $two } { $two-id } se překrývají a jsou z různých prostředí: ({ $x }, { $y }, { $z }) leží v obou
+W307 = ve sjednocení { $id } se překrývají { $one } { $one-id } a { $two } { $two-id } s různými optickými vlastnostmi: bod ({ $x }, { $y }, { $z }) leží v obou
     .label = co leží v obou, patří prvnímu operandu
     .first = { $one }
     .second = { $two }
@@ -435,17 +435,17 @@ W308 = průnik { $id } nevypadá všude stejně: { $first } { $first-id } a { $s
     .help = má-li celý povrch vypadat stejně, přiřaďte vlastnosti výsledku: `{ $id } -299 TEXTURA OPTIKA`
     .fix = dát { $id } tytéž vlastnosti, jaké má { $source }
 
-W309 = { $change } přichází pozdě: { $taker } { $taker-id } už používá { $id } v předchozí podobě{ $more ->
+W309 = { $change } objektu { $id } přichází pozdě: { $taker } { $taker-id } už má jeho dřívější podobu{ $more ->
     [0] {""}
     [one] ; totéž platí o další { $more } změně
     [few] ; totéž platí o dalších { $more } změnách
    *[other] ; totéž platí o dalších { $more } změnách
 }
-    .label = na ničem použitém se to neprojeví
+    .label = na výsledku se to už neprojeví
     .taken = zde se { $id } použije
     .note = operace bere operandy v té podobě, jakou v daném místě mají
     .help = přesuňte tento záznam před ten, který { $id } používá, nebo změňte { $taker-id } místo { $id }
-W309-property = { $type } { $id } se mění pozdě: { $taker-id } má předchozí podobu{ $more ->
+W309-property = { $type } { $id } se mění pozdě: { $taker-id } už má dřívější podobu{ $more ->
     [0] {""}
     [one] ; totéž platí o další { $more } změně
     [few] ; totéž platí o dalších { $more } změnách
@@ -456,8 +456,8 @@ W309-property = { $type } { $id } se mění pozdě: { $taker-id } má předchoz�
     .note = vlastnosti a barvy se přiřazují v té podobě, jakou v daném místě mají
     .help = přesuňte tento záznam před ten, který { $id } používá
 
-W310 = { $type } { $id }: nic to nepoužívá
-    .label = nic z toho, co se zobrazí, to nemá
+W310 = { $type } { $id } se nikde nepoužije
+    .label = nic z toho, co se zobrazí, to nepotřebuje
     .help = přiřaďte to pomocí `ID -299 TEXTURA OPTIKA`, nebo záznam odstraňte
 W310-object = { $type } { $id } není součástí toho, co se zobrazí
     .label = nic z toho, co se zobrazí, objekt nepoužívá
@@ -466,21 +466,21 @@ W310-placeholder = { $id } je ohlášeno, ale není ani definováno, ani použit
     .label = ohlášení bez definice
     .help = definujte objekt níže, nebo ohlášení odstraňte
 
-W311 = ohraničující kvádr objektu { $id } je příliš malý: ({ $x }, { $y }, { $z }) je bod povrchu objektu
+W311 = obalový kvádr objektu { $id } je příliš malý: ({ $x }, { $y }, { $z }) je bod povrchu objektu
     .label = tento kvádr má obsahovat celý objekt
     .note = obrázek zůstane stejný, ale program, který kvádru věří, vynechá vše, co leží vně
     .fix = zvětšit jej
-W311-sphere = ohraničující koule objektu { $id } je příliš malá: ({ $x }, { $y }, { $z }) je bod povrchu objektu
+W311-sphere = obalová koule objektu { $id } je příliš malá: ({ $x }, { $y }, { $z }) je bod povrchu objektu
     .label = tato koule má obsahovat celý objekt
     .note = obrázek zůstane stejný, ale program, který kouli věří, vynechá vše, co leží vně
     .fix = zvětšit ji
 
-W312 = kvádr vykreslovacího záznamu ořezává scénu: { $type } { $id } z něj přesahuje v bodě ({ $x }, { $y }, { $z })
+W312 = kvádr renderovacího záznamu ořezává scénu: { $type } { $id } z něj přesahuje v bodě ({ $x }, { $y }, { $z })
     .label = co leží mimo tento kvádr, není vidět
     .shape = toto z něj přesahuje
     .note = řez není uzavřený: je vidět dovnitř objektu
     .help = zvětšete kvádr, nebo označte řez za záměrný: `# zpg: allow(W312) #`
-W312-outside = nic nebude vidět: celý objekt { $id } leží mimo kvádr vykreslovacího záznamu, { $axis } má všude { $where ->
+W312-outside = nic nebude vidět: celý objekt { $id } leží mimo kvádr renderovacího záznamu, { $axis } má všude { $where ->
         [above] nejméně
        *[below] nejvýše
     } { $reach }
@@ -547,12 +547,12 @@ W318-below-one = index lomu je nejméně 1, jako ve vakuu; zde je { $parts }
     .label = méně než 1
     .help = index patří látce samotného objektu; okolí se započítává zvlášť
 
-W319 = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a { $two } { $two-id } leží mimo sebe, { $axis } ≤ { $end } a { $axis } ≥ { $begin }
+W319 = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a { $two } { $two-id } se neprotínají, { $axis } ≤ { $end } a { $axis } ≥ { $begin }
     .label = nic nezbude
     .one = { $one }
     .two = { $two }
     .note = nic z něj se nevykreslí
-W319-balls = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a { $two } { $two-id } leží mimo sebe, středy jsou od sebe { $between }, součet poloměrů je { $radii }
+W319-balls = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } a { $two } { $two-id } se neprotínají, středy jsou od sebe { $between }, součet poloměrů je { $radii }
     .label = { W319.label }
     .one = { W319.one }
     .two = { W319.two }
@@ -617,9 +617,9 @@ W321 = { $operation } { $id }: { W321.the-tool } končí přesně na povrchu, kt
        *[all] povrch
     }
     .operation = { $operation }
-    .note = zda tam zbude blána bez tloušťky, záleží na zaokrouhlení
-    .help = nechte nástroj sahat o kousek za stěnu, kterou prořezává
-    .fix = nechat jej sahat o vlásek dál
+    .note = zda tam zbude stěna nulové tloušťky, záleží na zaokrouhlení
+    .help = protáhněte nástroj o kousek za stěnu, kterou prořezává
+    .fix = protáhnout nástroj o kousek dál
     .the-tool = { $tool-copy ->
         [none] { $tool } { $tool-id }
        *[other] { $tool } { $tool-id } v kopii { $tool-copy }
@@ -639,14 +639,14 @@ W321-holes = { $operation } { $id }: { W321.the-tool } řeže až tam, kam { W32
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
-    .note = zda mezi nimi zbude stěna bez tloušťky, záleží na zaokrouhlení
+    .note = zda mezi nimi zbude stěna nulové tloušťky, záleží na zaokrouhlení
     .help = nechte jeden z nich zasahovat o kousek do druhého
     .fix = { W321.fix }
 W321-touch = { $operation } { $id }: { W321.the-tool } a { W321.the-other } se jen dotýkají: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
-    .note = co tam mají společného, je list bez tloušťky; zda je vidět, záleží na zaokrouhlení
+    .note = co tam mají společného, je plocha nulové tloušťky; zda je vidět, záleží na zaokrouhlení
 
 W322 = { $type } { $id } má příliš rozdílné rozměry: { $large } je { $large-size }, { $small } jen { $small-size }
     .label = délky, které se liší více než 1e8krát
@@ -663,7 +663,7 @@ W322-stretched = { $type } { $id } má po přesunutí a natažení příliš roz
 
 ## Poznámky a styl
 
-N602 = chybí kamera; pohled na scénu se zvolí sám
+N602 = chybí kamera; pohled na scénu se zvolí automaticky
     .help = kamera se zapisuje `ID -501 x y z dx dy dz ux uy uz fovy`
 
 N603 = chybí světlo; od kamery svítí světlo s intenzitou 1

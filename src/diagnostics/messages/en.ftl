@@ -271,7 +271,7 @@ E206-between = { $parameter } of the { $type } must lie between { $low } and { $
     .label = `{ $name }` is { $text }
 E206-least = { $parameter } of the { $type } must be at least { $low }
     .label = `{ $name }` is { $text }
-E206-count = { $type-a } cannot have { $value } points
+E206-count = { $type-a } needs at least 2 points, not { $value }
     .label = N, the number of profile points, must be at least 2
 
 E207 = the camera's view direction and up vector are parallel

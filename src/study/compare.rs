@@ -1,0 +1,172 @@
+//! How far two pictures of one scene are apart, in linear light.
+
+use serde::Serialize;
+
+use super::silhouette::Studied;
+use crate::trace::Film;
+use crate::trace::film::srgb8;
+
+/// The largest difference of two colours in a channel.
+pub fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
+    let channel = |c: usize| (f64::from(a[c]) - f64::from(b[c])).abs();
+    (0..3).map(channel).fold(0.0, f64::max)
+}
+
+/// What a pixel counts as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pixel {
+    /// An edge goes through it.
+    Silhouette,
+    /// It shows light that was totally reflected, where the other program differs by design.
+    Apart,
+    Alike,
+    Differing,
+}
+
+/// How two pictures compare.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Comparison {
+    pub pixels: usize,
+    pub silhouettes: usize,
+    /// Off silhouettes, with total reflection: not compared.
+    pub total_reflection: usize,
+    pub differing: Differing,
+    pub difference: Difference,
+    /// The mean of the FLIP map of both pictures in sRGB (Andersson et al., "FLIP: A Difference
+    /// Evaluator for Alternating Images", 2020): 0 for equal ones.
+    pub flip: f32,
+    #[serde(skip)]
+    map: Vec<(Pixel, f64)>,
+    #[serde(skip)]
+    bar: f64,
+}
+
+/// Pixels that differ by more than the bar.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Differing {
+    pub off_silhouettes: usize,
+    /// Of all pixels.
+    pub share_off_silhouettes: f64,
+    pub on_silhouettes: usize,
+}
+
+/// Differences off silhouettes and without total reflection, in linear light, where 1 is white.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Difference {
+    pub largest: f64,
+    pub mean: f64,
+}
+
+impl Comparison {
+    /// Compares pictures of one size. `most` is the most that a channel of theirs can hold; pixels
+    /// that differ by more than `bar` differ.
+    pub fn new(ours: &Studied, theirs: &Film, most: f32, bar: f64) -> Comparison {
+        let held: Vec<[f32; 3]> = (ours.picture.film.pixels.iter())
+            .map(|p| p.map(|c| c.min(most)))
+            .collect();
+        let map: Vec<(Pixel, f64)> = (held.iter().zip(&theirs.pixels).enumerate())
+            .map(|(i, (a, b))| {
+                let d = distance(*a, *b);
+                let pixel = match () {
+                    () if ours.edges[i] => Pixel::Silhouette,
+                    () if ours.total_reflection[i] => Pixel::Apart,
+                    () if d > bar => Pixel::Differing,
+                    () => Pixel::Alike,
+                };
+                (pixel, d)
+            })
+            .collect();
+        let count = |what: Pixel| map.iter().filter(|p| p.0 == what).count();
+        let compared = || {
+            let off = |p: &&(Pixel, f64)| matches!(p.0, Pixel::Alike | Pixel::Differing);
+            map.iter().filter(off).map(|p| p.1)
+        };
+        let sum: f64 = compared().sum();
+        let off = count(Pixel::Differing);
+        Comparison {
+            pixels: map.len(),
+            silhouettes: count(Pixel::Silhouette),
+            total_reflection: count(Pixel::Apart),
+            differing: Differing {
+                off_silhouettes: off,
+                share_off_silhouettes: off as f64 / map.len().max(1) as f64,
+                on_silhouettes: (map.iter())
+                    .filter(|p| p.0 == Pixel::Silhouette && p.1 > bar)
+                    .count(),
+            },
+            difference: Difference {
+                largest: compared().fold(0.0, f64::max),
+                mean: sum / compared().count().max(1) as f64,
+            },
+            flip: flip(theirs.width, theirs.height, &held, &theirs.pixels),
+            map,
+            bar,
+        }
+    }
+
+    /// The differences as a picture of 8-bit RGB, row by row: green up to the bar, red above it, grey
+    /// for silhouettes, blue where there is total reflection; all the brighter the more they differ.
+    pub fn picture(&self) -> Vec<u8> {
+        let colour = |&(pixel, d): &(Pixel, f64)| {
+            let shade = (55.0 + 200.0 * (d / self.bar).min(1.0)) as u8;
+            match pixel {
+                Pixel::Silhouette => [shade / 2; 3],
+                Pixel::Apart => [0, 0, shade],
+                Pixel::Alike => [0, (200.0 * d / self.bar) as u8, 0],
+                Pixel::Differing => [255, 0, 0],
+            }
+        };
+        self.map.iter().flat_map(colour).collect()
+    }
+}
+
+/// Our picture, theirs and the differences beside each other, as 8-bit sRGB.
+pub fn side_by_side(ours: &Film, theirs: &Film, comparison: &Comparison) -> Vec<u8> {
+    let width = theirs.width as usize;
+    let both = ours.beside(theirs);
+    let differences = comparison.picture();
+    let rows = both.pixels.chunks(2 * width);
+    rows.zip(differences.chunks(3 * width))
+        .flat_map(|(pictures, differences)| {
+            let mut row: Vec<u8> = pictures.iter().flatten().map(|&x| srgb8(x)).collect();
+            row.extend(differences);
+            row
+        })
+        .collect()
+}
+
+fn flip(width: u32, height: u32, ours: &[[f32; 3]], theirs: &[[f32; 3]]) -> f32 {
+    let image = |pixels: &[[f32; 3]]| {
+        let bytes: Vec<u8> = pixels.iter().flatten().map(|&x| srgb8(x)).collect();
+        nv_flip::FlipImageRgb8::with_data(width, height, &bytes)
+    };
+    let map = nv_flip::flip(
+        image(ours),
+        image(theirs),
+        nv_flip::DEFAULT_PIXELS_PER_DEGREE,
+    );
+    nv_flip::FlipPool::from_image(&map).mean()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn film(pixels: Vec<[f32; 3]>) -> Film {
+        Film {
+            width: 4,
+            height: pixels.len() as u32 / 4,
+            pixels,
+        }
+    }
+
+    #[test]
+    fn every_pixel_counts_once() {
+        let theirs = film((0..8).map(|i| [i as f32 / 8.0; 3]).collect());
+        assert_eq!(distance([0.0, 0.5, 1.0], [0.25, 0.5, 0.5]), 0.5);
+        assert_eq!(flip(4, 2, &theirs.pixels, &theirs.pixels), 0.0);
+        let black = vec![[0.0; 3]; 8];
+        let white = vec![[1.0; 3]; 8];
+        assert!(flip(4, 2, &black, &white) > 0.9);
+    }
+}
