@@ -1,13 +1,19 @@
 //! The scenes of the repository in POV-Ray and in our tracer.
 
+#[path = "campaign/rng.rs"]
+#[allow(dead_code)]
+mod rng;
+#[path = "lint_generated/scenes.rs"]
+mod scenes;
 mod support;
 
 use std::path::{Path, PathBuf};
 
 use support::compare::compare;
+use zpg::commands::Loaded;
 
 /// Scenes in a folder, in order.
-fn scenes(folder: &Path) -> Vec<PathBuf> {
+fn files(folder: &Path) -> Vec<PathBuf> {
     let mut out: Vec<PathBuf> = std::fs::read_dir(folder)
         .expect("a folder")
         .map(|e| e.expect("an entry").path())
@@ -20,7 +26,7 @@ fn scenes(folder: &Path) -> Vec<PathBuf> {
 /// Compares all scenes of a folder; names those that have too many wrong pixels.
 fn check(folder: &Path, size: (u32, u32), skip: &[&str]) {
     let mut bad = Vec::new();
-    for path in scenes(folder) {
+    for path in files(folder) {
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         if skip.contains(&name.as_str()) {
             continue;
@@ -71,4 +77,31 @@ fn any() {
     if let Some(folder) = std::env::var_os("POV_SCENES") {
         check(Path::new(&folder), (160, 120), &[]);
     }
+}
+
+/// Random scenes: `POV_SEEDS=1..40 cargo test --test pov_scenes random -- --nocapture`.
+#[test]
+fn random() {
+    let seeds = std::env::var("POV_SEEDS").unwrap_or("1..9".to_owned());
+    let (from, to) = seeds.split_once("..").unwrap();
+    let mut bad = Vec::new();
+    for seed in from.parse::<u64>().unwrap()..to.parse().unwrap() {
+        let text = scenes::scene(seed);
+        let loaded = Loaded::new("scene.zpg", text.clone().into());
+        assert!(loaded.sound, "{:?}", loaded.diagnostics);
+        let name = format!("random_{seed}");
+        for outcome in compare(&name, &loaded.scene, Path::new("."), (96, 72)) {
+            println!(
+                "{name:>12}: {:6.3} % wrong, worst {:7.2}/255, {} on edges, {} total reflection",
+                100.0 * outcome.share(),
+                255.0 * outcome.worst,
+                outcome.edges,
+                outcome.total
+            );
+            if outcome.share() > 0.0005 {
+                bad.push(name.clone());
+            }
+        }
+    }
+    assert!(bad.is_empty(), "{bad:?}");
 }

@@ -1,11 +1,14 @@
 //! From nodes to objects: which `#declare`s a scene becomes, and what each consists of.
 
+use std::collections::HashSet;
+
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::descend::{End, Stop};
 use super::facts::{self, Facts};
 use super::look::Looks;
 use super::names;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
+use super::sets::Sets;
 use super::verdict::verdict;
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, NodeId, Scene};
@@ -17,6 +20,7 @@ pub(super) struct Builder<'a> {
     pub aspects: Aspects,
     pub facts: Vec<Facts>,
     pub bounds: Vec<NodeBounds>,
+    pub sets: Sets,
     pub looks: Looks,
     pub report: Report,
     /// The entity each node belongs to, 0 where none does.
@@ -45,6 +49,7 @@ impl<'a> Builder<'a> {
             facts,
             bounds,
             cut_open,
+            sets: Sets::of(scene, root),
             looks: Looks::default(),
             report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
@@ -67,6 +72,10 @@ impl<'a> Builder<'a> {
             }
             End::Intersection(a, b, state) => {
                 let members = self.flat_intersection(a, b, state);
+                let nodes: Vec<_> = members.iter().map(|m| m.0).collect();
+                if self.sets.is_empty(&nodes) {
+                    return None;
+                }
                 Piece::group(Group::Intersection, self.pieces(&members))
             }
             End::Difference(a, b, state) => self.difference(a, b, state)?,
@@ -143,29 +152,47 @@ impl<'a> Builder<'a> {
         })
     }
 
-    /// The operands of a union and of the unions among them, in order, each once.
+    /// The operands of a union and of the unions among them, in order. What is within one that came
+    /// before is left out.
     pub fn flat_union(&mut self, roots: &[NodeId], state: State) -> Vec<(NodeId, State)> {
         let mut todo: Vec<_> = roots.iter().rev().map(|&node| (node, state)).collect();
         let mut out = Vec::new();
-        let mut seen = std::collections::HashSet::new();
+        let mut surfaces = HashSet::new();
+        let mut solids = HashSet::new();
         while let Some((node, state)) = todo.pop() {
             let descent = self.descend(node, state, Stop::AtShared);
             match (descent.bare_union(), descent.end) {
                 (Some((a, b, state)), _) => todo.extend([(b, state), (a, state)]),
                 (None, End::Nothing) => {}
-                (None, end) => {
-                    // The same thing twice is the same thing.
-                    let same = match end {
-                        End::Shared(key) if descent.modifiers.is_empty() => (key.node, key.state),
-                        _ => (node, state),
+                (None, _) => {
+                    let facts = self.facts[node as usize];
+                    let surface = facts.has_surface && state.part != Part::Solid;
+                    let place = self.sets.place(node);
+                    let is_new = if surface {
+                        surfaces.insert((place, state.part))
+                    } else {
+                        let known = self.sets.is_within(place, &solids);
+                        self.sets.add(place, &mut solids);
+                        !known
                     };
-                    if seen.insert(same) {
+                    if is_new {
                         out.push((node, state));
                     }
                 }
             }
         }
         out
+    }
+
+    /// Whether a node's solid is certainly part of one of others.
+    pub fn is_within(&mut self, node: NodeId, others: &[NodeId]) -> bool {
+        let mut set = HashSet::new();
+        for other in others {
+            let place = self.sets.place(*other);
+            self.sets.add(place, &mut set);
+        }
+        let place = self.sets.place(node);
+        self.sets.is_within(place, &set)
     }
 
     fn flat_intersection(&mut self, a: NodeId, b: NodeId, state: State) -> Vec<(NodeId, State)> {

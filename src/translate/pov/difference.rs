@@ -24,6 +24,9 @@ impl Builder<'_> {
     /// A − B, with everything that is taken from A before.
     pub(super) fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Piece> {
         let (base, cutters) = self.cut_chain(a, b, state);
+        if self.is_within(base.0, &cutters) {
+            return None;
+        }
         match self.substance(a, state) {
             Some((look, _)) => self.cut(base, &cutters, look),
             None => self.cut_by_part(base, &cutters),
@@ -123,7 +126,10 @@ impl Builder<'_> {
         let (End::Union(a, b, state), Some(back)) = (descent.end, back) else {
             return self.cut_away(base, cutters);
         };
-        let parts = self.flat_union(&[a, b], state);
+        let mut parts = self.flat_union(&[a, b], state);
+        if back == Matrix::IDENTITY {
+            parts.retain(|(node, _)| !self.is_within(*node, cutters));
+        }
         let groups = self.by_substance(&parts);
         let mut pieces = Vec::new();
         for (i, group) in groups.iter().enumerate() {
