@@ -1,6 +1,6 @@
 //! From nodes to objects: which `#declare`s a scene becomes, and what each consists of.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::descend::{End, Stop};
@@ -11,7 +11,8 @@ use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State}
 use super::sets::Sets;
 use super::verdict::verdict;
 use crate::scene::bounds::{NodeBounds, node_bounds};
-use crate::scene::{Aabb, NodeId, Scene};
+use crate::scene::{Aabb, NodeId, Scene, View};
+use crate::trace::members;
 use crate::translate::fidelity::{Fidelity, Report};
 
 /// What the objects of a scene are built from.
@@ -25,7 +26,8 @@ pub(super) struct Builder<'a> {
     pub report: Report,
     /// The entity each node belongs to, 0 where none does.
     pub ids: Vec<u32>,
-    /// The render box cuts through the scene: what lies inside of opaque objects can be seen.
+    /// The render box cuts through the scene, or a camera is in it: what lies inside of opaque
+    /// objects can be seen.
     pub cut_open: bool,
     /// An index that differs by channel was written.
     pub dispersive: bool,
@@ -42,7 +44,8 @@ impl<'a> Builder<'a> {
         let cut_open = scene
             .render
             .and_then(|r| r.clip)
-            .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all));
+            .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all))
+            || camera_is_inside(scene);
         Builder {
             scene,
             aspects,
@@ -181,6 +184,28 @@ impl<'a> Builder<'a> {
                 }
             }
         }
+        self.without_repeats(out)
+    }
+
+    /// Leaves out what is within a later member of the same look and medium.
+    fn without_repeats(&mut self, members: Vec<(NodeId, State)>) -> Vec<(NodeId, State)> {
+        let mut later: HashMap<_, HashSet<_>> = HashMap::new();
+        let mut out = Vec::with_capacity(members.len());
+        for (node, state) in members.into_iter().rev() {
+            let substance = self.substance(node, state);
+            if let Some(substance) = substance
+                && !self.facts[node as usize].has_surface
+            {
+                let place = self.sets.place(node);
+                let set = later.entry((substance, state.part)).or_default();
+                if self.sets.is_within(place, set) {
+                    continue;
+                }
+                self.sets.add(place, set);
+            }
+            out.push((node, state));
+        }
+        out.reverse();
         out
     }
 
@@ -195,7 +220,12 @@ impl<'a> Builder<'a> {
         self.sets.is_within(place, &set)
     }
 
-    fn flat_intersection(&mut self, a: NodeId, b: NodeId, state: State) -> Vec<(NodeId, State)> {
+    pub fn flat_intersection(
+        &mut self,
+        a: NodeId,
+        b: NodeId,
+        state: State,
+    ) -> Vec<(NodeId, State)> {
         let mut todo = vec![(b, state), (a, state)];
         let mut out = Vec::new();
         while let Some((node, state)) = todo.pop() {
@@ -245,6 +275,20 @@ impl<'a> Builder<'a> {
             "an object has one index there",
         );
     }
+}
+
+/// Whether a camera is in one of the scene's solids.
+fn camera_is_inside(scene: &Scene) -> bool {
+    let cameras = match scene.view {
+        View::Automatic => vec![],
+        View::Mono(i) => vec![i],
+        View::Stereo { left, right } => vec![left, right],
+    };
+    let Some(render) = scene.render else {
+        return false;
+    };
+    let mut cameras = cameras.iter().filter_map(|i| scene.cameras.get(*i));
+    cameras.any(|c| members(scene, render.root, c.position.into()).is_ok_and(|m| m.in_root))
 }
 
 /// The state of a part whose medium something around it gives.
