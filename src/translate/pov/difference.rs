@@ -117,8 +117,13 @@ impl Builder<'_> {
         out
     }
 
-    /// A − (A′ ∩ X) is A − X where A is in A′: their common face would be speckled.
+    /// A − (A′ ∩ X) is A − X where A is in A′, and A − (B − A) is A: their common faces would be
+    /// speckled.
     fn cutter(&mut self, base: NodeId, node: NodeId, state: State) -> Option<Piece> {
+        let (whole, tool) = (self.sets.place(base), self.sets.place(node));
+        if self.sets.is_apart(whole, tool) {
+            return None;
+        }
         let descent = self.descend(node, state, Stop::BelowStart);
         let Some((a, b, inner)) = descent.bare_intersection() else {
             return self.piece(node, state);

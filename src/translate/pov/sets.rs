@@ -165,6 +165,17 @@ impl Sets {
         }
     }
 
+    /// Whether a solid is certainly apart from another: what is taken from one of them holds the other.
+    pub fn is_apart(&mut self, a: Place, b: Place) -> bool {
+        [(a, b), (b, a)].into_iter().any(|(whole, rest)| {
+            let mut taken = HashSet::new();
+            if let Core::Difference(_, by) = self.core(rest) {
+                self.add(by, &mut taken);
+            }
+            self.is_within(whole, &taken)
+        })
+    }
+
     /// Whether an intersection of solids is certainly empty: one is within another's opposite.
     pub fn is_empty(&mut self, members: &[NodeId]) -> bool {
         let places: Vec<Place> = members.iter().map(|n| self.place(*n)).collect();
