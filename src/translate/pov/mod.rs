@@ -151,6 +151,13 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
             "",
         );
     }
+    if builder.looks.has_jpeg(&builder.aspects) {
+        builder.report.state(
+            "JPEG pictures",
+            Fidelity::Approximate("decoders differ by a few 255ths".to_owned()),
+            "",
+        );
+    }
     if options.depth >= MOST_LEVELS {
         builder.report.state(
             "depth",
