@@ -173,3 +173,38 @@ fn shared_nodes_are_never_expanded() {
     };
     assert!(doubled(|i| (i % 7 == 0).then(|| solid(i)), true).len() < 40_000);
 }
+
+#[test]
+fn every_record_has_a_line_in_the_report() {
+    use zpg::syntax::table::RECORD_TYPES;
+    let text = include_str!("corpus/all-types.zpg");
+    // All objects at once, each feature in use.
+    let mut all = text.replace("1 9999 55", "999 -301 moon.png\n55 -299 999 12\n1 9999 ALL");
+    let mut joins = String::from(
+        "55 -203 1.2 1.3 1.4\n23 -299 14 0\n24 -299 15 0\n29 -299 0 13\n\
+         25 -4 0.6 -0.8 0 0 0.48 0.36 -0.8 0 0.64 0.48 0.6 0 0 0 0 1\n",
+    );
+    let mut last = 55;
+    for (n, id) in (20..=42).chain(50..=54).enumerate() {
+        let next = 2000 + n;
+        joins += &format!("{next} -101 {last} {id}\n");
+        last = next;
+    }
+    all = all.replace("1 9999 ALL", &format!("{joins}1 9999 {last}"));
+    let mut seen = std::collections::BTreeSet::new();
+    for view in ["", "3001 -502 72\n", "3001 -502 70\n"] {
+        let text = all.replace("1 9999", &format!("{view}1 9999"));
+        let loaded = zpg::commands::Loaded::new("scene.zpg", text.clone().into());
+        assert!(loaded.sound, "{:?}\n{text}", loaded.diagnostics);
+        let translation = pov::write(&loaded.scene, &Options::default()).unwrap();
+        seen.extend(translation.report.entries().map(|e| e.feature.clone()));
+        assert!(!translation.report.has_dropped(), "{}", translation.report);
+    }
+    let missing: Vec<_> = RECORD_TYPES
+        .iter()
+        .map(|t| t.title)
+        // A placeholder cannot be drawn.
+        .filter(|title| *title != "undefined object" && !seen.contains(*title))
+        .collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}

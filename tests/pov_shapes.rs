@@ -109,9 +109,6 @@ fn check(name: &str, text: &str) -> Vec<String> {
             o.edges,
             o.total
         );
-        if std::env::var_os("POV_SHOW").is_some() {
-            println!("{:.4?}", o.wrong);
-        }
         let pixels = f64::from(SIZE.0 * SIZE.1);
         assert!(f64::from(o.edges + o.total) < 0.5 * pixels, "{name}");
         (o.share() > 0.0005).then(|| format!("{name}: {} wrong, {:.3?}", o.wrong.len(), o.wrong[0]))

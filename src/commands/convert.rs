@@ -20,7 +20,8 @@ pub struct Args {
     #[arg(long, value_enum)]
     to: Target,
 
-    /// Where to write; standard output if not given
+    /// Where to write; standard output if not given. A stereo pair is written to NAME_left and
+    /// NAME_right; on standard output it is one file with a switch
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 

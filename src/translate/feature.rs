@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::scene::{Matrix, Node, Scene, Texture, View, Volume};
+use crate::scene::{Matrix, Node, NodeId, Scene, Texture, View, Volume};
 use crate::syntax::table::{RECORD_TYPES, RecordType};
 use crate::trace::plan::{self, Plan};
 
@@ -145,7 +145,7 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
         }
     }
     for promise in &scene.promises {
-        if reached.get(promise.node as usize) == Some(&true) {
+        if reached.get(base(scene, promise.node) as usize) == Some(&true) {
             count(match promise.volume {
                 Volume::Box { .. } => -601,
                 Volume::Sphere { .. } => -602,
@@ -179,6 +179,16 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
         }
     }
     out
+}
+
+/// What was defined, without the changes since.
+fn base(scene: &Scene, mut node: NodeId) -> NodeId {
+    while let Some(Node::Transform { child, .. } | Node::Paint { child, .. }) =
+        scene.nodes.get(node as usize)
+    {
+        node = *child;
+    }
+    node
 }
 
 fn texture(texture: &Texture) -> i32 {

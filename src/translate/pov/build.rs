@@ -1,14 +1,18 @@
 //! From nodes to objects: which `#declare`s a scene becomes, and what each consists of.
 
+use std::collections::{HashMap, HashSet};
+
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::descend::{End, Stop};
 use super::facts::{self, Facts};
 use super::look::Looks;
 use super::names;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
+use super::sets::Sets;
 use super::verdict::verdict;
 use crate::scene::bounds::{NodeBounds, node_bounds};
-use crate::scene::{Aabb, NodeId, Scene};
+use crate::scene::{Aabb, NodeId, Scene, View};
+use crate::trace::members;
 use crate::translate::fidelity::{Fidelity, Report};
 
 /// What the objects of a scene are built from.
@@ -17,11 +21,13 @@ pub(super) struct Builder<'a> {
     pub aspects: Aspects,
     pub facts: Vec<Facts>,
     pub bounds: Vec<NodeBounds>,
+    pub sets: Sets,
     pub looks: Looks,
     pub report: Report,
     /// The entity each node belongs to, 0 where none does.
     pub ids: Vec<u32>,
-    /// The render box cuts through the scene: what lies inside of opaque objects can be seen.
+    /// The render box cuts through the scene, or a camera is in it: what lies inside of opaque
+    /// objects can be seen.
     pub cut_open: bool,
     /// An index that differs by channel was written.
     pub dispersive: bool,
@@ -38,13 +44,15 @@ impl<'a> Builder<'a> {
         let cut_open = scene
             .render
             .and_then(|r| r.clip)
-            .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all));
+            .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all))
+            || camera_is_inside(scene);
         Builder {
             scene,
             aspects,
             facts,
             bounds,
             cut_open,
+            sets: Sets::of(scene, root),
             looks: Looks::default(),
             report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
@@ -67,6 +75,10 @@ impl<'a> Builder<'a> {
             }
             End::Intersection(a, b, state) => {
                 let members = self.flat_intersection(a, b, state);
+                let nodes: Vec<_> = members.iter().map(|m| m.0).collect();
+                if self.sets.is_empty(&nodes) {
+                    return None;
+                }
                 Piece::group(Group::Intersection, self.pieces(&members))
             }
             End::Difference(a, b, state) => self.difference(a, b, state)?,
@@ -143,32 +155,77 @@ impl<'a> Builder<'a> {
         })
     }
 
-    /// The operands of a union and of the unions among them, in order, each once.
+    /// The operands of a union and of the unions among them, in order. What is within one that came
+    /// before is left out.
     pub fn flat_union(&mut self, roots: &[NodeId], state: State) -> Vec<(NodeId, State)> {
         let mut todo: Vec<_> = roots.iter().rev().map(|&node| (node, state)).collect();
         let mut out = Vec::new();
-        let mut seen = std::collections::HashSet::new();
+        let mut surfaces = HashSet::new();
+        let mut solids = HashSet::new();
         while let Some((node, state)) = todo.pop() {
             let descent = self.descend(node, state, Stop::AtShared);
             match (descent.bare_union(), descent.end) {
                 (Some((a, b, state)), _) => todo.extend([(b, state), (a, state)]),
                 (None, End::Nothing) => {}
-                (None, end) => {
-                    // The same thing twice is the same thing.
-                    let same = match end {
-                        End::Shared(key) if descent.modifiers.is_empty() => (key.node, key.state),
-                        _ => (node, state),
+                (None, _) => {
+                    let facts = self.facts[node as usize];
+                    let surface = facts.has_surface && state.part != Part::Solid;
+                    let place = self.sets.place(node);
+                    let is_new = if surface {
+                        surfaces.insert((place, state.part))
+                    } else {
+                        let known = self.sets.is_within(place, &solids);
+                        self.sets.add(place, &mut solids);
+                        !known
                     };
-                    if seen.insert(same) {
+                    if is_new {
                         out.push((node, state));
                     }
                 }
             }
         }
+        self.without_repeats(out)
+    }
+
+    /// Leaves out what is within a later member of the same look and medium.
+    fn without_repeats(&mut self, members: Vec<(NodeId, State)>) -> Vec<(NodeId, State)> {
+        let mut later: HashMap<_, HashSet<_>> = HashMap::new();
+        let mut out = Vec::with_capacity(members.len());
+        for (node, state) in members.into_iter().rev() {
+            let substance = self.substance(node, state);
+            if let Some(substance) = substance
+                && !self.facts[node as usize].has_surface
+            {
+                let place = self.sets.place(node);
+                let set = later.entry((substance, state.part)).or_default();
+                if self.sets.is_within(place, set) {
+                    continue;
+                }
+                self.sets.add(place, set);
+            }
+            out.push((node, state));
+        }
+        out.reverse();
         out
     }
 
-    fn flat_intersection(&mut self, a: NodeId, b: NodeId, state: State) -> Vec<(NodeId, State)> {
+    /// Whether a node's solid is certainly part of one of others.
+    pub fn is_within(&mut self, node: NodeId, others: &[NodeId]) -> bool {
+        let mut set = HashSet::new();
+        for other in others {
+            let place = self.sets.place(*other);
+            self.sets.add(place, &mut set);
+        }
+        let place = self.sets.place(node);
+        self.sets.is_within(place, &set)
+    }
+
+    pub fn flat_intersection(
+        &mut self,
+        a: NodeId,
+        b: NodeId,
+        state: State,
+    ) -> Vec<(NodeId, State)> {
         let mut todo = vec![(b, state), (a, state)];
         let mut out = Vec::new();
         while let Some((node, state)) = todo.pop() {
@@ -218,6 +275,20 @@ impl<'a> Builder<'a> {
             "an object has one index there",
         );
     }
+}
+
+/// Whether a camera is in one of the scene's solids.
+fn camera_is_inside(scene: &Scene) -> bool {
+    let cameras = match scene.view {
+        View::Automatic => vec![],
+        View::Mono(i) => vec![i],
+        View::Stereo { left, right } => vec![left, right],
+    };
+    let Some(render) = scene.render else {
+        return false;
+    };
+    let mut cameras = cameras.iter().filter_map(|i| scene.cameras.get(*i));
+    cameras.any(|c| members(scene, render.root, c.position.into()).is_ok_and(|m| m.in_root))
 }
 
 /// The state of a part whose medium something around it gives.

@@ -11,7 +11,7 @@ use crate::scene::{Aabb, Matrix, NodeId};
 use crate::translate::fidelity::Fidelity;
 
 /// A look that is fully known, and the index behind it.
-type Substance = (Look, u32);
+pub(super) type Substance = (Look, u32);
 
 /// Parts of the object that is cut, all of one substance.
 struct Cut {
@@ -24,6 +24,9 @@ impl Builder<'_> {
     /// A − B, with everything that is taken from A before.
     pub(super) fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Piece> {
         let (base, cutters) = self.cut_chain(a, b, state);
+        if self.is_within(base.0, &cutters) {
+            return None;
+        }
         match self.substance(a, state) {
             Some((look, _)) => self.cut(base, &cutters, look),
             None => self.cut_by_part(base, &cutters),
@@ -46,7 +49,7 @@ impl Builder<'_> {
     }
 
     /// What all of a node consists of, if it is the same everywhere.
-    fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
+    pub(super) fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
         let f = &self.facts[node as usize];
         let look = match state.look {
             Look::Above { .. } => state.look,
@@ -64,13 +67,15 @@ impl Builder<'_> {
 
     /// The base without the cutters; the cut faces look like `look`.
     fn cut(&mut self, base: (NodeId, State), cutters: &[NodeId], look: Look) -> Option<Piece> {
+        let of = base.0;
         let base = self.piece(base.0, base.1)?;
-        let taken = self.cutters(cutters, look);
+        let taken = self.cutters(cutters, look, Some(of));
         Some(difference(base, taken, &[]))
     }
 
-    /// The objects to be taken away, with the look of what they are taken from.
-    fn cutters(&mut self, nodes: &[NodeId], look: Look) -> Vec<Piece> {
+    /// The objects to be taken away, with the look of what they are taken from; `base` is that where
+    /// it lies in the same coordinates.
+    fn cutters(&mut self, nodes: &[NodeId], look: Look, base: Option<NodeId>) -> Vec<Piece> {
         let look = match look {
             // The colours of a profile are on its own surface only.
             Look::Own {
@@ -103,10 +108,33 @@ impl Builder<'_> {
             look => (look, None),
         };
         for (node, state) in self.flat_union(nodes, state.look(look)) {
-            let piece = self.piece(node, state);
+            let piece = match base {
+                Some(base) => self.cutter(base, node, state),
+                None => self.piece(node, state),
+            };
             out.extend(piece.map(|p| p.with(modifier.clone())));
         }
         out
+    }
+
+    /// A − (A′ ∩ X) is A − X where A is in A′, and A − (B − A) is A: their common faces would be
+    /// speckled.
+    fn cutter(&mut self, base: NodeId, node: NodeId, state: State) -> Option<Piece> {
+        let (whole, tool) = (self.sets.place(base), self.sets.place(node));
+        if self.sets.is_apart(whole, tool) {
+            return None;
+        }
+        let descent = self.descend(node, state, Stop::BelowStart);
+        let Some((a, b, inner)) = descent.bare_intersection() else {
+            return self.piece(node, state);
+        };
+        let members = self.flat_intersection(a, b, inner);
+        let mut kept = members.clone();
+        kept.retain(|(m, _)| !self.is_within(base, &[*m]));
+        if kept.len() == members.len() || kept.is_empty() {
+            return self.piece(node, state);
+        }
+        Some(Piece::group(Group::Intersection, self.pieces(&kept)))
     }
 
     /// A base of several substances: its parts are cut one by one.
@@ -123,7 +151,10 @@ impl Builder<'_> {
         let (End::Union(a, b, state), Some(back)) = (descent.end, back) else {
             return self.cut_away(base, cutters);
         };
-        let parts = self.flat_union(&[a, b], state);
+        let mut parts = self.flat_union(&[a, b], state);
+        if back == Matrix::IDENTITY {
+            parts.retain(|(node, _)| !self.is_within(*node, cutters));
+        }
         let groups = self.by_substance(&parts);
         let mut pieces = Vec::new();
         for (i, group) in groups.iter().enumerate() {
@@ -204,7 +235,7 @@ impl Builder<'_> {
             },
             look => look,
         };
-        let taken = moved(self.cutters(cutters, look), back);
+        let taken = moved(self.cutters(cutters, look, None), back);
         let interior = (transparent && index != DEFAULT).then_some(Modifier::Interior(index));
         Some(difference(base, taken, &others).with(interior))
     }
@@ -231,7 +262,7 @@ impl Builder<'_> {
             ),
             "cutaway_textures",
         );
-        let taken = moved(self.cutters(cutters, State::GEOMETRY.look), back);
+        let taken = moved(self.cutters(cutters, State::GEOMETRY.look, None), back);
         let mut members = vec![base];
         members.extend(taken);
         members.extend(others.iter().cloned());

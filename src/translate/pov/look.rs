@@ -78,6 +78,13 @@ impl Looks {
         self.looks.iter().map(|l| l.optics)
     }
 
+    /// Whether a look shows a JPEG picture.
+    pub fn has_jpeg(&self, aspects: &Aspects) -> bool {
+        self.looks.iter().any(|look| {
+            matches!(aspects.texture(look.texture.texture), Texture::Image { file, .. } if is_jpeg(file))
+        })
+    }
+
     /// The declarations of all looks. The pictures lie in `folder`.
     pub fn write(&self, out: &mut String, aspects: &Aspects, scene: &Scene, folder: &str) {
         let mut images = Images::default();
@@ -143,10 +150,7 @@ impl<'a> Images<'a> {
             return;
         }
         let name = format!("Image_{next}");
-        let jpeg = [".jpg", ".jpeg"]
-            .iter()
-            .any(|end| file.to_ascii_lowercase().ends_with(end));
-        let kind = if jpeg { "jpeg" } else { "png" };
+        let kind = if is_jpeg(file) { "jpeg" } else { "png" };
         let path = format!("{folder}{file}")
             .replace('\\', "\\\\")
             .replace('"', "\\\"");
@@ -155,6 +159,11 @@ impl<'a> Images<'a> {
         ));
         self.0.insert(file, name);
     }
+}
+
+fn is_jpeg(file: &str) -> bool {
+    let file = file.to_ascii_lowercase();
+    [".jpg", ".jpeg"].iter().any(|end| file.ends_with(end))
 }
 
 fn layers(pigments: &Pigments, optics: &Optics, images: &Images) -> String {

@@ -5,7 +5,7 @@
 //! light is that of the reference ray tracer, except at total internal reflection.
 //!
 //! From the resolved scene to text: [`facts`] about every node, bottom-up; [`build`] with
-//! [`descend`], [`union`], [`difference`] and [`grouping`] says what each object consists of, as [`piece`]s;
+//! [`descend`], [`union`], [`difference`], [`grouping`] and [`sets`] says what each object consists of, as [`piece`]s;
 //! [`emit`] orders, names and prints them; [`look`] and [`uv`] know POV-Ray's textures, [`shape`] with
 //! [`poly`], [`profile`] and [`triangle`] its primitives; [`camera`] and [`scenery`] do the rest.
 //! [`verdict`] says what becomes of each feature.
@@ -24,6 +24,7 @@ mod piece;
 mod poly;
 mod profile;
 mod scenery;
+mod sets;
 mod shape;
 mod text;
 mod triangle;
@@ -147,6 +148,13 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
             Fidelity::Approximate(
                 "rays that enter through the cut leave the solid as if they entered it".to_owned(),
             ),
+            "",
+        );
+    }
+    if builder.looks.has_jpeg(&builder.aspects) {
+        builder.report.state(
+            "JPEG pictures",
+            Fidelity::Approximate("decoders differ by a few 255ths".to_owned()),
             "",
         );
     }

@@ -49,16 +49,29 @@ pub fn ambient(scene: &Scene) -> Rgb {
 /// is seen beyond 1e7: these are 1/32 000 and 300 000 of the scene.
 const SIZE: f64 = 32.0;
 
-/// The power of two that brings the scene to about that size: tolerances are absolute there.
+/// The camera may be this far away at most.
+const FAR: f64 = 1e6;
+
+/// The power of two that brings the scene to about that size, or nearer if the camera is far away:
+/// tolerances are absolute there.
 pub fn unit(scene: &Scene, bounds: &[NodeBounds], eyes: &[Eye]) -> f64 {
     let seen = seen_box(scene, bounds);
+    let centre = if seen.is_empty() {
+        [0.0; 3]
+    } else {
+        seen.centre()
+    };
+    let distance = |e: &Eye| {
+        let way = (e.camera.position.iter().zip(centre)).map(|(p, c)| (p - c).abs());
+        way.fold(0.0f64, f64::max)
+    };
+    let distance = eyes.iter().map(distance).fold(0.0, f64::max);
     let size = if seen.is_empty() {
-        let distance = |e: &Eye| (e.camera.position.iter()).fold(0.0f64, |m, x| m.max(x.abs()));
-        eyes.iter().map(distance).fold(0.0, f64::max)
+        distance
     } else {
         seen.radius()
     };
-    power_of_two_about(SIZE / size)
+    power_of_two_about((SIZE / size).min(FAR / distance))
 }
 
 /// The largest power of two that is not above `x`; 1 for a number without one.

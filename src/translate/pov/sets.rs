@@ -1,0 +1,216 @@
+//! Which solids are the same, or certainly within each other. Faces of two solids in one place are
+//! speckled in POV-Ray: what an operation leaves nothing of, or what is there already, is not written.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::scene::{Geometry, Matrix, Node, NodeId, Scene};
+
+/// A solid at a place: what nodes are, whatever they look like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Place {
+    core: u32,
+    matrix: u32,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Core {
+    /// The first shape record with this geometry.
+    Shape(u32),
+    Union(Place, Place),
+    Intersection(Place, Place),
+    Difference(Place, Place),
+    Complement(Place),
+}
+
+/// The solids of a scene.
+#[derive(Debug)]
+pub struct Sets {
+    /// For each node.
+    places: Vec<Place>,
+    cores: Vec<Core>,
+    matrices: Vec<Matrix>,
+    numbers: HashMap<[u64; 16], u32>,
+}
+
+/// So many steps are taken to find out whether a solid is within others.
+const PATIENCE: u32 = 64;
+
+impl Sets {
+    pub fn of(scene: &Scene, root: NodeId) -> Sets {
+        let mut sets = Sets {
+            places: Vec::with_capacity(root as usize + 1),
+            cores: Vec::new(),
+            matrices: Vec::new(),
+            numbers: HashMap::new(),
+        };
+        let here = sets.matrix(&Matrix::IDENTITY);
+        let mut known: HashMap<Core, u32> = HashMap::new();
+        let mut shapes: HashMap<Vec<u64>, u32> = HashMap::new();
+        for node in scene.nodes.iter().take(root as usize + 1) {
+            let of = |id: NodeId| sets.places[id as usize];
+            let core = match *node {
+                Node::Shape(s) => {
+                    let key = bits(&scene.shapes[s as usize].geometry);
+                    Core::Shape(*shapes.entry(key).or_insert(s))
+                }
+                Node::Union(a, b) => Core::Union(of(a), of(b)),
+                Node::Intersection(a, b) => Core::Intersection(of(a), of(b)),
+                Node::Difference(a, b) => Core::Difference(of(a), of(b)),
+                Node::Complement(a) => Core::Complement(of(a)),
+                Node::Paint { child, .. } | Node::Copy { child, .. } => {
+                    let same = of(child);
+                    sets.places.push(same);
+                    continue;
+                }
+                Node::Transform { child, matrix } => {
+                    let child = of(child);
+                    let moved = sets.moved(child, &scene.matrices[matrix as usize]);
+                    sets.places.push(moved);
+                    continue;
+                }
+            };
+            let next = sets.cores.len() as u32;
+            let number = *known.entry(core).or_insert(next);
+            if number == next {
+                sets.cores.push(core);
+            }
+            sets.places.push(Place {
+                core: number,
+                matrix: here,
+            });
+        }
+        sets
+    }
+
+    fn matrix(&mut self, m: &Matrix) -> u32 {
+        let mut key = [0; 16];
+        for (k, x) in key.iter_mut().zip(m.0.iter().flatten()) {
+            // Adding zero makes one of the two zeros.
+            *k = (x + 0.0).to_bits();
+        }
+        let next = self.matrices.len() as u32;
+        let number = *self.numbers.entry(key).or_insert(next);
+        if number == next {
+            self.matrices.push(*m);
+        }
+        number
+    }
+
+    fn moved(&mut self, place: Place, m: &Matrix) -> Place {
+        let all = m.after(&self.matrices[place.matrix as usize]);
+        Place {
+            matrix: self.matrix(&all),
+            ..place
+        }
+    }
+
+    pub fn place(&self, node: NodeId) -> Place {
+        self.places[node as usize]
+    }
+
+    /// What a solid is made of.
+    fn core(&mut self, place: Place) -> Core {
+        let m = self.matrices[place.matrix as usize];
+        let core = self.cores[place.core as usize];
+        let mut moved = |p: Place| self.moved(p, &m);
+        match core {
+            Core::Shape(s) => Core::Shape(s),
+            Core::Union(a, b) => Core::Union(moved(a), moved(b)),
+            Core::Intersection(a, b) => Core::Intersection(moved(a), moved(b)),
+            Core::Difference(a, b) => Core::Difference(moved(a), moved(b)),
+            Core::Complement(a) => Core::Complement(moved(a)),
+        }
+    }
+
+    /// Adds a solid to others, and what it is the union of.
+    pub fn add(&mut self, place: Place, to: &mut HashSet<Place>) {
+        let mut todo = vec![place];
+        let mut steps = 0;
+        while let Some(place) = todo.pop() {
+            if to.insert(place)
+                && steps < PATIENCE
+                && let Core::Union(a, b) = self.core(place)
+            {
+                todo.extend([a, b]);
+            }
+            steps += 1;
+        }
+    }
+
+    /// Whether a solid is certainly part of one of others; those were [added](Self::add).
+    pub fn is_within(&mut self, place: Place, others: &HashSet<Place>) -> bool {
+        if others.is_empty() {
+            return false;
+        }
+        let mut fuel = PATIENCE;
+        self.within(place, others, &mut fuel)
+    }
+
+    /// Goes down as many times as there is fuel.
+    fn within(&mut self, place: Place, others: &HashSet<Place>, fuel: &mut u32) -> bool {
+        if others.contains(&place) {
+            return true;
+        }
+        if *fuel == 0 {
+            return false;
+        }
+        *fuel -= 1;
+        match self.core(place) {
+            Core::Shape(_) | Core::Complement(_) => false,
+            Core::Union(a, b) => self.within(a, others, fuel) && self.within(b, others, fuel),
+            Core::Intersection(a, b) => {
+                self.within(a, others, fuel) || self.within(b, others, fuel)
+            }
+            Core::Difference(a, _) => self.within(a, others, fuel),
+        }
+    }
+
+    /// Whether a solid is certainly apart from another: what is taken from one of them holds the other.
+    pub fn is_apart(&mut self, a: Place, b: Place) -> bool {
+        [(a, b), (b, a)].into_iter().any(|(whole, rest)| {
+            let mut taken = HashSet::new();
+            if let Core::Difference(_, by) = self.core(rest) {
+                self.add(by, &mut taken);
+            }
+            self.is_within(whole, &taken)
+        })
+    }
+
+    /// Whether an intersection of solids is certainly empty: one is within another's opposite.
+    pub fn is_empty(&mut self, members: &[NodeId]) -> bool {
+        let places: Vec<Place> = members.iter().map(|n| self.place(*n)).collect();
+        let mut outside = HashSet::new();
+        for place in &places {
+            if let Core::Complement(inner) = self.core(*place) {
+                self.add(inner, &mut outside);
+            }
+        }
+        places.iter().any(|p| self.is_within(*p, &outside))
+    }
+}
+
+/// A shape's type and numbers.
+fn bits(geometry: &Geometry) -> Vec<u64> {
+    let (tag, numbers): (u64, Vec<f64>) = match geometry {
+        Geometry::Revolution { profile, .. } => (1, profile.iter().flatten().copied().collect()),
+        Geometry::Plane(p) => (3, p.to_vec()),
+        Geometry::HalfSpace(p) => (4, p.to_vec()),
+        Geometry::Rectangle { min, max } => (5, [*min, *max].concat()),
+        Geometry::Triangle { vertices, .. } => (6, vertices.concat()),
+        Geometry::Sphere { centre, radius } => (11, vec![centre[0], centre[1], centre[2], *radius]),
+        Geometry::Ellipsoid { semi_axes } => (10, semi_axes.to_vec()),
+        Geometry::Box { min, max } => (12, [*min, *max].concat()),
+        Geometry::GeodesicSphere { radius, splits } => (13, vec![*radius, f64::from(*splits)]),
+        Geometry::Torus { major, minor } => (14, vec![*major, *minor]),
+        Geometry::Quadric(q) => (15, q.to_vec()),
+        Geometry::Cone { height, radius } => (16, vec![*height, *radius]),
+        Geometry::DoubleCone { height, radius } => (17, vec![*height, *radius]),
+        Geometry::ParabolicCylinder { a } => (18, vec![*a]),
+        Geometry::HyperbolicCylinder { a, b } => (19, vec![*a, *b]),
+        Geometry::Hyperboloid { a, b, c, sheets } => (20, vec![*a, *b, *c, f64::from(*sheets)]),
+        Geometry::HyperbolicParaboloid { a, b } => (21, vec![*a, *b]),
+    };
+    std::iter::once(tag)
+        .chain(numbers.iter().map(|x| (x + 0.0).to_bits()))
+        .collect()
+}
