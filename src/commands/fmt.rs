@@ -1,28 +1,40 @@
-//! `zpg fmt`: prints scenes anew, one record a line.
+//! `zpg fmt`: prints scenes anew, in the one layout.
 
 use std::io::{self, Write};
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use rayon::prelude::*;
 
 use super::loaded::{self, STDIN};
 use super::rewrite::{diff, replace};
 use super::{LookChoice, Status, complain, paths, terminal};
+use crate::config::Configs;
 use crate::diagnostics::SourceFile;
-use crate::{format, syntax};
+use crate::format::{format, format_range};
+use crate::syntax;
 
-/// Format scenes, one record a line
+/// Format scenes: one record a line, numbers and comments under each other
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Files are rewritten in place; `-` formats standard input to standard output. Lines with mistakes on
 them are left as they are. With --check or --diff nothing is written, and the exit status is 1 when
 something would change.
 
+The style can be chosen in zpg.toml, the nearest one upwards from a scene; these are the defaults:
+  [format]
+  width = 100                    where profiles wrap, and how far alignment goes
+  align = true                   numbers and comments of neighbouring lines under each other
+  group = true                   the vectors of a record set off by double spaces
+  numbers = \"shortest\"           or \"keep\": as they are written
+
 Examples:
   zpg fmt scene.zpg
   zpg fmt scenes/                all *.zpg in the folder, .gitignore honoured
   zpg fmt --diff scene.zpg       what would change
   zpg fmt --check scenes/        for a continuous build
+  zpg fmt --range 3-9 scene.zpg  lines 3 to 9 alone
   zpg fmt - < in.zpg > out.zpg")]
 pub struct Args {
     /// Scene files or folders; `-` is standard input
@@ -36,6 +48,30 @@ pub struct Args {
     /// Write nothing; show what would change
     #[arg(long)]
     diff: bool,
+
+    /// Change only the records that touch these lines, counted from 1; for one file
+    #[arg(long, value_name = "FIRST-LAST")]
+    range: Option<Lines>,
+
+    /// What standard input goes by, in messages and for zpg.toml
+    #[arg(long, value_name = "NAME")]
+    stdin_filename: Option<PathBuf>,
+}
+
+/// Some lines of a file: `3-9`, or one: `3`.
+#[derive(Debug, Clone)]
+struct Lines(RangeInclusive<usize>);
+
+impl FromStr for Lines {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (first, last) = text.split_once('-').unwrap_or((text, text));
+        match (first.parse(), last.parse()) {
+            (Ok(first @ 1..), Ok(last)) if first <= last => Ok(Lines(first..=last)),
+            _ => Err("lines are written as `3-9`, or as `3`".to_owned()),
+        }
+    }
 }
 
 /// What became of a file.
@@ -55,11 +91,16 @@ struct Formatted {
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
     let found = paths::expand(&args.paths);
+    if args.range.is_some() && found.files.len() != 1 {
+        complain("--range takes the lines of one file");
+        return Status::Failure;
+    }
+    let configs = Configs::default();
     let colour = look.colour(&io::stdout());
     let formatted: Vec<Formatted> = found
         .files
         .par_iter()
-        .map(|path| match format_file(path, args, colour) {
+        .map(|path| match format_file(path, args, &configs, colour) {
             Ok(formatted) => formatted,
             Err(message) => {
                 complain(&message);
@@ -117,11 +158,32 @@ fn summary(
 }
 
 /// Formats one file; the error is a message for people.
-fn format_file(path: &Path, args: &Args, colour: bool) -> Result<Formatted, String> {
-    let bytes = loaded::read(path).map_err(|e| e.to_string())?;
+fn format_file(
+    path: &Path,
+    args: &Args,
+    configs: &Configs,
+    colour: bool,
+) -> Result<Formatted, String> {
     let is_stdin = path.as_os_str() == STDIN;
-    let source = SourceFile::new(path.to_string_lossy(), bytes);
-    let text = format_text(&source)?;
+    let name = match &args.stdin_filename {
+        Some(name) if is_stdin => name.as_path(),
+        _ => path,
+    };
+    let config = configs.for_file(name).map_err(|e| e.to_string())?;
+    let bytes = loaded::read(path).map_err(|e| e.to_string())?;
+    let source = SourceFile::new(name.to_string_lossy(), bytes);
+    let (document, _) = syntax::parse(&source.text);
+    let text = match &args.range {
+        None => format(&source.text, &document, &config.format),
+        Some(Lines(lines)) => {
+            let mut text = source.text.clone();
+            if let Some(edit) = format_range(&source.text, &document, &config.format, lines.clone())
+            {
+                text.replace_range(edit.span.range(), &edit.text);
+            }
+            text
+        }
+    };
     let changed = text != source.text;
     let mut output = Vec::new();
     let outcome = if changed {
@@ -144,21 +206,4 @@ fn format_file(path: &Path, args: &Args, colour: bool) -> Result<Formatted, Stri
         })?;
     }
     Ok(Formatted { outcome, output })
-}
-
-/// The formatted text. A formatter must not change what a scene says: that is not left to trust.
-fn format_text(source: &SourceFile) -> Result<String, String> {
-    let (document, _) = syntax::parse(&source.text);
-    let text = format::format(&source.text, &document);
-    if text != source.text {
-        let (again, _) = syntax::parse(&text);
-        if !format::same_content((&source.text, &document), (&text, &again)) {
-            return Err(format!(
-                "{} is left as it is: its mistakes would be read differently in another layout \
-                 (`zpg check` shows them)",
-                source.path
-            ));
-        }
-    }
-    Ok(text)
 }
