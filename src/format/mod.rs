@@ -50,7 +50,8 @@ pub fn format_range(
     options: &Options,
     lines: RangeInclusive<usize>,
 ) -> Option<Edit> {
-    attempt(text, document, options, Some(bytes_of(text, lines)))?.1
+    let wanted = bytes_of(text, lines)?;
+    attempt(text, document, options, Some(wanted))?.1
 }
 
 /// The text printed anew, or only the records that touch `wanted`, a stretch of bytes, and in that case
@@ -138,8 +139,9 @@ fn print(
     (result, Some(edit))
 }
 
-/// The bytes of some lines, counted from 1, without the last line break.
-fn bytes_of(text: &str, lines: RangeInclusive<usize>) -> Range<usize> {
+/// The bytes of some lines, counted from 1, without the last line break; nothing if there are no such
+/// lines.
+fn bytes_of(text: &str, lines: RangeInclusive<usize>) -> Option<Range<usize>> {
     let bytes = text.as_bytes();
     let is_break = |i: &usize| match bytes[*i] {
         b'\n' => true,
@@ -149,11 +151,11 @@ fn bytes_of(text: &str, lines: RangeInclusive<usize>) -> Range<usize> {
     let mut breaks = (0..bytes.len()).filter(is_break);
     let start = match lines.start() {
         0 | 1 => 0,
-        line => breaks.nth(line - 2).map_or(text.len(), |i| i + 1),
+        line => breaks.nth(line - 2)? + 1,
     };
     let further = lines.end().saturating_sub(*lines.start().max(&1));
     let end = breaks.nth(further).unwrap_or(text.len());
-    start..end
+    Some(start..end)
 }
 
 const BYTE_ORDER_MARK: char = '\u{feff}';

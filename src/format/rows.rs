@@ -340,11 +340,10 @@ fn write(
                 }
             }
             Part::Cell(cell) => {
-                let gap = match parts.get(i.wrapping_sub(1)) {
+                let starts_group = section.is_some_and(|s| sections[s].starts_group(value));
+                let gap = match i.checked_sub(1).map(|before| &parts[before]) {
                     None => 0,
-                    Some(_) if section.is_some_and(|s| sections[s].starts_group(value)) => {
-                        between(context.options)
-                    }
+                    Some(Part::Cell(_)) if starts_group => between(context.options),
                     Some(_) => 1,
                 };
                 spaces(out, missing + gap);
