@@ -62,7 +62,9 @@ impl<'a> Context<'a> {
         let before = match kind {
             Some(ParamKind::FileName) | None => 0,
             _ if i < HEAD => 0,
-            _ => text.find(['.', 'e', 'E']).unwrap_or(width),
+            _ => (text.bytes())
+                .position(|b| matches!(b, b'.' | b'e' | b'E'))
+                .unwrap_or(width),
         };
         Cell {
             text,

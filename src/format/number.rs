@@ -30,13 +30,19 @@ pub fn integer(text: &str) -> Cow<'_, str> {
 fn plain(text: &str) -> Option<Cow<'_, str>> {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let negative = text.starts_with('-');
-    let point = unsigned.bytes().position(|b| b == b'.');
+    let mut point = None;
+    for (i, byte) in unsigned.bytes().enumerate() {
+        match byte {
+            b'0'..=b'9' => {}
+            b'.' if point.is_none() => point = Some(i),
+            _ => return None,
+        }
+    }
     let (whole, fraction) = match point {
         Some(at) => (&unsigned[..at], &unsigned[at + 1..]),
         None => (unsigned, ""),
     };
-    let all_digits = |s: &str| s.bytes().all(|b| b.is_ascii_digit());
-    if !all_digits(whole) || !all_digits(fraction) || whole.len() + fraction.len() == 0 {
+    if whole.len() + fraction.len() == 0 {
         return None;
     }
     let whole = whole.trim_start_matches('0');

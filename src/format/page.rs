@@ -131,7 +131,7 @@ impl<'a> Page<'a> {
 
     /// Puts out the lines held back: as many as possible have their comments in one column, as long
     /// as all of these stay within the width. (This is how clang-format does it.)
-    fn flush(&mut self) {
+    pub fn flush(&mut self) {
         if self.lines.is_empty() {
             return;
         }

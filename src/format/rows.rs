@@ -54,8 +54,11 @@ pub fn is_wanted(context: &Context, record: &Record) -> bool {
     if is_matrix(record.ty) {
         return true;
     }
+    let width = context.options.width;
+    // A number and a space are the least.
     record.ty.is_counted()
-        && (run::natural_width(context, record) > context.options.width
+        && (2 * record.params as usize > width
+            || run::natural_width(context, record) > width
             || is_commented(context, record))
 }
 

@@ -62,8 +62,10 @@ impl Run {
     pub fn push(&mut self, context: &Context, page: &mut Page, entry: Entry) {
         if rows::is_wanted(context, &entry.record) {
             self.print(context, page);
+            page.flush();
             page.wanted = entry.wanted;
             rows::print(context, page, &entry);
+            page.flush();
             return;
         }
         let plain = entry.is_plain(context);
