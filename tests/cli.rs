@@ -255,7 +255,7 @@ fn fmt_changes_some_lines() {
     assert_eq!(run.status.code(), Some(2));
     assert_eq!(
         text(&run.stderr),
-        "zpg: --range takes the lines of one file\n"
+        "error: --range takes the lines of one file\n"
     );
 }
 
