@@ -6,6 +6,12 @@
 //! W310 = "off"                    # error, warning, note or off
 //! colour-out-of-range = "error"
 //! style = "off"                   # warnings, notes, style, or how codes begin: W3
+//!
+//! [format]
+//! width = 100                     # where profiles wrap, how far alignment goes
+//! align = true                    # numbers and comments under each other
+//! group = true                    # vectors set off by double spaces
+//! numbers = "shortest"            # or keep
 //! ```
 
 use std::collections::{BTreeMap, HashMap};
@@ -17,6 +23,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::diagnostics::Complaint;
+use crate::format;
 use crate::lint::levels::{Level, Levels, Selector, UnknownCode};
 
 /// What the file is called.
@@ -26,6 +33,7 @@ const NAME: &str = "zpg.toml";
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Config {
     pub levels: Levels,
+    pub format: format::Options,
 }
 
 /// Why a file of settings cannot be used.
@@ -50,6 +58,8 @@ impl ConfigError {
 struct Written {
     #[serde(default)]
     lint: BTreeMap<Spanned<String>, Level>,
+    #[serde(default)]
+    format: format::Options,
 }
 
 impl Config {
@@ -82,7 +92,10 @@ impl Config {
         for (codes, level) in &chosen {
             levels.set(codes, *level);
         }
-        Ok(Config { levels })
+        Ok(Config {
+            levels,
+            format: written.format,
+        })
     }
 }
 
@@ -164,8 +177,33 @@ mod tests {
         );
         assert!(says("[lint]\nW302 = \"loud\"\n").contains("line 2"));
         assert!(says("[lints]\n").contains("unknown field `lints`"));
+        for (line, reason) in [
+            ("widht = 80", "unknown field `widht`"),
+            ("width = 5", "a width is from 20 to 1000"),
+            ("width = \"80\"", "invalid type"),
+            ("align = 1", "invalid type"),
+            ("numbers = \"long\"", "unknown variant `long`"),
+        ] {
+            let said = says(&format!("[lint]\n[format]\n{line}\n"));
+            assert!(said.contains("line 3") && said.contains(reason), "{said}");
+        }
         assert!(says("[lint\n").contains("line 1"));
         assert_eq!(Config::parse("").unwrap(), Config::default());
+    }
+
+    #[test]
+    fn the_style_of_the_formatter() {
+        let text = "[format]\nwidth = 80\nalign = false\ngroup = false\nnumbers = \"keep\"\n";
+        let style = format::Options {
+            width: 80,
+            align: false,
+            group: false,
+            numbers: format::Numbers::Keep,
+        };
+        assert_eq!(Config::parse(text).unwrap().format, style);
+        let part = Config::parse("[format]\nwidth = 80\n").unwrap().format;
+        let rest = format::Options::default();
+        assert_eq!(part, format::Options { width: 80, ..rest });
     }
 
     #[test]

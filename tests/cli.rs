@@ -199,8 +199,64 @@ fn fmt_keeps_the_encoding() {
     let dir = folder(&[]);
     let run = zpg_with(dir.path(), &["fmt", "-"], b"2  9 1 # p\xf8\xedklad #\r\n");
     assert_eq!(run.status.code(), Some(0));
-    assert_eq!(run.stdout, b"2 9 1 # p\xf8\xedklad #\r\n");
+    assert_eq!(run.stdout, b"2 9 1  # p\xf8\xedklad #\r\n");
     assert_eq!(text(&run.stderr), "");
+}
+
+#[test]
+fn fmt_has_a_style_to_choose() {
+    let style = b"[format]\nalign = false\ngroup = false\nnumbers = \"keep\"\n";
+    let scene = b"2 11 0 0 0 1.50\n3  11 0 -1 0 1\n";
+    let dir = folder(&[("zpg.toml", style), ("a.zpg", scene)]);
+    let run = zpg(dir.path(), &["fmt", "a.zpg"]);
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    let formatted = fs::read_to_string(dir.path().join("a.zpg")).unwrap();
+    assert_eq!(formatted, "2 11 0 0 0 1.50\n3 11 0 -1 0 1\n");
+    // Standard input goes by the folder it is said to be from.
+    let run = zpg_with(dir.path(), &["fmt", "-"], scene);
+    assert_eq!(text(&run.stdout), formatted);
+    let elsewhere = folder(&[]);
+    let name = elsewhere.path().join("b.zpg");
+    let name = name.to_str().unwrap();
+    let run = zpg_with(dir.path(), &["fmt", "-", "--stdin-filename", name], scene);
+    assert_eq!(text(&run.stdout), "2 11  0  0 0  1.5\n3 11  0 -1 0  1\n");
+
+    fs::write(dir.path().join("zpg.toml"), "[format]\nwidth = 9\n").unwrap();
+    let run = zpg(dir.path(), &["fmt", "a.zpg"]);
+    assert_eq!(run.status.code(), Some(2));
+    let said = text(&run.stderr);
+    assert!(
+        said.contains("line 2") && said.contains("a width is from 20 to 1000"),
+        "{said}"
+    );
+}
+
+#[test]
+fn fmt_changes_some_lines() {
+    let dir = folder(&[("a.zpg", b"2   9 1\n3   9 1.50\n4   9 10\n5   9  1")]);
+    let some = |lines: &str| {
+        let run = zpg(dir.path(), &["fmt", "--range", lines, "--diff", "a.zpg"]);
+        let changed = |l: &&str| l.starts_with('+') && !l.starts_with("+++");
+        let lines: Vec<String> = (text(&run.stdout).lines().filter(changed))
+            .map(str::to_owned)
+            .collect();
+        (run.status.code(), lines)
+    };
+    // In the columns that they have among all.
+    let lines = |lines: &[&str]| lines.iter().map(|l| (*l).to_owned()).collect::<Vec<_>>();
+    assert_eq!(some("2-3"), (Some(1), lines(&["+3 9  1.5", "+4 9 10"])));
+    assert_eq!(some("1"), (Some(1), lines(&["+2 9  1"])));
+    assert_eq!(some("7-9"), (Some(0), lines(&[])));
+    for wrong in ["3-2", "0-1", "x"] {
+        let run = zpg(dir.path(), &["fmt", "--range", wrong, "a.zpg"]);
+        assert_eq!(run.status.code(), Some(2), "{wrong}");
+    }
+    let run = zpg(dir.path(), &["fmt", "--range", "1-2", "a.zpg", "b.zpg"]);
+    assert_eq!(run.status.code(), Some(2));
+    assert_eq!(
+        text(&run.stderr),
+        "error: --range takes the lines of one file\n"
+    );
 }
 
 #[cfg(unix)]

@@ -34,9 +34,11 @@ fn text(name: &str) -> String {
     fs::read_to_string(folder().join(name).with_extension("zpg")).unwrap()
 }
 
-/// The text with edits, each of which must find its place exactly once.
+/// The text with edits, each of which must find its place exactly once. How it is aligned is no matter.
 fn edited(text: &str, edits: &[(&str, &str)]) -> String {
-    edits.iter().fold(text.to_owned(), |text, (from, to)| {
+    let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ") + "\n";
+    let text: String = text.lines().map(words).collect();
+    edits.iter().fold(text, |text, (from, to)| {
         assert_eq!(text.matches(from).count(), 1, "{from}");
         text.replace(from, to)
     })

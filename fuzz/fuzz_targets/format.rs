@@ -1,16 +1,23 @@
-//! Any text: formatting twice is formatting once, and what was said is still said.
+//! Any text, with mistakes or without: formatting twice is formatting once, what was said is still said,
+//! and any range of lines can be formatted alone.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use zpg::format::{format, same_content};
+use zpg::format::{Options, format, format_range, same_content};
 use zpg::syntax::parse;
 
-fuzz_target!(|text: &str| {
-    let (document, findings) = parse(text);
-    let once = format(text, &document);
+fuzz_target!(|input: (u8, u8, &str)| {
+    let (first, more, text) = input;
+    let options = Options::default();
+    let (document, _) = parse(text);
+    let once = format(text, &document, &options);
     let (again, _) = parse(&once);
-    if findings.iter().all(|d| !d.is_error()) {
-        assert!(same_content((text, &document), (&once, &again)), "{once}");
-        assert_eq!(format(&once, &again), once);
+    assert!(same_content((text, &document), (&once, &again)), "{once}");
+    assert_eq!(format(&once, &again, &options), once);
+    let (first, more) = (1 + usize::from(first), usize::from(more));
+    if let Some(edit) = format_range(text, &document, &options, first..=first + more) {
+        let mut part = text.to_owned();
+        part.replace_range(edit.span.range(), &edit.text);
+        assert!(same_content((text, &document), (&part, &parse(&part).0)), "{part}");
     }
 });

@@ -1,28 +1,40 @@
-//! `zpg fmt`: prints scenes anew, one record a line.
+//! `zpg fmt`: prints scenes anew, in the one layout.
 
-use std::io::{self, Write};
+use std::io;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use rayon::prelude::*;
 
 use super::loaded::{self, STDIN};
 use super::rewrite::{diff, replace};
 use super::{LookChoice, Status, complain, paths, terminal};
-use crate::diagnostics::{Complaint, SourceFile};
-use crate::{format, syntax};
+use crate::config::{ConfigError, Configs};
+use crate::diagnostics::{Complaint, Language, SourceFile, Value};
+use crate::format::{format, format_range};
+use crate::syntax;
 
-/// Format scenes, one record a line
+/// Format scenes: one record a line, numbers and comments under each other
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Files are rewritten in place; `-` formats standard input to standard output. Lines with mistakes on
 them are left as they are. With --check or --diff nothing is written, and the exit status is 1 when
 something would change.
 
+The style can be chosen in zpg.toml, the nearest one upwards from a scene; these are the defaults:
+  [format]
+  width = 100                    where profiles wrap, and how far alignment goes
+  align = true                   numbers and comments of neighbouring lines under each other
+  group = true                   the vectors of a record set off by double spaces
+  numbers = \"shortest\"           or \"keep\": as they are written
+
 Examples:
   zpg fmt scene.zpg
   zpg fmt scenes/                all *.zpg in the folder, .gitignore honoured
   zpg fmt --diff scene.zpg       what would change
   zpg fmt --check scenes/        for a continuous build
+  zpg fmt --range 3-9 scene.zpg  lines 3 to 9 alone
   zpg fmt - < in.zpg > out.zpg")]
 pub struct Args {
     /// Scene files or folders; `-` is standard input
@@ -36,6 +48,30 @@ pub struct Args {
     /// Write nothing; show what would change
     #[arg(long)]
     diff: bool,
+
+    /// Change only the records that touch these lines, counted from 1; for one file
+    #[arg(long, value_name = "FIRST-LAST")]
+    range: Option<Lines>,
+
+    /// What standard input goes by, in messages and for zpg.toml
+    #[arg(long, value_name = "NAME")]
+    stdin_filename: Option<PathBuf>,
+}
+
+/// Some lines of a file: `3-9`, or one: `3`.
+#[derive(Debug, Clone)]
+struct Lines(RangeInclusive<usize>);
+
+impl FromStr for Lines {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (first, last) = text.split_once('-').unwrap_or((text, text));
+        match (first.parse(), last.parse()) {
+            (Ok(first @ 1..), Ok(last)) if first <= last => Ok(Lines(first..=last)),
+            _ => Err("lines are written as `3-9`, or as `3`".to_owned()),
+        }
+    }
 }
 
 /// What became of a file.
@@ -55,20 +91,27 @@ struct Formatted {
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
     let found = paths::expand(&args.paths, look);
+    if args.range.is_some() && found.files.len() != 1 {
+        complain(look, &Complaint::new("range-of-many"));
+        return Status::Failure;
+    }
+    let configs = Configs::default();
     let colour = look.colour(&io::stdout());
     let formatted: Vec<Formatted> = found
         .files
         .par_iter()
-        .map(|path| match format_file(path, args, colour) {
-            Ok(formatted) => formatted,
-            Err(complaint) => {
-                complain(look, &complaint);
-                Formatted {
-                    outcome: Outcome::Failed,
-                    output: Vec::new(),
+        .map(
+            |path| match format_file(path, args, &configs, (colour, look.language())) {
+                Ok(formatted) => formatted,
+                Err(complaint) => {
+                    complain(look, &complaint);
+                    Formatted {
+                        outcome: Outcome::Failed,
+                        output: Vec::new(),
+                    }
                 }
-            }
-        })
+            },
+        )
         .collect();
 
     let count = |of: fn(&Outcome) -> bool| formatted.iter().filter(|f| of(&f.outcome)).count();
@@ -88,40 +131,58 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         for file in &formatted {
             out.write_all(&file.output)?;
         }
-        if carries_data {
+        if carries_data || changed + unchanged == 0 {
             return Ok(());
         }
-        summary(out, changed, unchanged, only_looking)
+        writeln!(out, "{}", summary(changed, unchanged, only_looking, look))
     })
 }
 
-/// `2 files would be reformatted, 1 file is formatted already.`
-fn summary(
-    out: &mut dyn Write,
-    changed: usize,
-    unchanged: usize,
-    only_looking: bool,
-) -> io::Result<()> {
-    let files = |n: usize| format!("{n} file{}", if n == 1 { "" } else { "s" });
-    let verb = if only_looking {
-        "would be reformatted"
-    } else {
-        "reformatted"
+/// `2 files would be reformatted, 1 file left unchanged`
+fn summary(changed: usize, unchanged: usize, only_looking: bool, look: LookChoice) -> String {
+    let count = |message, n: usize| Complaint::new(message).with("count", Value::Count(n as u64));
+    let changes = match only_looking {
+        true => count("would-be-reformatted", changed),
+        false => count("reformatted", changed),
     };
-    match (changed, unchanged) {
-        (0, 0) => Ok(()),
-        (0, same) => writeln!(out, "{} left unchanged", files(same)),
-        (new, 0) => writeln!(out, "{} {verb}", files(new)),
-        (new, same) => writeln!(out, "{} {verb}, {} left unchanged", files(new), files(same)),
-    }
+    let rest = count("left-unchanged", unchanged);
+    let all = match (changed, unchanged) {
+        (0, _) => rest,
+        (_, 0) => changes,
+        _ => Complaint::new("list-comma")
+            .with("first", changes)
+            .with("last", rest),
+    };
+    all.wording(look.language())
 }
 
 /// Formats one file.
-fn format_file(path: &Path, args: &Args, colour: bool) -> Result<Formatted, Complaint> {
-    let bytes = loaded::read(path)?;
+fn format_file(
+    path: &Path,
+    args: &Args,
+    configs: &Configs,
+    (colour, language): (bool, Language),
+) -> Result<Formatted, Complaint> {
     let is_stdin = path.as_os_str() == STDIN;
-    let source = SourceFile::new(path.to_string_lossy(), bytes);
-    let text = format_text(&source)?;
+    let name = match &args.stdin_filename {
+        Some(name) if is_stdin => name.as_path(),
+        _ => path,
+    };
+    let config = configs.for_file(name).map_err(ConfigError::complaint)?;
+    let bytes = loaded::read(path)?;
+    let source = SourceFile::new(name.to_string_lossy(), bytes);
+    let (document, _) = syntax::parse(&source.text);
+    let text = match &args.range {
+        None => format(&source.text, &document, &config.format),
+        Some(Lines(lines)) => {
+            let mut text = source.text.clone();
+            if let Some(edit) = format_range(&source.text, &document, &config.format, lines.clone())
+            {
+                text.replace_range(edit.span.range(), &edit.text);
+            }
+            text
+        }
+    };
     let changed = text != source.text;
     let mut output = Vec::new();
     let outcome = if changed {
@@ -133,7 +194,8 @@ fn format_file(path: &Path, args: &Args, colour: bool) -> Result<Formatted, Comp
         if changed && args.diff {
             diff(&mut output, &source.path, &source.text, &text, colour);
         } else if changed && !is_stdin {
-            output = format!("would reformat: {}\n", source.path).into_bytes();
+            let path = [("path", Value::from(source.path.as_str()))];
+            output = (language.say("would-reformat", &path) + "\n").into_bytes();
         }
     } else if is_stdin {
         output = source.encode(&text);
@@ -141,17 +203,4 @@ fn format_file(path: &Path, args: &Args, colour: bool) -> Result<Formatted, Comp
         replace(path, &source.encode(&text))?;
     }
     Ok(Formatted { outcome, output })
-}
-
-/// The formatted text. A formatter must not change what a scene says: that is not left to trust.
-fn format_text(source: &SourceFile) -> Result<String, Complaint> {
-    let (document, _) = syntax::parse(&source.text);
-    let text = format::format(&source.text, &document);
-    if text != source.text {
-        let (again, _) = syntax::parse(&text);
-        if !format::same_content((&source.text, &document), (&text, &again)) {
-            return Err(Complaint::new("not-formatted").with("path", source.path.clone()));
-        }
-    }
-    Ok(text)
 }

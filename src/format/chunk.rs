@@ -43,15 +43,39 @@ impl Chunk {
         self.elements.iter().any(|e| e.frozen)
     }
 
+    pub fn items(&self) -> impl Iterator<Item = &Item> {
+        self.elements.iter().filter_map(|e| match &e.piece {
+            Piece::Item(item) => Some(item),
+            Piece::Comment(_) | Piece::Unread(_) => None,
+        })
+    }
+
     /// Its lines with all white space, but for the last line break.
-    pub fn whole_lines<'a>(&self, text: &'a str) -> &'a str {
+    pub fn whole_lines(&self, text: &str) -> Range<usize> {
         let Range { start, end } = self.span();
-        let is_break = |c| c == '\n' || c == '\r';
-        let start = text[..start].rfind(is_break).map_or(0, |i| i + 1);
-        let end = text[end..].find(is_break).map_or(text.len(), |i| end + i);
-        text[start..end].trim_start_matches(super::BYTE_ORDER_MARK)
+        let mark = match text.starts_with(super::BYTE_ORDER_MARK) {
+            true => super::BYTE_ORDER_MARK.len_utf8(),
+            false => 0,
+        };
+        let start = text[..start].rfind(BREAKS).map_or(mark, |i| i + 1);
+        let end = text[end..].find(BREAKS).map_or(text.len(), |i| end + i);
+        start..end
     }
 }
+
+/// Whether there is a blank line in what lies between two chunks.
+pub fn has_blank_line(between: &str) -> bool {
+    if line_breaks(between) < 2 {
+        return false;
+    }
+    let between = between.replace("\r\n", "\n");
+    let mut lines = between.split(BREAKS).skip(1).peekable();
+    // What stands before the last chunk on its line is no line either.
+    std::iter::from_fn(|| lines.next().filter(|_| lines.peek().is_some()))
+        .any(|line| line.trim().is_empty())
+}
+
+const BREAKS: [char; 2] = ['\n', '\r'];
 
 /// How many line breaks a text has.
 pub fn line_breaks(text: &str) -> usize {

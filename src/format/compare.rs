@@ -4,18 +4,55 @@ use crate::syntax::lexer::Token;
 use crate::syntax::{Document, Item};
 
 /// Whether two scenes have the same records with the same values to the bit, the same comments, and
-/// the same text where they could not be read.
+/// the same text where they could not be read. A lone `0` says nothing.
 pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
-    comments(a).eq(comments(b))
-        && a.1.items.len() == b.1.items.len()
-        && a.1
-            .items
-            .iter()
-            .zip(&b.1.items)
-            .all(|(x, y)| same_item((a.0, a.1, x), (b.0, b.1, y)))
+    comments(a).eq(comments(b)) && differences(a, b).is_empty()
 }
 
-fn comments<'a>((text, document): (&'a str, &'a Document)) -> impl Iterator<Item = &'a str> {
+/// The items of the first scene that are not the same in the second, or not in the same place among
+/// its numbers.
+pub fn differences(a: (&str, &Document), b: (&str, &Document)) -> Vec<usize> {
+    let mut found = Vec::new();
+    let mut others = places(b.1).peekable();
+    let mut last = 0;
+    for (i, start, item) in places(a.1) {
+        // What begins within the item before.
+        while others.next_if(|other| other.1 < start).is_some() {
+            found.push(last);
+        }
+        let same = others
+            .next_if(|other| other.1 == start)
+            .is_some_and(|(.., other)| same_item((a.0, a.1, item), (b.0, b.1, other)));
+        if !same {
+            found.push(i);
+        }
+        last = i;
+    }
+    if others.next().is_some() {
+        found.push(last);
+    }
+    found
+}
+
+/// The items that say something, each with its index and how many numbers stand before it.
+fn places(document: &Document) -> impl Iterator<Item = (usize, usize, &Item)> {
+    let mut end = 0;
+    document
+        .items
+        .iter()
+        .enumerate()
+        .filter_map(move |(i, item)| {
+            let start = end;
+            end += match item {
+                Item::Void { .. } => return None,
+                Item::Record(record) => 2 + record.params as usize,
+                Item::Broken(broken) => document.significant(broken.first, broken.last).count(),
+            };
+            Some((i, start, item))
+        })
+}
+
+pub fn comments<'a>((text, document): (&'a str, &'a Document)) -> impl Iterator<Item = &'a str> {
     document.comments().map(move |t| t.text(text))
 }
 
@@ -24,7 +61,6 @@ fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
         text[document.item_span(item).range()].to_owned()
     };
     match (a.2, b.2) {
-        (Item::Void { .. }, Item::Void { .. }) => true,
         (Item::Record(x), Item::Record(y)) => {
             x.id == y.id
                 && x.ty.code == y.ty.code

@@ -1,49 +1,161 @@
-//! The pretty-printer: one record a line, numbers in their shortest spelling, comments where they
-//! were. It needs the tokens and the tree alone.
+//! The pretty-printer: one record a line, numbers under each other, comments where they were. It needs
+//! the tokens and the tree alone.
+//!
+//! A file is cut into chunks, what stands together on its lines ([`chunk`]); chunks become lines with a
+//! record each ([`lines`]); records of one type are aligned as a run ([`run`]), and matrices and long
+//! profiles take several lines ([`rows`]). The page aligns the comments ([`page`]).
 //!
 //! Two things in the language depend on layout, and this is how they are kept:
 //!
 //! - Optional parameters are present when just as many numbers are left on the line. A record is
-//!   printed on one line and nothing but comments follows it there. (The exception, matrices in four
-//!   rows, have no optional parameters.)
+//!   printed on one line and nothing but comments follows it there. (The exceptions, matrices and
+//!   profiles in rows, have no optional parameters.)
 //! - Where the scene has errors, the lines tell what was meant. A line with something on it that
 //!   could not be read is left as it is, to the byte.
 //!
-//! Whether that worked can be tested: [`same_content`].
+//! Whether that worked is tested each time: the result is read again, and where another layout lets
+//! mistakes be read differently, the lines in question stay as they are.
 
+mod cell;
 mod chunk;
 mod compare;
+mod lines;
 mod number;
-mod record;
+mod options;
+mod page;
+mod rows;
+mod run;
+
+use std::ops::{Range, RangeInclusive};
 
 pub use compare::same_content;
+pub use options::{Numbers, Options};
 
-use crate::syntax::Document;
-use chunk::{Chunk, Element, Piece};
+use crate::diagnostics::{Edit, Span};
+use crate::syntax::{Document, Item, parse};
+use cell::Context;
+use lines::{Care, Printer};
+use page::Page;
 
 /// Prints a scene anew. `document` is the tree of `text`.
-pub fn format(text: &str, document: &Document) -> String {
-    let mut out = String::with_capacity(text.len());
-    let line_break = line_break(text);
-    if text.starts_with(BYTE_ORDER_MARK) {
-        out.push(BYTE_ORDER_MARK);
+pub fn format(text: &str, document: &Document, options: &Options) -> String {
+    attempt(text, document, options, None).map_or_else(|| text.to_owned(), |(printed, _)| printed)
+}
+
+/// What is to be done so that the records that touch some lines, counted from 1, look as they do when
+/// the whole scene is formatted; nothing if they do.
+pub fn format_range(
+    text: &str,
+    document: &Document,
+    options: &Options,
+    lines: RangeInclusive<usize>,
+) -> Option<Edit> {
+    let wanted = bytes_of(text, lines)?;
+    attempt(text, document, options, Some(wanted))?.1
+}
+
+/// The text printed anew, or only the records that touch `wanted`, a stretch of bytes, and in that case
+/// the edit that does it, if there is something to do. Nothing if the content would not stay the same.
+fn attempt(
+    text: &str,
+    document: &Document,
+    options: &Options,
+    wanted: Option<Range<usize>>,
+) -> Option<(String, Option<Edit>)> {
+    let mut care = Care {
+        zeros: document.items.iter().any(|i| matches!(i, Item::Broken(_))),
+        ..Care::default()
+    };
+    for round in 0..ROUNDS {
+        let (result, edit) = print(text, document, options, &care, wanted.clone());
+        if result == text {
+            return Some((result, None));
+        }
+        let (again, _) = parse(&result);
+        let (before, after) = ((text, document), (result.as_str(), &again));
+        let differences = compare::differences(before, after);
+        if differences.is_empty() && compare::comments(before).eq(compare::comments(after)) {
+            return Some((result, edit));
+        }
+        care.zeros = true;
+        let reach = 1 << round;
+        for i in differences {
+            let near = i.saturating_sub(reach)..(i + reach + 1).min(document.items.len());
+            care.items
+                .extend(document.items[near].iter().map(|item| item.ends().0));
+        }
     }
-    let mut last_end = None;
+    None
+}
+
+/// How often it is tried to keep the lines that are read differently, each time with more around them.
+const ROUNDS: u32 = 6;
+
+fn print(
+    text: &str,
+    document: &Document,
+    options: &Options,
+    care: &Care,
+    wanted: Option<Range<usize>>,
+) -> (String, Option<Edit>) {
+    let context = Context {
+        text,
+        document,
+        options,
+    };
+    let mut page = Page::new(options, line_break(text), text.len());
+    if text.starts_with(BYTE_ORDER_MARK) {
+        page.mark(BYTE_ORDER_MARK);
+    }
+    let mut printer = Printer::new(context, care, page);
+    let mut last_end = 0;
+    let mut source: Option<Range<usize>> = None;
     for chunk in chunk::chunks(text, document) {
         let span = chunk.span();
-        if let Some(end) = last_end {
-            let breaks = chunk::line_breaks(&text[end..span.start]);
-            out.push_str(if breaks > 1 { line_break } else { "" });
+        if chunk::has_blank_line(&text[last_end..span.start]) {
+            printer.blank_line();
         }
-        last_end = Some(span.end);
-        if chunk.is_frozen() {
-            out.push_str(chunk.whole_lines(text));
-        } else {
-            print_chunk(&mut out, text, document, &chunk, line_break);
+        last_end = span.end;
+        let lines = chunk.whole_lines(text);
+        let touches = |w: &Range<usize>| lines.start <= w.end && w.start <= lines.end;
+        let is_wanted = wanted.as_ref().is_none_or(touches);
+        if is_wanted {
+            source = Some(source.map_or(lines.start, |s| s.start)..lines.end);
         }
-        out.push_str(line_break);
+        printer.chunk(&chunk, is_wanted);
     }
-    out
+    let (printed, found) = printer.finish().finish();
+    if wanted.is_none() {
+        return (printed, None);
+    }
+    let Some((source, found)) = source.zip(found) else {
+        return (text.to_owned(), None);
+    };
+    let edit = Edit {
+        span: Span::new(source.start as u32, source.end as u32),
+        text: printed[found].to_owned(),
+    };
+    let result = [&text[..source.start], &edit.text, &text[source.end..]].concat();
+    (result, Some(edit))
+}
+
+/// The bytes of some lines, counted from 1, without the last line break; nothing if there are no such
+/// lines.
+fn bytes_of(text: &str, lines: RangeInclusive<usize>) -> Option<Range<usize>> {
+    let bytes = text.as_bytes();
+    let is_break = |i: &usize| match bytes[*i] {
+        b'\n' => true,
+        b'\r' => bytes.get(i + 1) != Some(&b'\n'),
+        _ => false,
+    };
+    let mut breaks = (0..bytes.len()).filter(is_break);
+    let start = match lines.start() {
+        0 | 1 => 0,
+        line => breaks.nth(line - 2)? + 1,
+    };
+    let further = lines.end().saturating_sub(*lines.start().max(&1));
+    let end = breaks.nth(further).unwrap_or(text.len());
+    Some(start..end)
 }
 
 const BYTE_ORDER_MARK: char = '\u{feff}';
@@ -54,27 +166,6 @@ fn line_break(text: &str) -> &'static str {
     match text.rfind(['\n', '\r']) {
         Some(at) if text[..=at].ends_with("\r\n") => "\r\n",
         _ => "\n",
-    }
-}
-
-/// Prints what stands on a line, a line for each record; the last line without its line break.
-/// Comments before the first record stay before it, others stay behind the record they follow.
-fn print_chunk(out: &mut String, text: &str, document: &Document, chunk: &Chunk, line_break: &str) {
-    let mut line_has_record = false;
-    for (i, Element { piece, .. }) in chunk.elements.iter().enumerate() {
-        let is_record = !matches!(piece, Piece::Comment(_));
-        if is_record && line_has_record {
-            out.push_str(line_break);
-        } else if i > 0 {
-            out.push(' ');
-        }
-        line_has_record |= is_record;
-        match *piece {
-            Piece::Comment(token) | Piece::Unread(token) => {
-                out.push_str(document.tokens[token as usize].text(text));
-            }
-            Piece::Item(item) => record::print(out, text, document, &item, line_break),
-        }
     }
 }
 

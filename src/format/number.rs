@@ -1,32 +1,92 @@
-//! The one spelling of a number: the shortest that reads back as the same value.
+//! The spelling of a number: the shortest that reads back as the same value, without an exponent
+//! where that makes it no longer.
 
 use std::borrow::Cow;
 
+/// So many digits are always the shortest that stand for their value.
+const CERTAIN_DIGITS: usize = 15;
+
 /// A number where any will do. What is no finite number is left as it is.
 pub fn real(text: &str) -> Cow<'_, str> {
-    match text.parse::<f64>() {
-        // A bare `-0` could be taken for an integer, which has no negative zero.
-        Ok(value) if value == 0.0 && value.is_sign_negative() => "-0.0".into(),
-        Ok(value) if value.is_finite() => shortest(value).into(),
-        _ => text.into(),
+    match plain(text) {
+        Some(spelled) => spelled,
+        None => shortest(text),
     }
 }
 
 /// A number where an integer is needed. What is no integer is left as it is.
 pub fn integer(text: &str) -> Cow<'_, str> {
+    let digits = text.strip_prefix('-').unwrap_or(text);
+    if digits.starts_with(|c: char| c.is_ascii_digit() && c != '0') || text == "0" {
+        return text.into();
+    }
     match text.parse::<i64>() {
         Ok(value) => value.to_string().into(),
         Err(_) => text.into(),
     }
 }
 
-/// Without an exponent where that is readable, and never with a needless `.0`.
-fn shortest(value: f64) -> String {
-    // `Debug` has the shortest digits, and an exponent below 1e-5 and from 1e16.
-    let text = format!("{value:?}");
-    match text.strip_suffix(".0") {
-        Some(whole) => whole.to_owned(),
-        None => text,
+/// A number of few digits and no exponent: all there is to do is to leave out what adds nothing.
+fn plain(text: &str) -> Option<Cow<'_, str>> {
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let negative = text.starts_with('-');
+    let mut point = None;
+    for (i, byte) in unsigned.bytes().enumerate() {
+        match byte {
+            b'0'..=b'9' => {}
+            b'.' if point.is_none() => point = Some(i),
+            _ => return None,
+        }
+    }
+    let (whole, fraction) = match point {
+        Some(at) => (&unsigned[..at], &unsigned[at + 1..]),
+        None => (unsigned, ""),
+    };
+    if whole.len() + fraction.len() == 0 {
+        return None;
+    }
+    let whole = whole.trim_start_matches('0');
+    let fraction = fraction.trim_end_matches('0');
+    if whole.is_empty() && fraction.is_empty() {
+        // A bare `-0` could be taken for an integer, which has no negative zero.
+        return Some(if negative { "-0.0" } else { "0" }.into());
+    }
+    if whole.len() + fraction.len() > CERTAIN_DIGITS
+        || (whole.is_empty() && fraction.starts_with("0000"))
+    {
+        return None;
+    }
+    let length = whole.len() + fraction.len() + usize::from(!fraction.is_empty());
+    let first = usize::from(text.starts_with('+'));
+    let digits_at = text.len() - unsigned.len();
+    let is_bare = unsigned.starts_with(whole) && !whole.is_empty()
+        || unsigned.starts_with("0.") && whole.is_empty();
+    if is_bare {
+        let zero = usize::from(whole.is_empty());
+        return Some(text[first..digits_at + zero + length].into());
+    }
+    let sign = if negative { "-" } else { "" };
+    let whole = if whole.is_empty() { "0" } else { whole };
+    let point = if fraction.is_empty() { "" } else { "." };
+    Some(format!("{sign}{whole}{point}{fraction}").into())
+}
+
+fn shortest(text: &str) -> Cow<'_, str> {
+    let value = match text.parse::<f64>() {
+        Ok(value) if value == 0.0 && value.is_sign_negative() => return "-0.0".into(),
+        Ok(value) if value.is_finite() => value,
+        _ => return text.into(),
+    };
+    // Both have the shortest digits; the first never has an exponent, the second always.
+    let (plain, exponent) = (format!("{value}"), format!("{value:e}"));
+    let small_or_large = !(1e-4..1e16).contains(&value.abs()) && value != 0.0;
+    let has_exponent = text.contains(['e', 'E']);
+    if (has_exponent && plain.len() > text.len())
+        || (small_or_large && exponent.len() < plain.len())
+    {
+        exponent.into()
+    } else {
+        plain.into()
     }
 }
 
@@ -50,6 +110,19 @@ mod tests {
             ("0.00001", "1e-5"),
             ("0.0001", "0.0001"),
             ("123456789012345678901234567890", "1.2345678901234568e29"),
+            ("1e3", "1e3"),
+            ("1.0e3", "1000"),
+            ("+1E-03", "0.001"),
+            ("1e15", "1e15"),
+            ("10E14", "1e15"),
+            ("1000000000000000", "1000000000000000"),
+            ("-00.50", "-0.5"),
+            ("-.5", "-0.5"),
+            ("+0.5", "0.5"),
+            ("007.0", "7"),
+            ("-10.25", "-10.25"),
+            ("0.000010", "1e-5"),
+            ("0.00000000000001e-1", "1e-15"),
             ("0.1000000000000000055511151231257827", "0.1"),
             ("1e999", "1e999"),
             ("large", "large"),
@@ -57,7 +130,14 @@ mod tests {
             assert_eq!(real(from), to);
             assert_eq!(real(to), to);
         }
-        for (from, to) in [("+007", "7"), ("-0", "0"), ("9.0", "9.0"), ("x", "x")] {
+        for (from, to) in [
+            ("+007", "7"),
+            ("-0", "0"),
+            ("00", "0"),
+            ("-40", "-40"),
+            ("9.0", "9.0"),
+            ("x", "x"),
+        ] {
             assert_eq!(integer(from), to);
         }
     }
@@ -67,9 +147,13 @@ mod tests {
         fn values_stay_to_the_bit(bits: u64) {
             let value = f64::from_bits(bits);
             if value.is_finite() {
-                for text in [format!("{value}"), format!("{value:?}"), format!("{value:e}")] {
+                let more = [format!("+{value}e0"), format!("{value}00")];
+                let texts = [format!("{value}"), format!("{value:?}"), format!("{value:e}")];
+                // Zeros behind what has a point say nothing; else they make another number.
+                for text in texts.into_iter().chain(more.into_iter().filter(|t| t.contains('.'))) {
                     let spelled = real(&text);
-                    proptest::prop_assert_eq!(spelled.parse::<f64>().unwrap().to_bits(), bits);
+                    let same = text.parse::<f64>().map(f64::to_bits);
+                    proptest::prop_assert_eq!(spelled.parse::<f64>().map(f64::to_bits), same);
                     proptest::prop_assert_eq!(&real(&spelled), &spelled);
                 }
             }

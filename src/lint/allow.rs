@@ -7,19 +7,8 @@
 use super::Context;
 use crate::diagnostics::{self, Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::Item;
+use crate::syntax::directive::{self, PREFIX, is_directive};
 use crate::syntax::lexer::{Token, TokenKind};
-
-/// What every such comment begins with, behind its `#`.
-const PREFIX: &str = "zpg:";
-
-/// Comments that talk to zpg need no `0` in front.
-pub fn is_directive(comment: &Token, text: &str) -> bool {
-    inside(comment.text(text)).starts_with(PREFIX)
-}
-
-fn inside(comment: &str) -> &str {
-    comment.trim_start_matches('#').trim_end_matches('#').trim()
-}
 
 /// Takes out what comments allow, and adds what is wrong with the comments. Sorts the findings.
 pub fn apply(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -79,7 +68,7 @@ impl Directive {
         } else {
             items.below(line.end).map(|i| items.line_of(i))
         };
-        let inside = inside(token.text(text));
+        let inside = directive::inside(token.text(text));
         let list = inside
             .strip_prefix(PREFIX)
             .and_then(|rest| rest.trim().strip_prefix("allow"))

@@ -59,10 +59,11 @@ impl<'a> Params<'a> {
         self.tokens.get(i).map_or("", |t| t.text(self.text))
     }
 
-    /// The span of parameters `first..first + n`.
+    /// The span of parameters `first..first + n`; that of the record where there are none.
     pub fn span_of(&self, first: usize, n: usize) -> Span {
-        match (self.tokens.get(first), self.tokens.get(first + n - 1)) {
-            (Some(a), Some(b)) => a.span().to(b.span()),
+        match self.tokens.get(first..first + n) {
+            Some([a, .., b]) => a.span().to(b.span()),
+            Some([a]) => a.span(),
             _ => self.span,
         }
     }

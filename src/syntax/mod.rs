@@ -5,6 +5,7 @@
 pub mod ast;
 mod comments;
 pub mod describe;
+pub mod directive;
 mod faults;
 pub mod grammar;
 mod layout;
@@ -19,5 +20,6 @@ pub mod table;
 mod witness;
 
 pub use ast::{Document, Item, Record};
+pub use directive::is_directive;
 pub use parser::parse;
 pub use report::quote;

@@ -181,6 +181,9 @@ pub struct RecordType {
     pub repeats: &'static [&'static [Param]],
     /// Parameters that are all there or all absent.
     pub optional: &'static [Param],
+    /// How many parameters make a vector each, in order, the optional ones last; empty where they
+    /// are all of one, or repeated.
+    pub vectors: &'static [usize],
     /// What the record means, in a sentence or two.
     pub summary: &'static str,
     /// A record of this type that is right.
@@ -188,6 +191,10 @@ pub struct RecordType {
 }
 
 impl RecordType {
+    const fn of_vectors(self, vectors: &'static [usize]) -> RecordType {
+        RecordType { vectors, ..self }
+    }
+
     /// The entry for a type number, if there is one.
     pub fn by_code(code: i64) -> Option<&'static RecordType> {
         static INDEX: OnceLock<Vec<(i32, &'static RecordType)>> = OnceLock::new();
@@ -501,6 +508,7 @@ const fn shape(
         params,
         repeats: &[],
         optional: &[],
+        vectors: &[],
         summary,
         example,
     }
@@ -524,6 +532,7 @@ const fn record(
         params,
         repeats: &[],
         optional: &[],
+        vectors: &[],
         summary,
         example,
     }
@@ -574,16 +583,18 @@ pub static RECORD_TYPES: &[RecordType] = &[
         "plane",
         PLANE,
         "Surface: all points with ax + by + cz + d = 0. It has no inside and no orientation.",
-        "2 3 0 1 0 0",
-    ),
+        "2 3  0 1 0  0",
+    )
+    .of_vectors(&[3, 1]),
     shape(
         4,
         "half-space",
         "half-space",
         PLANE,
         "Solid: all points with ax + by + cz + d ≤ 0.",
-        "2 4 0 1 0 0",
-    ),
+        "2 4  0 1 0  0",
+    )
+    .of_vectors(&[3, 1]),
     shape(
         5,
         "rectangle",
@@ -595,8 +606,9 @@ pub static RECORD_TYPES: &[RecordType] = &[
             length("ymax", "the upper edge"),
         ],
         "Surface: the axis-aligned rectangle in the plane z = 0.",
-        "2 5 -1 -1 1 1",
-    ),
+        "2 5  -1 -1  1 1",
+    )
+    .of_vectors(&[2, 2]),
     shape(
         6,
         "triangle",
@@ -604,7 +616,8 @@ pub static RECORD_TYPES: &[RecordType] = &[
         &TRIANGLE,
         "Surface: a flat triangle.",
         "2 6  0 0 0  1 0 0  0 1 0",
-    ),
+    )
+    .of_vectors(&[3, 3, 3]),
     shape(
         7,
         "triangle-with-normal",
@@ -612,7 +625,8 @@ pub static RECORD_TYPES: &[RecordType] = &[
         &TRIANGLE_NORMAL,
         "Surface: a triangle with one shading normal for all of it.",
         "2 7  0 0 0  1 0 0  0 1 0  0 0 1",
-    ),
+    )
+    .of_vectors(&[3, 3, 3, 3]),
     shape(
         8,
         "triangle-with-vertex-normals",
@@ -620,7 +634,8 @@ pub static RECORD_TYPES: &[RecordType] = &[
         &TRIANGLE_NORMALS,
         "Surface: a triangle with a shading normal at each vertex, interpolated and renormalised.",
         "2 8  0 0 0  1 0 0  0 1 0  0 0 1  0 0 1  0 0 1",
-    ),
+    )
+    .of_vectors(&[3, 3, 3, 3, 3, 3]),
     shape(
         9,
         "sphere-at-origin",
@@ -647,16 +662,18 @@ pub static RECORD_TYPES: &[RecordType] = &[
         "sphere",
         &SPHERE,
         "Solid: the ball with this centre and radius.",
-        "2 11 0 10 0 10",
-    ),
+        "2 11  0 10 0  10",
+    )
+    .of_vectors(&[3, 1]),
     shape(
         12,
         "box",
         "box",
         &CORNERS,
         "Solid: the axis-aligned box between two corners.",
-        "2 12 -1 -1 -1 1 1 1",
-    ),
+        "2 12  -1 -1 -1  1 1 1",
+    )
+    .of_vectors(&[3, 3]),
     shape(
         13,
         "geodesic-sphere",
@@ -691,7 +708,8 @@ pub static RECORD_TYPES: &[RecordType] = &[
         &MATRIX,
         "Solid: all points with xᵀQx ≤ 0, where x = (x, y, z, 1). Only the symmetric part of Q counts.",
         "2 15  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 -1",
-    ),
+    )
+    .of_vectors(&[4, 4, 4, 4]),
     shape(
         16,
         "cone",
@@ -827,7 +845,8 @@ pub static RECORD_TYPES: &[RecordType] = &[
         &MATRIX,
         "Turns the object, point light or camera with this ID by a 4×4 matrix, given row by row, that acts on column vectors.",
         "2 -4  0 -1 0 0  1 0 0 0  0 0 1 0  0 0 0 1",
-    ),
+    )
+    .of_vectors(&[4, 4, 4, 4]),
     record(
         -99,
         ["projection-matrix", "projection matrix"],
@@ -837,7 +856,8 @@ pub static RECORD_TYPES: &[RecordType] = &[
         "Gives the camera with this ID a projection of its own: clip = P · view · x with the clip cube of OpenGL, \
          in place of fovy. A new ID defines a camera at the origin that looks along −z.",
         "9 -99  1 0 0 0  0 1 0 0  0 0 -1.2 -2.2  0 0 -1 0",
-    ),
+    )
+    .of_vectors(&[4, 4, 4, 4]),
     record(
         -101,
         ["union", "union"],
@@ -904,7 +924,8 @@ pub static RECORD_TYPES: &[RecordType] = &[
         &OPTICS_RGB,
         "Diffuse, mirrored and transmitted parts of the light, channel by channel.",
         "35 -202  0.5 0.5 0  0.5 0.5 0  0.5 0.5 0",
-    ),
+    )
+    .of_vectors(&[3, 3, 3]),
     record(
         -203,
         ["refractive-index", "refractive index"],
@@ -985,8 +1006,9 @@ pub static RECORD_TYPES: &[RecordType] = &[
             reference("c2", COLOUR, "the colour of the cells at odd places"),
         ],
         "N × M cells over the surface coordinates; c1 where ⌊uN⌋ + ⌊vM⌋ is even.",
-        "16 -399 10 15 14 15",
-    ),
+        "16 -399  10 15  14 15",
+    )
+    .of_vectors(&[2, 2]),
     record(
         -401,
         ["ambient-light", "ambient light"],
@@ -1019,7 +1041,8 @@ pub static RECORD_TYPES: &[RecordType] = &[
         &CAMERA_PARAMS,
         "Position, view direction, up vector (both of any length) and the vertical field of view.",
         "9 -501  0 0 0  0 0 -1  0 1 0  45",
-    ),
+    )
+    .of_vectors(&[3, 3, 3, 1]),
     record(
         -502,
         ["mono-camera", "mono camera"],
@@ -1048,8 +1071,9 @@ pub static RECORD_TYPES: &[RecordType] = &[
         Effect::Changes(OBJECT),
         &CORNERS,
         "Promises that the object with this ID lies in this box. It never changes the picture.",
-        "2 -601 -1 -1 -1 1 1 1",
-    ),
+        "2 -601  -1 -1 -1  1 1 1",
+    )
+    .of_vectors(&[3, 3]),
     record(
         -602,
         ["bounding-sphere", "bounding sphere"],
@@ -1057,8 +1081,9 @@ pub static RECORD_TYPES: &[RecordType] = &[
         Effect::Changes(OBJECT),
         &SPHERE,
         "Promises that the object with this ID lies in this ball. It never changes the picture.",
-        "2 -602 0 0 0 1",
-    ),
+        "2 -602  0 0 0  1",
+    )
+    .of_vectors(&[3, 1]),
     record(
         -701,
         ["colour", "colour"],
@@ -1078,6 +1103,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
     ),
     RecordType {
         optional: &CORNERS,
+        vectors: &[2, 3, 3],
         ..record(
             9999,
             ["render", "render record"],
@@ -1106,6 +1132,14 @@ mod tests {
             }
             assert!(std::ptr::eq(RecordType::by_code(a.code.into()).unwrap(), a));
             assert!(std::ptr::eq(RecordType::by_keyword(a.keyword).unwrap(), a));
+        }
+    }
+
+    #[test]
+    fn vectors_are_made_of_all_parameters() {
+        for ty in RECORD_TYPES.iter().filter(|t| !t.vectors.is_empty()) {
+            let sum: usize = ty.vectors.iter().sum();
+            assert_eq!(sum, ty.params.len() + ty.optional.len(), "{}", ty.keyword);
         }
     }
 

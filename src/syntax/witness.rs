@@ -204,16 +204,12 @@ fn run_to_line_end(stream: &Stream, line: usize) -> bool {
 /// line, and none takes over the head of a line that says it is a record of its own.
 pub fn is_undisturbed(stream: &Stream, starts: impl Iterator<Item = (usize, usize)>) -> bool {
     let mut previous_void = false;
-    let mut defined = HashMap::new();
+    let mut definitions = Vec::new();
     for (start, end) in starts {
         if let Some(Effect::Defines(_)) = record_type(stream, start + 1).map(|t| t.effect)
             && end > start + 1
-            && let Some(other) = defined.insert(stream.sigs[start].int, (start, end))
-            && [other, (start, end)]
-                .iter()
-                .any(|&(s, e)| faults::has_lost_id(stream, s, e))
         {
-            return false;
+            definitions.push((stream.sigs[start].int, start as u32, end as u32));
         }
         if !stream.starts_line(start) && !previous_void {
             return false;
@@ -229,7 +225,14 @@ pub fn is_undisturbed(stream: &Stream, starts: impl Iterator<Item = (usize, usiz
             }
         }
     }
-    true
+    // Most files have their IDs in order.
+    if !definitions.is_sorted_by(|a, b| a.0 < b.0) {
+        definitions.sort_by_key(|d| d.0);
+    }
+    let lost = |&(_, start, end): &(_, u32, u32)| {
+        faults::has_lost_id(stream, start as usize, end as usize)
+    };
+    !(definitions.windows(2)).any(|two| two[0].0 == two[1].0 && two.iter().any(lost))
 }
 
 /// Whether a reading without faults has something in it that people do not write in a text laid out

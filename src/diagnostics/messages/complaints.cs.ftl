@@ -40,7 +40,24 @@ watching = Sleduji změny; konec Ctrl-C
 
 ## Formátování
 
-not-formatted = { $path } zůstává, jak je: při jiném rozložení by se chyby v něm četly jinak (ukáže je `zpg check`)
+would-reformat = přeformátoval by se: { $path }
+would-be-reformatted = { $count ->
+    [one] { $count } soubor by se přeformátoval
+    [few] { $count } soubory by se přeformátovaly
+   *[other] { $count } souborů by se přeformátovalo
+}
+reformatted = { $count ->
+    [one] { $count } soubor přeformátován
+    [few] { $count } soubory přeformátovány
+   *[other] { $count } souborů přeformátováno
+}
+left-unchanged = { $count ->
+    [one] { $count } soubor beze změny
+    [few] { $count } soubory beze změny
+   *[other] { $count } souborů beze změny
+}
+list-comma = { $first }, { $last }
+range-of-many = --range udává řádky jediného souboru
 
 ## Kreslení a dotazy
 

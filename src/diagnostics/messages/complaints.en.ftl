@@ -40,7 +40,21 @@ watching = Watching for changes; Ctrl-C ends it
 
 ## Formatting
 
-not-formatted = { $path } is left as it is: its mistakes would be read differently in another layout (`zpg check` shows them)
+would-reformat = would reformat: { $path }
+would-be-reformatted = { $count ->
+    [one] { $count } file
+   *[other] { $count } files
+} would be reformatted
+reformatted = { $count ->
+    [one] { $count } file
+   *[other] { $count } files
+} reformatted
+left-unchanged = { $count ->
+    [one] { $count } file
+   *[other] { $count } files
+} left unchanged
+list-comma = { $first }, { $last }
+range-of-many = --range takes the lines of one file
 
 ## Drawing and asking
 

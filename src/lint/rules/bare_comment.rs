@@ -1,9 +1,9 @@
 //! S502: a stand-alone comment that no VOID record introduces.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
-use crate::lint::{Context, allow};
-use crate::syntax::Item;
+use crate::lint::Context;
 use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::{Item, is_directive};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let tokens = &context.document.tokens;
@@ -22,7 +22,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         let introduced = matches!(previous, Some(Item::Void { token })
             if tokens[*token as usize + 1..i].iter().all(|t| t.kind == TokenKind::Newline));
-        if introduced || allow::is_directive(t, context.text) {
+        if introduced || is_directive(t, context.text) {
             continue;
         }
         out.push(Diagnostic::new(Code::S502, t.span()).fix(Fix::replace(

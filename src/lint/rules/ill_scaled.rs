@@ -274,5 +274,7 @@ mod tests {
         assert!(found("2 1 4 1 0 1 0 1 1 0 1\n").is_empty());
         assert_eq!(found("2 6 0 0 0 1 0 0 0 1e-9 0\n"), ["W322 1:5"]);
         assert!(found("2 6 0 0 0 1 0 0 0 1e-7 0\n").is_empty());
+        // A shape without parameters of its own.
+        assert_eq!(found("2 18\n2 -1 1e300 0 0\n"), ["W322 1:1"]);
     }
 }

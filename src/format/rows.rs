@@ -1,0 +1,364 @@
+//! Records that take several lines: matrices, and profiles too long for one.
+
+use std::ops::Range;
+
+use super::cell::{Cell, Column, Context, HEAD, may_align, spaces};
+use super::options::Options;
+use super::page::Page;
+use super::run::{self, Entry};
+use crate::syntax::Record;
+use crate::syntax::table::{ParamKind, RecordType};
+
+const INDENT: usize = 2;
+/// A matrix has as many rows as columns.
+const MATRIX: usize = 4;
+
+/// What a record in rows is made of.
+enum Part<'a> {
+    Cell(Cell<'a>),
+    /// Comments with nothing but spaces between them.
+    Comments(Comments<'a>),
+}
+
+struct Comments<'a> {
+    all: Vec<&'a str>,
+    /// Whether they begin or end a line.
+    first: bool,
+    last: bool,
+}
+
+/// Values of a record that are cut into rows: groups of `group`, `per_row` of them in each.
+struct Section {
+    values: Range<usize>,
+    group: usize,
+    per_row: usize,
+}
+
+impl Section {
+    fn starts_group(&self, value: usize) -> bool {
+        self.values.contains(&value) && (value - self.values.start).is_multiple_of(self.group)
+    }
+}
+
+/// A line: parts of the record, the comments behind them not counted.
+struct Row {
+    parts: Range<usize>,
+    /// The first value on it, counted from the ID.
+    value: usize,
+    /// The comments behind them are a part of its own.
+    trail: bool,
+}
+
+/// Whether a record is printed in rows.
+pub fn is_wanted(context: &Context, record: &Record) -> bool {
+    if is_matrix(record.ty) {
+        return true;
+    }
+    let width = context.options.width;
+    // A number and a space are the least.
+    record.ty.is_counted()
+        && (2 * record.params as usize > width
+            || run::natural_width(context, record) > width
+            || is_commented(context, record))
+}
+
+fn is_matrix(ty: &RecordType) -> bool {
+    ty.vectors == [MATRIX; MATRIX]
+}
+
+/// Whether there are comments between the points of a profile.
+fn is_commented(context: &Context, record: &Record) -> bool {
+    // Most have no comments.
+    if context.tokens(record).all(|t| !t.kind.is_comment()) {
+        return false;
+    }
+    let sections = sections(record);
+    let mut value = 0;
+    parts(context, record).iter().any(|part| match part {
+        Part::Cell(_) => {
+            value += 1;
+            false
+        }
+        Part::Comments(_) => ends_group(&sections, value),
+    })
+}
+
+/// The values that are cut into rows; those before them are the first line.
+fn sections(record: &Record) -> Vec<Section> {
+    if is_matrix(record.ty) {
+        return vec![Section {
+            values: HEAD..HEAD + MATRIX * MATRIX,
+            group: MATRIX,
+            per_row: 1,
+        }];
+    }
+    let mut start = HEAD + record.ty.params.len();
+    let section = |group: &&[_]| {
+        let values = start..start + group.len() * record.count as usize;
+        start = values.end;
+        Section {
+            values,
+            group: group.len(),
+            per_row: 1,
+        }
+    };
+    record.ty.repeats.iter().map(section).collect()
+}
+
+/// Whether a point, a row of a matrix or the head of the record ends before a value.
+fn ends_group(sections: &[Section], value: usize) -> bool {
+    sections
+        .iter()
+        .any(|s| s.starts_group(value) || s.values.end == value)
+}
+
+fn parts<'a>(context: &Context<'a>, record: &Record) -> Vec<Part<'a>> {
+    let mut parts = Vec::new();
+    let mut values = 0;
+    let mut end = None;
+    for token in context.tokens(record) {
+        let span = token.span().range();
+        let gap = end.map_or("", |end| &context.text[end..span.start]);
+        let line_break = gap.contains(['\n', '\r']);
+        end = Some(span.end);
+        if let Some(Part::Comments(before)) = parts.last_mut() {
+            before.last = line_break;
+        }
+        if !token.kind.is_comment() {
+            parts.push(Part::Cell(context.cell(record, values, token)));
+            values += 1;
+            continue;
+        }
+        let text = token.text(context.text);
+        match parts.last_mut() {
+            Some(Part::Comments(before)) if !line_break => before.all.push(text),
+            _ => parts.push(Part::Comments(Comments {
+                all: vec![text],
+                first: line_break,
+                last: false,
+            })),
+        }
+    }
+    parts
+}
+
+/// Prints a record in rows.
+pub fn print(context: &Context, page: &mut Page, entry: &Entry) {
+    let record = &entry.record;
+    let parts = parts(context, record);
+    let mut sections = sections(record);
+    let columns = fit(context, &parts, &mut sections);
+    let rows = loop {
+        let rows = rows(&parts, &sections);
+        let widest = sections.iter_mut().max_by_key(|s| s.per_row);
+        match widest {
+            Some(section) if section.per_row > 1 && reads_as_records(&parts, &rows) => {
+                section.per_row -= 1;
+            }
+            _ => break rows,
+        }
+    };
+    for (i, row) in rows.iter().enumerate() {
+        let out = page.line();
+        if i == 0 {
+            entry.write_lead(context, out);
+        } else {
+            spaces(out, INDENT);
+        }
+        write(
+            context,
+            out,
+            &parts[row.parts.clone()],
+            row.value,
+            &sections,
+            &columns,
+        );
+        let own = row.trail.then(|| match &parts[row.parts.end] {
+            Part::Comments(comments) => comments.all.as_slice(),
+            Part::Cell(_) => &[],
+        });
+        let own = own.unwrap_or_default().iter().copied();
+        if i + 1 < rows.len() {
+            page.end_line(own);
+        } else {
+            page.end_line(own.chain(entry.trail(context)));
+        }
+    }
+}
+
+/// The spaces between the points of a row. Among aligned numbers two would not be seen.
+fn between(options: &Options) -> usize {
+    if options.group { 4 } else { 1 }
+}
+
+/// Chooses how many points a row has; the columns of each section, if its values are aligned.
+fn fit(context: &Context, parts: &[Part], sections: &mut [Section]) -> Vec<Option<Vec<Column>>> {
+    let values: Vec<&Cell> = parts.iter().filter_map(Part::cell).collect();
+    let width = context.options.width;
+    let between = between(context.options);
+    let mut columns = Vec::new();
+    for section in sections {
+        let mut own = vec![Column::default(); section.group];
+        let mut unaligned = 0;
+        for group in values[section.values.clone()].chunks(section.group) {
+            unaligned = unaligned.max(group.iter().map(|c| c.width()).sum());
+            for (column, cell) in own.iter_mut().zip(group) {
+                column.widen(cell);
+            }
+        }
+        let aligned = own.iter().map(Column::width).sum::<usize>();
+        let spaces = section.group - 1;
+        let may = context.options.align
+            && may_align(
+                INDENT + aligned + spaces,
+                INDENT + unaligned + spaces,
+                width,
+            );
+        let one = spaces + if may { aligned } else { unaligned };
+        if !section.values.is_empty() && section.group < MATRIX {
+            section.per_row = ((width + between).saturating_sub(INDENT) / (one + between)).max(1);
+        }
+        columns.push(may.then_some(own));
+    }
+    columns
+}
+
+impl<'a> Part<'a> {
+    fn cell(&self) -> Option<&Cell<'a>> {
+        match self {
+            Part::Cell(cell) => Some(cell),
+            Part::Comments(_) => None,
+        }
+    }
+}
+
+/// Cuts a record into lines. A comment behind a group ends the line, one that begins a line in the file
+/// begins one here, or stands alone as it does there; all others stay between their numbers.
+fn rows(parts: &[Part], sections: &[Section]) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    let (mut start, mut first, mut value) = (0, 0, 0);
+    // Groups on the line, and whether it is full.
+    let (mut groups, mut full) = (0, false);
+    for (i, part) in parts.iter().enumerate() {
+        let at_end = ends_group(sections, value);
+        let mut close = |end: usize, trail: bool| {
+            rows.push(Row {
+                parts: start..end,
+                value: first,
+                trail,
+            });
+        };
+        match part {
+            Part::Cell(_) => {
+                if full {
+                    if start < i {
+                        close(i, false);
+                    }
+                    (start, first, groups, full) = (i, value, 0, false);
+                }
+                value += 1;
+                if !ends_group(sections, value) {
+                    continue;
+                }
+                groups += 1;
+                let section = sections.iter().find(|s| s.values.contains(&(value - 1)));
+                full = section.is_none_or(|s| value == s.values.end || groups == s.per_row);
+            }
+            Part::Comments(_) if !at_end => {}
+            Part::Comments(c) if !c.first => {
+                close(i, true);
+                (start, first, groups, full) = (i + 1, value, 0, true);
+            }
+            Part::Comments(c) => {
+                if start < i {
+                    close(i, false);
+                }
+                (start, first, groups, full) = (i, value, 0, c.last);
+            }
+        }
+    }
+    if start < parts.len() {
+        rows.push(Row {
+            parts: start..parts.len(),
+            value: first,
+            trail: false,
+        });
+    }
+    rows
+}
+
+/// Whether a row but the first could be taken for a record of its own, or for the beginning of one.
+fn reads_as_records(parts: &[Part], rows: &[Row]) -> bool {
+    let values: Vec<&str> = (parts.iter().filter_map(Part::cell))
+        .map(|c| c.text.as_ref())
+        .collect();
+    let starts: Vec<usize> = rows.iter().map(|r| r.value).collect();
+    starts.iter().skip(1).any(|&start| {
+        let integer = |i: usize| values.get(start + i).and_then(|v| v.parse::<i64>().ok());
+        let (Some(1..), Some(code)) = (integer(0), integer(1)) else {
+            return false;
+        };
+        let Some(ty) = RecordType::by_code(code) else {
+            return false;
+        };
+        let counted = ty
+            .params
+            .first()
+            .is_some_and(|p| p.kind == ParamKind::Count);
+        let count = match (counted, integer(HEAD)) {
+            (false, _) => 0,
+            (true, Some(count @ 2..)) => count as u64,
+            (true, _) => return false,
+        };
+        let end = |arity: u64| (start + HEAD) as u64 + arity;
+        let arity = ty.arity(count);
+        [end(arity), end(arity + ty.optional.len() as u64)]
+            .into_iter()
+            .any(|end| end >= values.len() as u64 || starts.binary_search(&(end as usize)).is_ok())
+    })
+}
+
+/// Writes a row whose first value is the `value`-th.
+fn write(
+    context: &Context,
+    out: &mut String,
+    parts: &[Part],
+    value: usize,
+    sections: &[Section],
+    columns: &[Option<Vec<Column>>],
+) {
+    let mut value = value;
+    // Columns are of no use among comments.
+    let section = sections.iter().position(|s| s.values.contains(&value));
+    let columns = section
+        .filter(|_| parts.iter().all(|p| p.cell().is_some()))
+        .and_then(|s| columns[s].as_deref().zip(sections.get(s)));
+    let mut missing = 0;
+    for (i, part) in parts.iter().enumerate() {
+        match part {
+            Part::Comments(comments) => {
+                for (j, comment) in comments.all.iter().enumerate() {
+                    out.push_str(if i + j > 0 { " " } else { "" });
+                    out.push_str(comment);
+                }
+            }
+            Part::Cell(cell) => {
+                let starts_group = section.is_some_and(|s| sections[s].starts_group(value));
+                let gap = match i.checked_sub(1).map(|before| &parts[before]) {
+                    None => 0,
+                    Some(Part::Cell(_)) if starts_group => between(context.options),
+                    Some(_) => 1,
+                };
+                spaces(out, missing + gap);
+                match columns {
+                    Some((columns, section)) => {
+                        let column = (value - section.values.start) % section.group;
+                        missing = columns[column].write(out, cell);
+                    }
+                    None => out.push_str(&cell.text),
+                }
+                value += 1;
+            }
+        }
+    }
+}
