@@ -3,6 +3,7 @@
 
 pub mod feature;
 pub mod fidelity;
+pub mod mesh;
 pub mod pov;
 
 pub use feature::{Effect, Feature};

@@ -174,20 +174,18 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 Modifier::Look(look) => {
                     format!("texture {{ {} }}", self.builder.looks.name(*look))
                 }
-                Modifier::Interior(index) => {
-                    match self.builder.aspects.index(*index) {
-                        [r, g, b] if r == g && g == b => {
-                            format!("interior {{ ior {} }}", number(r))
-                        }
-                        eta => {
-                            self.builder.dispersive = true;
-                            let [r, g, b] = eta.map(number);
-                            format!(
-                                "interior {{ ior (Channel = 0 ? {r} : (Channel = 1 ? {g} : {b})) }}"
-                            )
-                        }
+                Modifier::Interior(index) => match self.builder.aspects.index(*index) {
+                    [r, g, b] if r == g && g == b => {
+                        format!("interior {{ ior {} }}", number(r))
                     }
-                }
+                    eta => {
+                        self.builder.dispersive = true;
+                        let [r, g, b] = eta.map(number);
+                        format!(
+                            "interior {{ ior (Channel = 0 ? {r} : (Channel = 1 ? {g} : {b})) }}"
+                        )
+                    }
+                },
                 Modifier::Inverse => "inverse".to_owned(),
                 Modifier::Clip { by, outside } => {
                     let inverse = outside.then_some(Modifier::Inverse);

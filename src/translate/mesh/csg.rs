@@ -1,0 +1,140 @@
+//! Solids joined, cut and taken away from each other, as meshes.
+//!
+//! The work is done by `boolmesh`, which follows "Manifold" (Smith, "Towards Topologically Robust
+//! Boolean Operations on Meshes", 2009–2024): the result is closed whatever the rounding. It takes what
+//! it is given on trust, so that its answers are checked here: closed, and of a volume that can be.
+
+use boolmesh::prelude::{Manifold, OpType, compute_boolean};
+use std::ops::{Add, Mul};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::soup::Mesh;
+use crate::scene::Matrix;
+
+/// What two solids make.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operation {
+    Union,
+    Intersection,
+    Difference,
+}
+
+/// The operation could not be carried out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Failed;
+
+/// A label carried along: what lies between corners of one label has this label.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Tag(u32);
+
+impl Add for Tag {
+    type Output = Tag;
+
+    fn add(self, other: Tag) -> Tag {
+        Tag(self.0.max(other.0))
+    }
+}
+
+impl Mul<f64> for Tag {
+    type Output = Tag;
+
+    fn mul(self, _: f64) -> Tag {
+        self
+    }
+}
+
+/// Combines two closed meshes; triangles keep their labels. May be empty.
+///
+/// # Errors
+/// What came out was not closed, or had a volume that cannot be; also with one of the two moved by
+/// less than matters.
+pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed> {
+    let (of_a, of_b) = (a.volume(), b.volume());
+    let size = a.bounds().radius().max(b.bounds().radius());
+    // Faces in one place are what fails, if anything.
+    const NUDGES: [f64; 4] = [0.0, 1e-11, -1e-9, 1e-8];
+    for nudge in NUDGES {
+        let moved;
+        let b = if nudge == 0.0 {
+            b
+        } else {
+            let mut other = b.clone();
+            let by = nudge * size;
+            other.transform(&Matrix::translation(by, 0.618 * by, -0.382 * by));
+            moved = other;
+            &moved
+        };
+        if let Some(mesh) = attempt(a, b, operation)
+            && plausible(&mesh, of_a, of_b, operation)
+        {
+            return Ok(mesh);
+        }
+    }
+    Err(Failed)
+}
+
+fn attempt(a: &Mesh, b: &Mesh, operation: Operation) -> Option<Mesh> {
+    let op = match operation {
+        Operation::Union => OpType::Add,
+        Operation::Intersection => OpType::Intersect,
+        Operation::Difference => OpType::Subtract,
+    };
+    // It asserts and unwraps what holds for exact numbers only.
+    let result = catch_unwind(AssertUnwindSafe(|| {
+        let (a, b) = (manifold(a)?, manifold(b)?);
+        compute_boolean(&a, &b, op)
+    }));
+    match result.ok()? {
+        Ok(m) => Some(back(&m)),
+        // It has no other word for a result without triangles.
+        Err(e) if e.starts_with("empty ") => Some(Mesh::default()),
+        Err(_) => None,
+    }
+}
+
+fn manifold(mesh: &Mesh) -> Result<Manifold<Tag>, String> {
+    let points: Vec<f64> = mesh.points.iter().flatten().copied().collect();
+    let corners: Vec<usize> = mesh
+        .triangles
+        .iter()
+        .flatten()
+        .map(|&i| i as usize)
+        .collect();
+    let tags: Vec<Tag> = mesh
+        .labels
+        .iter()
+        .flat_map(|&l| [const { Tag(0) }; 3].map(|_| Tag(l)))
+        .collect();
+    Manifold::new_with_values(&points, &corners, &tags)
+}
+
+fn back(m: &Manifold<Tag>) -> Mesh {
+    let mut mesh = Mesh {
+        points: m.ps.iter().map(|p| [p.x, p.y, p.z]).collect(),
+        ..Mesh::default()
+    };
+    for (corners, tags) in m.hs.chunks_exact(3).zip(m.vals.chunks_exact(3)) {
+        mesh.triangles
+            .push([0, 1, 2].map(|i| corners[i].tail as u32));
+        // All three are the same, but where a corner was rounded off its triangle: most of them are.
+        mesh.labels.push(if tags[1] == tags[2] {
+            tags[1].0
+        } else {
+            tags[0].0
+        });
+    }
+    mesh
+}
+
+/// Whether a mesh can be what the operation makes of solids with these volumes.
+fn plausible(mesh: &Mesh, a: f64, b: f64, operation: Operation) -> bool {
+    let volume = mesh.volume();
+    // Rounding, and what thin parts lose when short edges are collapsed.
+    let slack = 1e-6 * (a + b);
+    let (least, most) = match operation {
+        Operation::Union => (a.max(b), a + b),
+        Operation::Intersection => (0.0, a.min(b)),
+        Operation::Difference => (a - b, a),
+    };
+    (least - slack..=most + slack).contains(&volume) && mesh.is_closed()
+}
