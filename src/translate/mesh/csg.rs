@@ -5,6 +5,7 @@
 //! it is given on trust, so that its answers are checked here: closed, and of a volume that can be.
 
 use boolmesh::prelude::{Manifold, OpType, compute_boolean};
+use std::collections::HashSet;
 use std::ops::{Add, Mul};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -22,6 +23,10 @@ pub enum Operation {
 /// The operation could not be carried out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Failed;
+
+/// Parts thinner than this, by the size of the operands, are what rounding left between faces in one
+/// place.
+const THINNEST: f64 = 1e-10;
 
 /// A label carried along: what lies between corners of one label has this label.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -64,9 +69,10 @@ pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed>
             moved = other;
             &moved
         };
-        if let Some(mesh) = attempt(a, b, operation)
+        if let Some(mut mesh) = attempt(a, b, operation)
             && plausible(&mesh, of_a, of_b, operation)
         {
+            mesh.drop_thin(THINNEST * size);
             return Ok(mesh);
         }
     }
@@ -92,8 +98,19 @@ fn attempt(a: &Mesh, b: &Mesh, operation: Operation) -> Option<Mesh> {
     }
 }
 
+/// Points of one place would become one point there, and faces that touch in an edge would share it:
+/// all but the first are moved by the least that makes them different.
 fn manifold(mesh: &Mesh) -> Result<Manifold<Tag>, String> {
-    let points: Vec<f64> = mesh.points.iter().flatten().copied().collect();
+    let mut seen = HashSet::with_capacity(mesh.points.len());
+    let mut points: Vec<f64> = Vec::with_capacity(3 * mesh.points.len());
+    for &[x, y, z] in &mesh.points {
+        // Adding zero makes one of the two zeros.
+        let mut p = [x + 0.0, y + 0.0, z + 0.0];
+        while !seen.insert(p.map(f64::to_bits)) {
+            p[0] = p[0].next_up();
+        }
+        points.extend(p);
+    }
     let corners: Vec<usize> = mesh
         .triangles
         .iter()

@@ -11,6 +11,7 @@ pub mod glb;
 mod material;
 pub mod obj;
 pub mod ply;
+mod sets;
 pub mod shape;
 mod skin;
 mod soup;
@@ -28,7 +29,7 @@ use crate::scene::bounds::node_bounds;
 use crate::scene::frame::seen_box;
 use crate::scene::{Aabb, Scene};
 use crate::trace::graph::Graph;
-use assemble::{Assembly, Thing, Troubles, enlarged};
+use assemble::{Assembly, Thing, Troubles};
 use budget::TooMany;
 use shape::DROPPED;
 use unite::Union;
@@ -83,13 +84,25 @@ impl Extent {
             seen
         };
         Extent {
-            region: if boxed { seen } else { enlarged(&seen, AROUND) },
+            region: if boxed { seen } else { around(&seen) },
             boxed,
             tolerance: options
                 .tolerance
                 .unwrap_or(DEFAULT_TOLERANCE * seen.radius()),
         }
     }
+}
+
+/// Room around what is seen, also where that is flat.
+fn around(seen: &Aabb) -> Aabb {
+    let least = seen.radius() / 4.0;
+    let c = seen.centre();
+    let half: [f64; 3] =
+        std::array::from_fn(|i| (AROUND * (seen.max[i] / 2.0 - seen.min[i] / 2.0)).max(least));
+    Aabb::new(
+        std::array::from_fn(|i| c[i] - half[i]),
+        std::array::from_fn(|i| c[i] + half[i]),
+    )
 }
 
 /// Makes the scene of triangles.

@@ -1,5 +1,8 @@
 //! Triangles with shared points.
 
+use std::collections::HashMap;
+
+use super::sets::Sets;
 use crate::scene::{Aabb, Matrix, Vec3};
 
 /// Triangles, counter-clockwise as seen from outside, each with the number of what it shows.
@@ -120,6 +123,41 @@ impl Mesh {
             out.labels.push(label);
         }
         out
+    }
+
+    /// Leaves out connected parts whose volume is less than a layer this thick under their surface.
+    pub fn drop_thin(&mut self, thickness: f64) {
+        let mut sets = Sets::new(self.points.len());
+        for &[a, b, c] in &self.triangles {
+            sets.join(a, b);
+            sets.join(b, c);
+        }
+        // Volume, seen from the first point of each part, and area.
+        let mut sizes: HashMap<u32, (Vec3, f64, f64)> = HashMap::new();
+        for (t, corners) in self.triangles.iter().enumerate() {
+            let [a, b, c] = self.corners(t);
+            let size = sizes.entry(sets.find(corners[0])).or_insert((a, 0.0, 0.0));
+            let n = cross(sub(b, a), sub(c, a));
+            size.1 += dot(n, sub(a, size.0)) / 6.0;
+            size.2 += dot(n, n).sqrt() / 2.0;
+        }
+        let thin = |i: u32| {
+            let (_, volume, area) = sizes[&i];
+            volume.abs() < thickness * area
+        };
+        if sizes.keys().any(|&i| thin(i)) {
+            let kept: Vec<bool> = self
+                .triangles
+                .iter()
+                .map(|t| !thin(sets.find(t[0])))
+                .collect();
+            let mut all = std::mem::take(self);
+            let labels = std::mem::take(&mut all.labels);
+            all.labels = kept.iter().map(|&k| u32::from(k)).collect();
+            *self = all.only(|k| k == 1);
+            let kept = labels.into_iter().zip(kept).filter(|(_, k)| *k);
+            self.labels = kept.map(|(l, _)| l).collect();
+        }
     }
 
     /// Whether every edge belongs to two triangles that pass it in opposite directions.

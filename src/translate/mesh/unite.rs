@@ -2,6 +2,7 @@
 //! first.
 
 use super::csg::{Operation, combine};
+use super::sets::Sets;
 use super::soup::Mesh;
 use crate::scene::Aabb;
 use crate::trace::bounds::Bounds;
@@ -117,33 +118,6 @@ fn visit(tree: &Bvh, b: &Bounds, mut found: impl FnMut(u32)) {
         } else {
             pending.extend([node.index, i + 1]);
         }
-    }
-}
-
-/// Disjoint sets of numbers.
-struct Sets {
-    parents: Vec<u32>,
-}
-
-impl Sets {
-    fn new(n: usize) -> Sets {
-        Sets {
-            parents: (0..n as u32).collect(),
-        }
-    }
-
-    fn find(&mut self, mut i: u32) -> u32 {
-        while self.parents[i as usize] != i {
-            let up = self.parents[self.parents[i as usize] as usize];
-            self.parents[i as usize] = up;
-            i = up;
-        }
-        i
-    }
-
-    fn join(&mut self, i: u32, j: u32) {
-        let (i, j) = (self.find(i), self.find(j));
-        self.parents[i.max(j) as usize] = i.min(j);
     }
 }
 
