@@ -4,6 +4,7 @@
 pub mod feature;
 pub mod fidelity;
 pub mod mesh;
+pub mod mitsuba;
 pub mod pov;
 
 pub use feature::{Effect, Feature};

@@ -24,7 +24,7 @@ pub struct Piece {
     /// The label of what its inside is made of.
     pub inside: u32,
     pub surface: bool,
-    /// It is one shape that nothing was cut from.
+    /// It is one shape that no operation cut anything from, and neither did the render box.
     pub whole: bool,
 }
 
@@ -118,7 +118,7 @@ impl<'a> Assembly<'a> {
     ///
     /// # Errors
     /// There would be too many triangles.
-    pub fn pieces(&mut self, region: &Aabb) -> Result<Thing, TooMany> {
+    pub fn pieces(&mut self, region: &Aabb, boxed: bool) -> Result<Thing, TooMany> {
         for object in 0..self.graph.objects.len() {
             if self.uses[object] > 0 {
                 self.things[object] = Some(self.object(object)?);
@@ -127,7 +127,7 @@ impl<'a> Assembly<'a> {
         let mut thing = self.things[self.graph.root as usize]
             .take()
             .unwrap_or_default();
-        self.cut_to(&mut thing, region);
+        self.cut_to(&mut thing, region, boxed);
         Ok(thing)
     }
 
@@ -255,7 +255,7 @@ impl<'a> Assembly<'a> {
                 mesh,
                 inside: label,
                 surface,
-                whole: solid.bounded && one && !solid.outside && !part.inverted,
+                whole: one && !solid.outside && !part.inverted,
             });
         }
         Ok(Operand {
@@ -376,7 +376,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// Cuts what reaches beyond the region; the faces that close it again are caps.
-    fn cut_to(&mut self, thing: &mut Thing, region: &Aabb) {
+    fn cut_to(&mut self, thing: &mut Thing, region: &Aabb, boxed: bool) {
         let mut caps: HashMap<u32, u32> = HashMap::new();
         let pieces = std::mem::take(&mut thing.pieces);
         for piece in pieces {
@@ -395,8 +395,11 @@ impl<'a> Assembly<'a> {
                 meshes: vec![(*region, mesh)],
                 failures: 0,
             };
+            let whole = piece.whole && !boxed;
             let cut = self.cut(piece, [&all].into_iter(), &Union::default());
-            thing.pieces.extend(cut);
+            thing
+                .pieces
+                .extend(cut.map(|piece| Piece { whole, ..piece }));
         }
     }
 }

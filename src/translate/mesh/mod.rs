@@ -20,9 +20,12 @@ mod tests;
 mod unite;
 mod verdict;
 
+pub use assemble::Piece;
 pub use material::{Coloured, Material};
 pub use skin::Skin;
 pub use soup::Mesh;
+
+use std::collections::BTreeMap;
 
 use super::{Fidelity, Report, Unsupported};
 use crate::scene::bounds::node_bounds;
@@ -105,6 +108,74 @@ fn around(seen: &Aabb) -> Aabb {
     )
 }
 
+/// The scene as pieces that are not joined.
+#[derive(Debug)]
+pub struct Parts {
+    /// Cut to the region. Labels are indices into `skins`, or [`shape::DROPPED`].
+    pub pieces: Vec<Piece>,
+    pub skins: Vec<Skin>,
+    pub extent: Extent,
+    troubles: Troubles,
+}
+
+impl Parts {
+    /// Makes the scene of pieces.
+    ///
+    /// # Errors
+    /// There would be too many triangles.
+    pub fn of(scene: &Scene, graph: &Graph, options: &Options) -> Result<Parts, Unsupported> {
+        let extent = Extent::of(scene, options);
+        let (thing, troubles) = pieces(scene, graph, &extent)?;
+        Ok(Parts {
+            pieces: thing.pieces,
+            skins: thing.skins,
+            extent,
+            troubles,
+        })
+    }
+
+    /// Joins those solids that overlap and are chosen and of one kind; the others stay as they are.
+    pub fn join_by(&mut self, kind: impl Fn(&Piece) -> Option<u64>) {
+        let mut groups: BTreeMap<u64, Vec<Piece>> = BTreeMap::new();
+        for piece in std::mem::take(&mut self.pieces) {
+            match kind(&piece).filter(|_| !piece.surface) {
+                Some(k) => groups.entry(k).or_default().push(piece),
+                None => self.pieces.push(piece),
+            }
+        }
+        for group in groups.into_values() {
+            let boxes: Vec<Aabb> = group.iter().map(|p| p.bounds).collect();
+            let overlapping = unite::overlapping(&boxes);
+            let mut together = Vec::new();
+            let mut inside = 0;
+            for (piece, overlaps) in group.into_iter().zip(overlapping) {
+                if overlaps {
+                    inside = piece.inside;
+                    together.push(piece.mesh);
+                } else {
+                    self.pieces.push(piece);
+                }
+            }
+            let union = Union::of(together);
+            self.troubles.unjoined += union.failures;
+            for (bounds, mesh) in union.meshes {
+                self.pieces.push(Piece {
+                    mesh,
+                    bounds,
+                    inside,
+                    surface: false,
+                    whole: false,
+                });
+            }
+        }
+    }
+
+    /// Adds to a report what became of this scene in particular.
+    pub fn account(&self, report: &mut Report) {
+        account(report, &self.extent, &self.troubles);
+    }
+}
+
 /// Makes the scene of triangles.
 ///
 /// # Errors
@@ -140,7 +211,9 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, U
 /// The scene as pieces that are not joined yet.
 fn pieces(scene: &Scene, graph: &Graph, extent: &Extent) -> Result<(Thing, Troubles), Unsupported> {
     let mut assembly = Assembly::new(scene, graph, &extent.region, extent.tolerance);
-    let thing = assembly.pieces(&extent.region).map_err(|e| refusal(&e))?;
+    let thing = assembly
+        .pieces(&extent.region, extent.boxed)
+        .map_err(|e| refusal(&e))?;
     Ok((thing, assembly.troubles))
 }
 

@@ -3,7 +3,7 @@
 use crate::scene::{DEFAULT_COLOUR, Matrix, Rgb, Texture, Vec3};
 use crate::trace::graph::{Coat, Graph, Part};
 use crate::trace::ray::Line;
-use crate::trace::shapes::Roots;
+use crate::trace::shapes::{Root, Roots};
 
 /// A texture, and the matrix from the coordinates it was given in to those at hand.
 #[derive(Debug, Clone, PartialEq)]
@@ -157,6 +157,29 @@ impl Skin {
         }
     }
 
+    /// The unit normal that light is reckoned with at a point on or near the surface, on the side of
+    /// `normal`, along which it is looked for.
+    pub fn shading_normal(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<Vec3> {
+        let primitive = &graph.primitives[self.primitive? as usize];
+        let back = self.matrix.inverse()?;
+        let line = Line::new(back.point(point).into(), back.vector(normal).into());
+        let mut roots = Roots::default();
+        primitive.intersect().crossings(&line, &mut roots);
+        let nearest = nearest(&roots)?;
+        let located = primitive.intersect().locate(&line, nearest);
+        let shading = primitive
+            .shape()
+            .shading_normal(located.point, nearest.face);
+        let local = shading.unwrap_or(located.normal).0;
+        // Normals turn by the transpose of the inverse.
+        let n: Vec3 = std::array::from_fn(|i| (0..3).map(|k| back.0[k][i] * local[k]).sum());
+        let length = n[0].hypot(n[1]).hypot(n[2]);
+        let side = n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2];
+        let length = if side < 0.0 { -length } else { length };
+        let n = n.map(|x| x / length);
+        n.iter().all(|x| x.is_finite()).then_some(n)
+    }
+
     /// The point of the true surface next to one, in the shape's coordinates, and its face.
     fn locate(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<(u32, Vec3, u32)> {
         let primitive = self.primitive?;
@@ -172,6 +195,11 @@ impl Skin {
         let located = shape.locate(&line, *nearest);
         Some((primitive, located.point.0, nearest.face))
     }
+}
+
+fn nearest(roots: &Roots) -> Option<Root> {
+    let by_distance = |a: &&Root, b: &&Root| a.t.abs().total_cmp(&b.t.abs());
+    roots.list.iter().min_by(by_distance).copied()
 }
 
 fn has_colours(graph: &Graph, primitive: u32) -> bool {

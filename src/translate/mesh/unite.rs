@@ -97,6 +97,21 @@ impl Union {
     }
 }
 
+/// Which boxes overlap another one.
+pub fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
+    let numbered = boxes.iter().enumerate();
+    let tree = Bvh::new(numbered.map(|(i, b)| (i as u32, bounds(b))).collect());
+    let mut out = vec![false; boxes.len()];
+    for (i, b) in boxes.iter().enumerate() {
+        let mut found = false;
+        visit(&tree, &bounds(b), |j| {
+            found |= j as usize != i && b.overlaps(&boxes[j as usize]);
+        });
+        out[i] = found;
+    }
+    out
+}
+
 fn bounds(b: &Aabb) -> Bounds {
     Bounds::new(b.min.into(), b.max.into())
 }
