@@ -10,8 +10,7 @@ use zpg::scene::bounds::node_bounds;
 use zpg::scene::frame::automatic_camera;
 use zpg::scene::{Camera, Matrix, Scene, Texture, View};
 use zpg::trace::{Settings, Tracer};
-use zpg::translate::Translation;
-use zpg::translate::pov::{self, Options};
+use zpg::translate::pov::{self, Options, Stereo, Translation};
 
 const SIZE: (u32, u32) = (96, 72);
 /// Pixels may differ by so much.
@@ -43,7 +42,7 @@ fn compare(name: &str, scene: &Scene) {
 
 /// Compares what one camera sees.
 fn compare_view(name: &str, scene: &Scene, translation: &Translation, camera: Camera) {
-    let theirs = povray::render(name, &translation.text, SIZE);
+    let theirs = povray::render(name, translation, 0, SIZE);
     assert_eq!(theirs.size, SIZE);
     let depth = Options::default().depth;
     let naive = Naive::new(scene, camera, depth);
@@ -532,11 +531,20 @@ fn both_eyes() {
         size: SIZE,
         ..Options::default()
     };
+    let one = Options {
+        stereo: Stereo::OneFile,
+        ..options.clone()
+    };
     for (eye, camera) in scene.cameras.iter().enumerate() {
-        let mut translation = pov::write(&scene, &options).expect("a translation");
+        let mut translation = pov::write(&scene, &one).expect("a translation");
         let switch = format!("#declare Eye = {eye};\n");
-        translation.text.insert_str(0, &switch);
+        translation.files[0].text.insert_str(0, &switch);
         compare_view(&format!("eye_{eye}"), &scene, &translation, *camera);
+        let mut translation = pov::write(&scene, &options).expect("a translation");
+        let file = translation.files.swap_remove(eye);
+        assert_eq!(file.suffix, ["_left", "_right"][eye]);
+        translation.files = vec![file];
+        compare_view(&format!("eye{eye}"), &scene, &translation, *camera);
     }
 }
 

@@ -38,7 +38,11 @@ fn translate(mut scene: Scene) -> String {
         clip: None,
         span: Span::default(),
     });
-    pov::write(&scene, &Options::default()).unwrap().text
+    pov::write(&scene, &Options::default())
+        .unwrap()
+        .files
+        .remove(0)
+        .text
 }
 
 /// The deepest nesting of braces.
@@ -168,26 +172,4 @@ fn shared_nodes_are_never_expanded() {
         ..Paint::default()
     };
     assert!(doubled(|i| (i % 7 == 0).then(|| solid(i)), true).len() < 40_000);
-}
-
-#[test]
-fn what_has_no_translation_is_named() {
-    let mut scene = spheres(2);
-    scene.shapes[1].geometry = Geometry::Torus {
-        major: 2.0,
-        minor: 1.0,
-    };
-    scene.shapes[1].ty = RecordType::by_code(14).unwrap();
-    scene.shapes[1].span = Span::new(10, 20);
-    scene.nodes.push(Node::Union(0, 1));
-    scene.render = Some(Render {
-        root: 2,
-        root_id: 4,
-        background: [0.0; 3],
-        clip: None,
-        span: Span::default(),
-    });
-    let error = pov::write(&scene, &Options::default()).unwrap_err();
-    assert_eq!((error.id, error.span), (3, Some(Span::new(10, 20))));
-    assert!(error.message.contains("torus 3"), "{error}");
 }

@@ -1,6 +1,7 @@
 //! `zpg convert`: the scene for other programs.
 
 mod mesh;
+mod mitsuba;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -8,7 +9,8 @@ use std::path::{Path, PathBuf};
 use super::draft::{Draft, unwritable};
 use super::size::Size;
 use super::{Loaded, LookChoice, Status, complain, load_sound};
-use crate::translate::{Report, Translation, Unsupported, pov};
+use crate::scene::Scene;
+use crate::translate::{File, Report, Translation, Unsupported, pov};
 
 /// Translate a scene for another program
 #[derive(Debug, clap::Args)]
@@ -48,6 +50,8 @@ pub struct Args {
 pub enum Target {
     /// POV-Ray 3.7
     Pov,
+    /// Mitsuba 3: XML, with meshes beside it
+    Mitsuba,
     /// Triangles: Stanford PLY, binary, with colours
     Ply,
     /// Triangles: Wavefront OBJ, with a library of materials beside it
@@ -75,6 +79,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             Ok(translation) => deliver(args, &translation),
             Err(unsupported) => refuse(&loaded, &unsupported),
         },
+        Target::Mitsuba => mitsuba::run(args, &mut loaded, look),
         Target::Ply => mesh::run(args, mesh::Format::Ply, &mut loaded, look),
         Target::Obj => mesh::run(args, mesh::Format::Obj, &mut loaded, look),
         Target::Glb => mesh::run(args, mesh::Format::Glb, &mut loaded, look),
@@ -91,21 +96,42 @@ fn refuse(loaded: &Loaded, unsupported: &Unsupported) -> Status {
     Status::Negative
 }
 
-fn translate(args: &Args, scene: &crate::scene::Scene) -> Result<Translation, Unsupported> {
-    pov::write(
-        scene,
-        &pov::Options {
-            size: (args.size.width, args.size.height),
-            depth: args.depth,
+fn translate(args: &Args, scene: &Scene) -> Result<Translation, Unsupported> {
+    let options = pov::Options {
+        size: (args.size.width, args.size.height),
+        depth: args.depth,
+        pictures: pictures(&args.file, args.output.as_deref()),
+        stereo: match args.output {
+            Some(_) => pov::Stereo::TwoFiles,
+            None => pov::Stereo::OneFile,
         },
-    )
+    };
+    let pov::Translation { files, report, .. } = pov::write(scene, &options)?;
+    Ok(Translation { files, report })
+}
+
+/// What leads from the translation to the pictures beside the scene: nothing where it is written
+/// beside them, too, else their folder with its whole path.
+fn pictures(scene: &Path, output: Option<&Path>) -> String {
+    let folder = |path: &Path| {
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
+        folder.unwrap_or(Path::new(".")).canonicalize().ok()
+    };
+    match (folder(scene), output.map(folder)) {
+        (Some(from), Some(Some(to))) if from == to => String::new(),
+        (Some(from), _) => format!("{}/", from.display()),
+        (None, _) => String::new(),
+    }
 }
 
 /// Writes the translation and its report.
 fn deliver(args: &Args, translation: &Translation) -> Status {
     let written = match &args.output {
-        Some(path) => write_file(path, &translation.text).map_err(|e| (path.clone(), e)),
-        None => match io::stdout().lock().write_all(translation.text.as_bytes()) {
+        Some(path) => translation.files.iter().try_for_each(|file| {
+            let path = suffixed(path, file.suffix);
+            write_file(&path, &file.text).map_err(|e| (path, e))
+        }),
+        None => match print_all(&translation.files) {
             // Nobody reads any more: that is their choice.
             Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {
                 Err((PathBuf::from("standard output"), e))
@@ -126,6 +152,27 @@ fn deliver(args: &Args, translation: &Translation) -> Status {
             Status::Failure
         }
     }
+}
+
+/// `NAME` and a suffix, before the extension.
+fn suffixed(path: &Path, suffix: &str) -> PathBuf {
+    if suffix.is_empty() {
+        return path.to_owned();
+    }
+    let mut name = path.file_stem().unwrap_or_default().to_owned();
+    name.push(suffix);
+    if let Some(extension) = path.extension() {
+        name.push(".");
+        name.push(extension);
+    }
+    path.with_file_name(name)
+}
+
+fn print_all(files: &[File]) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    files
+        .iter()
+        .try_for_each(|f| out.write_all(f.text.as_bytes()))
 }
 
 fn write_report(path: &Path, report: &Report) -> io::Result<()> {

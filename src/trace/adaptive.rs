@@ -28,6 +28,8 @@ pub struct First {
     pub samples: [[f32; 3]; FIRST as usize],
     /// Intersection tests they took.
     pub tests: u32,
+    /// Whether they saw totally reflected light.
+    pub total_reflection: bool,
 }
 
 /// The largest difference in one channel between samples of these pixels.

@@ -94,6 +94,8 @@ pub struct Picture {
     pub film: Film,
     pub samples: Samples,
     pub costs: CostMap,
+    /// For each pixel, row by row, whether light it shows was totally reflected.
+    pub total_reflection: Vec<bool>,
     pub counts: Counts,
 }
 
@@ -242,6 +244,7 @@ impl Tracer {
                 height: crop.height,
                 tests: pixels.iter().map(|p| p.tests).collect(),
             },
+            total_reflection: pixels.iter().map(|p| p.total_reflection).collect(),
             counts,
         })
     }
@@ -304,6 +307,7 @@ struct Pixel {
     colour: [f32; 3],
     samples: u32,
     tests: u32,
+    total_reflection: bool,
 }
 
 /// What draws pixels on one thread.
@@ -323,6 +327,11 @@ impl<R: Precision> Pen<'_, '_, R> {
         u32::try_from(self.tests() - before).unwrap_or(u32::MAX)
     }
 
+    /// Times that light was totally reflected since the last reset.
+    fn total(&self) -> u64 {
+        self.shader.counts().rays.total
+    }
+
     /// The light of sample `i` of `n`; where a projection has no ray, or none in
     /// the range of the precision, there is nothing to be seen.
     fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
@@ -339,7 +348,7 @@ impl<R: Precision> Pen<'_, '_, R> {
 
     /// The mean of `n` samples.
     fn fixed(&mut self, x: u32, y: u32, n: u32) -> Pixel {
-        let before = self.tests();
+        let (before, total) = (self.tests(), self.total());
         let mut sum = Vec3::ZERO;
         for i in 0..n {
             sum = sum + self.sample(x, y, i, n);
@@ -348,22 +357,24 @@ impl<R: Precision> Pen<'_, '_, R> {
             colour: developed((sum / f64::from(n)).0),
             samples: n,
             tests: self.tests_since(before),
+            total_reflection: self.total() > total,
         }
     }
 
     /// The first samples of a pixel that may get more.
     fn first(&mut self, x: u32, y: u32) -> First {
-        let before = self.tests();
+        let (before, total) = (self.tests(), self.total());
         let samples = [0, 1, 2, 3].map(|i| developed(self.sample(x, y, i, MOST).0));
         First {
             samples,
             tests: self.tests_since(before),
+            total_reflection: self.total() > total,
         }
     }
 
     /// As many samples as the tolerance asks for, given the first ones.
     fn adaptive(&mut self, x: u32, y: u32, first: &First, contrast: f64, tolerance: f64) -> Pixel {
-        let before = self.tests();
+        let (before, total) = (self.tests(), self.total());
         let mean = |batch: [Vec3; FIRST as usize]| {
             batch.into_iter().fold(Vec3::ZERO, |sum, s| sum + s) / f64::from(FIRST)
         };
@@ -377,6 +388,7 @@ impl<R: Precision> Pen<'_, '_, R> {
             colour: developed(estimate.mean.0),
             samples: estimate.samples(),
             tests: first.tests.saturating_add(self.tests_since(before)),
+            total_reflection: first.total_reflection || self.total() > total,
         }
     }
 }

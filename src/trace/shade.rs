@@ -178,6 +178,7 @@ impl<'t, R: Precision> Shader<'t, R> {
                 }
             } else {
                 mirrored = mirrored + through;
+                self.rays.total += 1;
             }
         }
         if F & MIRROR != 0 && mirrored.any() {

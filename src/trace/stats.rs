@@ -11,6 +11,9 @@ pub struct Rays {
     pub shadow: u64,
     pub reflection: u64,
     pub refraction: u64,
+    /// Times that light was totally reflected; its rays are among `reflection`.
+    #[serde(skip)]
+    pub total: u64,
 }
 
 /// Intersection tests.
@@ -45,6 +48,7 @@ impl AddAssign for Counts {
         self.rays.shadow += other.rays.shadow;
         self.rays.reflection += other.rays.reflection;
         self.rays.refraction += other.rays.refraction;
+        self.rays.total += other.rays.total;
         self.intersections += other.intersections;
         self.uncertain += other.uncertain;
     }

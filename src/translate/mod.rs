@@ -17,8 +17,16 @@ use crate::diagnostics::Span;
 /// A finished translation.
 #[derive(Debug)]
 pub struct Translation {
-    pub text: String,
+    pub files: Vec<File>,
     pub report: Report,
+}
+
+/// A file of a translation.
+#[derive(Debug)]
+pub struct File {
+    /// What its name has before the extension, and other files of the translation have not.
+    pub suffix: &'static str,
+    pub text: String,
 }
 
 /// What a target cannot express.

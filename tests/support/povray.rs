@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use zpg::scene::Rgb;
+use zpg::translate::pov::Translation;
 
 /// Linear values, row by row.
 pub struct Picture {
@@ -12,25 +13,27 @@ pub struct Picture {
     pub pixels: Vec<Rgb>,
 }
 
-/// Renders a scene as its own header says. The files stay in the target folder, to be looked at.
-pub fn render(name: &str, text: &str, size: (u32, u32)) -> Picture {
-    if !text.contains("Declare=Channel=0") {
-        return run(name, text, size, None);
+/// Renders a file of a translation, all passes. The files stay in the target folder, to be looked at.
+pub fn render(name: &str, translation: &Translation, file: usize, size: (u32, u32)) -> Picture {
+    let text = &translation.files[file].text;
+    let dimmed = translation.light_scale;
+    if translation.passes == 1 {
+        return run(name, text, size, None, dimmed);
     }
-    let passes = [0, 1, 2].map(|c| run(name, text, size, Some(c)));
+    let passes = [0, 1, 2].map(|c| run(name, text, size, Some(c), dimmed));
     let pixels = (0..passes[0].pixels.len())
         .map(|i| std::array::from_fn(|c| passes[c].pixels[i][c]))
         .collect();
     Picture { size, pixels }
 }
 
-fn folder() -> PathBuf {
+pub fn folder() -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pov");
     fs::create_dir_all(&folder).expect("a folder for the pictures");
     folder
 }
 
-fn run(name: &str, text: &str, size: (u32, u32), channel: Option<u32>) -> Picture {
+fn run(name: &str, text: &str, size: (u32, u32), channel: Option<u32>, dimmed: f64) -> Picture {
     let stem = match channel {
         Some(c) => format!("{name}_{c}"),
         None => name.to_owned(),
@@ -60,11 +63,6 @@ fn run(name: &str, text: &str, size: (u32, u32), channel: Option<u32>) -> Pictur
         scene.display(),
         String::from_utf8_lossy(&output.stderr)
     );
-    let dimmed = text
-        .lines()
-        .find_map(|l| l.strip_prefix("#declare Light_Scale = "))
-        .and_then(|l| l.trim_end_matches(';').parse::<f64>().ok())
-        .expect("the scale of the lights");
     read(&picture, dimmed)
 }
 

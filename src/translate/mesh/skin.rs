@@ -188,11 +188,8 @@ impl Skin {
         let mut roots = Roots::default();
         let shape = graph.primitives[primitive as usize].intersect();
         shape.crossings(&line, &mut roots);
-        let nearest = roots
-            .list
-            .iter()
-            .min_by(|a, b| a.t.abs().total_cmp(&b.t.abs()))?;
-        let located = shape.locate(&line, *nearest);
+        let nearest = nearest(&roots)?;
+        let located = shape.locate(&line, nearest);
         Some((primitive, located.point.0, nearest.face))
     }
 }

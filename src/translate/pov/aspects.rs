@@ -7,6 +7,9 @@ use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Matrix, Optics, Rgb, Scene, Te
 
 /// What nobody gave a value has number 0 in every table.
 pub const DEFAULT: u32 = 0;
+/// The texture of a coloured surface of revolution that nobody gave another: the colours of its own
+/// profile. Elsewhere it is the default one.
+pub const PROFILE: u32 = 1;
 
 /// A texture and the matrix from the coordinates it was given in to those of the node at hand.
 /// Only textures in space have a frame; the others have number 0, the identity.
@@ -61,9 +64,11 @@ impl Aspects {
             indices: Table::with(DEFAULT_INDEX),
             frames: Table::with(Matrix::IDENTITY),
             paints: Vec::with_capacity(scene.paints.len()),
-            texture_owners: vec![0],
+            texture_owners: vec![0; 2],
             optics_owners: vec![0],
         };
+        // Only its number counts.
+        out.textures.values.push(Texture::Colour(DEFAULT_COLOUR));
         for paint in &scene.paints {
             let aspects = PaintAspects {
                 texture: paint.texture.as_ref().map(|t| out.textures.number(t)),
@@ -113,10 +118,11 @@ impl Aspects {
 
     /// Whether the texture is laid on each shape by the shape's own coordinates.
     pub fn is_laid_on_shapes(&self, texture: u32) -> bool {
-        matches!(
-            self.texture(texture),
-            Texture::Checkerboard { .. } | Texture::Image { .. }
-        )
+        texture == PROFILE
+            || matches!(
+                self.texture(texture),
+                Texture::Checkerboard { .. } | Texture::Image { .. }
+            )
     }
 
     /// The use of a texture seen from coordinates that `m` leads to.

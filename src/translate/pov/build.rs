@@ -1,6 +1,6 @@
 //! From nodes to objects: which `#declare`s a scene becomes, and what each consists of.
 
-use super::aspects::{Aspects, DEFAULT};
+use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::descend::{End, Stop};
 use super::facts::{self, Facts};
 use super::look::Looks;
@@ -25,6 +25,8 @@ pub(super) struct Builder<'a> {
     pub cut_open: bool,
     /// An index that differs by channel was written.
     pub dispersive: bool,
+    /// An index was written.
+    pub refractive: bool,
 }
 
 impl<'a> Builder<'a> {
@@ -47,6 +49,7 @@ impl<'a> Builder<'a> {
             report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
             dispersive: false,
+            refractive: false,
         }
     }
 
@@ -116,7 +119,12 @@ impl<'a> Builder<'a> {
         match state.look {
             // A texture that lies on shapes was handed down to here.
             Look::Own { texture, optics } => {
-                let texture = texture.unwrap_or_default();
+                let own = if facts::has_colours(&record.geometry) {
+                    TextureUse::here(PROFILE)
+                } else {
+                    TextureUse::DEFAULT
+                };
+                let texture = texture.unwrap_or(own);
                 let optics = optics.unwrap_or(DEFAULT);
                 let on = Some((shape, record.id));
                 let look = self.looks.number(&self.aspects, texture, optics, on);
@@ -188,6 +196,17 @@ impl<'a> Builder<'a> {
 
     pub fn box_of(&self, node: NodeId) -> Aabb {
         self.bounds[node as usize].all
+    }
+
+    /// A box around all that is drawn.
+    pub fn box_of_root(&self) -> Aabb {
+        let Some(render) = self.scene.render else {
+            return Aabb::EMPTY;
+        };
+        match render.clip {
+            Some((min, max)) => Aabb::new(min, max),
+            None => self.box_of(render.root),
+        }
     }
 
     pub fn media_are_approximate(&mut self) {

@@ -1,7 +1,7 @@
 //! Differences. All of the boundary of A − B has the properties of A, cut faces too, so B is
 //! written with A's look. Where A is a union of different looks, each of its parts is cut by itself.
 
-use super::aspects::DEFAULT;
+use super::aspects::{DEFAULT, PROFILE, TextureUse};
 use super::build::{Builder, inside_medium};
 use super::descend::{End, Stop};
 use super::grouping::{self, meet};
@@ -71,6 +71,17 @@ impl Builder<'_> {
 
     /// The objects to be taken away, with the look of what they are taken from.
     fn cutters(&mut self, nodes: &[NodeId], look: Look) -> Vec<Piece> {
+        let look = match look {
+            // The colours of a profile are on its own surface only.
+            Look::Own {
+                texture: Some(t),
+                optics,
+            } if t.texture == PROFILE => Look::Own {
+                texture: Some(TextureUse::DEFAULT),
+                optics,
+            },
+            look => look,
+        };
         let state = State {
             part: Part::Solid,
             look,

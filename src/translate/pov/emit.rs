@@ -1,15 +1,16 @@
 //! Objects as text: every object is declared before it is used, operands first, without recursion
 //! on the depth of the scene.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use super::build::Builder;
 use super::piece::{Body, Group, Key, Modifier, Piece, State};
-use super::shape::primitive;
+use super::shape::{Primitive, primitive};
 use super::text::{matrix, number};
-use crate::scene::{Node, NodeId};
+use super::triangle;
+use crate::scene::{Geometry, Node, NodeId, TriangleNormals};
 use crate::syntax::table::RecordType;
-use crate::translate::Unsupported;
+use crate::translate::fidelity::Fidelity;
 
 /// What there is to do: look what a key needs, or write it, once that is written.
 enum Step {
@@ -25,6 +26,8 @@ pub(super) struct Emitter<'b, 'a> {
     builder: &'b mut Builder<'a>,
     pub text: String,
     names: HashMap<Key, Option<String>>,
+    /// The numbers of splits that geodesic spheres were written with.
+    pub geodesics: BTreeSet<u32>,
     /// How many objects of each entity there are.
     times: HashMap<u32, u32>,
 }
@@ -35,15 +38,13 @@ impl<'b, 'a> Emitter<'b, 'a> {
             builder,
             text: String::new(),
             names: HashMap::new(),
+            geodesics: BTreeSet::new(),
             times: HashMap::new(),
         }
     }
 
     /// Declares the object of the root; its name, unless there is nothing in it.
-    ///
-    /// # Errors
-    /// A shape without a translation.
-    pub fn declare(&mut self, root: NodeId) -> Result<Option<String>, Unsupported> {
+    pub fn declare(&mut self, root: NodeId) -> Option<String> {
         let root = Key {
             node: root,
             state: State::ROOT,
@@ -66,14 +67,14 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 Step::Write(key, piece) => {
                     let name = self.name(piece.id);
                     let comment = self.comment(key.node, piece.id);
-                    let body = self.piece(&piece, 0)?;
+                    let body = self.piece(&piece, 0);
                     self.text
                         .push_str(&format!("{comment}#declare {name} = {body}\n"));
                     self.names.insert(key, Some(name));
                 }
             }
         }
-        Ok(self.names.get(&root).cloned().flatten())
+        self.names.get(&root).cloned().flatten()
     }
 
     fn name(&mut self, id: u32) -> String {
@@ -114,12 +115,26 @@ impl<'b, 'a> Emitter<'b, 'a> {
     }
 
     /// A piece as text. Groups nest a few levels deep at most.
-    fn piece(&mut self, piece: &Piece, depth: usize) -> Result<String, Unsupported> {
+    fn piece(&mut self, piece: &Piece, depth: usize) -> String {
         let (keyword, body) = match &piece.body {
             Body::Shape(shape) => {
                 let record = &self.builder.scene.shapes[*shape as usize];
-                let (keyword, parameters) = primitive(record)?;
-                (keyword, vec![parameters])
+                match &record.geometry {
+                    Geometry::GeodesicSphere { splits, .. } => {
+                        self.geodesics.insert(*splits);
+                    }
+                    Geometry::Triangle {
+                        normals: TriangleNormals::PerVertex(n),
+                        ..
+                    } if !triangle::are_equally_long(n) => {
+                        let fidelity = Fidelity::Approximate(triangle::BOUND.to_owned());
+                        let report = &mut self.builder.report;
+                        report.count("vertex normals of different length", fidelity, "a mesh");
+                    }
+                    _ => {}
+                }
+                let Primitive { keyword, lines } = primitive(record);
+                (keyword, lines)
             }
             Body::Declared(key) => match self.names.get(key).cloned().flatten() {
                 Some(name) => ("object", vec![name]),
@@ -130,7 +145,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
             Body::Group { kind, members } => {
                 let mut lines = Vec::with_capacity(members.len());
                 for member in members {
-                    let mut line = self.piece(member, depth + 1)?;
+                    let mut line = self.piece(member, depth + 1);
                     if let (Body::Shape(_), id) = (&member.body, member.id) {
                         line += &format!(" // {id}");
                     }
@@ -142,7 +157,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 (group_keyword(*kind), lines)
             }
         };
-        let modifiers = self.modifiers(&piece.modifiers, depth)?;
+        let modifiers = self.modifiers(&piece.modifiers, depth);
         let flat = !matches!(piece.body, Body::Group { .. })
             && !modifiers.iter().any(|m| m.contains('\n'))
             && modifiers.iter().map(String::len).sum::<usize>()
@@ -151,7 +166,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
         let parts = body.into_iter().chain(modifiers);
         if flat {
             let parts: Vec<String> = parts.collect();
-            return Ok(format!("{keyword} {{ {} }}", parts.join(" ")));
+            return format!("{keyword} {{ {} }}", parts.join(" "));
         }
         let indent = "  ".repeat(depth);
         let mut text = format!("{keyword} {{\n");
@@ -159,14 +174,10 @@ impl<'b, 'a> Emitter<'b, 'a> {
             text.push_str(&format!("{indent}  {part}\n"));
         }
         text.push_str(&format!("{indent}}}"));
-        Ok(text)
+        text
     }
 
-    fn modifiers(
-        &mut self,
-        modifiers: &[Modifier],
-        depth: usize,
-    ) -> Result<Vec<String>, Unsupported> {
+    fn modifiers(&mut self, modifiers: &[Modifier], depth: usize) -> Vec<String> {
         let mut out = Vec::with_capacity(modifiers.len());
         for modifier in modifiers {
             out.push(match modifier {
@@ -190,11 +201,11 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 Modifier::Clip { by, outside } => {
                     let inverse = outside.then_some(Modifier::Inverse);
                     let by = Piece::clone(by).with(inverse);
-                    format!("clipped_by {{ {} }}", self.piece(&by, depth + 1)?)
+                    format!("clipped_by {{ {} }}", self.piece(&by, depth + 1))
                 }
             });
         }
-        Ok(out)
+        out
     }
 }
 

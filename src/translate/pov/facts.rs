@@ -1,8 +1,8 @@
 //! What has to be known of every node before anything can be written: what it contains, whose
 //! properties it shows, and how often it is used. Computed bottom-up in one pass over the arena.
 
-use super::aspects::{Aspects, DEFAULT, TextureUse};
-use crate::scene::{Node, NodeId, Scene};
+use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
+use crate::scene::{Geometry, Node, NodeId, Scene};
 
 /// A property of the solids of a node, taken from whoever owns a point: of several operands the
 /// first.
@@ -102,14 +102,24 @@ fn children(node: &Node) -> (Option<NodeId>, Option<NodeId>) {
     }
 }
 
+/// Whether a shape has colours of its own.
+pub fn has_colours(geometry: &Geometry) -> bool {
+    matches!(geometry, Geometry::Revolution { colours, .. } if !colours.is_empty())
+}
+
 fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Facts {
     let of = |id: NodeId| done[id as usize];
     match *node {
         Node::Shape(shape) => {
-            let solid = scene.shapes[shape as usize].geometry.is_solid();
+            let geometry = &scene.shapes[shape as usize].geometry;
+            let solid = geometry.is_solid();
+            let coloured = has_colours(geometry);
+            let texture = if coloured { PROFILE } else { DEFAULT };
             Facts {
                 has_solid: solid,
                 has_surface: !solid,
+                has_texture: coloured,
+                texture: Owned::one(TextureUse::here(texture)),
                 ..BARE
             }
         }

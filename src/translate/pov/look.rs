@@ -6,11 +6,11 @@
 
 use std::collections::HashMap;
 
-use super::aspects::{Aspects, DEFAULT, TextureUse};
+use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
+use super::profile::Profile;
 use super::text::{matrix, number, rgb};
-use super::uv;
-use crate::scene::{Matrix, Optics, Rgb, Scene, Texture};
-use crate::translate::Unsupported;
+use super::uv::{self, Along};
+use crate::scene::{Geometry, Matrix, Optics, Rgb, Scene, Texture};
 
 /// A texture with optics; for a texture that is laid on shapes, on a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -51,10 +51,12 @@ impl Looks {
         let next = self.looks.len() as u32;
         let number = *self.numbers.entry(look).or_insert(next);
         if number == next {
-            let mut name = format!("Look_{}", aspects.owner(texture.texture, optics));
-            if let Some((_, id)) = shape {
-                name += &format!("_on_{id}");
-            }
+            let owner = aspects.owner(texture.texture, optics);
+            let mut name = match (owner, shape) {
+                (0, Some((_, id))) => format!("Look_{id}"),
+                (owner, Some((_, id))) => format!("Look_{owner}_on_{id}"),
+                (owner, None) => format!("Look_{owner}"),
+            };
             let times = self.times.entry(name.clone()).or_insert(0);
             *times += 1;
             if *times > 1 {
@@ -76,34 +78,86 @@ impl Looks {
         self.looks.iter().map(|l| l.optics)
     }
 
-    /// The declarations of all looks.
-    ///
-    /// # Errors
-    /// A texture that POV-Ray cannot be told about.
-    pub fn write(
-        &self,
-        out: &mut String,
-        aspects: &Aspects,
-        scene: &Scene,
-    ) -> Result<(), Unsupported> {
+    /// The declarations of all looks. The pictures lie in `folder`.
+    pub fn write(&self, out: &mut String, aspects: &Aspects, scene: &Scene, folder: &str) {
+        let mut images = Images::default();
         for (look, name) in self.looks.iter().zip(&self.names) {
             let pigments = Pigments {
-                texture: aspects.texture(look.texture.texture),
+                pattern: Pattern::of(look, aspects, scene),
                 frame: aspects.frame(look.texture.frame),
-                shape: look.shape.map(|s| &scene.shapes[s as usize]),
+                shape: look.shape.map(|s| &scene.shapes[s as usize].geometry),
                 name,
-                owner: aspects.owner(look.texture.texture, look.optics),
             };
-            out.push_str(&pigments.functions()?);
+            if let Pattern::Image(file) = pigments.pattern {
+                images.declare(out, file, folder);
+            }
+            out.push_str(&pigments.functions());
             out.push_str(&format!("#declare {name} ="));
-            out.push_str(&layers(&pigments, aspects.optics(look.optics))?);
+            let optics = aspects.optics(look.optics);
+            out.push_str(&layers(&pigments, optics, &images));
             out.push_str(";\n");
         }
-        Ok(())
     }
 }
 
-fn layers(pigments: &Pigments, optics: &Optics) -> Result<String, Unsupported> {
+/// What is drawn on a surface.
+enum Pattern<'a> {
+    Colour(Rgb),
+    /// The colours of a profile's points, along it.
+    Profile(&'a [[f64; 2]], &'a [Rgb]),
+    Solid(&'a [Rgb; 2], f64),
+    Checkerboard([u32; 2], &'a [Rgb; 2]),
+    Image(&'a str),
+}
+
+impl<'a> Pattern<'a> {
+    fn of(look: &Look, aspects: &'a Aspects, scene: &'a Scene) -> Pattern<'a> {
+        if look.texture.texture == PROFILE
+            && let Some(shape) = look.shape
+            && let Geometry::Revolution { profile, colours } =
+                &scene.shapes[shape as usize].geometry
+        {
+            return Pattern::Profile(profile, colours);
+        }
+        match aspects.texture(look.texture.texture) {
+            Texture::Colour(c) => Pattern::Colour(*c),
+            Texture::Solid { colours, size } => Pattern::Solid(colours, *size),
+            Texture::Checkerboard { n, m, colours } => Pattern::Checkerboard([*n, *m], colours),
+            Texture::Image { file, .. } => Pattern::Image(file),
+        }
+    }
+
+    fn lies_on_shape(&self) -> bool {
+        matches!(self, Pattern::Checkerboard(..) | Pattern::Image(_))
+    }
+}
+
+/// The functions that look up pictures, one a file.
+#[derive(Default)]
+struct Images<'a>(HashMap<&'a str, String>);
+
+impl<'a> Images<'a> {
+    fn declare(&mut self, out: &mut String, file: &'a str, folder: &str) {
+        let next = self.0.len() + 1;
+        if self.0.contains_key(file) {
+            return;
+        }
+        let name = format!("Image_{next}");
+        let jpeg = [".jpg", ".jpeg"]
+            .iter()
+            .any(|end| file.to_ascii_lowercase().ends_with(end));
+        let kind = if jpeg { "jpeg" } else { "png" };
+        let path = format!("{folder}{file}")
+            .replace('\\', "\\\\")
+            .replace('"', "\\\"");
+        out.push_str(&format!(
+            "#declare {name} = function {{ pigment {{ image_map {{ {kind} \"{path}\" gamma srgb interpolate 2 }} }} }}\n"
+        ));
+        self.0.insert(file, name);
+    }
+}
+
+fn layers(pigments: &Pigments, optics: &Optics, images: &Images) -> String {
     let transparent = optics.kt.iter().any(|k| *k > 0.0);
     let opacity = if transparent { 0.5 } else { 1.0 };
     // The diffuse coefficient is one number there; one of each channel goes into the pigment.
@@ -111,7 +165,7 @@ fn layers(pigments: &Pigments, optics: &Optics) -> Result<String, Unsupported> {
         [r, g, b] if r == g && g == b => (r, [1.0; 3]),
         tint => (1.0, tint),
     };
-    let pigment = pigments.write(tint, 1.0 - opacity)?;
+    let pigment = pigments.write(tint, 1.0 - opacity, images);
     let strength = number(kd / opacity);
     let mirror = if optics.ks.iter().any(|k| *k > 0.0) {
         format!(" reflection {{ {} }}", rgb(optics.ks))
@@ -122,20 +176,19 @@ fn layers(pigments: &Pigments, optics: &Optics) -> Result<String, Unsupported> {
         "\n  texture {{\n    {pigment}\n    finish {{ ambient {strength} diffuse {strength}{mirror} }}\n  }}"
     );
     if !transparent {
-        return Ok(upper);
+        return upper;
     }
     let [r, g, b] = optics.kt.map(|k| number(2.0 * k));
-    Ok(format!(
+    format!(
         "\n  texture {{ pigment {{ rgbf <{r}, {g}, {b}, 1> }} finish {{ ambient 0 diffuse 0 }} }}{upper}"
-    ))
+    )
 }
 
 struct Pigments<'a> {
-    texture: &'a Texture,
+    pattern: Pattern<'a>,
     frame: &'a Matrix,
-    shape: Option<&'a crate::scene::Shape>,
+    shape: Option<&'a Geometry>,
     name: &'a str,
-    owner: u32,
 }
 
 /// Moves the edges between cells by so little that it cannot be seen, so that a face lying in such
@@ -143,30 +196,25 @@ struct Pigments<'a> {
 const NUDGE: &str = "1e-9";
 
 impl Pigments<'_> {
-    /// The declarations of the surface coordinates that a checkerboard needs.
-    fn functions(&self) -> Result<String, Unsupported> {
-        if !matches!(self.texture, Texture::Checkerboard { .. }) {
-            return Ok(String::new());
-        }
-        let uv = self.shape.and_then(|s| uv::expressions(&s.geometry));
-        let Some([u, v]) = uv else {
-            return Err(Unsupported {
-                id: self.owner,
-                span: self.shape.map(|s| s.span),
-                message: format!(
-                    "the checkerboard of {} cannot be laid on this shape in POV-Ray yet",
-                    self.owner
-                ),
-            });
+    /// The declarations of the surface coordinates that a pattern on a shape needs.
+    fn functions(&self) -> String {
+        let Some(shape) = self.shape.filter(|_| self.pattern.lies_on_shape()) else {
+            return String::new();
         };
         let name = self.name;
-        Ok(format!(
-            "#declare {name}_u = function {{ {u} }}\n#declare {name}_v = function {{ {v} }}\n"
-        ))
+        let coordinates = uv::coordinates(shape);
+        let v = match coordinates.v {
+            Along::Expression(v) => format!("#declare {name}_v = function {{ {v} }}\n"),
+            Along::Pattern(v) => format!(
+                "#declare {name}_along = function {{ pigment {{ {v} }} }}\n\
+                 #declare {name}_v = function {{ {name}_along(x, y, z).red }}\n"
+            ),
+        };
+        format!("#declare {name}_u = function {{ {} }}\n{v}", coordinates.u)
     }
 
     /// `pigment { … }` with all colours multiplied by `tint`.
-    fn write(&self, tint: Rgb, transmit: f64) -> Result<String, Unsupported> {
+    fn write(&self, tint: Rgb, transmit: f64, images: &Images) -> String {
         let colour = |c: &Rgb| {
             let c = [c[0] * tint[0], c[1] * tint[1], c[2] * tint[2]];
             if transmit > 0.0 {
@@ -176,18 +224,30 @@ impl Pigments<'_> {
                 rgb(c)
             }
         };
+        // A lathe's measure of itself.
+        let lathe = matches!(self.shape, Some(Geometry::Revolution { .. }));
+        let mapped = match &self.pattern {
+            Pattern::Profile(..) => "uv_mapping ",
+            p if p.lies_on_shape() && lathe => "uv_mapping ",
+            _ => "",
+        };
         // Even sums of cells give 1/4, odd ones 3/4: well away from where the map changes.
         let cells = |sum: &str, colours: &[Rgb; 2], rest: &str| {
             format!(
-                "pigment {{\n      function {{ 0.25 + 0.5*abs(mod({sum}, 2)) }}\n      color_map {{ [0.5 {}] [0.5 {}] }}{rest}\n    }}",
+                "pigment {{\n      {mapped}function {{ 0.25 + 0.5*abs(mod({sum}, 2)) }}\n      color_map {{ [0.5 {}] [0.5 {}] }}{rest}\n    }}",
                 colour(&colours[0]),
                 colour(&colours[1])
             )
         };
         let floor = |what: &str| format!("floor({what} + {NUDGE})");
-        match self.texture {
-            Texture::Colour(c) => Ok(format!("pigment {{ {} }}", colour(c))),
-            Texture::Solid { colours, size } => {
+        let name = self.name;
+        match &self.pattern {
+            Pattern::Colour(c) => format!("pigment {{ {} }}", colour(c)),
+            Pattern::Profile(profile, colours) => {
+                let pattern = Profile::of(profile).colour_pattern(colours, colour);
+                format!("pigment {{\n      {mapped}{pattern}\n    }}")
+            }
+            Pattern::Solid(colours, size) => {
                 let size = number(*size);
                 let sum = ["x", "y", "z"]
                     .map(|axis| floor(&format!("{axis}/{size}")))
@@ -197,21 +257,36 @@ impl Pigments<'_> {
                 } else {
                     format!("\n      {}", matrix(self.frame))
                 };
-                Ok(cells(&sum, colours, &frame))
+                cells(&sum, colours, &frame)
             }
-            Texture::Checkerboard { n, m, colours } => {
+            Pattern::Checkerboard([n, m], colours) => {
                 let sum = format!(
                     "{} + {}",
-                    floor(&format!("{n}*{}_u(x, y, z)", self.name)),
-                    floor(&format!("{m}*{}_v(x, y, z)", self.name))
+                    floor(&format!("{n}*{name}_u(x, y, z)")),
+                    floor(&format!("{m}*{name}_v(x, y, z)"))
                 );
-                Ok(cells(&sum, colours, ""))
+                cells(&sum, colours, "")
             }
-            Texture::Image { file, span } => Err(Unsupported {
-                id: self.owner,
-                span: Some(*span),
-                message: format!("the image {file} cannot be translated to POV-Ray yet"),
-            }),
+            Pattern::Image(file) => {
+                let image = images.0.get(file).map_or("", String::as_str);
+                let place = format!("{image}({name}_u(x, y, z), {name}_v(x, y, z), 0)");
+                // The mean of the three channels, three times as bright.
+                let channel = |c: usize, part: &str| {
+                    let mut full = [0.0; 3];
+                    full[c] = 3.0;
+                    format!(
+                        "\n      [1 function {{ 0.25 + 0.5*{place}.{part} }} color_map {{ [0.25 {}] [0.75 {}] }}]",
+                        colour(&[0.0; 3]),
+                        colour(&full)
+                    )
+                };
+                format!(
+                    "pigment {{\n      {mapped}average pigment_map {{{}{}{}\n      }}\n    }}",
+                    channel(0, "red"),
+                    channel(1, "green"),
+                    channel(2, "blue")
+                )
+            }
         }
     }
 }

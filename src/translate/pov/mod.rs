@@ -1,16 +1,18 @@
 //! POV-Ray 3.7 scenes.
 //!
-//! Coordinates stay as they are; the whole scene is scaled to a size of about 1 at the end, since
+//! Coordinates stay as they are; the whole scene is scaled to a fixed size at the end, since
 //! POV-Ray's tolerances are absolute. With `assumed_gamma 1`, no attenuation and no highlights its
 //! light is that of the reference ray tracer, except at total internal reflection.
 //!
 //! From the resolved scene to text: [`facts`] about every node, bottom-up; [`build`] with
 //! [`descend`], [`union`], [`difference`] and [`grouping`] says what each object consists of, as [`piece`]s;
-//! [`emit`] orders, names and prints them; [`look`], [`uv`] and [`shape`] know POV-Ray's textures
-//! and primitives; [`scenery`] does cameras and lights.
+//! [`emit`] orders, names and prints them; [`look`] and [`uv`] know POV-Ray's textures, [`shape`] with
+//! [`poly`], [`profile`] and [`triangle`] its primitives; [`camera`] and [`scenery`] do the rest.
+//! [`verdict`] says what becomes of each feature.
 
 mod aspects;
 mod build;
+mod camera;
 mod descend;
 mod difference;
 mod emit;
@@ -19,28 +21,44 @@ mod grouping;
 mod look;
 mod names;
 mod piece;
+mod poly;
+mod profile;
 mod scenery;
 mod shape;
 mod text;
+mod triangle;
 mod union;
 mod uv;
 mod verdict;
 
 use std::fmt::Write as _;
 
-use super::{Fidelity, Translation, Unsupported};
-use crate::scene::{Camera, Optics, Render, Scene};
+use super::{Fidelity, File, Report, Unsupported};
+use crate::scene::{Optics, Render, Scene};
 use build::Builder;
+use camera::Eye;
 use emit::Emitter;
 use text::{number, rgb, vector};
 
 /// What the scene itself does not say.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Options {
     /// Width and height of the picture in pixels.
     pub size: (u32, u32),
     /// How often a ray may be mirrored or refracted.
     pub depth: u32,
+    /// What stands before the names of image files: a folder and a slash, or nothing.
+    pub pictures: String,
+    pub stereo: Stereo,
+}
+
+/// What becomes of a pair of cameras.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stereo {
+    /// A file for each eye.
+    TwoFiles,
+    /// One file for both, with a switch.
+    OneFile,
 }
 
 impl Default for Options {
@@ -48,6 +66,8 @@ impl Default for Options {
         Options {
             size: (640, 480),
             depth: 10,
+            pictures: String::new(),
+            stereo: Stereo::TwoFiles,
         }
     }
 }
@@ -56,6 +76,19 @@ impl Options {
     fn aspect(&self) -> f64 {
         f64::from(self.size.0) / f64::from(self.size.1)
     }
+}
+
+/// A finished translation.
+#[derive(Debug)]
+pub struct Translation {
+    /// One, or those of the left and the right eye.
+    pub files: Vec<File>,
+    /// How often each file has to be rendered: with 3, `Declare=Channel=0`, 1 and 2 give a picture
+    /// each of which red, green and blue count.
+    pub passes: u32,
+    /// Every value of the pictures is multiplied by this power of two.
+    pub light_scale: f64,
+    pub report: Report,
 }
 
 /// POV-Ray's own limit on `max_trace_level`.
@@ -73,20 +106,50 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
     })?;
     let mut builder = Builder::new(scene, render.root);
     let mut emitter = Emitter::new(&mut builder);
-    let root = emitter.declare(render.root)?;
-    let objects = emitter.text;
-    let cameras = scenery::cameras(scene, &builder.bounds, options)?;
+    let root = emitter.declare(render.root);
+    let (objects, geodesics) = (emitter.text, emitter.geodesics);
+    let eyes = camera::eyes(scene, &mut builder, options)?;
+    let light_scale = light_scale(&builder, &render, &eyes, options);
 
-    let mut out = String::new();
-    header(&mut out, &builder, &cameras, options);
-    settings(&mut out, &builder, &render, &cameras, options);
-    view(&mut out, &cameras, options)?;
-    out.push_str(&scenery::point_lights(scene, &cameras));
-    out.push('\n');
-    builder.looks.write(&mut out, &builder.aspects, scene)?;
-    out.push('\n');
-    out.push_str(&objects);
-    out.push_str(&picture(root, &render));
+    let mut looks = String::new();
+    builder
+        .looks
+        .write(&mut looks, &builder.aspects, scene, &options.pictures);
+    let file = |eyes: &[Eye]| {
+        let mut out = String::new();
+        header(&mut out, &builder, eyes, options);
+        settings(&mut out, &builder, &render, eyes, light_scale, options);
+        out.push_str(&camera::cameras(eyes));
+        out.push_str(&scenery::point_lights(scene, eyes));
+        out.push('\n');
+        out.push_str(&looks);
+        out.push('\n');
+        out.push_str(&shape::geodesics(geodesics.iter().copied()));
+        out.push_str(&objects);
+        out.push_str(&picture(root.as_deref(), &render));
+        out
+    };
+    let files = match (&eyes[..], options.stereo) {
+        ([left, right], Stereo::TwoFiles) => [("_left", left), ("_right", right)]
+            .map(|(suffix, eye)| File {
+                suffix,
+                text: file(std::slice::from_ref(eye)),
+            })
+            .into(),
+        _ => vec![File {
+            suffix: "",
+            text: file(&eyes),
+        }],
+    };
+    if builder.cut_open && builder.refractive {
+        builder.report.state(
+            "refraction in solids that the render box cuts open",
+            Fidelity::Approximate(
+                "rays that enter through the cut leave the solid as if they entered it".to_owned(),
+            ),
+            "",
+        );
+    }
     if options.depth >= MOST_LEVELS {
         builder.report.state(
             "depth",
@@ -95,19 +158,33 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
         );
     }
     Ok(Translation {
-        text: out,
+        files,
+        passes: if builder.dispersive { 3 } else { 1 },
+        light_scale,
         report: builder.report,
     })
 }
 
+fn light_scale(builder: &Builder, render: &Render, eyes: &[Eye], options: &Options) -> f64 {
+    let default = Optics::default();
+    let looks: Vec<&Optics> = builder
+        .looks
+        .optics()
+        .map(|o| builder.aspects.optics(o))
+        .chain(std::iter::once(&default))
+        .collect();
+    let optics = looks.iter().copied();
+    scenery::light_scale(builder.scene, render, eyes, optics, options.depth)
+}
+
 /// How to render the file so that its pixels can be compared.
-fn header(out: &mut String, builder: &Builder, cameras: &[Camera], options: &Options) {
+fn header(out: &mut String, builder: &Builder, eyes: &[Eye], options: &Options) {
     let (w, h) = options.size;
     let mut switches = String::new();
     if builder.dispersive {
         switches += " Declare=Channel=0";
     }
-    if cameras.len() > 1 {
+    if eyes.len() > 1 {
         switches += " Declare=Eye=0";
     }
     // Writing to a string does not fail.
@@ -123,7 +200,7 @@ fn header(out: &mut String, builder: &Builder, cameras: &[Camera], options: &Opt
              #ifndef (Channel) #declare Channel = 0; #end\n",
         );
     }
-    if cameras.len() > 1 {
+    if eyes.len() > 1 {
         out.push_str(
             "// A stereo pair: render with Eye 0 (left) and Eye 1 (right).\n\
              #ifndef (Eye) #declare Eye = 0; #end\n",
@@ -136,19 +213,12 @@ fn settings(
     out: &mut String,
     builder: &Builder,
     render: &Render,
-    cameras: &[Camera],
+    eyes: &[Eye],
+    light_scale: f64,
     options: &Options,
 ) {
     let scene = builder.scene;
-    let default = Optics::default();
-    let looks: Vec<&Optics> = builder
-        .looks
-        .optics()
-        .map(|o| builder.aspects.optics(o))
-        .chain(std::iter::once(&default))
-        .collect();
-    let scale = scenery::light_scale(scene, render, cameras, looks.iter().copied(), options.depth);
-    let unit = scenery::unit(scene, &builder.bounds, cameras);
+    let unit = scenery::unit(scene, &builder.bounds, eyes);
     let levels = options.depth.saturating_add(1).min(MOST_LEVELS);
     let ambient = rgb(scenery::ambient(scene));
     let background = rgb(render.background);
@@ -157,36 +227,19 @@ fn settings(
         "#version 3.7;\n\n\
          // All light is multiplied by this, so that no pixel exceeds what an image file can hold.\n\
          #declare Light_Scale = {};\n\
-         // The finished scene is scaled by this to a size of about 1, because tolerances are absolute.\n\
+         // The finished scene is scaled by this to a size of about 30, because tolerances are absolute.\n\
          #declare Unit = {};\n\n\
          global_settings {{\n  assumed_gamma 1\n  ambient_light {ambient}*Light_Scale\n  \
          max_trace_level {levels}\n  adc_bailout 0\n}}\n\
          #default {{ texture {{ pigment {{ rgb 1 }} finish {{ ambient 1 diffuse 1 emission 0 }} }} }}\n\
          background {{ {background}*Light_Scale }}\n\n",
-        number(scale),
+        number(light_scale),
         number(unit),
     );
 }
 
-fn view(out: &mut String, cameras: &[Camera], options: &Options) -> Result<(), Unsupported> {
-    for (i, camera) in cameras.iter().enumerate() {
-        let text = scenery::camera(camera, options.aspect())?;
-        let comment = match camera.id {
-            0 => " // the scene has no camera".to_owned(),
-            id => format!(" // {id}"),
-        };
-        let text = format!("camera {{{comment}\n{text}  scale Unit\n}}\n");
-        out.push_str(&if cameras.len() > 1 {
-            format!("#if (Eye = {i})\n{text}#end\n")
-        } else {
-            text
-        });
-    }
-    Ok(())
-}
-
 /// The object that is drawn.
-fn picture(root: Option<String>, render: &Render) -> String {
+fn picture(root: Option<&str>, render: &Render) -> String {
     let Some(root) = root else {
         return "\n// There is nothing to draw.\n".to_owned();
     };

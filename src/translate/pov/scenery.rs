@@ -1,62 +1,13 @@
-//! Everything but the objects: cameras, lights, background, and the two scales of the export.
+//! Lights, and the two scales of the export.
 
-use super::Options;
+use super::camera::Eye;
 use super::text::{rgb, vector};
 use crate::scene::bounds::NodeBounds;
-use crate::scene::frame::{Basis, automatic_camera, headlight, seen_box};
-use crate::scene::{Camera, Optics, Render, Rgb, Scene, View};
-use crate::translate::Unsupported;
-
-/// The cameras that take the picture: one, or left and right.
-pub fn cameras(
-    scene: &Scene,
-    bounds: &[NodeBounds],
-    options: &Options,
-) -> Result<Vec<Camera>, Unsupported> {
-    let known = |i: usize| scene.cameras.get(i).copied();
-    let chosen = match scene.view {
-        View::Automatic => vec![Some(automatic_camera(scene, bounds, options.aspect()))],
-        View::Mono(i) => vec![known(i)],
-        View::Stereo { left, right } => vec![known(left), known(right)],
-    };
-    let mut out = Vec::with_capacity(chosen.len());
-    for camera in chosen.into_iter().flatten() {
-        if camera.projection.is_some() {
-            return Err(Unsupported {
-                id: camera.id,
-                span: None,
-                message: format!(
-                    "the projection matrix of camera {} cannot be translated to POV-Ray yet",
-                    camera.id
-                ),
-            });
-        }
-        out.push(camera);
-    }
-    Ok(out)
-}
-
-/// A camera without its braces. POV-Ray's rays are direction + (x − ½)·right + (½ − y)·up, and a
-/// `right` vector of either hand is obeyed, so that coordinates stay as they are.
-pub fn camera(camera: &Camera, aspect: f64) -> Result<String, Unsupported> {
-    let basis = Basis::of(camera).ok_or_else(|| Unsupported {
-        id: camera.id,
-        span: None,
-        message: format!("camera {} looks nowhere", camera.id),
-    })?;
-    let height = 2.0 * (camera.fovy / 2.0).to_radians().tan();
-    let scaled = |v: [f64; 3], by: f64| vector(&v.map(|c| c * by));
-    Ok(format!(
-        "  location {}\n  direction {}\n  right {}\n  up {}\n",
-        vector(&camera.position),
-        vector(&basis.forward),
-        scaled(basis.right, height * aspect),
-        scaled(basis.up, height),
-    ))
-}
+use crate::scene::frame::{headlight, seen_box};
+use crate::scene::{Optics, Render, Rgb, Scene};
 
 /// The point lights, one a line; where there is no light at all, a headlight for each camera.
-pub fn point_lights(scene: &Scene, cameras: &[Camera]) -> String {
+pub fn point_lights(scene: &Scene, eyes: &[Eye]) -> String {
     let mut out = String::new();
     for light in &scene.point_lights {
         out.push_str(&format!(
@@ -66,17 +17,16 @@ pub fn point_lights(scene: &Scene, cameras: &[Camera]) -> String {
             light.id
         ));
     }
-    let eyes = ["Eye = 0", "Eye = 1"];
-    for (camera, eye) in cameras.iter().zip(eyes) {
-        let Some(light) = headlight(scene, camera) else {
+    for (eye, switch) in eyes.iter().zip(["Eye = 0", "Eye = 1"]) {
+        let Some(light) = headlight(scene, &eye.camera) else {
             continue;
         };
         let text = format!(
             "light_source {{ {}, rgb 1*Light_Scale scale Unit }} // the scene has no light\n",
             vector(&light.position)
         );
-        out.push_str(&if cameras.len() > 1 {
-            format!("#if ({eye})\n  {text}#end\n")
+        out.push_str(&if eyes.len() > 1 {
+            format!("#if ({switch})\n  {text}#end\n")
         } else {
             text
         });
@@ -95,16 +45,20 @@ pub fn ambient(scene: &Scene) -> Rgb {
     sum
 }
 
-/// The power of two that brings the scene to a size of about 1: tolerances are absolute there.
-pub fn unit(scene: &Scene, bounds: &[NodeBounds], cameras: &[Camera]) -> f64 {
+/// The size that the scene is scaled to. Shadow rays overlook what is closer than 1e-3, and nothing
+/// is seen beyond 1e7: these are 1/32 000 and 300 000 of the scene.
+const SIZE: f64 = 32.0;
+
+/// The power of two that brings the scene to about that size: tolerances are absolute there.
+pub fn unit(scene: &Scene, bounds: &[NodeBounds], eyes: &[Eye]) -> f64 {
     let seen = seen_box(scene, bounds);
     let size = if seen.is_empty() {
-        let distance = |c: &Camera| c.position.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        cameras.iter().map(distance).fold(0.0, f64::max)
+        let distance = |e: &Eye| (e.camera.position.iter()).fold(0.0f64, |m, x| m.max(x.abs()));
+        eyes.iter().map(distance).fold(0.0, f64::max)
     } else {
         seen.radius()
     };
-    power_of_two_about(1.0 / size)
+    power_of_two_about(SIZE / size)
 }
 
 /// The largest power of two that is not above `x`; 1 for a number without one.
@@ -125,12 +79,12 @@ const DIMMEST: f64 = 1.0 / 256.0;
 pub fn light_scale<'a>(
     scene: &Scene,
     render: &Render,
-    cameras: &[Camera],
+    eyes: &[Eye],
     optics: impl Iterator<Item = &'a Optics> + Clone,
     depth: u32,
 ) -> f64 {
     let mut light = ambient(scene);
-    let head = cameras.first().and_then(|c| headlight(scene, c));
+    let head = eyes.first().and_then(|e| headlight(scene, &e.camera));
     for point in scene.point_lights.iter().chain(head.as_ref()) {
         for (s, c) in light.iter_mut().zip(point.colour) {
             *s += point.intensity * c;

@@ -1,27 +1,47 @@
 //! Shapes as POV-Ray's primitives.
 
+use super::profile::Profile;
 use super::text::{number, vector};
-use crate::scene::{Geometry, Shape};
-use crate::translate::Unsupported;
+use super::{poly, triangle};
+use crate::scene::{Geometry, Shape, TriangleNormals};
 
-/// The keyword and the parameters of the primitive that is the shape.
-///
-/// # Errors
-/// The shape has no translation.
-pub fn primitive(shape: &Shape) -> Result<(&'static str, String), Unsupported> {
+/// A primitive in the shape's own coordinates: a keyword, and what stands between its braces, one
+/// line each.
+pub struct Primitive {
+    pub keyword: &'static str,
+    pub lines: Vec<String>,
+}
+
+impl Primitive {
+    pub fn new(keyword: &'static str, line: String) -> Primitive {
+        Primitive {
+            keyword,
+            lines: vec![line],
+        }
+    }
+
+    /// Scaled at the end.
+    pub fn scaled(mut self, factor: f64) -> Primitive {
+        if factor != 1.0 {
+            self.lines.push(format!("scale {}", number(factor)));
+        }
+        self
+    }
+}
+
+/// The primitive that is the shape.
+pub fn primitive(shape: &Shape) -> Primitive {
     match &shape.geometry {
         Geometry::Sphere { centre, radius } => {
-            Ok(("sphere", format!("{}, {}", vector(centre), number(*radius))))
+            Primitive::new("sphere", format!("{}, {}", vector(centre), number(*radius)))
         }
-        Geometry::Box { min, max } => Ok(("box", format!("{}, {}", vector(min), vector(max)))),
-        Geometry::Plane(p) | Geometry::HalfSpace(p) => {
-            // Their plane is n·x = distance with a unit normal, the inside where n·x is less.
-            let length = p[0].hypot(p[1]).hypot(p[2]);
-            let normal = [p[0] / length, p[1] / length, p[2] / length];
-            // 0 − d: never a negative zero.
-            let distance = number((0.0 - p[3]) / length);
-            Ok(("plane", format!("{}, {distance}", vector(&normal))))
+        Geometry::Ellipsoid { semi_axes } => {
+            Primitive::new("sphere", format!("0, 1 scale {}", vector(semi_axes)))
         }
+        Geometry::Box { min, max } => {
+            Primitive::new("box", format!("{}, {}", vector(min), vector(max)))
+        }
+        Geometry::Plane(p) | Geometry::HalfSpace(p) => plane(p),
         Geometry::Rectangle { min, max } => {
             let corners = [
                 [min[0], min[1], 0.0],
@@ -31,15 +51,141 @@ pub fn primitive(shape: &Shape) -> Result<(&'static str, String), Unsupported> {
                 [min[0], min[1], 0.0],
             ];
             let corners: Vec<String> = corners.iter().map(|c| vector(c)).collect();
-            Ok(("polygon", format!("5, {}", corners.join(", "))))
+            Primitive::new("polygon", format!("5, {}", corners.join(", ")))
         }
-        _ => Err(Unsupported {
-            id: shape.id,
-            span: Some(shape.span),
-            message: format!(
-                "the {} {} cannot be translated to POV-Ray yet",
-                shape.ty.title, shape.id
-            ),
-        }),
+        Geometry::Triangle { vertices, normals } => match normals {
+            TriangleNormals::Flat => {
+                let corners: Vec<String> = vertices.iter().map(|c| vector(c)).collect();
+                Primitive::new("triangle", corners.join(", "))
+            }
+            TriangleNormals::One(n) => triangle::smooth(vertices, &[*n; 3]),
+            TriangleNormals::PerVertex(n) => triangle::smooth(vertices, n),
+        },
+        Geometry::Revolution { profile, .. } => Profile::of(profile).lathe(),
+        Geometry::GeodesicSphere { radius, splits } => Primitive::new(
+            "object",
+            format!("{} scale {}", geodesic_name(*splits), number(*radius)),
+        ),
+        Geometry::Torus { major, minor } => torus(*major, *minor),
+        Geometry::Cone { height, radius } => {
+            Primitive::new("cone", cone_parameters(*height, *radius))
+        }
+        Geometry::DoubleCone { height, radius } => Primitive {
+            keyword: "union",
+            lines: [*height, -height]
+                .map(|h| format!("cone {{ {} }}", cone_parameters(h, *radius)))
+                .into(),
+        },
+        Geometry::Quadric(_)
+        | Geometry::ParabolicCylinder { .. }
+        | Geometry::HyperbolicCylinder { .. }
+        | Geometry::Hyperboloid { .. }
+        | Geometry::HyperbolicParaboloid { .. } => poly::quadric(&poly::form(&shape.geometry)),
     }
 }
+
+/// Their plane is n·x = distance with a unit normal, the inside where n·x is less.
+fn plane(p: &[f64; 4]) -> Primitive {
+    // Squares of the numbers could leave their range.
+    let largest = p[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let n = [p[0] / largest, p[1] / largest, p[2] / largest];
+    let length = n[0].hypot(n[1]).hypot(n[2]);
+    // 0 − d: never a negative zero.
+    let distance = (0.0 - p[3]) / largest / length;
+    let normal = n.map(|x| x / length);
+    Primitive::new(
+        "plane",
+        format!("{}, {}", vector(&normal), number(distance)),
+    )
+}
+
+fn cone_parameters(height: f64, radius: f64) -> String {
+    format!("0, 0, <0, {}, 0>, {}", number(height), number(radius))
+}
+
+/// The primitive's inside is that of a tube wider than its ring, too, with the lemon; the quartic's
+/// is not.
+fn torus(major: f64, minor: f64) -> Primitive {
+    let unit = size_unit(major + minor);
+    let (major, minor) = (major / unit, minor / unit);
+    if major >= minor {
+        return Primitive::new(
+            "torus",
+            format!("{}, {} sturm", number(major), number(minor)),
+        )
+        .scaled(unit);
+    }
+    poly::quartic_torus(major, minor).scaled(unit)
+}
+
+/// The power of two by which something of this size is written smaller, so that POV-Ray's absolute
+/// tolerances fit; 1 where they fit anyway.
+pub fn size_unit(size: f64) -> f64 {
+    const FITTING: std::ops::RangeInclusive<f64> = 0.25..=64.0;
+    if FITTING.contains(&size) || !(size > 0.0 && size.is_finite()) {
+        return 1.0;
+    }
+    // Within the range of normal numbers, as is its inverse.
+    size.log2().floor().clamp(-1000.0, 1000.0).exp2()
+}
+
+/// What the geodesic sphere of radius 1 with so many splits is called.
+pub fn geodesic_name(splits: u32) -> String {
+    format!("Geodesic_{splits}")
+}
+
+/// The macro that makes geodesic spheres, and those with the given numbers of splits.
+pub fn geodesics(splits: impl Iterator<Item = u32>) -> String {
+    let mut out = String::new();
+    for n in splits {
+        if out.is_empty() {
+            out.push_str(GEODESIC);
+        }
+        out.push_str(&format!("#declare {} = Geodesic({n})\n", geodesic_name(n)));
+    }
+    out
+}
+
+const GEODESIC: &str = "\
+// A facet, split into four N times; new corners are pushed out to the unit sphere.
+#macro Geodesic_Facet(A, B, C, N)
+  #if (N = 0)
+    triangle { A, B, C }
+  #else
+    #local D = vnormalize(B + C);
+    #local E = vnormalize(C + A);
+    #local F = vnormalize(A + B);
+    Geodesic_Facet(A, F, E, N - 1)
+    Geodesic_Facet(F, B, D, N - 1)
+    Geodesic_Facet(E, D, C, N - 1)
+    Geodesic_Facet(D, E, F, N - 1)
+  #end
+#end
+// A geodesic sphere of radius 1: an icosahedron whose 20 facets are split N times.
+#macro Geodesic(N)
+  #local Phi = (1 + sqrt(5))/2;
+  #local S = 1/sqrt(1 + Phi*Phi);
+  #local L = Phi*S;
+  mesh {
+    #local I = 0;
+    #while (I < 8)
+      // One facet in each octant, and one at each of twelve edges below.
+      #local X = (mod(I, 2) ? -1 : 1);
+      #local Y = (mod(floor(I/2), 2) ? -1 : 1);
+      #local Z = (floor(I/4) ? -1 : 1);
+      Geodesic_Facet(<0, S*Y, L*Z>, <S*X, L*Y, 0>, <L*X, 0, S*Z>, N)
+      #local I = I + 1;
+    #end
+    #local I = 0;
+    #while (I < 4)
+      #local P = (mod(I, 2) ? -1 : 1);
+      #local Q = (floor(I/2) ? -1 : 1);
+      Geodesic_Facet(<0, S, L*Q>, <0, -S, L*Q>, <L*P, 0, S*Q>, N)
+      Geodesic_Facet(<S, L*Q, 0>, <-S, L*Q, 0>, <0, S*Q, L*P>, N)
+      Geodesic_Facet(<L*Q, 0, S>, <L*Q, 0, -S>, <S*Q, L*P, 0>, N)
+      #local I = I + 1;
+    #end
+    inside_vector <0.31, 0.91, 0.27>
+  }
+#end
+";

@@ -1,28 +1,139 @@
 //! Surface coordinates as POV-Ray functions of a point in the shape's own coordinates.
 //! POV-Ray's `uv_mapping` has other coordinates for most shapes.
 
+use super::profile::Profile;
 use super::text::number;
 use crate::scene::{Geometry, Vec3};
 
-/// u and v of a point (x, y, z) on the shape; `None` for shapes that have no such formula here.
-pub fn expressions(geometry: &Geometry) -> Option<[String; 2]> {
-    match geometry {
+/// u and v as functions of (x, y, z): of a point, and for a lathe, of what `uv_mapping` makes of it.
+pub struct Coordinates {
+    pub u: String,
+    pub v: Along,
+}
+
+/// How v is said.
+pub enum Along {
+    Expression(String),
+    /// The red of a pigment.
+    Pattern(String),
+}
+
+/// The surface coordinates of a point on the shape.
+pub fn coordinates(geometry: &Geometry) -> Coordinates {
+    let [u, v] = match geometry {
         Geometry::Sphere { centre, radius } => {
             let [x, y, z] = from_centre(*centre);
-            let height = format!("{y}/{}", number(*radius));
-            Some([
-                // The angle mod 1, so that it is never negative.
-                format!("select(-{z}, 1, 0) + atan2(-{z}, {x})/(2*pi)"),
-                format!("acos(max(-1, min(1, -{height})))/pi"),
-            ])
+            [turn(&x, &z), polar(&format!("{y}/{}", number(*radius)))]
         }
-        Geometry::Box { min, max } => Some(box_faces(*min, *max)),
+        Geometry::Ellipsoid { semi_axes } => {
+            [around(), polar(&format!("y/{}", number(semi_axes[1])))]
+        }
+        Geometry::GeodesicSphere { .. } => [around(), polar("y/sqrt(x*x + y*y + z*z)")],
+        Geometry::Box { min, max } => box_faces(*min, *max),
         Geometry::Rectangle { min, max } => {
-            Some([along("x", min[0], max[0]), along("y", min[1], max[1])])
+            [along("x", min[0], max[0]), along("y", min[1], max[1])]
         }
         Geometry::Plane(p) | Geometry::HalfSpace(p) => plane(p),
-        _ => None,
+        Geometry::Triangle { vertices, .. } => weights(vertices),
+        Geometry::Torus { major, minor } => [around(), tube(*major, *minor)],
+        // On the side y/h is ρ/r.
+        Geometry::Cone { radius, .. } => [around(), format!("{RHO}/{}", number(*radius))],
+        Geometry::DoubleCone { height, radius } => [around(), double_cone(*height, *radius)],
+        Geometry::Quadric(_)
+        | Geometry::ParabolicCylinder { .. }
+        | Geometry::HyperbolicCylinder { .. }
+        | Geometry::Hyperboloid { .. }
+        | Geometry::HyperbolicParaboloid { .. } => [around(), "y".to_owned()],
+        Geometry::Revolution { profile, .. } => {
+            return Coordinates {
+                // A lathe counts the other way round.
+                u: "mod(1 - x, 1)".to_owned(),
+                v: Along::Pattern(Profile::of(profile).arc_pattern()),
+            };
+        }
+    };
+    Coordinates {
+        u,
+        v: Along::Expression(v),
     }
+}
+
+/// The distance from the y axis.
+const RHO: &str = "sqrt(x*x + z*z)";
+
+/// The angle about the y axis, from 0 to 1: never negative.
+fn turn(x: &str, z: &str) -> String {
+    format!("select(-{z}, 1, 0) + atan2(-{z}, {x})/(2*pi)")
+}
+
+fn around() -> String {
+    turn("x", "z")
+}
+
+/// acos(−height)/π.
+fn polar(height: &str) -> String {
+    format!("acos(max(-1, min(1, -{height})))/pi")
+}
+
+/// The angle in the tube. The lemon of a tube wider than its ring lies beyond the axis.
+fn tube(major: f64, minor: f64) -> String {
+    let ring = number(major);
+    let across = if minor > major {
+        let square = number(minor * minor);
+        let off = |sign: char| format!("abs(pow({RHO} {sign} {ring}, 2) + y*y - {square})");
+        format!(
+            "(select({} - {}, 1, -1)*{RHO} - {ring})",
+            off('-'),
+            off('+')
+        )
+    } else {
+        format!("({RHO} - {ring})")
+    };
+    format!("select(y, 1, 0) + atan2(y, {across})/(2*pi)")
+}
+
+/// On the sides ρ/r is |y|/h, on the discs it is less.
+fn double_cone(height: f64, radius: f64) -> String {
+    let (h, r) = (number(height), number(radius));
+    format!("select({RHO}/{r} - abs(y)/{h} + 1e-6, {RHO}/{r}, 0.5 + 0.5*y/{h})")
+}
+
+/// The barycentric weights of the second and third vertex.
+fn weights([a, b, c]: &[Vec3; 3]) -> [String; 2] {
+    let size = [b, c]
+        .iter()
+        .flat_map(|p| (0..3).map(|i| (p[i] - a[i]).abs()))
+        .fold(0.0f64, f64::max);
+    let edge = |p: &Vec3| -> Vec3 { std::array::from_fn(|i| (p[i] - a[i]) / size) };
+    let (ab, ac) = (edge(b), edge(c));
+    let n = cross(ab, ac);
+    let square = dot(n, n);
+    let weight = |v: Vec3| {
+        let g = v.map(|x| x / square / size);
+        if !g.iter().all(|x| x.is_finite()) {
+            return "1/3".to_owned();
+        }
+        let terms = ["x", "y", "z"]
+            .iter()
+            .zip(g.iter().zip(a))
+            .filter(|(_, (g, _))| **g != 0.0)
+            .map(|(axis, (g, a))| format!("({})*{}", number(*g), minus(axis, *a)));
+        let sum = terms.collect::<Vec<_>>().join(" + ");
+        format!("max(0, min(1, {sum}))")
+    };
+    [weight(cross(ac, n)), weight(cross(n, ab))]
+}
+
+fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// `(x - c)`.
@@ -86,7 +197,9 @@ fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
 }
 
 /// Lengths along ŷ × n and n × that, from the point nearest the origin.
-fn plane(p: &[f64; 4]) -> Option<[String; 2]> {
+fn plane(p: &[f64; 4]) -> [String; 2] {
+    let largest = p[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let p = [p[0] / largest, p[1] / largest, p[2] / largest];
     let length = p[0].hypot(p[1]).hypot(p[2]);
     let n = [p[0] / length, p[1] / length, p[2] / length];
     let side = if n[1].abs() > 0.999 {
@@ -98,16 +211,11 @@ fn plane(p: &[f64; 4]) -> Option<[String; 2]> {
     };
     let length = side[0].hypot(side[1]).hypot(side[2]);
     let u = side.map(|c| c / length);
-    let v = [
-        n[1] * u[2] - n[2] * u[1],
-        n[2] * u[0] - n[0] * u[2],
-        n[0] * u[1] - n[1] * u[0],
-    ];
-    let finite = u.iter().chain(&v).all(|c| c.is_finite());
-    finite.then(|| [dot(u), dot(v)])
+    [product(u), product(cross(n, u))]
 }
 
-fn dot(c: Vec3) -> String {
+/// c·(x, y, z).
+fn product(c: Vec3) -> String {
     let terms: Vec<String> = ["x", "y", "z"]
         .iter()
         .zip(c)

@@ -2,6 +2,9 @@
 
 use crate::translate::{Effect, Feature, Verdict};
 
+/// What shading normals cost.
+const BEHIND: &str = "a light behind the triangle, but before its shading normal, is seen";
+
 /// `None` for a feature that this translation was never told about.
 pub fn verdict(feature: Feature) -> Option<Verdict> {
     Some(match feature {
@@ -18,7 +21,7 @@ fn record(code: i32) -> Option<Verdict> {
         3 | 4 => Verdict::exact("plane"),
         5 => Verdict::exact("polygon"),
         6 => Verdict::exact("triangle"),
-        7 | 8 => Verdict::exact("smooth_triangle"),
+        7 | 8 => Verdict::approximate(BEHIND, "smooth_triangle"),
         9..=11 => Verdict::exact("sphere"),
         12 => Verdict::exact("box"),
         13 => Verdict::exact("a mesh of the same facets"),
@@ -59,7 +62,7 @@ fn of_effect(effect: Effect) -> Verdict {
             "",
         ),
         Effect::VertexColours => Verdict::exact("a pigment over the profile"),
-        Effect::SmoothNormals => Verdict::exact("smooth_triangle"),
+        Effect::SmoothNormals => Verdict::approximate(BEHIND, "smooth_triangle"),
         Effect::Background => Verdict::exact("background"),
         Effect::RenderBox => Verdict::exact("clipped_by"),
         Effect::AutomaticCamera => Verdict::exact("the camera is written out"),

@@ -1,0 +1,103 @@
+//! Solids bounded by polynomials. POV-Ray takes a point for inside of one where the value is below
+//! 1e-4, so the coefficients are made large.
+
+use super::shape::{Primitive, size_unit};
+use super::text::number;
+use crate::scene::Geometry;
+
+/// The largest coefficient: the tolerance is 1e-10 of it.
+const LARGE: f64 = 1e6;
+
+/// Q of xᵀQx ≤ 0.
+pub fn form(geometry: &Geometry) -> [f64; 16] {
+    let diagonal = |x: f64, y: f64, z: f64, linear: f64, constant: f64| {
+        let mut q = [0.0; 16];
+        (q[0], q[5], q[10], q[13], q[15]) = (x, y, z, linear, constant);
+        q
+    };
+    // Semi-axes are divided by the least of them, so that no square leaves the numbers' range.
+    let inverse = |a: f64| 1.0 / a / a;
+    match geometry {
+        Geometry::Quadric(q) => *q,
+        Geometry::ParabolicCylinder { a } => diagonal(inverse(*a), 0.0, 0.0, -1.0, 0.0),
+        Geometry::HyperbolicCylinder { a, b } => {
+            diagonal(inverse(*a), -inverse(*b), 0.0, 0.0, -1.0)
+        }
+        Geometry::Hyperboloid { a, b, c, sheets } => {
+            let constant = if *sheets == 2 { 1.0 } else { -1.0 };
+            diagonal(inverse(*a), -inverse(*b), inverse(*c), 0.0, constant)
+        }
+        Geometry::HyperbolicParaboloid { a, b } => {
+            diagonal(inverse(*a), 0.0, -inverse(*b), -1.0, 0.0)
+        }
+        _ => [0.0; 16],
+    }
+}
+
+pub fn quadric(q: &[f64; 16]) -> Primitive {
+    let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let q = q.map(|x| x / largest);
+    // Of x² xy xz x y² yz y z² z 1.
+    let coefficients = [
+        q[0],
+        q[1] + q[4],
+        q[2] + q[8],
+        q[3] + q[12],
+        q[5],
+        q[6] + q[9],
+        q[7] + q[13],
+        q[10],
+        q[11] + q[14],
+        q[15],
+    ];
+    let most = |which: &[usize]| {
+        which
+            .iter()
+            .fold(0.0f64, |m, i| m.max(coefficients[*i].abs()))
+    };
+    let square = most(&[0, 1, 2, 4, 5, 7]);
+    let linear = most(&[3, 6, 8]);
+    let constant = most(&[9]);
+    // How large the surface is, by which of its terms balance.
+    let size = match (square > 0.0, linear > 0.0, constant > 0.0) {
+        (true, true, _) => (linear / square).max((constant / square).sqrt()),
+        (true, false, true) => (constant / square).sqrt(),
+        (false, true, true) => constant / linear,
+        _ => 1.0,
+    };
+    let unit = size_unit(size);
+    let mut scaled = coefficients;
+    for (i, c) in scaled.iter_mut().enumerate() {
+        *c *= match i {
+            3 | 6 | 8 => unit,
+            9 => 1.0,
+            _ => unit * unit,
+        };
+    }
+    let most = scaled.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+    let list: Vec<String> = scaled.iter().map(|c| number(c / most * LARGE)).collect();
+    Primitive::new("poly", format!("2, <{}>", list.join(", "))).scaled(unit)
+}
+
+/// (x² + y² + z² + R² − r²)² − 4R²(x² + z²) ≤ 0.
+pub fn quartic_torus(major: f64, minor: f64) -> Primitive {
+    let k = (major - minor) * (major + minor);
+    let ring = 4.0 * major * major;
+    let terms = [
+        ([4, 0, 0], 1.0),
+        ([0, 4, 0], 1.0),
+        ([0, 0, 4], 1.0),
+        ([2, 2, 0], 2.0),
+        ([2, 0, 2], 2.0),
+        ([0, 2, 2], 2.0),
+        ([2, 0, 0], 2.0 * k - ring),
+        ([0, 2, 0], 2.0 * k),
+        ([0, 0, 2], 2.0 * k - ring),
+        ([0, 0, 0], k * k),
+    ];
+    let list: Vec<String> = terms
+        .iter()
+        .map(|([x, y, z], c)| format!("xyz({x}, {y}, {z}): {}", number(c * LARGE)))
+        .collect();
+    Primitive::new("polynomial", format!("4, {} sturm", list.join(", ")))
+}

@@ -1,0 +1,141 @@
+//! Profiles of surfaces of revolution: as lathes, and as a measure along them.
+//!
+//! A lathe knows itself where on its profile a point lies: with `uv_mapping`, y is (i + t)/n for the
+//! share t of segment i of n.
+
+use super::shape::{Primitive, size_unit};
+use super::text::{number, vector};
+use crate::scene::Rgb;
+
+/// So many entries fit into one of POV-Ray's maps.
+const MAP: usize = 256;
+/// Points on a line of the file.
+const PER_LINE: usize = 6;
+
+/// The closed profile of a lathe.
+pub struct Profile {
+    /// From the axis to the axis, or a ring; no point twice in a row.
+    points: Vec<[f64; 2]>,
+    /// For each point of the scene's profile its index in `points`.
+    places: Vec<usize>,
+    /// The share of the profile's length up to each of its points.
+    arc: Vec<f64>,
+}
+
+impl Profile {
+    pub fn of(profile: &[[f64; 2]]) -> Profile {
+        let ring = profile.first() == profile.last();
+        let mut points: Vec<[f64; 2]> = Vec::with_capacity(profile.len() + 2);
+        let mut places = Vec::with_capacity(profile.len());
+        let push = |points: &mut Vec<[f64; 2]>, p: [f64; 2]| {
+            if points.last() != Some(&p) {
+                points.push(p);
+            }
+        };
+        if let (false, Some(first)) = (ring, profile.first()) {
+            push(&mut points, [0.0, first[1]]);
+        }
+        for p in profile {
+            push(&mut points, *p);
+            places.push(points.len() - 1);
+        }
+        if let (false, Some(last)) = (ring, profile.last()) {
+            push(&mut points, [0.0, last[1]]);
+        }
+        let mut arc = vec![0.0; profile.len()];
+        for i in 1..profile.len() {
+            let [a, b] = [profile[i - 1], profile[i]];
+            arc[i] = arc[i - 1] + (b[0] - a[0]).hypot(b[1] - a[1]);
+        }
+        let whole = arc.last().copied().unwrap_or(0.0);
+        if whole > 0.0 {
+            arc.iter_mut().for_each(|a| *a /= whole);
+        }
+        Profile {
+            points,
+            places,
+            arc,
+        }
+    }
+
+    pub fn lathe(&self) -> Primitive {
+        let size = self
+            .points
+            .iter()
+            .flatten()
+            .fold(0.0f64, |m, x| m.max(x.abs()));
+        let unit = size_unit(size);
+        let points = self.points.iter().map(|p| vector(&p.map(|x| x / unit)));
+        let points: Vec<String> = points.collect();
+        let mut lines = vec![format!("linear_spline {},", points.len())];
+        let rows = points.len().div_ceil(PER_LINE);
+        for (i, row) in points.chunks(PER_LINE).enumerate() {
+            let comma = if i + 1 < rows { "," } else { "" };
+            lines.push(format!("{}{comma}", row.join(", ")));
+        }
+        Primitive {
+            keyword: "lathe",
+            lines,
+        }
+        .scaled(unit)
+    }
+
+    /// A pattern over the profile, to follow `uv_mapping`: the lathe's own measure with the value
+    /// at each point of the scene's profile, linear between them; discs have their point's.
+    pub fn pattern(&self, values: &[String]) -> String {
+        let segments = (self.points.len() - 1).max(1) as f64;
+        let mut entries = Vec::with_capacity(values.len() + 2);
+        for (place, value) in self.places.iter().zip(values) {
+            entries.push((*place as f64 / segments, value.as_str()));
+        }
+        pattern(&entries)
+    }
+
+    /// The arc length along the profile as such a pattern, in grey.
+    pub fn arc_pattern(&self) -> String {
+        let values: Vec<String> = self
+            .arc
+            .iter()
+            .map(|a| format!("rgb {}", number(*a)))
+            .collect();
+        self.pattern(&values)
+    }
+
+    pub fn colour_pattern(&self, colours: &[Rgb], write: impl Fn(&Rgb) -> String) -> String {
+        let values: Vec<String> = colours.iter().map(write).collect();
+        self.pattern(&values)
+    }
+}
+
+/// `function { … } color_map { … }` over y, which is kept away from 1 where patterns begin again; a
+/// map of maps for many entries.
+fn pattern(entries: &[(f64, &str)]) -> String {
+    const FUNCTION: &str = "function { 0.25 + 0.5*y }";
+    let at = |y: f64| number(0.25 + 0.5 * y);
+    let colour_map = |entries: &[(f64, &str)]| {
+        let list: Vec<String> = entries
+            .iter()
+            .map(|(y, value)| format!("[{} {value}]", at(*y)))
+            .collect();
+        format!("color_map {{ {} }}", list.join(" "))
+    };
+    if entries.len() <= MAP {
+        return format!("{FUNCTION} {}", colour_map(entries));
+    }
+    // Neighbouring maps share an entry; each rules from its first to its last.
+    let mut out = format!("{FUNCTION} pigment_map {{");
+    let mut from = 0;
+    while from + 1 < entries.len() {
+        let to = (from + MAP - 1).min(entries.len() - 1);
+        let part = &entries[from..=to];
+        let inner = format!("{FUNCTION} {}", colour_map(part));
+        out.push_str(&format!(
+            "\n      [{} {inner}]\n      [{} {inner}]",
+            at(part[0].0),
+            at(part[part.len() - 1].0)
+        ));
+        from = to;
+    }
+    out.push_str("\n    }");
+    out
+}
