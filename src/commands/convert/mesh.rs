@@ -45,6 +45,7 @@ pub fn run(args: &Args, format: Format, loaded: &mut Loaded, look: LookChoice) -
     };
     let options = mesh::Options {
         tolerance: args.tolerance,
+        eye: None,
     };
     let model = match mesh::model(&loaded.scene, &tracer.graph, &options) {
         Ok(model) => model,

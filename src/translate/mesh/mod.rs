@@ -30,7 +30,7 @@ use std::collections::BTreeMap;
 use super::{Fidelity, Report, Unsupported};
 use crate::scene::bounds::node_bounds;
 use crate::scene::frame::seen_box;
-use crate::scene::{Aabb, Scene};
+use crate::scene::{Aabb, Scene, Vec3};
 use crate::trace::graph::Graph;
 use assemble::{Assembly, Thing, Troubles};
 use budget::TooMany;
@@ -43,6 +43,8 @@ pub struct Options {
     /// How far a triangle may be from the surface it stands for, in scene units; by default
     /// [`DEFAULT_TOLERANCE`] of the scene's size.
     pub tolerance: Option<f64>,
+    /// Where the scene is seen from, if that matters: parts without end reach that far, too.
+    pub eye: Option<Vec3>,
 }
 
 /// The tolerance by the radius of the sphere around the scene.
@@ -87,7 +89,11 @@ impl Extent {
             seen
         };
         Extent {
-            region: if boxed { seen } else { around(&seen) },
+            region: match options.eye {
+                _ if boxed => seen,
+                Some(eye) => around(&seen.hull(&Aabb::new(eye, eye))),
+                None => around(&seen),
+            },
             boxed,
             tolerance: options
                 .tolerance
@@ -168,6 +174,17 @@ impl Parts {
                 });
             }
         }
+    }
+
+    /// Whether the render box cuts some solid open.
+    pub fn is_cut_open(&self) -> bool {
+        let caps = |l: &u32| {
+            self.skins
+                .get(*l as usize)
+                .is_some_and(|s| s.primitive.is_none())
+        };
+        let mut solids = self.pieces.iter().filter(|p| !p.surface);
+        self.extent.boxed && solids.any(|p| p.mesh.labels.iter().any(caps))
     }
 
     /// Adds to a report what became of this scene in particular.

@@ -153,14 +153,14 @@ fn write(points: &[(Vec3, Vec3, Rgb)], triangles: &[([u32; 3], Rgb)], colours: C
         three("n", ["x", "y", "z"]),
     );
     if colours == Colours::OfPoints {
-        header += &three("vertex_color_", ["r", "g", "b"]);
+        header += &three("", ["r", "g", "b"]);
     }
     header += &format!(
         "element face {}\nproperty list uchar int vertex_indices\n",
         triangles.len()
     );
     if colours == Colours::OfFaces {
-        header += &three("face_color_", ["r", "g", "b"]);
+        header += &three("", ["r", "g", "b"]);
     }
     header += "end_header\n";
     let mut out = header.into_bytes();

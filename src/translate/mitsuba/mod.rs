@@ -61,8 +61,8 @@ pub struct Output {
     pub meshes: Vec<(String, Vec<u8>)>,
     /// In the order of Mitsuba's shape index.
     pub shapes: Vec<ShapeInfo>,
-    /// How far the meshes may be from the shapes.
-    pub tolerance: f64,
+    /// How far the meshes may be from the shapes, and where parts without end are cut off.
+    pub extent: mesh::Extent,
     pub report: Report,
 }
 
@@ -77,8 +77,10 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         message: "the scene has no render record: nothing is drawn".to_owned(),
     })?;
     let graph = &tracer.graph;
+    let cameras = scenery::cameras(scene, options);
     let of_meshes = mesh::Options {
         tolerance: options.tolerance,
+        eye: cameras.first().map(|c| c.position),
     };
     let mut parts = mesh::Parts::of(scene, graph, &of_meshes)?;
     // One medium has no boundary in itself.
@@ -91,8 +93,9 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             clear.then_some(u64::from(optics) << 32 | u64::from(index))
         })
         .collect();
-    parts.join_by(|piece| media[piece.inside as usize]);
-    let cameras = scenery::cameras(scene, options);
+    // What is opaque hides what overlaps in it, unless one looks into it.
+    let opaque = parts.is_cut_open().then_some(u64::MAX);
+    parts.join_by(|piece| media[piece.inside as usize].or(opaque));
     let reach = scenery::reach(&parts.extent.region, &cameras);
 
     let mut bsdfs = Bsdfs::new(graph);
@@ -141,14 +144,14 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             ),
         ));
     }
-    let tolerance = parts.extent.tolerance;
-    let mut report = Report::of("mitsuba", scene, |f| verdict::verdict(f, tolerance));
+    let extent = parts.extent;
+    let mut report = Report::of("mitsuba", scene, |f| verdict::verdict(f, extent.tolerance));
     parts.account(&mut report);
     Ok(Output {
         documents,
         meshes: files,
         shapes,
-        tolerance,
+        extent,
         report,
     })
 }

@@ -3,11 +3,12 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use super::xml::{number, rgb, vector};
+use super::xml::{number, rgb, transform, vector};
 use super::{Integrator, Options};
 use crate::scene::bounds::node_bounds;
 use crate::scene::frame::{Basis, automatic_camera, headlight};
-use crate::scene::{Aabb, Camera, Scene, View};
+use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3, View};
+use crate::trace;
 use crate::translate::Unsupported;
 
 /// Samples a pixel of a path-traced picture.
@@ -72,24 +73,60 @@ pub fn view(
                 .to_owned()
         }
     };
-    let target: [f64; 3] = std::array::from_fn(|i| camera.position[i] + basis.forward[i]);
     let (width, height) = options.size;
     Ok(format!(
-        "{integrator}  <sensor type=\"perspective\">\n    <string name=\"fov_axis\" value=\"y\"/>\n    \
-         <float name=\"fov\" value=\"{}\"/>\n    <float name=\"near_clip\" value=\"{}\"/>\n    \
+        "{integrator}{}    <float name=\"near_clip\" value=\"{}\"/>\n    \
          <float name=\"far_clip\" value=\"{}\"/>\n    \
-         <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n    \
          {sampler}\n    <film type=\"hdrfilm\">\n      <integer name=\"width\" value=\"{width}\"/>\n      \
          <integer name=\"height\" value=\"{height}\"/>\n      <rfilter type=\"box\"/>\n      \
          <string name=\"pixel_format\" value=\"rgb\"/>\n      \
          <string name=\"component_format\" value=\"float32\"/>\n    </film>\n  </sensor>\n",
-        number(field_of_view(camera)),
+        sensor(camera, &basis, options.size),
         number(reach / HORIZON * 1e-5),
         number(reach * 10.0),
+    ))
+}
+
+/// The beginning of a sensor: where it is and what it sees.
+fn sensor(camera: &Camera, basis: &Basis, (width, height): (u32, u32)) -> String {
+    if let Some([origin, right, up]) = parallel(camera, width, height) {
+        // It looks along its z, and its x points to the left; it sees x from −1 to 1.
+        let aspect = f64::from(width) / f64::from(height);
+        let mut place = Matrix::IDENTITY;
+        for i in 0..3 {
+            place.0[i] = [-right[i], aspect * up[i], basis.forward[i], origin[i]];
+        }
+        return format!(
+            "  <sensor type=\"orthographic\">\n    {}\n",
+            transform("to_world", &place)
+        );
+    }
+    let target: [f64; 3] = std::array::from_fn(|i| camera.position[i] + basis.forward[i]);
+    format!(
+        "  <sensor type=\"perspective\">\n    <string name=\"fov_axis\" value=\"y\"/>\n    \
+         <float name=\"fov\" value=\"{}\"/>\n    \
+         <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n",
+        number(field_of_view(camera)),
         vector(camera.position),
         vector(target),
         vector(basis.up),
-    ))
+    )
+}
+
+/// Of a projection with parallel rays: where the one in the middle starts, and from there to the
+/// right edge and to the upper one.
+fn parallel(camera: &Camera, width: u32, height: u32) -> Option<[Vec3; 3]> {
+    camera.projection?;
+    let view = trace::camera::View::new(camera, width, height)?;
+    let (w, h) = (f64::from(width), f64::from(height));
+    let [middle, right, top] = [[w / 2.0, h / 2.0], [w, h / 2.0], [w / 2.0, 0.0]].map(|[x, y]| {
+        view.ray(x, y)
+            .map(|ray| (ray.line.origin.0, ray.line.direction.unit()))
+    });
+    let (middle, right, top) = (middle?, right?, top?);
+    let same = |d: trace::vec::Vec3| (d - middle.1).length() < 1e-9;
+    let to = |end: Vec3| std::array::from_fn(|i| end[i] - middle.0[i]);
+    (same(right.1) && same(top.1)).then(|| [middle.0, to(right.0), to(top.0)])
 }
 
 /// Vertical, in degrees; of a projection matrix what it comes nearest to.

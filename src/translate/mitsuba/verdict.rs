@@ -22,7 +22,10 @@ fn record(code: i32, tolerance: f64) -> Option<Verdict> {
         12 => Verdict::exact("cube, or a mesh where it is cut"),
         6..=8 | 13 => Verdict::exact("a mesh of the same facets"),
         -4..=-1 => Verdict::exact(""),
-        -99 => Verdict::approximate("its vertical field of view only", "perspective"),
+        -99 => Verdict::approximate(
+            "exact where rays are parallel; else its vertical field of view only",
+            "orthographic, perspective",
+        ),
         -101 => Verdict::exact("shapes side by side; those of one clear medium are joined"),
         -104..=-102 => facets("cut as meshes"),
         -105 => Verdict::exact(""),
