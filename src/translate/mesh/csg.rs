@@ -5,9 +5,11 @@
 //! it is given on trust, so that its answers are checked here: closed, and of a volume that can be.
 
 use boolmesh::prelude::{Manifold, OpType, compute_boolean};
+use std::cell::Cell;
 use std::collections::HashSet;
 use std::ops::{Add, Mul};
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
+use std::sync::Once;
 
 use super::soup::Mesh;
 use crate::scene::Matrix;
@@ -85,17 +87,38 @@ fn attempt(a: &Mesh, b: &Mesh, operation: Operation) -> Option<Mesh> {
         Operation::Intersection => OpType::Intersect,
         Operation::Difference => OpType::Subtract,
     };
-    // It asserts and unwraps what holds for exact numbers only.
-    let result = catch_unwind(AssertUnwindSafe(|| {
+    let result = without_panic(|| {
         let (a, b) = (manifold(a)?, manifold(b)?);
         compute_boolean(&a, &b, op)
-    }));
-    match result.ok()? {
+    });
+    match result? {
         Ok(m) => Some(back(&m)),
         // It has no other word for a result without triangles.
         Err(e) if e.starts_with("empty ") => Some(Mesh::default()),
         Err(_) => None,
     }
+}
+
+thread_local! {
+    static QUIET: Cell<bool> = const { Cell::new(false) };
+}
+
+/// The library asserts and unwraps what holds for exact numbers only. That ends in `None` here, and
+/// without a word: panics of this call alone are kept from being printed.
+fn without_panic<T>(call: impl FnOnce() -> T) -> Option<T> {
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let before = take_hook();
+        set_hook(Box::new(move |info| {
+            if !QUIET.get() {
+                before(info);
+            }
+        }));
+    });
+    QUIET.set(true);
+    let result = catch_unwind(AssertUnwindSafe(call));
+    QUIET.set(false);
+    result.ok()
 }
 
 /// Points of one place would become one point there, and faces that touch in an edge would share it:
@@ -120,7 +143,7 @@ fn manifold(mesh: &Mesh) -> Result<Manifold<Tag>, String> {
     let tags: Vec<Tag> = mesh
         .labels
         .iter()
-        .flat_map(|&l| [const { Tag(0) }; 3].map(|_| Tag(l)))
+        .flat_map(|&l| [Tag(l), Tag(l), Tag(l)])
         .collect();
     Manifold::new_with_values(&points, &corners, &tags)
 }
@@ -154,4 +177,46 @@ fn plausible(mesh: &Mesh, a: f64, b: f64, operation: Operation) -> bool {
         Operation::Difference => (a - b, a),
     };
     (least - slack..=most + slack).contains(&volume) && mesh.is_closed()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shape::flat::cuboid;
+    use super::*;
+
+    #[test]
+    fn panics_are_answers() {
+        assert_eq!(without_panic(|| 3), Some(3));
+        assert_eq!(without_panic(|| -> i32 { panic!("not a word") }), None);
+        assert!(!QUIET.get());
+    }
+
+    #[test]
+    fn faces_in_one_place() {
+        let block = cuboid([0.0; 3], [2.0, 1.0, 1.0]);
+        // Flush, flush on three sides, equal, and touching.
+        for (min, max, operation, volume) in [
+            ([1.0, 0.0, 0.0], [2.0, 1.0, 1.0], Operation::Difference, 1.0),
+            ([1.0, 0.5, 0.0], [3.0, 1.0, 1.0], Operation::Difference, 1.5),
+            ([0.0; 3], [2.0, 1.0, 1.0], Operation::Difference, 0.0),
+            ([0.0; 3], [2.0, 1.0, 1.0], Operation::Intersection, 2.0),
+            ([0.0; 3], [2.0, 1.0, 1.0], Operation::Union, 2.0),
+            ([2.0, 0.0, 0.0], [3.0, 1.0, 1.0], Operation::Union, 3.0),
+            (
+                [2.0, 0.0, 0.0],
+                [3.0, 1.0, 1.0],
+                Operation::Intersection,
+                0.0,
+            ),
+            ([2.0, 1.0, 0.0], [3.0, 2.0, 1.0], Operation::Union, 3.0),
+        ] {
+            let made = combine(&block, &cuboid(min, max), operation).unwrap();
+            assert!(made.is_closed());
+            assert!(
+                (made.volume() - volume).abs() < 1e-6,
+                "{min:?} {}",
+                made.volume()
+            );
+        }
+    }
 }
