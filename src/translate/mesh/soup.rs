@@ -49,10 +49,8 @@ impl Mesh {
     pub fn bounds(&self) -> Aabb {
         let mut out = Aabb::EMPTY;
         for p in &self.points {
-            for i in 0..3 {
-                out.min[i] = out.min[i].min(p[i]);
-                out.max[i] = out.max[i].max(p[i]);
-            }
+            out.min = std::array::from_fn(|i| out.min[i].min(p[i]));
+            out.max = std::array::from_fn(|i| out.max[i].max(p[i]));
         }
         out
     }

@@ -45,13 +45,10 @@ pub fn shape(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<Ex
             let rotation = turn.after(&Matrix::scaling(1.0 / scale, 1.0 / scale, 1.0 / scale));
             let mirrored = rotation.determinant3() < 0.0;
             let mut place = if mirrored { Matrix::IDENTITY } else { rotation };
-            let at = m.point(centre);
             let r = scale * radius;
-            for i in 0..3 {
-                for j in 0..3 {
-                    place.0[i][j] *= r;
-                }
-                place.0[i][3] = at[i];
+            for (row, at) in place.0.iter_mut().zip(m.point(centre)) {
+                row.iter_mut().take(3).for_each(|x| *x *= r);
+                row[3] = at;
             }
             let uv = (!mirrored).then_some([[1.0, -1.0], [0.0, 1.0]]);
             ("sphere", placed(&place), uv)

@@ -215,8 +215,8 @@ fn quadrics_agree_with_their_polynomial() {
             // MᵀQM.
             let mut q = [0.0; 16];
             for (k, x) in q.iter_mut().enumerate() {
-                for l in 0..16 {
-                    *x += sign * form[l] * matrix.0[l / 4][k / 4] * matrix.0[l % 4][k % 4];
+                for (l, f) in form.iter().enumerate() {
+                    *x += sign * f * matrix.0[l / 4][k / 4] * matrix.0[l % 4][k % 4];
                 }
             }
             let solid = made(&Geometry::Quadric(q), 1e-3);
