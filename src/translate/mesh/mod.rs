@@ -11,6 +11,7 @@ pub mod glb;
 mod material;
 pub mod obj;
 pub mod ply;
+mod refine;
 mod sets;
 pub mod shape;
 mod skin;
@@ -76,9 +77,16 @@ pub struct Extent {
     /// The region is the render record's box.
     pub boxed: bool,
     pub tolerance: f64,
+    /// The radius of the sphere around what is seen.
+    pub radius: f64,
 }
 
 impl Extent {
+    /// How long the edges of triangles with a texture are at most.
+    pub fn grain(&self) -> f64 {
+        self.radius / 64.0
+    }
+
     /// The region and the tolerance for a scene.
     pub fn of(scene: &Scene, options: &Options) -> Extent {
         let seen = seen_box(scene, &node_bounds(scene));
@@ -95,6 +103,7 @@ impl Extent {
                 None => around(&seen),
             },
             boxed,
+            radius: seen.radius(),
             tolerance: options
                 .tolerance
                 .unwrap_or(DEFAULT_TOLERANCE * seen.radius()),
@@ -213,6 +222,14 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, U
     let mut mesh = Mesh::default();
     for (_, part) in &union.meshes {
         mesh.append(part);
+    }
+    let textured: Vec<bool> = thing
+        .skins
+        .iter()
+        .map(|skin| skin.plain_colour(graph).is_none())
+        .collect();
+    for part in [&mut mesh, &mut surfaces] {
+        part.refine(|label| textured[label as usize], extent.grain());
     }
     let solid = mesh.triangles.len();
     mesh.append(&surfaces);

@@ -37,8 +37,8 @@ pub struct File {
 }
 
 impl Collector {
-    /// Adds what is seen of a piece. Where the render box cuts it, it is open.
-    pub fn add(&mut self, piece: &Piece, skins: &[Skin], graph: &Graph) {
+    /// Adds what is seen of a piece, with edges no longer than `grain` where it has a texture. Where the render box cuts it, it is open.
+    pub fn add(&mut self, piece: &Piece, skins: &[Skin], graph: &Graph, grain: f64) {
         let mut labels: Vec<u32> = piece.mesh.labels.clone();
         labels.sort_unstable();
         labels.dedup();
@@ -49,7 +49,10 @@ impl Collector {
             if skin.primitive.is_none() {
                 continue;
             }
-            let part = piece.mesh.only(|l| l == label);
+            let mut part = piece.mesh.only(|l| l == label);
+            if skin.plain_colour(graph).is_none() {
+                part.refine(|_| true, grain);
+            }
             self.meshes
                 .entry(key(skin, graph))
                 .or_default()

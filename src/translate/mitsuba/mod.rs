@@ -114,7 +114,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
                 });
                 text.push_str(&shape.xml(&bsdf, shapes.len()));
             }
-            None => cut.add(piece, &parts.skins, graph),
+            None => cut.add(piece, &parts.skins, graph, parts.extent.grain()),
         }
     }
     let mut files = Vec::new();
