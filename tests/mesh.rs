@@ -152,7 +152,7 @@ fn the_gallery_is_closed_and_in_its_place() {
         let made = model(&loaded.scene, &tracer.graph, &Options::default());
         assert_eq!(made.is_err(), many, "{}", path.display());
         let Ok(model) = made else { continue };
-        let faults = faults(&loaded.scene, &model, 500);
+        let faults = faults(&loaded.scene, &model, 200);
         assert!(faults.is_empty(), "{}: {faults:?}", path.display());
         let report = report("ply", &loaded.scene, &model).to_string();
         assert!(!report.contains("failed") && !report.contains("not joined"));
@@ -168,7 +168,7 @@ fn random_scenes_are_closed_and_in_their_place() {
         Some(a.parse().ok()?..b.parse().ok()?)
     });
     let (mut failed, mut reported, mut n) = (Vec::new(), 0, 0);
-    for seed in range.unwrap_or(0..40u64) {
+    for seed in range.unwrap_or(0..24u64) {
         let loaded = Loaded::new("scene", scenes::scene(seed).into_bytes());
         let tracer = tracer(&loaded.scene, Path::new("."));
         let model = model(&loaded.scene, &tracer.graph, &Options::default()).unwrap();
@@ -176,7 +176,7 @@ fn random_scenes_are_closed_and_in_their_place() {
         n += 1;
         let own_up = report.contains("failed") || report.contains("not joined");
         reported += u32::from(own_up);
-        let faults = faults(&loaded.scene, &model, 400);
+        let faults = faults(&loaded.scene, &model, 200);
         if !faults.is_empty() {
             failed.push(format!(
                 "{seed}: {faults:?}{}",
