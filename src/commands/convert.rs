@@ -1,27 +1,46 @@
 //! `zpg convert`: the scene for other programs.
 
+mod input;
+mod mesh;
+mod mitsuba;
+mod pov;
+mod records;
+
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::draft::{Draft, unwritable};
 use super::size::Size;
-use super::{Loaded, LookChoice, Status, complain, load_sound};
-use crate::diagnostics::Complaint;
-use crate::scene::Scene;
-use crate::translate::{File, Report, Translation, Unsupported, pov};
+use super::terminal::unprintable;
+use super::{Loaded, LookChoice, Status, complain, report};
+use crate::diagnostics::{Complaint, Diagnostic};
+use crate::translate::{Report, Unsupported};
+
+pub(super) use pov::pictures;
 
 /// Translate a scene for another program
 #[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Every translation ends with a report on standard error: what of the scene is exact, what approximate
+and by how much, what is dropped.
+
+Examples:
+  zpg convert scene.zpg --to pov -o scene.pov
+  zpg convert scene.zpg --to mitsuba -o scene.xml
+  zpg convert scene.zpg --to glb --tolerance 0.01
+  zpg convert scene.zpg --to json | jq .nodes
+  zpg convert made-by-a-program.json --to zpg")]
 pub struct Args {
-    /// The scene; `-` is standard input
+    /// The scene, as records or as JSON; `-` is standard input
     file: PathBuf,
 
     /// What to translate it to
     #[arg(long, value_enum)]
     to: Target,
 
-    /// Where to write; standard output if not given. A stereo pair is written to NAME_left and
-    /// NAME_right; on standard output it is one file with a switch
+    /// Where to write. If not given: standard output, and a mesh to SCENE.ply (obj, glb) in the
+    /// current folder. A stereo pair is written to NAME_left and NAME_right; on standard output it is
+    /// one file with a switch
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -33,6 +52,11 @@ pub struct Args {
     #[arg(long, default_value_t = 10, value_name = "N")]
     depth: u32,
 
+    /// How far meshes may be from curved surfaces, in scene units; by default a thousandth of the
+    /// scene's size
+    #[arg(long, value_name = "LEN", value_parser = length)]
+    tolerance: Option<f64>,
+
     /// Write the fidelity report as JSON, too
     #[arg(long, value_name = "FILE.json")]
     report: Option<PathBuf>,
@@ -43,17 +67,79 @@ pub struct Args {
 pub enum Target {
     /// POV-Ray 3.7
     Pov,
+    /// Mitsuba 3: XML, with meshes beside it
+    Mitsuba,
+    /// Triangles: Stanford PLY, binary, with colours
+    Ply,
+    /// Triangles: Wavefront OBJ, with a library of materials beside it
+    Obj,
+    /// Triangles: glTF 2.0, binary
+    Glb,
+    /// The resolved scene, for programs
+    Json,
+    /// The resolved scene as records
+    Zpg,
+}
+
+/// A length on the command line.
+fn length(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x > 0.0 && x.is_finite() => Ok(x),
+        _ => Err("expected a length above 0".to_owned()),
+    }
+}
+
+/// A finished translation.
+struct Made {
+    /// Where to write what; standard output where there is no path.
+    files: Vec<(Option<PathBuf>, Vec<u8>)>,
+    report: Report,
+}
+
+/// Why there is no translation.
+enum Refusal {
+    /// Something in the scene cannot be translated.
+    Scene(Unsupported),
+    /// A picture the scene names cannot be used.
+    Image(Box<Diagnostic>),
+    /// Wrong usage.
+    Wish(Complaint),
+}
+
+impl From<Unsupported> for Refusal {
+    fn from(e: Unsupported) -> Refusal {
+        Refusal::Scene(e)
+    }
 }
 
 /// Reads the scene, translates it, says how well it went.
 pub fn run(args: &Args, look: LookChoice) -> Status {
-    let loaded = match load_sound(&args.file, look) {
+    let draws = !matches!(args.to, Target::Json | Target::Zpg);
+    let mut loaded = match input::load(&args.file, draws, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
-    match translate(args, &loaded.scene) {
-        Ok(translation) => deliver(args, &translation, look),
-        Err(unsupported) => refuse(&loaded, &unsupported, look),
+    let made = match args.to {
+        Target::Pov => pov::make(args, &loaded),
+        Target::Mitsuba => mitsuba::make(args, &loaded),
+        Target::Ply => mesh::make(args, mesh::Format::Ply, &loaded),
+        Target::Obj => mesh::make(args, mesh::Format::Obj, &loaded),
+        Target::Glb => mesh::make(args, mesh::Format::Glb, &loaded),
+        Target::Json => records::json(args, &loaded),
+        Target::Zpg => records::zpg(args, &loaded),
+    };
+    match made {
+        Ok(made) => deliver(args, &made, look),
+        Err(Refusal::Scene(unsupported)) => refuse(&loaded, &unsupported, look),
+        Err(Refusal::Image(found)) => {
+            loaded.diagnostics = vec![*found];
+            report(&loaded, look);
+            Status::Negative
+        }
+        Err(Refusal::Wish(complaint)) => {
+            complain(look, &complaint);
+            Status::Failure
+        }
     }
 }
 
@@ -67,66 +153,39 @@ pub(super) fn refuse(loaded: &Loaded, unsupported: &Unsupported, look: LookChoic
     Status::Negative
 }
 
-fn translate(args: &Args, scene: &Scene) -> Result<Translation, Unsupported> {
-    match args.to {
-        Target::Pov => {
-            let options = pov::Options {
-                size: (args.size.width, args.size.height),
-                depth: args.depth,
-                pictures: pictures(&args.file, args.output.as_deref()),
-                stereo: match args.output {
-                    Some(_) => pov::Stereo::TwoFiles,
-                    None => pov::Stereo::OneFile,
-                },
-            };
-            let pov::Translation { files, report, .. } = pov::write(scene, &options)?;
-            Ok(Translation { files, report })
-        }
-    }
-}
-
-/// What leads from the translation to the pictures beside the scene: nothing where it is written
-/// beside them, too, else their folder with its whole path.
-pub(super) fn pictures(scene: &Path, output: Option<&Path>) -> String {
-    let folder = |path: &Path| {
-        let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
-        folder.unwrap_or(Path::new(".")).canonicalize().ok()
-    };
-    match (folder(scene), output.map(folder)) {
-        (Some(from), Some(Some(to))) if from == to => String::new(),
-        (Some(from), _) => format!("{}/", from.display()),
-        (None, _) => String::new(),
-    }
-}
-
 /// Writes the translation and its report.
-fn deliver(args: &Args, translation: &Translation, look: LookChoice) -> Status {
-    let written = match &args.output {
-        Some(path) => translation.files.iter().try_for_each(|file| {
-            let path = suffixed(path, file.suffix);
-            write_file(&path, &file.text).map_err(|e| (path, e))
-        }),
-        None => match write_all(&translation.files) {
-            // Nobody reads any more: that is their choice.
-            Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {
-                Err((PathBuf::from("standard output"), e))
+fn deliver(args: &Args, made: &Made, look: LookChoice) -> Status {
+    let written = (made.files.iter())
+        .try_for_each(|(path, bytes)| match path {
+            Some(path) => write_file(path, bytes),
+            None => match io::stdout().lock().write_all(bytes) {
+                // Nobody reads any more: that is their choice.
+                Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(unprintable(&e)),
+                _ => Ok(()),
+            },
+        })
+        .and_then(|()| match &args.report {
+            Some(path) => {
+                let text = format!("{:#}\n", made.report.to_json());
+                write_file(path, text.as_bytes())
             }
-            _ => Ok(()),
-        },
-    };
-    let written = written.and_then(|()| match &args.report {
-        Some(path) => write_report(path, &translation.report).map_err(|e| (path.clone(), e)),
-        None => Ok(()),
-    });
+            None => Ok(()),
+        });
     // Nobody is left to be told when standard error is gone.
-    let _ = write!(io::stderr(), "{}", translation.report);
+    let _ = write!(io::stderr(), "{}", made.report);
     match written {
         Ok(()) => Status::Clean,
-        Err((path, e)) => {
-            complain(look, &unwritable(&path, &e));
+        Err(complaint) => {
+            complain(look, &complaint);
             Status::Failure
         }
     }
+}
+
+fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
+    Draft::create(path)
+        .and_then(|draft| draft.finish(path, |out| out.write_all(bytes)))
+        .map_err(|e| unwritable(path, &e))
 }
 
 /// `NAME` and a suffix, before the extension.
@@ -141,21 +200,4 @@ fn suffixed(path: &Path, suffix: &str) -> PathBuf {
         name.push(extension);
     }
     path.with_file_name(name)
-}
-
-fn write_all(files: &[File]) -> io::Result<()> {
-    let mut out = io::stdout().lock();
-    files
-        .iter()
-        .try_for_each(|f| out.write_all(f.text.as_bytes()))
-}
-
-fn write_report(path: &Path, report: &Report) -> io::Result<()> {
-    let mut text = serde_json::to_string_pretty(&report.to_json())?;
-    text.push('\n');
-    write_file(path, &text)
-}
-
-fn write_file(path: &Path, text: &str) -> io::Result<()> {
-    Draft::create(path)?.finish(path, |out| out.write_all(text.as_bytes()))
 }

@@ -251,7 +251,7 @@ impl Compiler<'_> {
             let record = &self.scene.shapes[shape as usize];
             let primitive = Primitive::new(&record.geometry);
             return Ok(Part {
-                target: Target::Shape(self.interner.primitive(&mut self.graph, primitive)),
+                target: Target::Shape(self.interner.primitive(&mut self.graph, primitive, shape)),
                 placement: self.matrix(&place.matrix)?,
                 paint,
                 inverted: place.negated,

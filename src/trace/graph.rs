@@ -127,6 +127,10 @@ pub struct Graph {
     ///
     /// [`Shape::extent`]: super::shapes::Shape::extent
     pub extents: Vec<f64>,
+    /// Beside `primitives`: index into [`Scene::shapes`] of a record that says the same.
+    ///
+    /// [`Scene::shapes`]: crate::scene::Scene::shapes
+    pub records: Vec<u32>,
     pub objects: Vec<Object>,
     pub parts: Vec<Part>,
     pub matrices: Vec<Matrix>,

@@ -37,7 +37,7 @@ impl Interner {
 
     /// Shapes are found by a hash of their numbers. Should two different shapes ever have the same
     /// one, the later is entered without being findable, which costs sharing and nothing else.
-    pub fn primitive(&mut self, graph: &mut Graph, primitive: Primitive) -> u32 {
+    pub fn primitive(&mut self, graph: &mut Graph, primitive: Primitive, record: u32) -> u32 {
         let mut hasher = DefaultHasher::new();
         std::mem::discriminant(&primitive).hash(&mut hasher);
         primitive.shape().feed(&mut |x| bits(x).hash(&mut hasher));
@@ -47,6 +47,7 @@ impl Interner {
             return found;
         }
         graph.extents.push(primitive.shape().extent());
+        graph.records.push(record);
         graph.primitives.push(primitive);
         here
     }

@@ -4,6 +4,8 @@
 pub mod feature;
 pub mod fidelity;
 pub mod json;
+pub mod mesh;
+pub mod mitsuba;
 pub mod pov;
 
 pub use feature::{Effect, Feature};

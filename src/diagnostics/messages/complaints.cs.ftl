@@ -101,3 +101,17 @@ no-program = { $program } není nainstalován: získáte ho { $how }
 program-failed = { $program } selhal:
     { $said }
 program-strange = { $program }: { $what }
+
+## Překlad
+
+mesh-without-name = scéna ze standardního vstupu nemá jméno: místo pro soubor { $format } určete pomocí -o
+many-files = překlad má více souborů ({ $documents ->
+    [one] { $documents } dokument
+    [few] { $documents } dokumenty
+   *[other] { $documents } dokumentů
+}, { $meshes ->
+    [one] { $meshes } síť
+    [few] { $meshes } sítě
+   *[other] { $meshes } sítí
+}): určete pomocí -o, kam je zapsat, například -o scena.xml
+at-part = { $path }: { $part }: { $why }

@@ -98,3 +98,15 @@ no-program = { $program } is not installed: get it { $how }
 program-failed = { $program } has failed:
     { $said }
 program-strange = { $program }: { $what }
+
+## Translating
+
+mesh-without-name = a scene from standard input has no name: say with -o where to write the { $format } file
+many-files = the translation is more than one file ({ $documents ->
+    [one] { $documents } document
+   *[other] { $documents } documents
+}, { $meshes ->
+    [one] { $meshes } mesh
+   *[other] { $meshes } meshes
+}): say with -o where to write it, as in -o scene.xml
+at-part = { $path }: { $part }: { $why }

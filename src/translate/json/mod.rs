@@ -7,10 +7,12 @@
 pub mod model;
 mod read;
 mod spell;
+mod verdict;
 mod write;
 
 pub use read::{Unreadable, read};
 pub use spell::{Place, Records, spell};
+pub use verdict::verdict;
 pub use write::write;
 
 #[cfg(test)]

@@ -1,0 +1,91 @@
+//! Meshes: files of their own, named after the scene.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use super::{Args, Made, Refusal};
+use crate::commands::Loaded;
+use crate::commands::loaded::STDIN;
+use crate::diagnostics::Complaint;
+use crate::trace::{self, Images, Tracer};
+use crate::translate::Unsupported;
+use crate::translate::mesh::{self, Coloured, glb, obj, ply};
+
+/// The kinds of files there are for meshes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    Ply,
+    Obj,
+    Glb,
+}
+
+impl Format {
+    fn name(self) -> &'static str {
+        match self {
+            Format::Ply => "ply",
+            Format::Obj => "obj",
+            Format::Glb => "glb",
+        }
+    }
+}
+
+/// Makes the scene of triangles.
+pub fn make(args: &Args, format: Format, loaded: &Loaded) -> Result<Made, Refusal> {
+    let Some(path) = destination(&args.file, args.output.as_deref(), format.name()) else {
+        let complaint = Complaint::new("mesh-without-name").with("format", format.name());
+        return Err(Refusal::Wish(complaint));
+    };
+    let tracer = tracer(loaded)?;
+    let options = mesh::Options {
+        tolerance: args.tolerance,
+        eye: None,
+    };
+    let model = mesh::model(&loaded.scene, &tracer.graph, &options)?;
+    let coloured = Coloured::new(&model, &tracer.graph);
+    let files = match format {
+        Format::Ply => vec![(Some(path), ply::write(&coloured))],
+        Format::Glb => vec![(Some(path), glb::write(&coloured))],
+        Format::Obj => {
+            let library = path.with_extension("mtl");
+            let name = library.file_name().unwrap_or_default().to_string_lossy();
+            let (text, materials) = obj::write(&coloured, &name);
+            vec![
+                (Some(path), text.into_bytes()),
+                (Some(library), materials.into_bytes()),
+            ]
+        }
+    };
+    Ok(Made {
+        files,
+        report: mesh::report(format.name(), &loaded.scene, &model),
+    })
+}
+
+/// Where to write: where it was said, else beside nobody, in the current folder; `None` for a scene
+/// without a name.
+fn destination(scene: &Path, said: Option<&Path>, extension: &str) -> Option<PathBuf> {
+    if let Some(said) = said {
+        return Some(said.to_owned());
+    }
+    if scene == Path::new(STDIN) {
+        return None;
+    }
+    let mut name: OsString = scene.file_stem()?.to_owned();
+    name.push(".");
+    name.push(extension);
+    Some(name.into())
+}
+
+/// The scene compiled, with its pictures.
+pub fn tracer(loaded: &Loaded) -> Result<Tracer, Refusal> {
+    let folder = loaded.source.folder().unwrap_or(Path::new("."));
+    let images = Images::load(&loaded.scene, folder).map_err(Refusal::Image)?;
+    let tracer = Tracer::with_images(&loaded.scene, &images);
+    tracer.map_err(|e: trace::Unsupported| {
+        Refusal::Scene(Unsupported {
+            id: e.id,
+            span: Some(e.span),
+            message: e.to_string(),
+        })
+    })
+}

@@ -1,0 +1,460 @@
+//! From the graph of operations to closed meshes: objects after those they are made of, without
+//! recursion.
+//!
+//! A thing is a union of pieces, each with one inside, so that a difference is taken of every piece
+//! for itself and its cut faces look like the piece they are in. Pieces are joined at the very end.
+
+use std::collections::HashMap;
+
+use super::budget::{Budget, TooMany};
+use super::csg::{Operation, combine};
+use super::shape::{self, DROPPED, tessellate};
+use super::skin::Skin;
+use super::soup::Mesh;
+use super::unite::Union;
+use crate::scene::{Aabb, Matrix, Scene};
+use crate::trace::graph::{self, Graph, Part, Target};
+
+/// A solid with one inside, or a surface.
+#[derive(Debug, Clone)]
+pub struct Piece {
+    /// Closed. Of a surface only what is not labelled [`DROPPED`] is meant.
+    pub mesh: Mesh,
+    pub bounds: Aabb,
+    /// The label of what its inside is made of.
+    pub inside: u32,
+    pub surface: bool,
+    /// It is one shape that no operation cut anything from, and neither did the render box.
+    pub whole: bool,
+}
+
+/// Pieces, the first of those that hold a point owning it, and what their labels mean.
+#[derive(Debug, Clone, Default)]
+pub struct Thing {
+    pub pieces: Vec<Piece>,
+    pub skins: Vec<Skin>,
+}
+
+/// What could not be done as it should be.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Troubles {
+    /// Operands that were left as they were.
+    pub uncut: u64,
+    /// Pairs of solids that overlap and were not joined.
+    pub unjoined: u64,
+    /// Shapes without end, and what was taken away from all of space.
+    pub endless: u64,
+}
+
+/// Builds the scene's pieces, in its own coordinates, cut to the region.
+pub struct Assembly<'a> {
+    scene: &'a Scene,
+    graph: &'a Graph,
+    budget: Budget,
+    pub troubles: Troubles,
+    /// For each object: a box in its coordinates that holds all that matters of it, and by how much
+    /// it is stretched at most; empty where it does not occur.
+    regions: Vec<Aabb>,
+    tolerances: Vec<f64>,
+    /// How often each object still has to be placed.
+    uses: Vec<u32>,
+    things: Vec<Option<Thing>>,
+}
+
+/// One operand of an operation, in the coordinates of the result.
+struct Operand {
+    pieces: Vec<Piece>,
+    /// Everything but the pieces is meant.
+    outside: bool,
+}
+
+impl<'a> Assembly<'a> {
+    pub fn new(scene: &'a Scene, graph: &'a Graph, region: &Aabb, tolerance: f64) -> Assembly<'a> {
+        let n = graph.objects.len();
+        let mut out = Assembly {
+            scene,
+            graph,
+            budget: Budget::default(),
+            troubles: Troubles::default(),
+            regions: vec![Aabb::EMPTY; n],
+            tolerances: vec![f64::INFINITY; n],
+            uses: vec![0; n],
+            things: (0..n).map(|_| None).collect(),
+        };
+        out.look_down(region, tolerance);
+        out
+    }
+
+    /// Tells each object, from the root down, where and how large it occurs.
+    fn look_down(&mut self, region: &Aabb, tolerance: f64) {
+        let graph = self.graph;
+        let root = graph.root as usize;
+        // Somewhat more, so that no face of the region itself is left when it is cut at the end.
+        self.regions[root] = enlarged(region, 1.1);
+        self.tolerances[root] = tolerance;
+        self.uses[root] = 1;
+        // Objects stand after those that they are made of.
+        for object in (0..graph.objects.len()).rev() {
+            if self.uses[object] == 0 {
+                continue;
+            }
+            for part in parts(&graph.objects[object].operation) {
+                let part = &graph.parts[part as usize];
+                if let Target::Object(below) = part.target {
+                    let below = below as usize;
+                    let m = &graph.matrices[part.placement as usize];
+                    let back = m.inverse().unwrap_or(Matrix::IDENTITY);
+                    let region = self.regions[object].transformed(&back);
+                    self.regions[below] = self.regions[below].hull(&region);
+                    let tolerance = self.tolerances[object] / shape::stretch(m);
+                    self.tolerances[below] = self.tolerances[below].min(tolerance);
+                    self.uses[below] += 1;
+                }
+            }
+        }
+    }
+
+    /// The pieces of the whole scene.
+    ///
+    /// # Errors
+    /// There would be too many triangles.
+    pub fn pieces(&mut self, region: &Aabb, boxed: bool) -> Result<Thing, TooMany> {
+        for object in 0..self.graph.objects.len() {
+            if self.uses[object] > 0 {
+                self.things[object] = Some(self.object(object)?);
+            }
+        }
+        let mut thing = self.things[self.graph.root as usize]
+            .take()
+            .unwrap_or_default();
+        self.cut_to(&mut thing, region, boxed);
+        Ok(thing)
+    }
+
+    fn object(&mut self, object: usize) -> Result<Thing, TooMany> {
+        let graph = self.graph;
+        match &graph.objects[object].operation {
+            graph::Operation::Union(_) => {
+                let mut thing = Thing::default();
+                for part in parts(&graph.objects[object].operation) {
+                    let operand = self.operand(object, part, &mut thing.skins)?;
+                    let pieces = self.inside_out(object, operand, &mut thing.skins);
+                    thing.pieces.extend(pieces);
+                }
+                Ok(thing)
+            }
+            graph::Operation::Intersection {
+                first,
+                cuts,
+                inherit,
+            } => {
+                let mut skins = Vec::new();
+                let (mut kept, mut taken) = (Vec::new(), Vec::new());
+                for part in first.clone() {
+                    let operand = self.operand(object, part, &mut skins)?;
+                    if operand.outside {
+                        taken.push(operand);
+                    } else {
+                        kept.push(operand);
+                    }
+                }
+                let tools = skins.len() as u32;
+                for part in group(cuts) {
+                    let operand = self.operand(object, part, &mut skins)?;
+                    if operand.outside {
+                        kept.push(operand);
+                    } else {
+                        taken.push(operand);
+                    }
+                }
+                if kept.is_empty() {
+                    self.troubles.endless += 1;
+                    kept.push(self.all_of_space(object, &mut skins));
+                }
+                let mut thing = self.intersection(kept, taken, skins);
+                if *inherit {
+                    thing.hand_down(tools);
+                }
+                Ok(thing)
+            }
+        }
+    }
+
+    /// A part as an operand, in the coordinates of the object; its labels are numbers in `skins`.
+    fn operand(
+        &mut self,
+        object: usize,
+        part: u32,
+        skins: &mut Vec<Skin>,
+    ) -> Result<Operand, TooMany> {
+        let graph = self.graph;
+        let part = &graph.parts[part as usize];
+        let m = &graph.matrices[part.placement as usize];
+        match part.target {
+            Target::Shape(primitive) => self.shape(object, part, primitive, m, skins),
+            Target::Object(below) => {
+                let below = below as usize;
+                self.uses[below] -= 1;
+                let thing = match self.uses[below] {
+                    0 => self.things[below].take(),
+                    _ => self.things[below].clone(),
+                };
+                let mut thing = thing.unwrap_or_default();
+                if self.uses[below] > 0 {
+                    let triangles = thing.pieces.iter().map(|p| p.mesh.triangles.len());
+                    self.budget.spend(triangles.sum::<usize>() as f64)?;
+                }
+                let start = skins.len() as u32;
+                let coat = &graph.paints[part.paint as usize];
+                for skin in thing.skins {
+                    skins.push(skin.placed(m, coat, graph, part.owner));
+                }
+                for piece in &mut thing.pieces {
+                    if part.placement != 0 {
+                        piece.mesh.transform(m);
+                        piece.bounds = piece.mesh.bounds();
+                    }
+                    piece.inside += start;
+                    piece.relabel(|label| label + start);
+                }
+                Ok(Operand {
+                    pieces: thing.pieces,
+                    outside: false,
+                })
+            }
+        }
+    }
+
+    fn shape(
+        &mut self,
+        object: usize,
+        part: &Part,
+        primitive: u32,
+        m: &Matrix,
+        skins: &mut Vec<Skin>,
+    ) -> Result<Operand, TooMany> {
+        let graph = self.graph;
+        let record = &self.scene.shapes[graph.records[primitive as usize] as usize];
+        let back = m.inverse().unwrap_or(Matrix::IDENTITY);
+        let region = self.regions[object].transformed(&back);
+        let tolerance = self.tolerances[object] / shape::stretch(m);
+        let solid = tessellate(&record.geometry, tolerance, &region, &mut self.budget)?;
+        self.troubles.endless += u64::from(!solid.bounded);
+        let label = skins.len() as u32;
+        skins.push(Skin::new(part, primitive, m, graph));
+        let surface = !record.geometry.is_solid();
+        let one = solid.meshes.len() == 1;
+        let mut pieces = Vec::with_capacity(solid.meshes.len());
+        for mut mesh in solid.meshes {
+            mesh.transform(m);
+            for l in mesh.labels.iter_mut().filter(|l| **l != DROPPED) {
+                *l = label;
+            }
+            pieces.push(Piece {
+                bounds: mesh.bounds(),
+                mesh,
+                inside: label,
+                surface,
+                whole: one && !solid.outside && !part.inverted,
+            });
+        }
+        Ok(Operand {
+            pieces: if surface && part.inverted {
+                // The complement of a surface is all of space.
+                Vec::new()
+            } else {
+                pieces
+            },
+            outside: solid.outside != part.inverted,
+        })
+    }
+
+    /// The region of an object as an operand.
+    fn all_of_space(&self, object: usize, skins: &mut Vec<Skin>) -> Operand {
+        let region = enlarged(&self.regions[object], 1.01);
+        let label = skins.len() as u32;
+        skins.push(Skin::cap(None));
+        let mut mesh = shape::flat::cuboid(region.min, region.max);
+        mesh.label_all(label);
+        Operand {
+            pieces: vec![Piece {
+                bounds: mesh.bounds(),
+                mesh,
+                inside: label,
+                surface: false,
+                whole: false,
+            }],
+            outside: false,
+        }
+    }
+
+    /// The pieces of an operand, as a solid with an end where it has none.
+    fn inside_out(&mut self, object: usize, operand: Operand, skins: &mut Vec<Skin>) -> Vec<Piece> {
+        if !operand.outside {
+            return operand.pieces;
+        }
+        self.troubles.endless += 1;
+        let inside = operand.pieces.first().map(|p| p.inside);
+        let mut all = self.all_of_space(object, skins);
+        if let (Some(inside), Some(piece)) = (inside, all.pieces.first_mut()) {
+            piece.inside = inside;
+        }
+        self.intersection(vec![all], vec![operand], Vec::new())
+            .pieces
+    }
+
+    /// What is in all operands of `kept` and in none of `taken`.
+    fn intersection(&mut self, kept: Vec<Operand>, taken: Vec<Operand>, skins: Vec<Skin>) -> Thing {
+        let tools = taken.into_iter().flat_map(|o| o.pieces);
+        let tools = self.union_of_solids(tools);
+        let mut pieces = Vec::new();
+        // The solids of all but the first, and of the first where a surface is cut by it.
+        let has_surfaces = kept.iter().flat_map(|o| &o.pieces).any(|p| p.surface);
+        let solids: Vec<Option<Union>> = kept
+            .iter()
+            .enumerate()
+            .map(|(i, operand)| {
+                (i > 0 || has_surfaces)
+                    .then(|| self.union_of_solids(operand.pieces.iter().cloned()))
+            })
+            .collect();
+        for (i, operand) in kept.into_iter().enumerate() {
+            for piece in operand.pieces {
+                // One inside: the first operand's. Surfaces are kept of every operand.
+                if i > 0 && !piece.surface {
+                    continue;
+                }
+                let others = solids.iter().enumerate().filter(|(j, _)| *j != i);
+                let others = others.filter_map(|(_, u)| u.as_ref());
+                pieces.extend(self.cut(piece, others, &tools));
+            }
+        }
+        Thing { pieces, skins }
+    }
+
+    fn union_of_solids(&mut self, pieces: impl Iterator<Item = Piece>) -> Union {
+        let union = Union::of(pieces.filter(|p| !p.surface).map(|p| p.mesh).collect());
+        self.troubles.unjoined += union.failures;
+        union
+    }
+
+    /// What of a piece is in all of some solids and outside of others.
+    fn cut<'u>(
+        &mut self,
+        mut piece: Piece,
+        kept: impl Iterator<Item = &'u Union>,
+        taken: &Union,
+    ) -> Option<Piece> {
+        let steps = kept
+            .map(|u| (u, Operation::Intersection))
+            .chain([(taken, Operation::Difference)]);
+        for (union, operation) in steps {
+            let mut tool = union.near(&piece.bounds);
+            if tool.is_empty() {
+                match operation {
+                    Operation::Intersection => return None,
+                    _ => continue,
+                }
+            }
+            if piece.surface {
+                tool.label_all(DROPPED);
+            }
+            match combine(&piece.mesh, &tool, operation) {
+                Ok(mesh) => {
+                    piece.bounds = mesh.bounds();
+                    piece.mesh = mesh;
+                    piece.whole = false;
+                }
+                Err(_) => self.troubles.uncut += 1,
+            }
+            let gone = |l: &u32| piece.surface && *l == DROPPED;
+            if piece.mesh.labels.iter().all(gone) {
+                return None;
+            }
+        }
+        Some(piece)
+    }
+
+    /// Cuts what reaches beyond the region; the faces that close it again are caps.
+    fn cut_to(&mut self, thing: &mut Thing, region: &Aabb, boxed: bool) {
+        let mut caps: HashMap<u32, u32> = HashMap::new();
+        let pieces = std::mem::take(&mut thing.pieces);
+        for piece in pieces {
+            if region.holds(&piece.bounds) {
+                thing.pieces.push(piece);
+                continue;
+            }
+            let skins = &mut thing.skins;
+            let cap = *caps.entry(piece.inside).or_insert_with(|| {
+                skins.push(Skin::cap(skins.get(piece.inside as usize)));
+                skins.len() as u32 - 1
+            });
+            let mut mesh = shape::flat::cuboid(region.min, region.max);
+            mesh.label_all(cap);
+            let all = Union {
+                meshes: vec![(*region, mesh)],
+                failures: 0,
+            };
+            let whole = piece.whole && !boxed;
+            let cut = self.cut(piece, [&all].into_iter(), &Union::default());
+            thing
+                .pieces
+                .extend(cut.map(|piece| Piece { whole, ..piece }));
+        }
+    }
+}
+
+impl Piece {
+    fn relabel(&mut self, new: impl Fn(u32) -> u32) {
+        for l in self.mesh.labels.iter_mut().filter(|l| **l != DROPPED) {
+            *l = new(*l);
+        }
+    }
+}
+
+impl Thing {
+    /// Gives faces made by tools, whose labels begin at `tools`, the looks of the piece they are on.
+    fn hand_down(&mut self, tools: u32) {
+        let mut looks: HashMap<(u32, u32), u32> = HashMap::new();
+        for piece in &mut self.pieces {
+            for label in &mut piece.mesh.labels {
+                if *label < tools || *label == DROPPED {
+                    continue;
+                }
+                let skins = &mut self.skins;
+                *label = *looks.entry((piece.inside, *label)).or_insert_with(|| {
+                    let skin = skins[*label as usize].cut_into(&skins[piece.inside as usize]);
+                    skins.push(skin);
+                    skins.len() as u32 - 1
+                });
+            }
+        }
+    }
+}
+
+/// The parts of an operation, in order.
+fn parts(operation: &graph::Operation) -> Vec<u32> {
+    match operation {
+        graph::Operation::Union(all) => group(all),
+        graph::Operation::Intersection { first, cuts, .. } => {
+            first.clone().chain(group(cuts)).collect()
+        }
+    }
+}
+
+fn group(group: &graph::Group) -> Vec<u32> {
+    let mut out = group.loose.clone();
+    out.extend_from_slice(&group.bvh.items);
+    out.sort_unstable();
+    out
+}
+
+/// A box about the same centre.
+pub fn enlarged(b: &Aabb, by: f64) -> Aabb {
+    let c = b.centre();
+    let half: [f64; 3] = std::array::from_fn(|i| by * (b.max[i] / 2.0 - b.min[i] / 2.0));
+    Aabb::new(
+        std::array::from_fn(|i| c[i] - half[i]),
+        std::array::from_fn(|i| c[i] + half[i]),
+    )
+}

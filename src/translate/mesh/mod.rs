@@ -1,0 +1,290 @@
+//! The scene as triangles, for every program that reads meshes.
+//!
+//! [`shape`] makes each shape of triangles that keep within a tolerance of it; [`assemble`] places and
+//! combines them as the scene says, with [`csg`] for two solids and [`unite`] for many; [`skin`] knows
+//! what each triangle shows; [`ply`], [`obj`] and [`glb`] write files.
+
+mod assemble;
+mod budget;
+mod csg;
+pub mod glb;
+mod material;
+pub mod obj;
+pub mod ply;
+mod refine;
+mod sets;
+pub mod shape;
+mod skin;
+mod soup;
+#[cfg(test)]
+mod tests;
+mod unite;
+mod verdict;
+
+pub use assemble::Piece;
+pub use material::{Coloured, Material};
+pub use skin::Skin;
+pub use soup::Mesh;
+
+use std::collections::BTreeMap;
+
+use super::{Fidelity, Report, Unsupported};
+use crate::scene::bounds::node_bounds;
+use crate::scene::frame::seen_box;
+use crate::scene::{Aabb, Scene, Vec3};
+use crate::trace::graph::Graph;
+use assemble::{Assembly, Thing, Troubles};
+use budget::TooMany;
+use shape::DROPPED;
+use unite::Union;
+
+/// What the scene itself does not say.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// How far a triangle may be from the surface it stands for, in scene units; by default
+    /// [`DEFAULT_TOLERANCE`] of the scene's size.
+    pub tolerance: Option<f64>,
+    /// Where the scene is seen from, if that matters: parts without end reach that far, too.
+    pub eye: Option<Vec3>,
+}
+
+/// The tolerance by the radius of the sphere around the scene.
+pub const DEFAULT_TOLERANCE: f64 = 1e-3;
+
+/// How much larger than its bounded parts the region is that things without end are cut to.
+const AROUND: f64 = 2.0;
+
+/// Half the side of that region in a scene without bounded parts.
+const NOTHING_BOUNDED: f64 = 5.0;
+
+/// The scene as one mesh.
+#[derive(Debug)]
+pub struct Model {
+    /// Solids joined into closed meshes, then surfaces; labels are indices into `skins`.
+    pub mesh: Mesh,
+    /// How many of the triangles belong to solids.
+    pub solid: usize,
+    pub skins: Vec<Skin>,
+    pub extent: Extent,
+    troubles: Troubles,
+}
+
+/// Where the mesh is made, and how finely.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extent {
+    /// What lies outside of it is cut off.
+    pub region: Aabb,
+    /// The region is the render record's box.
+    pub boxed: bool,
+    pub tolerance: f64,
+    /// The radius of the sphere around what is seen.
+    pub radius: f64,
+}
+
+impl Extent {
+    /// How long the edges of triangles with a texture are at most.
+    pub fn grain(&self) -> f64 {
+        self.radius / 64.0
+    }
+
+    /// The region and the tolerance for a scene.
+    pub fn of(scene: &Scene, options: &Options) -> Extent {
+        let seen = seen_box(scene, &node_bounds(scene));
+        let boxed = scene.render.is_some_and(|r| r.clip.is_some());
+        let seen = if seen.is_empty() || seen.radius() == 0.0 && !boxed {
+            Aabb::new([-NOTHING_BOUNDED; 3], [NOTHING_BOUNDED; 3])
+        } else {
+            seen
+        };
+        Extent {
+            region: match options.eye {
+                _ if boxed => seen,
+                Some(eye) => around(&seen.hull(&Aabb::new(eye, eye))),
+                None => around(&seen),
+            },
+            boxed,
+            radius: seen.radius(),
+            tolerance: options
+                .tolerance
+                .unwrap_or(DEFAULT_TOLERANCE * seen.radius()),
+        }
+    }
+}
+
+/// Room around what is seen, also where that is flat.
+fn around(seen: &Aabb) -> Aabb {
+    let least = seen.radius() / 4.0;
+    let c = seen.centre();
+    let half: [f64; 3] =
+        std::array::from_fn(|i| (AROUND * (seen.max[i] / 2.0 - seen.min[i] / 2.0)).max(least));
+    Aabb::new(
+        std::array::from_fn(|i| c[i] - half[i]),
+        std::array::from_fn(|i| c[i] + half[i]),
+    )
+}
+
+/// The scene as pieces that are not joined.
+#[derive(Debug)]
+pub struct Parts {
+    /// Cut to the region. Labels are indices into `skins`, or [`shape::DROPPED`].
+    pub pieces: Vec<Piece>,
+    pub skins: Vec<Skin>,
+    pub extent: Extent,
+    troubles: Troubles,
+}
+
+impl Parts {
+    /// Makes the scene of pieces.
+    ///
+    /// # Errors
+    /// There would be too many triangles.
+    pub fn of(scene: &Scene, graph: &Graph, options: &Options) -> Result<Parts, Unsupported> {
+        let extent = Extent::of(scene, options);
+        let (thing, troubles) = pieces(scene, graph, &extent)?;
+        Ok(Parts {
+            pieces: thing.pieces,
+            skins: thing.skins,
+            extent,
+            troubles,
+        })
+    }
+
+    /// Joins those solids that overlap and are chosen and of one kind; the others stay as they are.
+    pub fn join_by(&mut self, kind: impl Fn(&Piece) -> Option<u64>) {
+        let mut groups: BTreeMap<u64, Vec<Piece>> = BTreeMap::new();
+        for piece in std::mem::take(&mut self.pieces) {
+            match kind(&piece).filter(|_| !piece.surface) {
+                Some(k) => groups.entry(k).or_default().push(piece),
+                None => self.pieces.push(piece),
+            }
+        }
+        for group in groups.into_values() {
+            let boxes: Vec<Aabb> = group.iter().map(|p| p.bounds).collect();
+            let overlapping = unite::overlapping(&boxes);
+            let mut together = Vec::new();
+            let mut inside = 0;
+            for (piece, overlaps) in group.into_iter().zip(overlapping) {
+                if overlaps {
+                    inside = piece.inside;
+                    together.push(piece.mesh);
+                } else {
+                    self.pieces.push(piece);
+                }
+            }
+            let union = Union::of(together);
+            self.troubles.unjoined += union.failures;
+            for (bounds, mesh) in union.meshes {
+                self.pieces.push(Piece {
+                    mesh,
+                    bounds,
+                    inside,
+                    surface: false,
+                    whole: false,
+                });
+            }
+        }
+    }
+
+    /// Whether the render box cuts some solid open.
+    pub fn is_cut_open(&self) -> bool {
+        let caps = |l: &u32| {
+            self.skins
+                .get(*l as usize)
+                .is_some_and(|s| s.primitive.is_none())
+        };
+        let mut solids = self.pieces.iter().filter(|p| !p.surface);
+        self.extent.boxed && solids.any(|p| p.mesh.labels.iter().any(caps))
+    }
+
+    /// Adds to a report what became of this scene in particular.
+    pub fn account(&self, report: &mut Report) {
+        account(report, &self.extent, &self.troubles);
+    }
+}
+
+/// Makes the scene of triangles.
+///
+/// # Errors
+/// There would be too many.
+pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, Unsupported> {
+    let extent = Extent::of(scene, options);
+    let (thing, mut troubles) = pieces(scene, graph, &extent)?;
+    let (mut solids, mut surfaces) = (Vec::new(), Mesh::default());
+    for piece in thing.pieces {
+        if piece.surface {
+            surfaces.append(&piece.mesh.only(|label| label != DROPPED));
+        } else {
+            solids.push(piece.mesh);
+        }
+    }
+    let union = Union::of(solids);
+    troubles.unjoined += union.failures;
+    let mut mesh = Mesh::default();
+    for (_, part) in &union.meshes {
+        mesh.append(part);
+    }
+    let textured: Vec<bool> = thing
+        .skins
+        .iter()
+        .map(|skin| skin.plain_colour(graph).is_none())
+        .collect();
+    for part in [&mut mesh, &mut surfaces] {
+        part.refine(|label| textured[label as usize], extent.grain());
+    }
+    let solid = mesh.triangles.len();
+    mesh.append(&surfaces);
+    Ok(Model {
+        mesh,
+        solid,
+        skins: thing.skins,
+        extent,
+        troubles,
+    })
+}
+
+/// The scene as pieces that are not joined yet.
+fn pieces(scene: &Scene, graph: &Graph, extent: &Extent) -> Result<(Thing, Troubles), Unsupported> {
+    let mut assembly = Assembly::new(scene, graph, &extent.region, extent.tolerance);
+    let thing = assembly
+        .pieces(&extent.region, extent.boxed)
+        .map_err(|e| refusal(&e))?;
+    Ok((thing, assembly.troubles))
+}
+
+fn refusal(e: &TooMany) -> Unsupported {
+    Unsupported {
+        id: 0,
+        span: None,
+        message: e.to_string(),
+    }
+}
+
+/// The report on a mesh for one of the targets.
+pub fn report(target: &'static str, scene: &Scene, model: &Model) -> Report {
+    let mut report = Report::of(target, scene, |feature| {
+        verdict::verdict(target, feature, model.extent.tolerance)
+    });
+    account(&mut report, &model.extent, &model.troubles);
+    report
+}
+
+/// What became of this scene in particular.
+fn account(report: &mut Report, extent: &Extent, troubles: &Troubles) {
+    let cut = if extent.boxed {
+        "cut to the render box"
+    } else {
+        "cut to twice the bounds of what has an end"
+    };
+    for _ in 0..troubles.endless {
+        let fidelity = Fidelity::Approximate(cut.to_owned());
+        report.count("parts without end", fidelity, "");
+    }
+    for _ in 0..troubles.uncut {
+        let fidelity = Fidelity::Approximate("an operand was left as it is".to_owned());
+        report.count("operations that failed", fidelity, "");
+    }
+    for _ in 0..troubles.unjoined {
+        let fidelity = Fidelity::Approximate("both are there, one in the other".to_owned());
+        report.count("overlapping parts that were not joined", fidelity, "");
+    }
+}

@@ -1,0 +1,28 @@
+//! Which things hang together.
+
+/// Disjoint sets of the numbers from 0.
+pub struct Sets {
+    parents: Vec<u32>,
+}
+
+impl Sets {
+    pub fn new(n: usize) -> Sets {
+        Sets {
+            parents: (0..n as u32).collect(),
+        }
+    }
+
+    pub fn find(&mut self, mut i: u32) -> u32 {
+        while self.parents[i as usize] != i {
+            let up = self.parents[self.parents[i as usize] as usize];
+            self.parents[i as usize] = up;
+            i = up;
+        }
+        i
+    }
+
+    pub fn join(&mut self, i: u32, j: u32) {
+        let (i, j) = (self.find(i), self.find(j));
+        self.parents[i.max(j) as usize] = i.min(j);
+    }
+}

@@ -1,0 +1,191 @@
+//! Spheres: an icosahedron with its facets divided.
+
+use std::collections::HashMap;
+
+use super::super::budget::{Budget, TooMany};
+use super::super::soup::Mesh;
+use crate::scene::Vec3;
+
+/// The icosahedron's facets, counter-clockwise as seen from outside; its vertices 4i … 4i + 3 have
+/// 0, ±1, ±φ along the axes i, i + 1, i + 2 (counted round), the signs in the order ++, +−, −+, −−.
+const FACES: [[u32; 3]; 20] = [
+    [0, 2, 4],
+    [0, 4, 8],
+    [0, 5, 2],
+    [0, 8, 10],
+    [0, 10, 5],
+    [1, 3, 7],
+    [1, 6, 3],
+    [1, 7, 10],
+    [1, 8, 6],
+    [1, 10, 8],
+    [2, 5, 11],
+    [2, 9, 4],
+    [2, 11, 9],
+    [3, 6, 9],
+    [3, 9, 11],
+    [3, 11, 7],
+    [4, 6, 8],
+    [4, 9, 6],
+    [5, 7, 11],
+    [5, 10, 7],
+];
+
+/// The circumradius of a facet by its distance from the centre.
+const FACET: f64 = 0.763_932_022_500_210_3;
+
+/// The unit sphere, nowhere farther than `tolerance` from its facets; all corners lie on it.
+pub fn sphere(tolerance: f64, budget: &mut Budget) -> Result<Mesh, TooMany> {
+    // A facet whose corners are at an angle ρ from its middle sinks by 1 − cos ρ. Those at the
+    // middle of an icosahedron's facet, flattest to the centre, are the largest.
+    let widest = (1.0 - tolerance.min(0.5)).acos().tan();
+    let divisions = (FACET / widest).ceil().max(1.0);
+    budget.spend(20.0 * divisions * divisions)?;
+    Ok(divided(divisions as u32))
+}
+
+/// The unit sphere with each edge of the icosahedron in so many parts.
+fn divided(n: u32) -> Mesh {
+    let mut mesh = Mesh {
+        points: corners().into(),
+        ..Mesh::default()
+    };
+    let mut edges: HashMap<(u32, u32), u32> = HashMap::new();
+    for face in FACES {
+        let at = face.map(|i| mesh.points[i as usize]);
+        // Number of the point i parts from the first corner, and j from there to the third.
+        let mut rows: Vec<Vec<u32>> = Vec::with_capacity(n as usize + 1);
+        for i in 0..=n {
+            let mut row = Vec::with_capacity(i as usize + 1);
+            for j in 0..=i {
+                let weights = [n - i, i - j, j];
+                row.push(match weights {
+                    [_, 0, 0] => face[0],
+                    [0, _, 0] => face[1],
+                    [0, 0, _] => face[2],
+                    [a, b, 0] => on_edge(&mut mesh, &mut edges, [face[0], face[1]], [a, b]),
+                    [a, 0, c] => on_edge(&mut mesh, &mut edges, [face[0], face[2]], [a, c]),
+                    [0, b, c] => on_edge(&mut mesh, &mut edges, [face[1], face[2]], [b, c]),
+                    _ => mesh.point(pushed_out(&at, &weights)),
+                });
+            }
+            rows.push(row);
+        }
+        for i in 0..n as usize {
+            for j in 0..=i {
+                mesh.triangle([rows[i][j], rows[i + 1][j], rows[i + 1][j + 1]]);
+                if j < i {
+                    mesh.triangle([rows[i][j], rows[i + 1][j + 1], rows[i][j + 1]]);
+                }
+            }
+        }
+    }
+    mesh
+}
+
+/// A point on an edge, which the neighbour has or will want too: the first that asks makes them all.
+fn on_edge(
+    mesh: &mut Mesh,
+    edges: &mut HashMap<(u32, u32), u32>,
+    [a, b]: [u32; 2],
+    [of_a, of_b]: [u32; 2],
+) -> u32 {
+    let n = of_a + of_b;
+    let (low, high, steps) = if a < b { (a, b, of_b) } else { (b, a, of_a) };
+    let start = *edges.entry((low, high)).or_insert_with(|| {
+        let ends = [low, high].map(|i| mesh.points[i as usize]);
+        let start = mesh.points.len() as u32;
+        mesh.points
+            .extend((1..n).map(|k| pushed_out(&ends, &[n - k, k])));
+        start
+    });
+    start + steps - 1
+}
+
+fn pushed_out(points: &[Vec3], weights: &[u32]) -> Vec3 {
+    let mut sum = [0.0; 3];
+    for (p, w) in points.iter().zip(weights) {
+        for (s, x) in sum.iter_mut().zip(p) {
+            *s += x * f64::from(*w);
+        }
+    }
+    unit(sum)
+}
+
+fn unit(v: Vec3) -> Vec3 {
+    let length = v[0].hypot(v[1]).hypot(v[2]);
+    v.map(|x| x / length)
+}
+
+fn corners() -> [Vec3; 12] {
+    let phi = (1.0 + 5f64.sqrt()) / 2.0;
+    std::array::from_fn(|v| {
+        let (axis, signs) = (v / 4, v % 4);
+        let sign = |negative: bool| if negative { -1.0 } else { 1.0 };
+        let mut p = [0.0; 3];
+        p[(axis + 1) % 3] = sign(signs & 2 != 0);
+        p[(axis + 2) % 3] = sign(signs & 1 != 0) * phi;
+        unit(p)
+    })
+}
+
+/// The geodesic sphere of radius 1: each facet in four, so many times, its own facets exactly.
+pub fn geodesic(splits: u32, budget: &mut Budget) -> Result<Mesh, TooMany> {
+    budget.spend(20.0 * 4f64.powi(splits as i32))?;
+    let mut mesh = divided(1);
+    for _ in 0..splits {
+        let mut finer = Mesh {
+            points: std::mem::take(&mut mesh.points),
+            ..Mesh::default()
+        };
+        let mut middles: HashMap<(u32, u32), u32> = HashMap::new();
+        for &[a, b, c] in &mesh.triangles {
+            let mut middle = |i: u32, j: u32| {
+                *middles.entry((i.min(j), i.max(j))).or_insert_with(|| {
+                    let ends = [i.min(j), i.max(j)].map(|k| finer.points[k as usize]);
+                    finer.point(pushed_out(&ends, &[1, 1]))
+                })
+            };
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            for t in [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]] {
+                finer.triangle(t);
+            }
+        }
+        mesh = finer;
+    }
+    Ok(mesh)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_division_is_closed_and_near() {
+        for n in 1..7 {
+            let mesh = divided(n);
+            assert!(mesh.is_closed());
+            assert_eq!(mesh.triangles.len(), 20 * (n * n) as usize);
+            assert_eq!(mesh.points.len(), 10 * (n * n) as usize + 2);
+        }
+        for tolerance in [0.1, 0.01, 0.001] {
+            let mesh = sphere(tolerance, &mut Budget::default()).unwrap();
+            for t in 0..mesh.triangles.len() {
+                let [a, b, c] = mesh.corners(t);
+                let m: Vec3 = std::array::from_fn(|i| (a[i] + b[i] + c[i]) / 3.0);
+                let sunk = 1.0 - m[0].hypot(m[1]).hypot(m[2]);
+                assert!((0.0..=tolerance).contains(&sunk), "{sunk} {tolerance}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_geodesic_sphere_has_the_facets_of_the_language() {
+        let mesh = geodesic(2, &mut Budget::default()).unwrap();
+        assert!(mesh.is_closed());
+        assert_eq!(mesh.triangles.len(), 320);
+        // Not the same as dividing the edges in four and pushing out at once.
+        assert!((mesh.volume() - divided(4).volume()).abs() > 1e-6);
+        assert!(mesh.volume() > 3.9 && mesh.volume() < 4.19);
+    }
+}

@@ -1,0 +1,216 @@
+//! What triangles show: whose surface they are, and the properties it has.
+
+use crate::scene::{DEFAULT_COLOUR, Matrix, Rgb, Texture, Vec3};
+use crate::trace::graph::{Coat, Graph, Part};
+use crate::trace::ray::Line;
+use crate::trace::shapes::{Root, Roots};
+
+/// A texture, and the matrix from the coordinates it was given in to those at hand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Texturing {
+    pub texture: u32,
+    pub matrix: Matrix,
+}
+
+/// What the triangles of one label are.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Skin {
+    /// Index into [`Graph::primitives`]; `None` where the region ends.
+    pub primitive: Option<u32>,
+    /// From the shape's coordinates to those at hand.
+    pub matrix: Box<Matrix>,
+    pub texture: Option<Box<Texturing>>,
+    /// Index into [`Graph::optics`], if it was given one; so with the index.
+    pub optics: Option<u32>,
+    pub index: Option<u32>,
+    /// The entity whose record made the surface; 0 where none did.
+    pub shape: u32,
+    /// The outermost entity that was given properties; 0 where there is none.
+    pub owner: u32,
+    /// A face made by a tool: it does not show the tool's own colours.
+    pub cut: bool,
+}
+
+impl Skin {
+    /// The surface of a part that is a shape.
+    pub fn new(part: &Part, primitive: u32, m: &Matrix, graph: &Graph) -> Skin {
+        let coat = &graph.paints[part.paint as usize];
+        Skin {
+            primitive: Some(primitive),
+            matrix: Box::new(*m),
+            texture: texturing(coat, graph),
+            optics: coat.optics,
+            index: coat.index,
+            shape: part.shape,
+            owner: part.owner,
+            cut: false,
+        }
+    }
+
+    /// A face where the region cuts something, which looks like its inside.
+    pub fn cap(inside: Option<&Skin>) -> Skin {
+        let like = inside.cloned().unwrap_or(Skin {
+            primitive: None,
+            matrix: Box::new(Matrix::IDENTITY),
+            texture: None,
+            optics: None,
+            index: None,
+            shape: 0,
+            owner: 0,
+            cut: true,
+        });
+        Skin {
+            primitive: None,
+            shape: 0,
+            cut: true,
+            ..like
+        }
+    }
+
+    /// Seen from the object that a part places, with what is painted over it.
+    pub fn placed(mut self, m: &Matrix, over: &Coat, graph: &Graph, owner: u32) -> Skin {
+        *self.matrix = m.after(&self.matrix);
+        self.texture = texturing(over, graph).or_else(|| {
+            let mut texture = self.texture.take()?;
+            texture.matrix = m.after(&texture.matrix);
+            Some(texture)
+        });
+        self.optics = over.optics.or(self.optics);
+        self.index = over.index.or(self.index);
+        if owner != 0 {
+            self.owner = owner;
+        }
+        self
+    }
+
+    /// A tool's face on what it was taken away from.
+    pub fn cut_into(&self, inside: &Skin) -> Skin {
+        Skin {
+            primitive: self.primitive,
+            matrix: self.matrix.clone(),
+            shape: self.shape,
+            cut: true,
+            owner: inside.object(),
+            ..inside.clone()
+        }
+    }
+
+    /// The entity whose properties apply.
+    pub fn object(&self) -> u32 {
+        if self.owner != 0 {
+            self.owner
+        } else {
+            self.shape
+        }
+    }
+
+    /// The colour if it is the same everywhere.
+    pub fn plain_colour(&self, graph: &Graph) -> Option<Rgb> {
+        match &self.texture {
+            Some(t) => match &graph.textures[t.texture as usize] {
+                Texture::Colour(c) => Some(*c),
+                Texture::Checkerboard { .. } | Texture::Image { .. }
+                    if self.primitive.is_none() =>
+                {
+                    Some(DEFAULT_COLOUR)
+                }
+                _ => None,
+            },
+            None => match self.primitive {
+                Some(p) if !self.cut && has_colours(graph, p) => None,
+                _ => Some(DEFAULT_COLOUR),
+            },
+        }
+    }
+
+    /// The colour of a point on or near the surface, looked for along a normal of its.
+    pub fn colour(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Rgb {
+        if let Some(colour) = self.plain_colour(graph) {
+            return colour;
+        }
+        let odd = |cells: &[f64]| {
+            let sum = cells.iter().map(|x| x.floor()).sum::<f64>();
+            usize::from(sum.rem_euclid(2.0) >= 1.0)
+        };
+        let texture = self.texture.as_ref();
+        let of = texture.map(|t| &graph.textures[t.texture as usize]);
+        if let (Some(t), Some(Texture::Solid { colours, size })) = (texture, of) {
+            let back = t.matrix.inverse().unwrap_or(Matrix::IDENTITY);
+            let p = back.point(point).map(|x| x / size);
+            return colours[odd(&p)];
+        }
+        let Some((primitive, local, face)) = self.locate(graph, point, normal) else {
+            return DEFAULT_COLOUR;
+        };
+        let shape = graph.primitives[primitive as usize].shape();
+        let (p, colour) = (local.into(), of);
+        match colour {
+            Some(Texture::Checkerboard { n, m, colours }) => {
+                let [u, v] = shape.uv(p, face);
+                colours[odd(&[u * f64::from(*n), v * f64::from(*m)])]
+            }
+            Some(Texture::Image { .. }) => {
+                let bitmap = texture.and_then(|t| graph.bitmaps[t.texture as usize].as_ref());
+                bitmap.map_or(DEFAULT_COLOUR, |b| b.colour(shape.uv(p, face)))
+            }
+            _ => shape.colour(p, face).unwrap_or(DEFAULT_COLOUR),
+        }
+    }
+
+    /// The unit normal that light is reckoned with at a point on or near the surface, on the side of
+    /// `normal`, along which it is looked for.
+    pub fn shading_normal(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<Vec3> {
+        let primitive = &graph.primitives[self.primitive? as usize];
+        let back = self.matrix.inverse()?;
+        let line = Line::new(back.point(point).into(), back.vector(normal).into());
+        let mut roots = Roots::default();
+        primitive.intersect().crossings(&line, &mut roots);
+        let nearest = nearest(&roots)?;
+        let located = primitive.intersect().locate(&line, nearest);
+        let shading = primitive
+            .shape()
+            .shading_normal(located.point, nearest.face);
+        let local = shading.unwrap_or(located.normal).0;
+        // Normals turn by the transpose of the inverse.
+        let n: Vec3 = std::array::from_fn(|i| (0..3).map(|k| back.0[k][i] * local[k]).sum());
+        let length = n[0].hypot(n[1]).hypot(n[2]);
+        let side = n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2];
+        let length = if side < 0.0 { -length } else { length };
+        let n = n.map(|x| x / length);
+        n.iter().all(|x| x.is_finite()).then_some(n)
+    }
+
+    /// The point of the true surface next to one, in the shape's coordinates, and its face.
+    fn locate(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<(u32, Vec3, u32)> {
+        let primitive = self.primitive?;
+        let back = self.matrix.inverse()?;
+        let line = Line::new(back.point(point).into(), back.vector(normal).into());
+        let mut roots = Roots::default();
+        let shape = graph.primitives[primitive as usize].intersect();
+        shape.crossings(&line, &mut roots);
+        let nearest = nearest(&roots)?;
+        let located = shape.locate(&line, nearest);
+        Some((primitive, located.point.0, nearest.face))
+    }
+}
+
+fn nearest(roots: &Roots) -> Option<Root> {
+    let by_distance = |a: &&Root, b: &&Root| a.t.abs().total_cmp(&b.t.abs());
+    roots.list.iter().min_by(by_distance).copied()
+}
+
+fn has_colours(graph: &Graph, primitive: u32) -> bool {
+    use crate::trace::shapes::Primitive;
+    matches!(
+        graph.primitives[primitive as usize],
+        Primitive::Revolution(_)
+    )
+}
+
+fn texturing(coat: &Coat, graph: &Graph) -> Option<Box<Texturing>> {
+    let (texture, placement) = coat.texture?;
+    Some(Box::new(Texturing {
+        texture,
+        matrix: graph.matrices[placement as usize],
+    }))
+}

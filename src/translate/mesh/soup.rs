@@ -1,0 +1,189 @@
+//! Triangles with shared points.
+
+use std::collections::HashMap;
+
+use super::sets::Sets;
+use crate::scene::{Aabb, Matrix, Vec3};
+
+/// Triangles, counter-clockwise as seen from outside, each with the number of what it shows.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Mesh {
+    pub points: Vec<Vec3>,
+    /// Indices into `points`.
+    pub triangles: Vec<[u32; 3]>,
+    /// Beside `triangles`.
+    pub labels: Vec<u32>,
+}
+
+impl Mesh {
+    pub fn is_empty(&self) -> bool {
+        self.triangles.is_empty()
+    }
+
+    /// Adds a point and says its number.
+    pub fn point(&mut self, p: Vec3) -> u32 {
+        self.points.push(p);
+        self.points.len() as u32 - 1
+    }
+
+    /// Adds a triangle labelled 0; one with two corners in one point is no triangle.
+    pub fn triangle(&mut self, corners: [u32; 3]) {
+        let [a, b, c] = corners;
+        if a != b && b != c && c != a {
+            self.triangles.push(corners);
+            self.labels.push(0);
+        }
+    }
+
+    /// Adds a quadrilateral as two triangles.
+    pub fn quad(&mut self, [a, b, c, d]: [u32; 4]) {
+        self.triangle([a, b, c]);
+        self.triangle([a, c, d]);
+    }
+
+    /// The places of a triangle's corners.
+    pub fn corners(&self, triangle: usize) -> [Vec3; 3] {
+        self.triangles[triangle].map(|i| self.points[i as usize])
+    }
+
+    pub fn bounds(&self) -> Aabb {
+        let mut out = Aabb::EMPTY;
+        for p in &self.points {
+            out.min = std::array::from_fn(|i| out.min[i].min(p[i]));
+            out.max = std::array::from_fn(|i| out.max[i].max(p[i]));
+        }
+        out
+    }
+
+    /// The volume that a closed mesh surrounds, negative where it is inside out.
+    pub fn volume(&self) -> f64 {
+        let bounds = self.bounds();
+        if bounds.is_empty() {
+            return 0.0;
+        }
+        // From a point close by: what cancels is small then.
+        let from = bounds.centre();
+        let six: f64 = (0..self.triangles.len())
+            .map(|t| {
+                let [a, b, c] = self.corners(t).map(|p| sub(p, from));
+                dot(a, cross(b, c))
+            })
+            .sum();
+        six / 6.0
+    }
+
+    /// Moves all points; a map that mirrors turns the triangles round, so that outside stays outside.
+    pub fn transform(&mut self, m: &Matrix) {
+        for p in &mut self.points {
+            *p = m.point(*p);
+        }
+        if m.determinant3() < 0.0 {
+            self.flip();
+        }
+    }
+
+    /// Turns inside out.
+    pub fn flip(&mut self) {
+        for t in &mut self.triangles {
+            t.swap(1, 2);
+        }
+    }
+
+    pub fn append(&mut self, other: &Mesh) {
+        let offset = self.points.len() as u32;
+        self.points.extend_from_slice(&other.points);
+        let moved = other.triangles.iter().map(|t| t.map(|i| i + offset));
+        self.triangles.extend(moved);
+        self.labels.extend_from_slice(&other.labels);
+    }
+
+    pub fn label_all(&mut self, label: u32) {
+        self.labels.fill(label);
+    }
+
+    /// The triangles whose label is wanted, with the points they need.
+    pub fn only(&self, wanted: impl Fn(u32) -> bool) -> Mesh {
+        const NONE: u32 = u32::MAX;
+        let mut out = Mesh::default();
+        let mut numbers = vec![NONE; self.points.len()];
+        for (t, &label) in self.triangles.iter().zip(&self.labels) {
+            if !wanted(label) {
+                continue;
+            }
+            let corners = t.map(|i| {
+                let number = &mut numbers[i as usize];
+                if *number == NONE {
+                    *number = out.point(self.points[i as usize]);
+                }
+                *number
+            });
+            out.triangles.push(corners);
+            out.labels.push(label);
+        }
+        out
+    }
+
+    /// Leaves out connected parts whose volume is less than a layer this thick under their surface.
+    pub fn drop_thin(&mut self, thickness: f64) {
+        let mut sets = Sets::new(self.points.len());
+        for &[a, b, c] in &self.triangles {
+            sets.join(a, b);
+            sets.join(b, c);
+        }
+        // Volume, seen from the first point of each part, and area.
+        let mut sizes: HashMap<u32, (Vec3, f64, f64)> = HashMap::new();
+        for (t, corners) in self.triangles.iter().enumerate() {
+            let [a, b, c] = self.corners(t);
+            let size = sizes.entry(sets.find(corners[0])).or_insert((a, 0.0, 0.0));
+            let n = cross(sub(b, a), sub(c, a));
+            size.1 += dot(n, sub(a, size.0)) / 6.0;
+            size.2 += dot(n, n).sqrt() / 2.0;
+        }
+        let thin = |i: u32| {
+            let (_, volume, area) = sizes[&i];
+            volume.abs() < thickness * area
+        };
+        if sizes.keys().any(|&i| thin(i)) {
+            let kept: Vec<bool> = self
+                .triangles
+                .iter()
+                .map(|t| !thin(sets.find(t[0])))
+                .collect();
+            let mut all = std::mem::take(self);
+            let labels = std::mem::take(&mut all.labels);
+            all.labels = kept.iter().map(|&k| u32::from(k)).collect();
+            *self = all.only(|k| k == 1);
+            let kept = labels.into_iter().zip(kept).filter(|(_, k)| *k);
+            self.labels = kept.map(|(l, _)| l).collect();
+        }
+    }
+
+    /// Whether every edge belongs to two triangles that pass it in opposite directions.
+    pub fn is_closed(&self) -> bool {
+        let mut edges: Vec<[u32; 2]> = Vec::with_capacity(3 * self.triangles.len());
+        for t in &self.triangles {
+            edges.extend((0..3).map(|i| [t[i], t[(i + 1) % 3]]));
+        }
+        edges.sort_unstable();
+        let once = edges.windows(2).all(|w| w[0] != w[1]);
+        once && edges
+            .iter()
+            .all(|&[a, b]| edges.binary_search(&[b, a]).is_ok())
+    }
+}
+
+pub fn sub(a: Vec3, b: Vec3) -> Vec3 {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}

@@ -1,0 +1,158 @@
+//! The union of many solids: what lies apart is left alone, the rest is joined two by two, neighbours
+//! first.
+
+use super::csg::{Operation, combine};
+use super::sets::Sets;
+use super::soup::Mesh;
+use crate::scene::Aabb;
+use crate::trace::bounds::Bounds;
+use crate::trace::bvh::Bvh;
+
+/// Closed meshes that lie apart from each other, with their bounds.
+#[derive(Debug, Default)]
+pub struct Union {
+    pub meshes: Vec<(Aabb, Mesh)>,
+    /// How many times two that overlap could not be joined and are both there.
+    pub failures: u64,
+}
+
+impl Union {
+    /// Joins closed meshes. The order does not matter but for faces in one place.
+    pub fn of(meshes: Vec<Mesh>) -> Union {
+        let boxes: Vec<Aabb> = meshes.iter().map(Mesh::bounds).collect();
+        let tree = Bvh::new(
+            boxes
+                .iter()
+                .enumerate()
+                .map(|(i, b)| (i as u32, bounds(b)))
+                .collect(),
+        );
+        let mut sets = Sets::new(meshes.len());
+        for (i, b) in boxes.iter().enumerate() {
+            visit(&tree, &bounds(b), |j| {
+                if b.overlaps(&boxes[j as usize]) {
+                    sets.join(i as u32, j);
+                }
+            });
+        }
+        let mut meshes: Vec<Option<Mesh>> = meshes.into_iter().map(Some).collect();
+        let mut groups: Vec<Vec<(Aabb, Mesh)>> = Vec::new();
+        let mut group_of: Vec<Option<usize>> = vec![None; meshes.len()];
+        // In the order of the tree, in which neighbours are near each other.
+        for &i in &tree.items {
+            let Some(mesh) = meshes[i as usize].take().filter(|m| !m.is_empty()) else {
+                continue;
+            };
+            let set = sets.find(i) as usize;
+            let group = *group_of[set].get_or_insert_with(|| {
+                groups.push(Vec::new());
+                groups.len() - 1
+            });
+            groups[group].push((boxes[i as usize], mesh));
+        }
+        let mut out = Union::default();
+        for group in groups {
+            let joined = out.join(group);
+            out.meshes.extend(joined);
+        }
+        out
+    }
+
+    /// Everything of it that may touch a box, as one mesh.
+    pub fn near(&self, region: &Aabb) -> Mesh {
+        let mut out = Mesh::default();
+        for (bounds, mesh) in &self.meshes {
+            if bounds.overlaps(region) {
+                out.append(mesh);
+            }
+        }
+        out
+    }
+
+    fn join(&mut self, mut group: Vec<(Aabb, Mesh)>) -> Option<(Aabb, Mesh)> {
+        while group.len() > 1 {
+            let mut next = Vec::with_capacity(group.len().div_ceil(2));
+            let mut rest = group.into_iter();
+            while let Some((box_a, a)) = rest.next() {
+                let Some((box_b, b)) = rest.next() else {
+                    next.push((box_a, a));
+                    break;
+                };
+                let joined = if box_a.overlaps(&box_b) {
+                    combine(&a, &b, Operation::Union).ok()
+                } else {
+                    None
+                };
+                let joined = joined.unwrap_or_else(|| {
+                    self.failures += u64::from(box_a.overlaps(&box_b));
+                    let mut both = a;
+                    both.append(&b);
+                    both
+                });
+                next.push((box_a.hull(&box_b), joined));
+            }
+            group = next;
+        }
+        group.pop()
+    }
+}
+
+/// Which boxes overlap another one.
+pub fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
+    let numbered = boxes.iter().enumerate();
+    let tree = Bvh::new(numbered.map(|(i, b)| (i as u32, bounds(b))).collect());
+    let mut out = vec![false; boxes.len()];
+    for (i, b) in boxes.iter().enumerate() {
+        let mut found = false;
+        visit(&tree, &bounds(b), |j| {
+            found |= j as usize != i && b.overlaps(&boxes[j as usize]);
+        });
+        out[i] = found;
+    }
+    out
+}
+
+fn bounds(b: &Aabb) -> Bounds {
+    Bounds::new(b.min.into(), b.max.into())
+}
+
+/// Calls for every box in the tree that overlaps one, and some of their neighbours.
+fn visit(tree: &Bvh, b: &Bounds, mut found: impl FnMut(u32)) {
+    let mut pending = vec![0u32];
+    while let Some(i) = pending.pop() {
+        let Some(node) = tree.nodes.get(i as usize) else {
+            continue;
+        };
+        if node.bounds.intersection(b).is_empty() {
+            continue;
+        }
+        if node.count > 0 {
+            let start = node.index as usize;
+            let items = &tree.items[start..start + node.count as usize];
+            items.iter().for_each(|&j| found(j));
+        } else {
+            pending.extend([node.index, i + 1]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shape::flat::cuboid;
+    use super::*;
+
+    #[test]
+    fn a_row_of_boxes_becomes_bars() {
+        // Three that overlap, two that overlap, one alone.
+        let at = |x: f64| cuboid([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]);
+        let row = [0.0, 10.0, 0.5, 5.0, 1.2, 5.3].map(at).to_vec();
+        let union = Union::of(row);
+        assert_eq!(union.failures, 0);
+        let mut volumes: Vec<f64> = union.meshes.iter().map(|m| m.1.volume()).collect();
+        volumes.sort_by(f64::total_cmp);
+        for (got, meant) in volumes.iter().zip([1.0, 1.3, 2.2]) {
+            assert!((got - meant).abs() < 1e-9, "{volumes:?}");
+        }
+        assert!(union.meshes.iter().all(|m| m.1.is_closed()));
+    }
+}

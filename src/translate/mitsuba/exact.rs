@@ -1,0 +1,128 @@
+//! Shapes that Mitsuba has itself.
+
+use super::xml;
+use crate::scene::{Geometry, Matrix, Scene, Texture, Vec3};
+use crate::trace::graph::Graph;
+use crate::translate::mesh::{Skin, shape::flat};
+
+/// A shape of Mitsuba's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Exact {
+    kind: &'static str,
+    body: String,
+    shape: u32,
+    /// What surface coordinates have to be multiplied by, and what is then added, to be ours; `None`
+    /// where they are something else.
+    pub uv: Option<[[f64; 2]; 2]>,
+}
+
+impl Exact {
+    pub fn xml(&self, bsdf: &str, number: usize) -> String {
+        format!(
+            "  <shape type=\"{}\" id=\"Object_{}_{number}\">\n    {}\n    {bsdf}\n  </shape>\n",
+            self.kind, self.shape, self.body
+        )
+    }
+}
+
+/// The shape of a skin, if Mitsuba has it and its colours can be laid on it. Planes and half-spaces
+/// are rectangles that reach very far.
+pub fn shape(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<Exact> {
+    let record = graph.records[skin.primitive? as usize] as usize;
+    let m = &*skin.matrix;
+    let placed = |m: &Matrix| xml::transform("to_world", m);
+    let (kind, body, uv) = match scene.shapes[record].geometry {
+        Geometry::Sphere { centre, radius } => {
+            let scale = uniform_scale(m)?;
+            // Its poles lie on z, ours on y; from south to north ours go.
+            let turned = Matrix([
+                [1.0, 0.0, 0.0, 0.0],
+                [0.0, 0.0, 1.0, 0.0],
+                [0.0, -1.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ]);
+            let turn = Matrix::after(m, &turned);
+            let rotation = turn.after(&Matrix::scaling(1.0 / scale, 1.0 / scale, 1.0 / scale));
+            let mirrored = rotation.determinant3() < 0.0;
+            let mut place = if mirrored { Matrix::IDENTITY } else { rotation };
+            let r = scale * radius;
+            for (row, at) in place.0.iter_mut().zip(m.point(centre)) {
+                row.iter_mut().take(3).for_each(|x| *x *= r);
+                row[3] = at;
+            }
+            let uv = (!mirrored).then_some([[1.0, -1.0], [0.0, 1.0]]);
+            ("sphere", placed(&place), uv)
+        }
+        Geometry::Box { min, max } => {
+            let centre: Vec3 = std::array::from_fn(|i| min[i] / 2.0 + max[i] / 2.0);
+            let half: Vec3 = std::array::from_fn(|i| max[i] / 2.0 - min[i] / 2.0);
+            ("cube", placed(&m.after(&at(centre, half))), None)
+        }
+        Geometry::Rectangle { min, max } => {
+            let centre = [
+                min[0] / 2.0 + max[0] / 2.0,
+                min[1] / 2.0 + max[1] / 2.0,
+                0.0,
+            ];
+            let half = [
+                max[0] / 2.0 - min[0] / 2.0,
+                max[1] / 2.0 - min[1] / 2.0,
+                1.0,
+            ];
+            let uv = Some([[1.0; 2], [0.0; 2]]);
+            ("rectangle", placed(&m.after(&at(centre, half))), uv)
+        }
+        Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d]) => {
+            let length = a.hypot(b).hypot(c);
+            let n = [a, b, c].map(|x| x / length);
+            let up = if n[1].abs() > 0.999 {
+                [0.0, 0.0, -1.0]
+            } else {
+                [0.0, 1.0, 0.0]
+            };
+            let u = flat::normal_to(up, n);
+            let v = flat::normal_to(n, u);
+            let half = reach / uniform_scale(m)?;
+            let mut frame = Matrix::IDENTITY;
+            for i in 0..3 {
+                frame.0[i] = [u[i] * half, v[i] * half, n[i], -d / length * n[i]];
+            }
+            let uv = Some([[2.0 * half; 2], [-half; 2]]);
+            ("rectangle", placed(&m.after(&frame)), uv)
+        }
+        _ => return None,
+    };
+    let out = Exact {
+        kind,
+        body,
+        shape: skin.shape,
+        uv,
+    };
+    let plain = skin.plain_colour(graph).is_some();
+    let board = skin.texture.as_ref().is_some_and(|t| {
+        let texture = &graph.textures[t.texture as usize];
+        matches!(texture, Texture::Checkerboard { .. }) && out.uv.is_some()
+    });
+    (plain || board).then_some(out)
+}
+
+fn at(centre: Vec3, half: Vec3) -> Matrix {
+    Matrix::translation(centre[0], centre[1], centre[2])
+        .after(&Matrix::scaling(half[0], half[1], half[2]))
+}
+
+/// By how much a matrix scales that does no more than turn, mirror, scale and move.
+fn uniform_scale(m: &Matrix) -> Option<f64> {
+    let column = |j: usize| -> Vec3 { std::array::from_fn(|i| m.0[i][j]) };
+    let dot = |a: Vec3, b: Vec3| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let size = dot(column(0), column(0));
+    for i in 0..3 {
+        for j in 0..3 {
+            let meant = if i == j { size } else { 0.0 };
+            if (dot(column(i), column(j)) - meant).abs() > 1e-9 * size {
+                return None;
+            }
+        }
+    }
+    (size > 0.0).then(|| size.sqrt())
+}

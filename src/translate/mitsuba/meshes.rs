@@ -1,0 +1,192 @@
+//! Meshes for Mitsuba: one file for all triangles of one surface and one material, with the normals
+//! of the true surface.
+
+use std::collections::{BTreeMap, HashMap};
+
+use super::ShapeInfo;
+use super::bsdf::Colours;
+use crate::scene::{Rgb, Texture, Vec3};
+use crate::trace::graph::Graph;
+use crate::translate::mesh::shape::DROPPED;
+use crate::translate::mesh::{Mesh, Piece, Skin};
+
+/// What triangles must have in common to be in one file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    shape: u32,
+    object: u32,
+    optics: u32,
+    index: u32,
+    colours: Colours,
+    colour: [u64; 3],
+}
+
+/// Triangles by file.
+#[derive(Default)]
+pub struct Collector {
+    meshes: BTreeMap<Key, Mesh>,
+}
+
+/// A finished file.
+pub struct File {
+    pub info: ShapeInfo,
+    /// One that all its triangles have the material of.
+    pub skin: u32,
+    pub colours: Colours,
+    pub bytes: Vec<u8>,
+}
+
+impl Collector {
+    /// Adds what is seen of a piece, with edges no longer than `grain` where it has a texture. Where the render box cuts it, it is open.
+    pub fn add(&mut self, piece: &Piece, skins: &[Skin], graph: &Graph, grain: f64) {
+        let mut labels: Vec<u32> = piece.mesh.labels.clone();
+        labels.sort_unstable();
+        labels.dedup();
+        for label in labels {
+            let Some(skin) = skins.get(label as usize).filter(|_| label != DROPPED) else {
+                continue;
+            };
+            if skin.primitive.is_none() {
+                continue;
+            }
+            let mut part = piece.mesh.only(|l| l == label);
+            if skin.plain_colour(graph).is_none() {
+                part.refine(|_| true, grain);
+            }
+            self.meshes
+                .entry(key(skin, graph))
+                .or_default()
+                .append(&part);
+        }
+    }
+
+    pub fn finish(self, skins: &[Skin], graph: &Graph) -> Vec<File> {
+        let file = |(key, mesh): (Key, Mesh)| File {
+            info: ShapeInfo {
+                shape: key.shape,
+                object: key.object,
+                exact: false,
+            },
+            skin: mesh.labels.first().copied().unwrap_or(0),
+            colours: key.colours,
+            bytes: bytes(&mesh, key.colours, skins, graph),
+        };
+        self.meshes.into_iter().map(file).collect()
+    }
+}
+
+fn key(skin: &Skin, graph: &Graph) -> Key {
+    let plain = skin.plain_colour(graph);
+    let colours = match (&plain, &skin.texture) {
+        (Some(_), _) => Colours::Plain,
+        (None, Some(t)) if !matches!(graph.textures[t.texture as usize], Texture::Image { .. }) => {
+            Colours::OfFaces
+        }
+        _ => Colours::OfPoints,
+    };
+    Key {
+        shape: skin.shape,
+        object: skin.object(),
+        optics: skin.optics.unwrap_or(0),
+        index: skin.index.unwrap_or(0),
+        colours,
+        colour: plain.map_or([0; 3], |c| c.map(f64::to_bits)),
+    }
+}
+
+/// How far from a corner, towards the middle of its triangle, its normal is looked for: on the
+/// triangle's own side of an edge.
+const ASIDE: f64 = 1e-3;
+
+fn bytes(mesh: &Mesh, colours: Colours, skins: &[Skin], graph: &Graph) -> Vec<u8> {
+    // A point has one normal: where faces meet at an edge there are several points.
+    let mut numbers: HashMap<(u32, [i64; 3]), u32> = HashMap::new();
+    let mut points: Vec<(Vec3, Vec3, Rgb)> = Vec::new();
+    let mut triangles: Vec<([u32; 3], Rgb)> = Vec::with_capacity(mesh.triangles.len());
+    for (t, corners) in mesh.triangles.iter().enumerate() {
+        let skin = &skins[mesh.labels[t] as usize];
+        let at = mesh.corners(t);
+        let [a, b, c] = at;
+        let e: Vec3 = std::array::from_fn(|i| b[i] - a[i]);
+        let f: Vec3 = std::array::from_fn(|i| c[i] - a[i]);
+        let n = [
+            e[1] * f[2] - e[2] * f[1],
+            e[2] * f[0] - e[0] * f[2],
+            e[0] * f[1] - e[1] * f[0],
+        ];
+        let length = n[0].hypot(n[1]).hypot(n[2]);
+        if length == 0.0 {
+            continue;
+        }
+        let flat = n.map(|x| x / length);
+        let middle: Vec3 = std::array::from_fn(|i| (a[i] + b[i] + c[i]) / 3.0);
+        let mut numbered = [0; 3];
+        for (k, (&corner, p)) in corners.iter().zip(at).enumerate() {
+            let near: Vec3 = std::array::from_fn(|i| p[i] + ASIDE * (middle[i] - p[i]));
+            let normal = skin.shading_normal(graph, near, flat).unwrap_or(flat);
+            let rounded = normal.map(|x| (x * 128.0).round() as i64);
+            numbered[k] = *numbers.entry((corner, rounded)).or_insert_with(|| {
+                let colour = match colours {
+                    Colours::OfPoints => skin.colour(graph, p, flat),
+                    _ => [0.0; 3],
+                };
+                points.push((p, normal, colour));
+                points.len() as u32 - 1
+            });
+        }
+        let colour = match colours {
+            Colours::OfFaces => skin.colour(graph, middle, flat),
+            _ => [0.0; 3],
+        };
+        triangles.push((numbered, colour));
+    }
+    write(&points, &triangles, colours)
+}
+
+fn write(points: &[(Vec3, Vec3, Rgb)], triangles: &[([u32; 3], Rgb)], colours: Colours) -> Vec<u8> {
+    let three = |prefix: &str, names: [&str; 3]| {
+        names
+            .map(|n| format!("property float {prefix}{n}\n"))
+            .concat()
+    };
+    let mut header = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\n{}{}",
+        points.len(),
+        three("", ["x", "y", "z"]),
+        three("n", ["x", "y", "z"]),
+    );
+    if colours == Colours::OfPoints {
+        header += &three("", ["r", "g", "b"]);
+    }
+    header += &format!(
+        "element face {}\nproperty list uchar int vertex_indices\n",
+        triangles.len()
+    );
+    if colours == Colours::OfFaces {
+        header += &three("", ["r", "g", "b"]);
+    }
+    header += "end_header\n";
+    let mut out = header.into_bytes();
+    let put = |out: &mut Vec<u8>, v: Vec3| {
+        for x in v {
+            out.extend_from_slice(&(x as f32).to_le_bytes());
+        }
+    };
+    for (p, n, c) in points {
+        put(&mut out, *p);
+        put(&mut out, *n);
+        if colours == Colours::OfPoints {
+            put(&mut out, *c);
+        }
+    }
+    for (t, c) in triangles {
+        out.push(3);
+        for i in t {
+            out.extend_from_slice(&i.to_le_bytes());
+        }
+        if colours == Colours::OfFaces {
+            put(&mut out, *c);
+        }
+    }
+    out
+}

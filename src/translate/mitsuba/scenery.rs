@@ -1,0 +1,195 @@
+//! Cameras, lights and what is computed.
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+
+use super::xml::{number, rgb, transform, vector};
+use super::{Integrator, Options};
+use crate::scene::bounds::node_bounds;
+use crate::scene::frame::{Basis, automatic_camera, headlight};
+use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3, View};
+use crate::trace;
+use crate::translate::Unsupported;
+
+/// Samples a pixel of a path-traced picture.
+const SAMPLES: u32 = 64;
+
+/// What has no end is drawn this far, by the size of the scene and its distance from the camera.
+const HORIZON: f64 = 1e3;
+
+/// The cameras that take the picture: one, or left and right.
+pub fn cameras(scene: &Scene, options: &Options) -> Vec<Camera> {
+    let known = |i: usize| scene.cameras.get(i).copied();
+    let chosen = match scene.view {
+        View::Automatic => {
+            let aspect = f64::from(options.size.0) / f64::from(options.size.1);
+            vec![Some(automatic_camera(scene, &node_bounds(scene), aspect))]
+        }
+        View::Mono(i) => vec![known(i)],
+        View::Stereo { left, right } => vec![known(left), known(right)],
+    };
+    chosen.into_iter().flatten().collect()
+}
+
+/// How far things without end reach.
+pub fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
+    let all = cameras.iter().fold(*region, |all, c| {
+        all.hull(&Aabb::new(c.position, c.position))
+    });
+    let origin = Aabb::new([0.0; 3], [0.0; 3]);
+    HORIZON * all.hull(&origin).radius()
+}
+
+/// The integrator and the camera.
+pub fn view(
+    scene: &Scene,
+    camera: &Camera,
+    reach: f64,
+    options: &Options,
+) -> Result<String, Unsupported> {
+    let basis = Basis::of(camera).ok_or_else(|| Unsupported {
+        id: camera.id,
+        span: None,
+        message: format!("camera {} looks nowhere", camera.id),
+    })?;
+    let integrator = match options.integrator {
+        Integrator::Path => format!(
+            "  <integrator type=\"path\">\n    <integer name=\"max_depth\" value=\"{}\"/>\n    \
+             <boolean name=\"hide_emitters\" value=\"{}\"/>\n  </integrator>\n",
+            options.depth.saturating_add(2).min(i32::MAX as u32),
+            environment(scene).is_none_or(|e| e.hidden),
+        ),
+        Integrator::Aov => "  <integrator type=\"aov\">\n    <string name=\"aovs\" \
+             value=\"position:position,normal:sh_normal,shape:shape_index\"/>\n  </integrator>\n"
+            .to_owned(),
+    };
+    let sampler = match options.integrator {
+        Integrator::Path => format!(
+            "<sampler type=\"independent\"><integer name=\"sample_count\" value=\"{SAMPLES}\"/></sampler>"
+        ),
+        Integrator::Aov => {
+            "<sampler type=\"stratified\"><integer name=\"sample_count\" value=\"1\"/>\
+             <boolean name=\"jitter\" value=\"false\"/></sampler>"
+                .to_owned()
+        }
+    };
+    let (width, height) = options.size;
+    Ok(format!(
+        "{integrator}{}    <float name=\"near_clip\" value=\"{}\"/>\n    \
+         <float name=\"far_clip\" value=\"{}\"/>\n    \
+         {sampler}\n    <film type=\"hdrfilm\">\n      <integer name=\"width\" value=\"{width}\"/>\n      \
+         <integer name=\"height\" value=\"{height}\"/>\n      <rfilter type=\"box\"/>\n      \
+         <string name=\"pixel_format\" value=\"rgb\"/>\n      \
+         <string name=\"component_format\" value=\"float32\"/>\n    </film>\n  </sensor>\n",
+        sensor(camera, &basis, options.size),
+        number(reach / HORIZON * 1e-5),
+        number(reach * 10.0),
+    ))
+}
+
+/// The beginning of a sensor: where it is and what it sees.
+fn sensor(camera: &Camera, basis: &Basis, (width, height): (u32, u32)) -> String {
+    if let Some([origin, right, up]) = parallel(camera, width, height) {
+        // It looks along its z, and its x points to the left; it sees x from −1 to 1.
+        let aspect = f64::from(width) / f64::from(height);
+        let mut place = Matrix::IDENTITY;
+        for i in 0..3 {
+            place.0[i] = [-right[i], aspect * up[i], basis.forward[i], origin[i]];
+        }
+        return format!(
+            "  <sensor type=\"orthographic\">\n    {}\n",
+            transform("to_world", &place)
+        );
+    }
+    let target: [f64; 3] = std::array::from_fn(|i| camera.position[i] + basis.forward[i]);
+    format!(
+        "  <sensor type=\"perspective\">\n    <string name=\"fov_axis\" value=\"y\"/>\n    \
+         <float name=\"fov\" value=\"{}\"/>\n    \
+         <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n",
+        number(field_of_view(camera)),
+        vector(camera.position),
+        vector(target),
+        vector(basis.up),
+    )
+}
+
+/// Of a projection with parallel rays: where the one in the middle starts, and from there to the
+/// right edge and to the upper one.
+fn parallel(camera: &Camera, width: u32, height: u32) -> Option<[Vec3; 3]> {
+    camera.projection?;
+    let view = trace::camera::View::new(camera, width, height)?;
+    let (w, h) = (f64::from(width), f64::from(height));
+    let [middle, right, top] = [[w / 2.0, h / 2.0], [w, h / 2.0], [w / 2.0, 0.0]].map(|[x, y]| {
+        view.ray(x, y)
+            .map(|ray| (ray.line.origin.0, ray.line.direction.unit()))
+    });
+    let (middle, right, top) = (middle?, right?, top?);
+    let same = |d: trace::vec::Vec3| (d - middle.1).length() < 1e-9;
+    let to = |end: Vec3| std::array::from_fn(|i| end[i] - middle.0[i]);
+    (same(right.1) && same(top.1)).then(|| [middle.0, to(right.0), to(top.0)])
+}
+
+/// Vertical, in degrees; of a projection matrix what it comes nearest to.
+fn field_of_view(camera: &Camera) -> f64 {
+    match &camera.projection {
+        Some(p) if p.0[1][1] != 0.0 && p.0[3][3] == 0.0 => {
+            (2.0 * (1.0 / p.0[1][1].abs()).atan()).to_degrees()
+        }
+        Some(_) => 45.0,
+        None => camera.fovy,
+    }
+}
+
+/// What surrounds the scene.
+struct Environment {
+    light: [f64; 3],
+    /// The background is black: it is not seen.
+    hidden: bool,
+}
+
+/// Ambient light from everywhere, or else a bright background.
+fn environment(scene: &Scene) -> Option<Environment> {
+    let background = scene.render.map_or([0.0; 3], |r| r.background);
+    let mut light = [0.0; 3];
+    for lamp in &scene.ambient_lights {
+        for (sum, c) in light.iter_mut().zip(lamp.colour) {
+            *sum += lamp.intensity * c;
+        }
+    }
+    let dark = background == [0.0; 3];
+    match (light == [0.0; 3], dark) {
+        (true, true) => None,
+        (true, false) => Some(Environment {
+            light: background,
+            hidden: false,
+        }),
+        (false, hidden) => Some(Environment { light, hidden }),
+    }
+}
+
+/// The lamps. They are as bright as ours at the middle of the scene: Mitsuba's fade with distance.
+pub fn lights(scene: &Scene, camera: &Camera, region: &Aabb) -> String {
+    let mut out = String::new();
+    if let Some(e) = environment(scene) {
+        // Writing to a string does not fail.
+        let _ = writeln!(
+            out,
+            "  <emitter type=\"constant\">{}</emitter>",
+            rgb("radiance", e.light)
+        );
+    }
+    let middle = region.centre();
+    for lamp in scene.point_lights.iter().chain(&headlight(scene, camera)) {
+        let d: [f64; 3] = std::array::from_fn(|i| lamp.position[i] - middle[i]);
+        let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        let power = lamp.colour.map(|c| c * lamp.intensity * PI * square);
+        let _ = writeln!(
+            out,
+            "  <emitter type=\"point\" id=\"Light_{}\"><point name=\"position\" value=\"{}\"/>{}</emitter>",
+            lamp.id,
+            vector(lamp.position),
+            rgb("intensity", power)
+        );
+    }
+    out
+}

@@ -1,0 +1,56 @@
+//! Elements of Mitsuba's scene files.
+
+use super::ShapeInfo;
+use crate::scene::{Matrix, Vec3};
+
+/// `1, 2, 3`.
+pub fn vector(v: Vec3) -> String {
+    let [x, y, z] = v.map(number);
+    format!("{x}, {y}, {z}")
+}
+
+/// The shortest decimal that reads back as the same number.
+pub fn number(x: f64) -> String {
+    let size = x.abs();
+    if x == 0.0 || (1e-5..1e15).contains(&size) {
+        (x + 0.0).to_string()
+    } else {
+        format!("{x:e}")
+    }
+}
+
+/// A transformation by a matrix.
+pub fn transform(name: &str, m: &Matrix) -> String {
+    let rows: Vec<String> = m.0.iter().flatten().map(|x| number(*x)).collect();
+    let rows = rows.join(" ");
+    format!("<transform name=\"{name}\"><matrix value=\"{rows}\"/></transform>")
+}
+
+/// A colour under a name.
+pub fn rgb(name: &str, c: Vec3) -> String {
+    format!("<rgb name=\"{name}\" value=\"{}\"/>", vector(c))
+}
+
+/// A shape from a file.
+pub fn ply(file: &str, bsdf: &str, info: &ShapeInfo, number: usize) -> String {
+    let file = escaped(file);
+    format!(
+        "  <shape type=\"ply\" id=\"Object_{}_{number}\">\n    <string name=\"filename\" value=\"{file}\"/>\n    {bsdf}\n  </shape>\n",
+        info.shape
+    )
+}
+
+/// Text between quotes.
+pub fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,289 @@
+//! `zpg convert` to meshes: the command, and the files it writes.
+
+use std::fs;
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+/// A glass ball beside a box with a hole, under a triangle, and a coloured vase.
+const SCENE: &str = "\
+2 11  0 1 0  1
+2 -201  0.1 0.1 0.8
+2 -203  1.5 1.5 1.5
+3 12  2 0 -1  4 2 1
+3 -701  0.9 0.2 0.1
+4 9  0.7
+4 -1  3 2 0
+5 -103  3 4
+6 6  -1 3 0  4 3 0  1 4 0
+7 2  3  0.5 0  1 1  0.2 2  1 0 0  0 1 0  0 0 1
+7 -1  -3 0 0
+8 -101  2 5
+9 -101  8 6
+10 -101  9 7
+1 9999  10 0
+";
+
+fn zpg(folder: &Path, arguments: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(input.as_bytes())
+        .unwrap();
+    child.wait_with_output().unwrap()
+}
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("thing.zpg"), SCENE).unwrap();
+    folder
+}
+
+fn errors(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn meshes_are_named_after_the_scene() {
+    let folder = folder();
+    for (format, files) in [
+        ("ply", &["thing.ply"][..]),
+        ("obj", &["thing.obj", "thing.mtl"]),
+        ("glb", &["thing.glb"]),
+    ] {
+        let output = zpg(folder.path(), &["convert", "thing.zpg", "--to", format], "");
+        assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+        assert!(output.stdout.is_empty());
+        assert!(errors(&output).contains("approximate"));
+        for file in files {
+            assert!(folder.path().join(file).exists(), "{file}");
+        }
+    }
+}
+
+#[test]
+fn a_scene_without_a_name_needs_one() {
+    let folder = folder();
+    let output = zpg(folder.path(), &["convert", "-", "--to", "ply"], SCENE);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(errors(&output).contains("-o"), "{}", errors(&output));
+    let named = ["convert", "-", "--to", "ply", "-o", "here.ply"];
+    let output = zpg(folder.path(), &named, SCENE);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(folder.path().join("here.ply").exists());
+}
+
+#[test]
+fn tolerances_that_cannot_be() {
+    let folder = folder();
+    for wrong in ["0", "-1", "nan", "inf", "x"] {
+        let tolerance = format!("--tolerance={wrong}");
+        let output = zpg(
+            folder.path(),
+            &["convert", "thing.zpg", "--to", "ply", &tolerance],
+            "",
+        );
+        assert_eq!(output.status.code(), Some(2), "{wrong}");
+    }
+    let fine = ["convert", "thing.zpg", "--to", "ply", "--tolerance", "1e-9"];
+    let output = zpg(folder.path(), &fine, "");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        errors(&output).contains("--tolerance"),
+        "{}",
+        errors(&output)
+    );
+    assert!(!folder.path().join("thing.ply").exists());
+}
+
+/// What a reader that knows nothing of us finds in the file.
+#[test]
+fn ply_reads_back_closed() {
+    let folder = folder();
+    zpg(
+        folder.path(),
+        &[
+            "convert",
+            "thing.zpg",
+            "--to",
+            "ply",
+            "--tolerance",
+            "0.002",
+        ],
+        "",
+    );
+    let bytes = fs::read(folder.path().join("thing.ply")).unwrap();
+    let end = b"end_header\n";
+    let start = bytes.windows(end.len()).position(|w| w == end).unwrap() + end.len();
+    let header = std::str::from_utf8(&bytes[..start]).unwrap();
+    let count = |element: &str| -> usize {
+        let line = header
+            .lines()
+            .find_map(|l| l.strip_prefix(element))
+            .unwrap();
+        line.trim().parse().unwrap()
+    };
+    let (n, m) = (count("element vertex"), count("element face"));
+    assert_eq!(bytes.len(), start + 15 * n + 16 * m);
+    let float = |at: usize| f64::from(f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()));
+    let point = |i: usize| [0, 1, 2].map(|k| float(start + 15 * i + 4 * k));
+    let faces = start + 15 * n;
+    let corner = |f: usize, k: usize| {
+        let at = faces + 16 * f + 1 + 4 * k;
+        i32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize
+    };
+    let mut edges = std::collections::HashMap::new();
+    let mut volume = 0.0;
+    for f in 0..m {
+        assert_eq!(bytes[faces + 16 * f], 3);
+        let [a, b, c] = [0, 1, 2].map(|k| corner(f, k));
+        for edge in [(a, b), (b, c), (c, a)] {
+            *edges.entry(edge).or_insert(0) += 1;
+        }
+        let [p, q, r] = [a, b, c].map(point);
+        volume += (p[0] * (q[1] * r[2] - q[2] * r[1])
+            + p[1] * (q[2] * r[0] - q[0] * r[2])
+            + p[2] * (q[0] * r[1] - q[1] * r[0]))
+            / 6.0;
+    }
+    let open = edges
+        .keys()
+        .filter(|(a, b)| edges.get(&(*b, *a)) != Some(&1))
+        .count();
+    // The triangle alone is open.
+    assert_eq!(open, 3);
+    assert!(edges.values().all(|n| *n == 1));
+    // Ball, box less half a ball, two frustums. The triangle's own cone from the origin: its plane
+    // is z = 0.
+    let pi = std::f64::consts::PI;
+    let frustum = |a: f64, b: f64| pi / 3.0 * (a * a + a * b + b * b);
+    let meant =
+        4.0 / 3.0 * pi + 8.0 - 2.0 / 3.0 * pi * 0.343 + frustum(0.5, 1.0) + frustum(1.0, 0.2);
+    // The surface is less than 60.
+    assert!((volume - meant).abs() < 0.002 * 60.0, "{volume} {meant}");
+}
+
+#[test]
+fn obj_uses_what_its_library_defines() {
+    let folder = folder();
+    zpg(
+        folder.path(),
+        &["convert", "thing.zpg", "--to", "obj", "-o", "a b.obj"],
+        "",
+    );
+    let text = fs::read_to_string(folder.path().join("a b.obj")).unwrap();
+    let library = fs::read_to_string(folder.path().join("a b.mtl")).unwrap();
+    assert!(text.contains("mtllib a b.mtl\n"));
+    let points = text.lines().filter(|l| l.starts_with("v ")).count();
+    let defined: Vec<&str> = library
+        .lines()
+        .filter_map(|l| l.strip_prefix("newmtl "))
+        .collect();
+    let used: Vec<&str> = text
+        .lines()
+        .filter_map(|l| l.strip_prefix("usemtl "))
+        .collect();
+    assert_eq!(defined, used);
+    // Glass, red, the white triangle, and the vase with colours of its points.
+    assert_eq!(defined.len(), 4);
+    assert!(library.contains("Kd 0.9 0.2 0.1\n") && library.contains("Ni 1.5\n"));
+    for face in text.lines().filter_map(|l| l.strip_prefix("f ")) {
+        for index in face.split(' ') {
+            assert!((1..=points).contains(&index.parse().unwrap()), "{face}");
+        }
+    }
+}
+
+/// The validator of the Khronos group finds nothing to say.
+#[test]
+fn glb_is_valid() {
+    const VERSION: &str = "2.0.0-dev.3.10";
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap();
+    let validator = target.join(format!(
+        "gltf-validator-{VERSION}/node_modules/gltf-validator"
+    ));
+    assert!(
+        validator.exists(),
+        "{} is missing: this test runs the real validator; tests/run installs it",
+        validator.display()
+    );
+    let folder = folder();
+    let gallery = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/gallery");
+    let mut scenes = vec![folder.path().join("thing.zpg")];
+    for entry in fs::read_dir(gallery).unwrap() {
+        let path = entry.unwrap().path();
+        // A thousand million balls are refused.
+        if path.extension().is_some_and(|e| e == "zpg") && !path.ends_with("billion.zpg") {
+            scenes.push(path);
+        }
+    }
+    let empty = folder.path().join("empty.zpg");
+    fs::write(
+        &empty,
+        "2 11 0 0 0 1\n3 11 5 0 0 1\n4 -102 2 3\n1 9999 4 0\n",
+    )
+    .unwrap();
+    scenes.push(empty);
+    let mut files = Vec::new();
+    for scene in scenes {
+        let path = scene.to_str().unwrap();
+        let output = zpg(folder.path(), &["convert", path, "--to", "glb"], "");
+        assert_eq!(output.status.code(), Some(0), "{path}: {}", errors(&output));
+        let name = Path::new(scene.file_name().unwrap()).with_extension("glb");
+        files.push(folder.path().join(name));
+    }
+    assert!(files.len() > 8);
+    let script = "\
+const validator = require(process.argv[1]), fs = require('fs');
+(async () => { for (const file of process.argv.slice(2)) {
+  const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)));
+  const i = report.issues;
+  if (i.numErrors + i.numWarnings) { console.log(file, JSON.stringify(i.messages)); process.exitCode = 1; }
+} })();";
+    let output = Command::new("node")
+        .args(["-e", script])
+        .arg(validator)
+        .args(&files)
+        .output()
+        .expect("node runs: tests/run installs it");
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{said}{}", errors(&output));
+}
+
+#[test]
+fn mitsuba_needs_a_place_for_meshes() {
+    let folder = folder();
+    let output = zpg(
+        folder.path(),
+        &["convert", "thing.zpg", "--to", "mitsuba"],
+        "",
+    );
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        errors(&output).contains("-o scene.xml"),
+        "{}",
+        errors(&output)
+    );
+    let said = ["convert", "thing.zpg", "--to", "mitsuba", "-o", "to.xml"];
+    assert_eq!(zpg(folder.path(), &said, "").status.code(), Some(0));
+    let text = fs::read_to_string(folder.path().join("to.xml")).unwrap();
+    let named: Vec<&str> = text.split('"').filter(|s| s.ends_with(".ply")).collect();
+    assert!(!named.is_empty());
+    for name in named {
+        assert!(folder.path().join(name).exists(), "{name}");
+    }
+    // A ball alone fits on one sheet.
+    let ball = "2 9 1\n1 9999 2 0\n";
+    let output = zpg(folder.path(), &["convert", "-", "--to", "mitsuba"], ball);
+    assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("<shape type=\"sphere\""));
+}
