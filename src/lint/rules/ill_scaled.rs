@@ -164,10 +164,22 @@ fn lengths(geometry: &Geometry, m: &Matrix, add: Add) {
             [RADIUS, "its height", RADIUS],
             &told,
         ),
-        Geometry::ParabolicCylinder { a } => axes([*a, 0.0, 0.0], ["a"; 3], &named),
-        Geometry::HyperbolicCylinder { a, b } => axes([*a, *b, 0.0], ["a", "b", ""], &named),
-        Geometry::Hyperboloid { a, b, c, .. } => axes([*a, *b, *c], ["a", "b", "c"], &named),
-        Geometry::HyperbolicParaboloid { a, b } => axes([*a, 0.0, *b], ["a", "", "b"], &named),
+        Geometry::ParabolicCylinder { a } => axes([*a, 0.0, 0.0], ["its half width a"; 3], &named),
+        Geometry::HyperbolicCylinder { a, b } => axes(
+            [*a, *b, 0.0],
+            ["its semi-axis a", "its semi-axis b", ""],
+            &named,
+        ),
+        Geometry::Hyperboloid { a, b, c, .. } => axes(
+            [*a, *b, *c],
+            ["its semi-axis a", "its semi-axis b", "its semi-axis c"],
+            &named,
+        ),
+        Geometry::HyperbolicParaboloid { a, b } => axes(
+            [*a, 0.0, *b],
+            ["its half width a", "", "its half width b"],
+            &named,
+        ),
         Geometry::Triangle { vertices, .. } => {
             let [a, b, c] = vertices.map(|v| m.point(v));
             let distance =
