@@ -102,6 +102,55 @@ fn other_pictures_differ() {
 }
 
 #[test]
+fn geometry_agrees_with_mitsuba() {
+    let dir = folder(SCENE);
+    let python = concat!(env!("CARGO_TARGET_TMPDIR"), "/../mitsuba-3.9.1/bin/python");
+    assert!(Path::new(python).exists(), "tests/run installs {python}");
+    let args = [
+        "crosscheck",
+        "a.zpg",
+        "--with",
+        "mitsuba",
+        "--size",
+        "96x72",
+        "--json",
+    ];
+    let run = zpg(dir.path(), &[&args[..], &["--program", python]].concat());
+    let errors = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert_eq!(run.status.code(), Some(0), "{errors}");
+    let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    let picture = &json["pictures"][0];
+    assert_eq!(
+        (picture["pixels"].as_u64(), picture["wrong"].as_u64()),
+        (Some(96 * 72), Some(0))
+    );
+    // The ball is a sphere there and the floor a cube.
+    assert_eq!(picture["meshes"]["pixels"], 0);
+    assert!(
+        picture["exact"]["pixels"].as_u64().unwrap() > 3000,
+        "{picture}"
+    );
+    assert!(picture["exact"]["distance"].as_f64().unwrap() < 1e-4 * 12.0);
+    for name in [
+        "ours.png",
+        "theirs.png",
+        "difference.png",
+        "side-by-side.png",
+        "a.xml",
+    ] {
+        assert!(dir.path().join("a-mitsuba").join(name).exists(), "{name}");
+    }
+    let none = [&args[..], &["--program", "./nowhere"]].concat();
+    let run = zpg(dir.path(), &none);
+    assert_eq!(run.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert!(
+        said.contains("error: Mitsuba is not installed: get it with `pip install"),
+        "{said}"
+    );
+}
+
+#[test]
 fn what_is_missing_is_said() {
     let dir = folder(SCENE);
     let args = [

@@ -82,7 +82,7 @@ pub enum Target {
 }
 
 /// A length on the command line.
-fn length(text: &str) -> Result<f64, String> {
+pub(super) fn length(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(x) if x > 0.0 && x.is_finite() => Ok(x),
         _ => Err("expected a length above 0".to_owned()),

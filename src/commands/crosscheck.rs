@@ -1,4 +1,7 @@
-//! `zpg crosscheck`: our picture of a scene beside another program's.
+//! `zpg crosscheck`: what we see of a scene beside what another program does.
+
+mod mitsuba;
+mod povray;
 
 use std::fs;
 use std::io::{self, Write};
@@ -10,31 +13,31 @@ use super::draft::{Draft, unwritable};
 use super::size::Size;
 use super::{Loaded, LookChoice, Status, complain, convert, load_sound, report, terminal};
 use crate::diagnostics::{Complaint, Diagnostic};
-use crate::scene::{Camera, View};
-use crate::study::compare::{Comparison, side_by_side};
-use crate::study::povray;
+use crate::scene::{Camera, Scene, View};
 use crate::study::program::ProgramError;
-use crate::study::silhouette::{Studied, study};
 use crate::trace::film::write_rgb8;
-use crate::trace::{self, Film, Images, Settings, Tracer, selected_camera};
-use crate::translate::{self, pov};
+use crate::trace::{self, selected_camera};
+use crate::translate;
 
-/// Compare our picture of a scene with that of another program
+/// Compare what we see of a scene with what another program does
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
-The scene is translated, the program takes its picture, and the two are compared pixel by pixel in
-linear light. On silhouettes, where an edge goes through the middle of a pixel, what one sample shows
-is up to rounding; and POV-Ray treats total internal reflection in another way: both are counted by
-themselves. The answer is \"no\", with exit status 1, when more than 0.05 % of the pixels differ
-elsewhere.
+The scene is translated, the program looks at it, and the two are compared pixel by pixel. The answer
+is \"no\", with exit status 1, when more than 0.05 % of the pixels differ off silhouettes.
+
+povray: pictures, in linear light. On silhouettes, where an edge goes through the middle of a pixel,
+what one sample shows is up to rounding; and POV-Ray treats total internal reflection in another way:
+both are counted by themselves.
+mitsuba: position, normal and shape of what is seen first, from a Python that has the package mitsuba.
 
 In DIR are then ours.png, theirs.png, difference.png (green: alike, red: differing, grey: silhouettes,
 blue: total reflection), side-by-side.png, crosscheck.json, and the translation; with _left and _right
-for a pair of cameras.
+for a pair of cameras. Pictures of mitsuba show normals as colours.
 
 Examples:
   zpg crosscheck scene.zpg --with povray
-  zpg crosscheck scene.zpg --with povray --size 640x480 -o compared --max-diff 1")]
+  zpg crosscheck scene.zpg --with povray --size 640x480 -o compared --max-diff 1
+  zpg crosscheck scene.zpg --with mitsuba --program venv/bin/python")]
 pub struct Args {
     /// The scene
     file: PathBuf,
@@ -47,19 +50,23 @@ pub struct Args {
     #[arg(long, default_value = "320x240", value_name = "WxH")]
     size: Size,
 
-    /// The folder for pictures and numbers; SCENE-povray if not given
+    /// The folder for pictures and numbers; SCENE-povray or SCENE-mitsuba if not given
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 
-    /// By how much a channel of a pixel may differ, in 255ths of white
+    /// povray: by how much a channel of a pixel may differ, in 255ths of white
     #[arg(long, default_value_t = 2.0, value_name = "N", value_parser = difference)]
     max_diff: f64,
 
-    /// How often a ray may be mirrored or refracted
+    /// povray: how often a ray may be mirrored or refracted
     #[arg(long, default_value_t = 10, value_name = "N")]
     depth: u32,
 
-    /// Where the program is, if it is not found by its name
+    /// mitsuba: how far meshes may be from curved surfaces, as for convert
+    #[arg(long, value_name = "LEN", value_parser = convert::length)]
+    tolerance: Option<f64>,
+
+    /// Where the program is, if it is not found by its name: povray, or python3
     #[arg(long, value_name = "PATH")]
     program: Option<PathBuf>,
 
@@ -73,6 +80,17 @@ pub struct Args {
 enum Program {
     /// POV-Ray 3.7
     Povray,
+    /// Mitsuba 3
+    Mitsuba,
+}
+
+impl Program {
+    fn name(self) -> &'static str {
+        match self {
+            Program::Povray => "povray",
+            Program::Mitsuba => "mitsuba",
+        }
+    }
 }
 
 /// The largest share of pixels that may differ off silhouettes.
@@ -99,6 +117,12 @@ impl From<trace::Unsupported> for Failure {
     }
 }
 
+impl From<translate::Unsupported> for Failure {
+    fn from(e: translate::Unsupported) -> Failure {
+        Failure::Translation(e)
+    }
+}
+
 impl From<Complaint> for Failure {
     fn from(e: Complaint) -> Failure {
         Failure::Other(e)
@@ -107,23 +131,37 @@ impl From<Complaint> for Failure {
 
 /// The numbers of a run.
 #[derive(Serialize)]
-struct Answer {
+struct Answer<T> {
     scene: String,
     with: &'static str,
     size: [u32; 2],
-    /// In linear light, where 1 is white.
-    max_diff: f64,
     agrees: bool,
-    pictures: Vec<Compared>,
+    pictures: Vec<Compared<T>>,
 }
 
-/// A picture of a camera.
+/// What a camera sees.
 #[derive(Serialize)]
-struct Compared {
+struct Compared<T> {
     /// `_left`, `_right`, or nothing.
     name: &'static str,
     #[serde(flatten)]
-    comparison: Comparison,
+    comparison: T,
+}
+
+/// How two sights compare.
+trait Outcome: Serialize {
+    /// The share of pixels that differ off silhouettes.
+    fn share(&self) -> f64;
+
+    /// The numbers for people, a line each.
+    fn print(&self, args: &Args, out: &mut dyn Write) -> io::Result<()>;
+}
+
+/// Three pictures of 8-bit RGB.
+struct Pictures {
+    ours: Vec<u8>,
+    theirs: Vec<u8>,
+    difference: Vec<u8>,
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
@@ -131,152 +169,158 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
-    let failure = match compare(args, &loaded) {
-        Ok((answer, folder)) => {
-            let status = match answer.agrees {
-                true => Status::Clean,
-                false => Status::Negative,
-            };
-            return terminal::print(look, status, |out| match args.json {
-                true => {
-                    serde_json::to_writer_pretty(&mut *out, &answer)?;
-                    writeln!(out)
-                }
-                false => print(out, &answer, &folder),
-            });
-        }
-        Err(failure) => failure,
+    let said = match args.with {
+        Program::Povray => povray::compare(args, &loaded).and_then(|c| answer(args, c)),
+        Program::Mitsuba => mitsuba::compare(args, &loaded).and_then(|c| answer(args, c)),
     };
-    match failure {
-        Failure::Scene(e) => {
+    match said {
+        Ok((agrees, text)) => {
+            let status = if agrees {
+                Status::Clean
+            } else {
+                Status::Negative
+            };
+            terminal::print(look, status, |out| out.write_all(&text))
+        }
+        Err(Failure::Scene(e)) => {
             loaded.refuse(&args.file, e.span, e.complaint(), look);
             Status::Negative
         }
-        Failure::Translation(e) => convert::refuse(&loaded, &e, look),
-        Failure::Image(error) => {
+        Err(Failure::Translation(e)) => convert::refuse(&loaded, &e, look),
+        Err(Failure::Image(error)) => {
             loaded.diagnostics = vec![*error];
             report(&loaded, look);
             Status::Negative
         }
-        Failure::Other(complaint) => {
+        Err(Failure::Other(complaint)) => {
             complain(look, &complaint);
             Status::Failure
         }
     }
 }
 
-/// Takes, compares and writes all pictures; says where they are.
-fn compare(args: &Args, loaded: &Loaded) -> Result<(Answer, PathBuf), Failure> {
-    let scene = &loaded.scene;
-    let size = (args.size.width, args.size.height);
-    let bar = args.max_diff / 255.0;
-    let options = pov::Options {
-        size,
-        depth: args.depth,
-        pictures: convert::pictures(&args.file, None),
-        stereo: pov::Stereo::TwoFiles,
-    };
-    let translation = pov::write(scene, &options).map_err(Failure::Translation)?;
-    let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))
-        .map_err(Failure::Image)?;
-    let tracer = Tracer::with_images(scene, &images)?;
-    let settings = Settings {
-        width: size.0,
-        height: size.1,
-        depth: args.depth,
-        cutoff: 0.0,
-        ..Settings::default()
-    };
-    let stem = args.file.file_stem().unwrap_or("scene".as_ref());
-    let stem = stem.to_string_lossy().into_owned();
-    let folder = (args.output.clone()).unwrap_or_else(|| PathBuf::from(format!("{stem}-povray")));
-    fs::create_dir_all(&folder).map_err(|e| unwritable(&folder, &e))?;
-    let program = args
-        .program
-        .as_deref()
-        .unwrap_or(Path::new(povray::PROGRAM));
-
-    let mut pictures = Vec::new();
-    for (i, camera) in cameras(loaded, size).iter().enumerate() {
-        let suffix = translation.files[i].suffix;
-        let name = format!("{stem}{suffix}");
-        let theirs = povray::render(program, &translation, i, size, &folder, &name)
-            .map_err(|e| failed(e, &folder))?;
-        // Half the bar each way: two pictures that are an edge apart differ by all of it.
-        let ours = study(&tracer, camera, &settings, bar / 2.0)?;
-        let most = (1.0 / translation.light_scale) as f32;
-        let comparison = Comparison::new(&ours, &theirs, most, bar);
-        write_pictures(&folder, suffix, &ours, &theirs, &comparison)?;
-        pictures.push(Compared {
-            name: suffix,
-            comparison,
-        });
-    }
-    let agrees = |c: &Compared| c.comparison.differing.share_off_silhouettes <= SHARE;
+/// Writes the numbers, and gives what is to be said of them.
+fn answer<T: Outcome>(args: &Args, pictures: Vec<Compared<T>>) -> Result<(bool, Vec<u8>), Failure> {
     let answer = Answer {
         scene: args.file.to_string_lossy().into_owned(),
-        with: "povray",
-        size: size.into(),
-        max_diff: bar,
-        agrees: pictures.iter().all(agrees),
+        with: args.with.name(),
+        size: [args.size.width, args.size.height],
+        agrees: pictures.iter().all(|p| p.comparison.share() <= SHARE),
         pictures,
     };
-    write_file(&folder.join("crosscheck.json"), |out| {
-        serde_json::to_writer_pretty(&mut *out, &answer)?;
-        writeln!(out)
-    })?;
-    Ok((answer, folder))
+    let folder = folder(args);
+    let json = serde_json::to_vec_pretty(&answer).unwrap_or_default();
+    let json = [&json[..], b"\n"].concat();
+    write_file(&folder.join("crosscheck.json"), |out| out.write_all(&json))?;
+    if args.json {
+        return Ok((answer.agrees, json));
+    }
+    let mut text = Vec::new();
+    for Compared { name, comparison } in &answer.pictures {
+        let agrees = match comparison.share() <= SHARE {
+            true => "agrees",
+            false => "DIFFERS",
+        };
+        let [w, h] = answer.size;
+        // Writing to memory cannot fail.
+        let _ = writeln!(
+            text,
+            "{}{name} with {}, {w}x{h}: {agrees}",
+            answer.scene, answer.with
+        );
+        let _ = comparison.print(args, &mut text);
+    }
+    let _ = writeln!(text, "Pictures and numbers are in {}", folder.display());
+    Ok((answer.agrees, text))
+}
+
+/// The scene's name without its extension.
+fn stem(args: &Args) -> String {
+    let stem = args.file.file_stem().unwrap_or("scene".as_ref());
+    stem.to_string_lossy().into_owned()
+}
+
+fn folder(args: &Args) -> PathBuf {
+    (args.output.clone())
+        .unwrap_or_else(|| PathBuf::from(format!("{}-{}", stem(args), args.with.name())))
+}
+
+/// The folder, which exists from now on.
+fn made_folder(args: &Args) -> Result<PathBuf, Complaint> {
+    let folder = folder(args);
+    match fs::create_dir_all(&folder) {
+        Ok(()) => Ok(folder),
+        Err(e) => Err(unwritable(&folder, &e)),
+    }
+}
+
+/// The program to run, from any folder.
+fn program(args: &Args, name: &str) -> PathBuf {
+    match &args.program {
+        // A name alone is looked for where programs are.
+        Some(path) if path.components().count() > 1 => {
+            std::path::absolute(path).unwrap_or_else(|_| path.clone())
+        }
+        Some(path) => path.clone(),
+        None => PathBuf::from(name),
+    }
 }
 
 /// The cameras that take the picture: one, or left and right.
-fn cameras(loaded: &Loaded, size: (u32, u32)) -> Vec<Camera> {
-    let scene = &loaded.scene;
+fn cameras(scene: &Scene, size: Size) -> Vec<Camera> {
     if let View::Stereo { left, right } = scene.view
         && let (Some(left), Some(right)) = (scene.cameras.get(left), scene.cameras.get(right))
     {
         return vec![*left, *right];
     }
-    let aspect = f64::from(size.0) / f64::from(size.1);
+    let aspect = f64::from(size.width) / f64::from(size.height);
     vec![selected_camera(scene, aspect)]
 }
 
-fn failed(error: ProgramError, folder: &Path) -> Complaint {
-    let name = povray::PROGRAM;
+/// Where the scene's pictures are.
+fn images(loaded: &Loaded) -> Result<trace::Images, Failure> {
+    let folder = loaded.source.folder().unwrap_or(Path::new("."));
+    trace::Images::load(&loaded.scene, folder).map_err(Failure::Image)
+}
+
+/// Why a program gave no answer; `name` is what people call it and `how` the ways to get it.
+fn failed(error: ProgramError, name: &str, how: &str, folder: &Path) -> Complaint {
     match error {
-        ProgramError::Missing => Complaint::new("no-program")
-            .with("program", "POV-Ray")
-            .with(
-                "how",
-                "`apt-get install povray`, `brew install povray`, https://www.povray.org",
-            ),
-        ProgramError::Io(e) => unwritable(folder, &e),
-        ProgramError::Failed(said) => Complaint::new("program-failed")
-            .with("program", name)
-            .with("said", said.replace('\n', "\n    ")),
-        ProgramError::Unexpected(what) => Complaint::new("program-strange")
-            .with("program", name)
-            .with("what", what),
+        ProgramError::Missing => Complaint::new("no-program").with("how", how),
+        ProgramError::Io(e) => return unwritable(folder, &e),
+        ProgramError::Failed(said) => {
+            Complaint::new("program-failed").with("said", said.replace('\n', "\n    "))
+        }
+        ProgramError::Unexpected(what) => Complaint::new("program-strange").with("what", what),
     }
+    .with("program", name)
 }
 
 fn write_pictures(
     folder: &Path,
     suffix: &str,
-    ours: &Studied,
-    theirs: &Film,
-    comparison: &Comparison,
+    size: Size,
+    pictures: &Pictures,
 ) -> Result<(), Complaint> {
-    let path = |name: &str| folder.join(format!("{name}{suffix}.png"));
-    let film = &ours.picture.film;
-    let (w, h) = (theirs.width, theirs.height);
-    write_file(&path("ours"), |out| film.write_png(out))?;
-    write_file(&path("theirs"), |out| theirs.write_png(out))?;
-    write_file(&path("difference"), |out| {
-        write_rgb8(out, w, h, &comparison.picture())
-    })?;
-    write_file(&path("side-by-side"), |out| {
-        write_rgb8(out, 3 * w, h, &side_by_side(film, theirs, comparison))
-    })
+    let Size { width, height } = size;
+    let Pictures {
+        ours,
+        theirs,
+        difference,
+    } = pictures;
+    let row = 3 * width as usize;
+    let rows = (ours.chunks(row).zip(theirs.chunks(row))).zip(difference.chunks(row));
+    let all: Vec<u8> = rows.flat_map(|((a, b), c)| [a, b, c].concat()).collect();
+    for (name, width, rgb) in [
+        ("ours", width, ours),
+        ("theirs", width, theirs),
+        ("difference", width, difference),
+        ("side-by-side", 3 * width, &all),
+    ] {
+        let path = folder.join(format!("{name}{suffix}.png"));
+        write_file(&path, |out| write_rgb8(out, width, height, rgb))?;
+    }
+    Ok(())
 }
 
 fn write_file(
@@ -286,46 +330,4 @@ fn write_file(
     Draft::create(path)
         .and_then(|draft| draft.finish(path, write))
         .map_err(|e| unwritable(path, &e))
-}
-
-/// The answer for people.
-fn print(out: &mut dyn Write, answer: &Answer, folder: &Path) -> io::Result<()> {
-    let bar = answer.max_diff * 255.0;
-    for Compared {
-        name,
-        comparison: c,
-    } in &answer.pictures
-    {
-        let [width, height] = answer.size;
-        let agrees = match c.differing.share_off_silhouettes <= SHARE {
-            true => "agrees",
-            false => "DIFFERS",
-        };
-        writeln!(
-            out,
-            "{}{name} with {}, {width}x{height}: {agrees}",
-            answer.scene, answer.with
-        )?;
-        writeln!(
-            out,
-            "  off silhouettes    {} pixels differ by more than {bar}/255 ({:.3} %); \
-             the largest difference is {:.2}/255, the mean {:.3}/255",
-            c.differing.off_silhouettes,
-            100.0 * c.differing.share_off_silhouettes,
-            255.0 * c.difference.largest,
-            255.0 * c.difference.mean,
-        )?;
-        writeln!(
-            out,
-            "  on silhouettes     {} of {} pixels differ",
-            c.differing.on_silhouettes, c.silhouettes
-        )?;
-        writeln!(
-            out,
-            "  total reflection   in {} pixels, not compared: POV-Ray has it otherwise",
-            c.total_reflection
-        )?;
-        writeln!(out, "  FLIP               {:.4}", c.flip)?;
-    }
-    writeln!(out, "Pictures and numbers are in {}", folder.display())
 }

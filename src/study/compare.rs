@@ -120,21 +120,6 @@ impl Comparison {
     }
 }
 
-/// Our picture, theirs and the differences beside each other, as 8-bit sRGB.
-pub fn side_by_side(ours: &Film, theirs: &Film, comparison: &Comparison) -> Vec<u8> {
-    let width = theirs.width as usize;
-    let both = ours.beside(theirs);
-    let differences = comparison.picture();
-    let rows = both.pixels.chunks(2 * width);
-    rows.zip(differences.chunks(3 * width))
-        .flat_map(|(pictures, differences)| {
-            let mut row: Vec<u8> = pictures.iter().flatten().map(|&x| srgb8(x)).collect();
-            row.extend(differences);
-            row
-        })
-        .collect()
-}
-
 fn flip(width: u32, height: u32, ours: &[[f32; 3]], theirs: &[[f32; 3]]) -> f32 {
     let image = |pixels: &[[f32; 3]]| {
         let bytes: Vec<u8> = pixels.iter().flatten().map(|&x| srgb8(x)).collect();

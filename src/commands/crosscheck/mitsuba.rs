@@ -1,0 +1,85 @@
+//! Geometry, beside Mitsuba's.
+
+use std::io::{self, Write};
+
+use super::{Args, Compared, Failure, Outcome, Pictures};
+use super::{cameras, failed, images, made_folder, program, stem, write_pictures};
+use crate::commands::Loaded;
+use crate::study::geometry::{self, Comparison, Differences, our_normals, their_normals};
+use crate::study::mitsuba::{CHANNELS, PROGRAM, render};
+use crate::study::program::ProgramError;
+use crate::trace::Tracer;
+use crate::translate::mitsuba::{Integrator, Options, write};
+
+const HOW: &str = "with `pip install mitsuba numpy`, and name that Python with --program";
+
+/// Looks, compares and writes what is seen.
+pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>, Failure> {
+    let scene = &loaded.scene;
+    let size = (args.size.width, args.size.height);
+    let tracer = Tracer::with_images(scene, &images(loaded)?)?;
+    let options = Options {
+        size,
+        depth: args.depth,
+        tolerance: args.tolerance,
+        integrator: Integrator::Aov,
+        stem: stem(args),
+    };
+    let made = write(scene, &tracer, &options)?;
+    let folder = made_folder(args)?;
+    let program = program(args, PROGRAM);
+    let fail = |e| failed(e, "Mitsuba", HOW, &folder);
+    let mut compared = Vec::new();
+    for (i, camera) in cameras(scene, args.size).iter().enumerate() {
+        let suffix = made.documents[i].0;
+        let name = format!("{}{suffix}", stem(args));
+        let theirs = render(&program, &made, i, &folder, &name).map_err(fail)?;
+        let ours = geometry::seen(&tracer, camera, size);
+        if theirs.len() != CHANNELS * ours.len() {
+            let what = "what it has written is of another size";
+            return Err(fail(ProgramError::Unexpected(what)).into());
+        }
+        let comparison = geometry::compare(&ours, &theirs, size.0 as usize, &made);
+        let pictures = Pictures {
+            ours: our_normals(&ours),
+            theirs: their_normals(&theirs),
+            difference: comparison.picture(),
+        };
+        write_pictures(&folder, suffix, args.size, &pictures)?;
+        compared.push(Compared {
+            name: suffix,
+            comparison,
+        });
+    }
+    Ok(compared)
+}
+
+impl Outcome for Comparison {
+    fn share(&self) -> f64 {
+        self.share_wrong
+    }
+
+    fn print(&self, _: &Args, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(
+            out,
+            "  off silhouettes    {} of {} pixels show another shape or place ({:.3} %)",
+            self.wrong,
+            self.pixels - self.silhouettes,
+            100.0 * self.share_wrong,
+        )?;
+        for (kind, d) in [("exact shapes", &self.exact), ("meshes", &self.meshes)] {
+            let Differences {
+                pixels,
+                distance,
+                distance_by_allowed,
+                angle,
+            } = d;
+            writeln!(
+                out,
+                "  {kind:<18} {pixels} pixels; positions differ by at most {distance:.2e}, \
+                 {distance_by_allowed:.3} of what is allowed; normals by at most {angle:.3}°",
+            )?;
+        }
+        Ok(())
+    }
+}

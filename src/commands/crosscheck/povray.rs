@@ -1,0 +1,95 @@
+//! Pictures, beside POV-Ray's.
+
+use std::io::{self, Write};
+
+use super::{Args, Compared, Failure, Outcome, Pictures};
+use super::{cameras, failed, images, made_folder, program, stem, write_pictures};
+use crate::commands::{Loaded, convert};
+use crate::study::compare::Comparison;
+use crate::study::povray::{PROGRAM, render};
+use crate::study::silhouette::study;
+use crate::trace::film::srgb8;
+use crate::trace::{Film, Settings, Tracer};
+use crate::translate::pov;
+
+const HOW: &str = "`apt-get install povray`, `brew install povray`, https://www.povray.org";
+
+/// Takes, compares and writes all pictures.
+pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>, Failure> {
+    let scene = &loaded.scene;
+    let size = (args.size.width, args.size.height);
+    let bar = args.max_diff / 255.0;
+    let options = pov::Options {
+        size,
+        depth: args.depth,
+        pictures: convert::pictures(&args.file, None),
+        stereo: pov::Stereo::TwoFiles,
+    };
+    let translation = pov::write(scene, &options)?;
+    let tracer = Tracer::with_images(scene, &images(loaded)?)?;
+    let settings = Settings {
+        width: size.0,
+        height: size.1,
+        depth: args.depth,
+        cutoff: 0.0,
+        ..Settings::default()
+    };
+    let folder = made_folder(args)?;
+    let program = program(args, PROGRAM);
+    let mut compared = Vec::new();
+    for (i, camera) in cameras(scene, args.size).iter().enumerate() {
+        let suffix = translation.files[i].suffix;
+        let name = format!("{}{suffix}", stem(args));
+        let theirs = render(&program, &translation, i, size, &folder, &name)
+            .map_err(|e| failed(e, "POV-Ray", HOW, &folder))?;
+        // Half the bar each way: two pictures that are an edge apart differ by all of it.
+        let ours = study(&tracer, camera, &settings, bar / 2.0)?;
+        let most = (1.0 / translation.light_scale) as f32;
+        let comparison = Comparison::new(&ours, &theirs, most, bar);
+        let pictures = Pictures {
+            ours: srgb(&ours.picture.film),
+            theirs: srgb(&theirs),
+            difference: comparison.picture(),
+        };
+        write_pictures(&folder, suffix, args.size, &pictures)?;
+        compared.push(Compared {
+            name: suffix,
+            comparison,
+        });
+    }
+    Ok(compared)
+}
+
+fn srgb(film: &Film) -> Vec<u8> {
+    film.pixels.iter().flatten().map(|&x| srgb8(x)).collect()
+}
+
+impl Outcome for Comparison {
+    fn share(&self) -> f64 {
+        self.differing.share_off_silhouettes
+    }
+
+    fn print(&self, args: &Args, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(
+            out,
+            "  off silhouettes    {} pixels differ by more than {}/255 ({:.3} %); \
+             the largest difference is {:.2}/255, the mean {:.3}/255",
+            self.differing.off_silhouettes,
+            args.max_diff,
+            100.0 * self.differing.share_off_silhouettes,
+            255.0 * self.difference.largest,
+            255.0 * self.difference.mean,
+        )?;
+        writeln!(
+            out,
+            "  on silhouettes     {} of {} pixels differ",
+            self.differing.on_silhouettes, self.silhouettes
+        )?;
+        writeln!(
+            out,
+            "  total reflection   in {} pixels, not compared: POV-Ray has it otherwise",
+            self.total_reflection
+        )?;
+        writeln!(out, "  FLIP               {:.4}", self.flip)
+    }
+}

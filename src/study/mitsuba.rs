@@ -1,0 +1,54 @@
+//! What the real Mitsuba sees of a translation through the middle of each pixel.
+
+use std::fs;
+use std::path::Path;
+
+use super::program::{ProgramError, run};
+use crate::translate::mitsuba::Output;
+
+/// The Python that is asked for the package `mitsuba`.
+pub const PROGRAM: &str = "python3";
+
+/// Loads a document, renders it and writes all channels as numbers of four bytes.
+const SCRIPT: &str = "\
+import sys, numpy, mitsuba
+mitsuba.set_variant('scalar_rgb')
+mitsuba.set_log_level(mitsuba.LogLevel.Error)
+# Not optimised: that would join meshes and number the shapes anew.
+scene = mitsuba.load_file(sys.argv[1], optimize=False)
+numpy.array(mitsuba.render(scene)).astype('<f4').tofile(sys.argv[2])
+";
+
+/// Channels of a pixel: position, shading normal, index of the shape.
+pub const CHANNELS: usize = 7;
+
+/// Has a document of a translation with [`Integrator::Aov`] rendered: [`CHANNELS`] numbers a pixel,
+/// row by row. Document, meshes and numbers are left in `folder`.
+///
+/// [`Integrator::Aov`]: crate::translate::mitsuba::Integrator::Aov
+///
+/// # Errors
+///
+/// There is no such Python, it has no Mitsuba, that fails, or the folder cannot be written to.
+pub fn render(
+    python: &Path,
+    made: &Output,
+    document: usize,
+    folder: &Path,
+    name: &str,
+) -> Result<Vec<f32>, ProgramError> {
+    let asked = run(python, folder, &["-c", "import mitsuba, numpy"]);
+    if let Err(ProgramError::Failed(_)) = asked {
+        return Err(ProgramError::Missing);
+    }
+    asked?;
+    for (mesh, bytes) in &made.meshes {
+        fs::write(folder.join(mesh), bytes)?;
+    }
+    let (file, numbers) = (format!("{name}.xml"), format!("{name}.bin"));
+    fs::write(folder.join(&file), &made.documents[document].1)?;
+    run(python, folder, &["-c", SCRIPT, &file, &numbers])?;
+    let bytes = fs::read(folder.join(&numbers))?;
+    let number = |b: &[u8]| f32::from_le_bytes([b[0], b[1], b[2], b[3]]);
+    Ok(bytes.chunks_exact(4).map(number).collect())
+}
