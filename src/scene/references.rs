@@ -78,7 +78,10 @@ impl References {
     pub fn settle(resolver: &mut Resolver, diagnostics: &mut [Diagnostic]) {
         let mut lost = VecDeque::from(std::mem::take(&mut resolver.references.lost));
         let mut found: HashMap<u32, bool> = HashMap::new();
-        for d in std::mem::take(&mut resolver.references.dangling) {
+        // What may be of one kind only chooses first.
+        let mut dangling = std::mem::take(&mut resolver.references.dangling);
+        dangling.sort_by_key(|d| d.kinds.len());
+        for d in dangling {
             let is_found = *found.entry(d.id).or_insert_with(|| {
                 let defines = |l: &Lost| match l.ty.map(|t| t.effect) {
                     Some(Effect::Defines(k) | Effect::DefinesOrChanges(k, _)) => {

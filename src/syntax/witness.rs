@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::faults::{self, Verdict};
+use super::faults::{self, Slip, Verdict};
 use super::layout::Piece;
 use super::reader::{self, Reading};
 use super::references;
@@ -17,6 +17,9 @@ pub struct Witnesses {
     /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
     /// Holds one past the record's last token, 0 where the line is no witness.
     pub ends: Vec<u32>,
+    /// For each line: it would be a record of its own, but for a slip. Nothing is said of the lines of
+    /// a longer record.
+    pub slips: Vec<bool>,
     /// The text is laid out with records beginning and ending with lines.
     pub in_lines: bool,
     /// What the witness lines say about each ID they define.
@@ -69,10 +72,25 @@ impl Witnesses {
         let (mut line, mut covered, mut stretches, mut disturbed) = (0, 0, 0, false);
         let mut steps = 0;
         let mut used = HashSet::new();
+        let mut slips = vec![false; lines];
+        let (mut slipped, mut table_to, mut perhaps) = (0, 0, Vec::new());
         while line < lines {
             let next = match ends[line] {
                 0 if run_to_line_end(stream, line) => line + 1,
                 0 => {
+                    match faults::slip(stream, line, line < table_to) {
+                        Slip::Yes => {
+                            slips[line] = true;
+                            slipped += 1;
+                            let (start, end) = (stream.line_start(line), stream.line_end(line));
+                            used.extend(references::of_record(stream, start, end));
+                        }
+                        Slip::Maybe => perhaps.push(line),
+                        Slip::No => {}
+                    }
+                    if line >= table_to {
+                        table_to = faults::rows_expected(stream, line);
+                    }
                     stretches += usize::from(!disturbed);
                     disturbed = true;
                     line += 1;
@@ -101,20 +119,30 @@ impl Witnesses {
                 }
             };
             disturbed = false;
+            table_to = 0;
             steps += 1;
             covered += next - line;
             line = next;
         }
         let mostly = 20 * covered >= 13 * lines || (stretches <= 1 && steps >= 4) || lines < 12;
-        let in_lines = steps > 0 && steps + 2 >= 3 * stretches && mostly;
+        for line in perhaps {
+            let id = stream.sigs[stream.line_start(line)].int.unwrap_or(0);
+            slips[line] = used.contains(&id) && !heads.contains_key(&id);
+            slipped += usize::from(slips[line]);
+        }
+        // The same mistake on every line leaves no line as a witness that it was laid out in lines.
+        let slips_in_lines = slipped > 0 && 20 * (covered + slipped) >= 17 * lines;
+        let in_lines = steps > 0 && steps + 2 >= 3 * stretches && mostly || slips_in_lines;
         if !in_lines {
             // What looks like a record at the head of a line is one by chance.
             heads.clear();
             used.clear();
+            slips.fill(false);
         }
         Witnesses {
             in_lines,
             ends,
+            slips,
             heads,
             used,
             voids_behind_records: voids_behind_records(stream),
@@ -140,7 +168,7 @@ impl Witnesses {
     /// that says it is a record of its own. A line in a table of equally long lines says nothing.
     pub fn takes_over(&self, stream: &Stream, start: usize, end: usize) -> bool {
         let (first, last) = (stream.line(start), stream.line(end - 1));
-        if first == last || self.ends[last] == 0 {
+        if first == last || self.ends[last] == 0 && !self.slips[last] {
             return false;
         }
         let length = |l: usize| stream.line_end(l) - stream.line_start(l);

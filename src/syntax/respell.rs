@@ -1,0 +1,371 @@
+//! Tokens that may be two numbers: `0,5` has a decimal comma, or the separator of the handout's
+//! notation of points stands in it; `0-1` and `1.2.3` may have lost a space. They are two where that
+//! gives the record on the line as many numbers as it takes, and one token each does not.
+
+use super::ast::{Broken, Fault, Item};
+use super::lexer::{self, Token, TokenKind};
+use super::table::RecordType;
+use super::witness::LONG;
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
+
+/// Records over more lines are not looked at.
+const LINES_MAX: usize = 1000;
+
+/// Which tokens are taken for several numbers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Split {
+    commas: bool,
+    glued: bool,
+}
+
+const AS_IT_STANDS: Split = Split {
+    commas: false,
+    glued: false,
+};
+
+/// The ways to split, the likeliest first.
+const SPLITS: [Split; 3] = [
+    Split {
+        commas: true,
+        glued: false,
+    },
+    Split {
+        commas: false,
+        glued: true,
+    },
+    Split {
+        commas: true,
+        glued: true,
+    },
+];
+
+impl Split {
+    fn takes(self, kind: TokenKind) -> bool {
+        kind == TokenKind::DecimalComma && self.commas
+            || kind == TokenKind::MalformedNumber && self.glued
+    }
+}
+
+/// The tokens of a text anew, and the places of the numbers that had lost the space between them.
+pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
+    let may_be_two = |t: &Token| {
+        t.kind == TokenKind::DecimalComma
+            || t.kind == TokenKind::MalformedNumber && parts(text, t).is_some()
+    };
+    if !tokens.iter().any(may_be_two) {
+        return (tokens, Vec::new());
+    }
+    let lines = Lines::new(text, &tokens);
+    let splits = lines.splits();
+    let mut out = Vec::with_capacity(tokens.len() + 16);
+    let mut glued = Vec::new();
+    let mut line = 0;
+    for (i, t) in tokens.iter().enumerate() {
+        while lines.ends.get(line).is_some_and(|&end| end <= i) {
+            line += 1;
+        }
+        let split = splits.get(line).copied().unwrap_or(AS_IT_STANDS);
+        match parts(text, t).filter(|_| split.takes(t.kind)) {
+            Some(parts) => {
+                if t.kind == TokenKind::MalformedNumber {
+                    glued.push(t.span());
+                }
+                out.extend(parts);
+            }
+            None => out.push(*t),
+        }
+    }
+    (out, glued)
+}
+
+/// The numbers a token can be taken apart to, with the comma between them.
+fn parts(text: &str, token: &Token) -> Option<Vec<Token>> {
+    let word = token.text(text);
+    let cuts: Vec<usize> = match token.kind {
+        TokenKind::DecimalComma => {
+            let comma = word.find(',')?;
+            vec![comma, comma + 1]
+        }
+        TokenKind::MalformedNumber => cuts(word)?,
+        _ => return None,
+    };
+    let mut start = 0;
+    let mut out = Vec::with_capacity(cuts.len() + 1);
+    for end in cuts.into_iter().chain([word.len()]) {
+        let [t] = lexer::lex(&word[start..end], &[])[..] else {
+            return None;
+        };
+        out.push(Token {
+            start: token.start + start as u32,
+            ..t
+        });
+        start = end;
+    }
+    let number = |t: &Token| t.kind.is_number() || t.kind == TokenKind::Separator;
+    out.iter().all(number).then_some(out)
+}
+
+/// Where the second number of a word begins, and the third, if it is nothing but numbers.
+fn cuts(word: &str) -> Option<Vec<usize>> {
+    let mut at = 0;
+    let mut out = Vec::new();
+    while at < word.len() {
+        if at > 0 {
+            out.push(at);
+        }
+        at += number_length(word[at..].as_bytes())?;
+    }
+    (!out.is_empty() && out.len() <= PARTS_MAX).then_some(out)
+}
+
+/// No more numbers than these are taken from one word.
+const PARTS_MAX: usize = 20;
+
+/// The length of the longest number that a word begins with.
+fn number_length(word: &[u8]) -> Option<usize> {
+    let digits = |from: usize| {
+        word[from..]
+            .iter()
+            .take_while(|c| c.is_ascii_digit())
+            .count()
+    };
+    let sign = |at: usize| usize::from(word.get(at).is_some_and(|c| b"+-".contains(c)));
+    let mut at = sign(0);
+    let whole = digits(at);
+    at += whole;
+    if word.get(at) == Some(&b'.') {
+        let fraction = digits(at + 1);
+        if whole + fraction == 0 {
+            return None;
+        }
+        at += 1 + fraction;
+    } else if whole == 0 {
+        return None;
+    }
+    if word.get(at).is_some_and(|c| b"eE".contains(c)) {
+        let from = at + 1 + sign(at + 1);
+        let exponent = digits(from.min(word.len()));
+        if exponent > 0 {
+            at = from + exponent;
+        }
+    }
+    Some(at)
+}
+
+/// The significant tokens, line by line.
+struct Lines<'a> {
+    text: &'a str,
+    tokens: &'a [Token],
+    /// For each line one past its last token, trivia counted.
+    ends: Vec<usize>,
+}
+
+impl<'a> Lines<'a> {
+    fn new(text: &'a str, tokens: &'a [Token]) -> Lines<'a> {
+        let newline = |(_, t): &(usize, &Token)| t.kind == TokenKind::Newline;
+        let ends = tokens
+            .iter()
+            .enumerate()
+            .filter(newline)
+            .map(|(i, _)| i + 1);
+        Lines {
+            text,
+            tokens,
+            ends: ends.chain([tokens.len()]).collect(),
+        }
+    }
+
+    fn line(&self, line: usize) -> impl Iterator<Item = &'a Token> {
+        let start = line.checked_sub(1).map_or(0, |l| self.ends[l]);
+        self.tokens[start..self.ends[line]]
+            .iter()
+            .filter(|t| !t.kind.is_trivia())
+    }
+
+    /// How to read each line.
+    fn splits(&self) -> Vec<Split> {
+        let lines = self.ends.len();
+        let commas = |l: usize| {
+            self.line(l)
+                .filter(|t| t.kind == TokenKind::DecimalComma)
+                .count()
+        };
+        let mut out = vec![AS_IT_STANDS; lines];
+        let mut decimal_commas = false;
+        let mut l = 0;
+        while l < lines {
+            if let Some(n) = self.fits(l, AS_IT_STANDS) {
+                decimal_commas |= (l..l + n).any(|l| commas(l) > 0);
+                l += n;
+                continue;
+            }
+            let fit = SPLITS.iter().find_map(|&s| Some((s, self.fits(l, s)?)));
+            let n = fit.map_or(1, |f| f.1);
+            if let Some((split, n)) = fit {
+                out[l..l + n].fill(split);
+            }
+            l += n;
+        }
+        if decimal_commas {
+            // Where commas are decimal commas elsewhere, a single one is so too, and a number is
+            // missing.
+            for (l, split) in out.iter_mut().enumerate() {
+                if commas(l) == 1 {
+                    split.commas = false;
+                }
+            }
+        }
+        out
+    }
+
+    /// How many lines the record at the head of a line takes, if it ends with a line.
+    fn fits(&self, line: usize, split: Split) -> Option<usize> {
+        let width = |t: &Token| match split.takes(t.kind) {
+            true => {
+                parts(self.text, t).map_or(1, |p| p.iter().filter(|t| !t.kind.is_trivia()).count())
+            }
+            false => 1,
+        };
+        let first = self.line(line);
+        let mut head = first.flat_map(|t| match split.takes(t.kind) {
+            true => parts(self.text, t).unwrap_or_else(|| vec![*t]),
+            false => vec![*t],
+        });
+        let mut integer = || head.find(|t| !t.kind.is_trivia())?.integer(self.text);
+        integer().filter(|&id| id > 0)?;
+        let ty = RecordType::by_code(integer()?)?;
+        let n = match ty.is_counted() {
+            true => u64::try_from(integer()?).ok().filter(|&n| n >= 2)?,
+            false => 0,
+        };
+        let wanted = ty.arity(n).saturating_add(2);
+        let lines = match ty.is_counted() || ty.params.len() >= LONG {
+            true => LINES_MAX,
+            false => 1,
+        };
+        let mut got = 0;
+        for l in line..self.ends.len().min(line + lines) {
+            got += self.line(l).map(width).sum::<usize>() as u64;
+            if got == wanted || l == line && got == wanted + ty.optional.len() as u64 {
+                return Some(l + 1 - line);
+            }
+            if got > wanted {
+                return None;
+            }
+        }
+        None
+    }
+}
+
+/// What to say of numbers that had lost the space between them, and a fix that inserts it.
+pub fn report(text: &str, tokens: &[Token], glued: &[Span], out: &mut Vec<Diagnostic>) {
+    for &span in glued {
+        let first = tokens.partition_point(|t| t.start <= span.start);
+        let starts = tokens[first..]
+            .iter()
+            .map(|t| t.start)
+            .take_while(|&s| s < span.end);
+        let edits: Vec<Edit> = starts
+            .map(|s| Edit {
+                span: Span::new(s, s),
+                text: " ".into(),
+            })
+            .collect();
+        let word = &text[span.range()];
+        // A sign says where the second number begins; points leave a choice.
+        let sure = !word.contains('.') || word.matches('.').count() < 2;
+        let mut apart = word.to_owned();
+        for e in edits.iter().rev() {
+            apart.insert((e.span.start - span.start) as usize, ' ');
+        }
+        let applicability = if sure {
+            Applicability::Safe
+        } else {
+            Applicability::Unsafe
+        };
+        out.push(
+            Diagnostic::new(Code::E003, span)
+                .case("glued")
+                .with("text", super::report::quote(word))
+                .with("number", super::report::quote(&apart))
+                .fix(Fix {
+                    title: "fix",
+                    applicability,
+                    edits,
+                }),
+        );
+    }
+}
+
+/// Records with numbers that had lost the space between them are broken: an error was reported.
+pub fn broken(items: &mut [Item], tokens: &[Token], glued: &[Span]) {
+    for item in items {
+        let Item::Record(r) = item else { continue };
+        let (from, to) = (
+            tokens[r.first as usize].start,
+            tokens[r.last as usize].end(),
+        );
+        let i = glued.partition_point(|g| g.start < from);
+        if glued.get(i).is_some_and(|g| g.start < to) {
+            *item = Item::Broken(Broken {
+                first: r.first,
+                last: r.last,
+                id: Some(r.id),
+                ty: Some(r.ty),
+                fault: Fault::Form,
+            });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The significant tokens of a text after all.
+    fn words(text: &str) -> Vec<&str> {
+        let (tokens, _) = respell(text, lexer::lex(text, &[]));
+        let significant = tokens.iter().filter(|t| !t.kind.is_trivia());
+        significant.map(|t| t.text(text)).collect()
+    }
+
+    #[test]
+    fn words_of_numbers() {
+        let cut = |word: &str| {
+            let mut cuts = cuts(word)?;
+            cuts.insert(0, 0);
+            cuts.push(word.len());
+            Some(
+                cuts.windows(2)
+                    .map(|w| word[w[0]..w[1]].to_owned())
+                    .collect::<Vec<_>>(),
+            )
+        };
+        assert_eq!(cut("0-1").unwrap(), ["0", "-1"]);
+        assert_eq!(cut("1.2.3").unwrap(), ["1.2", ".3"]);
+        assert_eq!(cut("1e-3-.5+2").unwrap(), ["1e-3", "-.5", "+2"]);
+        for one in [
+            "--5", "1e", "0x1F", "5-", "5abc", "1.5..", "nan", "1/2", "12", "",
+        ] {
+            assert_eq!(cut(one), None, "{one}");
+        }
+    }
+
+    #[test]
+    fn commas_are_what_makes_the_count_fit() {
+        assert_eq!(words("2 1 3 0,0 1,1 0,2").len(), 9);
+        assert_eq!(words("2 1 3\n0,0 1,1\n0,2\n3 9 1").len(), 12);
+        assert_eq!(words("2 11 0 0 0 0,5").len(), 6);
+        // A number is missing, and no way to read the commas gives as many as it takes.
+        assert_eq!(words("2 11 0,5 0,5 0,5").len(), 5);
+        assert_eq!(words("2 11 0,5 0 1").len(), 6);
+        assert_eq!(words("3 11 0 0 0 0,5\n2 11 0,5 0 1").len(), 11);
+    }
+
+    #[test]
+    fn lost_spaces() {
+        assert_eq!(words("3 11 0 0-1 1"), ["3", "11", "0", "0", "-1", "1"]);
+        assert_eq!(words("3-101 4 5"), ["3", "-101", "4", "5"]);
+        assert_eq!(words("3 11 0 0-1 1 2").len(), 6);
+    }
+}
