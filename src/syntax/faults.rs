@@ -348,14 +348,14 @@ const SLIP_MAX: usize = 2;
 /// line itself where it claims none, or most of it stands on the line.
 pub fn rows_expected(stream: &Stream, line: usize) -> usize {
     let (start, end) = (stream.line_start(line), stream.line_end(line));
-    if stream.sigs[start].int.is_none_or(|id| id <= 0) || has_lost_id(stream, start, end) {
+    if stream.sigs[start].int.is_none_or(|id| id <= 0) {
         return line;
     }
     match (expected_end(stream, start), is_counted(stream, start)) {
         (Some(e), _) if e > end + SLIP_MAX && 2 * (end - start) <= e - start + 4 => {
             stream.line(e.min(stream.len()) - 1) + 2
         }
-        (None, true) if end <= start + 3 => stream.line_count(),
+        (None, true) if end <= start + 3 && !has_lost_id(stream, start, end) => stream.line_count(),
         _ => line,
     }
 }

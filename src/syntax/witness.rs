@@ -78,6 +78,9 @@ impl Witnesses {
             let next = match ends[line] {
                 0 if run_to_line_end(stream, line) => line + 1,
                 0 => {
+                    if line >= table_to {
+                        table_to = faults::rows_expected(stream, line);
+                    }
                     match faults::slip(stream, line, line < table_to) {
                         Slip::Yes => {
                             slips[line] = true;
@@ -87,9 +90,6 @@ impl Witnesses {
                         }
                         Slip::Maybe => perhaps.push(line),
                         Slip::No => {}
-                    }
-                    if line >= table_to {
-                        table_to = faults::rows_expected(stream, line);
                     }
                     stretches += usize::from(!disturbed);
                     disturbed = true;
@@ -168,8 +168,8 @@ impl Witnesses {
     /// that says it is a record of its own. A line in a table of equally long lines says nothing.
     pub fn takes_over(&self, stream: &Stream, start: usize, end: usize) -> bool {
         let (first, last) = (stream.line(start), stream.line(end - 1));
-        if first == last || self.ends[last] == 0 && !self.slips[last] {
-            return false;
+        if first == last || self.ends[last] == 0 {
+            return first != last && self.slips[last];
         }
         let length = |l: usize| stream.line_end(l) - stream.line_start(l);
         !(last > first + 1 && length(last) == length(last - 1))
