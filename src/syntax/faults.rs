@@ -181,8 +181,9 @@ pub fn judge(
     };
     if good_id {
         let lost = lost_id(stream, start, end).filter(|_| !id.int.is_some_and(is_id));
+        let in_order = if follows(stream, start) { IN_ORDER } else { 0 };
         return match lost {
-            Some(lost) if lost.1 < with_id.1 => lost,
+            Some((verdict, price)) if price + in_order < with_id.1 => (verdict, price + in_order),
             _ => with_id,
         };
     }
@@ -215,6 +216,18 @@ pub fn judge(
             )
         }
     }
+}
+
+/// What it costs more to take the next number after the ID of the line before for a type.
+const IN_ORDER: u32 = 40;
+
+/// Whether a line begins with the next number after that which the line before begins with.
+fn follows(stream: &Stream, start: usize) -> bool {
+    let line = stream.line(start);
+    let first = |line: usize| stream.sigs[stream.line_start(line)].int.map(i64::from);
+    line > 0
+        && stream.starts_line(start)
+        && first(line - 1).filter(|&id| id > 0).map(|id| id + 1) == first(line)
 }
 
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have
@@ -320,8 +333,7 @@ pub fn slip(stream: &Stream, line: usize, in_table: bool) -> Slip {
             (None, Slip::Yes)
         }
         Verdict::UnknownType => {
-            let other_sign = RecordType::by_code(-i64::from(code));
-            let right = other_sign.and_then(|ty| end_of(stream, start + 2, ty)) == Some(end as u64);
+            let right = lost_sign(stream, start, end);
             let odd = code.abs() >= NO_COORDINATE && end > start + 2;
             (None, if right || odd { Slip::Yes } else { Slip::Maybe })
         }
@@ -360,6 +372,15 @@ pub fn rows_expected(stream: &Stream, line: usize) -> usize {
     }
 }
 
+/// Whether a record of unknown type would be right with a minus sign before the type.
+fn lost_sign(stream: &Stream, start: usize, end: usize) -> bool {
+    let code = stream.sigs[start + 1].int.map(i64::from);
+    let ty = code
+        .filter(|&c| c > 0)
+        .and_then(|c| RecordType::by_code(-c));
+    ty.is_some_and(|ty| end_of(stream, start + 2, ty) == Some(end as u64))
+}
+
 fn untyped(stream: &Stream, start: usize, end: usize) -> (Verdict, u32) {
     let Some(t) = stream.sigs.get(start + 1).filter(|_| start + 1 < end) else {
         let cut = stream.has_unclosed_comment(start, end);
@@ -375,6 +396,8 @@ fn untyped(stream: &Stream, start: usize, end: usize) -> (Verdict, u32) {
     let penalty = if plausible { 0 } else { 2 * FAULT };
     let bad = bad_price(stream, start + 2, end);
     match t.int {
+        // A lost sign is likelier than a lost ID.
+        Some(_) if lost_sign(stream, start, end) => (Verdict::UnknownType, FAULT - 20 + bad),
         Some(_) => (Verdict::UnknownType, FAULT + 30 + penalty + bad),
         None => (Verdict::BadType, FAULT + 30 + length / 10 + penalty + bad),
     }

@@ -8,9 +8,6 @@ use super::table::RecordType;
 use super::witness::LONG;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 
-/// Records over more lines are not looked at.
-const LINES_MAX: usize = 1000;
-
 /// Which tokens are taken for several numbers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Split {
@@ -158,59 +155,89 @@ struct Lines<'a> {
     tokens: &'a [Token],
     /// For each line one past its last token, trivia counted.
     ends: Vec<usize>,
+    /// For each way to read, how many numbers there are before each line.
+    before: Vec<(Split, Vec<u64>)>,
 }
 
 impl<'a> Lines<'a> {
     fn new(text: &'a str, tokens: &'a [Token]) -> Lines<'a> {
         let newline = |(_, t): &(usize, &Token)| t.kind == TokenKind::Newline;
-        let ends = tokens
-            .iter()
-            .enumerate()
-            .filter(newline)
-            .map(|(i, _)| i + 1);
-        Lines {
+        let ends = tokens.iter().enumerate().filter(newline);
+        let ends = ends.map(|(i, _)| i + 1).chain([tokens.len()]).collect();
+        let mut lines = Lines {
             text,
             tokens,
-            ends: ends.chain([tokens.len()]).collect(),
-        }
+            ends,
+            before: Vec::new(),
+        };
+        let before = |split: Split| {
+            let width = |t: &Token| lines.read(t, split).len() as u64;
+            let mut sum = 0;
+            let sums = (0..lines.ends.len()).map(|l| {
+                sum += lines.line(l).map(width).sum::<u64>();
+                sum
+            });
+            (split, [0].into_iter().chain(sums).collect())
+        };
+        let before = [AS_IT_STANDS]
+            .iter()
+            .chain(&SPLITS)
+            .map(|&s| before(s))
+            .collect();
+        lines.before = before;
+        lines
     }
 
     fn line(&self, line: usize) -> impl Iterator<Item = &'a Token> {
         let start = line.checked_sub(1).map_or(0, |l| self.ends[l]);
+        let significant = |t: &&Token| !t.kind.is_trivia();
         self.tokens[start..self.ends[line]]
             .iter()
-            .filter(|t| !t.kind.is_trivia())
+            .filter(significant)
+    }
+
+    /// A token as the one number or the several that it is.
+    fn read(&self, token: &Token, split: Split) -> Vec<Token> {
+        let mut parts = match split.takes(token.kind) {
+            true => parts(self.text, token).unwrap_or_else(|| vec![*token]),
+            false => vec![*token],
+        };
+        parts.retain(|t| !t.kind.is_trivia());
+        parts
     }
 
     /// How to read each line.
     fn splits(&self) -> Vec<Split> {
         let lines = self.ends.len();
         let commas = |l: usize| {
-            self.line(l)
-                .filter(|t| t.kind == TokenKind::DecimalComma)
-                .count()
+            let commas = self.line(l).filter(|t| t.kind == TokenKind::DecimalComma);
+            commas.count()
         };
         let mut out = vec![AS_IT_STANDS; lines];
         let mut decimal_commas = false;
         let mut l = 0;
         while l < lines {
-            if let Some(n) = self.fits(l, AS_IT_STANDS) {
-                decimal_commas |= (l..l + n).any(|l| commas(l) > 0);
-                l += n;
-                continue;
-            }
-            let fit = SPLITS.iter().find_map(|&s| Some((s, self.fits(l, s)?)));
-            let n = fit.map_or(1, |f| f.1);
-            if let Some((split, n)) = fit {
-                out[l..l + n].fill(split);
-            }
+            // The record that ends first is the likeliest, and among equals the text as it stands.
+            let ways = self.before.iter();
+            let ways = ways.filter_map(|s| Some((s.0, self.fits(l, s)?)));
+            let n = match ways.min_by_key(|&(_, n)| n) {
+                Some((AS_IT_STANDS, n)) => {
+                    decimal_commas |= (l..l + n).any(|l| commas(l) > 0);
+                    n
+                }
+                Some((split, n)) => {
+                    out[l..l + n].fill(split);
+                    n
+                }
+                None => 1,
+            };
             l += n;
         }
         if decimal_commas {
             // Where commas are decimal commas elsewhere, a single one is so too, and a number is
             // missing.
             for (l, split) in out.iter_mut().enumerate() {
-                if commas(l) == 1 {
+                if split.commas && commas(l) == 1 {
                     split.commas = false;
                 }
             }
@@ -219,19 +246,9 @@ impl<'a> Lines<'a> {
     }
 
     /// How many lines the record at the head of a line takes, if it ends with a line.
-    fn fits(&self, line: usize, split: Split) -> Option<usize> {
-        let width = |t: &Token| match split.takes(t.kind) {
-            true => {
-                parts(self.text, t).map_or(1, |p| p.iter().filter(|t| !t.kind.is_trivia()).count())
-            }
-            false => 1,
-        };
-        let first = self.line(line);
-        let mut head = first.flat_map(|t| match split.takes(t.kind) {
-            true => parts(self.text, t).unwrap_or_else(|| vec![*t]),
-            false => vec![*t],
-        });
-        let mut integer = || head.find(|t| !t.kind.is_trivia())?.integer(self.text);
+    fn fits(&self, line: usize, (split, before): &(Split, Vec<u64>)) -> Option<usize> {
+        let mut head = self.line(line).flat_map(|t| self.read(t, *split));
+        let mut integer = || head.next()?.integer(self.text);
         integer().filter(|&id| id > 0)?;
         let ty = RecordType::by_code(integer()?)?;
         let n = match ty.is_counted() {
@@ -239,21 +256,16 @@ impl<'a> Lines<'a> {
             false => 0,
         };
         let wanted = ty.arity(n).saturating_add(2);
-        let lines = match ty.is_counted() || ty.params.len() >= LONG {
-            true => LINES_MAX,
-            false => 1,
-        };
-        let mut got = 0;
-        for l in line..self.ends.len().min(line + lines) {
-            got += self.line(l).map(width).sum::<usize>() as u64;
-            if got == wanted || l == line && got == wanted + ty.optional.len() as u64 {
-                return Some(l + 1 - line);
-            }
-            if got > wanted {
-                return None;
-            }
+        let got = before[line + 1] - before[line];
+        if got == wanted || got == wanted + ty.optional.len() as u64 {
+            return Some(1);
         }
-        None
+        if !ty.is_counted() && ty.params.len() < LONG {
+            return None;
+        }
+        let end = before[line].saturating_add(wanted);
+        let lines = before[line + 1..].partition_point(|&b| b < end) + 1;
+        (before.get(line + lines) == Some(&end)).then_some(lines)
     }
 }
 

@@ -26,6 +26,8 @@ pub struct Witnesses {
     pub heads: HashMap<i32, Head>,
     /// The IDs that witness lines use or change.
     used: HashSet<i32>,
+    /// A line begins with a type that can be no ID: other lines may have lost theirs as well.
+    ids_lost: bool,
     /// Comments behind a record on its line are introduced by `0` here.
     pub voids_behind_records: bool,
 }
@@ -73,6 +75,7 @@ impl Witnesses {
         let mut steps = 0;
         let mut used = HashSet::new();
         let mut slips = vec![false; lines];
+        let mut ids_lost = false;
         let (mut slipped, mut table_to, mut perhaps) = (0, 0, Vec::new());
         while line < lines {
             let next = match ends[line] {
@@ -83,6 +86,8 @@ impl Witnesses {
                     }
                     match faults::slip(stream, line, line < table_to) {
                         Slip::Yes => {
+                            let head = &stream.sigs[stream.line_start(line)];
+                            ids_lost |= head.int.is_some_and(|code| code < 0);
                             slips[line] = true;
                             slipped += 1;
                             let (start, end) = (stream.line_start(line), stream.line_end(line));
@@ -145,6 +150,7 @@ impl Witnesses {
             slips,
             heads,
             used,
+            ids_lost,
             voids_behind_records: voids_behind_records(stream),
         }
     }
@@ -152,7 +158,7 @@ impl Witnesses {
     /// Whether a number is used as an ID elsewhere and defined by no line of its own: if a record
     /// begins with it, then it is that record's ID.
     pub fn is_missing(&self, id: i32) -> bool {
-        self.used.contains(&id) && !self.heads.contains_key(&id)
+        !self.ids_lost && self.used.contains(&id) && !self.heads.contains_key(&id)
     }
 
     /// Whether a line would be a complete record by itself.
