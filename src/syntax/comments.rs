@@ -190,11 +190,15 @@ mod tests {
     #[test]
     fn a_sign_for_the_rest_of_the_line() {
         for n in 2..12 {
-            let text: String = (0..n).map(|i| format!("{} 11 {i} 0 0 1 # ball\n", i + 2)).collect();
+            let text: String = (0..n)
+                .map(|i| format!("{} 11 {i} 0 0 1 # ball\n", i + 2))
+                .collect();
             let all: Vec<usize> = (1..=n).collect();
             assert_eq!(lines(&format!("{text}40 -101 2 3\n")), all);
             // With headings, and with comments that are closed.
-            let text: String = (0..n).map(|i| format!("# ball\n{} 11 {i} 0 0 1\n", i + 2)).collect();
+            let text: String = (0..n)
+                .map(|i| format!("# ball\n{} 11 {i} 0 0 1\n", i + 2))
+                .collect();
             let all: Vec<usize> = (0..n).map(|i| 2 * i + 1).collect();
             assert_eq!(lines(&text), all);
             assert!(lines(&text.replace("ball", "ball #")).is_empty());

@@ -4,7 +4,7 @@
 
 use super::ast::{Broken, Fault, Item};
 use super::lexer::{self, Token, TokenKind};
-use super::table::RecordType;
+use super::table::{ParamKind, RecordType};
 use super::witness::LONG;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 
@@ -217,10 +217,12 @@ impl<'a> Lines<'a> {
         let mut decimal_commas = false;
         let mut l = 0;
         while l < lines {
-            // The record that ends first is the likeliest, and among equals the text as it stands.
+            // What ends with its own line goes before what ends with a later one, and that before
+            // what takes in a line that is a record as it stands.
             let ways = self.before.iter();
             let ways = ways.filter_map(|s| Some((s.0, self.fits(l, s)?)));
-            let n = match ways.min_by_key(|&(_, n)| n) {
+            let whole = |l: usize| self.fits(l, &self.before[0]) == Some(1);
+            let n = match ways.min_by_key(|&(_, n)| (n > 1, n > 1 && (l + 1..l + n).any(whole))) {
                 Some((AS_IT_STANDS, n)) => {
                     decimal_commas |= (l..l + n).any(|l| commas(l) > 0);
                     n
@@ -258,7 +260,14 @@ impl<'a> Lines<'a> {
         let wanted = ty.arity(n).saturating_add(2);
         let got = before[line + 1] - before[line];
         if got == wanted || got == wanted + ty.optional.len() as u64 {
-            return Some(1);
+            // A dash between two IDs is no sign.
+            let negative_id = |(i, t): (usize, Token)| {
+                let reference = ty.param(i, n as usize).map(|p| p.kind);
+                matches!(reference, Some(ParamKind::Reference { .. }))
+                    && t.text(self.text).starts_with('-')
+            };
+            let params = self.line(line).flat_map(|t| self.read(t, *split)).skip(2);
+            return (!split.glued || !params.enumerate().any(negative_id)).then_some(1);
         }
         if !ty.is_counted() && ty.params.len() < LONG {
             return None;
@@ -367,6 +376,8 @@ mod tests {
     fn commas_are_what_makes_the_count_fit() {
         assert_eq!(words("2 1 3 0,0 1,1 0,2").len(), 9);
         assert_eq!(words("2 1 3\n0,0 1,1\n0,2\n3 9 1").len(), 12);
+        let matrix = "2 -99\n0,4 0 0 0\n0 0,5 0 0\n0 0 -0,5 1,5\n0 0 0 1";
+        assert_eq!(words(matrix).len(), 18);
         assert_eq!(words("2 11 0 0 0 0,5").len(), 6);
         // A number is missing, and no way to read the commas gives as many as it takes.
         assert_eq!(words("2 11 0,5 0,5 0,5").len(), 5);
@@ -379,5 +390,6 @@ mod tests {
         assert_eq!(words("3 11 0 0-1 1"), ["3", "11", "0", "0", "-1", "1"]);
         assert_eq!(words("3-101 4 5"), ["3", "-101", "4", "5"]);
         assert_eq!(words("3 11 0 0-1 1 2").len(), 6);
+        assert_eq!(words("4 -101 2-3").len(), 3);
     }
 }

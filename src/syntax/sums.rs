@@ -28,9 +28,8 @@ impl Sums {
     pub fn new(stream: &Stream, witnesses: &Witnesses) -> Sums {
         let lines = 0..stream.line_count();
         let length = |l: usize| stream.line_end(l) - stream.line_start(l);
-        let own = |l: usize| {
-            witnesses.ends[l] > 0 || witnesses.slips[l] || looks_like_a_head(stream, l)
-        };
+        let own =
+            |l: usize| witnesses.ends[l] > 0 || witnesses.slips[l] || looks_like_a_head(stream, l);
         let complete = |l: usize| {
             witnesses.is_complete_line(stream, l)
                 && !witnesses.is_void_line(stream, l)
