@@ -16,6 +16,13 @@ const TRIGGERS: &[&str] = &[
     "2 11 0 −1 0 1\n1 9999 2 0\n",
     "2 9 1\n9 1\n1 9999 2 0\n",
     "11 0 0 0 1\n3 9 1\n4 -101 2 3\n1 9999 4 0\n",
+    "2 11 0 0-1 1\n3 11 1.2.3 0 1\n4-101 2 3\n1 9999 4 0\n",
+    "2 11 1/2 0 0 1\n3 11 1/0 0 0 1\n4 -101 2 3\n1 9999 4 0\n",
+    "2 9 1\n3 9 2\n4 -101 2 3\n9999 1 4 0\n",
+    "2 9 1\n7 -301 my image.png\n1 9999 2 0\n",
+    "2 1 3 0,0 1,1 0,2\n7 -301 my image.png\n1 9999 2 0\n",
+    "2 11 0 0 0 1 # a\n3 11 1 0 0 1 # b\n4 -101 2 3\n1 9999 4 0\n",
+    "2 9 1\n3 201 .8 .1 .1\n1 9999 2 0\n",
     "2.0 9 1\n3 9.0 1\n4 13 1 3.0\n4 -2 90 1.0\n1 9999 2 0\n",
     "14 -701 1 0 0\n35 -201 1 0 0\n4 9 1\n4 -204 # paint # 0 35\n1 9999 4 0\n",
     "15 -701 1 0 0\n16 -399 10 15 14 55\n1 9999 4 0\n",
@@ -152,4 +159,70 @@ fn every_fix_makes_it_better() {
         tried > 100 && drawn > 20,
         "{tried} fixes of {with_fix:?}, {drawn} pictures"
     );
+}
+
+/// The text of the first fix of the first error applied.
+fn mended(text: &str) -> String {
+    let loaded = read(text);
+    let first = loaded.diagnostics.iter().find(|d| d.is_error());
+    let fix = first.and_then(|d| d.fixes.first());
+    fixes::apply(text, fix.into_iter()).0
+}
+
+#[test]
+fn fixes_write_what_was_meant() {
+    for (line, meant) in [
+        ("3 11 0 0-1 1", "3 11 0 0 -1 1"),
+        ("3 11 1.2.3 0 1", "3 11 1.2 .3 0 1"),
+        ("3-101 2 2", "3 -101 2 2"),
+        ("3 11 1/2 0 0 1", "3 11 0.5 0 0 1"),
+        ("3 11 1/0 0 0 1", "3 11 1/0 0 0 1"),
+        ("3 201 .8 .1 .1", "3 -201 .8 .1 .1"),
+        ("3 -301 my image.png", "3 -301 \"my image.png\""),
+        ("9999 1 2 0", "1 9999 2 0"),
+    ] {
+        let text = |line: &str| format!("2 9 1\n40 9 1\n41 9 1\n{line}\n");
+        assert_eq!(mended(&text(line)), text(meant));
+    }
+}
+
+/// All decimal points of the scenes made commas, and made points again.
+#[test]
+fn decimal_commas_are_mended() {
+    let mut commas = 0;
+    for folder in ["handout", "gallery", "hard"] {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+        for entry in fs::read_dir(root.join(folder)).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_none_or(|e| e != "zpg") {
+                continue;
+            }
+            let text = fs::read_to_string(&path).unwrap();
+            let digit = |i: usize| text.as_bytes().get(i).is_some_and(u8::is_ascii_digit);
+            let mut spoiled = text.clone();
+            let mut count = 0;
+            for t in &read(&text).document.tokens {
+                let (from, to) = (t.start as usize, t.end() as usize);
+                let point = text[from..to].find('.').filter(|_| t.kind.is_number());
+                let point = point.map(|i| from + i);
+                if let Some(p) = point.filter(|&p| digit(p.wrapping_sub(1)) && digit(p + 1)) {
+                    spoiled.replace_range(p..p + 1, ",");
+                    count += 1;
+                }
+            }
+            let loaded = read(&spoiled);
+            let errors: Vec<_> = loaded.diagnostics.iter().filter(|d| d.is_error()).collect();
+            let right = errors.iter().all(|d| d.code == Code::E003);
+            let found: Vec<_> = errors.iter().map(|d| (d.code, d.span)).collect();
+            assert!(
+                right && errors.len() == count,
+                "{count} {} {found:?}",
+                path.display()
+            );
+            let safe = errors.iter().flat_map(|d| &d.fixes);
+            assert_eq!(fixes::apply(&spoiled, safe).0, text, "{}", path.display());
+            commas += count;
+        }
+    }
+    assert!(commas > 1000, "{commas}");
 }

@@ -126,6 +126,101 @@ fn stray_characters_and_words() {
 }
 
 #[test]
+fn numbers_without_a_space_between() {
+    check(&among("3 11 0 0-1 1"), &["E003@3"]);
+    check(&among("2 11 1.2.3 0 1"), &["E003@3"]);
+    check(&among("3-101 40 41"), &["E003@3"]);
+    // The count fits as it is: one number is malformed.
+    check(&among("3 11 0 0-1 1 2"), &["E003@3"]);
+    check(&among("2 11 1.2.3 0 0 1"), &["E003@3"]);
+    // No way to read it gives the right count.
+    check(&among("3 11 0-1 1"), &["E008@3", "E003@3"]);
+}
+
+#[test]
+fn commas_between_coordinates() {
+    check(&among("2 1 3 0,0 1,1 0,2"), &[]);
+    check(&among("2 1 3\n0,0 1,1\n0,2"), &[]);
+    check(&among("2 11 0,0 0,1"), &[]);
+    check(&among("2 11 0 0 0 0,5"), &["E003@3"]);
+    check(&among("2 11 0,5 0,5 0,5 0,5"), &["E003@3"; 4]);
+    // Where another comma is a decimal one, so is this, and a number is missing.
+    check(
+        &among("2 11 0 0 0 0,5\n3 11 0,5 0 1"),
+        &["E003@3", "E008@4", "E003@4"],
+    );
+}
+
+#[test]
+fn the_render_record() {
+    check("2 9 1\n3 9 2\n9999 1 2 0", &["E005@3"]);
+    check("2 9 1\n3 9 2\n9999 1 2 0 -1 -1 -1 1 1 1", &["E005@3"]);
+    // A surface of revolution with a large ID.
+    check("2 9 1\n9999 1 2 0 0 1 1\n1 9999 2 0", &[]);
+    for extra in ["0", "0 0", "0 0 0", "0.1 0.2 0.3"] {
+        check(&format!("2 9 1\n1 9999 2 0 {extra}\n"), &["E009@2"]);
+    }
+}
+
+#[test]
+fn file_names_with_spaces() {
+    check(&among("2 -301 my image.png"), &["E012@3"]);
+    check(&among("2 -301 my \"image.png\""), &["E012@3"]);
+    check(&among("2 -301 \"my image.png\""), &[]);
+}
+
+/// Lines `line` with IDs from 10 on between two records, and the same error on each of them.
+#[track_caller]
+fn on_each_line(line: &str, code: &str, count: usize) {
+    for n in 2..40 {
+        let lines: String = (0..n)
+            .map(|i| format!("{} {}\n", i + 10, line.replace('k', &i.to_string())))
+            .collect();
+        let expected: Vec<String> = (0..n * count)
+            .map(|i| format!("{code}@{}", i / count + 2))
+            .collect();
+        let text = format!("2 9 1\n{lines}1 9999 2 0\n");
+        let found = findings(&text);
+        assert_eq!(found, expected, "{n} lines of {line}");
+        let found = findings(&format!("2 9 1\n3 9 1\n4 9 1\n{lines}"));
+        assert_eq!(found.len(), n * count, "{n} lines of {line}");
+    }
+}
+
+#[test]
+fn the_same_mistake_on_neighbouring_lines() {
+    on_each_line("11 0 0 0 0,5", "E003", 1);
+    on_each_line("11 0,5 1,5 0 0,5", "E003", 3);
+    on_each_line("-701 1 0 0 1", "E009", 1);
+    on_each_line("11 k 1 0", "E008", 1);
+    on_each_line("11 k 1 0 1 1", "E009", 1);
+    on_each_line("sphere 1 0 0 2", "E006", 1);
+    on_each_line("11 x 1 0 2", "E012", 1);
+    on_each_line("77 1 0 2", "E007", 1);
+    on_each_line("201 0.8 0.1 0.1", "E007", 1);
+}
+
+#[test]
+fn a_sign_that_comments_the_rest_of_the_line() {
+    check(
+        "2 11 0 0 0 1 # koule\n3 11 1 0 0 1 # druha\n4 -101 2 3\n",
+        &["E002@1", "E002@2"],
+    );
+    for n in 2..12 {
+        let expected: Vec<String> = (1..=n).map(|l| format!("E002@{l}")).collect();
+        let lines: String = (0..n)
+            .map(|i| format!("{} 11 {i} 0 0 1 # koule {i}\n", i + 2))
+            .collect();
+        assert_eq!(findings(&format!("{lines}20 -101 2 3\n")), expected, "{n}");
+    }
+    // A block of records in a comment is one that was meant.
+    check(
+        "0 # off:\n2 11 0 0 0 1\n3 11 0 0 0 1\n#\n4 11 0 0 0 1 # on #\n",
+        &[],
+    );
+}
+
+#[test]
 fn comments_that_nobody_closes() {
     check(&among("2 9 1 # a\n3 9 2 # b #\n4 9 3 # c #"), &["E002@3"]);
     check(&among("2 11 0 # a 0 0 5\n3 9 2 # b #"), &["E002@3"]);

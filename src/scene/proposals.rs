@@ -26,7 +26,11 @@ impl Resolver<'_> {
         let best = RECORD_TYPES
             .iter()
             .filter(|ty| self.fits(ty, broken.id, params))
-            .min_by_key(|ty| i64::from(ty.code).abs_diff(code));
+            .min_by_key(|ty| {
+                let value = i64::from(ty.code);
+                // A sign is lost more easily than digits are mistaken.
+                (value.checked_neg() != Some(code), value.abs_diff(code))
+            });
         let finding = finding_at(diagnostics, written.span()).filter(|d| d.code == Code::E007);
         if let (Some(ty), Some(finding)) = (best, finding) {
             finding.case = "proposal";

@@ -14,9 +14,6 @@ use crate::syntax::{self, Document, Item};
 /// for the first few thousand errors of a large file, none for a million of them.
 const COMPARISONS_MAX: usize = 5_000_000;
 
-/// How many records without an ID are tried for one undefined ID.
-const LOST_MAX: usize = 64;
-
 /// A record that lost its ID.
 pub struct Lost {
     pub ty: Option<&'static RecordType>,
@@ -76,21 +73,31 @@ impl References {
 
     /// At the end: each record that lost its ID accounts for one undefined ID; what is left is E101.
     pub fn settle(resolver: &mut Resolver, diagnostics: &mut [Diagnostic]) {
-        let mut lost = VecDeque::from(std::mem::take(&mut resolver.references.lost));
+        // In file order, by what they define; `None` where that is unknown.
+        let mut lost: Vec<(Option<Kind>, VecDeque<Lost>)> = Vec::new();
+        for l in std::mem::take(&mut resolver.references.lost) {
+            let kind = match l.ty.map(|t| t.effect) {
+                Some(Effect::Defines(k) | Effect::DefinesOrChanges(k, _)) => Some(k),
+                Some(Effect::Changes(_)) => continue,
+                None => None,
+            };
+            match lost.iter_mut().find(|q| q.0 == kind) {
+                Some(q) => q.1.push_back(l),
+                None => lost.push((kind, VecDeque::from([l]))),
+            }
+        }
         let mut found: HashMap<u32, bool> = HashMap::new();
-        for d in std::mem::take(&mut resolver.references.dangling) {
+        // What may be of one kind only chooses first.
+        let mut dangling = std::mem::take(&mut resolver.references.dangling);
+        dangling.sort_by_key(|d| d.kinds.len());
+        for d in dangling {
             let is_found = *found.entry(d.id).or_insert_with(|| {
-                let defines = |l: &Lost| match l.ty.map(|t| t.effect) {
-                    Some(Effect::Defines(k) | Effect::DefinesOrChanges(k, _)) => {
-                        d.kinds.contains(&k)
-                    }
-                    Some(Effect::Changes(_)) => false,
-                    None => true,
-                };
-                let Some(at) = lost.iter().take(LOST_MAX).position(defines) else {
-                    return false;
-                };
-                let Some(record) = lost.remove(at) else {
+                let first = lost
+                    .iter_mut()
+                    .filter(|(kind, _)| kind.is_none_or(|k| d.kinds.contains(&k)))
+                    .filter(|(_, queue)| !queue.is_empty())
+                    .min_by_key(|(_, queue)| queue.front().map(|l| l.span.start));
+                let Some(record) = first.and_then(|(_, queue)| queue.pop_front()) else {
                     return false;
                 };
                 if let Some(f) = finding_at(diagnostics, record.span) {

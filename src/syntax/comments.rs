@@ -16,6 +16,10 @@ const GARBAGE: u32 = 100;
 /// put whole blocks into comments.
 const HIDDEN: u32 = 45;
 const HIDDEN_MAX: usize = 2;
+/// The price of a comment that hides a record, with words behind its closing sign: comments turned
+/// inside out, as where a `#` on each line is meant to comment the rest of the line. More than two
+/// signs that are given up.
+const INSIDE_OUT: u32 = 2 * UNCLOSED + 5;
 
 /// States: 0 is code, 1 + h a comment that has hidden h records so far.
 const STATES: usize = 2 + HIDDEN_MAX;
@@ -106,11 +110,17 @@ impl Reading {
         let mut price = 0;
         let mut now = state;
         for (i, part) in line.split('#').enumerate() {
+            let at_hash = now;
             if i > 0 {
                 now = if now == 0 { 1 } else { 0 };
             }
             if now == 0 {
-                price = price.max(garbage(part));
+                let hidden = i == 1 && at_hash > 1;
+                price = price.max(match garbage(part) {
+                    0 => 0,
+                    _ if hidden => INSIDE_OUT,
+                    garbage => garbage,
+                });
             } else if i == 0 && now <= HIDDEN_MAX && looks_like_a_record(part) {
                 price += HIDDEN;
                 now += 1;
@@ -175,6 +185,24 @@ mod tests {
         assert_eq!(lines(text), [3]);
         let text = "# 2 9 1\n3 9 2\n4 9 3\n5 9 1 #\n6 9 1 # x\n7 9 1 # y #\n";
         assert_eq!(lines(text), [5]);
+    }
+
+    #[test]
+    fn a_sign_for_the_rest_of_the_line() {
+        for n in 2..12 {
+            let text: String = (0..n)
+                .map(|i| format!("{} 11 {i} 0 0 1 # ball\n", i + 2))
+                .collect();
+            let all: Vec<usize> = (1..=n).collect();
+            assert_eq!(lines(&format!("{text}40 -101 2 3\n")), all);
+            // With headings, and with comments that are closed.
+            let text: String = (0..n)
+                .map(|i| format!("# ball\n{} 11 {i} 0 0 1\n", i + 2))
+                .collect();
+            let all: Vec<usize> = (0..n).map(|i| 2 * i + 1).collect();
+            assert_eq!(lines(&text), all);
+            assert!(lines(&text.replace("ball", "ball #")).is_empty());
+        }
     }
 
     #[test]

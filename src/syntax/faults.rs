@@ -42,6 +42,8 @@ pub enum Verdict {
     LostId {
         ty: &'static RecordType,
     },
+    /// The render record with ID and type in each other's place.
+    Swapped,
     /// The token in the ID's place cannot be one; the rest may be right.
     BadId {
         ty: Option<&'static RecordType>,
@@ -147,13 +149,11 @@ pub fn expected_ends(stream: &Stream, i: usize) -> Vec<usize> {
     out
 }
 
-/// Finds what is wrong with tokens `start..end`, and its price. `bad(a, b)` counts the bad tokens
-/// of a stretch.
+/// Finds what is wrong with tokens `start..end`, and its price.
 pub fn judge(
     stream: &Stream,
     start: usize,
     end: usize,
-    bad: impl Fn(usize, usize) -> u32,
     is_id: impl Fn(i32) -> bool,
 ) -> (Verdict, u32) {
     let id = &stream.sigs[start];
@@ -163,25 +163,27 @@ pub fn judge(
     if let Some(ty) = all_but_reals(stream, start, end) {
         return (Verdict::Reals { ty }, REALS);
     }
+    if let Some(swapped) = swapped(stream, start, end) {
+        return swapped;
+    }
     let good_id = id.int.is_some_and(|id| id > 0);
     let ty = (start + 1 < end)
         .then(|| type_at(stream, start + 1))
         .flatten();
     let behind_stray = type_behind_stray(stream, start + 1).filter(|_| start + 2 < end);
     let with_id = match (ty, behind_stray) {
-        (Some(ty), _) => judge_params(stream, ty, start + 2, end, &bad),
-        (None, Some(ty)) => {
-            // The error is the stray token; if the rest is right, it is the only one.
-            let exact = end_of(stream, start + 3, ty) == Some(end as u64);
-            let off = if exact { 0 } else { FAULT };
-            (Verdict::BadType, FAULT + off)
+        (Some(ty), _) => judge_params(stream, ty, start + 2, end),
+        // The error is the stray token; if the rest is right, it is the only one.
+        (None, Some(ty)) if end_of(stream, start + 3, ty) == Some(end as u64) => {
+            (Verdict::BadType, FAULT)
         }
-        (None, None) => untyped(stream, start, end),
+        (None, _) => untyped(stream, start, end),
     };
     if good_id {
         let lost = lost_id(stream, start, end).filter(|_| !id.int.is_some_and(is_id));
+        let in_order = if follows(stream, start) { IN_ORDER } else { 0 };
         return match lost {
-            Some(lost) if lost.1 < with_id.1 => lost,
+            Some((verdict, price)) if price + in_order < with_id.1 => (verdict, price + in_order),
             _ => with_id,
         };
     }
@@ -199,20 +201,47 @@ pub fn judge(
         (Verdict::Damaged { ty }, _) => {
             // A mere sign or word is likelier to stand in front of the ID than in its place.
             let extra = matches!(id.kind, TokenKind::Word | TokenKind::Invalid);
-            let price = FAULT + FAULT * bad(start + 2, end) + if extra { 50 } else { 0 };
+            // Nor is a number too many likely to be an undefined object's.
+            let extra = extra || ty.code == 0;
+            let price = FAULT + bad_price(stream, start + 2, end) + if extra { 50 } else { 0 };
             (Verdict::BadId { ty: Some(ty) }, price + void)
         }
         (Verdict::CutOff { ty }, price) => (Verdict::BadId { ty }, price + FAULT + void),
         (_, price) => {
             let ty = ty.filter(|t| t.code != 0);
-            (Verdict::BadId { ty }, FAULT + 200 + price.min(200) + void)
+            let bad = bad_price(stream, start + 1, end);
+            (
+                Verdict::BadId { ty },
+                FAULT + 200 + price.min(200) + bad + void,
+            )
         }
     }
+}
+
+/// What it costs more to take the next number after the ID of the line before for a type.
+const IN_ORDER: u32 = 40;
+
+/// Whether a line begins with the next number after that which the line before begins with.
+fn follows(stream: &Stream, start: usize) -> bool {
+    let line = stream.line(start);
+    let first = |line: usize| stream.sigs[stream.line_start(line)].int.map(i64::from);
+    line > 0
+        && stream.starts_line(start)
+        && first(line - 1).filter(|&id| id > 0).map(|id| id + 1) == first(line)
 }
 
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have
 /// written all lines like that: it is less than what three numbers too many cost.
 const REALS: u32 = 50;
+
+/// The price of the bad tokens among `from..to`: the same in every reading, lest one that swallows them
+/// is the cheaper for it.
+fn bad_price(stream: &Stream, from: usize, to: usize) -> u32 {
+    FAULT * stream.bad(from, to).min(BAD_MAX)
+}
+
+/// How many bad tokens of one stretch are counted at most.
+const BAD_MAX: u32 = 1_000_000;
 
 /// The type of the record that a whole line is, if all that is wrong are integers spelled as reals.
 fn all_but_reals(stream: &Stream, start: usize, end: usize) -> Option<&'static RecordType> {
@@ -244,6 +273,114 @@ fn all_but_reals(stream: &Stream, start: usize, end: usize) -> Option<&'static R
     (exact && (start + 2..end).all(right)).then_some(ty)
 }
 
+/// A line `9999 1 …` that would be the render record with its first two numbers swapped.
+fn swapped(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> {
+    let whole_line = stream.starts_line(start) && stream.ends_line(end);
+    if !whole_line || stream.line(start) != stream.line(end - 1) || end < start + 2 {
+        return None;
+    }
+    let ty = record_type(stream, start).filter(|t| t.code == RENDER)?;
+    let got = end - start - 2;
+    let exact = got == ty.params.len() || got == ty.params.len() + ty.optional.len();
+    let right = stream.sigs[start + 1].int == Some(1)
+        && exact
+        && wrong_kinds(stream, ty, start + 2, end) == 0;
+    right.then_some((Verdict::Swapped, FAULT - 20))
+}
+
+/// The type of the render record, which has ID 1.
+const RENDER: i32 = 9999;
+
+/// Whether a line would be a record of its own but for a slip: a number more or less, one that is
+/// malformed, a word for the type, a lost ID or sign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slip {
+    Yes,
+    /// If its ID is used elsewhere and no other line defines it.
+    Maybe,
+    No,
+}
+
+/// What a line looks like by itself; a line that may be a row of a table must have a type that no row has.
+pub fn slip(stream: &Stream, line: usize, in_table: bool) -> Slip {
+    let (start, end) = (stream.line_start(line), stream.line_end(line));
+    let code = stream.sigs[start + 1..end]
+        .first()
+        .and_then(|s| s.int)
+        .unwrap_or(0);
+    let none = |_| false;
+    let (ty, slip) = match judge(stream, start, end, none).0 {
+        Verdict::Damaged { ty } | Verdict::Reals { ty } => (Some(ty), Slip::Yes),
+        Verdict::LostId { ty } => {
+            return if in_table && ty.code > LEAST_HEAD {
+                Slip::No
+            } else {
+                Slip::Yes
+            };
+        }
+        Verdict::Swapped => (None, Slip::Yes),
+        Verdict::BadId { ty: Some(ty) } if stream.sigs[start].kind.is_bad() => {
+            (Some(ty), Slip::Yes)
+        }
+        Verdict::Count { ty, got, expected }
+            if got.abs_diff(expected) <= SLIP_MAX.min(1 + expected / 4) =>
+        {
+            let head = got > 0 || ty.code <= LEAST_HEAD;
+            (Some(ty), if head { Slip::Yes } else { Slip::Maybe })
+        }
+        Verdict::BadCount { ty } if end > start + 4 => (Some(ty), Slip::Yes),
+        Verdict::BadType if stream.sigs[start + 1].kind.is_bad() && end > start + 2 => {
+            (None, Slip::Yes)
+        }
+        Verdict::UnknownType => {
+            let right = lost_sign(stream, start, end);
+            let odd = code.abs() >= NO_COORDINATE && end > start + 2;
+            (None, if right || odd { Slip::Yes } else { Slip::Maybe })
+        }
+        _ => (None, Slip::No),
+    };
+    match ty {
+        Some(ty) if ty.code == 0 => Slip::No,
+        Some(ty) if in_table && ty.code > LEAST_HEAD => Slip::No,
+        None if in_table => Slip::No,
+        _ => slip,
+    }
+}
+
+/// Integers in tables of numbers are seldom as large as this.
+const NO_COORDINATE: i32 = 20;
+
+/// No table of numbers has a row that begins with an integer and a type as low as this.
+pub const LEAST_HEAD: i32 = -99;
+
+/// How many numbers more or less are a slip of the pen.
+const SLIP_MAX: usize = 2;
+
+/// One past the last line of the table that the record at the head of a line claims to have; the
+/// line itself where it claims none, or most of it stands on the line.
+pub fn rows_expected(stream: &Stream, line: usize) -> usize {
+    let (start, end) = (stream.line_start(line), stream.line_end(line));
+    if stream.sigs[start].int.is_none_or(|id| id <= 0) {
+        return line;
+    }
+    match (expected_end(stream, start), is_counted(stream, start)) {
+        (Some(e), _) if e > end + SLIP_MAX && 2 * (end - start) <= e - start + 4 => {
+            stream.line(e.min(stream.len()) - 1) + 2
+        }
+        (None, true) if end <= start + 3 && !has_lost_id(stream, start, end) => stream.line_count(),
+        _ => line,
+    }
+}
+
+/// Whether a record of unknown type would be right with a minus sign before the type.
+fn lost_sign(stream: &Stream, start: usize, end: usize) -> bool {
+    let code = stream.sigs[start + 1].int.map(i64::from);
+    let ty = code
+        .filter(|&c| c > 0)
+        .and_then(|c| RecordType::by_code(-c));
+    ty.is_some_and(|ty| end_of(stream, start + 2, ty) == Some(end as u64))
+}
+
 fn untyped(stream: &Stream, start: usize, end: usize) -> (Verdict, u32) {
     let Some(t) = stream.sigs.get(start + 1).filter(|_| start + 1 < end) else {
         let cut = stream.has_unclosed_comment(start, end);
@@ -257,9 +394,12 @@ fn untyped(stream: &Stream, start: usize, end: usize) -> (Verdict, u32) {
     let over_lines = stream.line(end - 1) > stream.line(start);
     let plausible = !over_lines || expected_ends(stream, start).contains(&end);
     let penalty = if plausible { 0 } else { 2 * FAULT };
+    let bad = bad_price(stream, start + 2, end);
     match t.int {
-        Some(_) => (Verdict::UnknownType, FAULT + 30 + penalty),
-        None => (Verdict::BadType, FAULT + 30 + length / 10 + penalty),
+        // A lost sign is likelier than a lost ID.
+        Some(_) if lost_sign(stream, start, end) => (Verdict::UnknownType, FAULT - 20 + bad),
+        Some(_) => (Verdict::UnknownType, FAULT + 30 + penalty + bad),
+        None => (Verdict::BadType, FAULT + 30 + length / 10 + penalty + bad),
     }
 }
 
@@ -269,7 +409,6 @@ fn judge_params(
     ty: &'static RecordType,
     first: usize,
     end: usize,
-    bad: impl Fn(usize, usize) -> u32,
 ) -> (Verdict, u32) {
     let got = end - first;
     let cut_off = || stream.has_unclosed_comment(first - 1, end.max(first));
@@ -287,19 +426,22 @@ fn judge_params(
         true => match count(stream, first) {
             Ok(n) if stream.line(first) == stream.line(first - 1) => n,
             Ok(n) if ty.arity(n) == got as u64 => n,
-            _ => return (Verdict::BadCount { ty }, FAULT + real_type),
+            _ => {
+                let bad = bad_price(stream, first + 1, end);
+                return (Verdict::BadCount { ty }, FAULT + real_type + bad);
+            }
         },
         false => 0,
     };
     let named = file_name(stream, ty, first, end).is_some();
-    let bad = bad(first, end) as usize - usize::from(named);
+    let bad = stream.bad(first, end) as usize - usize::from(named);
     let base = ty.arity(n);
     let full = base + ty.optional.len() as u64;
     for expected in [base, full] {
         let (got, bad) = (got as u64, bad as u64);
         if got.saturating_sub(bad) <= expected && expected <= got {
             let kinds = wrong_kinds(stream, ty, first, end);
-            let mistakes = (bad as u32).max(kinds) * FAULT + real_type;
+            let mistakes = (bad.min(u64::from(BAD_MAX)) as u32).max(kinds) * FAULT + real_type;
             // With no mistake in it, it would have been read as it is.
             return (Verdict::Damaged { ty }, mistakes.max(FAULT));
         }
@@ -321,7 +463,7 @@ fn judge_params(
     };
     (
         verdict,
-        FAULT + real_type + 20 * off + FAULT * bad.min(8) as u32,
+        FAULT + real_type + 20 * off + FAULT * (bad as u32).min(BAD_MAX),
     )
 }
 
@@ -434,6 +576,11 @@ impl Piece {
                 broken.id = (ty.code == 9999).then_some(1);
                 broken.ty = Some(ty);
                 broken.fault = super::ast::Fault::LostId;
+                Item::Broken(broken)
+            }
+            Verdict::Swapped => {
+                broken.id = Some(1);
+                broken.ty = RecordType::by_code(RENDER.into());
                 Item::Broken(broken)
             }
             Verdict::UnknownType => {

@@ -20,6 +20,14 @@ pub const FAULT: u32 = 1000;
 const IMPLAUSIBLE: u32 = 1200;
 /// The price of a reading that only a second look would doubt: a little less than an error.
 const DOUBTFUL: u32 = 900;
+/// The price of a line that says it is a record of its own and is swallowed by another: more than an
+/// error, as it would be one by itself at most.
+const OWN_LINE: u32 = FAULT + FAULT / 2;
+/// How many of these are counted at most.
+const OWN_LINES_MAX: u32 = 1_000_000;
+/// The price of a record that ends within a line that is one of its own but for a slip: more than
+/// what the two are worth as errors.
+const TWO_SLIPS: u32 = 2 * FAULT + FAULT / 10;
 /// Prices are added up above this many bits, which count what tells equal readings apart.
 const HINT_BITS: u32 = 24;
 /// One piece of the text: tokens `start..end`.
@@ -176,7 +184,9 @@ impl Search<'_, '_> {
         }
         if last > first {
             let witness = self.witnesses.takes_over(stream, start, r.end);
+            let slip = witness && self.witnesses.slips[last];
             price += match (self.in_lines(), behind, witness) {
+                _ if slip => TWO_SLIPS,
                 (true, true, true) => IMPLAUSIBLE,
                 (true, false, true) if self.witnesses.is_void_line(stream, last) => IMPLAUSIBLE,
                 (true, false, true) if self.doubt_takeovers => IMPLAUSIBLE,
@@ -190,7 +200,8 @@ impl Search<'_, '_> {
                 // Complete records among its lines.
                 let swallowed =
                     self.sums.complete_before[last] - self.sums.complete_before[first + 1];
-                price += 400 * swallowed.min(8);
+                let slips = self.sums.slips_before[last] - self.sums.slips_before[first + 1];
+                price += 400 * swallowed.min(8) + OWN_LINE * slips.min(OWN_LINES_MAX);
             }
         }
         // What the resolver would object to counts too, but never as much as a fault of form.
@@ -217,10 +228,8 @@ impl Search<'_, '_> {
     /// The price of tokens `start..end` as one broken stretch, and what is wrong with it.
     fn fault(&self, start: usize, end: usize) -> (Verdict, u32) {
         let stream = self.stream;
-        let bad =
-            |from: usize, to: usize| self.sums.bad_before[to] - self.sums.bad_before[from.min(to)];
         let is_id = |id: i32| self.witnesses.is_missing(id);
-        let (verdict, mut price) = faults::judge(stream, start, end, bad, is_id);
+        let (verdict, mut price) = faults::judge(stream, start, end, is_id);
         let (first, last) = (stream.line(start), stream.line(end - 1));
         // A single token that can be nothing is passed over wherever it stands. Else a fault is
         // likelier to be a whole line, unless the rest of the line is whole records.
@@ -263,7 +272,7 @@ impl Search<'_, '_> {
             own += u32::from(
                 stream.starts_line(start) && self.witnesses.is_complete_line(stream, first),
             );
-            price += (FAULT + FAULT / 2) * own.min(8);
+            price += OWN_LINE * own.min(OWN_LINES_MAX);
         }
         (verdict, price)
     }

@@ -14,6 +14,7 @@ pub mod parser;
 mod reader;
 mod references;
 mod report;
+mod respell;
 mod stream;
 mod sums;
 pub mod table;

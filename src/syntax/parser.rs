@@ -8,7 +8,7 @@ use super::layout::{self, Piece};
 use super::lexer::{self, Token, TokenKind};
 use super::stream::Stream;
 use super::witness::{self, Witnesses};
-use super::{comments, reader, references, report};
+use super::{comments, reader, references, report, respell};
 use crate::diagnostics::{self, Diagnostic};
 
 /// Parses a scene text. It never fails: what cannot be read is in the findings, sorted by place,
@@ -23,7 +23,10 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     }
     let mut diagnostics = Vec::new();
     report::comments(text, &tokens, &mut diagnostics);
-    let items = items(text, &tokens, &mut diagnostics);
+    let (tokens, glued) = respell::respell(text, tokens);
+    respell::report(text, &tokens, &glued, &mut diagnostics);
+    let mut items = items(text, &tokens, &mut diagnostics);
+    respell::broken(&mut items, &tokens, &glued);
     diagnostics::sort(&mut diagnostics);
     (Document { tokens, items }, diagnostics)
 }

@@ -125,9 +125,16 @@ impl Reporter<'_, '_> {
             Verdict::BadCount { ty } => {
                 self.real_type(start, out);
                 self.bad_count(ty, start, end, out);
+                self.commas(start + 3, end, out);
             }
-            Verdict::UnknownType => out.push(self.unknown_type(start + 1)),
-            Verdict::BadType => self.bad_type(start + 1, out),
+            Verdict::UnknownType => {
+                out.push(self.unknown_type(start + 1));
+                self.commas(start + 2, end, out);
+            }
+            Verdict::BadType => {
+                self.bad_type(start + 1, out);
+                self.commas(start + 2, end, out);
+            }
             Verdict::MissingType => out.push(self.missing_type(start)),
             Verdict::LostId { ty } => out.push(
                 Diagnostic::new(Code::E005, self.stream.token(start).span())
@@ -136,6 +143,16 @@ impl Reporter<'_, '_> {
                     .with("number", ty.code.to_string())
                     .with("header", header(ty)),
             ),
+            Verdict::Swapped => {
+                let span = self.span(start, start + 2);
+                out.push(
+                    Diagnostic::new(Code::E005, span)
+                        .case("swapped")
+                        .with("text", quote(self.text(start)))
+                        .with("number", "`1 9999`")
+                        .fix(write(Applicability::Unsafe, span, "1 9999".to_owned())),
+                );
+            }
             Verdict::BadId { ty } => {
                 self.bad_id(start, out);
                 if let Some(ty) = ty {
@@ -178,8 +195,50 @@ impl Reporter<'_, '_> {
 
     fn bad_tokens(&self, ty: &RecordType, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
         let name = faults::file_name(self.stream, ty, first, end);
+        if let Some(d) = name.and_then(|name| self.spaced_name(name, end)) {
+            out.push(d);
+            return;
+        }
         for i in (first..end).filter(|&i| Some(i) != name) {
             self.bad_token(i, out);
+        }
+    }
+
+    /// A file name with spaces in it, from token `name` to the end of its record.
+    fn spaced_name(&self, name: usize, end: usize) -> Option<Diagnostic> {
+        let stream = self.stream;
+        let dotted = |i: usize| self.text(i).contains('.');
+        let word = |i: usize| {
+            let kind = stream.sigs[i].kind;
+            kind.is_number() || matches!(kind, TokenKind::Word | TokenKind::MalformedNumber)
+        };
+        let one_name = end > name + 1
+            && stream.line(name) == stream.line(end - 1)
+            && (name..end).all(word)
+            && dotted(end - 1)
+            && !(name..end - 1).any(dotted);
+        if !one_name {
+            return None;
+        }
+        let span = self.span(name, end);
+        let text = &stream.text[span.range()];
+        let apart = text.contains(['#', '"']);
+        (!apart).then(|| {
+            let quoted = format!("\"{text}\"");
+            Diagnostic::new(Code::E012, span)
+                .case("file-name")
+                .with("text", quote(text))
+                .with("number", quote(&quoted))
+                .fix(write(Applicability::Unsafe, span, quoted))
+        })
+    }
+
+    /// The decimal commas among tokens that nothing else is said of.
+    fn commas(&self, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
+        for i in first..end {
+            if self.stream.sigs[i].kind == TokenKind::DecimalComma {
+                self.bad_token(i, out);
+            }
         }
     }
 
@@ -407,8 +466,14 @@ fn write(applicability: Applicability, span: Span, text: String) -> Fix {
     Fix::replace("fix", applicability, span, text)
 }
 
-/// A malformed number without the characters that spoil it, where a number is left.
+/// The number that a malformed one was likely meant to be: what is left without the characters that
+/// spoil it, or the value of a fraction.
 fn repaired(text: &str) -> Option<String> {
+    if text.contains(['/', '*']) {
+        let (a, b) = text.split_once('/')?;
+        let value = a.parse::<f64>().ok()? / b.parse::<f64>().ok()?;
+        return value.is_finite().then(|| value.to_string());
+    }
     let plain = text.replace(['−', '–'], "-");
     let kept: String = plain
         .chars()

@@ -28,7 +28,7 @@ pub struct Stream<'s> {
     line_starts: Vec<u32>,
     /// The lines on which a comment is given up.
     unclosed_lines: Vec<u32>,
-    /// For each token how many before it are no plain numbers.
+    /// For each token how many before it are no plain numbers, and so bad, unless one is a file name.
     odd_before: Vec<u32>,
 }
 
@@ -94,7 +94,12 @@ impl<'s> Stream<'s> {
 
     /// Whether tokens `from..to` are plain numbers, all of them.
     pub fn all_numbers(&self, from: usize, to: usize) -> bool {
-        self.odd_before[from] == self.odd_before[to]
+        self.bad(from, to) == 0
+    }
+
+    /// How many of tokens `from..to` are no plain numbers.
+    pub fn bad(&self, from: usize, to: usize) -> u32 {
+        self.odd_before[to] - self.odd_before[from.min(to)]
     }
 
     pub fn len(&self) -> usize {

@@ -1,17 +1,18 @@
 //! Sums and marks over the lines and tokens of a text, so that any stretch is judged at once, however
 //! long it is.
 
+use super::faults::LEAST_HEAD;
 use super::reader;
 use super::stream::Stream;
 use super::witness::{Witnesses, record_type};
 
 pub struct Sums {
-    /// For each token how many before it are bad.
-    pub bad_before: Vec<u32>,
     /// How many lines before each one say that they are records of their own.
     pub own_before: Vec<u32>,
     /// How many of those are complete, and no row of a table of equally long lines.
     pub complete_before: Vec<u32>,
+    /// How many lines before each one are a record but for a slip.
+    pub slips_before: Vec<u32>,
     /// The last line of the table of numbers that begins behind each line; the line itself if none.
     pub table_end: Vec<u32>,
     /// For each token: its line is whole records up to it, or from it on.
@@ -27,7 +28,8 @@ impl Sums {
     pub fn new(stream: &Stream, witnesses: &Witnesses) -> Sums {
         let lines = 0..stream.line_count();
         let length = |l: usize| stream.line_end(l) - stream.line_start(l);
-        let own = |l: usize| witnesses.ends[l] > 0 || looks_like_a_head(stream, l);
+        let own =
+            |l: usize| witnesses.ends[l] > 0 || witnesses.slips[l] || looks_like_a_head(stream, l);
         let complete = |l: usize| {
             witnesses.is_complete_line(stream, l)
                 && !witnesses.is_void_line(stream, l)
@@ -43,11 +45,11 @@ impl Sums {
         }
         let (whole_until, whole_from) = whole(stream);
         Sums {
-            bad_before: sums(stream.sigs.iter().map(|s| s.kind.is_bad())),
             whole_until,
             whole_from,
             own_before: sums(lines.clone().map(own)),
             complete_before: sums(lines.map(complete)),
+            slips_before: sums(witnesses.slips.iter().copied()),
             table_end,
         }
     }
@@ -93,5 +95,5 @@ fn sums(flags: impl Iterator<Item = bool>) -> Vec<u32> {
 fn looks_like_a_head(stream: &Stream, line: usize) -> bool {
     let start = stream.line_start(line);
     let id = stream.sigs[start].int.is_some_and(|id| id > 0);
-    id && record_type(stream, start + 1).is_some_and(|t| t.code <= -99 || t.code == 9999)
+    id && record_type(stream, start + 1).is_some_and(|t| t.code <= LEAST_HEAD || t.code == 9999)
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::faults::{self, Verdict};
+use super::faults::{self, Slip, Verdict};
 use super::layout::Piece;
 use super::reader::{self, Reading};
 use super::references;
@@ -17,12 +17,17 @@ pub struct Witnesses {
     /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
     /// Holds one past the record's last token, 0 where the line is no witness.
     pub ends: Vec<u32>,
+    /// For each line: it would be a record of its own, but for a slip. Nothing is said of the lines of
+    /// a longer record.
+    pub slips: Vec<bool>,
     /// The text is laid out with records beginning and ending with lines.
     pub in_lines: bool,
     /// What the witness lines say about each ID they define.
     pub heads: HashMap<i32, Head>,
     /// The IDs that witness lines use or change.
     used: HashSet<i32>,
+    /// A line begins with a type that can be no ID: other lines may have lost theirs as well.
+    ids_lost: bool,
     /// Comments behind a record on its line are introduced by `0` here.
     pub voids_behind_records: bool,
 }
@@ -69,10 +74,28 @@ impl Witnesses {
         let (mut line, mut covered, mut stretches, mut disturbed) = (0, 0, 0, false);
         let mut steps = 0;
         let mut used = HashSet::new();
+        let mut slips = vec![false; lines];
+        let mut ids_lost = false;
+        let (mut slipped, mut table_to, mut perhaps) = (0, 0, Vec::new());
         while line < lines {
             let next = match ends[line] {
                 0 if run_to_line_end(stream, line) => line + 1,
                 0 => {
+                    if line >= table_to {
+                        table_to = faults::rows_expected(stream, line);
+                    }
+                    match faults::slip(stream, line, line < table_to) {
+                        Slip::Yes => {
+                            let head = &stream.sigs[stream.line_start(line)];
+                            ids_lost |= head.int.is_some_and(|code| code < 0);
+                            slips[line] = true;
+                            slipped += 1;
+                            let (start, end) = (stream.line_start(line), stream.line_end(line));
+                            used.extend(references::of_record(stream, start, end));
+                        }
+                        Slip::Maybe => perhaps.push(line),
+                        Slip::No => {}
+                    }
                     stretches += usize::from(!disturbed);
                     disturbed = true;
                     line += 1;
@@ -101,22 +124,33 @@ impl Witnesses {
                 }
             };
             disturbed = false;
+            table_to = 0;
             steps += 1;
             covered += next - line;
             line = next;
         }
         let mostly = 20 * covered >= 13 * lines || (stretches <= 1 && steps >= 4) || lines < 12;
-        let in_lines = steps > 0 && steps + 2 >= 3 * stretches && mostly;
+        for line in perhaps {
+            let id = stream.sigs[stream.line_start(line)].int.unwrap_or(0);
+            slips[line] = used.contains(&id) && !heads.contains_key(&id);
+            slipped += usize::from(slips[line]);
+        }
+        // The same mistake on every line leaves no line as a witness that it was laid out in lines.
+        let slips_in_lines = slipped > 0 && 20 * (covered + slipped) >= 17 * lines;
+        let in_lines = steps > 0 && steps + 2 >= 3 * stretches && mostly || slips_in_lines;
         if !in_lines {
             // What looks like a record at the head of a line is one by chance.
             heads.clear();
             used.clear();
+            slips.fill(false);
         }
         Witnesses {
             in_lines,
             ends,
+            slips,
             heads,
             used,
+            ids_lost,
             voids_behind_records: voids_behind_records(stream),
         }
     }
@@ -124,7 +158,7 @@ impl Witnesses {
     /// Whether a number is used as an ID elsewhere and defined by no line of its own: if a record
     /// begins with it, then it is that record's ID.
     pub fn is_missing(&self, id: i32) -> bool {
-        self.used.contains(&id) && !self.heads.contains_key(&id)
+        !self.ids_lost && self.used.contains(&id) && !self.heads.contains_key(&id)
     }
 
     /// Whether a line would be a complete record by itself.
@@ -141,7 +175,7 @@ impl Witnesses {
     pub fn takes_over(&self, stream: &Stream, start: usize, end: usize) -> bool {
         let (first, last) = (stream.line(start), stream.line(end - 1));
         if first == last || self.ends[last] == 0 {
-            return false;
+            return first != last && self.slips[last];
         }
         let length = |l: usize| stream.line_end(l) - stream.line_start(l);
         !(last > first + 1 && length(last) == length(last - 1))

@@ -97,6 +97,10 @@ E003-decimal-comma = { $text } má desetinnou čárku
     .label = čteno jako { $number }
     .help = čísla se píší s desetinnou tečkou
     .fix = { fix-write }
+E003-glued = { $text } není jedno číslo, ale několik
+    .label = zde chybí mezera: { $number }
+    .help = záznam pak má tolik čísel, kolik má mít
+    .fix = { fix-write }
 
 E004 = { $text } je příliš velké
     .label = tak velké číslo se do dvojité přesnosti nevejde
@@ -115,6 +119,10 @@ E005-negative = { E005 }
 E005-lost = { $type }: chybí ID
     .label = toto je typ, { $number }; před něj patří ID
     .help = { $type } se zapisuje { $header }
+E005-swapped = { $text } tu nemůže být ID: ID a typ jsou prohozené
+    .label = kreslicí záznam začíná { $number }
+    .help = kreslicí záznam má vždy ID 1 a typ 9999
+    .fix = { fix-write }
 
 E006 = za ID { $text } chybí typ
     .label = za tímto ID měl být typ záznamu
@@ -182,6 +190,10 @@ E011 = { $text } není jméno souboru
 E012 = slovo { $text } tu nic neznamená
     .label = zde mělo být číslo
     .help = komentáře stojí mezi dvěma `#`
+E012-file-name = jméno souboru { $text } obsahuje mezery
+    .label = zde mělo být jedno slovo
+    .help = jméno souboru s mezerami patří do uvozovek
+    .fix = { fix-write }
 
 E013 = { $text } bodů je více, než lze zpracovat
     .label = N, počet bodů; { $got ->

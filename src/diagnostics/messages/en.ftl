@@ -93,6 +93,10 @@ E003-decimal-comma = { $text } has a decimal comma
     .label = read as { $number }
     .help = numbers are written with a decimal point
     .fix = { fix-write }
+E003-glued = { $text } is no number, but several
+    .label = a space is missing here: { $number }
+    .help = the record takes as many numbers as that gives it
+    .fix = { fix-write }
 
 E004 = { $text } is too large
     .label = no double-precision number is that large
@@ -111,6 +115,10 @@ E005-negative = { E005 }
 E005-lost = this { $type } has no ID
     .label = this is the type, { $number }; an ID belongs in front of it
     .help = { $type-a } is written { $header }
+E005-swapped = { $text } cannot be an ID here: ID and type are swapped
+    .label = the render record begins with { $number }
+    .help = the render record always has ID 1 and type 9999
+    .fix = { fix-write }
 
 E006 = there is no type behind the ID { $text }
     .label = a record type was expected behind this ID
@@ -174,6 +182,10 @@ E011 = { $text } is no file name
 E012 = the word { $text } means nothing here
     .label = a number was expected
     .help = comments stand between two `#`
+E012-file-name = the file name { $text } has spaces in it
+    .label = this should be one word
+    .help = a file name with spaces stands in double quotes
+    .fix = { fix-write }
 
 E013 = { $text } points are more than can be handled
     .label = N, the number of points; { $got ->
