@@ -697,6 +697,14 @@ S504 = { $count ->
     }
 S504-unknown = tomuto komentáři zpg nerozumí
     .help = co je v pořádku, se zapisuje `# zpg: allow(W307) #`, s kódy nebo názvy
-S504-no-code = kód { $text } neexistuje
+S504-empty = položka tohoto komentáře je prázdná
+    .help = co je v pořádku, se zapisuje `# zpg: allow(W307) #`, s kódy nebo názvy
+S504-no-code = { $count ->
+    [one] kód { $text } neexistuje
+   *[other] kódy { $text } neexistují
+}
     .help = všechny kódy vypíše `zpg explain`
-S504-error = chybu { $code } dovolit nelze
+S504-error = { $count ->
+    [one] chybu { $code } dovolit nelze
+   *[other] chyby dovolit nelze: { $code }
+}

@@ -677,6 +677,14 @@ S504 = { $count ->
     }
 S504-unknown = zpg does not understand this comment
     .help = what is all right is written `# zpg: allow(W307) #`, with codes or names
-S504-no-code = there is no code { $text }
+S504-empty = an entry of this comment is empty
+    .help = what is all right is written `# zpg: allow(W307) #`, with codes or names
+S504-no-code = { $count ->
+    [one] there is no code { $text }
+   *[other] there are no codes { $text }
+}
     .help = `zpg explain` lists all codes
-S504-error = an error, { $code }, cannot be allowed
+S504-error = { $count ->
+    [one] an error, { $code }, cannot be allowed
+   *[other] errors cannot be allowed: { $code }
+}
