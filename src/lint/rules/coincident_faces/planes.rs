@@ -175,8 +175,9 @@ pub fn pairs(tree: &Tree, faces: &[Face]) -> Vec<(u32, u32)> {
                 let steps = run.near(&entries, &around, &mut found);
                 for other in found.drain(..) {
                     let other = &entries[other as usize];
-                    let (of, to) = (face.leaf, faces[other.face as usize].leaf);
-                    if of < to && (other.at - at).abs() <= reach {
+                    let twin = &faces[other.face as usize];
+                    let (of, to) = (face.leaf, twin.leaf);
+                    if of < to && (face.own || twin.own) && (other.at - at).abs() <= reach {
                         out.push((entry.face, other.face));
                     }
                 }
