@@ -35,6 +35,7 @@ fn windows_1250(text: &str) -> Vec<u8> {
 /// What is found in a scene in a folder, a line each.
 fn findings(folder: &Path, scene: Vec<u8>) -> Vec<(Code, String)> {
     let path = folder.join("scene.zpg");
+    std::fs::write(&path, &scene).unwrap();
     let loaded = Loaded::new(path.to_str().unwrap(), scene);
     loaded
         .diagnostics
