@@ -176,6 +176,11 @@ mod tests {
             "line 2: E101 is always an error"
         );
         assert!(says("[lint]\nW302 = \"loud\"\n").contains("line 2"));
+        for level in ["3", "\"loud\"", "true"] {
+            let said = says(&format!("[lint]\nW302 = {level}\n"));
+            let named = "expected one of `error`, `warning`, `note`, `off`";
+            assert!(said.contains(named) && said.contains("line 2"), "{said}");
+        }
         assert!(says("[lints]\n").contains("unknown field `lints`"));
         for (line, reason) in [
             ("widht = 80", "unknown field `widht`"),

@@ -194,6 +194,27 @@ fn statistics_count() {
 }
 
 #[test]
+fn statistics_for_programs() {
+    let dir = folder(&[("a.zpg", SCENE), ("b.zpg", SCENE)]);
+    let ask = |format: &str| {
+        let args = ["check", "--statistics", "--format", format, "./a.zpg", "."];
+        zpg(dir.path(), &args, "")
+    };
+    let run = ask("json");
+    let out: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    let first = &out["statistics"][0];
+    assert_eq!(first["code"], "E003");
+    assert_eq!(first["name"], "malformed-number");
+    // Each file once.
+    assert_eq!((&first["count"], &first["fixable"]), (&2.into(), &2.into()));
+    assert_eq!(out["statistics"][1]["fixable"], 0);
+    assert_eq!(out["summary"]["files"], 2);
+    let refused = ask("sarif");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("--format human or json"));
+}
+
+#[test]
 fn messages_in_czech() {
     let dir = folder(&[("a.zpg", "2 9 -1\n1 9999 2 0\n")]);
     let run = zpg(dir.path(), &["check", "--lang", "cs", "a.zpg"], "");

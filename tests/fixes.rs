@@ -24,6 +24,8 @@ const TRIGGERS: &[&str] = &[
     "2 11 0 0 0 1 # a\n3 11 1 0 0 1 # b\n4 -101 2 3\n1 9999 4 0\n",
     "2 9 1\n3 201 .8 .1 .1\n1 9999 2 0\n",
     "2.0 9 1\n3 9.0 1\n4 13 1 3.0\n4 -2 90 1.0\n1 9999 2 0\n",
+    "10 12 1 1 1 0,5 0 0\n1 9999 10 0\n",
+    "9 -501 0 0 9 0 0 0 0 0 0 4,5\n2 9 1\n1 9999 2 0\n",
     "14 -701 1 0 0\n35 -201 1 0 0\n4 9 1\n4 -204 # paint # 0 35\n1 9999 4 0\n",
     "15 -701 1 0 0\n16 -399 10 15 14 55\n1 9999 4 0\n",
     "20 9 1\n3 9 1\n4 -101 2 3\n1 9999 44 0\n",
@@ -79,16 +81,18 @@ fn read(text: &str) -> Loaded {
     Loaded::new("scene.zpg", text.into())
 }
 
-/// How many errors, warnings, notes and remarks on style.
-fn weight(found: &[Diagnostic]) -> [usize; 4] {
+/// How many malformed tokens, which hide what else is wrong; errors, warnings, notes and remarks on
+/// style.
+fn weight(found: &[Diagnostic]) -> [usize; 5] {
     let of = |s: Severity| found.iter().filter(|d| d.severity == s).count();
+    let malformed = [Code::E001, Code::E002, Code::E003, Code::E004, Code::E010];
     [
-        Severity::Error,
-        Severity::Warning,
-        Severity::Note,
-        Severity::Style,
+        found.iter().filter(|d| malformed.contains(&d.code)).count(),
+        of(Severity::Error),
+        of(Severity::Warning),
+        of(Severity::Note),
+        of(Severity::Style),
     ]
-    .map(of)
 }
 
 fn comments(loaded: &Loaded) -> Vec<String> {

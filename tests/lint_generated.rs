@@ -90,6 +90,17 @@ fn refuted(source: &str, loaded: &Loaded, d: &Diagnostic, rng: &mut Rng) -> Opti
             if both != [true; 2] {
                 return wrong("the point is not in both");
             }
+            if d.case == "open" {
+                // The named place is rounded: something is left close by, and something is not.
+                let near = 0.05;
+                let mut close = |_| Vec3(p.map(|x| x + rng.range(-near, near)));
+                let left: Vec<bool> = (0..400)
+                    .map(|k| holds(scene, render.root, close(k)))
+                    .collect();
+                if left.iter().all(|h| *h) || !left.contains(&true) {
+                    return wrong("nothing is cut there");
+                }
+            }
         }
         Code::W311 => {
             let at = scene

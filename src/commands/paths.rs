@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use ignore::WalkBuilder;
 
-use super::loaded::unreadable;
+use super::loaded::{STDIN, unreadable};
 use super::terminal::{LookChoice, complain, warn};
 use crate::diagnostics::Complaint;
 
@@ -41,8 +41,16 @@ pub fn expand(paths: &[PathBuf], look: LookChoice) -> Files {
             found.files.push(path.clone());
         }
     }
-    found.files.retain(|file| seen.insert(file.clone()));
+    found.files.retain(|file| seen.insert(identity(file)));
     found
+}
+
+/// The same for a file however it is called.
+fn identity(file: &Path) -> PathBuf {
+    if file.as_os_str() == STDIN {
+        return file.to_owned();
+    }
+    file.canonicalize().unwrap_or_else(|_| file.to_owned())
 }
 
 fn scenes_in(folder: &Path, failed: &mut bool, look: LookChoice) -> Vec<PathBuf> {
@@ -87,5 +95,10 @@ mod tests {
         let expected = ["sub/c.zpg", "a.zpg", "b.zpg", "d.txt"].map(at);
         assert_eq!(found.files, expected);
         assert!(!found.failed);
+        // One file by other names, and two that are not there.
+        let other = at("sub/../a.zpg");
+        let paths = [other, at("a.zpg"), at("none.zpg"), at("./none.zpg")];
+        let found = expand(&paths, LookChoice::default());
+        assert_eq!(found.files.len(), 2, "{:?}", found.files);
     }
 }

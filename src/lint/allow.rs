@@ -1,13 +1,14 @@
-//! Comments that say what is all right: `# zpg: allow(W307, colour-out-of-range) #`.
+//! Comments that say what is all right: `# zpg: allow(W307, colour-out-of-range) as it is meant #`.
 //!
-//! On a record's line such a comment covers the record, alone on the line above one too; at the head
+//! What stands between the brackets is what `zpg.toml` knows too: codes, names and groups. On a record's line such a comment covers the record, alone on the line above one too; at the head
 //! of the file, before any record, it covers the file. What it allows is not reported. An entry that
 //! allows nothing is S504.
 
 use super::Context;
-use crate::diagnostics::{self, Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use super::levels::Selector;
+use crate::diagnostics::{self, Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::syntax::Item;
-use crate::syntax::directive::{self, PREFIX, is_directive};
+use crate::syntax::directive::{self, PREFIX, is_directive, without_word};
 use crate::syntax::lexer::{Token, TokenKind};
 
 /// Takes out what comments allow, and adds what is wrong with the comments. Sorts the findings.
@@ -39,8 +40,8 @@ struct Directive {
     comment: Span,
     /// The comment with what belongs to nothing else once it is gone: its line, its `0`.
     removal: Span,
-    /// What stands between the brackets; `None` if it is no `allow(…)`.
-    entries: Option<Vec<String>>,
+    /// What stands between the brackets, and where; `None` if it is no `allow(…)`.
+    entries: Option<(Vec<String>, Span)>,
     /// Where findings begin that it may allow.
     covers: Option<Span>,
 }
@@ -53,10 +54,13 @@ impl Directive {
         let is_break = |t: &Token| t.kind == TokenKind::Newline;
         let first = tokens[..at].iter().rposition(is_break).map_or(0, |i| i + 1);
         let last = (tokens[at..].iter().position(is_break)).map_or(tokens.len(), |i| at + i);
+        let end = text.len() as u32;
         let line = Span::new(
             tokens[first].start,
-            tokens.get(last).map_or(text.len() as u32, |t| t.end()),
+            tokens.get(last).map_or(end, |t| t.start),
         );
+        // With its line break.
+        let whole_line = Span::new(line.start, tokens.get(last).map_or(end, Token::end));
         let items = Items { context };
         let on_line = items.touching(line);
         let no_record = |i: &Item| matches!(i, Item::Void { .. });
@@ -64,21 +68,28 @@ impl Directive {
         let covers = if !alone {
             Some(on_line.iter().fold(line, |span, i| span.to(items.span(i))))
         } else if items.none_before(line.start) {
-            Some(Span::new(0, text.len() as u32))
+            Some(Span::new(0, end))
         } else {
-            items.below(line.end).map(|i| items.line_of(i))
+            items.below(whole_line.end).map(|i| items.line_of(i))
         };
-        let inside = directive::inside(token.text(text));
-        let list = inside
-            .strip_prefix(PREFIX)
-            .and_then(|rest| rest.trim().strip_prefix("allow"))
-            .and_then(|rest| rest.trim().strip_prefix('('))
-            .and_then(|rest| rest.strip_suffix(')'));
-        let entries = list.map(|l| l.split(',').map(|e| e.trim().to_owned()).collect());
+        let list = without_word(directive::inside(token.text(text)), PREFIX)
+            .and_then(|rest| without_word(rest, "allow"))
+            .and_then(|rest| rest.strip_prefix('('))
+            // What follows is the reason.
+            .and_then(|rest| rest.split_once(')'));
+        let entries = list.map(|(list, _)| {
+            let bracket = token.text(text).find('(').map_or(0, |i| i as u32 + 1);
+            let start = token.start + bracket;
+            let entries = list.split(',').map(|e| e.trim().to_owned());
+            (
+                entries.collect(),
+                Span::new(start, start + list.len() as u32),
+            )
+        });
         Directive {
             comment: token.span(),
             removal: match alone {
-                true => line,
+                true => whole_line,
                 false => {
                     let before = &text[..token.start as usize];
                     let kept = before.trim_end_matches([' ', '\t']).len();
@@ -90,54 +101,64 @@ impl Directive {
         }
     }
 
-    /// Marks what it allows; a remark if it allows nothing or is not understood.
-    fn apply(&self, found: &[Diagnostic], allowed: &mut [bool]) -> Option<Diagnostic> {
+    /// Marks what it allows; remarks on what allows nothing or is not understood.
+    fn apply(&self, found: &[Diagnostic], allowed: &mut [bool]) -> Vec<Diagnostic> {
         let new = |case| Diagnostic::new(Code::S504, self.comment).case(case);
-        let Some(entries) = &self.entries else {
-            return Some(new("unknown"));
+        let Some((entries, list)) = &self.entries else {
+            return vec![new("unknown")];
         };
-        let mut used = Vec::new();
-        let mut unused = Vec::new();
-        for entry in entries {
-            match Code::parse(entry) {
-                None => return Some(new("no-code").with("text", crate::syntax::quote(entry))),
-                Some(code) if code.is_never_allowed() => {
-                    return Some(new("error").with("code", code.as_str()));
-                }
+        let (mut used, mut unused) = (Vec::new(), Vec::new());
+        let (mut unknown, mut errors) = (Vec::new(), Vec::new());
+        let mut own = false;
+        for entry in entries.iter().filter(|e| !e.is_empty()) {
+            let Ok(codes) = entry.parse::<Selector>() else {
+                unknown.push(crate::syntax::quote(entry));
+                continue;
+            };
+            if codes.only_errors() {
+                errors.push(entry.as_str());
+            } else if codes.is(Code::S504) {
                 // It may be there to allow this very remark.
-                Some(Code::S504) => used.push(entry.as_str()),
-                Some(code) => match self.allows(code, found, allowed) {
-                    true => used.push(entry),
-                    false => unused.push(entry.as_str()),
-                },
+                own = true;
+                used.push(entry.as_str());
+            } else if self.allows(&codes, found, allowed) {
+                used.push(entry);
+            } else {
+                unused.push(entry.as_str());
             }
         }
-        if unused.is_empty() || entries.iter().any(|e| Code::parse(e) == Some(Code::S504)) {
-            return None;
+        let mut remarks = Vec::new();
+        if entries.iter().any(String::is_empty) {
+            remarks.push(new("empty"));
         }
-        let edit = match used.as_slice() {
-            [] => Edit {
-                span: self.removal,
-                text: String::new(),
-            },
-            used => Edit {
-                span: self.comment,
-                text: format!("# {PREFIX} allow({}) #", used.join(", ")),
-            },
+        let count = |list: &[_]| Value::Count(list.len() as u64);
+        if !unknown.is_empty() {
+            let d = new("no-code").with("count", Value::Count(unknown.len() as u64));
+            remarks.push(d.with("text", unknown.join(", ")));
+        }
+        if !errors.is_empty() {
+            let d = new("error").with("count", count(&errors));
+            remarks.push(d.with("code", errors.join(", ")));
+        }
+        if unused.is_empty() || own {
+            return remarks;
+        }
+        let d = new("")
+            .with("entries", unused.join(", "))
+            .with("count", count(&unused));
+        // What is not understood is to be mended first.
+        if !remarks.is_empty() {
+            remarks.push(d);
+            return remarks;
+        }
+        let (span, text) = match used.as_slice() {
+            [] => (self.removal, String::new()),
+            used => (*list, used.join(", ")),
         };
-        Some(
-            new("")
-                .with("entries", unused.join(", "))
-                .with("count", Value::Count(unused.len() as u64))
-                .fix(Fix {
-                    title: "fix",
-                    applicability: Applicability::Safe,
-                    edits: vec![edit],
-                }),
-        )
+        vec![d.fix(Fix::replace("fix", Applicability::Safe, span, text))]
     }
 
-    fn allows(&self, code: Code, found: &[Diagnostic], allowed: &mut [bool]) -> bool {
+    fn allows(&self, codes: &Selector, found: &[Diagnostic], allowed: &mut [bool]) -> bool {
         let Some(covers) = self.covers else {
             return false;
         };
@@ -147,7 +168,7 @@ impl Directive {
             if d.span.start > covers.end {
                 break;
             }
-            if d.code == code {
+            if codes.holds(d.code) && !d.code.is_never_allowed() {
                 *allowed = true;
                 any = true;
             }
@@ -242,6 +263,33 @@ mod tests {
     }
 
     #[test]
+    fn the_next_line_is_not_covered() {
+        // What is found there begins in its first column.
+        let scene = "10 -701 1 0 0 # zpg: allow(W310) #\n11 -701 1 0 0\n2 9 1\n1 9999 2 0\n";
+        assert_eq!(found(scene), ["W310 2:1"]);
+        assert_eq!(found(&scene.replace('\n', "\r\n")), ["W310 2:1"]);
+        let above = scene.replace("10 -701 1 0 0 #", "0 # a scene #\n\n#");
+        assert!(found(&above).is_empty());
+    }
+
+    #[test]
+    fn reasons_groups_and_any_case() {
+        for comment in [
+            "zpg: allow(W302) that is how it is lit",
+            "ZPG: Allow(w302)",
+            "zpg: allow (W3)",
+            "zpg: allow(warnings): all of them (really)",
+        ] {
+            let scene = scene("", "", &format!(" # {comment} #"));
+            assert!(found(&scene).is_empty(), "{comment}");
+        }
+        let unused = scene("", "", " # ZPG: allow( W302 ,style) so be it #");
+        assert_eq!(found(&unused), ["S504 2:21"]);
+        let mended = scene("", "", " # ZPG: allow(W302) so be it #");
+        assert_eq!(fixed(&unused), mended);
+    }
+
+    #[test]
     fn the_lines_of_a_record_are_one() {
         let scene =
             "2 9 1\n35 -202 0.7 0.7 0.7\n 0 0 0 # zpg: allow(W302) #\n 0 0 0\n2 -299 0 35\n";
@@ -276,5 +324,17 @@ mod tests {
             ["an error, E101, cannot be allowed"]
         );
         assert!(says("zpg is a language").is_empty());
+        assert!(says("zpg: allow").len() == 1 && says("zpg: allow(S504) (").is_empty());
+        let empty = "an entry of this comment is empty";
+        assert_eq!(says("zpg: allow()"), [empty]);
+        assert_eq!(
+            says("zpg: allow(W399, W301, E2, what,, E101)"),
+            [
+                empty,
+                "there are no codes `W399`, `what`",
+                "errors cannot be allowed: E2, E101",
+                "W301 is allowed here, but not found"
+            ]
+        );
     }
 }

@@ -4,16 +4,43 @@
 use std::fmt;
 use std::str::FromStr;
 
+use serde::de::{Deserializer, Unexpected, Visitor};
+
 use crate::diagnostics::{Code, Complaint, Diagnostic, Language, Severity};
 
 /// What becomes of a finding.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     Error,
     Warning,
     Note,
     Off,
+}
+
+impl<'de> serde::Deserialize<'de> for Level {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Level, D::Error> {
+        from.deserialize_str(LevelVisitor)
+    }
+}
+
+struct LevelVisitor;
+
+impl Visitor<'_> for LevelVisitor {
+    type Value = Level;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("one of `error`, `warning`, `note`, `off`")
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Level, E> {
+        match text {
+            "error" => Ok(Level::Error),
+            "warning" => Ok(Level::Warning),
+            "note" => Ok(Level::Note),
+            "off" => Ok(Level::Off),
+            _ => Err(E::invalid_value(Unexpected::Str(text), &self)),
+        }
+    }
 }
 
 /// A code or several: `W307`, `overlapping-union`, `W3` for all that begin so, `warnings`, `notes`,
@@ -90,12 +117,23 @@ impl Selector {
         self.0.len()
     }
 
-    fn holds(&self, code: Code) -> bool {
+    /// Whether it selects this code alone.
+    pub fn is(&self, code: Code) -> bool {
+        self.0 == [code]
+    }
+
+    /// Whether it selects nothing but errors of the language.
+    pub fn only_errors(&self) -> bool {
+        self.0.iter().all(|c| c.is_never_allowed())
+    }
+
+    pub fn holds(&self, code: Code) -> bool {
         self.0.contains(&code)
     }
 }
 
-/// What a run is to report.
+/// What a run is to report. Of several that select one code, that which selects the fewest codes
+/// counts; of equal ones what is not to be reported.
 #[derive(Debug, Clone, Default)]
 pub struct Choice {
     /// If not empty, only these.
@@ -120,23 +158,30 @@ impl Levels {
     /// are.
     pub fn apply(&self, choice: &Choice, diagnostics: &mut Vec<Diagnostic>) {
         diagnostics.retain_mut(|d| {
-            let any = |list: &[Selector]| list.iter().any(|s| s.holds(d.code));
             if d.is_error() {
                 return true;
             }
+            let narrowest = |list: &[Selector]| -> Option<usize> {
+                let holding = list.iter().filter(|s| s.holds(d.code));
+                holding.map(Selector::breadth).min()
+            };
+            let selected = narrowest(&choice.select);
+            let denied = narrowest(&choice.deny);
             let own = self.0.iter().find(|(code, _)| *code == d.code);
             let mut level = own.map(|(_, level)| *level);
-            if !choice.select.is_empty() {
-                match any(&choice.select) {
-                    // Chosen by name, it is on.
-                    true => level = level.filter(|&l| l != Level::Off),
-                    false => level = Some(Level::Off),
-                }
+            if selected.is_some() {
+                // Chosen by name, it is on.
+                level = level.filter(|&l| l != Level::Off);
+            } else if !choice.select.is_empty() {
+                level = Some(Level::Off);
             }
-            if any(&choice.deny) {
+            if denied.is_some() {
                 level = Some(Level::Error);
             }
-            if any(&choice.ignore) {
+            let wanted = selected.into_iter().chain(denied).min();
+            if let Some(ignored) = narrowest(&choice.ignore)
+                && wanted.is_none_or(|wanted| ignored <= wanted)
+            {
                 level = Some(Level::Off);
             }
             match level {
@@ -206,6 +251,36 @@ mod tests {
         assert_eq!(
             after(&levels, &deny),
             ["E101 error", "W302 error", "N602 note", "S502 warning"]
+        );
+    }
+
+    #[test]
+    fn the_narrower_choice_counts() {
+        let levels = Levels::default();
+        let choose = |select: &[&str], ignore: &[&str], deny: &[&str]| {
+            let all = |list: &[&str]| list.iter().flat_map(|t| these(t)).collect();
+            let choice = Choice {
+                select: all(select),
+                ignore: all(ignore),
+                deny: all(deny),
+            };
+            after(&levels, &choice)
+        };
+        let rest = ["E101 error", "W302 error", "N602 note", "S502 style"];
+        assert_eq!(choose(&[], &["warnings"], &["W302"]), rest);
+        assert_eq!(
+            choose(&["W302"], &["W3"], &[]),
+            ["E101 error", "W302 warning"]
+        );
+        assert_eq!(
+            choose(&["W3"], &["W303"], &[]),
+            ["E101 error", "W302 warning"]
+        );
+        // Of equal ones what is not to be reported.
+        assert_eq!(choose(&["W302"], &["W302"], &[]), ["E101 error"]);
+        assert_eq!(
+            choose(&[], &["W3"], &["W3"]),
+            ["E101 error", "N602 note", "S502 style"]
         );
     }
 

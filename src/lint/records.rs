@@ -65,7 +65,8 @@ impl<'a> Context<'a> {
         titles
     }
 
-    /// A fix that puts lines behind a record.
+    /// A fix that puts lines behind a record. Its line breaks become those of the text where it is
+    /// applied.
     pub fn add_behind(
         &self,
         span: Span,
@@ -73,11 +74,6 @@ impl<'a> Context<'a> {
         applicability: Applicability,
         lines: &[String],
     ) -> Fix {
-        let newline = if self.text.contains("\r\n") {
-            "\r\n"
-        } else {
-            "\n"
-        };
         let tokens = &self.document.tokens;
         let next = tokens.partition_point(|t| t.start < span.end);
         // What stands behind the record on its line stays there, a comment of several lines too.
@@ -88,9 +84,9 @@ impl<'a> Context<'a> {
             Some(_) => (span.end, false),
             None => (self.text.trim_end().len() as u32, true),
         };
-        let mut text: String = lines.iter().map(|l| newline.to_owned() + l).collect();
+        let mut text: String = lines.iter().map(|l| format!("\n{l}")).collect();
         if !closes_line {
-            text += newline;
+            text += "\n";
         }
         Fix::replace(title, applicability, Span::new(at, at), text)
     }

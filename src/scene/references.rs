@@ -172,11 +172,7 @@ impl Resolver<'_> {
                 return None;
             }
         };
-        let finding = finding.with("id", id.to_string());
-        let finding = match self.entity_span(id) {
-            Some(at) => finding.label(at, "defined-here"),
-            None => finding,
-        };
+        let finding = self.showing(finding.with("id", id.to_string()), id);
         let finding = self.with_proposal(finding, id, span, kinds, p.id);
         match self.entities.get(&id).cloned() {
             Some(state) => self.say_unless_lost(state, finding, id, kinds),
@@ -207,9 +203,16 @@ impl Resolver<'_> {
         }
     }
 
-    fn entity_span(&self, id: u32) -> Option<Span> {
-        let i = self.references.entity(id)?;
-        Some(self.scene.entities[i].span)
+    /// A finding with the place where an ID is defined, or declared.
+    fn showing(&self, finding: Diagnostic, id: u32) -> Diagnostic {
+        let phrase = match finding.code {
+            Code::E108 => "declared-here",
+            _ => "defined-here",
+        };
+        match self.references.entity(id) {
+            Some(i) => finding.label(self.scene.entities[i].span, phrase),
+            None => finding,
+        }
     }
 
     /// E107 or E101.
@@ -250,10 +253,7 @@ impl Resolver<'_> {
                 .with("kinds", one_of(kinds)),
         };
         let finding = (finding.with("id", p.id.to_string())).with("type", Value::Term(p.ty.title));
-        let finding = match self.entity_span(p.id) {
-            Some(at) => finding.label(at, "defined-here"),
-            None => finding,
-        };
+        let finding = self.showing(finding, p.id);
         self.say_unless_lost(state.clone(), finding, p.id, kinds);
         None
     }

@@ -155,9 +155,23 @@ impl<'a> Resolver<'a> {
         if matches!(state, State::Undefined | State::Broken(_)) && p.ty.code != 0 {
             return false;
         }
+        let property = matches!(
+            state,
+            State::Optics(_) | State::Texture(_) | State::Colour(_)
+        );
+        let bears = matches!(
+            p.ty.effect,
+            Effect::Defines(Kind::Object | Kind::AmbientLight | Kind::PointLight)
+        );
+        let too_early = property && bears;
         let mut d = Diagnostic::new(Code::E102, p.id_span)
+            .case(if too_early { "property" } else { "" })
             .with("id", p.id.to_string())
             .with("type", Value::Term(p.ty.title));
+        if too_early {
+            // What follows may change the one or the other.
+            self.entities.insert(p.id, State::Broken(None));
+        }
         if let Some(e) = self.references.entity(p.id).map(|i| self.scene.entities[i]) {
             d = d.label(e.span, "first");
         }

@@ -7,7 +7,13 @@ pub const PREFIX: &str = "zpg:";
 
 /// Whether a token is such a comment. It needs no `0` in front.
 pub fn is_directive(token: &Token, text: &str) -> bool {
-    token.kind.is_comment() && inside(token.text(text)).starts_with(PREFIX)
+    token.kind.is_comment() && without_word(inside(token.text(text)), PREFIX).is_some()
+}
+
+/// What follows a word, in any case, at the start of a text.
+pub fn without_word<'a>(text: &'a str, word: &str) -> Option<&'a str> {
+    let start = text.get(..word.len())?;
+    (start.eq_ignore_ascii_case(word)).then(|| text[word.len()..].trim_start())
 }
 
 /// What stands between the signs.

@@ -1,57 +1,93 @@
 //! Applying fixes until none is left.
 
+use std::collections::{BTreeMap, VecDeque};
+use std::ops::Range;
+
 use crate::commands::Loaded;
 use crate::diagnostics::render::Tally;
-use crate::diagnostics::{Diagnostic, Fix, fixes};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, fixes};
 
-/// Fixes that do harm together are tried one by one, so many of them.
-const TRIED_ALONE: usize = 64;
+/// How many bytes are read in all for fixes that turn out to do harm, and how often a scene is read
+/// again for them at the least and at the most.
+const REFUSED_BYTES: usize = 16_000_000;
+const REFUSED: Range<usize> = 16..1000;
 
 /// Applies fixes as long as that makes a scene check better, and counts them. `again` reads the scene
-/// from other bytes.
+/// from other bytes. Fixes that were tried and refused are offered no more.
 ///
-/// Each step has fewer errors, or as many and fewer warnings, and so on: it comes to an end, and what
-/// comes out never checks worse than what went in.
+/// Each step has fewer malformed tokens, or as many and fewer errors, and so on: it comes to an end.
 pub fn to_fixed_point(
     mut loaded: Loaded,
     unsafe_too: bool,
     again: impl Fn(Vec<u8>) -> Loaded,
 ) -> (Loaded, usize) {
+    let mut left =
+        (REFUSED_BYTES / loaded.source.text.len().max(1)).clamp(REFUSED.start, REFUSED.end);
     let mut fixed = 0;
-    while let Some((better, count)) = step(&loaded, unsafe_too, &again) {
+    while let Some((better, count)) = step(&loaded, unsafe_too, &again, &mut left) {
         loaded = better;
         fixed += count;
+    }
+    if left > 0 {
+        let kept = |f: &Fix| !unsafe_too && f.applicability != Applicability::Safe;
+        (loaded.diagnostics.iter_mut()).for_each(|d| d.fixes.retain(kept));
     }
     (loaded, fixed)
 }
 
-/// The scene after some of its fixes, and how many these were.
+/// The scene after some of its fixes, and how many these were: all that go together, found by halving
+/// what does harm. `left` is how many times more that may be tried in vain.
 fn step(
     loaded: &Loaded,
     unsafe_too: bool,
     again: &impl Fn(Vec<u8>) -> Loaded,
+    left: &mut usize,
 ) -> Option<(Loaded, usize)> {
     let fix = |d: &Diagnostic| d.applicable_fix(unsafe_too).cloned();
     let all: Vec<Fix> = loaded.diagnostics.iter().filter_map(fix).collect();
-    let try_these = |fixes: &[Fix]| {
-        let (text, count) = fixes::apply(&loaded.source.text, fixes.iter());
-        if count == 0 {
-            return None;
+    let mut chosen = vec![false; all.len()];
+    let mut best: Option<(Loaded, usize)> = None;
+    let mut lightest = weight(loaded);
+    // Larger stretches first, so that what does harm in one place holds up nothing in others.
+    let mut stretches = VecDeque::from([0..all.len()]);
+    while let Some(stretch) = stretches.pop_front().filter(|_| *left > 0) {
+        let mut tried = chosen.clone();
+        tried[stretch.clone()].fill(true);
+        let with = all.iter().zip(&tried).filter(|f| *f.1).map(|f| f.0);
+        let (text, count) = fixes::apply(&loaded.source.text, with);
+        if count > best.as_ref().map_or(0, |b| b.1) {
+            let fixed = again(loaded.source.encode(&text));
+            let now = weight(&fixed);
+            if now < lightest {
+                (best, lightest, chosen) = (Some((fixed, count)), now, tried);
+                continue;
+            }
+            *left -= 1;
         }
-        let fixed = again(loaded.source.encode(&text));
-        (weight(&fixed) < weight(loaded)).then_some((fixed, count))
-    };
-    try_these(&all).or_else(|| {
-        let mut alone = all.chunks(1).take(TRIED_ALONE);
-        alone.find_map(try_these)
-    })
+        if stretch.len() > 1 {
+            let middle = stretch.start + stretch.len() / 2;
+            stretches.extend([stretch.start..middle, middle..stretch.end]);
+        }
+    }
+    best
 }
 
-/// How many errors, warnings, notes and remarks on style there are.
-fn weight(loaded: &Loaded) -> [usize; 4] {
+/// How much there is to mend, what weighs most first: malformed tokens, which hide what else is wrong
+/// with their records; then how many errors, warnings, notes and remarks on style there are; and of as
+/// many the codes that come first, which hide those that follow.
+fn weight(loaded: &Loaded) -> Vec<usize> {
+    let mut counts: BTreeMap<Code, usize> = BTreeMap::new();
+    for d in &loaded.diagnostics {
+        *counts.entry(d.code).or_default() += 1;
+    }
+    let count = |code: &Code| counts.get(code).copied().unwrap_or(0);
+    let malformed = [Code::E001, Code::E002, Code::E003, Code::E004, Code::E010];
     let mut tally = Tally::default();
     tally.add(&loaded.diagnostics);
-    [tally.errors, tally.warnings, tally.notes, tally.style]
+    let mut weight = vec![malformed.iter().map(count).sum()];
+    weight.extend([tally.errors, tally.warnings, tally.notes, tally.style]);
+    weight.extend(Code::ALL.iter().map(count));
+    weight
 }
 
 #[cfg(test)]
@@ -73,6 +109,62 @@ mod tests {
         // What cannot be mended stays byte for byte.
         let broken = "2 9 # of what size? #\n1 9999 2 0\n";
         assert_eq!(fixed(broken, true), (broken.to_owned(), 0));
+    }
+
+    #[test]
+    fn what_a_fix_brings_to_light_is_mended_too() {
+        // A malformed number hides that the box is the wrong way round.
+        let (text, count) = fixed("10 12 1 1 1 0,5 0 0\n1 9999 10 0\n", false);
+        assert_eq!(
+            (text.as_str(), count),
+            ("10 12 0.5 0 0 1 1 1\n1 9999 10 0\n", 2)
+        );
+        // One hides two others, one of which has no fix.
+        let (text, count) = fixed("9 -501 0 0 9 0 0 0 0 0 0 4,5\n2 9 1\n1 9999 2 0\n", false);
+        assert_eq!(
+            (text.lines().next(), count),
+            (Some("9 -501 0 0 9 0 0 0 0 0 0 4.5"), 1)
+        );
+    }
+
+    /// Mends a scene that checks worse where `harmful` says so, and counts how often it was read.
+    fn counting(text: &str, harmful: impl Fn(&str) -> bool) -> (Loaded, usize, usize) {
+        let reads = std::cell::Cell::new(0);
+        let read = |bytes: Vec<u8>| {
+            reads.set(reads.get() + 1);
+            let bad = harmful(std::str::from_utf8(&bytes).unwrap());
+            let mut loaded = Loaded::new("a.zpg", bytes);
+            if bad {
+                let error = Diagnostic::new(Code::E101, Default::default());
+                loaded.diagnostics.extend(vec![error; 9000]);
+            }
+            loaded
+        };
+        let (loaded, count) = to_fixed_point(Loaded::new("a.zpg", text.into()), false, read);
+        (loaded, count, reads.get())
+    }
+
+    #[test]
+    fn one_that_does_harm_holds_up_no_other() {
+        let lines = |n: usize| -> String { (2..n + 2).map(|k| format!("{k} 9 1;\n")).collect() };
+        let text = lines(2000);
+        let (loaded, count, reads) = counting(&text, |t| !t.contains("\n700 9 1;"));
+        assert_eq!(count, 1999);
+        assert_eq!(
+            loaded.source.text,
+            text.replace(';', "").replace("\n700 9 1\n", "\n700 9 1;\n")
+        );
+        // Halving finds it: a few reads for each bit of its number, in two rounds.
+        assert!(reads < 60, "{reads}");
+        // What was refused is offered no more.
+        let offered = |l: &Loaded| l.diagnostics.iter().filter(|d| !d.fixes.is_empty()).count();
+        assert_eq!(offered(&loaded), 0);
+        // A hundred at the very front.
+        let text = lines(400);
+        let refused = |t: &str| t.lines().take(100).any(|l| !l.ends_with(';'));
+        let (loaded, count, _) = counting(&text, refused);
+        assert_eq!(count, 300);
+        assert_eq!(loaded.source.text.matches(';').count(), 100);
     }
 
     #[test]

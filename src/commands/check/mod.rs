@@ -29,7 +29,8 @@ one (or --diff shows a change), 2 when a file cannot be read or written.
 
 CODE is a code (W307), its name (overlapping-union), how codes begin (W3), or one of warnings,
 notes, style and all. Levels for a folder of scenes stand in zpg.toml; a comment
-`# zpg: allow(W307) #` allows a finding where it is. Errors of the language are always reported.
+`# zpg: allow(W307) #` allows a finding where it is. Of --select, --ignore and --deny the one that
+names fewer codes counts. Errors of the language are always reported.
 
 Examples:
   zpg check scene.zpg
@@ -75,8 +76,8 @@ pub struct Args {
     #[arg(long, value_name = "CODE", value_delimiter = ',')]
     deny: Vec<Selector>,
 
-    /// Count the findings of each code instead of printing them
-    #[arg(long, conflicts_with_all = ["diff", "format"])]
+    /// Count the findings of each code instead of printing them (as text or JSON)
+    #[arg(long, conflicts_with = "diff")]
     statistics: bool,
 
     /// What standard input goes by, in messages, for zpg.toml and for images
@@ -106,6 +107,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             look,
             &Complaint::new("error-not-ignored").with("code", code),
         );
+        return Status::Failure;
+    }
+    if args.statistics && !matches!(args.format, Format::Human | Format::Json) {
+        complain(look, &Complaint::new("statistics-format"));
         return Status::Failure;
     }
     if args.watch {
@@ -219,7 +224,11 @@ impl Checker<'_> {
         let data: Vec<Vec<u8>> = (all.iter()).map(|c| c.data.clone()).collect();
         let report = |out: &mut dyn Write| {
             if args.statistics {
-                return Statistics::sum(all.iter().map(|c| &c.statistics)).write(out);
+                let sum = Statistics::sum(all.iter().map(|c| &c.statistics));
+                return match args.format {
+                    Format::Json => sum.write_json(out, total),
+                    _ => sum.write(out),
+                };
             }
             let outputs = all.into_iter().map(|c| c.output).collect();
             let complete = status != Status::Failure;

@@ -3,11 +3,31 @@
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
+use serde::Serialize;
+
+use crate::diagnostics::render::{Tally, json};
 use crate::diagnostics::{Code, Diagnostic};
 
 /// For each code: how many findings, and how many of them can be fixed safely.
 #[derive(Debug, Default)]
 pub struct Statistics(BTreeMap<Code, (usize, usize)>);
+
+/// What is written for programs.
+#[derive(Serialize)]
+struct Report<'a> {
+    version: u32,
+    /// The most frequent first.
+    statistics: Vec<Row>,
+    summary: &'a Tally,
+}
+
+#[derive(Serialize)]
+struct Row {
+    code: &'static str,
+    name: &'static str,
+    count: usize,
+    fixable: usize,
+}
 
 impl Statistics {
     pub fn new(diagnostics: &[Diagnostic]) -> Statistics {
@@ -30,10 +50,33 @@ impl Statistics {
         sum
     }
 
-    /// A line for each code, the most frequent first: how many, how many of them `--fix` mends.
-    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+    /// The codes, the most frequent first.
+    fn rows(&self) -> Vec<(&Code, &(usize, usize))> {
         let mut rows: Vec<_> = self.0.iter().collect();
         rows.sort_by_key(|&(_, &(found, _))| std::cmp::Reverse(found));
+        rows
+    }
+
+    /// As JSON, with what the run adds up to.
+    pub fn write_json(&self, out: &mut dyn Write, total: &Tally) -> io::Result<()> {
+        let row = |(code, &(count, fixable)): (&Code, &(usize, usize))| Row {
+            code: code.as_str(),
+            name: code.name(),
+            count,
+            fixable,
+        };
+        let report = Report {
+            version: json::VERSION,
+            statistics: self.rows().into_iter().map(row).collect(),
+            summary: total,
+        };
+        serde_json::to_writer_pretty(&mut *out, &report)?;
+        writeln!(out)
+    }
+
+    /// A line for each code, the most frequent first: how many, how many of them `--fix` mends.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        let rows = self.rows();
         let width = |n: Option<usize>| n.unwrap_or(0).to_string().len();
         let found = width(rows.iter().map(|r| r.1.0).max());
         for (code, (count, fixable)) in rows {

@@ -29,6 +29,7 @@ no-code = kód { $text } neexistuje (všechny vypíše `zpg explain`)
 no-code-near = kód { $text } neexistuje; mysleli jste `{ $near }`?
 always-error = { $code } je vždy chyba
 error-not-ignored = { $code } je vždy chyba a nelze ji vynechat
+statistics-format = statistika je text nebo JSON: --format human nebo json
 no-topic = žádný nález ani typ záznamu se nejmenuje { $text }
 no-topic-near = žádný nález ani typ záznamu se nejmenuje { $text }; mysleli jste { $near }?
 

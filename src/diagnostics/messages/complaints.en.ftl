@@ -29,6 +29,7 @@ no-code = there is no code { $text } (`zpg explain` lists all)
 no-code-near = there is no code { $text }; did you mean `{ $near }`?
 always-error = { $code } is always an error
 error-not-ignored = { $code } is always an error and cannot be ignored
+statistics-format = statistics are text or JSON: --format human or json
 no-topic = there is no finding or record type { $text }
 no-topic-near = there is no finding or record type { $text }; did you mean { $near }?
 

@@ -77,6 +77,7 @@ folded-cut = ještě { $count } takových nálezů, první na { $places }
 
 fix-write = napsat { $number }
 defined-here = { $id } je definováno zde
+declared-here = { $id } je ohlášeno zde
 
 ## Text
 
@@ -228,6 +229,10 @@ E102 = ID { $id } už je definováno
     .label = toto by byla druhá definice ({ $type })
     .help = dejte mu jeho vlastní ID
     .first = poprvé je definováno zde
+E102-property = { E102 }
+    .label = { E102.label }
+    .first = { E102.first }, jako vlastnost, kterou zatím nic nemá
+    .help = má-li to být vlastnost tohoto záznamu, přesuňte ji za něj
 
 E103 = { $id } je { $kind }
     .label = zde má být ID tohoto druhu: { $kinds }
@@ -433,6 +438,14 @@ W307 = ve sjednocení { $id } se překrývají { $one } { $one-id } a { $two } {
     .help = odečtěte jedno od druhého, nebo zapište překryv jako část s vlastními vlastnostmi
     .fix = zapsat jako (A − B) ∪ (B − A) ∪ (A ∩ B)
 
+W307-open = sjednocení { $id }: { $one } { $one-id } a { $two } { $two-id } se překrývají, vypadají různě a jsou rozříznuté: v bodě ({ $x }, { $y }, { $z }) vede řez oběma
+    .label = { W307.label }
+    .first = { W307.first }
+    .second = { W307.second }
+    .note = kde jsou oba, vypadá řez jako první z nich: obrázek závisí na pořadí operandů
+    .help = { W307.help }
+    .fix = { W307.fix }
+
 W308 = průnik { $id } nevypadá všude stejně: { $first } { $first-id } a { $second } { $second-id } se liší ({ $aspects ->
     [texture] barva
     [optics] optická vlastnost
@@ -569,6 +582,16 @@ W319-balls = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id 
     .one = { W319.one }
     .two = { W319.two }
     .note = { W319.note }
+W319-parts = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } leží mimo všechny části druhého operandu: { $two } { $two-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-both = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id }: nic není zároveň uvnitř i venku
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
 W319-beyond = { $operation } { $id }: výsledek je prázdný, { $one } { $one-id } leží zcela mimo druhý operand: { $two } { $two-id }
     .label = { W319.label }
     .one = { W319.one }
@@ -633,11 +656,17 @@ W321 = { $operation } { $id }: { W321.the-tool } končí přesně na povrchu, kt
     .help = protáhněte nástroj o kousek za stěnu, kterou prořezává
     .fix = protáhnout nástroj o kousek dál
     .the-tool = { $tool-copy ->
-        [none] { $tool } { $tool-id }
+        [none] { $tool } { $tool-id }{ $tool-in ->
+            [none] {""}
+           *[other] {" "}v { $tool-in }
+        }
        *[other] { $tool } { $tool-id } v kopii { $tool-copy }
     }
     .the-other = { $other-copy ->
-        [none] { $other } { $other-id }
+        [none] { $other } { $other-id }{ $other-in ->
+            [none] {""}
+           *[other] {" "}v { $other-in }
+        }
        *[other] { $other } { $other-id } v kopii { $other-copy }
     }
 W321-round = { W321 }
@@ -709,6 +738,14 @@ S504 = { $count ->
     }
 S504-unknown = tomuto komentáři zpg nerozumí
     .help = co je v pořádku, se zapisuje `# zpg: allow(W307) #`, s kódy nebo názvy
-S504-no-code = kód { $text } neexistuje
+S504-empty = položka tohoto komentáře je prázdná
+    .help = co je v pořádku, se zapisuje `# zpg: allow(W307) #`, s kódy nebo názvy
+S504-no-code = { $count ->
+    [one] kód { $text } neexistuje
+   *[other] kódy { $text } neexistují
+}
     .help = všechny kódy vypíše `zpg explain`
-S504-error = chybu { $code } dovolit nelze
+S504-error = { $count ->
+    [one] chybu { $code } dovolit nelze
+   *[other] chyby dovolit nelze: { $code }
+}

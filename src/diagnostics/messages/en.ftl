@@ -73,6 +73,7 @@ folded-cut = { $count } more findings like these nine, the first at { $places }
 
 fix-write = write { $number }
 defined-here = { $id } is defined here
+declared-here = { $id } is declared here
 
 ## The text
 
@@ -219,6 +220,10 @@ E102 = the ID { $id } is defined already
     .label = this { $type } would be a second definition
     .help = give it an ID of its own
     .first = defined here first
+E102-property = { E102 }
+    .label = { E102.label }
+    .first = { E102.first }, as a property that nothing has yet
+    .help = if this { $type } is to have that property, move the property behind it
 
 E103 = { $id } is { $kind-a }
     .label = { $parameter } must be { $kinds }
@@ -421,6 +426,14 @@ W307 = in the union { $id }, the { $one } { $one-id } and the { $two } { $two-id
     .help = take one away from the other, or write the overlap as a part with properties of its own
     .fix = write it as (A − B) ∪ (B − A) ∪ (A ∩ B)
 
+W307-open = in the union { $id }, the { $one } { $one-id } and the { $two } { $two-id } overlap, look different, and are cut open: at ({ $x }, { $y }, { $z }) the cut goes through both
+    .label = { W307.label }
+    .first = { W307.first }
+    .second = { W307.second }
+    .note = the cut face looks like the first one where both are: the picture depends on the order of the operands
+    .help = { W307.help }
+    .fix = { W307.fix }
+
 W308 = the intersection { $id } keeps two looks: the { $first } { $first-id } and the { $second } { $second-id } differ in { $aspects ->
     [texture] colour
     [optics] optical property
@@ -550,6 +563,16 @@ W319-balls = the { $operation } { $id } is empty: the { $one } { $one-id } and t
     .one = { W319.one }
     .two = { W319.two }
     .note = { W319.note }
+W319-parts = the { $operation } { $id } is empty: the { $one } { $one-id } lies apart from all parts of the { $two } { $two-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
+W319-both = the { $operation } { $id } is empty: nothing is both inside and outside of the { $one } { $one-id }
+    .label = { W319.label }
+    .one = { W319.one }
+    .two = { W319.two }
+    .note = { W319.note }
 W319-beyond = the { $operation } { $id } is empty: the { $one } { $one-id } lies outside of the { $two } { $two-id }
     .label = { W319.label }
     .one = { W319.one }
@@ -614,11 +637,17 @@ W321 = in the { $operation } { $id }, { W321.the-tool } ends flush with { W321.t
     .help = let the tool reach a little past the face that it cuts through
     .fix = let it reach a hair further
     .the-tool = { $tool-copy ->
-        [none] the { $tool } { $tool-id }
+        [none] the { $tool } { $tool-id }{ $tool-in ->
+            [none] {""}
+           *[other] {" "}in { $tool-in }
+        }
        *[other] the { $tool } { $tool-id } in the copy { $tool-copy }
     }
     .the-other = { $other-copy ->
-        [none] the { $other } { $other-id }
+        [none] the { $other } { $other-id }{ $other-in ->
+            [none] {""}
+           *[other] {" "}in { $other-in }
+        }
        *[other] the { $other } { $other-id } in the copy { $other-copy }
     }
 W321-round = { W321 }
@@ -689,6 +718,14 @@ S504 = { $count ->
     }
 S504-unknown = zpg does not understand this comment
     .help = what is all right is written `# zpg: allow(W307) #`, with codes or names
-S504-no-code = there is no code { $text }
+S504-empty = an entry of this comment is empty
+    .help = what is all right is written `# zpg: allow(W307) #`, with codes or names
+S504-no-code = { $count ->
+    [one] there is no code { $text }
+   *[other] there are no codes { $text }
+}
     .help = `zpg explain` lists all codes
-S504-error = an error, { $code }, cannot be allowed
+S504-error = { $count ->
+    [one] an error, { $code }, cannot be allowed
+   *[other] errors cannot be allowed: { $code }
+}

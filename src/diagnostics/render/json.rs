@@ -10,7 +10,7 @@ use crate::diagnostics::source::{Locator, Position, SourceFile};
 use crate::diagnostics::{Applicability, Diagnostic, Fix, Language, Severity, Span};
 
 /// The version of the form; it grows when a reader would have to change.
-const VERSION: u32 = 1;
+pub const VERSION: u32 = 1;
 
 /// One file's findings.
 #[derive(Debug, Serialize)]

@@ -3,15 +3,19 @@
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::solids::reach::{
-    RAYS, Search, WRITTEN, bare, beyond, farthest_leaf, size, tracer,
+    Bare, Met, Outline, RAYS, Search, WRITTEN, beyond, farthest_leaf, size, tracer,
 };
 use crate::lint::solids::{near, tree::Tree};
 use crate::lint::{Context, spelled};
+use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
-use crate::scene::{Aabb, Promise, Volume};
+use crate::scene::{Aabb, NodeId, Promise, Scene, Volume};
 
 /// Nodes gone through for all bounding volumes of a file together.
 const NODES: usize = 1_000_000;
+
+/// Rays for one of them at least, as long as there are any: enough to look at one box.
+const RAYS_EACH: usize = 75;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -21,49 +25,21 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let bounds = context.bounds();
     let mut rays = RAYS;
     let mut nodes = NODES;
-    let mut geometry = None;
-    for promise in &scene.promises {
+    let mut bare = Bare::new(scene);
+    for (i, promise) in scene.promises.iter().enumerate() {
         let whole = bounds[promise.node as usize].all;
         if whole.is_empty() || held(&promise.volume, &whole) {
             continue;
         }
-        match nodes.checked_sub(promise.node as usize + 1) {
-            Some(left) => nodes = left,
-            None => return,
-        }
-        let tree = Tree::new(scene, bounds, &[promise.node]);
-        let reach = match promise.volume {
-            Volume::Sphere { centre, .. } => farthest_leaf(scene, &tree, &whole, centre),
-            Volume::Box { .. } => f64::INFINITY,
-        };
-        if let Volume::Sphere { radius, .. } = promise.volume
-            && reach <= radius
-        {
-            continue;
-        }
-        let Some(tracer) = tracer(geometry.get_or_insert_with(|| bare(scene)), promise.node) else {
-            return;
-        };
-        // What has no end certainly reaches out: it is met close to the volume too.
-        let around = around(&promise.volume);
-        let aims = (tree.leaves.iter())
-            .map(|l| l.bounds.intersection(&whole))
-            .filter(|b| !b.is_empty())
-            .map(|b| {
-                if b.is_finite() {
-                    b
-                } else {
-                    b.intersection(&around)
-                }
-            })
-            .filter(|b| !b.is_empty());
-        let mut search = Search {
-            tracer: &tracer,
-            rays: &mut rays,
-        };
-        let Some(met) = search.outside(&promise.volume, aims.collect(), |_| true) else {
+        let Some(part) = bare.of(promise.node, &mut nodes) else {
             continue;
         };
+        let still = scene.promises.len() - i;
+        let mut share = (rays / still).max(RAYS_EACH).min(rays);
+        rays -= share;
+        let (met, reach) = search(part, promise, &whole, &mut share);
+        rays += share;
+        let Some(met) = met else { continue };
         let Some(p) = context.params(promise.span) else {
             continue;
         };
@@ -84,6 +60,52 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         out.push(d);
     }
+}
+
+/// A point of an object's surface outside of its volume, and the largest distance of the object's
+/// points from the middle of a sphere.
+fn search(part: Scene, promise: &Promise, whole: &Aabb, rays: &mut usize) -> (Option<Met>, f64) {
+    let volume = &promise.volume;
+    let bounds = node_bounds(&part);
+    let root = part.nodes.len() as NodeId - 1;
+    let tree = Tree::new(&part, &bounds, &[root]);
+    let reach = match *volume {
+        Volume::Sphere { centre, .. } => farthest_leaf(&part, &tree, whole, centre),
+        Volume::Box { .. } => f64::INFINITY,
+    };
+    if let Volume::Sphere { radius, .. } = *volume
+        && reach <= radius + WRITTEN * size(volume)
+    {
+        return (None, reach);
+    }
+    let outline = Outline {
+        scene: &part,
+        bounds: &bounds,
+        tree: &tree,
+        root,
+    };
+    let known = outline.outside(volume);
+    if known.is_some() || *rays == 0 || outline.is_exact(volume) {
+        return (known, reach);
+    }
+    // What has no end certainly reaches out: it is met close to the volume too.
+    let around = around(volume);
+    let aims = (tree.leaves.iter())
+        .map(|l| l.bounds.intersection(whole))
+        .map(|b| match b.is_finite() || b.is_empty() {
+            true => b,
+            false => b.intersection(&around),
+        })
+        .filter(|b| !b.is_empty())
+        .collect();
+    let Some(tracer) = tracer(part) else {
+        return (None, reach);
+    };
+    let mut search = Search {
+        tracer: &tracer,
+        rays,
+    };
+    (search.outside(volume, aims, |_| true), reach)
 }
 
 /// Whether a volume certainly holds a box, up to what may be the rounding of its numbers.
@@ -208,6 +230,66 @@ mod tests {
         // A ball within: its own box's corners lie outside.
         assert!(found("2 9 1\n2 -1 3 4 0\n2 -602 0 0 0 6\n").is_empty());
         assert_eq!(found("2 9 1\n2 -1 3 0 0\n2 -602 0 0 0 3.9\n"), ["W311 3:8"]);
+    }
+
+    /// What is known exactly is found however little it reaches out: shapes in many places, and
+    /// volumes a thousandth too small, or just large enough.
+    #[test]
+    fn corners_and_rims() {
+        let shapes = [
+            ("12 -1 -1 -1 1 2 1", 6f64.sqrt()),
+            ("16 2 1", 5f64.sqrt()),
+            ("17 2 1", 5f64.sqrt()),
+            ("1 2 1 -1 1 1", 2f64.sqrt()),
+            ("5 -1 -1 1 2", 5f64.sqrt()),
+            ("6 0 0 0 1 0 0 0 3 0", 3.0),
+            ("9 1", 1.0),
+            ("10 1 2 3", 3.0),
+            ("13 1 0", 1.0),
+            ("13 1 3", 1.0),
+            ("14 2 0.5", 2.5),
+        ];
+        let mut scene = String::new();
+        let mut expected = Vec::new();
+        for (k, (shape, radius)) in shapes.iter().enumerate() {
+            let id = 2 + k;
+            scene += &format!(
+                "{id} {shape}\n{id} -2 {} 1\n{id} -2 {} 2\n",
+                17 * k,
+                31 * k + 9
+            );
+            let line = scene.lines().count() + 1;
+            expected.push(format!("W311 {line}:{}", id.to_string().len() + 7));
+            scene += &format!("{id} -602 0 0 0 {}\n", radius * 0.999);
+            scene += &format!("{id} -602 0 0 0 {}\n", radius * 1.001);
+        }
+        assert_eq!(found(&scene), expected);
+        // The box of a turned square: half of it, and a little less.
+        let turned = |half: f64| {
+            format!("2 12 -1 -1 -1 1 1 1\n2 -2 45 3\n2 -601 -{half} -{half} -1 {half} {half} 1\n")
+        };
+        assert!(found(&turned(2f64.sqrt())).is_empty());
+        assert_eq!(found(&turned(1.414)).len(), 1);
+        // What is cut off does not count, what is left does.
+        let cut =
+            |r: f64| format!("2 12 -1 -1 -1 1 1 1\n3 4 1 1 0 0\n4 -102 2 3\n4 -602 0 0 0 {r}\n");
+        assert_eq!(found(&cut(1.72)).len(), 1);
+        let none = "2 12 -1 -1 -1 1 1 1\n3 9 1.5\n4 -102 2 3\n4 -602 0 0 0 1.51\n";
+        assert!(found(none).is_empty());
+    }
+
+    /// Many volumes share what there is to search with.
+    #[test]
+    fn the_last_of_many() {
+        let mut scene = String::new();
+        for id in 2..400 {
+            // Nothing reaches out, though nobody can know.
+            let (tool, rest) = (id + 1000, id + 2000);
+            scene += &format!("{id} 10 1 2 3\n{tool} 9 2.5\n{rest} -102 {id} {tool}\n");
+            scene += &format!("{rest} -601 -1 -2 -2.6 1 2 2.6\n");
+        }
+        scene += "4000 12 -1 -1 -1 1 1 1\n4000 -2 45 3\n4000 -601 -1 -1 -1 1 1 1\n";
+        assert_eq!(found(&scene).len(), 1);
     }
 
     #[test]

@@ -91,8 +91,16 @@ fn finding(
             .case("balls")
             .with("between", near(*between, size))
             .with("radii", near(*radii, size)),
+        Reason::Plane { normal, end, begin } => {
+            let largest = normal.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+            d.with("axis", sum(normal.map(|x| x / largest)))
+                .with("end", near(*end / largest, size / largest))
+                .with("begin", near(*begin / largest, size / largest))
+        }
+        Reason::Parts => d.case("parts"),
         Reason::Beyond => d.case("beyond"),
         Reason::Within => d.case("within"),
+        Reason::Same if one.id == two.id && operation.title == "intersection" => d.case("both"),
         Reason::Same if one.id == two.id => d.case("itself"),
         Reason::Same => d.case("same"),
     };
@@ -101,10 +109,29 @@ fn finding(
     Some(if same { d } else { d.label(two.span, "two") })
 }
 
+/// A product with the coordinates: `x - 0.5y`.
+fn sum(factors: [f64; 3]) -> String {
+    let mut out = String::new();
+    for (factor, name) in factors.into_iter().zip(["x", "y", "z"]) {
+        // So many digits that nobody misses the rest.
+        let digits = near(factor.abs(), 1e-3);
+        let sign = match (out.is_empty(), factor < 0.0) {
+            _ if digits == "0" => continue,
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        let digits = if digits == "1" { "" } else { &digits };
+        out += &format!("{sign}{digits}{name}");
+    }
+    out
+}
+
 /// How far the numbers of a reason are apart: they are told so finely that they stay so.
 fn begin_size(reason: &Reason) -> f64 {
     match reason {
-        Reason::Apart { end, begin, .. } => begin - end,
+        Reason::Apart { end, begin, .. } | Reason::Plane { end, begin, .. } => begin - end,
         Reason::Balls { between, radii } => between - radii,
         _ => 1.0,
     }
@@ -188,6 +215,48 @@ mod tests {
         }
     }
 
+    /// Shapes as they are, not only their boxes.
+    #[test]
+    fn turned_and_round() {
+        let within = |x: &str, y: &str| !found(&format!("{x}\n{y}\n4 -103 2 3\n")).is_empty();
+        // A cylinder in a wider one, with the corners of its box outside.
+        assert!(within("2 1 2 1 -1 1 1", "3 1 2 1.1 -2 1.1 2"));
+        assert!(!within("2 1 2 1 -1 1 1", "3 1 2 0.99 -2 0.99 2"));
+        assert!(!within("2 1 2 1 -1 1 1", "3 1 2 1.1 -0.9 1.1 2"));
+        assert!(!within("2 1 2 1 -1 1 1", "3 1 3 1.1 -2 0.5 0 1.1 2"));
+        // A box turned by 45° in a ball: its corners are √3 away.
+        let cube = "2 12 -1 -1 -1 1 1 1\n2 -2 45 3\n2 -2 30 1";
+        assert!(within(cube, "3 9 1.74") && !within(cube, "3 9 1.73"));
+        assert!(within(cube, "3 9 1.74\n3 -2 11 2"));
+        assert!(within("2 16 1 1\n2 -2 60 3", "3 9 1.42"));
+        assert!(within("2 14 2 0.2", "3 1 2 2.25 -1 2.25 1"));
+        // Its edge points at the other box, whose side is 1.42 or 1.41 away; and two crossed edges.
+        let apart = |x: &str, y: &str| found(&format!("{x}\n{y}\n4 -102 2 3\n")).len();
+        let turned = "2 12 -1 -1 -1 1 1 1\n2 -2 45 3";
+        assert_eq!(apart(turned, "3 12 1 1 -1 2 2 1"), 1);
+        assert_eq!(apart(turned, "3 12 0.7 0.7 -1 2 2 1"), 0);
+        let edge = |x: &str| format!("3 12 -1 -1 -1 1 1 1\n3 -2 45 2\n3 -1 {x} 0 0");
+        assert_eq!(apart(turned, &edge("2.83")), 1);
+        assert_eq!(apart(turned, &edge("2.82")), 0);
+        says(
+            "2 12 -1 -1 -1 1 1 1\n2 -2 45 3\n3 12 1 1 -1 2 2 1\n4 -102 2 3\n",
+            "the intersection 4 is empty: the box 2 and the box 3 lie apart, x + y ≤ 1.4142 and x + y ≥ 2",
+        );
+    }
+
+    #[test]
+    fn a_gap_in_a_union() {
+        let gap = |x: &str| {
+            format!("2 11 0 0 0 1\n3 11 {x} 0 0 1\n4 -101 2 3\n5 11 2.5 0 0 0.4\n6 -102 5 4\n")
+        };
+        says(
+            &gap("5"),
+            "the intersection 6 is empty: the sphere 5 lies apart from all parts of the union 4",
+        );
+        assert!(found(&gap("3.8")).is_empty());
+        assert_eq!(found(&gap("5").replace("5 4\n", "4 5\n")).len(), 1);
+    }
+
     #[test]
     fn what_is_the_same() {
         says(
@@ -196,7 +265,7 @@ mod tests {
         );
         says(
             "2 14 2 1\n3 -104 2\n4 -102 2 3\n",
-            "the intersection 4 is empty: the torus 2 is taken away from itself",
+            "the intersection 4 is empty: nothing is both inside and outside of the torus 2",
         );
         says(
             "2 14 2 1\n3 14 2 1\n4 -103 2 3\n",

@@ -11,12 +11,42 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     };
     let scene = context.scene;
     let light = |k: Option<Kind>| matches!(k, Some(Kind::AmbientLight | Kind::PointLight));
-    let broken = |item: &Item| matches!(item, Item::Broken(b) if b.ty.is_none_or(|t| matches!(t.code, -401 | -402)));
+    // One that is wrong was meant to be there.
+    let meant = |item: &Item| match item {
+        Item::Record(r) => matches!(r.ty.code, -401 | -402),
+        Item::Broken(b) => b.ty.is_none_or(|t| matches!(t.code, -401 | -402)),
+        Item::Void { .. } => false,
+    };
     if scene.ambient_lights.is_empty()
         && scene.point_lights.is_empty()
         && !scene.entities.iter().any(|e| light(e.kind))
-        && !context.document.items.iter().any(broken)
+        && !context.document.items.iter().any(meant)
     {
         out.push(Diagnostic::new(Code::N603, render.span));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::diagnostics::SourceFile;
+    use crate::lint::Context;
+    use crate::{scene, syntax};
+
+    fn dark(text: &str) -> bool {
+        let source = SourceFile::new("t.zpg", text.into());
+        let (document, mut all) = syntax::parse(text);
+        let scene = scene::resolve(&document, &source, &mut all);
+        let mut out = Vec::new();
+        super::check(&Context::new(text, &document, &scene), &mut out);
+        !out.is_empty()
+    }
+
+    #[test]
+    fn a_light_that_is_wrong_is_one() {
+        assert!(dark("2 9 1\n1 9999 2 0\n"));
+        assert!(!dark("2 9 1\n50 -402 1\n1 9999 2 0\n"));
+        assert!(!dark("2 9 1\n50 -402 x\n1 9999 2 0\n"));
+        // Defined twice.
+        assert!(!dark("2 9 1\n50 -701 1 1 1\n50 -402 1\n1 9999 2 0\n"));
     }
 }

@@ -7,7 +7,7 @@ use std::collections::HashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
-use crate::lint::solids::reach::{RAYS, Search, WRITTEN, bare, beyond, size, tracer};
+use crate::lint::solids::reach::{Bare, Outline, RAYS, Search, WRITTEN, beyond, size, tracer};
 use crate::lint::solids::{near, tree::Tree};
 use crate::scene::{Aabb, Volume};
 
@@ -59,19 +59,31 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if aims().iter().all(inside) {
         return;
     }
-    let Some(tracer) = tracer(&mut bare(scene), render.root) else {
-        return;
+    let outline = Outline {
+        scene,
+        bounds,
+        tree: &tree,
+        root: render.root,
     };
-    let mut search = Search {
-        tracer: &tracer,
-        rays: &mut { RAYS },
+    let known = (outline.outside(&volume), outline.inside(&volume));
+    let met = match known {
+        (Some(met), Some(_)) => Some(met),
+        (None, _) if outline.is_exact(&volume) => None,
+        (known, within) => {
+            let part = Bare::new(scene).of(render.root, &mut { usize::MAX });
+            let Some(tracer) = part.and_then(tracer) else {
+                return;
+            };
+            let mut search = Search {
+                tracer: &tracer,
+                rays: &mut { RAYS },
+            };
+            let counts = |id| !endless.contains(&id);
+            let met = known.or_else(|| search.outside(&volume, aims(), counts));
+            met.filter(|_| within.is_some() || search.inside(&volume, aims()).is_some())
+        }
     };
-    let Some(met) = search.outside(&volume, aims(), |id| !endless.contains(&id)) else {
-        return;
-    };
-    if search.inside(&volume, aims()).is_none() {
-        return;
-    }
+    let Some(met) = met else { return };
     let leaf = ends.iter().find(|l| l.id == met.shape);
     let Some(shape) = leaf.and_then(|l| l.shape) else {
         return;
@@ -174,5 +186,18 @@ mod tests {
             ["W312 3:12"]
         );
         assert!(found(&boxed("2 12 -1 -1 -1 1 1 1\n2 -2 30 2", region)).is_empty());
+        // A corner just out of it, and just not.
+        let turned = |half: &str| {
+            boxed(
+                "2 12 -1 -1 -1 1 1 1\n2 -2 45 3",
+                &format!("-{half} -{half} -2 {half} {half} 2"),
+            )
+        };
+        assert_eq!(found(&turned("1.414")).len(), 1);
+        assert!(found(&turned("1.4143")).is_empty());
+        // Where several shapes stand and one reaches out by a corner.
+        let two = "3 12 -1 -1 -1 1 1 1\n4 16 1 1\n4 -2 40 1\n4 -2 25 2\n4 -1 1.2 0 0\n2 -101 3 4";
+        assert_eq!(found(&boxed(two, region)).len(), 1);
+        assert!(found(&boxed(two, "-2 -2 -2 3 3 3")).is_empty());
     }
 }

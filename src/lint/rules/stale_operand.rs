@@ -67,6 +67,8 @@ struct Entry<'a> {
 
 fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
     let mut entries: HashMap<u32, Entry> = HashMap::new();
+    // What is not there yet is not taken, and the record that defines it changes nothing.
+    let mut defined: HashSet<u32> = HashSet::new();
     // What these name is taken at the end of the file.
     let mut at_the_end: HashSet<u32> = HashSet::new();
     for record in context.records() {
@@ -75,7 +77,7 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
             at_the_end.extend(context.references(record));
             continue;
         }
-        for id in context.references(record) {
+        for id in context.references(record).filter(|id| defined.contains(id)) {
             entries.insert(
                 id,
                 Entry {
@@ -95,6 +97,9 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
                 None => entry.change = Some(record),
                 Some(_) => entry.more += 1,
             }
+        }
+        if code != 0 {
+            defined.insert(record.id);
         }
     }
     let mut late: Vec<Late> = (entries.into_iter())
@@ -175,6 +180,16 @@ mod tests {
     fn copies_and_promises() {
         silent("4 -105 3\n3 -1 0 1 0");
         silent("4 -103 2 3\n3 -601 -1 -1 -1 1 1 1");
+    }
+
+    #[test]
+    fn a_definition_is_no_change() {
+        let late = "14 -399 4 4 10 11\n10 -701 1 0 0\n11 -701 0 1 0\n";
+        silent(late);
+        silent(&format!("{late}10 -701 0 0 1\n"));
+        silent("10 0\n14 -399 4 4 10 10\n10 -701 1 0 0\n");
+        let taken = "10 0\n10 -701 1 0 0\n14 -399 4 4 10 10\n10 -701 0 0 1\n";
+        assert!(found(&(BALLS.to_owned() + taken)).contains(&"W309 8:1".to_owned()));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
-use crate::syntax::table::Kind;
+use crate::syntax::table::{Effect, Kind};
 
 /// What an ID stands for and which others its records name, whether they define or change it.
 struct Definition {
@@ -95,6 +95,9 @@ fn definitions(context: &Context) -> Option<Vec<Definition>> {
         let &own = at.get(&record.id)?;
         if context.document.id_token(record).span() == all[own].span {
             all[own].title = record.ty.title;
+        } else if record.ty.code != 0 && matches!(record.ty.effect, Effect::Defines(_)) {
+            // Defined twice: which of the two was meant is not known.
+            all[own].used = true;
         }
         for name in context.references(record) {
             let &named = at.get(&name)?;
@@ -175,6 +178,8 @@ mod tests {
         assert!(found("2 9 1\n3 9 2").is_empty());
         unused("3 9 1\n4 9 1 1", &["E009 4:7"]);
         unused("3 9 1\n2 -299 33 0", &["E101 4:8"]);
+        // Defined twice.
+        unused("50 -701 1 1 1\n50 -402 1\n50 -1 0 5 0", &["E102 4:1"]);
         // The record of what would be unused is wrong itself.
         unused("3 9 1\n4 -104 4", &["W310 3:1", "E104 4:8"]);
     }

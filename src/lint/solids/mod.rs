@@ -1,11 +1,13 @@
 //! What rules about geometry share: the scene with every shape in its place, and tests of points.
 
 pub mod boxes;
+pub mod hull;
 pub mod inside;
 pub mod leaf;
 pub mod points;
 pub mod proofs;
 pub mod reach;
+pub mod tips;
 pub mod tree;
 
 use crate::diagnostics::Span;

@@ -1,8 +1,10 @@
 //! Proofs that two solids have nothing in common, or that one holds all of the other: by boxes, balls,
-//! half-spaces, and by being the same.
+//! half-spaces, planes between them, and by being the same.
 
+use super::hull::{hull, is_convex};
 use super::inside::Inside;
 use super::reach::{ball, distance};
+use super::tips::extent;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene, Vec3};
 
@@ -31,6 +33,15 @@ pub enum Reason {
     },
     /// The first is outside of the second, a half-space.
     Beyond,
+    /// A plane lies between them: the first is where the product with this vector of length 1 is at
+    /// most `end`, the second where it is at least `begin`.
+    Plane {
+        normal: Vec3,
+        end: f64,
+        begin: f64,
+    },
+    /// Each part of the second, a union, is apart from the first.
+    Parts,
     /// The first is within the second, which is taken away.
     Within,
     Same,
@@ -94,7 +105,12 @@ impl<'a> Proofs<'a> {
         for &(x, x_out) in first {
             for &(y, y_out) in second {
                 let reason = match (x_out, y_out) {
-                    (false, false) => self.apart(x, y),
+                    (false, false) => match self.apart(x, y) {
+                        // Only the second is said to be in parts.
+                        None if self.in_parts(y, x) => return Some((y, x, Reason::Parts)),
+                        None => self.in_parts(x, y).then_some(Reason::Parts),
+                        reason => reason,
+                    },
                     (false, true) => self.covered(x, y),
                     (true, false) => match self.covered(y, x) {
                         Some(reason) => return Some((y, x, reason)),
@@ -156,7 +172,73 @@ impl<'a> Proofs<'a> {
             return (between > radii + clear).then_some(Reason::Balls { between, radii });
         }
         // Only the first is said to be outside of the second.
-        (self.beyond(x, &q)).then_some(Reason::Beyond)
+        if self.beyond(x, &q) {
+            return Some(Reason::Beyond);
+        }
+        self.plane_between(&p, &q)
+    }
+
+    /// Whether each part of a union is apart from something.
+    fn in_parts(&self, x: NodeId, union: NodeId) -> bool {
+        let parts = self.parts(union);
+        let apart = |&part: &NodeId| self.apart(x, part).is_some() || self.apart(part, x).is_some();
+        parts.len() > 1 && parts.iter().all(apart)
+    }
+
+    /// What a union is made of; itself if it is none, or of more than is looked at.
+    fn parts(&self, node: NodeId) -> Vec<NodeId> {
+        let mut out = Vec::new();
+        let mut todo = vec![node];
+        while let Some(n) = todo.pop() {
+            match self.scene.nodes[n as usize] {
+                Node::Union(a, b) => todo.extend([b, a]),
+                Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push(child),
+                _ => out.push(n),
+            }
+            if todo.len() + out.len() > KEPT {
+                return vec![node];
+            }
+        }
+        out
+    }
+
+    /// A plane between two shapes that end: along a face of one of them, along an edge of each, or
+    /// across the way from the one to the other.
+    fn plane_between(&self, p: &Placed, q: &Placed) -> Option<Reason> {
+        let (g, h) = (self.geometry(p)?, self.geometry(q)?);
+        let edges = |m: &Matrix| -> [Vec3; 3] {
+            std::array::from_fn(|j| std::array::from_fn(|i| m.0[i][j]))
+        };
+        let (e, f) = (edges(&p.matrix), edges(&q.matrix));
+        let across = |e: &[Vec3; 3]| [0, 1, 2].map(|i| cross(e[(i + 1) % 3], e[(i + 2) % 3]));
+        let [a, b] = [p, q].map(|x| self.all(x.node).centre());
+        let way = std::array::from_fn(|i| b[i] - a[i]);
+        let both = e.iter().flat_map(|x| f.map(|y| cross(*x, y)));
+        let all = across(&e)
+            .into_iter()
+            .chain(across(&f))
+            .chain(both)
+            .chain([way]);
+        for normal in all.filter_map(unit) {
+            let (low, high) = extent(g, &p.matrix, normal)?;
+            let (from, to) = extent(h, &q.matrix, normal)?;
+            let size = [low, high, from, to]
+                .iter()
+                .fold(0.0f64, |m, x| m.max(x.abs()));
+            // What rounds the products: where the shapes are, not how far along the vector.
+            let places = [p, q].map(|x| far(&self.all(x.node).min).max(far(&self.all(x.node).max)));
+            let clear = CLEAR * (size + places[0] + places[1]);
+            if from - high > clear {
+                let (end, begin) = (high, from);
+                return Some(Reason::Plane { normal, end, begin });
+            }
+            if low - to > clear {
+                let normal = normal.map(|x| -x);
+                let (end, begin) = (-low, -to);
+                return Some(Reason::Plane { normal, end, begin });
+            }
+        }
+        None
     }
 
     fn ball(&self, p: &Placed) -> Option<(Vec3, f64)> {
@@ -172,7 +254,7 @@ impl<'a> Proofs<'a> {
         let Some(Geometry::HalfSpace([a, b, c, d])) = self.geometry(plane) else {
             return false;
         };
-        let Some(corners) = self.corners(x, plane) else {
+        let Some(corners) = corners_of(self.all(x), plane) else {
             return false;
         };
         corners.iter().all(|[x, y, z]| {
@@ -180,22 +262,6 @@ impl<'a> Proofs<'a> {
             let size: f64 = terms.iter().map(|t| t.abs()).sum();
             terms.iter().sum::<f64>() > CLEAR * size
         })
-    }
-
-    /// The corners of a box somewhat larger than a thing, in the coordinates of a shape.
-    fn corners(&self, x: NodeId, to: &Placed) -> Option<[Vec3; 8]> {
-        let b = self.all(x);
-        if !b.is_finite() || b.is_empty() {
-            return None;
-        }
-        let clear = CLEAR * (b.radius() + far(&b.min).max(far(&b.max)));
-        let back = to.matrix.inverse()?;
-        Some(std::array::from_fn(|k| {
-            back.point(std::array::from_fn(|i| match k >> i & 1 {
-                0 => b.min[i] - clear,
-                _ => b.max[i] + clear,
-            }))
-        }))
     }
 
     /// Whether nothing of x is left without y.
@@ -226,26 +292,68 @@ impl<'a> Proofs<'a> {
                 return Some(Reason::Within);
             }
         }
-        let corners = self.corners(x, &q)?;
-        let held = corners
+        let boxed = corners_of(self.all(x), &q).map_or(Vec::new(), Vec::from);
+        // The corners of the shape itself, or of something that holds it closely.
+        let own = self.hull_of(&p, &q).unwrap_or_default();
+        [boxed, own]
             .iter()
-            .all(|&c| self.inside.shape(geometry, c) == Some(true));
-        held.then_some(Reason::Within)
+            .any(|corners| {
+                let mut each = corners.iter();
+                !corners.is_empty() && each.all(|&c| self.inside.shape(geometry, c) == Some(true))
+            })
+            .then_some(Reason::Within)
+    }
+
+    /// The corners of something that holds all of a shape, with room for rounding, in the coordinates
+    /// of another.
+    fn hull_of(&self, p: &Placed, to: &Placed) -> Option<Vec<Vec3>> {
+        let corners = hull(self.geometry(p)?)?;
+        let back = to.matrix.inverse()?.after(&p.matrix);
+        let b = self.all(p.node);
+        let clear = CLEAR * (b.radius() + far(&b.min).max(far(&b.max)));
+        let count = corners.len() as f64;
+        let middle: Vec3 =
+            std::array::from_fn(|i| corners.iter().map(|c| c[i]).sum::<f64>() / count);
+        let wider = |c: &Vec3| {
+            let away: Vec3 = std::array::from_fn(|i| c[i] - middle[i]);
+            let length = length_of(p.matrix.vector(away));
+            let by = 1.0 + if length > 0.0 { clear / length } else { 0.0 };
+            back.point(std::array::from_fn(|i| middle[i] + by * away[i]))
+        };
+        Some(corners.iter().map(wider).collect())
     }
 }
 
-/// Whether a shape is a solid that holds every point between two of its points.
-fn is_convex(geometry: &Geometry) -> bool {
-    matches!(
-        geometry,
-        Geometry::HalfSpace(_)
-            | Geometry::Sphere { .. }
-            | Geometry::Ellipsoid { .. }
-            | Geometry::Box { .. }
-            | Geometry::GeodesicSphere { .. }
-            | Geometry::Cone { .. }
-            | Geometry::ParabolicCylinder { .. }
-    )
+/// The corners of something somewhat larger than a box, in the coordinates of a shape.
+fn corners_of(b: &Aabb, to: &Placed) -> Option<[Vec3; 8]> {
+    if !b.is_finite() || b.is_empty() {
+        return None;
+    }
+    let clear = CLEAR * (b.radius() + far(&b.min).max(far(&b.max)));
+    let back = to.matrix.inverse()?;
+    Some(std::array::from_fn(|k| {
+        back.point(std::array::from_fn(|i| match k >> i & 1 {
+            0 => b.min[i] - clear,
+            _ => b.max[i] + clear,
+        }))
+    }))
+}
+
+fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}
+
+fn length_of(v: Vec3) -> f64 {
+    v[0].hypot(v[1]).hypot(v[2])
+}
+
+/// A vector of length 1; `None` for one without direction.
+fn unit(v: Vec3) -> Option<Vec3> {
+    let length = length_of(v);
+    (length.is_finite() && length > f64::MIN_POSITIVE).then(|| v.map(|x| x / length))
 }
 
 /// The largest of a point's coordinates.
@@ -255,12 +363,14 @@ fn far(p: &Vec3) -> f64 {
 
 /// What something is, below its transformations and properties.
 struct Placed {
+    node: NodeId,
     core: NodeId,
     shape: Option<u32>,
     matrix: Matrix,
 }
 
-fn placed(scene: &Scene, mut node: NodeId) -> Placed {
+fn placed(scene: &Scene, whole: NodeId) -> Placed {
+    let mut node = whole;
     let mut matrix = Matrix::IDENTITY;
     loop {
         node = match scene.nodes[node as usize] {
@@ -271,6 +381,7 @@ fn placed(scene: &Scene, mut node: NodeId) -> Placed {
             Node::Paint { child, .. } | Node::Copy { child, .. } => child,
             core => {
                 return Placed {
+                    node: whole,
                     core: node,
                     shape: match core {
                         Node::Shape(s) => Some(s),

@@ -1,8 +1,11 @@
-//! How far things reach: points of their surface, met by rays.
+//! How far things reach: points of their surface, known exactly or met by rays.
 
+use super::inside::Inside;
 use super::leaf::Leaf;
-use super::tree::Tree;
-use crate::scene::{Aabb, Geometry, Matrix, NodeId, Paint, Render, Scene, Vec3, Volume};
+use super::tips::{Tip, tips};
+use super::tree::{NONE, Tree};
+use crate::scene::bounds::NodeBounds;
+use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Render, Scene, Vec3, Volume};
 use crate::trace::{Crossing, Ray, Tracer, vec};
 
 /// Rays for all searches of a rule together: some tenths of a second in the largest scenes.
@@ -19,33 +22,91 @@ pub const WRITTEN: f64 = 1e-6;
 /// reach furthest, and close to the borders, where those with corners do.
 const SHARES: [f64; 5] = [0.5, 0.25, 0.75, 0.004, 0.996];
 
-/// The scene's geometry without looks, to be traced from any node: a boundary is then nothing but
-/// where a solid ends.
-pub fn bare(scene: &Scene) -> Scene {
-    let plain = |p: &Paint| Paint {
-        owner: p.owner,
-        ..Paint::default()
-    };
-    Scene {
-        nodes: scene.nodes.clone(),
-        shapes: scene.shapes.clone(),
-        matrices: scene.matrices.clone(),
-        paints: scene.paints.iter().map(plain).collect(),
-        entities: scene.entities.clone(),
-        ..Scene::default()
+/// The geometry of single objects without looks, to be traced from any node: a boundary is then
+/// nothing but where a solid ends.
+pub struct Bare<'a> {
+    scene: &'a Scene,
+    /// For each node its number in what is being built, or [`NONE`].
+    numbers: Vec<u32>,
+}
+
+impl<'a> Bare<'a> {
+    pub fn new(scene: &'a Scene) -> Bare<'a> {
+        Bare {
+            scene,
+            numbers: vec![NONE; scene.nodes.len()],
+        }
+    }
+
+    /// What an object is made of and nothing else, itself last; `None` if that is more nodes than are
+    /// left.
+    pub fn of(&mut self, root: NodeId, left: &mut usize) -> Option<Scene> {
+        let scene = self.scene;
+        let mut nodes = Vec::new();
+        let mut todo = vec![root];
+        while let Some(node) = todo.pop() {
+            // Any number: it is known.
+            if std::mem::replace(&mut self.numbers[node as usize], 0) == NONE {
+                nodes.push(node);
+                todo.extend(scene.nodes[node as usize].children().into_iter().flatten());
+            }
+            if nodes.len() > *left {
+                break;
+            }
+        }
+        let all = nodes.len() <= *left;
+        *left -= nodes.len().min(*left);
+        let mut out = Scene::default();
+        // Children stand before their parents.
+        nodes.sort_unstable();
+        for &node in nodes.iter().filter(|_| all) {
+            self.numbers[node as usize] = self.add(node, &mut out);
+        }
+        nodes
+            .iter()
+            .for_each(|&node| self.numbers[node as usize] = NONE);
+        all.then_some(out)
+    }
+
+    /// Adds a node whose children are there; says its number.
+    fn add(&self, node: NodeId, out: &mut Scene) -> u32 {
+        let at = |child: NodeId| self.numbers[child as usize];
+        let node = match self.scene.nodes[node as usize] {
+            Node::Shape(s) => {
+                out.shapes.push(self.scene.shapes[s as usize].clone());
+                Node::Shape(out.shapes.len() as u32 - 1)
+            }
+            Node::Transform { child, matrix } => {
+                let child = at(child);
+                out.matrices.push(self.scene.matrices[matrix as usize]);
+                let matrix = out.matrices.len() as u32 - 1;
+                Node::Transform { child, matrix }
+            }
+            Node::Paint { child, .. } => return at(child),
+            Node::Copy { child, id } => Node::Copy {
+                child: at(child),
+                id,
+            },
+            Node::Union(a, b) => Node::Union(at(a), at(b)),
+            Node::Intersection(a, b) => Node::Intersection(at(a), at(b)),
+            Node::Difference(a, b) => Node::Difference(at(a), at(b)),
+            Node::Complement(child) => Node::Complement(at(child)),
+        };
+        out.nodes.push(node);
+        out.nodes.len() as u32 - 1
     }
 }
 
-/// The node of a bare scene made ready.
-pub fn tracer(bare: &mut Scene, root: NodeId) -> Option<Tracer> {
+/// A bare scene made ready.
+pub fn tracer(mut bare: Scene) -> Option<Tracer> {
     bare.render = Some(Render {
-        root,
+        root: bare.nodes.len().checked_sub(1)? as NodeId,
         root_id: 0,
         background: [0.0; 3],
         clip: None,
         span: Default::default(),
     });
-    Tracer::new(bare).ok()
+    Tracer::new(&bare).ok()
 }
 
 /// A point of a surface.
@@ -95,6 +156,121 @@ fn regions(volume: &Volume, bounds: &Aabb) -> Vec<Aabb> {
     out
 }
 
+/// How many points of a kind are looked at, those first that reach furthest out.
+const TIPS: usize = 16;
+
+/// How far from the surface a point is tried, as a share of how far that is out of the volume.
+const STEP: f64 = 0.01;
+
+/// The exactly known points of an object: those where its leaves reach furthest.
+pub struct Outline<'a> {
+    pub scene: &'a Scene,
+    pub bounds: &'a [NodeBounds],
+    pub tree: &'a Tree,
+    pub root: NodeId,
+}
+
+impl Outline<'_> {
+    fn geometry(&self, leaf: &Leaf) -> Option<&Geometry> {
+        Some(&self.scene.shapes[leaf.shape? as usize].geometry)
+    }
+
+    /// Whether all of a leaf is part of the object: no operation cuts anything off.
+    fn is_whole(&self, leaf: &Leaf) -> bool {
+        let place = &self.tree.places[leaf.place as usize];
+        place.group == NONE && !place.turned
+    }
+
+    /// Whether nothing reaches out of a box at all if [`outside`](Self::outside) finds nothing.
+    pub fn is_exact(&self, volume: &Volume) -> bool {
+        let whole = |leaf: &Leaf| {
+            let ends = |g| !tips(g, &leaf.matrix, volume).is_empty();
+            self.is_whole(leaf) && self.geometry(leaf).is_some_and(ends)
+        };
+        matches!(volume, Volume::Box { .. }) && self.tree.leaves.iter().all(whole)
+    }
+
+    /// A point of the surface outside of a volume by more than rounding, of those the furthest.
+    pub fn outside(&self, volume: &Volume) -> Option<Met> {
+        let slack = WRITTEN * size(volume);
+        self.first(volume, slack, |b| farthest_out(volume, b) > slack, |by| by)
+    }
+
+    /// A point of the surface inside of a volume by more than rounding.
+    pub fn inside(&self, volume: &Volume) -> Option<Met> {
+        let slack = WRITTEN * size(volume);
+        self.first(volume, slack, |_| true, |by| -by)
+    }
+
+    /// The tip to which the most is given, by how far out it is, of those that are worth more than
+    /// `least` and are part of the surface. `near`: which boxes to look at.
+    fn first(
+        &self,
+        volume: &Volume,
+        least: f64,
+        near: impl Fn(&Aabb) -> bool,
+        worth: impl Fn(f64) -> f64,
+    ) -> Option<Met> {
+        let mut all: Vec<(f64, &Leaf, Tip)> = Vec::new();
+        for leaf in self.tree.leaves.iter().filter(|l| near(&l.bounds)) {
+            let Some(geometry) = self.geometry(leaf) else {
+                continue;
+            };
+            for tip in tips(geometry, &leaf.matrix, volume) {
+                let by = worth(beyond(volume, tip.point));
+                if by > least {
+                    all.push((by, leaf, tip));
+                }
+            }
+            if all.len() > 64 * TIPS {
+                best_first(&mut all);
+            }
+        }
+        best_first(&mut all);
+        let mut inside = Inside::new(self.scene, self.bounds);
+        let mut is_part = |&(by, leaf, tip): &(f64, &Leaf, Tip)| {
+            let at = |step: f64| match tip.inwards {
+                None => tip.point,
+                Some(v) => {
+                    let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+                    std::array::from_fn(|i| tip.point[i] + step * STEP * by / length * v[i])
+                }
+            };
+            // Where the same piece of a profile is gone over twice there is nothing.
+            let plain = !matches!(self.geometry(leaf), Some(Geometry::Revolution { .. }));
+            let sheet = tip.inwards.is_none();
+            let held = match self.is_whole(leaf) && plain {
+                true => true,
+                false if sheet => false,
+                false => {
+                    let p = at(1.0);
+                    worth(beyond(volume, p)) > least && inside.node(self.root, p) == Some(true)
+                }
+            };
+            // Nothing else holds what is around it.
+            held && inside.node(self.root, at(-1.0)) == Some(false)
+        };
+        let (_, leaf, tip) = all.iter().find(|c| is_part(c))?;
+        Some(Met {
+            point: tip.point,
+            shape: leaf.id,
+        })
+    }
+}
+
+fn best_first(all: &mut Vec<(f64, &Leaf, Tip)>) {
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.truncate(TIPS);
+}
+
+/// By how much the point of a box that is furthest out is outside of a volume.
+fn farthest_out(volume: &Volume, b: &Aabb) -> f64 {
+    match volume {
+        Volume::Box { .. } => beyond(volume, b.min).max(beyond(volume, b.max)),
+        Volume::Sphere { centre, radius } => farthest(b, *centre) - radius,
+    }
+}
+
 /// A search for points of a node's surface in some place.
 pub struct Search<'a> {
     pub tracer: &'a Tracer,
@@ -112,10 +288,7 @@ impl Search<'_> {
         counts: impl Fn(u32) -> bool,
     ) -> Option<Met> {
         let slack = WRITTEN * size(volume);
-        let excess = |b: &Aabb| match volume {
-            Volume::Box { .. } => beyond(volume, b.min).max(beyond(volume, b.max)),
-            Volume::Sphere { centre, radius } => farthest(b, *centre) - radius,
-        };
+        let excess = |b: &Aabb| farthest_out(volume, b);
         aims.retain(|b| excess(b) > slack);
         aims.sort_by(|a, b| excess(b).total_cmp(&excess(a)));
         aims.truncate(AIMS);
@@ -204,24 +377,63 @@ pub fn ball(scene: &Scene, shape: u32, m: &Matrix) -> Option<(Vec3, f64)> {
     let Geometry::Sphere { centre, radius } = scene.shapes[shape as usize].geometry else {
         return None;
     };
+    Some((m.point(centre), radius * even_scale(m)?))
+}
+
+/// How far from even a product of rotations may be.
+const EVEN: f64 = 1e-12;
+
+/// The factor of a matrix that moves, turns and scales evenly, and a little more: what it stretches
+/// most is stretched by less.
+fn even_scale(m: &Matrix) -> Option<f64> {
     let column = |j: usize| -> Vec3 { std::array::from_fn(|i| m.0[i][j]) };
     let dot = |a: Vec3, b: Vec3| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let c: [Vec3; 3] = std::array::from_fn(column);
     let scale = dot(c[0], c[0]);
-    // How far from even a product of rotations may be.
-    const EVEN: f64 = 1e-12;
     let even = (1..3).all(|i| (dot(c[i], c[i]) - scale).abs() <= EVEN * scale)
         && (0..3).all(|i| dot(c[i], c[(i + 1) % 3]).abs() <= EVEN * scale);
-    // The deviation is added to the radius, so that the ball holds the image.
-    even.then(|| (m.point(centre), radius * scale.sqrt() * (1.0 + EVEN)))
+    even.then(|| scale.sqrt() * (1.0 + EVEN))
+}
+
+/// A distance from a point that nothing of a moved shape exceeds by more than rounding, where that is
+/// known more closely than by a box.
+fn farthest_point(geometry: &Geometry, m: &Matrix, p: Vec3) -> Option<f64> {
+    let of = |points: &[Vec3]| {
+        let each = points.iter().map(|&q| distance(m.point(q), p));
+        Some(each.fold(0.0, f64::max))
+    };
+    match *geometry {
+        Geometry::Sphere { centre, radius } => {
+            Some(distance(m.point(centre), p) + radius * even_scale(m)?)
+        }
+        Geometry::GeodesicSphere { radius, .. } => {
+            Some(distance(m.point([0.0; 3]), p) + radius * even_scale(m)?)
+        }
+        Geometry::Torus { major, minor } => {
+            let scale = even_scale(m)?;
+            // The point of the tube's core that is furthest away, and from there as much further.
+            let [x, y, z] = m.inverse()?.point(p);
+            Some(scale * ((x.hypot(z) + major).hypot(y) + minor))
+        }
+        Geometry::Box { min, max } => of(&std::array::from_fn::<_, 8, _>(|k| {
+            std::array::from_fn(|i| if k >> i & 1 == 0 { min[i] } else { max[i] })
+        })),
+        Geometry::Rectangle { min, max } => of(&std::array::from_fn::<_, 4, _>(|k| {
+            let x = if k & 1 == 0 { min[0] } else { max[0] };
+            [x, if k & 2 == 0 { min[1] } else { max[1] }, 0.0]
+        })),
+        Geometry::Triangle { ref vertices, .. } => of(vertices),
+        _ => None,
+    }
 }
 
 /// A distance from a point that nothing of the leaves exceeds, and its rounding.
 pub fn farthest_leaf(scene: &Scene, tree: &Tree, whole: &Aabb, p: Vec3) -> f64 {
     let of = |leaf: &Leaf| {
-        let round = leaf.shape.and_then(|s| ball(scene, s, &leaf.matrix));
+        let geometry = leaf.shape.map(|s| &scene.shapes[s as usize].geometry);
+        let closer = geometry.and_then(|g| farthest_point(g, &leaf.matrix, p));
         let boxed = farthest(&leaf.bounds, p);
-        round.map_or(boxed, |(c, r)| boxed.min(distance(c, p) + r))
+        closer.map_or(boxed, |d| boxed.min(d))
     };
     let leaves = tree.leaves.iter().map(of).fold(0.0, f64::max);
     leaves.min(farthest(whole, p))

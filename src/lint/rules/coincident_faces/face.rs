@@ -54,6 +54,34 @@ pub struct Face {
     pub leaf: u32,
     pub part: Part,
     pub form: Form,
+    /// Whether it is filed as what it is, not once more as a quadric.
+    pub own: bool,
+}
+
+/// Adds round faces once more as the quadrics that they lie in, from this one on.
+pub fn as_quadrics(geometry: &Geometry, m: &Matrix, from: usize, all: &mut Vec<Face>) {
+    for i in from..all.len() {
+        let Face { leaf, part, .. } = all[i];
+        let form = quadric::form_of_part(geometry, part);
+        if let Some(at) = form.and_then(|q| quadric::fingerprint(&q, m)) {
+            let form = quadric_form(at);
+            let own = false;
+            all.push(Face {
+                leaf,
+                part,
+                form,
+                own,
+            });
+        }
+    }
+}
+
+fn quadric_form(fingerprint: f64) -> Form {
+    Form::Round {
+        anchor: [fingerprint, 0.0, 0.0],
+        scale: 0.0,
+        class: QUADRIC,
+    }
 }
 
 /// All faces of a shape that the search knows.
@@ -118,11 +146,8 @@ pub fn faces(geometry: &Geometry, leaf: u32, m: &Matrix, out: &mut Vec<Face>) {
                 faces.out.push(Face {
                     leaf,
                     part: Part::All,
-                    form: Form::Round {
-                        anchor: [at, 0.0, 0.0],
-                        scale: 0.0,
-                        class: QUADRIC,
-                    },
+                    form: quadric_form(at),
+                    own: true,
                 });
             }
         }
@@ -179,6 +204,7 @@ impl Faces<'_> {
                 samples: samples.iter().map(|&p| self.m.point(p)).collect(),
                 point: c,
             },
+            own: true,
         });
     }
 
@@ -206,6 +232,7 @@ impl Faces<'_> {
                 scale: scale * self.m.determinant3().abs().cbrt(),
                 class,
             },
+            own: true,
         });
     }
 

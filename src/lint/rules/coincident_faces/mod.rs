@@ -19,7 +19,7 @@ mod vector;
 use std::collections::BTreeMap;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
-use crate::lint::solids::near;
+use crate::lint::solids::{named, near};
 use crate::lint::{Context, live_nodes};
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Node, NodeId, OperationRecord, Scene};
@@ -93,6 +93,12 @@ fn finding(
         Some(place(&params, &shape(side).geometry, side.part))
     };
     let copy = |side: &Side| side.copy.map_or("none".to_owned(), |id| id.to_string());
+    // Two states of one shape go by one ID: what tells them apart is where they are used.
+    let alike = tool.id == other.id && tool.copy == other.copy;
+    let within = |side: &Side| {
+        let operand = named(scene, side.operand).filter(|_| alike && side.operand != side.node);
+        operand.map_or("none".to_owned(), |n| n.id.to_string())
+    };
     let (span, face_of_tool, name) = face(tool)?;
     let (other_span, face_of_other, other_name) = face(other)?;
     let mut d = Diagnostic::new(Code::W321, span)
@@ -107,11 +113,13 @@ fn finding(
         .with("tool", Value::Term(shape(tool).ty.title))
         .with("tool-id", tool.id.to_string())
         .with("tool-copy", copy(tool))
+        .with("tool-in", within(tool))
         .with("tool-face", face_of_tool)
         .with("tool-name", name)
         .with("other", Value::Term(shape(other).ty.title))
         .with("other-id", other.id.to_string())
         .with("other-copy", copy(other))
+        .with("other-in", within(other))
         .with("other-face", face_of_other)
         .with("other-name", other_name)
         .with("x", x)

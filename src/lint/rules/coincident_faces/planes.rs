@@ -29,21 +29,46 @@ const ODD: Vec3 = [0.612_372, 0.288_675, 0.736_203];
 /// rounding on the way through their matrices is magnified by where they are, and samples decide.
 const LOOSE: f64 = 1e-7 / ROUNDING;
 
-/// A face in the file.
+/// A face in the file, with all that is asked of it: the faces themselves lie far apart in memory.
 struct Entry {
     group: u32,
     cell: Cell,
     at: f64,
     face: u32,
+    leaf: u32,
+    /// Whether a neighbour may be in another cell.
+    on_border: bool,
+    flat: bool,
+    /// See [`Face::own`].
+    own: bool,
+    /// Of the shape, and of the numbers that the face is made of.
+    size: f64,
+    magnitude: f64,
     bounds: Aabb,
+}
+
+impl Entry {
+    /// The cell and the number of a face that lies in this one: flat ones look the other way, round
+    /// ones are filed without a side.
+    fn opposite(&self) -> (Cell, f64) {
+        match self.flat {
+            true => (self.cell.map(|c| -c), -self.at),
+            false => (self.cell, self.at),
+        }
+    }
 }
 
 /// Faces of one group that lie in one plane, or in planes very near to each other.
 struct Run {
+    /// Its group and cell.
+    filed: (u32, Cell),
+    /// The least and the largest number by which its entries are told apart.
+    low: f64,
+    high: f64,
     start: usize,
     end: usize,
     /// Over the entries from `start` on; made when it is first needed.
-    index: Option<Boxes>,
+    index: Option<Box<Boxes>>,
 }
 
 /// Where a face is filed: its cell and a number that differs little for faces that differ little,
@@ -71,23 +96,29 @@ fn key(form: &Form, turned: bool) -> (Cell, f64, f64) {
     }
 }
 
+/// The cell on the other side of a border within a hundredth of a step, along each axis.
+fn beyond_border(normal: Vec3, cell: Cell) -> [Option<i32>; 3] {
+    std::array::from_fn(|i| {
+        let x = normal[i] * CELLS;
+        let near = [x - 0.01, x + 0.01].map(|x| x.round() as i32);
+        near.into_iter().find(|&c| c != cell[i])
+    })
+}
+
 /// All cells in which a neighbour of this one's face can be.
 fn cells(form: &Form, turned: bool, cell: Cell) -> Vec<Cell> {
     let Form::Flat { normal, .. } = form else {
         return vec![cell];
     };
     let sign = if turned { -1.0 } else { 1.0 };
+    let others = beyond_border(normal.map(|x| sign * x), cell);
     let mut out = vec![cell];
-    for i in 0..3 {
-        let x = normal[i] * sign * CELLS;
-        // Within a hundredth of a step of the border, neighbours may be on its other side.
-        let other = [x - 0.01, x + 0.01].map(|x| x.round() as i32);
-        if let Some(&o) = other.iter().find(|&&o| o != cell[i]) {
-            for k in 0..out.len() {
-                let mut c = out[k];
-                c[i] = o;
-                out.push(c);
-            }
+    for (i, other) in others.into_iter().enumerate() {
+        let Some(other) = other else { continue };
+        for k in 0..out.len() {
+            let mut c = out[k];
+            c[i] = other;
+            out.push(c);
         }
     }
     out
@@ -103,12 +134,30 @@ pub fn pairs(tree: &Tree, faces: &[Face]) -> Vec<(u32, u32)> {
         .iter()
         .enumerate()
         .map(|(i, face)| {
-            let (cell, at, _) = key(&face.form, place(face).turned);
+            let (cell, at, magnitude) = key(&face.form, place(face).turned);
+            let size = tree.leaves[face.leaf as usize].size;
+            let normal = match &face.form {
+                Form::Flat { normal, .. } => Some(*normal),
+                Form::Round { .. } => None,
+            };
+            let sign = if place(face).turned { -1.0 } else { 1.0 };
+            let borders = normal.map(|n| beyond_border(n.map(|x| sign * x), cell));
             Entry {
                 group: place(face).group,
                 cell,
                 at,
                 face: i as u32,
+                leaf: face.leaf,
+                on_border: borders.is_some_and(|b| b.iter().any(Option::is_some)),
+                flat: normal.is_some(),
+                own: face.own,
+                // What has no end is near to what is not far from the origin either.
+                size: match normal {
+                    _ if size.is_finite() => size,
+                    Some(_) => magnitude.max(largest),
+                    None => largest,
+                },
+                magnitude,
                 bounds: outline(tree, face),
             }
         })
@@ -120,27 +169,20 @@ pub fn pairs(tree: &Tree, faces: &[Face]) -> Vec<(u32, u32)> {
             .then(a.at.total_cmp(&b.at))
             .then(a.face.cmp(&b.face))
     });
-    let magnitude = |e: &Entry| key(&faces[e.face as usize].form, false).2;
-    // What has no end is near to what is not far from the origin either.
-    let size = |e: &Entry| {
-        let size = tree.leaves[faces[e.face as usize].leaf as usize].size;
-        match faces[e.face as usize].form {
-            _ if size.is_finite() => size,
-            Form::Flat { .. } => magnitude(e).max(largest),
-            Form::Round { .. } => largest,
-        }
-    };
     let mut runs: Vec<Run> = Vec::new();
     for i in 0..entries.len() {
         let e = &entries[i];
         let near = i > 0 && {
             let before = &entries[i - 1];
-            let room = 2.0 * NEAR * size(e).min(size(before)) + ROUNDING * magnitude(e);
+            let room = 2.0 * NEAR * e.size.min(before.size) + ROUNDING * e.magnitude;
             (before.group, before.cell) == (e.group, e.cell) && e.at - before.at <= room
         };
         match runs.last_mut().filter(|_| near) {
-            Some(run) => run.end = i + 1,
+            Some(run) => (run.end, run.high) = (i + 1, e.at),
             None => runs.push(Run {
+                filed: (e.group, e.cell),
+                low: e.at,
+                high: e.at,
                 start: i,
                 end: i + 1,
                 index: None,
@@ -151,32 +193,32 @@ pub fn pairs(tree: &Tree, faces: &[Face]) -> Vec<(u32, u32)> {
     let mut left = STEPS;
     let mut found = Vec::new();
     for entry in &entries {
-        let face = &faces[entry.face as usize];
-        // Flat faces are looked for that look the other way; round ones are filed without a side.
-        let turned = !place(face).turned;
-        let (cell, at, magnitude) = key(&face.form, turned);
-        let reach = 2.0 * NEAR * size(entry) + ROUNDING * magnitude;
-        let room = NEAR * size(entry);
+        let (cell, at) = entry.opposite();
+        let reach = 2.0 * NEAR * entry.size + ROUNDING * entry.magnitude;
+        let room = NEAR * entry.size;
         let mut around = entry.bounds;
         around.min = around.min.map(|x| x - room - ROUNDING * x.abs());
         around.max = around.max.map(|x| x + room + ROUNDING * x.abs());
-        for cell in cells(&face.form, turned, cell) {
+        let cells = match entry.on_border {
+            true => {
+                let face = &faces[entry.face as usize];
+                cells(&face.form, !place(face).turned, cell)
+            }
+            false => vec![cell],
+        };
+        for cell in cells {
             let filed = (entry.group, cell);
-            let from = runs.partition_point(|r| {
-                let last = &entries[r.end - 1];
-                (last.group, last.cell) < filed
-                    || (last.group, last.cell) == filed && last.at < at - reach
-            });
+            let from = runs
+                .partition_point(|r| r.filed < filed || r.filed == filed && r.high < at - reach);
             for run in &mut runs[from..] {
-                let first = &entries[run.start];
-                if (first.group, first.cell) != filed || first.at > at + reach {
+                if run.filed != filed || run.low > at + reach {
                     break;
                 }
                 let steps = run.near(&entries, &around, &mut found);
                 for other in found.drain(..) {
                     let other = &entries[other as usize];
-                    let (of, to) = (face.leaf, faces[other.face as usize].leaf);
-                    if of < to && (other.at - at).abs() <= reach {
+                    let both_again = !entry.own && !other.own;
+                    if entry.leaf < other.leaf && !both_again && (other.at - at).abs() <= reach {
                         out.push((entry.face, other.face));
                     }
                 }
@@ -210,7 +252,9 @@ impl Run {
         let mut steps = 0;
         let index = self.index.get_or_insert_with(|| {
             steps += all.len() * 4;
-            Boxes::new(all.clone().map(|i| (i, entries[i as usize].bounds)))
+            Box::new(Boxes::new(
+                (all.clone()).map(|i| (i, entries[i as usize].bounds)),
+            ))
         });
         steps += index.near(around, out);
         out.retain(overlaps);

@@ -1,5 +1,6 @@
 //! Quadrics as faces: the matrix that tells them from others, and points to try them at.
 
+use super::face::Part;
 use super::sample::Sample;
 use super::vector::{add, dot, length};
 use crate::scene::{Geometry, Matrix, Vec3};
@@ -27,6 +28,39 @@ pub fn form(geometry: &Geometry) -> Option<Form> {
     let mut out = [[0.0; 4]; 4];
     (0..4).for_each(|i| out[i][i] = diagonal[i]);
     (out[1][3], out[3][1]) = (linear, linear);
+    Some(out)
+}
+
+/// The symmetric matrix of a round face that lies in a quadric, of other shapes.
+pub fn form_of_part(geometry: &Geometry, part: Part) -> Option<Form> {
+    let mut out = [[0.0; 4]; 4];
+    // x² + z² = (slope·y + start)², about the y axis.
+    let mut about_y = |slope: f64, start: f64| {
+        (out[0][0], out[1][1], out[2][2]) = (1.0, -slope * slope, 1.0);
+        (out[1][3], out[3][1], out[3][3]) = (-slope * start, -slope * start, -start * start);
+    };
+    match (geometry, part) {
+        (Geometry::Cone { height, radius }, Part::Mantle)
+        | (Geometry::DoubleCone { height, radius }, Part::Mantle) => about_y(radius / height, 0.0),
+        (Geometry::Revolution { profile, .. }, Part::Piece(i)) => {
+            let ([x0, y0], [x1, y1]) = (*profile.get(i)?, *profile.get(i + 1)?);
+            let slope = (x1 - x0) / (y1 - y0);
+            about_y(slope, x0 - slope * y0);
+        }
+        (Geometry::Sphere { centre, radius }, Part::All) => {
+            let square: f64 = centre.iter().map(|c| c * c).sum();
+            (0..3).for_each(|i| {
+                out[i][i] = 1.0;
+                (out[i][3], out[3][i]) = (-centre[i], -centre[i]);
+            });
+            out[3][3] = square - radius * radius;
+        }
+        (Geometry::Ellipsoid { semi_axes }, Part::All) => {
+            (0..3).for_each(|i| out[i][i] = 1.0 / (semi_axes[i] * semi_axes[i]));
+            out[3][3] = -1.0;
+        }
+        _ => return None,
+    }
     Some(out)
 }
 

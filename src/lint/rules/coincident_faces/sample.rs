@@ -1,6 +1,6 @@
 //! Points at which two faces are tried: where both can be, and nowhere special.
 
-use super::face::{Face, Form, Part, QUADRIC};
+use super::face::{Face, Form, Part};
 use super::quadric;
 use super::vector::{add, cross, dot, length, middle, sub, unit};
 use crate::lint::solids::leaf::Leaf;
@@ -110,6 +110,13 @@ fn clipped(a: &[Vec3], by: &[Vec3], normal: Vec3) -> Vec<Vec3> {
 
 /// Points of a round face, in the coordinates of the search, at angles that no scene is built with.
 pub fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> Vec<Sample> {
+    // The one that is a piece of its surface, if one is.
+    let own = |of: (&Face, &Leaf, &Geometry)| mantle(of.2, of.0.part).is_some();
+    let (one, two) = if own(two) && !own(one) {
+        (two, one)
+    } else {
+        (one, two)
+    };
     let (face, leaf, geometry) = one;
     let Some(back) = leaf.matrix.inverse() else {
         return Vec::new();
@@ -118,20 +125,17 @@ pub fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> 
         Geometry::Sphere { centre, radius } => ball(*centre, [*radius; 3]),
         Geometry::Ellipsoid { semi_axes } => ball([0.0; 3], *semi_axes),
         Geometry::Torus { major, minor } => torus(*major, *minor),
-        _ if matches!(face.form, Form::Round { class: QUADRIC, .. }) => {
-            quadric::form(geometry).map_or(Vec::new(), |q| quadric::samples(&q))
-        }
-        _ => {
-            let (Some(mantle), Some(other)) =
-                (mantle(geometry, face.part), mantle(two.2, two.0.part))
-            else {
-                return Vec::new();
-            };
-            // The stretch of the axis that both have.
-            let there = back.after(&two.1.matrix);
-            let ends = [other.0, other.1].map(|(_, y)| there.point([0.0, y, 0.0])[1]);
-            mantle_samples(mantle, (ends[0].min(ends[1]), ends[0].max(ends[1])))
-        }
+        _ => match mantle(geometry, face.part) {
+            None => quadric::form(geometry).map_or(Vec::new(), |q| quadric::samples(&q)),
+            Some(own) => {
+                // The stretch of the axis that both have.
+                let there = back.after(&two.1.matrix);
+                let along = |(_, y): (f64, f64)| there.point([0.0, y, 0.0])[1];
+                let other = mantle(two.2, two.0.part).map(|m| (along(m.0), along(m.1)));
+                let (a, b) = other.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+                mantle_samples(own, (a.min(b), a.max(b)))
+            }
+        },
     };
     let normal_out = |n: Vec3| -> Option<Vec3> {
         // Normals go by the transpose of the inverse.

@@ -2,8 +2,9 @@
 
 use std::collections::HashSet;
 
-use super::face::{Face, Form, Part, faces};
+use super::face::{Face, Form, Part, as_quadrics, faces};
 use super::planes::pairs;
+use super::quadric;
 use super::sample::{self, Sample};
 use super::vector::{add, cross, unit};
 use crate::lint::solids::leaf::Leaf;
@@ -38,6 +39,8 @@ pub struct Side {
     /// The ID by which it is written in the operand, and that of the copy of which it is a part.
     pub id: u32,
     pub copy: Option<u32>,
+    /// The operand that it is or is a part of.
+    pub operand: NodeId,
     pub part: Part,
     /// Whether the face is round.
     pub round: bool,
@@ -68,12 +71,20 @@ pub struct Found {
 pub fn search(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<Found> {
     let tree = Tree::new(scene, bounds, &roots(scene, live));
     let mut all = Vec::new();
+    // Only where there are quadrics can others lie in them.
+    let of = |leaf: &Leaf| Some(&scene.shapes[leaf.shape? as usize].geometry);
+    let is_quadric = |leaf: &Leaf| of(leaf).is_some_and(|g| quadric::form(g).is_some());
+    let quadrics = tree.leaves.iter().any(is_quadric);
     for (i, leaf) in tree.leaves.iter().enumerate() {
         if let Some(shape) = leaf.shape
             && tree.places[leaf.place as usize].group != NONE
         {
             let geometry = &scene.shapes[shape as usize].geometry;
+            let from = all.len();
             faces(geometry, i as u32, &leaf.matrix, &mut all);
+            if quadrics {
+                as_quadrics(geometry, &leaf.matrix, from, &mut all);
+            }
         }
     }
     let pairs = pairs(&tree, &all);
@@ -200,6 +211,13 @@ impl Search<'_> {
         turned(leaf.place) != turned(pair.operation)
     }
 
+    /// The operand of the pair's operation that a leaf is part of.
+    fn operand(&self, pair: &Pair, leaf: &Leaf) -> NodeId {
+        let [first, second] = self.tree.places[pair.operation as usize].children;
+        let place = if leaf.place < second { first } else { second };
+        self.tree.places[place as usize].node
+    }
+
     /// The two sides of a pair, the tool's first.
     fn sides(&self, pair: &Pair) -> [Side; 2] {
         let side = |face: &Face, leaf: &Leaf| Side {
@@ -207,6 +225,7 @@ impl Search<'_> {
             shape: leaf.shape.unwrap_or_default(),
             id: leaf.id,
             copy: self.tree.copy_within(leaf.place, pair.operation),
+            operand: self.operand(pair, leaf),
             part: face.part,
             round: matches!(face.form, Form::Round { .. }),
             size: leaf.size,

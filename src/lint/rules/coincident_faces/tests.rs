@@ -458,3 +458,38 @@ fn every_tool_of_many_is_found() {
         assert_eq!(found(&scene).len(), COUNT);
     }
 }
+
+#[test]
+fn states_of_one_shape() {
+    // A tool that was part of what it cuts, in another place.
+    let scene =
+        "5 12 1 0 0 2 1 1\n6 12 -1 0 0 0 1 1\n9 -101 6 5\n5 -1 0 .5 .5\n10 -103 9 5\n1 9999 10 0\n";
+    let says = messages(scene);
+    assert!(
+        says.iter()
+            .any(|m| m.contains("the box 5 ends flush with the box 5 in 9")),
+        "{says:?}"
+    );
+}
+
+/// Round faces of different kinds of shapes that lie in one surface.
+#[test]
+fn cylinders_and_quadrics() {
+    let cut = |one: &str, two: &str| {
+        let scene = format!("2 {one}\n3 {two}\n4 -103 2 3\n1 9999 4 0\n");
+        found(&scene)
+            .iter()
+            .filter(|f| f.starts_with("W321"))
+            .count()
+    };
+    let quadric = |r2: f64| format!("15 1 0 0 0  0 0 0 0  0 0 1 0  0 0 0 -{r2}");
+    let ring = "1 4 0.5 0 1 0 1 2 0.5 2";
+    assert_eq!(cut(ring, &quadric(1.0)), 1);
+    assert_eq!(cut(ring, &quadric(1.01)), 0);
+    let ball = |d: f64| format!("15 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 -{d}");
+    assert_eq!(cut("9 2", &ball(4.0)), 1);
+    assert_eq!(cut("9 2", &ball(3.9)), 0);
+    let cone = "15 1 0 0 0  0 -0.25 0 0  0 0 1 0  0 0 0 0";
+    assert_eq!(cut("16 2 1", cone), 1);
+    assert_eq!(cut("16 2 1.1", cone), 0);
+}

@@ -1,6 +1,6 @@
 //! What light notices of the parts of a union.
 
-use crate::scene::{DEFAULT_INDEX, Node, NodeId, Optics, Rgb, Scene};
+use crate::scene::{DEFAULT_INDEX, Geometry, Node, NodeId, Optics, Rgb, Scene, Texture};
 
 /// What light notices of a part.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,14 +26,17 @@ impl Medium {
 pub(super) struct Coat {
     pub(super) optics: Option<Optics>,
     pub(super) index: Option<Rgb>,
+    /// Index into the scene's paints.
+    pub(super) texture: Option<u32>,
 }
 
 impl Coat {
-    pub(super) fn over(self, scene: &Scene, paint: u32) -> Coat {
-        let paint = &scene.paints[paint as usize];
+    pub(super) fn over(self, scene: &Scene, index: u32) -> Coat {
+        let paint = &scene.paints[index as usize];
         Coat {
             optics: self.optics.or(paint.optics),
             index: self.index.or(paint.index),
+            texture: self.texture.or(paint.texture.is_some().then_some(index)),
         }
     }
 
@@ -45,21 +48,63 @@ impl Coat {
     }
 }
 
-/// The medium of what is within a node; `None` where it has several or that is not known.
-pub(super) fn medium(scene: &Scene, mut node: NodeId, mut coat: Coat) -> Option<Medium> {
+/// What is seen of a part that lets no light through.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Colouring {
+    White,
+    /// Of the scene's paint with this index.
+    Paint(u32),
+    /// The profile's own.
+    Own,
+}
+
+/// The colouring as a texture, to be compared; `None` where it is the shape's own.
+pub(super) fn texture(scene: &Scene, colouring: Colouring) -> Option<&Texture> {
+    const WHITE: Texture = Texture::Colour([1.0; 3]);
+    match colouring {
+        Colouring::White => Some(&WHITE),
+        Colouring::Paint(paint) => scene.paints[paint as usize].texture.as_ref(),
+        Colouring::Own => None,
+    }
+}
+
+/// The medium and the colouring of what is within a node; `None` where it has several or that is not
+/// known.
+pub(super) fn looks(
+    scene: &Scene,
+    mut node: NodeId,
+    mut coat: Coat,
+) -> (Option<Medium>, Option<Colouring>) {
+    // What is all there is.
+    let mut own = None;
     loop {
-        if coat.optics.is_some() && coat.index.is_some() {
-            return Some(coat.medium());
-        }
         node = match scene.nodes[node as usize] {
-            Node::Shape(_) => return Some(coat.medium()),
+            Node::Shape(s) => {
+                let geometry = &scene.shapes[s as usize].geometry;
+                let coloured =
+                    matches!(geometry, Geometry::Revolution { colours, .. } if !colours.is_empty());
+                own = Some(if coloured {
+                    Colouring::Own
+                } else {
+                    Colouring::White
+                });
+                break;
+            }
             Node::Transform { child, .. } | Node::Copy { child, .. } => child,
             Node::Paint { child, paint } => {
                 coat = coat.over(scene, paint);
                 child
             }
             Node::Intersection(first, _) | Node::Difference(first, _) => first,
-            Node::Union(..) | Node::Complement(_) => return None,
+            Node::Union(..) | Node::Complement(_) => break,
         };
+        if coat.optics.is_some() && coat.index.is_some() && coat.texture.is_some() {
+            break;
+        }
     }
+    let known = own.is_some() || coat.optics.is_some() && coat.index.is_some();
+    (
+        known.then(|| coat.medium()),
+        coat.texture.map(Colouring::Paint).or(own),
+    )
 }

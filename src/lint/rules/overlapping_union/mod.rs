@@ -1,8 +1,10 @@
-//! W307: parts of a union that overlap and are of different media.
+//! W307: parts of a union that overlap and are of different media, or are cut open there.
 //!
 //! Opaque solids that overlap are everyday modelling, and the picture does not depend on it: all
 //! that can be seen of each is what lies outside of the other. It does where light gets in: what
-//! both hold belongs to the first operand, and the second one's surface is not seen in there.
+//! both hold belongs to the first operand, and the second one's surface is not seen in there. And it
+//! does where a difference cuts through what both hold: the cut face looks like the first operand.
+//! (Where an intersection cuts, the face looks like what cuts.)
 
 mod medium;
 mod search;
@@ -21,7 +23,9 @@ use unions::Unions;
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let glass = |o: &Optics| o.kt.iter().any(|&k| k > 0.0);
+    let opens = |n: &Node| matches!(n, Node::Difference(..));
     if !(scene.paints.iter().filter_map(|p| p.optics.as_ref())).any(glass)
+        && !scene.nodes.iter().any(opens)
         || !scene.nodes.iter().any(|n| matches!(n, Node::Union(..)))
     {
         return;
@@ -56,6 +60,7 @@ fn finding(unions: &Unions, p: &Params, record: &OperationRecord, found: &Found)
     });
     let [x, y, z] = found.witness.map(|x| near(x, size));
     Diagnostic::new(Code::W307, p.span_of(0, 2))
+        .case(if found.open { "open" } else { "" })
         .with("id", record.id.to_string())
         .with("one", Value::Term(one.named.title))
         .with("one-id", one.named.id.to_string())

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use super::medium::texture;
 use super::unions::{Part, Unions};
 use crate::lint::solids::boxes::Boxes;
 use crate::lint::solids::inside::Inside;
@@ -26,6 +27,8 @@ pub(super) struct Found {
     pub(super) parts: [u32; 2],
     /// A point of both, in the coordinates of the scene.
     pub(super) witness: Vec3,
+    /// Whether they are opaque, and cut open at the point.
+    pub(super) open: bool,
 }
 
 pub(super) struct Search<'a> {
@@ -55,47 +58,67 @@ impl<'a> Search<'a> {
     pub(super) fn all(&mut self) -> Vec<Found> {
         let unions = self.unions;
         let transmits = |p: &Part| unions.media[p.medium as usize].transmits();
-        if unions.media.len() < 2 || !unions.parts.iter().any(transmits) {
+        let concerns = |p: &Part| p.opened || transmits(p) && unions.media.len() > 1;
+        if !unions.parts.iter().any(concerns) {
             return Vec::new();
         }
         let parts = unions.parts.iter().enumerate();
         let boxes = Boxes::new(parts.map(|(i, p)| (i as u32, p.bounds)));
         let mut found = Vec::new();
         for (i, part) in unions.parts.iter().enumerate() {
+            if !concerns(part) {
+                continue;
+            }
             let i = i as u32;
             let mut near = Vec::new();
             let steps = match part.bounds.is_finite() {
                 true => boxes.near(&part.bounds, &mut near),
                 // Two without end: no place to look at.
-                false if transmits(part) => boxes.near_finite(&part.bounds, &mut near),
-                false => 0,
+                false => boxes.near_finite(&part.bounds, &mut near),
             };
-            near.retain(|&j| unions.parts[j as usize].bounds.overlaps(&part.bounds));
-            match self.left.checked_sub(steps + 1) {
+            match self.left.checked_sub(steps + near.len() + 1) {
                 Some(left) => self.left = left,
                 None => break,
             }
+            near.retain(|&j| unions.parts[j as usize].bounds.overlaps(&part.bounds));
             for j in near {
                 let other = &unions.parts[j as usize];
                 // Each pair once.
+                let opaque = !transmits(part) && !transmits(other);
                 let turn = match (transmits(part), transmits(other)) {
                     (true, true) => i < j || !other.bounds.is_finite(),
+                    (false, false) => i < j && part.opened && other.opened,
                     (one, _) => one,
                 };
-                if !turn || part.medium == other.medium {
+                let differ = match opaque {
+                    true => self.look_different(part, other),
+                    false => part.medium != other.medium,
+                };
+                if !turn || !differ {
                     continue;
                 }
                 let Some(left) = self.left.checked_sub(POINTS as usize) else {
                     return found;
                 };
                 self.left = left;
-                found.extend(self.pair([i.min(j), i.max(j)]));
+                found.extend(self.pair([i.min(j), i.max(j)], opaque));
             }
         }
         found
     }
 
-    fn pair(&mut self, pair: [u32; 2]) -> Option<Found> {
+    /// Whether two opaque parts differ in colour or in optical property, as far as that is known.
+    fn look_different(&self, one: &Part, two: &Part) -> bool {
+        let optics = |p: &Part| self.unions.media[p.medium as usize].optics;
+        let [Some(a), Some(b)] =
+            [one, two].map(|p| p.colouring.and_then(|c| texture(self.scene, c)))
+        else {
+            return false;
+        };
+        optics(one) != optics(two) || a != b
+    }
+
+    fn pair(&mut self, pair: [u32; 2], opaque: bool) -> Option<Found> {
         let parts = pair.map(|i| &self.unions.parts[i as usize]);
         let union = self.union(parts)?;
         if self.done.contains(&union) {
@@ -110,6 +133,8 @@ impl<'a> Search<'a> {
         let [Some(a), Some(b)] = parts.map(|p| p.matrix.inverse()) else {
             return None;
         };
+        let both_parts = [(parts[0], &a), (parts[1], &b)];
+        let mut halves = [None, None];
         for k in 0..POINTS {
             // Multiples of the powers of the root of x⁴ = x + 1, modulo 1: spread evenly, the
             // middle first.
@@ -122,22 +147,61 @@ impl<'a> Search<'a> {
                 let share = (0.5 + f64::from(k) * STEP[i]).fract();
                 both.min[i] + share * (both.max[i] - both.min[i])
             });
-            if self.deep([(parts[0], &a), (parts[1], &b)], p, depth) {
+            let witness = match opaque {
+                false => self.deep(both_parts, p, depth, true).then_some(p),
+                true => self.opened(both_parts, p, depth, &mut halves),
+            };
+            if let Some(witness) = witness {
                 self.done.insert(union);
-                let parts = pair;
-                let witness = p;
                 return Some(Found {
                     union,
-                    parts,
+                    parts: pair,
                     witness,
+                    open: opaque,
                 });
             }
         }
         None
     }
 
-    /// Whether a point, and what is around it, is in both parts, and is drawn.
-    fn deep(&mut self, parts: [(&Part, &Matrix); 2], p: Vec3, depth: f64) -> bool {
+    /// A point of both parts at which something cuts, between one more point of both and the ones
+    /// before: `halves` are a point that is left and one that is cut off.
+    fn opened(
+        &mut self,
+        parts: [(&Part, &Matrix); 2],
+        p: Vec3,
+        depth: f64,
+        halves: &mut [Option<Vec3>; 2],
+    ) -> Option<Vec3> {
+        /// So often is the way between two points halved.
+        const HALVINGS: u32 = 40;
+        let root = parts[0].0.cut?;
+        if !self.deep(parts, p, depth, false) {
+            return None;
+        }
+        match self.inside.node(root, p)? {
+            true => halves[0] = Some(p),
+            false => halves[1] = Some(p),
+        }
+        let [Some(mut left), Some(mut off)] = *halves else {
+            return None;
+        };
+        let middle = |a: Vec3, b: Vec3| -> Vec3 { std::array::from_fn(|i| (a[i] + b[i]) / 2.0) };
+        for _ in 0..HALVINGS {
+            let between = middle(left, off);
+            match self.inside.node(root, between)? {
+                true => left = between,
+                false => off = between,
+            }
+        }
+        // Parts need not be convex.
+        let cut = middle(left, off);
+        (self.deep(parts, cut, depth, false)).then_some(cut)
+    }
+
+    /// Whether a point, and what is around it, is in both parts and in the box of the render record,
+    /// and, if asked for, left by whatever cuts.
+    fn deep(&mut self, parts: [(&Part, &Matrix); 2], p: Vec3, depth: f64, left: bool) -> bool {
         let clip = self.scene.render.and_then(|r| r.clip);
         for k in 0..7 {
             let mut q = p;
@@ -153,7 +217,7 @@ impl<'a> Search<'a> {
                     return false;
                 }
             }
-            if let Some(root) = parts[0].0.cut
+            if let Some(root) = parts[0].0.cut.filter(|_| left)
                 && self.inside.node(root, q) != Some(true)
             {
                 return false;

@@ -89,6 +89,42 @@ fn properties_of_the_whole_and_parts_of_parts() {
     assert!(found(&boxed).is_empty());
 }
 
+/// A red and a blue ball, and what is cut out of both.
+#[test]
+fn opaque_parts_cut_open() {
+    let cut = |operation: &str, tool: &str| {
+        format!(
+            "2 11 -.5 0 0 1\n2 -701 1 0 0\n3 11 .5 0 0 1\n3 -701 0 0 1\n4 -101 2 3\n5 12 {tool}\n\
+             6 {operation} 4 5\n1 9999 6 0\n"
+        )
+    };
+    let corner = "-3 -3 0 3 3 3";
+    let scene = cut("-103", corner);
+    assert_eq!(found(&scene), ["W307 5:8"]);
+    let says = messages(&scene).remove(0);
+    assert!(
+        says.starts_with("in the union 4, the sphere 2 and the sphere 3 overlap, look different, and are cut open: at (")
+            && says.ends_with(", 0) the cut goes through both"),
+        "{says}"
+    );
+    let after = fixed(&scene);
+    assert!(after.contains("7 -102 2 3\n7 -701 1 0 0\n"), "{after}");
+    assert!(found(&after).is_empty());
+    // A cut beside what both hold, one that takes all of it, one that is not drawn.
+    assert!(found(&cut("-103", "-3 -3 -3 -.6 3 3")).is_empty());
+    assert!(found(&cut("-103", "-.6 -3 -3 .6 3 3")).is_empty());
+    assert!(found(&scene.replace("9999 6 0", "9999 6 0 -9 -9 -9 9 9 -.1")).is_empty());
+    // Faces that an intersection makes look like what cuts.
+    assert!(found(&cut("-102", corner)).is_empty());
+    // Alike, nowhere cut, or painted over.
+    assert!(found(&scene.replace("3 -701 0 0 1", "3 -701 1 0 0")).is_empty());
+    assert!(found(&scene.replace("6 -103 4 5", "6 -101 4 5")).is_empty());
+    assert!(found(&scene.replace("1 9999", "6 -701 0 1 0\n1 9999")).is_empty());
+    // One of them shines.
+    let shines = scene.replace("3 -701 0 0 1", "3 -701 1 0 0\n3 -201 .5 .5 0");
+    assert_eq!(found(&shines).len(), 1);
+}
+
 #[test]
 fn a_stone_in_the_glass() {
     let stone = "2 9 2\n2 -201 0 0 1\n3 9 0.5\n4 -101 3 2\n1 9999 4 0\n";

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::medium::{Coat, Medium, medium};
+use super::medium::{Coat, Colouring, Medium, looks};
 use crate::lint::solids::{Named, named};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
@@ -31,9 +31,12 @@ pub(super) struct Part {
     pub(super) matrix: Matrix,
     pub(super) bounds: Aabb,
     pub(super) medium: u32,
+    pub(super) colouring: Option<Colouring>,
     pub(super) union: u32,
     /// What it is part of altogether, where an intersection or a difference may cut something off.
     pub(super) cut: Option<NodeId>,
+    /// Whether that is done by differences alone: their cut faces look like what they cut through.
+    pub(super) opened: bool,
 }
 
 struct Task {
@@ -44,6 +47,8 @@ struct Task {
     union: u32,
     root: NodeId,
     cut: bool,
+    /// Whether an intersection may be what cuts.
+    clipped: bool,
 }
 
 pub(super) struct Unions {
@@ -70,6 +75,7 @@ impl Unions {
             union: NONE,
             root: node,
             cut: false,
+            clipped: false,
         };
         let mut todo: Vec<Task> = roots.iter().rev().map(start).collect();
         let mut left = scene.nodes.len() + REPEATED;
@@ -126,7 +132,7 @@ impl Unions {
                         all.part(scene, bounds, &task, &mut known);
                     }
                 }
-                Node::Intersection(first, _) | Node::Difference(first, _) => {
+                operation @ (Node::Intersection(first, _) | Node::Difference(first, _)) => {
                     all.part(scene, bounds, &task, &mut known);
                     // What is within is of the first operand.
                     todo.push(Task {
@@ -134,6 +140,7 @@ impl Unions {
                         copy: None,
                         union: NONE,
                         cut: true,
+                        clipped: task.clipped || matches!(operation, Node::Intersection(..)),
                         ..task
                     });
                 }
@@ -178,9 +185,8 @@ impl Unions {
         if task.union == NONE {
             return;
         }
-        let (Some(mut named), Some(medium)) =
-            (named(scene, task.node), medium(scene, task.node, task.coat))
-        else {
+        let (medium, colouring) = looks(scene, task.node, task.coat);
+        let (Some(mut named), Some(medium)) = (named(scene, task.node), medium) else {
             return;
         };
         named.id = task.copy.unwrap_or(named.id);
@@ -204,8 +210,10 @@ impl Unions {
                 matrix: task.matrix,
                 bounds,
                 medium,
+                colouring,
                 union: task.union,
                 cut: task.cut.then_some(task.root),
+                opened: task.cut && !task.clipped,
             });
         }
     }
