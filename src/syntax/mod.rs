@@ -15,6 +15,7 @@ mod reader;
 mod references;
 mod report;
 mod respell;
+mod slips;
 mod stream;
 mod sums;
 pub mod table;

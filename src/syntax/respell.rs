@@ -110,7 +110,7 @@ fn cuts(word: &str) -> Option<Vec<usize>> {
         if at > 0 {
             out.push(at);
         }
-        at += number_length(word[at..].as_bytes())?;
+        at += number_length(&word.as_bytes()[at..])?;
     }
     (!out.is_empty() && out.len() <= PARTS_MAX).then_some(out)
 }

@@ -1,8 +1,8 @@
 //! Sums and marks over the lines and tokens of a text, so that any stretch is judged at once, however
 //! long it is.
 
-use super::faults::LEAST_HEAD;
 use super::reader;
+use super::slips::LEAST_HEAD;
 use super::stream::Stream;
 use super::witness::{Witnesses, record_type};
 

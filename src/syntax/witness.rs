@@ -2,10 +2,11 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::faults::{self, Slip, Verdict};
+use super::faults::{self, Verdict};
 use super::layout::Piece;
 use super::reader::{self, Reading};
 use super::references;
+use super::slips::{self, Slip};
 use super::stream::Stream;
 use super::table::{Effect, RecordType};
 
@@ -82,9 +83,9 @@ impl Witnesses {
                 0 if run_to_line_end(stream, line) => line + 1,
                 0 => {
                     if line >= table_to {
-                        table_to = faults::rows_expected(stream, line);
+                        table_to = slips::rows_expected(stream, line);
                     }
-                    match faults::slip(stream, line, line < table_to) {
+                    match slips::slip(stream, line, line < table_to) {
                         Slip::Yes => {
                             let head = &stream.sigs[stream.line_start(line)];
                             ids_lost |= head.int.is_some_and(|code| code < 0);
