@@ -49,7 +49,8 @@ fn step(
     let mut best: Option<(Loaded, usize)> = None;
     let mut lightest = weight(loaded);
     // Larger stretches first, so that what does harm in one place holds up nothing in others.
-    let mut stretches = VecDeque::from([0..all.len()]);
+    let mut stretches = VecDeque::new();
+    stretches.push_back(0..all.len());
     while let Some(stretch) = stretches.pop_front().filter(|_| *left > 0) {
         let mut tried = chosen.clone();
         tried[stretch.clone()].fill(true);
