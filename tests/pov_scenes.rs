@@ -37,20 +37,20 @@ fn check(folder: &Path, size: (u32, u32), skip: &[&str]) {
         for outcome in compare(&name, &loaded.scene, folder, size) {
             println!(
                 "{name:>28}: {:6.3} % wrong, worst {:7.2}/255, {} of {} on edges, {} total reflection",
-                100.0 * outcome.share(),
-                255.0 * outcome.worst,
-                outcome.edges,
+                100.0 * outcome.differing.share_off_silhouettes,
+                255.0 * outcome.difference.largest,
+                outcome.silhouettes,
                 outcome.pixels,
-                outcome.total
+                outcome.total_reflection
             );
             // Shading normals that face away are turned the other way there.
             let allowed = if name == "island" { 0.001 } else { 0.0005 };
-            if outcome.share() > allowed {
-                bad.push((name.clone(), outcome.wrong.len(), outcome.wrong[0]));
+            if outcome.differing.share_off_silhouettes > allowed {
+                bad.push((name.clone(), outcome.differing.off_silhouettes));
             }
         }
     }
-    assert!(bad.is_empty(), "{bad:.4?}");
+    assert!(bad.is_empty(), "{bad:?}");
 }
 
 fn folder(name: &str) -> PathBuf {
@@ -131,16 +131,16 @@ fn random() {
         for outcome in compare(&name, &loaded.scene, Path::new("."), (96, 72)) {
             println!(
                 "{name:>12}: {:6.3} % wrong, worst {:7.2}/255, {} on edges, {} total reflection {doubtful:?}",
-                100.0 * outcome.share(),
-                255.0 * outcome.worst,
-                outcome.edges,
-                outcome.total
+                100.0 * outcome.differing.share_off_silhouettes,
+                255.0 * outcome.difference.largest,
+                outcome.silhouettes,
+                outcome.total_reflection
             );
             if !doubtful.is_empty() || COINCIDENT.contains(&seed) {
                 continue;
             }
             exact += 1;
-            if outcome.share() > 0.0005 {
+            if outcome.differing.share_off_silhouettes > 0.0005 {
                 bad.push(name.clone());
             }
         }

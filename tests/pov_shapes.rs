@@ -5,8 +5,9 @@ mod support;
 
 use std::path::Path;
 
-use support::compare::{Outcome, compare};
+use support::compare::compare;
 use zpg::commands::Loaded;
+use zpg::study::compare::Comparison;
 
 const SIZE: (u32, u32) = (96, 72);
 
@@ -101,17 +102,19 @@ fn check(name: &str, text: &str) -> Vec<String> {
     let loaded = Loaded::new("scene.zpg", text.into());
     assert!(loaded.sound, "{name}: {:?}\n{text}", loaded.diagnostics);
     let outcomes = compare(name, &loaded.scene, &folder, SIZE);
-    let bad = |o: &Outcome| {
+    let bad = |c: &Comparison| {
+        let wrong = c.differing.off_silhouettes;
         println!(
-            "{name:>40}: {} wrong, worst {:7.2}/255, {} on edges, {} total reflection",
-            o.wrong.len(),
-            255.0 * o.worst,
-            o.edges,
-            o.total
+            "{name:>40}: {wrong} wrong, worst {:7.2}/255, {} on edges, {} total reflection",
+            255.0 * c.difference.largest,
+            c.silhouettes,
+            c.total_reflection
         );
-        let pixels = f64::from(SIZE.0 * SIZE.1);
-        assert!(f64::from(o.edges + o.total) < 0.5 * pixels, "{name}");
-        (o.share() > 0.0005).then(|| format!("{name}: {} wrong, {:.3?}", o.wrong.len(), o.wrong[0]))
+        assert!(
+            2 * (c.silhouettes + c.total_reflection) < c.pixels,
+            "{name}"
+        );
+        (c.differing.share_off_silhouettes > 0.0005).then(|| format!("{name}: {wrong} wrong"))
     };
     outcomes.iter().filter_map(bad).collect()
 }

@@ -14,6 +14,7 @@ mod define;
 mod entity;
 pub mod frame;
 mod geometry;
+pub mod icosahedron;
 pub(crate) mod image_file;
 pub mod matrix;
 mod proposals;

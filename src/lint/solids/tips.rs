@@ -1,7 +1,7 @@
 //! Where shapes reach furthest: points of their surface, known exactly.
 
 use super::reach::beyond;
-use crate::scene::{Geometry, Matrix, Vec3, Volume};
+use crate::scene::{Geometry, Matrix, Vec3, Volume, icosahedron};
 
 /// A point of a shape's surface.
 #[derive(Debug, Clone, Copy)]
@@ -161,15 +161,7 @@ fn neighbours(profile: &[[f64; 2]], i: usize) -> [[f64; 2]; 2] {
 
 /// The corner next to a direction, of the sphere of radius 1.
 fn geodesic_corner(d: Vec3, splits: u32) -> Vec3 {
-    let phi = (1.0 + 5f64.sqrt()) / 2.0;
-    let mut corners: Vec<Vec3> = (0..12)
-        .map(|k| {
-            let sign = |bit: usize| if k >> bit & 1 == 0 { 1.0 } else { -1.0 };
-            let mut v = [0.0, sign(0), sign(1) * phi];
-            v.rotate_right(k / 4);
-            unit(v)
-        })
-        .collect();
+    let mut corners = icosahedron::vertices();
     let nearest_first = |a: &Vec3, b: &Vec3| dot(*b, d).total_cmp(&dot(*a, d));
     corners.sort_by(nearest_first);
     // The facet that the direction goes through, then the one of its four parts.

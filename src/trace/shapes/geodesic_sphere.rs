@@ -8,6 +8,7 @@
 
 use super::facet::{Facet, Passage, Projected, Shear, Way, drift_across, narrow};
 use super::{Intersect, Located, Root, Roots, Shape};
+use crate::scene::icosahedron::FACES;
 use crate::trace::bounds::Bounds;
 use crate::trace::dd::Dd;
 use crate::trace::number::Real;
@@ -17,31 +18,6 @@ use std::f64::consts::{PI, TAU};
 
 /// The language allows no more splits.
 pub const MAX_SPLITS: u32 = 9;
-
-/// The icosahedron's facets, counter-clockwise as seen from outside. The vertices 4i … 4i + 3 have
-/// 0, ±1, ±φ along the axes i, i + 1, i + 2 (counted round), the signs in the order ++, +−, −+, −−.
-const FACES: [[usize; 3]; 20] = [
-    [0, 2, 4],
-    [0, 4, 8],
-    [0, 5, 2],
-    [0, 8, 10],
-    [0, 10, 5],
-    [1, 3, 7],
-    [1, 6, 3],
-    [1, 7, 10],
-    [1, 8, 6],
-    [1, 10, 8],
-    [2, 5, 11],
-    [2, 9, 4],
-    [2, 11, 9],
-    [3, 6, 9],
-    [3, 9, 11],
-    [3, 11, 7],
-    [4, 6, 8],
-    [4, 9, 6],
-    [5, 7, 11],
-    [5, 10, 7],
-];
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct GeodesicSphere {

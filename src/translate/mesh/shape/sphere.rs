@@ -4,32 +4,7 @@ use std::collections::HashMap;
 
 use super::super::budget::{Budget, TooMany};
 use super::super::soup::Mesh;
-use crate::scene::Vec3;
-
-/// The icosahedron's facets, counter-clockwise as seen from outside; its vertices 4i … 4i + 3 have
-/// 0, ±1, ±φ along the axes i, i + 1, i + 2 (counted round), the signs in the order ++, +−, −+, −−.
-const FACES: [[u32; 3]; 20] = [
-    [0, 2, 4],
-    [0, 4, 8],
-    [0, 5, 2],
-    [0, 8, 10],
-    [0, 10, 5],
-    [1, 3, 7],
-    [1, 6, 3],
-    [1, 7, 10],
-    [1, 8, 6],
-    [1, 10, 8],
-    [2, 5, 11],
-    [2, 9, 4],
-    [2, 11, 9],
-    [3, 6, 9],
-    [3, 9, 11],
-    [3, 11, 7],
-    [4, 6, 8],
-    [4, 9, 6],
-    [5, 7, 11],
-    [5, 10, 7],
-];
+use crate::scene::{Vec3, icosahedron};
 
 /// The circumradius of a facet by its distance from the centre.
 const FACET: f64 = 0.763_932_022_500_210_3;
@@ -47,11 +22,12 @@ pub fn sphere(tolerance: f64, budget: &mut Budget) -> Result<Mesh, TooMany> {
 /// The unit sphere with each edge of the icosahedron in so many parts.
 fn divided(n: u32) -> Mesh {
     let mut mesh = Mesh {
-        points: corners().into(),
+        points: icosahedron::vertices().into(),
         ..Mesh::default()
     };
     let mut edges: HashMap<(u32, u32), u32> = HashMap::new();
-    for face in FACES {
+    for face in icosahedron::FACES {
+        let face = face.map(|i| i as u32);
         let at = face.map(|i| mesh.points[i as usize]);
         // Number of the point i parts from the first corner, and j from there to the third.
         let mut rows: Vec<Vec<u32>> = Vec::with_capacity(n as usize + 1);
@@ -115,18 +91,6 @@ fn pushed_out(points: &[Vec3], weights: &[u32]) -> Vec3 {
 fn unit(v: Vec3) -> Vec3 {
     let length = v[0].hypot(v[1]).hypot(v[2]);
     v.map(|x| x / length)
-}
-
-fn corners() -> [Vec3; 12] {
-    let phi = (1.0 + 5f64.sqrt()) / 2.0;
-    std::array::from_fn(|v| {
-        let (axis, signs) = (v / 4, v % 4);
-        let sign = |negative: bool| if negative { -1.0 } else { 1.0 };
-        let mut p = [0.0; 3];
-        p[(axis + 1) % 3] = sign(signs & 2 != 0);
-        p[(axis + 2) % 3] = sign(signs & 1 != 0) * phi;
-        unit(p)
-    })
 }
 
 /// The geodesic sphere of radius 1: each facet in four, so many times, its own facets exactly.
