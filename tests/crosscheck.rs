@@ -172,6 +172,11 @@ fn what_is_missing_is_said() {
     );
     let run = zpg(dir.path(), &["crosscheck", "b.zpg", "--with", "povray"]);
     assert_eq!(run.status.code(), Some(2));
+    let run = zpg(
+        dir.path(),
+        &[&args[..], &["--size", "99999x99999"]].concat(),
+    );
+    assert_eq!(run.status.code(), Some(2));
     fs::write(dir.path().join("b.zpg"), "2 9 1\n").unwrap();
     let run = zpg(dir.path(), &["crosscheck", "b.zpg", "--with", "povray"]);
     assert_eq!(run.status.code(), Some(1));

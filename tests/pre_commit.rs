@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-const GOOD: &str = "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
-const BROKEN: &str = "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 7 0\n";
+const GOOD: &str = "2 11  0 0 0  1\n9 -501  0 0 5  0 0 -1  0 1 0  45\n50 -402 1\n1 9999 2 0\n";
+const BROKEN: &str = "2 11  0 0 0  1\n9 -501  0 0 5  0 0 -1  0 1 0  45\n50 -402 1\n1 9999 7 0\n";
 const LOOSE: &str = "2 11 0 0 0 1.0\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50  -402 1\n1 9999 2 0";
 
 const CHECK: &str = "zpg check................................................................";

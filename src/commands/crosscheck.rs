@@ -93,6 +93,10 @@ impl Program {
     }
 }
 
+/// Larger pictures would need more memory than a machine can be taken to have: five of them are held,
+/// and what FLIP makes of two.
+const MAX_PIXELS: u64 = 1 << 24;
+
 /// The largest share of pixels that may differ off silhouettes.
 const SHARE: f64 = 0.0005;
 
@@ -165,6 +169,11 @@ struct Pictures {
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
+    if u64::from(args.size.width) * u64::from(args.size.height) > MAX_PIXELS {
+        let max = MAX_PIXELS.to_string();
+        complain(look, &Complaint::new("too-many-pixels").with("max", max));
+        return Status::Failure;
+    }
     let mut loaded = match load_sound(&args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
