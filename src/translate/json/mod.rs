@@ -1,7 +1,7 @@
 //! The resolved scene as JSON, for programs that read scenes and for programs that write them.
 //!
-//! [`write()`] makes a [`model::Scene`] of a resolved scene; [`read`] takes JSON apart and finds what is
-//! wrong with it; [`spell`] writes the records of the language that make the same scene. The schema is
+//! [`write()`] makes a [`model::Scene`] of a resolved scene; [`read()`] takes JSON apart and finds what is
+//! wrong with it; [`spell()`] writes the records of the language that make the same scene. The schema is
 //! `grammar/scene.schema.json`.
 
 pub mod model;
