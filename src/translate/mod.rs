@@ -15,13 +15,6 @@ use std::fmt;
 
 use crate::diagnostics::Span;
 
-/// A finished translation.
-#[derive(Debug)]
-pub struct Translation {
-    pub files: Vec<File>,
-    pub report: Report,
-}
-
 /// A file of a translation.
 #[derive(Debug)]
 pub struct File {
