@@ -1,6 +1,7 @@
 //! A million trials of `tests/invariance.rs`: half with changes that are exact in doubles, half with
 //! changes that round. Says how many crossing counts have changed; fails if any.
 
+#[expect(dead_code, reason = "the tests use the rest")]
 #[path = "../tests/trace_support/mod.rs"]
 mod trace_support;
 #[path = "../tests/invariance/trials.rs"]

@@ -1,7 +1,7 @@
 //! Whatever finite numbers a valid scene and a ray are made of, nothing that leaves the tracer is
 //! NaN or infinite, crossings ascend and alternate, and nothing panics. In every precision.
 //!
-//! `PROPTEST_CASES=5000 cargo test --release --test extreme_numbers` is the long run.
+//! `PROPTEST_CASES=5000 cargo test --release --test all extreme_numbers` is the long run.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};

@@ -1,11 +1,10 @@
 //! Every fix of every finding: applied alone it leaves a file that checks better, loses no comment,
 //! and draws the same picture if it is called safe.
 
-mod trace_support;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::trace_support;
 use zpg::commands::Loaded;
 use zpg::diagnostics::{Applicability, Code, Diagnostic, Severity, fixes};
 

@@ -1,9 +1,8 @@
 //! What the formatter never does, over generated scenes and all scenes of the repository: change what
 //! a scene means, lose or swap comments, add a finding or lose one, say something else the second time.
 //!
-//! `FORMAT_CASES=100000 cargo test --test formatting` takes as many generated scenes as that.
+//! `FORMAT_CASES=100000 cargo test --test all formatting` takes as many generated scenes as that.
 
-#[path = "formatting/generate.rs"]
 mod generate;
 
 use std::path::{Path, PathBuf};

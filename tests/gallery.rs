@@ -1,6 +1,6 @@
 //! The gallery uses every record type, checks clean, and looks as it did when it was last looked at.
 //!
-//! `UPDATE_PICTURES=1 cargo test --test gallery` draws the pictures in tests/golden anew; look at
+//! `UPDATE_PICTURES=1 cargo test --test all gallery` draws the pictures in tests/golden anew; look at
 //! them before they are committed.
 
 use std::collections::BTreeSet;

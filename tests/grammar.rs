@@ -1,4 +1,4 @@
-//! The files in `grammar/` agree with the record table. `UPDATE_GRAMMAR=1 cargo test --test grammar`
+//! The files in `grammar/` agree with the record table. `UPDATE_GRAMMAR=1 cargo test --test all grammar`
 //! writes them anew.
 
 use std::collections::BTreeSet;

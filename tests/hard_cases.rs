@@ -5,19 +5,14 @@
 //! held to an exact evaluation of the same scene ([`exact`]). Where single precision has an answer
 //! of its own, mostly because the numbers of the row do not exist in it, `f32` says which and why.
 
-#[path = "hard_cases/ask.rs"]
 mod ask;
-mod exact;
-#[path = "hard_cases/leaving.rs"]
 mod leaving;
-#[path = "hard_cases/pictures.rs"]
 mod pictures;
-#[path = "hard_cases/programs.rs"]
 mod programs;
-#[path = "hard_cases/sets.rs"]
 mod sets;
-mod trace_support;
 
+use crate::exact;
+use crate::trace_support;
 use ask::{Precision, Ray, ask, data, exact as exact_of, held, orderly};
 use serde_json::Value;
 use std::collections::BTreeSet;

@@ -1,10 +1,9 @@
 //! Moving, turning or scaling a scene and its rays changes no crossing count. `cargo bench --bench
 //! invariance` runs a million trials of the same kinds.
 
-mod trace_support;
-#[path = "invariance/trials.rs"]
 mod trials;
 
+use crate::trace_support;
 use trials::{exact_trials, rounded_trials};
 
 #[test]

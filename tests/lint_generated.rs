@@ -1,13 +1,9 @@
 //! Random scenes that are valid by construction: no rule sees an error in them, and what those
 //! rules say that prove is true, by other means than theirs.
 
-#[path = "campaign/rng.rs"]
-#[allow(dead_code)]
-mod rng;
-#[path = "lint_generated/scenes.rs"]
-mod scenes;
+pub mod scenes;
 
-use rng::Rng;
+use crate::campaign::rng::Rng;
 use zpg::commands::Loaded;
 use zpg::diagnostics::{Applicability, Code, Diagnostic, Value, fixes};
 use zpg::scene::bounds::node_bounds;

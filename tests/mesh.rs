@@ -1,14 +1,9 @@
 //! Meshes of whole scenes: closed, and where the tracer says that the solids are.
 
-#[path = "campaign/rng.rs"]
-#[allow(dead_code)]
-mod rng;
-#[path = "lint_generated/scenes.rs"]
-mod scenes;
-
 use std::path::{Path, PathBuf};
 
-use rng::Rng;
+use crate::campaign::rng::Rng;
+use crate::lint_generated::scenes;
 use zpg::commands::Loaded;
 use zpg::scene::Scene;
 use zpg::trace::vec::Vec3;

@@ -1,15 +1,9 @@
 //! What the real Mitsuba sees of translations, pixel by pixel against our tracer.
 
-#[path = "support/mitsuba.rs"]
-mod mitsuba;
-#[path = "campaign/rng.rs"]
-#[allow(dead_code)]
-mod rng;
-#[path = "lint_generated/scenes.rs"]
-mod scenes;
-
 use std::path::{Path, PathBuf};
 
+use crate::lint_generated::scenes;
+use crate::support::mitsuba;
 use zpg::commands::Loaded;
 use zpg::scene::Scene;
 use zpg::trace::camera::View;

@@ -8,7 +8,6 @@ use zpg::commands::Loaded;
 use zpg::syntax::table::ParamKind;
 use zpg::syntax::{Document, Item};
 
-#[path = "mutations/repeated.rs"]
 mod repeated;
 
 const FIRST_ON_LINE: f64 = 0.99;

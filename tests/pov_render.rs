@@ -1,8 +1,7 @@
 //! One scene, three pictures: the real POV-Ray's of the translation, our tracer's, and that of an
 //! independent evaluator. They must agree pixel by pixel.
 
-mod support;
-
+use crate::support;
 use support::make::Make;
 use support::naive::Naive;
 use support::povray;

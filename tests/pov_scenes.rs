@@ -1,14 +1,9 @@
 //! The scenes of the repository in POV-Ray and in our tracer.
 
-#[path = "campaign/rng.rs"]
-#[allow(dead_code)]
-mod rng;
-#[path = "lint_generated/scenes.rs"]
-mod scenes;
-mod support;
-
 use std::path::{Path, PathBuf};
 
+use crate::lint_generated::scenes;
+use crate::support;
 use support::compare::compare;
 use zpg::commands::Loaded;
 use zpg::translate::{Fidelity, pov};
@@ -92,7 +87,7 @@ fn hard() {
     check(&folder("hard"), (160, 128), &beyond);
 }
 
-/// Any folder: `POV_SCENES=folder cargo test --test pov_scenes any -- --nocapture`.
+/// Any folder: `POV_SCENES=folder cargo test --test all pov_scenes any -- --nocapture`.
 #[test]
 fn any() {
     if let Some(folder) = std::env::var_os("POV_SCENES") {

@@ -1,10 +1,9 @@
 //! Every shape, bare and with every texture, in operations and transformed, in POV-Ray and in our
 //! tracer.
 
-mod support;
-
 use std::path::Path;
 
+use crate::support;
 use support::compare::compare;
 use zpg::commands::Loaded;
 use zpg::study::compare::Comparison;

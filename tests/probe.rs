@@ -1,7 +1,6 @@
 //! `zpg probe` from outside: what it says about rays, pixels and points.
 
-mod trace_support;
-
+use crate::trace_support;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::fs;

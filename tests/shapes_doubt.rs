@@ -1,8 +1,7 @@
 //! Quadrics, cones and solids of revolution against hard lines: what doubles call certain, numbers
 //! of twice their length must confirm, and few lines may be called uncertain.
 
-mod trace_support;
-
+use crate::trace_support;
 use trace_support::Random;
 use zpg::scene::{Geometry, Matrix};
 use zpg::trace::affine::Affine;

@@ -1,8 +1,7 @@
 //! Surfaces of second degree: crossings against the definitions of the shapes, evaluated in
 //! double-double arithmetic point by point.
 
-mod trace_support;
-
+use crate::trace_support;
 use trace_support::*;
 use zpg::scene::{Geometry, Matrix};
 use zpg::trace::Ray;

@@ -1,7 +1,6 @@
 //! Whole pictures, checked pixel by pixel where the answer is known.
 
-mod trace_support;
-
+use crate::trace_support;
 use std::time::Instant;
 use trace_support::*;
 use zpg::scene::*;

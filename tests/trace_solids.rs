@@ -1,7 +1,6 @@
 //! Sets along rays: what the tracer says about crossings against point-by-point evaluation.
 
-mod trace_support;
-
+use crate::trace_support;
 use trace_support::*;
 use zpg::scene::*;
 use zpg::trace::vec::Vec3;

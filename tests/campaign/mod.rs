@@ -9,7 +9,7 @@ mod facets;
 mod judge;
 mod kernel;
 mod lines;
-mod rng;
+pub mod rng;
 pub mod roots;
 mod second;
 mod shapes;

@@ -4,7 +4,6 @@
 //! they are polynomials in t, whose roots Sturm's theorem isolates, and between neighbouring roots
 //! the combination is evaluated. Nothing here is rounded and nothing is shared with the tracer but
 //! the reading of the scene; a surface is crossed where the state changes, so a touch is nothing.
-#![allow(dead_code)]
 
 pub mod algebra;
 

@@ -1,6 +1,6 @@
 //! Random scenes, valid by construction.
 
-use crate::rng::Rng;
+use crate::campaign::rng::Rng;
 use std::fmt::Write;
 use zpg::syntax::table::{Effect, Kind, RECORD_TYPES};
 

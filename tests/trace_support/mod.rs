@@ -1,5 +1,4 @@
 //! Scenes built without a parser, and random numbers for tests.
-#![allow(dead_code)]
 
 use zpg::diagnostics::Span;
 use zpg::scene::*;

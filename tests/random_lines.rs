@@ -1,11 +1,9 @@
 //! A short run of the randomised campaign; the long one is `cargo bench --bench campaign`.
 
-#[path = "campaign/mod.rs"]
-mod campaign;
-
-use campaign::exact::{Exact, point};
-use campaign::roots::{Root, between, sign_changes, sorted};
-use campaign::truth::Truth;
+use crate::campaign;
+use crate::campaign::exact::{Exact, point};
+use crate::campaign::roots::{Root, between, sign_changes, sorted};
+use crate::campaign::truth::Truth;
 use zpg::scene::Geometry;
 
 /// Lines a kind of shape.

@@ -1,0 +1,57 @@
+//! The integration tests, in one program: it is linked once, and its tests run side by side.
+
+// What tests share.
+mod campaign;
+mod exact;
+mod support;
+mod trace_support;
+
+mod check;
+mod cli;
+mod convert_json;
+mod convert_mesh;
+mod crosscheck;
+mod explain_examples;
+mod extreme_numbers;
+mod fixes;
+mod formatting;
+mod gallery;
+mod grammar;
+mod handout;
+mod hard_cases;
+mod hard_scenes;
+mod invariance;
+mod lint_generated;
+mod mesh;
+mod messages;
+mod mitsuba;
+mod mutations;
+mod plan;
+mod pov_render;
+mod pov_scale;
+mod pov_scenes;
+mod pov_shapes;
+mod pre_commit;
+mod probe;
+mod random_lines;
+mod recovery;
+mod render_output;
+mod robustness;
+mod sarif;
+mod shapes_doubt;
+mod shapes_quadrics;
+mod trace_pictures;
+mod trace_solids;
+
+/// A file that is not listed above would never run.
+#[test]
+fn every_file_takes_part() {
+    let text = include_str!("main.rs");
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests")).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        if name != "main" && path.extension().is_some_and(|e| e == "rs") {
+            assert!(text.contains(&format!("\nmod {name};\n")), "{name}");
+        }
+    }
+}
