@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use zpg::commands::{
-    LookChoice, check, completions, convert, crosscheck, explain, fmt, plan, probe, render,
+    LookChoice, check, completions, convert, crosscheck, explain, fmt, plan, probe, render, usage,
 };
 
 /// Tools for scenes in the ZPG scene language
@@ -51,7 +51,10 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return usage::refuse(&error, std::env::args_os()).into(),
+    };
     let status = match &cli.command {
         Command::Check(args) => check::run(args, cli.look),
         Command::Fmt(args) => fmt::run(args, cli.look),

@@ -277,6 +277,72 @@ fn complaints_in_czech() {
 }
 
 #[test]
+fn wrong_usage_in_both_languages() {
+    let dir = folder(&[("a.zpg", SCENE)]);
+    for (args, english, czech) in [
+        (
+            &["check", "--fixx", "a.zpg"][..],
+            "error: there is no argument `--fixx` here; did you mean `--fix`?\n\nUsage: zpg check",
+            "chyba: argument `--fixx` zde není; mysleli jste `--fix`?\n\nPoužití: zpg check",
+        ),
+        (
+            &["chek", "a.zpg"],
+            "error: there is no command `chek`; did you mean `check`?",
+            "chyba: příkaz `chek` neexistuje; mysleli jste `check`?",
+        ),
+        (
+            &["check", "a.zpg", "--format", "xml"],
+            "error: `xml` is no value of `--format <FORMAT>`: there are human, short, json,",
+            "chyba: `xml` není hodnota pro `--format <FORMAT>`: možnosti jsou human, short, json,",
+        ),
+        (
+            &["render", "a.zpg", "--size", "9"],
+            "`--size <WxH>`: expected WxH, as in 640x480",
+            "`--size <WxH>`: očekává se ŠxV, například 640x480",
+        ),
+        (
+            &["render", "a.zpg", "--samples", "0"],
+            "expected a whole number from 1 to 1048576",
+            "očekává se celé číslo od 1 do 1048576",
+        ),
+        (
+            &["render", "a.zpg", "--adaptive", "0.1", "--samples", "2"],
+            "`--adaptive <TOL>` does not go together with `--samples <N>`",
+            "`--adaptive <TOL>` nelze uvést spolu s `--samples <N>`",
+        ),
+        (
+            &["probe", "a.zpg", "--ray", "0 0 x 0 0 1"],
+            "`x` is not a number",
+            "`x` není číslo",
+        ),
+        (
+            &["render"],
+            "error: missing: <FILE>",
+            "chyba: chybí: <FILE>",
+        ),
+        (
+            &["explain", "--color"],
+            "`--color <WHEN>` needs a value: there are auto, always, never",
+            "`--color <WHEN>` potřebuje hodnotu: možnosti jsou auto, always, never",
+        ),
+    ] {
+        for (language, expected) in [("en", english), ("cs", czech)] {
+            let run = zpg(dir.path(), &[&["--lang", language], args].concat(), "");
+            let said = text(&run.stderr);
+            assert!(said.contains(expected), "{args:?}: {said}");
+            assert_eq!(run.status.code(), Some(2));
+            assert!(run.stdout.is_empty());
+        }
+    }
+    // Help is no complaint.
+    for args in [&["--help"][..], &["check", "--help"], &["--version"]] {
+        let run = zpg(dir.path(), args, "");
+        assert_eq!(run.status.code(), Some(0));
+        assert!(run.stderr.is_empty() && !run.stdout.is_empty());
+    }
+}
+
+#[test]
 fn watching_checks_again() {
     let dir = folder(&[("a.zpg", SCENE)]);
     let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use super::draft::{Draft, unwritable};
 use super::size::Size;
 use super::terminal::unprintable;
-use super::{Loaded, LookChoice, Status, complain, report};
+use super::{Loaded, LookChoice, Status, complain, report, usage};
 use crate::diagnostics::{Complaint, Diagnostic};
 use crate::translate::{Report, Unsupported};
 
@@ -82,11 +82,8 @@ pub enum Target {
 }
 
 /// A length on the command line.
-pub(super) fn length(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(x) if x > 0.0 && x.is_finite() => Ok(x),
-        _ => Err("expected a length above 0".to_owned()),
-    }
+pub(super) fn length(text: &str) -> Result<f64, Complaint> {
+    usage::number(text, "expected-length", |x: f64| x > 0.0 && x.is_finite())
 }
 
 /// A finished translation.

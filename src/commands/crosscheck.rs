@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::draft::{Draft, unwritable};
 use super::size::Size;
-use super::{Loaded, LookChoice, Status, complain, convert, load_sound, report, terminal};
+use super::{Loaded, LookChoice, Status, complain, convert, load_sound, report, terminal, usage};
 use crate::diagnostics::{Complaint, Diagnostic};
 use crate::scene::{Camera, Scene, View};
 use crate::study::program::ProgramError;
@@ -100,11 +100,8 @@ const MAX_PIXELS: u64 = 1 << 24;
 /// The largest share of pixels that may differ off silhouettes.
 const SHARE: f64 = 0.0005;
 
-fn difference(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(x) if x > 0.0 && x <= 255.0 => Ok(x),
-        _ => Err("expected a number above 0, up to 255".to_owned()),
-    }
+fn difference(text: &str) -> Result<f64, Complaint> {
+    usage::number(text, "expected-difference", |x| x > 0.0 && x <= 255.0)
 }
 
 /// Why there is nothing to compare.

@@ -63,13 +63,13 @@ pub struct Args {
 struct Lines(RangeInclusive<usize>);
 
 impl FromStr for Lines {
-    type Err = String;
+    type Err = Complaint;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let (first, last) = text.split_once('-').unwrap_or((text, text));
         match (first.parse(), last.parse()) {
             (Ok(first @ 1..), Ok(last)) if first <= last => Ok(Lines(first..=last)),
-            _ => Err("lines are written as `3-9`, or as `3`".to_owned()),
+            _ => Err(Complaint::new("expected-lines")),
         }
     }
 }

@@ -3,7 +3,8 @@
 //!
 //! What they share: [`loaded`] reads a scene, [`paths`] expands folders, [`draft`] writes files that
 //! appear when they are complete, [`rewrite`] changes files and shows how, [`size`] reads `640x480`,
-//! [`terminal`] knows about colour and about output that nobody reads any more.
+//! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
+//! is wrong with arguments.
 
 pub mod check;
 pub mod completions;
@@ -21,6 +22,7 @@ pub mod render;
 mod rewrite;
 pub mod size;
 pub mod terminal;
+pub mod usage;
 
 pub use loaded::{Loaded, Needs, load, load_for, load_sound};
 pub use terminal::{LookChoice, complain, report};

@@ -12,7 +12,7 @@ use super::loaded::{STDIN, unreadable};
 use super::size::Size;
 use super::terminal::print;
 use super::{Loaded, LookChoice, Needs, Status, complain, load_for, report};
-use crate::diagnostics::{Complaint, Diagnostic, Language, Span, Value};
+use crate::diagnostics::{Complaint, Diagnostic, Span, Value};
 use crate::scene::{Camera, Render, Scene};
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
@@ -100,11 +100,10 @@ pub struct Args {
 struct RayArg(Ray);
 
 impl FromStr for RayArg {
-    type Err = String;
+    type Err = Complaint;
 
-    fn from_str(s: &str) -> Result<RayArg, String> {
-        let ray = rays::parse(s).map(RayArg);
-        ray.map_err(|e| e.wording(Language::English))
+    fn from_str(s: &str) -> Result<RayArg, Complaint> {
+        rays::parse(s).map(RayArg)
     }
 }
 
@@ -112,11 +111,10 @@ impl FromStr for RayArg {
 struct PointArg(Vec3);
 
 impl FromStr for PointArg {
-    type Err = String;
+    type Err = Complaint;
 
-    fn from_str(s: &str) -> Result<PointArg, String> {
-        let point = rays::numbers(s).map(|p| PointArg(Vec3(p)));
-        point.map_err(|e| e.wording(Language::English))
+    fn from_str(s: &str) -> Result<PointArg, Complaint> {
+        rays::numbers(s).map(|p| PointArg(Vec3(p)))
     }
 }
 
@@ -124,13 +122,13 @@ impl FromStr for PointArg {
 struct PixelArg([u32; 2]);
 
 impl FromStr for PixelArg {
-    type Err = String;
+    type Err = Complaint;
 
-    fn from_str(s: &str) -> Result<PixelArg, String> {
+    fn from_str(s: &str) -> Result<PixelArg, Complaint> {
         let numbers: Result<Vec<u32>, _> = s.split(',').map(|n| n.trim().parse()).collect();
         match numbers.as_deref() {
             Ok(&[x, y]) => Ok(PixelArg([x, y])),
-            _ => Err("expected X,Y in pixels, as in 320,240".into()),
+            _ => Err(Complaint::new("expected-pixel")),
         }
     }
 }

@@ -16,7 +16,7 @@ use serde::Serialize;
 use super::draft::{Draft, unwritable};
 use super::size::Size;
 use super::terminal::{tell, warn};
-use super::{Loaded, LookChoice, Status, complain, load_sound, report};
+use super::{Loaded, LookChoice, Status, complain, load_sound, report, usage};
 use crate::diagnostics::{Complaint, Diagnostic};
 use crate::scene::{Camera, Scene, View};
 use crate::syntax::Document;
@@ -53,7 +53,7 @@ pub struct Args {
     size: Size,
 
     /// Samples in each pixel; one lies in its centre
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_048_576))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = samples)]
     samples: u32,
 
     /// Up to 1024 samples, until a pixel's estimated error in linear RGB is below this
@@ -115,9 +115,9 @@ const MAX_PIXELS: u64 = 1 << 28;
 struct CropArg(Crop);
 
 impl FromStr for CropArg {
-    type Err = String;
+    type Err = Complaint;
 
-    fn from_str(s: &str) -> Result<CropArg, String> {
+    fn from_str(s: &str) -> Result<CropArg, Complaint> {
         let numbers: Result<Vec<u32>, _> = s.split(',').map(|n| n.trim().parse()).collect();
         match numbers.as_deref() {
             Ok(&[x, y, width, height]) if width > 0 && height > 0 => Ok(CropArg(Crop {
@@ -126,23 +126,21 @@ impl FromStr for CropArg {
                 width,
                 height,
             })),
-            _ => Err("expected X,Y,W,H in pixels, as in 200,100,64,64".into()),
+            _ => Err(Complaint::new("expected-crop")),
         }
     }
 }
 
-fn cutoff(s: &str) -> Result<f64, String> {
-    match s.parse() {
-        Ok(x) if (0.0..=1.0).contains(&x) => Ok(x),
-        _ => Err("expected a number from 0 to 1".into()),
-    }
+fn samples(text: &str) -> Result<u32, Complaint> {
+    usage::number(text, "expected-samples", |n| (1..=1_048_576).contains(&n))
 }
 
-fn tolerance(s: &str) -> Result<f64, String> {
-    match s.parse() {
-        Ok(x) if x > 0.0 && x <= 1.0 => Ok(x),
-        _ => Err("expected a number above 0, up to 1".into()),
-    }
+fn cutoff(text: &str) -> Result<f64, Complaint> {
+    usage::number(text, "expected-cutoff", |x| (0.0..=1.0).contains(&x))
+}
+
+fn tolerance(text: &str) -> Result<f64, Complaint> {
+    usage::number(text, "expected-tolerance", |x| x > 0.0 && x <= 1.0)
 }
 
 /// Why there is no picture.

@@ -2,6 +2,8 @@
 
 use std::str::FromStr;
 
+use crate::diagnostics::Complaint;
+
 /// Width and height in pixels, at least 1.
 #[derive(Debug, Clone, Copy)]
 pub struct Size {
@@ -10,15 +12,15 @@ pub struct Size {
 }
 
 impl FromStr for Size {
-    type Err = String;
+    type Err = Complaint;
 
-    fn from_str(s: &str) -> Result<Size, String> {
+    fn from_str(s: &str) -> Result<Size, Complaint> {
         let (w, h) = s
             .split_once(['x', 'X'])
-            .ok_or("expected WxH, as in 640x480")?;
+            .ok_or_else(|| Complaint::new("expected-size"))?;
         let side = |s: &str| match s.parse() {
             Ok(n @ 1..) => Ok(n),
-            _ => Err(format!("`{s}` is not a number of pixels")),
+            _ => Err(Complaint::new("not-pixels").with("text", s)),
         };
         let (width, height) = (side(w)?, side(h)?);
         Ok(Size { width, height })

@@ -1,5 +1,6 @@
 //! What people see: colour or not, messages, and output that nobody reads any more.
 
+use std::ffi::OsString;
 use std::io::{self, BufWriter, IsTerminal, Write};
 
 use super::{Loaded, Status};
@@ -39,6 +40,20 @@ enum LanguageChoice {
 }
 
 impl LookChoice {
+    /// What is asked for among arguments of which the rest cannot be read.
+    pub fn among(args: impl Iterator<Item = OsString>) -> LookChoice {
+        let args: Vec<_> = args.map(|a| a.to_string_lossy().into_owned()).collect();
+        let czech = |pair: &[String]| pair[0] == "--lang" && pair[1] == "cs";
+        let is_czech = args.iter().any(|a| a == "--lang=cs") || args.windows(2).any(czech);
+        LookChoice {
+            lang: match is_czech {
+                true => LanguageChoice::Cs,
+                false => LanguageChoice::En,
+            },
+            ..LookChoice::default()
+        }
+    }
+
     /// How findings look that go to this stream.
     pub fn on(self, stream: &impl IsTerminal) -> Look {
         Look {

@@ -1,6 +1,8 @@
 //! What a command has to say that is about no place in a scene: a file that cannot be read, a wish
 //! that cannot be met.
 
+use std::error::Error;
+use std::fmt;
 use std::io;
 
 use super::wording::{Language, Value};
@@ -37,6 +39,15 @@ impl Complaint {
         language.say(self.message, &self.values)
     }
 }
+
+/// In English, for those who do not ask for a language.
+impl fmt::Display for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.wording(Language::English))
+    }
+}
+
+impl Error for Complaint {}
 
 impl From<Complaint> for Value {
     fn from(inner: Complaint) -> Value {

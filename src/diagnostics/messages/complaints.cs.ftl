@@ -116,3 +116,29 @@ many-files = překlad má více souborů ({ $documents ->
    *[other] { $meshes } sítí
 }): určete pomocí -o, kam je zapsat, například -o scena.xml
 at-part = { $path }: { $part }: { $why }
+
+## Použití
+
+usage = Použití: { $usage }
+usage-more = Více řekne `--help`.
+usage-unknown = argument `{ $arg }` zde není
+usage-no-command = příkaz `{ $arg }` neexistuje
+usage-missing = chybí: { $arg }
+usage-twice = `{ $arg }` lze uvést jen jednou
+usage-conflict = `{ $arg }` nelze uvést spolu s `{ $other }`
+usage-no-value = `{ $arg }` potřebuje hodnotu
+usage-value = `{ $text }` není hodnota pro `{ $arg }`
+usage-values = možnosti jsou { $values }
+with-reason = { $what }: { $reason }
+with-near = { $what }; mysleli jste `{ $near }`?
+
+expected-size = očekává se ŠxV, například 640x480
+not-pixels = `{ $text }` není počet pixelů
+expected-crop = očekává se X,Y,Š,V v pixelech, například 200,100,64,64
+expected-pixel = očekává se X,Y v pixelech, například 320,240
+expected-lines = řádky se píší jako 3-9, nebo jako 3
+expected-length = očekává se délka větší než 0
+expected-difference = očekává se číslo větší než 0, nejvýše 255
+expected-tolerance = očekává se číslo větší než 0, nejvýše 1
+expected-cutoff = očekává se číslo od 0 do 1
+expected-samples = očekává se celé číslo od 1 do 1048576

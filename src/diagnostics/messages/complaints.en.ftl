@@ -111,3 +111,29 @@ many-files = the translation is more than one file ({ $documents ->
    *[other] { $meshes } meshes
 }): say with -o where to write it, as in -o scene.xml
 at-part = { $path }: { $part }: { $why }
+
+## Usage
+
+usage = Usage: { $usage }
+usage-more = For more information, try `--help`.
+usage-unknown = there is no argument `{ $arg }` here
+usage-no-command = there is no command `{ $arg }`
+usage-missing = missing: { $arg }
+usage-twice = `{ $arg }` can be given only once
+usage-conflict = `{ $arg }` does not go together with `{ $other }`
+usage-no-value = `{ $arg }` needs a value
+usage-value = `{ $text }` is no value of `{ $arg }`
+usage-values = there are { $values }
+with-reason = { $what }: { $reason }
+with-near = { $what }; did you mean `{ $near }`?
+
+expected-size = expected WxH, as in 640x480
+not-pixels = `{ $text }` is not a number of pixels
+expected-crop = expected X,Y,W,H in pixels, as in 200,100,64,64
+expected-pixel = expected X,Y in pixels, as in 320,240
+expected-lines = lines are written as 3-9, or as 3
+expected-length = expected a length above 0
+expected-difference = expected a number above 0, up to 255
+expected-tolerance = expected a number above 0, up to 1
+expected-cutoff = expected a number from 0 to 1
+expected-samples = expected a whole number from 1 to 1048576

@@ -1,0 +1,108 @@
+//! Wrong usage, in the language that was asked for.
+
+use std::error::Error;
+use std::ffi::OsString;
+use std::str::FromStr;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+use super::terminal::{complain, tell};
+use super::{LookChoice, Status};
+use crate::diagnostics::Complaint;
+
+/// Reads a number of the command line that must satisfy a condition.
+///
+/// # Errors
+/// `otherwise`, a message of the catalogues, for anything else.
+pub fn number<T: FromStr + Copy>(
+    text: &str,
+    otherwise: &'static str,
+    is_right: impl Fn(T) -> bool,
+) -> Result<T, Complaint> {
+    match text.parse() {
+        Ok(x) if is_right(x) => Ok(x),
+        _ => Err(Complaint::new(otherwise)),
+    }
+}
+
+/// Answers arguments that cannot be read, and those that ask for help.
+pub fn refuse(error: &clap::Error, args: impl Iterator<Item = OsString>) -> Status {
+    let Some(what) = complaint(error) else {
+        // Nobody is left to be told when the stream is gone.
+        let _ = error.print();
+        return match error.use_stderr() {
+            true => Status::Failure,
+            false => Status::Clean,
+        };
+    };
+    let look = LookChoice::among(args);
+    let say = |line: Complaint| tell(&format!("\n{}", line.wording(look.language())));
+    complain(look, &what);
+    let usage = error.get(ContextKind::Usage).map(ToString::to_string);
+    if let Some(usage) = usage.as_deref().and_then(|u| u.strip_prefix("Usage: ")) {
+        say(Complaint::new("usage").with("usage", usage));
+    }
+    say(Complaint::new("usage-more"));
+    Status::Failure
+}
+
+/// What is wrong with the arguments; nothing if that is for clap to say, as help is.
+fn complaint(error: &clap::Error) -> Option<Complaint> {
+    let get = |kind| error.get(kind).and_then(listed);
+    let arg = |message| Some(Complaint::new(message).with("arg", get(ContextKind::InvalidArg)?));
+    let what = match error.kind() {
+        ErrorKind::UnknownArgument => arg("usage-unknown")?,
+        ErrorKind::InvalidSubcommand => {
+            let command = get(ContextKind::InvalidSubcommand)?;
+            Complaint::new("usage-no-command").with("arg", command)
+        }
+        ErrorKind::MissingRequiredArgument => arg("usage-missing")?,
+        ErrorKind::ArgumentConflict => match get(ContextKind::PriorArg)? {
+            other if Some(&other) == get(ContextKind::InvalidArg).as_ref() => arg("usage-twice")?,
+            other => arg("usage-conflict")?.with("other", other),
+        },
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
+            let what = match get(ContextKind::InvalidValue).filter(|text| !text.is_empty()) {
+                None => arg("usage-no-value")?,
+                Some(text) => arg("usage-value")?.with("text", text),
+            };
+            match reason(error) {
+                Some(reason) => Complaint::new("with-reason")
+                    .with("what", what)
+                    .with("reason", reason),
+                None => what,
+            }
+        }
+        _ => return None,
+    };
+    let near = [
+        ContextKind::SuggestedArg,
+        ContextKind::SuggestedSubcommand,
+        ContextKind::SuggestedValue,
+    ];
+    Some(match near.into_iter().find_map(get) {
+        Some(near) => Complaint::new("with-near")
+            .with("what", what)
+            .with("near", near),
+        None => what,
+    })
+}
+
+/// Why a value is not right: which ones there are, or what reading it complained about.
+fn reason(error: &clap::Error) -> Option<Complaint> {
+    if let Some(values) = error.get(ContextKind::ValidValue).and_then(listed) {
+        return Some(Complaint::new("usage-values").with("values", values));
+    }
+    let source = error.source()?;
+    let ours = source.downcast_ref::<Complaint>().cloned();
+    Some(ours.unwrap_or_else(|| Complaint::quoted(source)))
+}
+
+/// A value of clap's; several with commas.
+fn listed(value: &ContextValue) -> Option<String> {
+    match value {
+        ContextValue::String(s) => Some(s.clone()),
+        ContextValue::Strings(all) if !all.is_empty() => Some(all.join(", ")),
+        _ => None,
+    }
+}
