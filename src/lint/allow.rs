@@ -4,35 +4,98 @@
 //! of the file, before any record, it covers the file. What it allows is not reported. An entry that
 //! allows nothing is S504.
 
+use std::collections::BTreeMap;
+
 use super::Context;
 use super::levels::Selector;
 use crate::diagnostics::{self, Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::syntax::Item;
 use crate::syntax::directive::{self, PREFIX, is_directive, without_word};
-use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::lexer::TokenKind;
 
 /// Takes out what comments allow, and adds what is wrong with the comments. Sorts the findings.
 pub fn apply(context: &Context, out: &mut Vec<Diagnostic>) {
-    let document = context.document;
-    let comments = (document.tokens.iter().enumerate())
-        .filter(|(_, t)| t.kind == TokenKind::Comment && is_directive(t, context.text));
-    let directives: Vec<Directive> = comments.map(|(i, _)| Directive::new(context, i)).collect();
-    if directives.is_empty() {
+    let tokens = &context.document.tokens;
+    let is_one = |i: &u32| {
+        let t = &tokens[*i as usize];
+        t.kind == TokenKind::Comment && is_directive(t, context.text)
+    };
+    let comments: Vec<u32> = (0..tokens.len() as u32).filter(is_one).collect();
+    if comments.is_empty() {
         return;
     }
     diagnostics::sort(out);
-    let mut allowed = vec![false; out.len()];
+    let mut layout = Layout::new(context);
+    let mut found = Found::new(out);
     let mut remarks = Vec::new();
-    for directive in directives {
-        remarks.extend(directive.apply(out, &mut allowed));
+    for at in comments {
+        let directive = Directive::new(&mut layout, at as usize);
+        remarks.extend(directive.apply(&mut found));
     }
-    let mut at = 0;
-    out.retain(|_| {
-        at += 1;
-        !allowed[at - 1]
-    });
+    let mut allowed = found.allowed(out.len()).into_iter();
+    out.retain(|_| !allowed.next().unwrap_or(false));
     out.append(&mut remarks);
     diagnostics::sort(out);
+}
+
+/// The findings by their codes. However many comments there are, and however much each of them
+/// covers, a finding is looked at once.
+struct Found(BTreeMap<Code, OfCode>);
+
+/// Findings of one code, in their order.
+#[derive(Default)]
+struct OfCode {
+    /// Where they begin.
+    starts: Vec<u32>,
+    /// Their indices among all.
+    indices: Vec<u32>,
+    /// How many more comments allow this one than the one before it; one more entry at the end.
+    steps: Vec<i32>,
+}
+
+impl Found {
+    /// Of sorted findings.
+    fn new(all: &[Diagnostic]) -> Found {
+        let mut codes: BTreeMap<Code, OfCode> = BTreeMap::new();
+        let may_be_allowed = |d: &&Diagnostic| !d.code.is_never_allowed();
+        for (i, d) in all.iter().enumerate().filter(|(_, d)| may_be_allowed(d)) {
+            let of = codes.entry(d.code).or_default();
+            of.starts.push(d.span.start);
+            of.indices.push(i as u32);
+        }
+        for of in codes.values_mut() {
+            of.steps = vec![0; of.starts.len() + 1];
+        }
+        Found(codes)
+    }
+
+    /// Allows what begins in a stretch of text, its end included; says whether anything does.
+    fn allow(&mut self, codes: &Selector, covers: Span) -> bool {
+        let mut any = false;
+        for (_, of) in self.0.iter_mut().filter(|(code, _)| codes.holds(**code)) {
+            let first = of.starts.partition_point(|&s| s < covers.start);
+            let last = of.starts.partition_point(|&s| s <= covers.end);
+            if first < last {
+                of.steps[first] += 1;
+                of.steps[last] -= 1;
+                any = true;
+            }
+        }
+        any
+    }
+
+    /// For each finding whether it is allowed.
+    fn allowed(&self, count: usize) -> Vec<bool> {
+        let mut out = vec![false; count];
+        for of in self.0.values() {
+            let mut depth = 0;
+            for (&i, step) in of.indices.iter().zip(&of.steps) {
+                depth += step;
+                out[i as usize] = depth > 0;
+            }
+        }
+        out
+    }
 }
 
 /// One such comment.
@@ -48,30 +111,18 @@ struct Directive {
 
 impl Directive {
     /// `at` is the index of the comment's token.
-    fn new(context: &Context, at: usize) -> Directive {
-        let (text, tokens) = (context.text, &context.document.tokens);
+    fn new(layout: &mut Layout, at: usize) -> Directive {
+        let (text, tokens) = (layout.context.text, &layout.context.document.tokens);
         let token = &tokens[at];
-        let is_break = |t: &Token| t.kind == TokenKind::Newline;
-        let first = tokens[..at].iter().rposition(is_break).map_or(0, |i| i + 1);
-        let last = (tokens[at..].iter().position(is_break)).map_or(tokens.len(), |i| at + i);
-        let end = text.len() as u32;
-        let line = Span::new(
-            tokens[first].start,
-            tokens.get(last).map_or(end, |t| t.start),
-        );
-        // With its line break.
-        let whole_line = Span::new(line.start, tokens.get(last).map_or(end, Token::end));
-        let items = Items { context };
-        let on_line = items.touching(line);
-        let no_record = |i: &Item| matches!(i, Item::Void { .. });
-        let alone = on_line.iter().all(no_record);
-        let covers = if !alone {
-            Some(on_line.iter().fold(line, |span, i| span.to(items.span(i))))
-        } else if items.none_before(line.start) {
-            Some(Span::new(0, end))
+        let line = layout.line_at(at);
+        let covers = if let Some(covers) = layout.records_on(line.span) {
+            Some(covers)
+        } else if layout.none_before(line.span.start) {
+            Some(Span::new(0, text.len() as u32))
         } else {
-            items.below(whole_line.end).map(|i| items.line_of(i))
+            layout.below(line.end)
         };
+        let alone = layout.is_alone(line.span);
         let list = without_word(directive::inside(token.text(text)), PREFIX)
             .and_then(|rest| without_word(rest, "allow"))
             .and_then(|rest| rest.strip_prefix('('))
@@ -89,7 +140,7 @@ impl Directive {
         Directive {
             comment: token.span(),
             removal: match alone {
-                true => whole_line,
+                true => line.whole,
                 false => {
                     let before = &text[..token.start as usize];
                     let kept = before.trim_end_matches([' ', '\t']).len();
@@ -101,8 +152,8 @@ impl Directive {
         }
     }
 
-    /// Marks what it allows; remarks on what allows nothing or is not understood.
-    fn apply(&self, found: &[Diagnostic], allowed: &mut [bool]) -> Vec<Diagnostic> {
+    /// Allows what it allows; remarks on what allows nothing or is not understood.
+    fn apply(&self, found: &mut Found) -> Vec<Diagnostic> {
         let new = |case| Diagnostic::new(Code::S504, self.comment).case(case);
         let Some((entries, list)) = &self.entries else {
             return vec![new("unknown")];
@@ -121,7 +172,10 @@ impl Directive {
                 // It may be there to allow this very remark.
                 own = true;
                 used.push(entry.as_str());
-            } else if self.allows(&codes, found, allowed) {
+            } else if self
+                .covers
+                .is_some_and(|covers| found.allow(&codes, covers))
+            {
                 used.push(entry);
             } else {
                 unused.push(entry.as_str());
@@ -157,76 +211,134 @@ impl Directive {
         };
         vec![d.fix(Fix::replace("fix", Applicability::Safe, span, text))]
     }
-
-    fn allows(&self, codes: &Selector, found: &[Diagnostic], allowed: &mut [bool]) -> bool {
-        let Some(covers) = self.covers else {
-            return false;
-        };
-        let first = found.partition_point(|d| d.span.start < covers.start);
-        let mut any = false;
-        for (d, allowed) in found[first..].iter().zip(&mut allowed[first..]) {
-            if d.span.start > covers.end {
-                break;
-            }
-            if codes.holds(d.code) && !d.code.is_never_allowed() {
-                *allowed = true;
-                any = true;
-            }
-        }
-        any
-    }
 }
 
-/// The records and what stands in their place, by their position in the text.
-struct Items<'a, 'c> {
+/// Lines and records by their position. A file may be a single line, or nothing but such comments:
+/// nothing here is gone through twice.
+struct Layout<'a, 'c> {
     context: &'a Context<'c>,
+    /// Indices of the tokens that end lines, and of those that end blank ones.
+    breaks: Vec<u32>,
+    blanks: Vec<u32>,
+    /// Indices of the items that are not void.
+    records: Vec<u32>,
+    /// The record that was asked for last, and all of its lines.
+    last: Option<(u32, Span)>,
 }
 
-impl<'a> Items<'a, '_> {
-    fn span(&self, item: &Item) -> Span {
-        self.context.document.item_span(item)
+/// A line of tokens.
+struct Line {
+    span: Span,
+    /// With its line break.
+    whole: Span,
+    /// The index of the first token behind it.
+    end: usize,
+}
+
+impl<'a, 'c> Layout<'a, 'c> {
+    fn new(context: &'a Context<'c>) -> Layout<'a, 'c> {
+        let document = context.document;
+        let (mut breaks, mut blanks) = (Vec::new(), Vec::new());
+        let mut before = true;
+        for (i, token) in document.tokens.iter().enumerate() {
+            let is_break = token.kind == TokenKind::Newline;
+            if is_break {
+                breaks.push(i as u32);
+                if before {
+                    blanks.push(i as u32);
+                }
+            }
+            before = is_break;
+        }
+        let items = (0..).zip(&document.items);
+        let records = items.filter(|(_, item)| !matches!(item, Item::Void { .. }));
+        Layout {
+            context,
+            breaks,
+            blanks,
+            records: records.map(|(i, _)| i).collect(),
+            last: None,
+        }
     }
 
-    /// Those that have a part in a stretch of text.
-    fn touching(&self, span: Span) -> &'a [Item] {
+    /// The line of a token.
+    fn line_at(&self, token: usize) -> Line {
+        let tokens = &self.context.document.tokens;
+        let next = self.breaks.partition_point(|&b| (b as usize) < token);
+        let first = match next.checked_sub(1) {
+            Some(before) => self.breaks[before] as usize + 1,
+            None => 0,
+        };
+        let end = self.context.text.len() as u32;
+        let (last, after, behind) = match self.breaks.get(next) {
+            Some(&b) => {
+                let t = &tokens[b as usize];
+                (t.start, t.end(), b as usize + 1)
+            }
+            None => (end, end, tokens.len()),
+        };
+        let start = tokens[first].start;
+        Line {
+            span: Span::new(start, last),
+            whole: Span::new(start, after),
+            end: behind,
+        }
+    }
+
+    fn span(&self, item: usize) -> Span {
+        let document = self.context.document;
+        document.item_span(&document.items[item])
+    }
+
+    fn record(&self, i: usize) -> Span {
+        self.span(self.records[i] as usize)
+    }
+
+    /// Whether no record has a part in a line.
+    fn is_alone(&self, line: Span) -> bool {
+        let first = (self.records).partition_point(|&i| self.span(i as usize).end <= line.start);
+        first == self.records.len() || self.record(first).start >= line.end
+    }
+
+    /// A line with all of the items that have a part in it, if one of them is a record.
+    fn records_on(&self, line: Span) -> Option<Span> {
+        if self.is_alone(line) {
+            return None;
+        }
         let items = &self.context.document.items;
-        let first = items.partition_point(|i| self.span(i).end <= span.start);
-        let count = items[first..].partition_point(|i| self.span(i).start < span.end);
-        &items[first..first + count]
+        let span = |item: &Item| self.context.document.item_span(item);
+        let first = items.partition_point(|i| span(i).end <= line.start);
+        let behind = items.partition_point(|i| span(i).start < line.end);
+        Some(line.to(self.span(first)).to(self.span(behind - 1)))
     }
 
     /// Whether no record begins before a place.
     fn none_before(&self, at: u32) -> bool {
-        let items = &self.context.document.items;
-        let before = items.partition_point(|i| self.span(i).start < at);
-        let void = |i: &Item| matches!(i, Item::Void { .. });
-        items[..before].iter().all(void)
+        self.records.is_empty() || self.record(0).start >= at
     }
 
-    /// The record on the line that begins at a place, or on one of the next lines if nothing but
-    /// comments stands between.
-    fn below(&self, at: u32) -> Option<&'a Item> {
+    /// The lines of the record on the line that begins with a token, or on one of the next lines if
+    /// nothing but comments stands between.
+    fn below(&mut self, token: usize) -> Option<Span> {
         let document = self.context.document;
-        let first = document.items.partition_point(|i| self.span(i).start < at);
-        let void = |i: &&Item| matches!(i, Item::Void { .. });
-        let item = document.items[first..].iter().find(|i| !void(i))?;
-        let tokens = &document.tokens;
-        let from = tokens.partition_point(|t| t.start < at);
-        let between = tokens.get(from..item.ends().0 as usize)?;
-        // Each line break ends a line with a comment on it: none is blank.
-        let lines = between.split(|t| t.kind == TokenKind::Newline);
-        let all = lines.clone().count();
-        let blank = lines.take(all - 1).any(<[Token]>::is_empty);
-        (!blank).then_some(item)
-    }
-
-    /// A record with all that stands on its lines.
-    fn line_of(&self, item: &Item) -> Span {
-        let span = self.span(item);
-        let text = self.context.text;
-        let rest = &text[span.end as usize..];
+        let first = |i: u32| document.items[i as usize].ends().0 as usize;
+        let next = self.records.partition_point(|&i| first(i) < token);
+        let &record = self.records.get(next)?;
+        // Each line break between ends a line with a comment on it: none is blank.
+        let blank = self.blanks.partition_point(|&b| (b as usize) < token);
+        if (self.blanks.get(blank)).is_some_and(|&b| (b as usize) < first(record)) {
+            return None;
+        }
+        if let Some((_, lines)) = self.last.filter(|last| last.0 == record) {
+            return Some(lines);
+        }
+        // With all that stands on its lines.
+        let span = self.span(record as usize);
+        let rest = &self.context.text[span.end as usize..];
         let end = rest.find(['\n', '\r']).unwrap_or(rest.len());
-        Span::new(span.start, span.end + end as u32)
+        let lines = Span::new(span.start, span.end + end as u32);
+        self.last = Some((record, lines));
+        Some(lines)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The records that give objects their properties, for rules that repeat them.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::Context;
 use crate::scene::{Node, NodeId, Paint};
@@ -21,16 +21,16 @@ pub fn sets(paint: &Paint) -> [bool; ASPECTS] {
 
 /// The records that give properties to objects, and when properties change themselves.
 pub struct Properties<'a> {
-    given: HashMap<u32, Vec<&'a Record>>,
+    given: FxHashMap<u32, Vec<&'a Record>>,
     /// The start of the last record with this ID.
-    last: HashMap<u32, u32>,
+    last: FxHashMap<u32, u32>,
 }
 
 impl<'a> Properties<'a> {
     pub fn new(context: &Context<'a>) -> Self {
         let mut properties = Properties {
-            given: HashMap::new(),
-            last: HashMap::new(),
+            given: FxHashMap::default(),
+            last: FxHashMap::default(),
         };
         for record in context.records() {
             let family = record.ty.family;

@@ -1,6 +1,6 @@
 //! What rules that follow IDs from record to record ask of a file.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::Context;
 use crate::diagnostics::{Applicability, Fix, Span};
@@ -54,8 +54,8 @@ impl<'a> Context<'a> {
     }
 
     /// What each ID is called: the title of the record that defines it.
-    pub fn titles(&self) -> HashMap<u32, &'static str> {
-        let mut titles = HashMap::new();
+    pub fn titles(&self) -> FxHashMap<u32, &'static str> {
+        let mut titles = FxHashMap::default();
         for record in self.records() {
             let placeholder = record.ty.code == 0;
             if !placeholder && !matches!(record.ty.effect, Effect::Changes(_)) {

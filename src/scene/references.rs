@@ -1,6 +1,8 @@
 //! References from record to record: following them, and what to say where they lead nowhere.
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::VecDeque;
+
+use rustc_hash::FxHashMap;
 
 use super::entity::State;
 use super::record::Params;
@@ -30,9 +32,9 @@ struct Dangling {
 
 pub struct References {
     /// For each ID, the index of the entity it defines.
-    entity: HashMap<u32, usize>,
+    entity: FxHashMap<u32, usize>,
     /// For each ID, where it is first defined, to tell "later" from "nowhere".
-    definition: HashMap<u32, Span>,
+    definition: FxHashMap<u32, Span>,
     pub lost: Vec<Lost>,
     dangling: Vec<Dangling>,
     comparisons: usize,
@@ -40,7 +42,8 @@ pub struct References {
 
 impl References {
     pub fn new(document: &Document) -> References {
-        let mut definition = HashMap::with_capacity(document.items.len());
+        let mut definition =
+            FxHashMap::with_capacity_and_hasher(document.items.len(), Default::default());
         for item in &document.items {
             let (id, first) = match item {
                 Item::Record(r) if !matches!(r.ty.effect, Effect::Changes(_)) => {
@@ -55,7 +58,7 @@ impl References {
             }
         }
         References {
-            entity: HashMap::with_capacity(definition.len()),
+            entity: FxHashMap::with_capacity_and_hasher(definition.len(), Default::default()),
             definition,
             lost: Vec::new(),
             dangling: Vec::new(),
@@ -86,7 +89,7 @@ impl References {
                 None => lost.push((kind, VecDeque::from([l]))),
             }
         }
-        let mut found: HashMap<u32, bool> = HashMap::new();
+        let mut found: FxHashMap<u32, bool> = FxHashMap::default();
         // What may be of one kind only chooses first.
         let mut dangling = std::mem::take(&mut resolver.references.dangling);
         dangling.sort_by_key(|d| d.kinds.len());

@@ -1,6 +1,6 @@
 //! The pass over a tree, in file order, that gives every ID its meaning.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::path::Path;
 
 use super::entity::State;
@@ -27,7 +27,7 @@ pub fn resolve(
         text,
         folder: source.folder(),
         scene: Scene::default(),
-        entities: HashMap::with_capacity(document.items.len()),
+        entities: FxHashMap::with_capacity_and_hasher(document.items.len(), Default::default()),
         references: References::new(document),
         render: None,
         has_render: false,
@@ -55,7 +55,7 @@ pub(super) struct Resolver<'a> {
     pub(super) text: &'a str,
     pub(super) folder: Option<&'a Path>,
     pub(super) scene: Scene,
-    pub(super) entities: HashMap<u32, State>,
+    pub(super) entities: FxHashMap<u32, State>,
     pub(super) references: References,
     /// The render record, once its references can be followed.
     render: Option<Record>,

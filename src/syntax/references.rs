@@ -1,6 +1,6 @@
 //! References that lead nowhere, as a witness for how a text is to be read.
 
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 
 use super::faults::Verdict;
 use super::layout::Piece;
@@ -20,8 +20,8 @@ pub fn of_record(stream: &Stream, start: usize, end: usize) -> impl Iterator<Ite
 /// How many errors a reading of a text amounts to: its faults, the IDs that are defined
 /// twice, and those that are used and defined nowhere; each record that lost its ID accounts for one of these.
 pub fn damage(stream: &Stream, pieces: &[Piece]) -> usize {
-    let mut defined = HashSet::new();
-    let mut used = HashSet::new();
+    let mut defined = FxHashSet::default();
+    let mut used = FxHashSet::default();
     let (mut faults, mut lost, mut twice) = (0, 0, 0);
     for p in pieces {
         let id = stream.sigs[p.start].int.filter(|&id| id > 0);

@@ -1,6 +1,6 @@
 //! What the lines of a text say about its layout.
 
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::faults::{self, Verdict};
 use super::layout::Piece;
@@ -24,9 +24,9 @@ pub struct Witnesses {
     /// The text is laid out with records beginning and ending with lines.
     pub in_lines: bool,
     /// What the witness lines say about each ID they define.
-    pub heads: HashMap<i32, Head>,
+    pub heads: FxHashMap<i32, Head>,
     /// The IDs that witness lines use or change.
-    used: HashSet<i32>,
+    used: FxHashSet<i32>,
     /// A line begins with a type that can be no ID: other lines may have lost theirs as well.
     ids_lost: bool,
     /// Comments behind a record on its line are introduced by `0` here.
@@ -56,7 +56,7 @@ impl Witnesses {
     pub fn new(stream: &Stream) -> Witnesses {
         let lines = stream.line_count();
         let mut ends = vec![0u32; lines];
-        let mut heads = HashMap::new();
+        let mut heads = FxHashMap::default();
         for (line, end) in ends.iter_mut().enumerate() {
             let start = stream.line_start(line);
             if stream.sigs[start].int == Some(0) {
@@ -74,7 +74,7 @@ impl Witnesses {
         // stretch is what one mistake makes, however long the record is that it spoils.
         let (mut line, mut covered, mut stretches, mut disturbed) = (0, 0, 0, false);
         let mut steps = 0;
-        let mut used = HashSet::new();
+        let mut used = FxHashSet::default();
         let mut slips = vec![false; lines];
         let mut ids_lost = false;
         let (mut slipped, mut table_to, mut perhaps) = (0, 0, Vec::new());

@@ -7,7 +7,7 @@ use ariadne::{Cache, CharSet, Color, Config, Fmt, IndexType, Label, Report, Repo
 
 use super::excerpt::{self, Excerpt};
 use super::visible;
-use crate::diagnostics::source::{Locator, Position};
+use crate::diagnostics::source::Locator;
 use crate::diagnostics::wording::Wording;
 use crate::diagnostics::{
     Applicability, Diagnostic, Fix, Language, Severity, SourceFile, Span, Value,
@@ -37,29 +37,35 @@ pub fn write(
     diagnostics: &[Diagnostic],
     look: Look,
 ) -> io::Result<()> {
+    let mut locator = Locator::new(file);
+    let mut folds: BTreeMap<&str, Fold> = BTreeMap::new();
+    let mut is_shown = |d: &&Diagnostic| {
+        if d.is_error() {
+            return true;
+        }
+        let fold = folds.entry(d.code.as_str()).or_insert(Fold {
+            severity: d.severity,
+            shown: 0,
+            places: Vec::new(),
+            more: 0,
+        });
+        if fold.shown == SHOWN {
+            fold.add(d.span, &mut locator);
+            return false;
+        }
+        fold.shown += 1;
+        true
+    };
+    let shown: Vec<&Diagnostic> = diagnostics.iter().filter(&mut is_shown).collect();
     let mut printer = Printer {
         file,
         path: visible(&file.path).into_owned(),
-        locator: Locator::new(file),
-        common: Excerpt::new(file, diagnostics.iter().flat_map(spans)),
+        locator,
+        common: Excerpt::new(file, shown.iter().flat_map(|d| spans(d))),
         budget: LINE_BUDGET,
         look,
     };
-    let mut folds: BTreeMap<&str, Fold> = BTreeMap::new();
-    for diagnostic in diagnostics {
-        if !diagnostic.is_error() {
-            let fold = folds.entry(diagnostic.code.as_str()).or_insert(Fold {
-                severity: diagnostic.severity,
-                shown: 0,
-                places: Vec::new(),
-                more: 0,
-            });
-            if fold.shown == SHOWN {
-                fold.add(printer.locator.position(diagnostic.span.start));
-                continue;
-            }
-            fold.shown += 1;
-        }
+    for diagnostic in shown {
         printer.write(out, diagnostic)?;
     }
     for (code, fold) in &folds {
@@ -83,8 +89,9 @@ struct Fold {
 }
 
 impl Fold {
-    fn add(&mut self, place: Position) {
+    fn add(&mut self, span: Span, locator: &mut Locator) {
         if self.places.len() < PLACES {
+            let place = locator.position(span.start);
             self.places.push(format!("{}:{}", place.line, place.column));
         }
         self.more += 1;
@@ -100,7 +107,7 @@ struct Printer<'a> {
     file: &'a SourceFile,
     path: String,
     locator: Locator<'a>,
-    /// The lines of all the findings, long ones cut around the first finding on them.
+    /// The lines of all the findings that are shown, long ones cut around the first finding on them.
     common: Excerpt,
     budget: usize,
     look: Look,

@@ -1,6 +1,6 @@
 //! W308: an intersection whose surface is made of pieces with different properties.
 
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
@@ -16,7 +16,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let looks = looks(scene);
     let seen = seen(scene);
     let parts = parts(scene);
-    let owners: HashSet<u32> = scene.paints.iter().map(|p| p.owner).collect();
+    let owners: FxHashSet<u32> = scene.paints.iter().map(|p| p.owner).collect();
     let mut mixed: Vec<(NodeId, [bool; 3])> = Vec::new();
     for (i, node) in scene.nodes.iter().enumerate() {
         let Node::Intersection(a, b) = *node else {

@@ -1,7 +1,7 @@
 //! W318: a refractive index that nothing is seen of, because no light goes through, or one that is
 //! less than 1.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
@@ -48,7 +48,7 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
     let reach = reach(scene);
     // For each record that gives an index: whether light goes through anything that has it, and
     // something that none goes through.
-    let mut of_record: HashMap<Span, (bool, Option<u32>)> = HashMap::new();
+    let mut of_record: FxHashMap<Span, (bool, Option<u32>)> = FxHashMap::default();
     for (i, node) in scene.nodes.iter().enumerate() {
         let (Node::Paint { child, .. }, Some(source)) = (node, sources[i]) else {
             continue;
@@ -109,7 +109,7 @@ fn sources(context: &Context) -> Vec<Option<Span>> {
     let scene = context.scene;
     let mut sources = vec![None; scene.nodes.len()];
     // The last word on the index of each object and each property.
-    let mut last: HashMap<u32, Option<Span>> = HashMap::new();
+    let mut last: FxHashMap<u32, Option<Span>> = FxHashMap::default();
     let mut next = 0;
     for record in context.records() {
         let span = context.document.span(record.first, record.last);

@@ -3,7 +3,7 @@
 //! Planes, half-spaces, quadrics and everything else without end are what the box is for: they are
 //! passed over. A point of something that ends, outside of the box, and one inside are the proof.
 
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
@@ -51,7 +51,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let tree = Tree::new(scene, bounds, &[render.root]);
     let finite = |b: &Aabb| b.is_finite() && !b.is_empty();
     let (ends, endless): (Vec<_>, Vec<_>) = (tree.leaves.iter()).partition(|l| finite(&l.bounds));
-    let endless: HashSet<u32> = endless.iter().map(|l| l.id).collect();
+    let endless: FxHashSet<u32> = endless.iter().map(|l| l.id).collect();
     let aims = || -> Vec<Aabb> {
         let within = ends.iter().map(|l| l.bounds.intersection(&whole.bounded));
         within.filter(|b| !b.is_empty()).collect()

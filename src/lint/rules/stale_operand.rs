@@ -7,7 +7,7 @@
 //! was copied: that is what copies are for. What holds for operands holds for properties, too, which an
 //! assignment takes as they are, and for the colours of a texture.
 
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
@@ -66,11 +66,11 @@ struct Entry<'a> {
 }
 
 fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
-    let mut entries: HashMap<u32, Entry> = HashMap::new();
+    let mut entries: FxHashMap<u32, Entry> = FxHashMap::default();
     // What is not there yet is not taken, and the record that defines it changes nothing.
-    let mut defined: HashSet<u32> = HashSet::new();
+    let mut defined: FxHashSet<u32> = FxHashSet::default();
     // What these name is taken at the end of the file.
-    let mut at_the_end: HashSet<u32> = HashSet::new();
+    let mut at_the_end: FxHashSet<u32> = FxHashSet::default();
     for record in context.records() {
         let code = record.ty.code;
         if matches!(code, 9999 | -502 | -503) {

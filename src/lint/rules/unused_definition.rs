@@ -1,6 +1,6 @@
 //! W310: something that is defined and not needed for the picture.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
@@ -56,7 +56,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 /// Every definition, its names as indices; `None` if a record names what is not there: what seems
 /// to be unused may be what was meant.
 fn definitions(context: &Context) -> Option<Vec<Definition>> {
-    let mut at: HashMap<u32, usize> = HashMap::new();
+    let mut at: FxHashMap<u32, usize> = FxHashMap::default();
     let mut all: Vec<Definition> = Vec::new();
     for e in &context.scene.entities {
         let new = Definition {

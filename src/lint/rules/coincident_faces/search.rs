@@ -1,6 +1,6 @@
 //! The search for faces that lie in one another, in time that hardly grows faster than the scene.
 
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 
 use super::face::{Face, Form, Part, as_quadrics, faces};
 use super::planes::pairs;
@@ -96,7 +96,7 @@ pub fn search(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<Found>
         points: Points::new(scene, bounds, &tree),
         tree: &tree,
     };
-    let mut done = HashSet::new();
+    let mut done = FxHashSet::default();
     let mut found = Vec::new();
     for (f, g) in pairs {
         let faces = [&all[f as usize], &all[g as usize]];

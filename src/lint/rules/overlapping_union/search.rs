@@ -1,6 +1,6 @@
 //! Parts that overlap.
 
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 
 use super::medium::texture;
 use super::unions::{Part, Unions};
@@ -37,7 +37,7 @@ pub(super) struct Search<'a> {
     inside: Inside<'a>,
     left: usize,
     /// Unions that have been spoken of.
-    done: HashSet<NodeId>,
+    done: FxHashSet<NodeId>,
 }
 
 impl<'a> Search<'a> {
@@ -51,7 +51,7 @@ impl<'a> Search<'a> {
             unions,
             inside: Inside::new(scene, bounds),
             left: STEPS,
-            done: HashSet::new(),
+            done: FxHashSet::default(),
         }
     }
 

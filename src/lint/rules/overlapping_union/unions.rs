@@ -1,6 +1,6 @@
 //! The unions of a scene and what they are made of, every part in its place.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::medium::{Coat, Colouring, Medium, looks};
 use crate::lint::solids::{Named, named};
@@ -66,7 +66,7 @@ impl Unions {
             parts: Vec::new(),
             media: Vec::new(),
         };
-        let mut known: HashMap<[u64; 12], u32> = HashMap::new();
+        let mut known: FxHashMap<[u64; 12], u32> = FxHashMap::default();
         let start = |&node: &NodeId| Task {
             node,
             matrix: Matrix::IDENTITY,
@@ -180,7 +180,7 @@ impl Unions {
         scene: &Scene,
         bounds: &[NodeBounds],
         task: &Task,
-        known: &mut HashMap<[u64; 12], u32>,
+        known: &mut FxHashMap<[u64; 12], u32>,
     ) {
         if task.union == NONE {
             return;
