@@ -8,10 +8,39 @@ const CERTAIN_DIGITS: usize = 15;
 
 /// A number where any will do. What is no finite number is left as it is.
 pub fn real(text: &str) -> Cow<'_, str> {
+    if is_canonical(text) {
+        return text.into();
+    }
     match plain(text) {
         Some(spelled) => spelled,
         None => shortest(text),
     }
+}
+
+/// Whether a number is surely spelled as it should be; `false` says nothing.
+fn is_canonical(text: &str) -> bool {
+    let bytes = text.as_bytes();
+    let unsigned = bytes.strip_prefix(b"-").unwrap_or(bytes);
+    let point = unsigned.iter().position(|b| !b.is_ascii_digit());
+    let (whole, rest) = unsigned.split_at(point.unwrap_or(unsigned.len()));
+    let fraction = match rest {
+        [] => rest,
+        [b'.', fraction @ ..] => fraction,
+        _ => return false,
+    };
+    let digits = |bytes: &[u8]| bytes.iter().all(u8::is_ascii_digit);
+    let right = match whole {
+        // A zero is an integer, or has other digits soon behind it.
+        [b'0'] => bytes == b"0" || fraction.iter().take(4).any(|&b| b != b'0'),
+        [b'1'..=b'9', ..] => true,
+        _ => false,
+    };
+    let ends_right = match (rest, fraction) {
+        ([], _) => true,
+        (_, [.., last]) => *last != b'0',
+        _ => false,
+    };
+    right && ends_right && digits(fraction) && whole.len() + fraction.len() <= CERTAIN_DIGITS
 }
 
 /// A number where an integer is needed. What is no integer is left as it is.

@@ -1,4 +1,4 @@
-//! Text to tree: lex, read by arity, and where that fails or looks odd, let the layout testify.
+//! Text to tree: lex, read what is plain; else read by arity, and where that fails or looks odd, let the layout testify.
 
 use chumsky::Parser;
 
@@ -8,13 +8,16 @@ use super::layout::{self, Piece};
 use super::lexer::{self, Token, TokenKind};
 use super::stream::Stream;
 use super::witness::{self, Witnesses};
-use super::{comments, reader, references, report, respell};
+use super::{comments, plain, reader, references, report, respell};
 use crate::diagnostics::{self, Diagnostic};
 
 /// Parses a scene text. It never fails: what cannot be read is in the findings, sorted by place,
 /// and every character of the text is still in the document.
 pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     let mut tokens = lexer::lex(text, &[]);
+    if let Some(items) = plain::items(text, &tokens) {
+        return (Document { tokens, items }, Vec::new());
+    }
     if comments::in_trouble(&tokens, text) {
         let unclosed = comments::unclosed(text);
         if !unclosed.is_empty() {
