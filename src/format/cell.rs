@@ -46,6 +46,15 @@ impl<'a> Context<'a> {
     pub fn cell(&self, record: &Record, i: usize, token: &Token) -> Cell<'a> {
         let spelled = token.text(self.text);
         let kind = kind(record, i);
+        if kind == ParamKind::Real
+            && let Some(before) = number::canonical(spelled)
+        {
+            return Cell {
+                text: spelled.into(),
+                before,
+                after: spelled.len() - before,
+            };
+        }
         let text = match (kind, token.kind) {
             _ if self.options.numbers == Numbers::Keep => spelled.into(),
             (ParamKind::Real, TokenKind::Integer | TokenKind::Real) => number::real(spelled),

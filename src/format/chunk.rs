@@ -120,7 +120,9 @@ impl<'a> Chunks<'a> {
                 self.at = inside.end;
                 let frozen = matches!(item, Item::Broken(_))
                     || self.has_doubtful && tokens[inside].iter().any(is_doubtful);
-                chunk.elements.push(element(Piece::Item(item), last, frozen));
+                chunk
+                    .elements
+                    .push(element(Piece::Item(item), last, frozen));
                 continue;
             }
             self.at += 1;

@@ -30,7 +30,10 @@ pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
     let Ok(mut reader) = Reader::new(new, tokens) else {
         return false;
     };
-    let mut items = document.items.iter().filter(|i| !matches!(i, Item::Void { .. }));
+    let mut items = document
+        .items
+        .iter()
+        .filter(|i| !matches!(i, Item::Void { .. }));
     loop {
         let item = items.next();
         let record = match item {
@@ -38,7 +41,9 @@ pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
             None => None,
             Some(Item::Void { .. } | Item::Broken(_)) => return false,
         };
-        let mut values = record.into_iter().flat_map(|r| document.significant(r.first, r.last));
+        let mut values = record
+            .into_iter()
+            .flat_map(|r| document.significant(r.first, r.last));
         let mut same = true;
         let mut each = |t: &Token| {
             let value = values.next();

@@ -1,9 +1,9 @@
 //! Records one a line; neighbours of one type stand in columns.
 
 use super::cell::{Cell, Column, Context, may_align, spaces};
-use super::width::display_width;
 use super::page::Page;
 use super::rows;
+use super::width::display_width;
 use crate::syntax::Record;
 
 /// A record with the comments on its line.

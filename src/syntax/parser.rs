@@ -44,7 +44,9 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
         return strict.unwrap_or_default();
     }
     let witnesses = Witnesses::new(&stream);
-    let mut pieces = layout::cut(&stream, &witnesses, false);
+    let strict: Option<Vec<Piece>> =
+        strict.map(|items| layout::whole_pieces(&stream, extents(&items)));
+    let mut pieces = layout::cut(&stream, &witnesses, strict.as_deref(), false);
     let takes_over = |p: &Piece| {
         matches!(p.verdict, Verdict::Whole(_)) && witnesses.takes_over(&stream, p.start, p.end)
     };
@@ -52,7 +54,7 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
     if damage > 0 && pieces.iter().any(takes_over) {
         // A record took numbers from a line that looks like one of its own. As something is
         // missing now, believe the line.
-        let doubting = layout::cut(&stream, &witnesses, true);
+        let doubting = layout::cut(&stream, &witnesses, strict.as_deref(), true);
         let other = references::damage(&stream, &doubting);
         if other <= damage {
             (pieces, damage) = (doubting, other);
@@ -63,11 +65,10 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
         .any(|t| t.kind == TokenKind::UnterminatedComment);
     if damage > 0
         && !cut_off
-        && let Some(items) = &strict
+        && let Some(plain) = strict
     {
         // The arity has a reading without faults. If nothing is undefined or defined twice in it,
         // it stands against two errors, and against one where no line was crossed.
-        let plain = layout::whole_pieces(&stream, extents(items));
         let sound = references::damage(&stream, &plain) == 0;
         if sound && (damage > 1 || !witness::is_odd(&stream, &witnesses, &plain)) {
             pieces = plain;

@@ -200,7 +200,11 @@ impl<'t, I: Iterator<Item = Token>> Reader<'t, I> {
         }
         let twice = !self.defined.is_sorted_by(|a, b| a < b);
         let unclosed = self.has_word && self.has_long_comment;
-        if twice || unclosed { Err(Doubt) } else { Ok(()) }
+        if twice || unclosed {
+            Err(Doubt)
+        } else {
+            Ok(())
+        }
     }
 }
 
