@@ -4,8 +4,9 @@ use std::borrow::Cow;
 
 use super::number;
 use super::options::{Numbers, Options};
+use super::width::display_width;
 use crate::syntax::lexer::{Token, TokenKind};
-use crate::syntax::table::ParamKind;
+use crate::syntax::table::{ParamKind, RecordType};
 use crate::syntax::{Document, Record};
 
 /// What all of the printing looks at.
@@ -44,27 +45,32 @@ impl<'a> Context<'a> {
     /// The `i`-th value of a record, counting the ID and the type.
     pub fn cell(&self, record: &Record, i: usize, token: &Token) -> Cell<'a> {
         let spelled = token.text(self.text);
-        let kind = match i.checked_sub(HEAD) {
-            None => Some(ParamKind::Integer),
-            Some(i) => record.ty.param(i, record.count as usize).map(|p| p.kind),
-        };
+        let kind = kind(record, i);
+        if kind == ParamKind::Real
+            && let Some(before) = number::canonical(spelled)
+        {
+            return Cell {
+                text: spelled.into(),
+                before,
+                after: spelled.len() - before,
+            };
+        }
         let text = match (kind, token.kind) {
             _ if self.options.numbers == Numbers::Keep => spelled.into(),
-            (Some(ParamKind::Real), TokenKind::Integer | TokenKind::Real) => number::real(spelled),
-            (None | Some(ParamKind::Real | ParamKind::FileName), _) => spelled.into(),
-            (Some(_), _) => number::integer(spelled),
-        };
-        let width = match text.is_ascii() {
-            true => text.len(),
-            false => text.chars().count(),
+            (ParamKind::Real, TokenKind::Integer | TokenKind::Real) => number::real(spelled),
+            (ParamKind::Real | ParamKind::FileName, _) => spelled.into(),
+            _ => number::integer(spelled),
         };
         // IDs, types and names begin their columns; parameters stand on their points.
-        let before = match kind {
-            Some(ParamKind::FileName) | None => 0,
-            _ if i < HEAD => 0,
-            _ => (text.bytes())
-                .position(|b| matches!(b, b'.' | b'e' | b'E'))
-                .unwrap_or(width),
+        let (width, before) = match kind {
+            ParamKind::FileName => (display_width(&text), 0),
+            _ if i < HEAD => (text.len(), 0),
+            ParamKind::Real => {
+                let point = |b| matches!(b, b'.' | b'e' | b'E');
+                let before = text.bytes().position(point);
+                (text.len(), before.unwrap_or(text.len()))
+            }
+            _ => (text.len(), text.len()),
         };
         Cell {
             text,
@@ -73,38 +79,81 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// How many spaces stand between the values of a record.
+    pub fn gaps(&self, record: &Record) -> Gaps {
+        match self.options.group {
+            true => Gaps::of(record),
+            false => Gaps::default(),
+        }
+    }
+}
+
+/// What the `i`-th value of a record is, counting the ID and the type.
+fn kind(record: &Record, i: usize) -> ParamKind {
+    let ty = record.ty;
+    let Some(i) = i.checked_sub(HEAD) else {
+        return ParamKind::Integer;
+    };
+    match ty.params.get(i) {
+        Some(param) => param.kind,
+        // Repeated parameters are real, all of them.
+        None if ty.is_counted() => ParamKind::Real,
+        None => (ty.optional.get(i - ty.params.len())).map_or(ParamKind::Real, |p| p.kind),
+    }
+}
+
+/// Where two spaces stand in a record, and not one.
+#[derive(Clone, Copy, Default)]
+pub struct Gaps {
+    /// A bit for each value that begins a vector, the ID being the lowest.
+    wide: u32,
+    /// The number of points, and the values of one, the count of points before them not counted.
+    points: Option<(usize, &'static RecordType)>,
+}
+
+impl Gaps {
+    /// If there is more than one vector, all are set off.
+    fn of(record: &Record) -> Gaps {
+        let ty = record.ty;
+        if ty.is_counted() {
+            let points = Some((record.count as usize, ty));
+            return Gaps { wide: 0, points };
+        }
+        let mut wide = 0;
+        let mut start = HEAD;
+        for &length in ty.vectors {
+            wide |= 1 << start;
+            start += length;
+        }
+        let several = (ty.vectors.first()).is_some_and(|&first| record.params as usize > first);
+        Gaps {
+            wide: if several { wide } else { 0 },
+            points: None,
+        }
+    }
+
     /// How many spaces stand before the `i`-th value, the ID not counted.
-    pub fn gap(&self, record: &Record, i: usize) -> usize {
-        let wide = self.options.group && i >= HEAD && starts_vector(record, i - HEAD);
+    pub fn before(&self, i: usize) -> usize {
+        let wide = match self.points {
+            None => i < u32::BITS as usize && self.wide >> i & 1 == 1,
+            Some((count, ty)) => starts_point(ty, count, i),
+        };
         if wide { 2 } else { 1 }
     }
 }
 
-/// Whether a parameter is the first of a vector, and there is another vector.
-fn starts_vector(record: &Record, i: usize) -> bool {
-    let (ty, count) = (record.ty, record.count as usize);
-    if ty.is_counted() {
-        let Some(mut i) = i.checked_sub(ty.params.len()) else {
-            return false;
-        };
-        for group in ty.repeats {
-            if i < group.len() * count {
-                return i % group.len() == 0;
-            }
-            i -= group.len() * count;
-        }
-        return false;
-    }
-    let Some(&first) = ty.vectors.first() else {
+/// Whether a value of a profile is the first of a point or colour.
+fn starts_point(ty: &RecordType, count: usize, i: usize) -> bool {
+    let Some(mut i) = i.checked_sub(HEAD + ty.params.len()) else {
         return false;
     };
-    let mut start = 0;
-    record.params as usize > first
-        && ty.vectors.iter().any(|length| {
-            let found = start == i;
-            start += length;
-            found
-        })
+    for group in ty.repeats {
+        if i < group.len() * count {
+            return i % group.len() == 0;
+        }
+        i -= group.len() * count;
+    }
+    false
 }
 
 /// Values under each other, their decimal points in one place.

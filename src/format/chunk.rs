@@ -7,35 +7,38 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::{Document, Item};
 
 /// A record, or a comment between records.
-pub struct Element {
-    pub piece: Piece,
-    /// Bytes of the text.
-    pub start: usize,
-    pub end: usize,
+pub struct Element<'a> {
+    pub piece: Piece<'a>,
+    /// Its tokens.
+    pub first: u32,
+    pub last: u32,
     /// To be printed as it is: it could not be read in full.
     pub frozen: bool,
 }
 
-pub enum Piece {
-    Item(Item),
-    /// A comment, by its token.
-    Comment(u32),
+#[derive(Clone, Copy)]
+pub enum Piece<'a> {
+    Item(&'a Item),
+    Comment,
     /// A token that belongs to no item.
-    Unread(u32),
+    Unread,
 }
 
 /// Neighbours without a line break between them.
-pub struct Chunk {
-    /// At least one.
-    pub elements: Vec<Element>,
+#[derive(Default)]
+pub struct Chunk<'a> {
+    pub elements: Vec<Element<'a>>,
+    /// There is a blank line before it.
+    pub after_blank_line: bool,
 }
 
-impl Chunk {
+impl<'a> Chunk<'a> {
     /// From its first to its last character.
-    pub fn span(&self) -> Range<usize> {
-        let start = self.elements.first().map_or(0, |e| e.start);
-        let end = self.elements.last().map_or(0, |e| e.end);
-        start..end
+    pub fn span(&self, document: &Document) -> Range<usize> {
+        match (self.elements.first(), self.elements.last()) {
+            (Some(first), Some(last)) => document.span(first.first, last.last).range(),
+            _ => 0..0,
+        }
     }
 
     /// Whether its layout may bear witness to what was meant.
@@ -43,16 +46,16 @@ impl Chunk {
         self.elements.iter().any(|e| e.frozen)
     }
 
-    pub fn items(&self) -> impl Iterator<Item = &Item> {
-        self.elements.iter().filter_map(|e| match &e.piece {
+    pub fn items(&self) -> impl Iterator<Item = &'a Item> {
+        self.elements.iter().filter_map(|e| match e.piece {
             Piece::Item(item) => Some(item),
-            Piece::Comment(_) | Piece::Unread(_) => None,
+            Piece::Comment | Piece::Unread => None,
         })
     }
 
     /// Its lines with all white space, but for the last line break.
-    pub fn whole_lines(&self, text: &str) -> Range<usize> {
-        let Range { start, end } = self.span();
+    pub fn whole_lines(&self, text: &str, document: &Document) -> Range<usize> {
+        let Range { start, end } = self.span(document);
         let mark = match text.starts_with(super::BYTE_ORDER_MARK) {
             true => super::BYTE_ORDER_MARK.len_utf8(),
             false => 0,
@@ -63,82 +66,75 @@ impl Chunk {
     }
 }
 
-/// Whether there is a blank line in what lies between two chunks.
-pub fn has_blank_line(between: &str) -> bool {
-    if line_breaks(between) < 2 {
-        return false;
-    }
-    let between = between.replace("\r\n", "\n");
-    let mut lines = between.split(BREAKS).skip(1).peekable();
-    // What stands before the last chunk on its line is no line either.
-    std::iter::from_fn(|| lines.next().filter(|_| lines.peek().is_some()))
-        .any(|line| line.trim().is_empty())
-}
-
 const BREAKS: [char; 2] = ['\n', '\r'];
 
-/// How many line breaks a text has.
-pub fn line_breaks(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let is_break =
-        |(i, &b): (usize, &u8)| b == b'\n' || (b == b'\r' && bytes.get(i + 1) != Some(&b'\n'));
-    bytes.iter().enumerate().filter(|&x| is_break(x)).count()
-}
-
 /// Cuts a scene into chunks.
-pub fn chunks<'a>(text: &'a str, document: &'a Document) -> impl Iterator<Item = Chunk> + 'a {
-    let mut elements = elements(document).peekable();
-    std::iter::from_fn(move || {
-        let mut chunk = Chunk {
-            elements: vec![elements.next()?],
-        };
-        while let Some(next) =
-            elements.next_if(|next| line_breaks(&text[chunk.span().end..next.start]) == 0)
-        {
-            chunk.elements.push(next);
-        }
-        Some(chunk)
-    })
+pub struct Chunks<'a> {
+    document: &'a Document,
+    items: &'a [Item],
+    /// The next token.
+    at: usize,
+    /// There are tokens that have to be seen where they stand.
+    has_doubtful: bool,
 }
 
-/// The records and the comments between them, in order.
-fn elements(document: &Document) -> impl Iterator<Item = Element> + '_ {
-    let tokens = &document.tokens;
-    let mut items = document.items.iter().peekable();
-    let mut next = 0;
-    std::iter::from_fn(move || {
-        loop {
-            let token = tokens.get(next)?;
-            if let Some(&item) = items.next_if(|item| item.ends().0 as usize == next) {
-                let (first, last) = item.ends();
-                next = last as usize + 1;
-                let span = document.span(first, last);
-                let inside = &tokens[first as usize..next];
-                return Some(Element {
-                    piece: Piece::Item(item),
-                    start: span.start as usize,
-                    end: span.end as usize,
-                    frozen: matches!(item, Item::Broken(_)) || inside.iter().any(is_doubtful),
-                });
+impl<'a> Chunks<'a> {
+    pub fn new(document: &'a Document) -> Chunks<'a> {
+        Chunks {
+            document,
+            items: &document.items,
+            at: 0,
+            has_doubtful: document.tokens.iter().any(is_doubtful),
+        }
+    }
+
+    /// Makes the chunk the next one; `false` if there is none.
+    pub fn next(&mut self, chunk: &mut Chunk<'a>) -> bool {
+        chunk.elements.clear();
+        chunk.after_blank_line = false;
+        let tokens = &self.document.tokens;
+        let mut ends_line = false;
+        while let Some(token) = tokens.get(self.at) {
+            let index = self.at as u32;
+            if token.kind == TokenKind::Newline {
+                if !chunk.elements.is_empty() {
+                    break;
+                }
+                chunk.after_blank_line |= ends_line;
+                ends_line = true;
+                self.at += 1;
+                continue;
             }
-            let index = next as u32;
-            next += 1;
-            let element = |piece, frozen| {
-                let span = token.span().range();
-                Some(Element {
-                    piece,
-                    start: span.start,
-                    end: span.end,
-                    frozen,
-                })
+            ends_line = false;
+            let element = |piece, last: u32, frozen| Element {
+                piece,
+                first: index,
+                last,
+                frozen,
             };
+            let item = self.items.first().filter(|item| item.ends().0 == index);
+            if let Some(item) = item {
+                self.items = &self.items[1..];
+                let last = item.ends().1;
+                let inside = self.at..last as usize + 1;
+                self.at = inside.end;
+                let frozen = matches!(item, Item::Broken(_))
+                    || self.has_doubtful && tokens[inside].iter().any(is_doubtful);
+                chunk
+                    .elements
+                    .push(element(Piece::Item(item), last, frozen));
+                continue;
+            }
+            self.at += 1;
             if token.kind.is_comment() {
-                return element(Piece::Comment(index), is_doubtful(token));
+                let frozen = is_doubtful(token);
+                chunk.elements.push(element(Piece::Comment, index, frozen));
             } else if !token.kind.is_trivia() {
-                return element(Piece::Unread(index), true);
+                chunk.elements.push(element(Piece::Unread, index, true));
             }
         }
-    })
+        !chunk.elements.is_empty()
+    }
 }
 
 /// Whether a token has to be seen where it stands: a comment that nothing but the end of its line

@@ -1,12 +1,69 @@
 //! Whether two scenes say the same, whatever they look like.
 
-use crate::syntax::lexer::Token;
-use crate::syntax::{Document, Item};
+use std::cell::Cell;
+
+use crate::syntax::lexer::{Token, Tokens};
+use crate::syntax::plain::{Doubt, Reader};
+use crate::syntax::{Document, Item, Record};
 
 /// Whether two scenes have the same records with the same values to the bit, the same comments, and
 /// the same text where they could not be read. A lone `0` says nothing.
 pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
     comments(a).eq(comments(b)) && differences(a, b).is_empty()
+}
+
+/// Whether a text plainly says the same as a scene: `true` means what [`same_content`] says of the two, `false`
+/// nothing.
+///
+/// The text is not parsed, but read by the reader that the parser asks first ([`plain`]), token by token.
+/// What that reads without a doubt is what the parser makes of the text, to the token; so its records
+/// are compared as they come, and nothing is kept of them.
+pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
+    let mut comments = document.comments();
+    let same_comments = Cell::new(true);
+    let tokens = Tokens::new(new, &[]).inspect(|t| {
+        if t.kind.is_comment() {
+            let same = (comments.next()).is_some_and(|other| other.text(old) == t.text(new));
+            same_comments.set(same_comments.get() && same);
+        }
+    });
+    let Ok(mut reader) = Reader::new(new, tokens) else {
+        return false;
+    };
+    let mut items = document
+        .items
+        .iter()
+        .filter(|i| !matches!(i, Item::Void { .. }));
+    loop {
+        let item = items.next();
+        let record = match item {
+            Some(Item::Record(record)) => Some(record),
+            None => None,
+            Some(Item::Void { .. } | Item::Broken(_)) => return false,
+        };
+        let mut values = record
+            .into_iter()
+            .flat_map(|r| document.significant(r.first, r.last));
+        let mut same = true;
+        let mut each = |t: &Token| {
+            let value = values.next();
+            same &= value.is_some_and(|v| same_value((old, v), (new, t)));
+        };
+        let other = loop {
+            match reader.item(&mut each) {
+                Ok(Some(Item::Void { .. })) => {}
+                Ok(other) => break other,
+                Err(Doubt) => return false,
+            }
+        };
+        match (record, other) {
+            (Some(x), Some(Item::Record(y))) if same && same_head(x, &y) => {}
+            (None, None) => break,
+            _ => return false,
+        }
+    }
+    drop(reader);
+    same_comments.get() && comments.next().is_none()
 }
 
 /// The items of the first scene that are not the same in the second, or not in the same place among
@@ -62,9 +119,7 @@ fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
     };
     match (a.2, b.2) {
         (Item::Record(x), Item::Record(y)) => {
-            x.id == y.id
-                && x.ty.code == y.ty.code
-                && x.params == y.params
+            same_head(x, y)
                 && a.1
                     .params(x)
                     .zip(b.1.params(y))
@@ -75,6 +130,10 @@ fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
         }
         _ => false,
     }
+}
+
+fn same_head(x: &Record, y: &Record) -> bool {
+    x.id == y.id && x.ty.code == y.ty.code && x.params == y.params
 }
 
 fn same_value(a: (&str, &Token), b: (&str, &Token)) -> bool {

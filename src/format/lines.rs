@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::cell::Context;
-use super::chunk::{Chunk, Piece};
+use super::chunk::{Chunk, Element, Piece};
 use super::page::Page;
 use super::run::{Entry, Run};
 use crate::syntax::{Item, is_directive};
@@ -22,14 +22,18 @@ pub struct Printer<'a> {
     context: Context<'a>,
     care: &'a Care,
     pub page: Page<'a>,
-    run: Run,
+    run: Run<'a>,
+    /// The lines of the chunk that is printed; the room is used again.
+    lines: Vec<Line<'a>>,
+    /// Some comments are for zpg.
+    has_directives: bool,
     /// A comment above speaks to the next line.
     spoken_to: bool,
 }
 
 /// A line to be: its item, and all of its tokens.
-struct Line {
-    item: Option<Item>,
+struct Line<'a> {
+    item: Option<&'a Item>,
     first: u32,
     last: u32,
     /// A `0` introduces the comment behind the record.
@@ -43,6 +47,8 @@ impl<'a> Printer<'a> {
             care,
             page,
             run: Run::default(),
+            lines: Vec::new(),
+            has_directives: (context.document.comments()).any(|t| is_directive(t, context.text)),
             spoken_to: false,
         }
     }
@@ -59,38 +65,45 @@ impl<'a> Printer<'a> {
     }
 
     /// Prints a chunk.
-    pub fn chunk(&mut self, chunk: &Chunk, wanted: bool) {
-        let context = self.context;
-        let lines = lines(chunk);
-        let is_record = |l: &Line| matches!(l.item, Some(Item::Record(_) | Item::Broken(_)));
+    pub fn chunk(&mut self, chunk: &Chunk<'a>, wanted: bool) {
+        let mut lines = std::mem::take(&mut self.lines);
+        set_lines(&mut lines, chunk);
         let spoken_to = self.spoken_to || self.speaks(chunk);
-        self.spoken_to = spoken_to && !lines.iter().any(is_record);
+        self.spoken_to = spoken_to && !lines.iter().any(Line::is_record);
         if chunk.is_frozen() || self.has_to_stay(chunk, &lines, spoken_to) {
-            self.run.print(&context, &mut self.page);
-            self.page.wanted = wanted;
-            if self.is_heading(&lines[0]) {
-                self.page.heading();
+            self.verbatim(chunk, &lines, wanted);
+        } else {
+            for line in &lines {
+                match line.item {
+                    Some(Item::Record(record)) => {
+                        let tokens = (line.first, line.last);
+                        let entry = Entry {
+                            record,
+                            tokens,
+                            wanted,
+                        };
+                        self.run.push(&self.context, &mut self.page, entry);
+                    }
+                    _ => self.text(line, wanted),
+                }
             }
-            let text = &context.text[chunk.whole_lines(context.text)];
-            if lines.iter().any(is_record) {
-                self.page.verbatim(text);
-            } else {
-                self.page.comment(text);
-            }
-            return;
         }
-        for line in lines {
-            if let Some(Item::Record(record)) = line.item {
-                let tokens = (line.first, line.last);
-                let entry = Entry {
-                    record,
-                    tokens,
-                    wanted,
-                };
-                self.run.push(&context, &mut self.page, entry);
-            } else {
-                self.text(&line, wanted);
-            }
+        self.lines = lines;
+    }
+
+    /// Prints a chunk as it is.
+    fn verbatim(&mut self, chunk: &Chunk<'a>, lines: &[Line], wanted: bool) {
+        let Context { text, document, .. } = self.context;
+        self.run.print(&self.context, &mut self.page);
+        self.page.wanted = wanted;
+        if lines.first().is_some_and(|line| self.is_heading(line)) {
+            self.page.heading();
+        }
+        let text = &text[chunk.whole_lines(text, document)];
+        if lines.iter().any(Line::is_record) {
+            self.page.verbatim(text);
+        } else {
+            self.page.comment(text);
         }
     }
 
@@ -124,32 +137,36 @@ impl<'a> Printer<'a> {
         // What is said to a line is said to all of its records.
         (lines.len() > 1 && spoken_to)
             || (self.care.zeros && lines.iter().any(|l| l.has_zero))
-            || chunk.items().any(is_kept)
+            || (!self.care.items.is_empty() && chunk.items().any(is_kept))
     }
 
     /// Whether one of its comments is for zpg.
     fn speaks(&self, chunk: &Chunk) -> bool {
         let Context { text, document, .. } = self.context;
-        let tokens = chunk.elements.iter().flat_map(|e| match e.piece {
-            Piece::Comment(token) | Piece::Unread(token) => token..=token,
-            Piece::Item(item) => item.ends().0..=item.ends().1,
-        });
-        tokens
-            .map(|t| &document.tokens[t as usize])
-            .any(|t| is_directive(t, text))
+        let speaks = |e: &Element| {
+            let tokens = &document.tokens[e.first as usize..=e.last as usize];
+            tokens.iter().any(|t| is_directive(t, text))
+        };
+        self.has_directives && chunk.elements.iter().any(speaks)
+    }
+}
+
+impl Line<'_> {
+    fn is_record(&self) -> bool {
+        matches!(self.item, Some(Item::Record(_) | Item::Broken(_)))
     }
 }
 
 /// The lines a chunk becomes. Comments before the first item stay before it, others stay behind the
 /// item they follow. A `0` at the end that merely introduces a comment behind a record goes.
-fn lines(chunk: &Chunk) -> Vec<Line> {
-    let mut lines: Vec<Line> = Vec::new();
-    let last_item = (chunk.elements.iter()).rposition(|e| !matches!(e.piece, Piece::Comment(_)));
+fn set_lines<'a>(lines: &mut Vec<Line<'a>>, chunk: &Chunk<'a>) {
+    lines.clear();
+    let last_item = (chunk.elements.iter()).rposition(|e| !matches!(e.piece, Piece::Comment));
     for (i, element) in chunk.elements.iter().enumerate() {
-        let (item, first, last) = match element.piece {
-            Piece::Comment(token) => (None, token, token),
-            Piece::Item(item) => (Some(item), item.ends().0, item.ends().1),
-            Piece::Unread(token) => (None, token, token),
+        let Element { first, last, .. } = *element;
+        let item = match element.piece {
+            Piece::Comment | Piece::Unread => None,
+            Piece::Item(item) => Some(item),
         };
         let introduces = matches!(item, Some(Item::Void { .. }))
             && Some(i) == last_item
@@ -168,5 +185,4 @@ fn lines(chunk: &Chunk) -> Vec<Line> {
             }),
         }
     }
-    lines
 }

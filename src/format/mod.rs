@@ -25,6 +25,7 @@ mod options;
 mod page;
 mod rows;
 mod run;
+mod width;
 
 use std::ops::{Range, RangeInclusive};
 
@@ -34,6 +35,7 @@ pub use options::{Numbers, Options};
 use crate::diagnostics::{Edit, Span};
 use crate::syntax::{Document, Item, parse};
 use cell::Context;
+use chunk::{Chunk, Chunks};
 use lines::{Care, Printer};
 use page::Page;
 
@@ -70,6 +72,9 @@ fn attempt(
         let (result, edit) = print(text, document, options, &care, wanted.clone());
         if result == text {
             return Some((result, None));
+        }
+        if compare::are_plainly_same(text, document, &result) {
+            return Some((result, edit));
         }
         let (again, _) = parse(&result);
         let (before, after) = ((text, document), (result.as_str(), &again));
@@ -108,20 +113,20 @@ fn print(
         page.mark(BYTE_ORDER_MARK);
     }
     let mut printer = Printer::new(context, care, page);
-    let mut last_end = 0;
     let mut source: Option<Range<usize>> = None;
-    for chunk in chunk::chunks(text, document) {
-        let span = chunk.span();
-        if chunk::has_blank_line(&text[last_end..span.start]) {
+    let (mut chunks, mut chunk) = (Chunks::new(document), Chunk::default());
+    while chunks.next(&mut chunk) {
+        if chunk.after_blank_line {
             printer.blank_line();
         }
-        last_end = span.end;
-        let lines = chunk.whole_lines(text);
-        let touches = |w: &Range<usize>| lines.start <= w.end && w.start <= lines.end;
-        let is_wanted = wanted.as_ref().is_none_or(touches);
-        if is_wanted {
-            source = Some(source.map_or(lines.start, |s| s.start)..lines.end);
-        }
+        let is_wanted = wanted.as_ref().is_none_or(|wanted| {
+            let lines = chunk.whole_lines(text, document);
+            let touches = lines.start <= wanted.end && wanted.start <= lines.end;
+            if touches {
+                source = Some(source.clone().map_or(lines.start, |s| s.start)..lines.end);
+            }
+            touches
+        });
         printer.chunk(&chunk, is_wanted);
     }
     let (printed, found) = printer.finish().finish();

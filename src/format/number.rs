@@ -8,10 +8,42 @@ const CERTAIN_DIGITS: usize = 15;
 
 /// A number where any will do. What is no finite number is left as it is.
 pub fn real(text: &str) -> Cow<'_, str> {
+    if canonical(text).is_some() {
+        return text.into();
+    }
     match plain(text) {
         Some(spelled) => spelled,
         None => shortest(text),
     }
+}
+
+/// The length of the part before the point of a number that is surely spelled as it should be; `None` says
+/// nothing.
+#[inline]
+pub fn canonical(text: &str) -> Option<usize> {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| {
+        let rest = bytes.get(from..).unwrap_or_default();
+        rest.iter().take_while(|b| b.is_ascii_digit()).count()
+    };
+    let sign = usize::from(bytes.first() == Some(&b'-'));
+    let whole = digits(sign);
+    let point = sign + whole;
+    let zero = bytes.get(sign) == Some(&b'0');
+    if whole == 0 || whole > CERTAIN_DIGITS || zero && whole > 1 {
+        return None;
+    }
+    let right = match bytes.get(point..)? {
+        [] => !zero || sign == 0,
+        [b'.', fraction @ .., last] => {
+            let length = fraction.len() + 1;
+            // A number below one has other digits soon behind the point.
+            let near = !zero || bytes[point + 1..].iter().take(4).any(|&b| b != b'0');
+            near && *last != b'0' && whole + length <= CERTAIN_DIGITS && digits(point + 1) == length
+        }
+        _ => false,
+    };
+    right.then_some(point)
 }
 
 /// A number where an integer is needed. What is no integer is left as it is.
@@ -127,6 +159,9 @@ mod tests {
             ("1e999", "1e999"),
             ("large", "large"),
         ] {
+            let point = to.find(['.', 'e']).unwrap_or(to.len());
+            assert!(canonical(to).is_none_or(|p| p == point), "{to}");
+            assert!(canonical(from).is_none_or(|_| from == to), "{from}");
             assert_eq!(real(from), to);
             assert_eq!(real(to), to);
         }

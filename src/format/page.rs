@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use super::cell::spaces;
 use super::options::Options;
+use super::width::display_width;
 
 /// What was printed last.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -20,20 +21,32 @@ pub struct Page<'a> {
     line_break: &'static str,
     out: String,
     last: Last,
-    /// The lines held back, and their characters.
-    lines: Vec<Line>,
-    held: String,
+    held: Held,
     /// Whether what is written now is asked for, and where in `out` all that is stands.
     pub wanted: bool,
-    pub found: Option<Range<usize>>,
+    found: Option<Range<usize>>,
 }
 
-/// A line of a record, in the characters held back.
-struct Line {
-    /// One past the last number.
+/// Lines of records held back, from the first with a comment on, and the one that is written now.
+#[derive(Default)]
+struct Held {
+    /// The lines, without the spaces before the comments.
+    text: String,
+    /// Where the line begins that is written now.
+    line: usize,
+    comments: Vec<Comment>,
+    /// From where to where the column of the comments may be; there are some.
+    columns: (usize, usize),
+    /// Where what is asked for stands.
+    found: Option<Range<usize>>,
+}
+
+/// A comment behind a line.
+struct Comment {
+    /// Its place in the text.
+    at: usize,
+    /// The width of what stands before it.
     code: usize,
-    end: usize,
-    wanted: bool,
 }
 
 /// Between a record and its comment.
@@ -48,8 +61,7 @@ impl<'a> Page<'a> {
             line_break,
             out: String::with_capacity(capacity),
             last: Last::Blank,
-            lines: Vec::new(),
-            held: String::new(),
+            held: Held::default(),
             wanted: true,
             found: None,
         }
@@ -101,104 +113,102 @@ impl<'a> Page<'a> {
         self.out.push_str(self.line_break);
         self.last = last;
         if self.wanted {
-            self.find(start, end);
+            extend(&mut self.found, start..end);
         }
-    }
-
-    fn find(&mut self, start: usize, end: usize) {
-        let start = self.found.as_ref().map_or(start, |f| f.start);
-        self.found = Some(start..end);
     }
 
     /// Where a line of a record is written, up to [`Page::end_line`].
     pub fn line(&mut self) -> &mut String {
-        &mut self.held
+        &mut self.held.text
     }
 
     /// Ends a line of a record, with the comments behind it.
     pub fn end_line<'t>(&mut self, comments: impl Iterator<Item = &'t str>) {
-        let code = self.held.len();
+        let held = &mut self.held;
+        let code = held.text.len();
         for comment in comments {
-            if self.held.len() > code {
-                self.held.push(' ');
+            if held.text.len() > code {
+                held.text.push(' ');
             }
-            self.held.push_str(comment);
+            held.text.push_str(comment);
         }
-        let end = self.held.len();
-        let wanted = self.wanted;
-        self.lines.push(Line { code, end, wanted });
-    }
-
-    /// Puts out the lines held back: as many as possible have their comments in one column, as long
-    /// as all of these stay within the width. (This is how clang-format does it.)
-    pub fn flush(&mut self) {
-        if self.lines.is_empty() {
-            return;
+        if held.text.len() > code {
+            self.align(code);
         }
-        let lines = std::mem::take(&mut self.lines);
-        let held = std::mem::take(&mut self.held);
-        let (mut first, mut low, mut high) = (0, 0, usize::MAX);
-        let mut start = 0;
-        for (i, line) in lines.iter().enumerate() {
-            let code = &held[start..line.code];
-            let comment = &held[line.code..line.end];
-            start = line.end;
-            if comment.is_empty() {
-                continue;
-            }
-            let (least, most) = self.columns(code, comment);
-            if low.max(least) > high.min(most) {
-                self.write(&held, &lines, first..i, low);
-                (first, low, high) = (i, least, most);
-            } else {
-                (low, high) = (low.max(least), high.min(most));
-            }
+        let held = &mut self.held;
+        if self.wanted {
+            extend(&mut held.found, held.line..held.text.len());
         }
-        self.write(&held, &lines, first..lines.len(), low);
+        held.text.push_str(self.line_break);
+        held.line = held.text.len();
         self.last = Last::Record;
-        // The room is used again.
-        (self.lines, self.held) = (lines, held);
-        self.lines.clear();
-        self.held.clear();
+        if held.comments.is_empty() {
+            self.flush();
+        }
     }
 
-    /// From where to where the comment behind some code may begin.
-    fn columns(&self, code: &str, comment: &str) -> (usize, usize) {
-        let one_line = !code.contains(BREAKS);
-        let least = width(code.rsplit(BREAKS).next().unwrap_or_default()) + GAP;
-        if !self.options.align || !one_line {
-            return (least, least);
+    /// Takes in the comment at some place of the line that is written now. As many lines as possible have
+    /// theirs in one column, as long as all of these stay within the width. (This is how clang-format
+    /// does it.)
+    fn align(&mut self, at: usize) {
+        let mut at = at;
+        let line = &self.held.text[self.held.line..at];
+        let last = line.rsplit(BREAKS).next().unwrap_or_default();
+        let code = display_width(last);
+        let one_line = last.len() == line.len();
+        let least = code + GAP;
+        let mut most = least;
+        if self.options.align && one_line {
+            let comment = self.held.text[at..].split(BREAKS).next();
+            let length = display_width(comment.unwrap_or_default());
+            let room = (self.options.width).checked_sub(length);
+            // One that is too long wherever it stands may stand with the others.
+            let room = room.filter(|&room| room >= least);
+            most = room.unwrap_or(self.options.width).max(least);
         }
-        let length = width(comment.split(BREAKS).next().unwrap_or_default());
-        let most = match self.options.width.checked_sub(length) {
-            Some(most) if most >= least => most,
-            // It is too long wherever it stands.
-            _ => self.options.width,
+        let both = match self.held.columns {
+            _ if self.held.comments.is_empty() => (least, most),
+            (low, high) => (low.max(least), high.min(most)),
         };
-        (least, most.max(least))
+        if both.0 <= both.1 {
+            self.held.columns = both;
+        } else {
+            at -= self.held.line;
+            self.flush();
+            self.held.columns = (least, most);
+        }
+        self.held.comments.push(Comment { at, code });
     }
 
-    /// Puts out some of the lines with their comments in a column.
-    fn write(&mut self, held: &str, lines: &[Line], which: Range<usize>, column: usize) {
-        let mut start = which.start.checked_sub(1).map_or(0, |i| lines[i].end);
-        for line in &lines[which] {
-            let at = self.out.len();
-            let code = &held[start..line.code];
-            self.out.push_str(code);
-            if line.end > line.code {
-                let last = code.rsplit(BREAKS).next().unwrap_or_default();
-                spaces(&mut self.out, column.saturating_sub(width(last)).max(GAP));
-                self.out.push_str(&held[line.code..line.end]);
+    /// Puts out the lines held back, with their comments in one column, but for the one that is written now.
+    pub fn flush(&mut self) {
+        let (held, out) = (&mut self.held, &mut self.out);
+        let mut done = 0;
+        // What is found moves with the text.
+        let mut found = (held.found.as_ref()).map(|f| f.start + out.len()..f.end + out.len());
+        for &Comment { at, code } in &held.comments {
+            out.push_str(&held.text[done..at]);
+            let missing = held.columns.0.saturating_sub(code).max(GAP);
+            spaces(out, missing);
+            if let Some((found, old)) = found.as_mut().zip(held.found.as_ref()) {
+                found.start += if at < old.start { missing } else { 0 };
+                found.end += if at < old.end { missing } else { 0 };
             }
-            if line.wanted {
-                self.find(at, self.out.len());
-            }
-            self.out.push_str(self.line_break);
-            start = line.end;
+            done = at;
         }
+        out.push_str(&held.text[done..held.line]);
+        if let Some(found) = found {
+            extend(&mut self.found, found);
+        }
+        held.text.drain(..held.line);
+        held.line = 0;
+        held.comments.clear();
+        held.found = None;
     }
 }
 
-fn width(text: &str) -> usize {
-    text.chars().count()
+/// Widens a stretch to what follows it.
+fn extend(stretch: &mut Option<Range<usize>>, more: Range<usize>) {
+    let start = stretch.as_ref().map_or(more.start, |s| s.start);
+    *stretch = Some(start..more.end);
 }

@@ -68,8 +68,7 @@ fn is_matrix(ty: &RecordType) -> bool {
 
 /// Whether there are comments between the points of a profile.
 fn is_commented(context: &Context, record: &Record) -> bool {
-    // Most have no comments.
-    if context.tokens(record).all(|t| !t.kind.is_comment()) {
+    if !run::has_comments(context, record) {
         return false;
     }
     let sections = sections(record);
@@ -143,8 +142,8 @@ fn parts<'a>(context: &Context<'a>, record: &Record) -> Vec<Part<'a>> {
 }
 
 /// Prints a record in rows.
-pub fn print(context: &Context, page: &mut Page, entry: &Entry) {
-    let record = &entry.record;
+pub fn print<'a>(context: &Context<'a>, page: &mut Page, entry: &Entry<'a>) {
+    let record = entry.record;
     let parts = parts(context, record);
     let mut sections = sections(record);
     let columns = fit(context, &parts, &mut sections);

@@ -3,36 +3,36 @@
 use super::cell::{Cell, Column, Context, may_align, spaces};
 use super::page::Page;
 use super::rows;
+use super::width::display_width;
 use crate::syntax::Record;
 
 /// A record with the comments on its line.
-pub struct Entry {
-    pub record: Record,
+pub struct Entry<'a> {
+    pub record: &'a Record,
     /// From the first comment before the record to the last behind it, as tokens.
     pub tokens: (u32, u32),
     /// Whether the line is among those asked for.
     pub wanted: bool,
 }
 
-impl Entry {
+impl<'a> Entry<'a> {
     /// Comments before the record.
-    fn lead<'a>(&self, context: &Context<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
+    fn lead(&self, context: &Context<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
         comments(context, self.tokens.0, self.record.first)
     }
 
     /// Comments behind the record.
-    pub fn trail<'a>(&self, context: &Context<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
+    pub fn trail(&self, context: &Context<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
         comments(context, self.record.last + 1, self.tokens.1 + 1)
     }
 
     /// Nothing but numbers up to its end.
-    fn is_plain(&self, context: &Context) -> bool {
-        self.tokens.0 == self.record.first
-            && context.tokens(&self.record).all(|t| !t.kind.is_comment())
+    fn is_plain(&self, context: &Context<'a>) -> bool {
+        self.tokens.0 == self.record.first && !has_comments(context, self.record)
     }
 
     /// Writes what stands before the record.
-    pub fn write_lead(&self, context: &Context, out: &mut String) {
+    pub fn write_lead(&self, context: &Context<'a>, out: &mut String) {
         for comment in self.lead(context) {
             out.push_str(comment);
             out.push(' ');
@@ -53,14 +53,28 @@ fn comments<'a>(
         .map(move |t| t.text(text))
 }
 
+/// Whether there are comments in a record.
+pub fn has_comments(context: &Context, record: &Record) -> bool {
+    // Most have nothing but their numbers.
+    record.last - record.first > record.params + 1
+        && context.tokens(record).any(|t| t.kind.is_comment())
+}
+
 /// Neighbours of one type whose lines may stand in columns.
 #[derive(Default)]
-pub struct Run(Vec<Entry>);
+pub struct Run<'a> {
+    entries: Vec<Entry<'a>>,
+    /// What all of them need.
+    columns: Vec<Column>,
+    /// The widest without columns, and the most spaces between the values.
+    unaligned: usize,
+    spaces: usize,
+}
 
-impl Run {
+impl<'a> Run<'a> {
     /// Adds a record; prints those before it if it does not belong with them.
-    pub fn push(&mut self, context: &Context, page: &mut Page, entry: Entry) {
-        if rows::is_wanted(context, &entry.record) {
+    pub fn push(&mut self, context: &Context<'a>, page: &mut Page, entry: Entry<'a>) {
+        if rows::is_wanted(context, entry.record) {
             self.print(context, page);
             page.flush();
             page.wanted = entry.wanted;
@@ -70,52 +84,56 @@ impl Run {
         }
         let plain = entry.is_plain(context);
         let other = |first: &Entry| first.record.ty.code != entry.record.ty.code;
-        if !plain || self.0.first().is_some_and(other) {
+        if !plain || self.entries.first().is_some_and(other) {
             self.print(context, page);
         }
-        self.0.push(entry);
+        self.widen(context, entry.record);
+        self.entries.push(entry);
         if !plain {
             self.print(context, page);
         }
     }
 
+    /// Makes room for a record in the columns.
+    fn widen(&mut self, context: &Context<'a>, record: &'a Record) {
+        let (mut width, mut spaces) = (0, 0);
+        let gaps = context.gaps(record);
+        for (i, cell) in cells(context, record).enumerate() {
+            if i == self.columns.len() {
+                self.columns.push(Column::default());
+            }
+            self.columns[i].widen(&cell);
+            width += cell.width();
+            spaces += if i > 0 { gaps.before(i) } else { 0 };
+        }
+        self.unaligned = self.unaligned.max(width + spaces);
+        self.spaces = self.spaces.max(spaces);
+    }
+
+    /// Whether the records may stand in columns.
+    fn may_align(&self, context: &Context) -> bool {
+        let aligned = self.spaces + self.columns.iter().map(Column::width).sum::<usize>();
+        self.entries.len() > 1
+            && context.options.align
+            && may_align(aligned, self.unaligned, context.options.width)
+    }
+
     /// Prints the records.
-    pub fn print(&mut self, context: &Context, page: &mut Page) {
-        let columns = (self.0.len() > 1 && context.options.align)
-            .then(|| self.columns(context))
-            .flatten();
-        for entry in self.0.drain(..) {
+    pub fn print(&mut self, context: &Context<'a>, page: &mut Page) {
+        let aligned = self.may_align(context);
+        for entry in self.entries.drain(..) {
             page.wanted = entry.wanted;
             let out = page.line();
             entry.write_lead(context, out);
-            match &columns {
-                Some(columns) => write_columns(context, out, &entry.record, columns),
-                None => write(context, out, &entry.record),
+            if aligned {
+                write_columns(context, out, entry.record, &self.columns);
+            } else {
+                write(context, out, entry.record);
             }
             page.end_line(entry.trail(context));
         }
-    }
-
-    /// The columns of the records, if they may have any.
-    fn columns(&self, context: &Context) -> Option<Vec<Column>> {
-        let mut columns: Vec<Column> = Vec::new();
-        let mut unaligned = 0;
-        let mut gaps = 0;
-        for Entry { record, .. } in &self.0 {
-            let (mut width, mut between) = (0, 0);
-            for (i, cell) in cells(context, record).enumerate() {
-                if i == columns.len() {
-                    columns.push(Column::default());
-                }
-                columns[i].widen(&cell);
-                width += cell.width();
-                between += if i > 0 { context.gap(record, i) } else { 0 };
-            }
-            unaligned = unaligned.max(width + between);
-            gaps = gaps.max(between);
-        }
-        let aligned = gaps + columns.iter().map(Column::width).sum::<usize>();
-        may_align(aligned, unaligned, context.options.width).then_some(columns)
+        self.columns.clear();
+        (self.unaligned, self.spaces) = (0, 0);
     }
 }
 
@@ -133,9 +151,10 @@ pub fn cells<'a>(
 
 fn write_columns(context: &Context, out: &mut String, record: &Record, columns: &[Column]) {
     let mut missing = 0;
+    let gaps = context.gaps(record);
     for (i, (cell, column)) in cells(context, record).zip(columns).enumerate() {
         if i > 0 {
-            spaces(out, missing + context.gap(record, i));
+            spaces(out, missing + gaps.before(i));
         }
         missing = column.write(out, &cell);
     }
@@ -143,6 +162,7 @@ fn write_columns(context: &Context, out: &mut String, record: &Record, columns: 
 
 /// Writes a record without its neighbours, with the comments in it.
 fn write(context: &Context, out: &mut String, record: &Record) {
+    let gaps = context.gaps(record);
     let mut i = 0;
     for token in context.tokens(record) {
         if token.kind.is_comment() {
@@ -151,7 +171,7 @@ fn write(context: &Context, out: &mut String, record: &Record) {
             continue;
         }
         if i > 0 {
-            spaces(out, context.gap(record, i));
+            spaces(out, gaps.before(i));
         }
         out.push_str(&context.cell(record, i, token).text);
         i += 1;
@@ -162,5 +182,5 @@ fn write(context: &Context, out: &mut String, record: &Record) {
 pub fn natural_width(context: &Context, record: &Record) -> usize {
     let mut out = String::new();
     write(context, &mut out, record);
-    out.chars().count()
+    display_width(&out)
 }

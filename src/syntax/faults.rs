@@ -233,6 +233,8 @@ fn follows(stream: &Stream, start: usize) -> bool {
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have
 /// written all lines like that: it is less than what three numbers too many cost.
 const REALS: u32 = 50;
+/// No fault costs less.
+pub const LEAST: u32 = REALS;
 
 /// The price of the bad tokens among `from..to`: the same in every reading, lest one that swallows them
 /// is the cheaper for it.

@@ -118,6 +118,14 @@ impl Token {
         }))
     }
 
+    /// The value of an [`TokenKind::Integer`] that fits, as IDs, types and counts do.
+    pub fn int(&self, source: &str) -> Option<i32> {
+        match self.kind {
+            TokenKind::Integer => self.text(source).parse().ok(),
+            _ => None,
+        }
+    }
+
     /// The value of a number; a decimal comma counts as a point. `None` for everything else.
     pub fn number(&self, source: &str) -> Option<f64> {
         let text = self.text(source);
@@ -186,57 +194,145 @@ fn comment<'s>(lex: &mut logos::Lexer<'s, Raw<'s>>) -> bool {
 /// that ends with its line (see [`super::comments`]).
 pub fn lex(text: &str, unclosed: &[u32]) -> Vec<Token> {
     let mut tokens = Vec::with_capacity(text.len() / 4);
-    let mut lexer = Raw::lexer_with_extras(text, Unclosed(unclosed));
-    while let Some(raw) = lexer.next() {
-        let span = lexer.span();
-        let slice = lexer.slice();
-        let kind = match raw {
-            Ok(Raw::Space) => continue,
-            Ok(Raw::Newline) => TokenKind::Newline,
-            Ok(Raw::Integer) if slice.len() < 300 => TokenKind::Integer,
-            Ok(Raw::Real) if slice.len() < 300 && !slice.contains(['e', 'E']) => TokenKind::Real,
-            Ok(Raw::Integer) => finite(slice, TokenKind::Integer),
-            Ok(Raw::Real) => finite(slice, TokenKind::Real),
-            Ok(Raw::DecimalComma) => {
-                // A comma inside a longer list, such as `1,2,3`, separates; so does one before a
-                // number with a point of its own, `1,5.2`.
-                let before = tokens.last().is_some_and(|t: &Token| {
-                    t.kind == TokenKind::Separator && t.end() == span.start as u32
-                });
-                let after = lexer
-                    .remainder()
-                    .starts_with(|c: char| c != '#' && c != ';' && !c.is_whitespace());
-                if before || after {
-                    // Lex again from the comma on: what follows it may be longer than it looked.
-                    let comma = span.start + slice.find(',').unwrap_or(0);
-                    tokens.push(Token::new(TokenKind::Integer, span.start, comma));
-                    tokens.push(Token::new(TokenKind::Separator, comma, comma + 1));
-                    let extras = lexer.extras;
-                    lexer = Raw::lexer_with_extras(text, extras);
-                    lexer.bump(comma + 1);
-                    continue;
-                }
-                TokenKind::DecimalComma
-            }
-            Ok(Raw::Quoted) => TokenKind::Quoted,
-            Ok(Raw::Separator) => TokenKind::Separator,
-            Ok(Raw::Comment(true)) => TokenKind::Comment,
-            Ok(Raw::Comment(false)) => TokenKind::UnterminatedComment,
-            Ok(Raw::Word | Raw::Never(_)) | Err(()) => {
-                if let (0, Some(rest)) = (span.start, slice.strip_prefix('\u{feff}')) {
-                    tokens.push(Token::new(TokenKind::ByteOrderMark, 0, 3));
-                    if !rest.is_empty() {
-                        lexer = Raw::lexer_with_extras(text, lexer.extras);
-                        lexer.bump(3);
-                    }
-                    continue;
-                }
-                word(slice)
-            }
-        };
-        tokens.push(Token::new(kind, span.start, span.end));
-    }
+    tokens.extend(Tokens::new(text, unclosed));
     tokens
+}
+
+/// The tokens of a text, one after another.
+pub struct Tokens<'s> {
+    text: &'s str,
+    /// How far the text is cut; `raw` may lag behind.
+    at: usize,
+    raw: logos::Lexer<'s, Raw<'s>>,
+    /// The comma behind an integer.
+    comma: Option<Token>,
+    /// Where the last separator ends.
+    separated: usize,
+}
+
+impl<'s> Tokens<'s> {
+    /// For `unclosed` see [`lex`].
+    pub fn new(text: &'s str, unclosed: &'s [u32]) -> Tokens<'s> {
+        Tokens {
+            text,
+            at: 0,
+            raw: Raw::lexer_with_extras(text, Unclosed(unclosed)),
+            comma: None,
+            separated: usize::MAX,
+        }
+    }
+
+    /// The next token, if it is what most are: a line break, or a number without an exponent between
+    /// white space. It is what the automaton would say, and sooner.
+    fn plain(&mut self) -> Option<Token> {
+        let bytes = self.text.as_bytes();
+        let byte = |i: usize| bytes.get(i).copied();
+        let mut at = self.at;
+        while let Some(b' ' | b'\t') = byte(at) {
+            at += 1;
+        }
+        self.at = at;
+        let start = at;
+        let kind = match byte(at)? {
+            b'\n' => {
+                at += 1;
+                TokenKind::Newline
+            }
+            b'\r' => {
+                at += if byte(at + 1) == Some(b'\n') { 2 } else { 1 };
+                TokenKind::Newline
+            }
+            b'0'..=b'9' | b'+' | b'-' | b'.' => {
+                let digits = |from: usize| {
+                    let rest = bytes.get(from..).unwrap_or_default();
+                    rest.iter().take_while(|b| b.is_ascii_digit()).count()
+                };
+                at += usize::from(matches!(bytes[at], b'+' | b'-'));
+                let mut count = digits(at);
+                at += count;
+                let mut kind = TokenKind::Integer;
+                if byte(at) == Some(b'.') {
+                    let fraction = digits(at + 1);
+                    at += 1 + fraction;
+                    count += fraction;
+                    kind = TokenKind::Real;
+                }
+                let ends = matches!(byte(at), None | Some(b' ' | b'\t' | b'\n' | b'\r' | b'#'));
+                if count == 0 || !ends || at - start >= SURELY_FINITE {
+                    return None;
+                }
+                kind
+            }
+            _ => return None,
+        };
+        self.at = at;
+        Some(Token::new(kind, start, at))
+    }
+}
+
+/// A number of fewer characters and no exponent is finite.
+const SURELY_FINITE: usize = 300;
+
+impl Iterator for Tokens<'_> {
+    type Item = Token;
+
+    fn next(&mut self) -> Option<Token> {
+        if let Some(comma) = self.comma.take() {
+            return Some(comma);
+        }
+        if let Some(token) = self.plain() {
+            return Some(token);
+        }
+        loop {
+            self.raw.bump(self.at - self.raw.span().end);
+            let raw = self.raw.next()?;
+            let span = self.raw.span();
+            let slice = self.raw.slice();
+            self.at = span.end;
+            let kind = match raw {
+                Ok(Raw::Space) => continue,
+                Ok(Raw::Newline) => TokenKind::Newline,
+                Ok(Raw::Integer) if slice.len() < SURELY_FINITE => TokenKind::Integer,
+                Ok(Raw::Real) if slice.len() < SURELY_FINITE && !slice.contains(['e', 'E']) => {
+                    TokenKind::Real
+                }
+                Ok(Raw::Integer) => finite(slice, TokenKind::Integer),
+                Ok(Raw::Real) => finite(slice, TokenKind::Real),
+                Ok(Raw::DecimalComma) => {
+                    // A comma inside a longer list, such as `1,2,3`, separates; so does one before
+                    // a number with a point of its own, `1,5.2`.
+                    let before = self.separated == span.start;
+                    let after = (self.raw.remainder())
+                        .starts_with(|c: char| c != '#' && c != ';' && !c.is_whitespace());
+                    if before || after {
+                        // Lex again from the comma on: what follows it may be longer than it looked.
+                        let comma = span.start + slice.find(',').unwrap_or(0);
+                        self.comma = Some(Token::new(TokenKind::Separator, comma, comma + 1));
+                        (self.at, self.separated) = (comma + 1, comma + 1);
+                        self.raw = Raw::lexer_with_extras(self.text, self.raw.extras);
+                        return Some(Token::new(TokenKind::Integer, span.start, comma));
+                    }
+                    TokenKind::DecimalComma
+                }
+                Ok(Raw::Quoted) => TokenKind::Quoted,
+                Ok(Raw::Separator) => {
+                    self.separated = span.end;
+                    TokenKind::Separator
+                }
+                Ok(Raw::Comment(true)) => TokenKind::Comment,
+                Ok(Raw::Comment(false)) => TokenKind::UnterminatedComment,
+                Ok(Raw::Word | Raw::Never(_)) | Err(()) => {
+                    if span.start == 0 && slice.starts_with('\u{feff}') {
+                        self.at = '\u{feff}'.len_utf8();
+                        self.raw = Raw::lexer_with_extras(self.text, self.raw.extras);
+                        return Some(Token::new(TokenKind::ByteOrderMark, 0, self.at));
+                    }
+                    word(slice)
+                }
+            };
+            return Some(Token::new(kind, span.start, span.end));
+        }
+    }
 }
 
 /// The given kind for a number that fits a double.

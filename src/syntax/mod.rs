@@ -11,6 +11,7 @@ pub mod grammar;
 mod layout;
 pub mod lexer;
 pub mod parser;
+pub mod plain;
 mod reader;
 mod references;
 mod report;

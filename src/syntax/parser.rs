@@ -1,4 +1,4 @@
-//! Text to tree: lex, read by arity, and where that fails or looks odd, let the layout testify.
+//! Text to tree: lex, read what is plain; else read by arity, and where that fails or looks odd, let the layout testify.
 
 use chumsky::Parser;
 
@@ -8,13 +8,16 @@ use super::layout::{self, Piece};
 use super::lexer::{self, Token, TokenKind};
 use super::stream::Stream;
 use super::witness::{self, Witnesses};
-use super::{comments, reader, references, report, respell};
+use super::{comments, plain, reader, references, report, respell};
 use crate::diagnostics::{self, Diagnostic};
 
 /// Parses a scene text. It never fails: what cannot be read is in the findings, sorted by place,
 /// and every character of the text is still in the document.
 pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     let mut tokens = lexer::lex(text, &[]);
+    if let Some(items) = plain::items(text, &tokens) {
+        return (Document { tokens, items }, Vec::new());
+    }
     if comments::in_trouble(&tokens, text) {
         let unclosed = comments::unclosed(text);
         if !unclosed.is_empty() {
@@ -41,7 +44,9 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
         return strict.unwrap_or_default();
     }
     let witnesses = Witnesses::new(&stream);
-    let mut pieces = layout::cut(&stream, &witnesses, false);
+    let strict: Option<Vec<Piece>> =
+        strict.map(|items| layout::whole_pieces(&stream, extents(&items)));
+    let mut pieces = layout::cut(&stream, &witnesses, strict.as_deref(), false);
     let takes_over = |p: &Piece| {
         matches!(p.verdict, Verdict::Whole(_)) && witnesses.takes_over(&stream, p.start, p.end)
     };
@@ -49,7 +54,7 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
     if damage > 0 && pieces.iter().any(takes_over) {
         // A record took numbers from a line that looks like one of its own. As something is
         // missing now, believe the line.
-        let doubting = layout::cut(&stream, &witnesses, true);
+        let doubting = layout::cut(&stream, &witnesses, strict.as_deref(), true);
         let other = references::damage(&stream, &doubting);
         if other <= damage {
             (pieces, damage) = (doubting, other);
@@ -60,11 +65,10 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
         .any(|t| t.kind == TokenKind::UnterminatedComment);
     if damage > 0
         && !cut_off
-        && let Some(items) = &strict
+        && let Some(plain) = strict
     {
         // The arity has a reading without faults. If nothing is undefined or defined twice in it,
         // it stands against two errors, and against one where no line was crossed.
-        let plain = layout::whole_pieces(&stream, extents(items));
         let sound = references::damage(&stream, &plain) == 0;
         if sound && (damage > 1 || !witness::is_odd(&stream, &witnesses, &plain)) {
             pieces = plain;

@@ -60,14 +60,10 @@ impl<'s> Stream<'s> {
                         line_starts.push(sigs.len() as u32);
                         at_line_start = false;
                     }
-                    let int = match kind {
-                        TokenKind::Integer => t.text(text).parse().ok(),
-                        _ => None,
-                    };
                     sigs.push(Sig {
                         token: i as u32,
                         line: line_starts.len() as u32 - 1,
-                        int,
+                        int: t.int(text),
                         kind,
                         before_comment: false,
                     });
