@@ -115,7 +115,12 @@ impl<'a> Builder<'a> {
             End::Shared(shared) => Piece::new(Body::Declared(shared), 0),
             _ => return Some(Piece::new(Body::Declared(Key { node, state }), 0)),
         };
-        Some(piece.with(descent.modifiers))
+        let mut piece = piece.with(descent.modifiers);
+        match self.ids[node as usize] {
+            0 => {}
+            id => piece.id = id,
+        }
+        Some(piece)
     }
 
     pub fn pieces(&mut self, members: &[(NodeId, State)]) -> Vec<Piece> {

@@ -6,9 +6,10 @@ use std::collections::{BTreeSet, HashMap};
 use super::build::Builder;
 use super::piece::{Body, Group, Key, Modifier, Piece, State};
 use super::shape::{Primitive, primitive};
-use super::text::{matrix, number};
+use super::text::{commented, entity, number, transformation};
 use super::triangle;
 use crate::scene::{Geometry, Node, NodeId, TriangleNormals};
+use crate::syntax::Captions;
 use crate::syntax::table::RecordType;
 use crate::translate::fidelity::Fidelity;
 
@@ -24,6 +25,7 @@ const WIDE: usize = 100;
 /// The declarations of all objects, and the names they go by.
 pub(super) struct Emitter<'b, 'a> {
     builder: &'b mut Builder<'a>,
+    captions: &'b Captions,
     pub text: String,
     names: HashMap<Key, Option<String>>,
     /// The numbers of splits that geodesic spheres were written with.
@@ -33,9 +35,10 @@ pub(super) struct Emitter<'b, 'a> {
 }
 
 impl<'b, 'a> Emitter<'b, 'a> {
-    pub fn new(builder: &'b mut Builder<'a>) -> Emitter<'b, 'a> {
+    pub fn new(builder: &'b mut Builder<'a>, captions: &'b Captions) -> Emitter<'b, 'a> {
         Emitter {
             builder,
+            captions,
             text: String::new(),
             names: HashMap::new(),
             geodesics: BTreeSet::new(),
@@ -68,8 +71,12 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     let name = self.name(piece.id);
                     let comment = self.comment(key.node, piece.id);
                     let body = self.piece(&piece, 0);
-                    self.text
-                        .push_str(&format!("{comment}#declare {name} = {body}\n"));
+                    let text = format!("#declare {name} = {body}");
+                    self.text += &match comment {
+                        Some(comment) => commented(&text, &comment),
+                        None => text,
+                    };
+                    self.text.push('\n');
                     self.names.insert(key, Some(name));
                 }
             }
@@ -87,8 +94,8 @@ impl<'b, 'a> Emitter<'b, 'a> {
         }
     }
 
-    /// What the scene calls the object: its ID and type of record.
-    fn comment(&mut self, node: NodeId, id: u32) -> String {
+    /// What the scene calls the object: its type of record and what a comment says of it.
+    fn comment(&self, node: NodeId, id: u32) -> Option<String> {
         let mut at = node;
         let scene = self.builder.scene;
         // Only the state that the entity is in matters here, not the ones it went through: a few
@@ -106,12 +113,13 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 Node::Complement(_) => -104,
                 Node::Copy { .. } => -105,
             };
-            return match (id, RecordType::by_code(code)) {
-                (0, _) | (_, None) => String::new(),
-                (id, Some(ty)) => format!("// {id}: {}\n", ty.title),
-            };
+            let title = RecordType::by_code(code).filter(|_| id != 0)?.title;
+            return Some(match self.captions.get(id) {
+                Some(words) => format!("{title}, {words}"),
+                None => title.to_owned(),
+            });
         }
-        String::new()
+        None
     }
 
     /// A piece as text. Groups nest a few levels deep at most.
@@ -146,8 +154,8 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 let mut lines = Vec::with_capacity(members.len());
                 for member in members {
                     let mut line = self.piece(member, depth + 1);
-                    if let (Body::Shape(_), id) = (&member.body, member.id) {
-                        line += &format!(" // {id}");
+                    if let Some(id) = self.unnamed(member) {
+                        line = commented(&line, &entity(id, self.captions));
                     }
                     lines.push(line);
                 }
@@ -177,11 +185,21 @@ impl<'b, 'a> Emitter<'b, 'a> {
         text
     }
 
+    /// The entity that a member of a group comes from, unless its name says so.
+    fn unnamed(&self, member: &Piece) -> Option<u32> {
+        let named = match member.body {
+            Body::Shape(_) => 0,
+            Body::Declared(key) => self.builder.ids[key.node as usize],
+            Body::Everything | Body::Group { .. } => return None,
+        };
+        (member.id != 0 && member.id != named).then_some(member.id)
+    }
+
     fn modifiers(&mut self, modifiers: &[Modifier], depth: usize) -> Vec<String> {
         let mut out = Vec::with_capacity(modifiers.len());
         for modifier in modifiers {
             out.push(match modifier {
-                Modifier::Matrix(m) => matrix(m),
+                Modifier::Matrix(m) => transformation(m),
                 Modifier::Look(look) => {
                     format!("texture {{ {} }}", self.builder.looks.name(*look))
                 }
