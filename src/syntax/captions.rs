@@ -62,7 +62,13 @@ impl Captions {
         self.title.as_deref()
     }
 
-    /// What a comment says about an entity.
+    /// What a comment of its own says about an entity.
+    pub fn own(&self, id: u32) -> Option<&str> {
+        let (_, own) = self.ids.get(&id)?;
+        self.get(id).filter(|_| *own)
+    }
+
+    /// What a comment or a heading says about an entity.
     pub fn get(&self, id: u32) -> Option<&str> {
         let (text, _) = self.ids.get(&id)?;
         Some(&self.texts[*text as usize])
@@ -182,6 +188,7 @@ mod tests {
         );
         assert_eq!(all.title(), Some("a scene in two lines"));
         let of: Vec<_> = (2..8).map(|id| all.get(id)).collect();
+        assert_eq!((all.own(2), all.own(5)), (Some("red"), None));
         let expected = ["red", "moved", "", "bare", "the middle", "more"];
         assert_eq!(of, expected.map(|t| (!t.is_empty()).then_some(t)));
     }
@@ -194,7 +201,8 @@ mod tests {
 
     #[test]
     fn comments_are_one_line_without_control_characters() {
-        let text = "2 9 1 # a\r\n b\t\u{1}c\u{2028}d */ ř #\n3 9 1 # zpg: allow(W310) #\n4 9 1 # #\n";
+        let text =
+            "2 9 1 # a\r\n b\t\u{1}c\u{2028}d */ ř #\n3 9 1 # zpg: allow(W310) #\n4 9 1 # #\n";
         let all = captions(text);
         assert_eq!(all.get(2), Some("a b c d */ ř"));
         assert_eq!((all.get(3), all.get(4)), (None, None));

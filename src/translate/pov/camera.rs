@@ -242,7 +242,13 @@ impl Lens {
 /// A vector without what is but rounding.
 fn clean(v: Vec3) -> Vec3 {
     let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    v.map(|x| if x.abs() < 4.0 * f64::EPSILON * largest { 0.0 } else { x })
+    v.map(|x| {
+        if x.abs() < 4.0 * f64::EPSILON * largest {
+            0.0
+        } else {
+            x
+        }
+    })
 }
 
 /// The corners of the picture.

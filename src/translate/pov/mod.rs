@@ -17,6 +17,7 @@ mod descend;
 mod difference;
 mod emit;
 mod facts;
+mod flush;
 mod frame;
 mod grouping;
 mod look;
@@ -30,13 +31,16 @@ mod sets;
 mod shape;
 mod text;
 mod triangle;
+mod turned;
 mod union;
 mod uv;
 mod verdict;
+mod volumes;
 
 use std::fmt::Write as _;
 
 use super::{Fidelity, File, Report, Unsupported};
+use crate::lint;
 use crate::scene::{Optics, Render, Scene};
 use crate::syntax::Captions;
 use build::Builder;
@@ -113,10 +117,13 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
         message: "the scene has no render record: nothing is drawn".to_owned(),
     })?;
     let mut builder = Builder::new(scene, render.root);
+    let eyes = camera::eyes(scene, &mut builder, options)?;
+    if let Some(eye) = eyes.first() {
+        builder.turned = turned::turned(scene, &builder.facts, eye);
+    }
     let mut emitter = Emitter::new(&mut builder, &options.captions);
     let root = emitter.declare(render.root);
     let (objects, geodesics) = (emitter.text, emitter.geodesics);
-    let eyes = camera::eyes(scene, &mut builder, options)?;
     let frame = Frame::of(&mut builder, &eyes);
     let light_scale = light_scale(&builder, &render, &eyes, options);
 
@@ -158,6 +165,41 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
                 "rays that enter through the cut leave the solid as if they entered it".to_owned(),
             ),
             "",
+        );
+    }
+    let flush = lint::coincident_faces(scene, &builder.bounds);
+    let is_left = |pair: &[u32; 2]| !pair.iter().any(|shape| builder.longer.contains(shape));
+    if let Some([a, b]) = flush.into_iter().find(is_left) {
+        let [a, b] = [a, b].map(|shape| scene.shapes[shape as usize].id);
+        builder.report.state(
+            "faces in one place",
+            Fidelity::Approximate(format!(
+                "which is seen is up to rounding, as for {a} and {b}"
+            )),
+            "",
+        );
+    }
+    if !builder.longer.is_empty() {
+        let note = "made longer, where they are outside of it";
+        let tools = "tools that end flush with what they cut";
+        builder.report.state(tools, Fidelity::Exact, note);
+    }
+    let drawn = |node| builder.facts.get(node as usize).is_some_and(|f| f.uses > 0);
+    let left_out = volumes::left_out(scene, &builder.volumes, drawn);
+    if !left_out.is_empty() {
+        let ids: Vec<String> = left_out.iter().take(8).map(u32::to_string).collect();
+        let more = if left_out.len() > ids.len() {
+            ", …"
+        } else {
+            ""
+        };
+        builder.report.state(
+            "bounding volumes left out",
+            Fidelity::Exact,
+            &format!(
+                "of {}{more}: not proved to hold their objects, or written without a name",
+                ids.join(", ")
+            ),
         );
     }
     if builder.looks.has_jpeg(&builder.aspects) {
@@ -258,12 +300,7 @@ fn settings(
 }
 
 /// The object that is drawn.
-fn picture(
-    root: Option<&str>,
-    render: &Render,
-    frame: &Frame,
-    captions: &Captions,
-) -> String {
+fn picture(root: Option<&str>, render: &Render, frame: &Frame, captions: &Captions) -> String {
     let Some(root) = root else {
         return "\n// There is nothing to draw.\n".to_owned();
     };

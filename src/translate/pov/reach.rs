@@ -68,7 +68,10 @@ fn bends(scene: &Scene) -> bool {
     let any = |share: [f64; 3]| share.iter().any(|k| *k > 0.0);
     optics().any(|o| any(o.ks))
         || optics().any(|o| any(o.kt))
-            && scene.paints.iter().any(|p| p.index.is_some_and(|i| i != [1.0; 3]))
+            && scene
+                .paints
+                .iter()
+                .any(|p| p.index.is_some_and(|i| i != [1.0; 3]))
 }
 
 /// What one `part`-th of the values is not above.

@@ -2,7 +2,7 @@
 
 use super::camera::Eye;
 use super::frame::{Frame, power_of_two_about};
-use super::text::{entity, rgb, vector};
+use super::text::{entity, number, rgb, vector};
 use crate::scene::frame::headlight;
 use crate::scene::{Optics, Render, Rgb, Scene};
 use crate::syntax::Captions;
@@ -13,9 +13,10 @@ pub fn point_lights(scene: &Scene, eyes: &[Eye], frame: &Frame, captions: &Capti
     let place = frame.modifiers();
     for light in &scene.point_lights {
         out.push_str(&format!(
-            "light_source {{ {}, {}*Light_Scale {place} }} // {}\n",
+            "light_source {{ {}, {}*{}*Light_Scale {place} }} // {}\n",
             vector(&light.position),
-            rgb(light.colour.map(|c| c * light.intensity)),
+            rgb(light.colour),
+            number(light.intensity),
             entity(light.id, captions)
         ));
     }

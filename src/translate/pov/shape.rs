@@ -4,7 +4,7 @@ use super::frame::power_of_two_about;
 use super::profile::Profile;
 use super::text::{number, vector};
 use super::{poly, triangle};
-use crate::scene::{Geometry, Shape, TriangleNormals};
+use crate::scene::{Geometry, TriangleNormals};
 
 /// A primitive in the shape's own coordinates: a keyword, and what stands between its braces, one
 /// line each.
@@ -31,8 +31,8 @@ impl Primitive {
 }
 
 /// The primitive that is the shape.
-pub fn primitive(shape: &Shape) -> Primitive {
-    match &shape.geometry {
+pub fn primitive(geometry: &Geometry) -> Primitive {
+    match geometry {
         Geometry::Sphere { centre, radius } => {
             Primitive::new("sphere", format!("{}, {}", vector(centre), number(*radius)))
         }
@@ -81,7 +81,7 @@ pub fn primitive(shape: &Shape) -> Primitive {
         | Geometry::ParabolicCylinder { .. }
         | Geometry::HyperbolicCylinder { .. }
         | Geometry::Hyperboloid { .. }
-        | Geometry::HyperbolicParaboloid { .. } => poly::quadric(&poly::form(&shape.geometry)),
+        | Geometry::HyperbolicParaboloid { .. } => poly::quadric(&poly::form(geometry)),
     }
 }
 

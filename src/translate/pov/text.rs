@@ -98,7 +98,10 @@ mod tests {
 
     #[test]
     fn simple_changes_are_called_by_their_names() {
-        let (move_, stretch) = (Matrix::translation(1.0, 2.0, 3.0), Matrix::scaling(2.0, 2.0, 2.0));
+        let (move_, stretch) = (
+            Matrix::translation(1.0, 2.0, 3.0),
+            Matrix::scaling(2.0, 2.0, 2.0),
+        );
         assert_eq!(transformation(&move_), "translate <1, 2, 3>");
         assert_eq!(transformation(&stretch), "scale 2");
         let both = move_.after(&Matrix::scaling(2.0, 1.0, 1.0));
