@@ -3,6 +3,7 @@
 //! made of the table: words ([`describe`]), the reference and the EBNF ([`grammar`]).
 
 pub mod ast;
+pub mod captions;
 mod comments;
 pub mod describe;
 pub mod directive;
@@ -23,6 +24,7 @@ pub mod table;
 mod witness;
 
 pub use ast::{Document, Item, Record};
+pub use captions::Captions;
 pub use directive::is_directive;
 pub use parser::parse;
 pub use report::quote;

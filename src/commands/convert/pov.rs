@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::{Args, Made, Refusal, suffixed};
 use crate::commands::Loaded;
+use crate::syntax::Captions;
 use crate::translate::pov::{self, Options, Stereo, Translation};
 
 /// Translates the scene.
@@ -16,6 +17,7 @@ pub fn make(args: &Args, loaded: &Loaded) -> Result<Made, Refusal> {
             Some(_) => Stereo::TwoFiles,
             None => Stereo::OneFile,
         },
+        captions: Captions::of(&loaded.document, &loaded.source.text),
     };
     let Translation { files, report, .. } = pov::write(&loaded.scene, &options)?;
     let path = |suffix| args.output.as_deref().map(|p| suffixed(p, suffix));

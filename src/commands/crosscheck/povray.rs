@@ -8,6 +8,7 @@ use crate::commands::{Loaded, convert};
 use crate::study::compare::Comparison;
 use crate::study::povray::{PROGRAM, render};
 use crate::study::silhouette::study;
+use crate::syntax::Captions;
 use crate::trace::film::srgb8;
 use crate::trace::{Film, Settings, Tracer};
 use crate::translate::pov;
@@ -24,6 +25,7 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
         depth: args.depth,
         pictures: convert::pictures(&args.file, None),
         stereo: pov::Stereo::TwoFiles,
+        captions: Captions::of(&loaded.document, &loaded.source.text),
     };
     let translation = pov::write(scene, &options)?;
     let tracer = Tracer::with_images(scene, &images(loaded)?)?;

@@ -5,11 +5,13 @@ use std::collections::{HashMap, HashSet};
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::descend::{End, Stop};
 use super::facts::{self, Facts};
+use super::flush::{Cuts, lengthened};
 use super::look::Looks;
 use super::names;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
 use super::sets::Sets;
 use super::verdict::verdict;
+use super::volumes::{self, Volumes};
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, NodeId, Scene, View};
 use crate::trace::members;
@@ -23,6 +25,14 @@ pub(super) struct Builder<'a> {
     pub bounds: Vec<NodeBounds>,
     pub sets: Sets,
     pub looks: Looks,
+    /// What tools that end flush with it are taken from.
+    pub cuts: Cuts,
+    /// Shapes that were made longer.
+    pub longer: HashSet<u32>,
+    /// Bounding volumes that help.
+    pub volumes: Volumes,
+    /// Triangles whose normals turn away from the eye somewhere, and whether they are on the far side.
+    pub turned: HashMap<u32, bool>,
     pub report: Report,
     /// The entity each node belongs to, 0 where none does.
     pub ids: Vec<u32>,
@@ -40,6 +50,7 @@ impl<'a> Builder<'a> {
         let mut aspects = Aspects::of(scene);
         let facts = facts::facts(scene, &mut aspects, root);
         let bounds = node_bounds(scene);
+        let volumes = volumes::proved(scene, &bounds);
         let all = bounds.get(root as usize).map_or(Aabb::EMPTY, |b| b.all);
         let cut_open = scene
             .render
@@ -54,6 +65,10 @@ impl<'a> Builder<'a> {
             cut_open,
             sets: Sets::of(scene, root),
             looks: Looks::default(),
+            cuts: Cuts::default(),
+            longer: HashSet::new(),
+            turned: HashMap::new(),
+            volumes,
             report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
             dispersive: false,
@@ -79,6 +94,7 @@ impl<'a> Builder<'a> {
                 if self.sets.is_empty(&nodes) {
                     return None;
                 }
+                let members = self.with_room(members);
                 Piece::group(Group::Intersection, self.pieces(&members))
             }
             End::Difference(a, b, state) => self.difference(a, b, state)?,
@@ -115,7 +131,23 @@ impl<'a> Builder<'a> {
             End::Shared(shared) => Piece::new(Body::Declared(shared), 0),
             _ => return Some(Piece::new(Body::Declared(Key { node, state }), 0)),
         };
-        Some(piece.with(descent.modifiers))
+        let mut piece = piece.with(descent.modifiers);
+        if let Body::Shape(shape, _) = piece.body
+            && self.turned.contains_key(&shape)
+        {
+            let behind = |m: &Modifier| match m {
+                Modifier::Look(look) => Some(*look),
+                _ => None,
+            };
+            let look = piece.modifiers.iter().find_map(behind);
+            let behind = look.and_then(|l| self.looks.behind(&self.aspects, l));
+            piece = piece.with(behind.map(Modifier::Behind));
+        }
+        match self.ids[node as usize] {
+            0 => {}
+            id => piece.id = id,
+        }
+        Some(piece)
     }
 
     pub fn pieces(&mut self, members: &[(NodeId, State)]) -> Vec<Piece> {
@@ -127,7 +159,14 @@ impl<'a> Builder<'a> {
 
     fn shape(&mut self, shape: u32, state: State) -> Piece {
         let record = &self.scene.shapes[shape as usize];
-        let piece = Piece::new(Body::Shape(shape), record.id);
+        let flush = state.flush.filter(|f| {
+            !self.is_laid_out(state.look)
+                && lengthened(&record.geometry, &self.cuts.get(*f)).is_some()
+        });
+        if flush.is_some() {
+            self.longer.insert(shape);
+        }
+        let piece = Piece::new(Body::Shape(shape, flush), record.id);
         match state.look {
             // A texture that lies on shapes was handed down to here.
             Look::Own { texture, optics } => {
@@ -143,6 +182,16 @@ impl<'a> Builder<'a> {
                 piece.with(look.map(Modifier::Look))
             }
             Look::Above { .. } => piece,
+        }
+    }
+
+    /// Whether a look follows the surface, so that the shape has to be what it is.
+    fn is_laid_out(&self, look: Look) -> bool {
+        match look {
+            Look::Own { texture, .. } => {
+                texture.is_some_and(|t| self.aspects.is_laid_on_shapes(t.texture))
+            }
+            Look::Above { .. } => false,
         }
     }
 
@@ -218,6 +267,18 @@ impl<'a> Builder<'a> {
         }
         let place = self.sets.place(node);
         self.sets.is_within(place, &set)
+    }
+
+    /// Gives the tools among the operands of an intersection, the complements, room outside of what
+    /// all others hold.
+    fn with_room(&mut self, mut members: Vec<(NodeId, State)>) -> Vec<(NodeId, State)> {
+        let cut = (members.iter()).fold(Aabb::ALL, |cut, m| cut.intersection(&self.box_of(m.0)));
+        for (node, state) in &mut members {
+            if self.box_of(*node) == Aabb::ALL {
+                state.flush = state.flush.or(self.flush(*node, cut));
+            }
+        }
+        members
     }
 
     pub fn flat_intersection(

@@ -2,9 +2,11 @@
 
 use super::Options;
 use super::build::Builder;
-use super::text::vector;
+use super::frame::Frame;
+use super::text::{entity, vector};
 use crate::scene::frame::{Basis, automatic_camera};
 use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3, View};
+use crate::syntax::Captions;
 use crate::translate::Unsupported;
 use crate::translate::fidelity::Fidelity;
 
@@ -12,6 +14,13 @@ use crate::translate::fidelity::Fidelity;
 pub struct Eye {
     pub camera: Camera,
     lens: Lens,
+}
+
+impl Eye {
+    /// Where its rays come from; the middle of the picture where they are parallel.
+    pub fn location(&self) -> Vec3 {
+        self.lens.location
+    }
 }
 
 /// POV-Ray's rays are direction + (x − ½)·right + (½ − y)·up, from the location or, if they are
@@ -56,7 +65,20 @@ pub fn eyes(
         let basis =
             Basis::of(&camera).ok_or_else(|| fault(format!("camera {id} looks nowhere")))?;
         let lens = match &camera.projection {
-            None => pinhole(&camera, &basis, options.aspect()),
+            None => match from_far(&camera, &basis, options.aspect(), builder.box_of_root()) {
+                Some((lens, off)) => {
+                    let pixels = off * f64::from(options.size.0.max(options.size.1));
+                    builder.report.state(
+                        "camera far away",
+                        Fidelity::Approximate(format!(
+                            "its rays are made parallel: off by less than {pixels:.1e} pixels"
+                        )),
+                        "",
+                    );
+                    lens
+                }
+                None => pinhole(&camera, &basis, options.aspect()),
+            },
             Some(p) => {
                 let back = clip_to_scene(p, &camera, &basis);
                 let lens = back.and_then(|m| projecting(&m)).ok_or_else(|| {
@@ -79,6 +101,13 @@ pub fn eyes(
                 lens
             }
         };
+        if lens.parallel {
+            builder.report.state(
+                "parallel rays",
+                Fidelity::Approximate("moved by a billionth of the picture".to_owned()),
+                "so that none runs exactly along a face",
+            );
+        }
         out.push(Eye { camera, lens });
     }
     Ok(out)
@@ -93,6 +122,36 @@ fn pinhole(camera: &Camera, basis: &Basis, aspect: f64) -> Lens {
         right: basis.right.map(|c| c * height * aspect),
         up: basis.up.map(|c| c * height),
     }
+}
+
+/// What is more than so many radii away is looked at in parallel: POV-Ray's numbers do not suffice for
+/// rays from there.
+const TELESCOPE: f64 = 1e5;
+
+/// Parallel rays for a pinhole that is far from all of the scene, and how far off they are, as a part
+/// of the picture's larger side.
+fn from_far(camera: &Camera, basis: &Basis, aspect: f64, scene: Aabb) -> Option<(Lens, f64)> {
+    if scene.is_empty() || !scene.is_finite() {
+        return None;
+    }
+    let (centre, radius) = (scene.centre(), scene.radius());
+    let distance = dot(
+        basis.forward,
+        std::array::from_fn(|i| centre[i] - camera.position[i]),
+    );
+    if distance < TELESCOPE * radius || radius == 0.0 {
+        return None;
+    }
+    let lens = pinhole(camera, basis, aspect);
+    let near = distance - 2.0 * radius;
+    let lens = Lens {
+        parallel: true,
+        location: std::array::from_fn(|i| camera.position[i] + near * basis.forward[i]),
+        direction: lens.direction,
+        right: lens.right.map(|c| c * distance),
+        up: lens.up.map(|c| c * distance),
+    };
+    Some((lens, 0.5 * radius / (distance - radius)))
 }
 
 /// From the clip cube to the scene.
@@ -166,6 +225,32 @@ fn projecting(back: &Matrix) -> Option<Lens> {
     finite.then_some(lens)
 }
 
+impl Lens {
+    /// Parallel rays could all run exactly along faces and seams, where POV-Ray does not know what to
+    /// do: they are moved by a hair.
+    fn shift(&self) -> String {
+        const HAIR: f64 = 1e-9;
+        let shift: Vec3 = std::array::from_fn(|i| HAIR * (0.6 * self.right[i] + self.up[i]));
+        let shift = shift.map(|x| format!("{x:.1e}").parse().unwrap_or(x));
+        format!(
+            "  translate {} // by a hair, so that no ray runs exactly along a face or a seam\n",
+            vector(&clean(shift))
+        )
+    }
+}
+
+/// A vector without what is but rounding.
+fn clean(v: Vec3) -> Vec3 {
+    let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    v.map(|x| {
+        if x.abs() < 4.0 * f64::EPSILON * largest {
+            0.0
+        } else {
+            x
+        }
+    })
+}
+
 /// The corners of the picture.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
@@ -220,25 +305,25 @@ fn cross(a: Vec3, b: Vec3) -> Vec3 {
 }
 
 /// The cameras as text: one, or two behind a switch.
-pub fn cameras(eyes: &[Eye]) -> String {
+pub fn cameras(eyes: &[Eye], frame: &Frame, captions: &Captions) -> String {
     let mut out = String::new();
+    let place = frame.modifiers();
     for (i, eye) in eyes.iter().enumerate() {
         let lens = &eye.lens;
         let comment = match eye.camera.id {
             0 => " // the scene has no camera".to_owned(),
-            id => format!(" // {id}"),
+            id => format!(" // {}", entity(id, captions)),
         };
-        let kind = if lens.parallel {
-            "  orthographic\n"
-        } else {
-            ""
+        let (kind, shift) = match lens.parallel {
+            true => ("  orthographic\n", lens.shift()),
+            false => ("", String::new()),
         };
         let text = format!(
-            "camera {{{comment}\n{kind}  location {}\n  direction {}\n  right {}\n  up {}\n  scale Unit\n}}\n",
+            "camera {{{comment}\n{kind}  location {}\n  direction {}\n  right {}\n  up {}\n{shift}  {place}\n}}\n",
             vector(&lens.location),
-            vector(&lens.direction),
-            vector(&lens.right),
-            vector(&lens.up),
+            vector(&clean(lens.direction)),
+            vector(&clean(lens.right)),
+            vector(&clean(lens.up)),
         );
         out.push_str(&if eyes.len() > 1 {
             format!("#if (Eye = {i})\n{text}#end\n")

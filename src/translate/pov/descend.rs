@@ -129,6 +129,8 @@ impl Builder<'_> {
                 Node::Transform { child, matrix } => {
                     way.push(Modifier::Matrix(self.scene.matrices[matrix as usize]));
                     state.look = self.look_below(state.look, matrix);
+                    let m = &self.scene.matrices[matrix as usize];
+                    state.flush = state.flush.and_then(|f| self.cuts.moved_back(f, m));
                     node = child;
                 }
                 Node::Paint { child, paint } => {
@@ -251,7 +253,7 @@ impl Builder<'_> {
         let f = self.facts[node as usize];
         let texture = texture.or((!f.has_texture).then_some(TextureUse::DEFAULT));
         let optics = optics.or((!f.has_optics).then_some(DEFAULT));
-        match (texture, optics) {
+        match (texture.or(f.face_texture), optics.or(f.face_optics)) {
             (Some(t), Some(o)) if !self.aspects.is_laid_on_shapes(t.texture) => (
                 Look::Above {
                     transparent: self.aspects.is_transparent(o),

@@ -91,6 +91,7 @@ impl Builder<'_> {
             part: Part::Solid,
             look,
             medium: Medium::Above,
+            flush: None,
         };
         let mut out = Vec::new();
         // Nobody looks at the properties that the cutters have themselves: a look that can be said
@@ -120,6 +121,7 @@ impl Builder<'_> {
     /// A − (A′ ∩ X) is A − X where A is in A′, and A − (B − A) is A: their common faces would be
     /// speckled.
     fn cutter(&mut self, base: NodeId, node: NodeId, state: State) -> Option<Piece> {
+        let state = state.flush(state.flush.or(self.flush(node, self.box_of(base))));
         let (whole, tool) = (self.sets.place(base), self.sets.place(node));
         if self.sets.is_apart(whole, tool) {
             return None;

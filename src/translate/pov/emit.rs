@@ -4,11 +4,13 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::build::Builder;
+use super::flush::lengthened;
 use super::piece::{Body, Group, Key, Modifier, Piece, State};
 use super::shape::{Primitive, primitive};
-use super::text::{matrix, number};
+use super::text::{commented, number, transformation, vector};
 use super::triangle;
-use crate::scene::{Geometry, Node, NodeId, TriangleNormals};
+use crate::scene::{Geometry, Node, NodeId, TriangleNormals, Volume};
+use crate::syntax::Captions;
 use crate::syntax::table::RecordType;
 use crate::translate::fidelity::Fidelity;
 
@@ -24,6 +26,7 @@ const WIDE: usize = 100;
 /// The declarations of all objects, and the names they go by.
 pub(super) struct Emitter<'b, 'a> {
     builder: &'b mut Builder<'a>,
+    captions: &'b Captions,
     pub text: String,
     names: HashMap<Key, Option<String>>,
     /// The numbers of splits that geodesic spheres were written with.
@@ -33,9 +36,10 @@ pub(super) struct Emitter<'b, 'a> {
 }
 
 impl<'b, 'a> Emitter<'b, 'a> {
-    pub fn new(builder: &'b mut Builder<'a>) -> Emitter<'b, 'a> {
+    pub fn new(builder: &'b mut Builder<'a>, captions: &'b Captions) -> Emitter<'b, 'a> {
         Emitter {
             builder,
+            captions,
             text: String::new(),
             names: HashMap::new(),
             geodesics: BTreeSet::new(),
@@ -68,13 +72,47 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     let name = self.name(piece.id);
                     let comment = self.comment(key.node, piece.id);
                     let body = self.piece(&piece, 0);
-                    self.text
-                        .push_str(&format!("{comment}#declare {name} = {body}\n"));
+                    let body = self.bounded(body, key);
+                    let text = format!("#declare {name} = {body}");
+                    self.text += &match comment {
+                        Some(comment) => commented(&text, &comment),
+                        None => text,
+                    };
+                    self.text.push('\n');
                     self.names.insert(key, Some(name));
                 }
             }
         }
         self.names.get(&root).cloned().flatten()
+    }
+
+    /// Whether nothing is in a declared object.
+    fn is_empty(&self, piece: &Piece) -> bool {
+        match piece.body {
+            Body::Declared(key) => self.names.get(&key).is_none_or(Option::is_none),
+            _ => false,
+        }
+    }
+
+    /// An object with the bounding volume that it is promised to lie in.
+    fn bounded(&mut self, body: String, key: Key) -> String {
+        let flush = key.state.flush.is_some();
+        let volume = self.builder.volumes.get_mut(&key.node).filter(|_| !flush);
+        let Some((volume, written)) = volume else {
+            return body;
+        };
+        *written = true;
+        let volume = match volume {
+            Volume::Box { min, max } => format!("box {{ {}, {} }}", vector(min), vector(max)),
+            Volume::Sphere { centre, radius } => {
+                format!("sphere {{ {}, {} }}", vector(centre), number(*radius))
+            }
+        };
+        let inner = body.strip_suffix('}').unwrap_or(&body).trim_end();
+        match body.contains('\n') {
+            true => format!("{inner}\n  bounded_by {{ {volume} }}\n}}"),
+            false => format!("{inner} bounded_by {{ {volume} }} }}"),
+        }
     }
 
     fn name(&mut self, id: u32) -> String {
@@ -87,8 +125,8 @@ impl<'b, 'a> Emitter<'b, 'a> {
         }
     }
 
-    /// What the scene calls the object: its ID and type of record.
-    fn comment(&mut self, node: NodeId, id: u32) -> String {
+    /// What the scene calls the object: its type of record and what a comment says of it.
+    fn comment(&self, node: NodeId, id: u32) -> Option<String> {
         let mut at = node;
         let scene = self.builder.scene;
         // Only the state that the entity is in matters here, not the ones it went through: a few
@@ -106,20 +144,27 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 Node::Complement(_) => -104,
                 Node::Copy { .. } => -105,
             };
-            return match (id, RecordType::by_code(code)) {
-                (0, _) | (_, None) => String::new(),
-                (id, Some(ty)) => format!("// {id}: {}\n", ty.title),
-            };
+            let title = RecordType::by_code(code).filter(|_| id != 0)?.title;
+            return Some(match self.captions.get(id) {
+                Some(words) => format!("{title}, {words}"),
+                None => title.to_owned(),
+            });
         }
-        String::new()
+        None
     }
 
     /// A piece as text. Groups nest a few levels deep at most.
     fn piece(&mut self, piece: &Piece, depth: usize) -> String {
         let (keyword, body) = match &piece.body {
-            Body::Shape(shape) => {
-                let record = &self.builder.scene.shapes[*shape as usize];
-                match &record.geometry {
+            Body::Shape(shape, flush) => {
+                let geometry = &self.builder.scene.shapes[*shape as usize].geometry;
+                let longer = flush.and_then(|f| lengthened(geometry, &self.builder.cuts.get(f)));
+                let other = match self.builder.turned.get(shape) {
+                    Some(true) => triangle::turned(geometry),
+                    _ => longer,
+                };
+                let geometry = other.as_ref().unwrap_or(geometry);
+                match geometry {
                     Geometry::GeodesicSphere { splits, .. } => {
                         self.geodesics.insert(*splits);
                     }
@@ -133,7 +178,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     }
                     _ => {}
                 }
-                let Primitive { keyword, lines } = primitive(record);
+                let Primitive { keyword, lines } = primitive(geometry);
                 (keyword, lines)
             }
             Body::Declared(key) => match self.names.get(key).cloned().flatten() {
@@ -144,10 +189,25 @@ impl<'b, 'a> Emitter<'b, 'a> {
             Body::Everything => ("plane", vec![EVERYTHING.to_owned()]),
             Body::Group { kind, members } => {
                 let mut lines = Vec::with_capacity(members.len());
-                for member in members {
+                for (i, member) in members.iter().enumerate() {
+                    let adds = match kind {
+                        Group::Union | Group::Merge => true,
+                        Group::Difference | Group::CutawayDifference => i > 0,
+                        Group::Intersection => false,
+                    };
+                    if adds && self.is_empty(member) {
+                        continue;
+                    }
                     let mut line = self.piece(member, depth + 1);
-                    if let (Body::Shape(_), id) = (&member.body, member.id) {
-                        line += &format!(" // {id}");
+                    if let Some(id) = self.unnamed(member) {
+                        let mut comment = match self.captions.own(id) {
+                            Some(words) => format!("{id}, {words}"),
+                            None => id.to_string(),
+                        };
+                        if let Body::Shape(_, Some(_)) = member.body {
+                            comment += ": made longer, since it ends flush with what it cuts";
+                        }
+                        line = commented(&line, &comment);
                     }
                     lines.push(line);
                 }
@@ -177,13 +237,26 @@ impl<'b, 'a> Emitter<'b, 'a> {
         text
     }
 
+    /// The entity that a member of a group comes from, unless its name says so.
+    fn unnamed(&self, member: &Piece) -> Option<u32> {
+        let named = match member.body {
+            Body::Shape(..) => 0,
+            Body::Declared(key) => self.builder.ids[key.node as usize],
+            Body::Everything | Body::Group { .. } => return None,
+        };
+        (member.id != 0 && member.id != named).then_some(member.id)
+    }
+
     fn modifiers(&mut self, modifiers: &[Modifier], depth: usize) -> Vec<String> {
         let mut out = Vec::with_capacity(modifiers.len());
         for modifier in modifiers {
             out.push(match modifier {
-                Modifier::Matrix(m) => matrix(m),
+                Modifier::Matrix(m) => transformation(m),
                 Modifier::Look(look) => {
                     format!("texture {{ {} }}", self.builder.looks.name(*look))
+                }
+                Modifier::Behind(look) => {
+                    format!("interior_texture {{ {} }}", self.builder.looks.name(*look))
                 }
                 Modifier::Interior(index) => match self.builder.aspects.index(*index) {
                     [r, g, b] if r == g && g == b => {

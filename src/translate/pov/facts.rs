@@ -2,7 +2,7 @@
 //! properties it shows, and how often it is used. Computed bottom-up in one pass over the arena.
 
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
-use crate::scene::{Geometry, Node, NodeId, Scene};
+use crate::scene::{Geometry, Node, NodeId, Scene, TriangleNormals};
 
 /// A property of the solids of a node, taken from whoever owns a point: of several operands the
 /// first.
@@ -37,6 +37,9 @@ pub struct Facts {
     /// Something in it has been given a texture, or optics.
     pub has_texture: bool,
     pub has_optics: bool,
+    /// What all of its faces have, if they are alike.
+    pub face_texture: Option<TextureUse>,
+    pub face_optics: Option<u32>,
     /// Some of it lets light through.
     pub transparent: bool,
     pub texture: Owned<TextureUse>,
@@ -51,6 +54,8 @@ const BARE: Facts = Facts {
     has_surface: false,
     has_texture: false,
     has_optics: false,
+    face_texture: None,
+    face_optics: Some(DEFAULT),
     transparent: false,
     texture: Owned {
         first: TextureUse::DEFAULT,
@@ -102,6 +107,11 @@ fn children(node: &Node) -> (Option<NodeId>, Option<NodeId>) {
     }
 }
 
+/// Whether a shape has shading normals of its own.
+pub fn is_smooth(geometry: &Geometry) -> bool {
+    matches!(geometry, Geometry::Triangle { normals, .. } if *normals != TriangleNormals::Flat)
+}
+
 /// Whether a shape has colours of its own.
 pub fn has_colours(geometry: &Geometry) -> bool {
     matches!(geometry, Geometry::Revolution { colours, .. } if !colours.is_empty())
@@ -120,6 +130,8 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
                 has_surface: !solid,
                 has_texture: coloured,
                 texture: Owned::one(TextureUse::here(texture)),
+                // A triangle that is seen from the far side of its normals has a look of its own.
+                face_texture: (!is_smooth(geometry)).then_some(TextureUse::here(texture)),
                 ..BARE
             }
         }
@@ -147,6 +159,7 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
             let mut facts = of(child);
             let m = &scene.matrices[matrix as usize];
             facts.texture.first = aspects.moved(facts.texture.first, m);
+            facts.face_texture = facts.face_texture.map(|t| aspects.moved(t, m));
             facts
         }
         Node::Paint { child, paint } => {
@@ -155,11 +168,13 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
             if let Some(texture) = given.texture {
                 facts.has_texture = true;
                 facts.texture = Owned::one(TextureUse::here(texture));
+                facts.face_texture = facts.face_texture.map(|_| TextureUse::here(texture));
             }
             if let Some(optics) = given.optics {
                 facts.has_optics = true;
                 facts.transparent = aspects.is_transparent(optics);
                 facts.optics = Owned::one(optics);
+                facts.face_optics = Some(optics);
             }
             if let Some(index) = given.index {
                 facts.index = Owned::one(index);
@@ -185,6 +200,8 @@ fn union(a: Facts, b: Facts) -> Facts {
         has_surface: a.has_surface || b.has_surface,
         has_texture: a.has_texture || b.has_texture,
         has_optics: a.has_optics || b.has_optics,
+        face_texture: a.face_texture.filter(|_| a.face_texture == b.face_texture),
+        face_optics: a.face_optics.filter(|_| a.face_optics == b.face_optics),
         transparent: a.transparent || b.transparent,
         texture,
         optics,

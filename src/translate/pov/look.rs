@@ -18,6 +18,8 @@ struct Look {
     texture: TextureUse,
     optics: u32,
     shape: Option<u32>,
+    /// Light comes from the other side.
+    behind: bool,
 }
 
 /// The looks that a translation declares.
@@ -47,6 +49,7 @@ impl Looks {
             texture,
             optics,
             shape: shape.map(|(index, _)| index),
+            behind: false,
         };
         let next = self.looks.len() as u32;
         let number = *self.numbers.entry(look).or_insert(next);
@@ -63,6 +66,26 @@ impl Looks {
                 name += &format!("_{times}");
             }
             self.looks.push(look);
+            self.names.push(name);
+        }
+        Some(number)
+    }
+
+    /// The same look lit from the other side; nothing for one that light goes through.
+    pub fn behind(&mut self, aspects: &Aspects, look: u32) -> Option<u32> {
+        let front = self.looks[look as usize];
+        if aspects.is_transparent(front.optics) {
+            return None;
+        }
+        let behind = Look {
+            behind: true,
+            ..front
+        };
+        let next = self.looks.len() as u32;
+        let number = *self.numbers.entry(behind).or_insert(next);
+        if number == next {
+            let name = format!("{}_Behind", self.names[look as usize]);
+            self.looks.push(behind);
             self.names.push(name);
         }
         Some(number)
@@ -101,7 +124,7 @@ impl Looks {
             out.push_str(&pigments.functions());
             out.push_str(&format!("#declare {name} ="));
             let optics = aspects.optics(look.optics);
-            out.push_str(&layers(&pigments, optics, &images));
+            out.push_str(&layers(&pigments, optics, look.behind, &images));
             out.push_str(";\n");
         }
     }
@@ -166,7 +189,7 @@ fn is_jpeg(file: &str) -> bool {
     [".jpg", ".jpeg"].iter().any(|end| file.ends_with(end))
 }
 
-fn layers(pigments: &Pigments, optics: &Optics, images: &Images) -> String {
+fn layers(pigments: &Pigments, optics: &Optics, behind: bool, images: &Images) -> String {
     let transparent = optics.kt.iter().any(|k| *k > 0.0);
     let opacity = if transparent { 0.5 } else { 1.0 };
     // The diffuse coefficient is one number there; one of each channel goes into the pigment.
@@ -176,13 +199,18 @@ fn layers(pigments: &Pigments, optics: &Optics, images: &Images) -> String {
     };
     let pigment = pigments.write(tint, 1.0 - opacity, images);
     let strength = number(kd / opacity);
+    // The second number is for light from the other side.
+    let diffuse = match behind {
+        true => format!("0, {strength}"),
+        false => strength.clone(),
+    };
     let mirror = if optics.ks.iter().any(|k| *k > 0.0) {
         format!(" reflection {{ {} }}", rgb(optics.ks))
     } else {
         String::new()
     };
     let upper = format!(
-        "\n  texture {{\n    {pigment}\n    finish {{ ambient {strength} diffuse {strength}{mirror} }}\n  }}"
+        "\n  texture {{\n    {pigment}\n    finish {{ ambient {strength} diffuse {diffuse}{mirror} }}\n  }}"
     );
     if !transparent {
         return upper;

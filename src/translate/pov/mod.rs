@@ -17,29 +17,37 @@ mod descend;
 mod difference;
 mod emit;
 mod facts;
+mod flush;
+mod frame;
 mod grouping;
 mod look;
 mod names;
 mod piece;
 mod poly;
 mod profile;
+mod reach;
 mod scenery;
 mod sets;
 mod shape;
 mod text;
 mod triangle;
+mod turned;
 mod union;
 mod uv;
 mod verdict;
+mod volumes;
 
 use std::fmt::Write as _;
 
 use super::{Fidelity, File, Report, Unsupported};
+use crate::lint;
 use crate::scene::{Optics, Render, Scene};
+use crate::syntax::Captions;
 use build::Builder;
 use camera::Eye;
 use emit::Emitter;
-use text::{number, rgb, vector};
+use frame::Frame;
+use text::{entity, number, rgb, vector};
 
 /// What the scene itself does not say.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,6 +59,8 @@ pub struct Options {
     /// What stands before the names of image files: a folder and a slash, or nothing.
     pub pictures: String,
     pub stereo: Stereo,
+    /// What comments say about the scene.
+    pub captions: Captions,
 }
 
 /// What becomes of a pair of cameras.
@@ -69,6 +79,7 @@ impl Default for Options {
             depth: 10,
             pictures: String::new(),
             stereo: Stereo::TwoFiles,
+            captions: Captions::default(),
         }
     }
 }
@@ -106,10 +117,14 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
         message: "the scene has no render record: nothing is drawn".to_owned(),
     })?;
     let mut builder = Builder::new(scene, render.root);
-    let mut emitter = Emitter::new(&mut builder);
+    let eyes = camera::eyes(scene, &mut builder, options)?;
+    if let Some(eye) = eyes.first() {
+        builder.turned = turned::turned(scene, &builder.facts, eye);
+    }
+    let mut emitter = Emitter::new(&mut builder, &options.captions);
     let root = emitter.declare(render.root);
     let (objects, geodesics) = (emitter.text, emitter.geodesics);
-    let eyes = camera::eyes(scene, &mut builder, options)?;
+    let frame = Frame::of(&mut builder, &eyes);
     let light_scale = light_scale(&builder, &render, &eyes, options);
 
     let mut looks = String::new();
@@ -119,15 +134,16 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
     let file = |eyes: &[Eye]| {
         let mut out = String::new();
         header(&mut out, &builder, eyes, options);
-        settings(&mut out, &builder, &render, eyes, light_scale, options);
-        out.push_str(&camera::cameras(eyes));
-        out.push_str(&scenery::point_lights(scene, eyes));
+        settings(&mut out, scene, &render, &frame, light_scale, options);
+        let captions = &options.captions;
+        out.push_str(&camera::cameras(eyes, &frame, captions));
+        out.push_str(&scenery::point_lights(scene, eyes, &frame, captions));
         out.push('\n');
         out.push_str(&looks);
         out.push('\n');
         out.push_str(&shape::geodesics(geodesics.iter().copied()));
         out.push_str(&objects);
-        out.push_str(&picture(root.as_deref(), &render));
+        out.push_str(&picture(root.as_deref(), &render, &frame, captions));
         out
     };
     let files = match (&eyes[..], options.stereo) {
@@ -149,6 +165,41 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
                 "rays that enter through the cut leave the solid as if they entered it".to_owned(),
             ),
             "",
+        );
+    }
+    let flush = lint::coincident_faces(scene, &builder.bounds);
+    let is_left = |pair: &[u32; 2]| !pair.iter().any(|shape| builder.longer.contains(shape));
+    if let Some([a, b]) = flush.into_iter().find(is_left) {
+        let [a, b] = [a, b].map(|shape| scene.shapes[shape as usize].id);
+        builder.report.state(
+            "faces in one place",
+            Fidelity::Approximate(format!(
+                "which is seen is up to rounding, as for {a} and {b}"
+            )),
+            "",
+        );
+    }
+    if !builder.longer.is_empty() {
+        let note = "made longer, where they are outside of it";
+        let tools = "tools that end flush with what they cut";
+        builder.report.state(tools, Fidelity::Exact, note);
+    }
+    let drawn = |node| builder.facts.get(node as usize).is_some_and(|f| f.uses > 0);
+    let left_out = volumes::left_out(scene, &builder.volumes, drawn);
+    if !left_out.is_empty() {
+        let ids: Vec<String> = left_out.iter().take(8).map(u32::to_string).collect();
+        let more = if left_out.len() > ids.len() {
+            ", …"
+        } else {
+            ""
+        };
+        builder.report.state(
+            "bounding volumes left out",
+            Fidelity::Exact,
+            &format!(
+                "of {}{more}: not proved to hold their objects, or written without a name",
+                ids.join(", ")
+            ),
         );
     }
     if builder.looks.has_jpeg(&builder.aspects) {
@@ -196,6 +247,9 @@ fn header(out: &mut String, builder: &Builder, eyes: &[Eye], options: &Options) 
         switches += " Declare=Eye=0";
     }
     // Writing to a string does not fail.
+    if let Some(title) = options.captions.title() {
+        let _ = writeln!(out, "// {title}");
+    }
     let _ = write!(
         out,
         "// A scene for POV-Ray 3.7. For linear values, one ray through the middle of each pixel:\n\
@@ -219,14 +273,12 @@ fn header(out: &mut String, builder: &Builder, eyes: &[Eye], options: &Options) 
 /// Scales, global settings, defaults, background.
 fn settings(
     out: &mut String,
-    builder: &Builder,
+    scene: &Scene,
     render: &Render,
-    eyes: &[Eye],
+    frame: &Frame,
     light_scale: f64,
     options: &Options,
 ) {
-    let scene = builder.scene;
-    let unit = scenery::unit(scene, &builder.bounds, eyes);
     let levels = options.depth.saturating_add(1).min(MOST_LEVELS);
     let ambient = rgb(scenery::ambient(scene));
     let background = rgb(render.background);
@@ -234,20 +286,21 @@ fn settings(
         out,
         "#version 3.7;\n\n\
          // All light is multiplied by this, so that no pixel exceeds what an image file can hold.\n\
-         #declare Light_Scale = {};\n\
-         // The finished scene is scaled by this to a size of about 30, because tolerances are absolute.\n\
-         #declare Unit = {};\n\n\
-         global_settings {{\n  assumed_gamma 1\n  ambient_light {ambient}*Light_Scale\n  \
+         #declare Light_Scale = {};\n",
+        number(light_scale)
+    );
+    frame.write(out);
+    let _ = write!(
+        out,
+        "\nglobal_settings {{\n  assumed_gamma 1\n  ambient_light {ambient}*Light_Scale\n  \
          max_trace_level {levels}\n  adc_bailout 0\n}}\n\
          #default {{ texture {{ pigment {{ rgb 1 }} finish {{ ambient 1 diffuse 1 emission 0 }} }} }}\n\
-         background {{ {background}*Light_Scale }}\n\n",
-        number(light_scale),
-        number(unit),
+         background {{ {background}*Light_Scale }}\n\n"
     );
 }
 
 /// The object that is drawn.
-fn picture(root: Option<&str>, render: &Render) -> String {
+fn picture(root: Option<&str>, render: &Render, frame: &Frame, captions: &Captions) -> String {
     let Some(root) = root else {
         return "\n// There is nothing to draw.\n".to_owned();
     };
@@ -260,7 +313,8 @@ fn picture(root: Option<&str>, render: &Render) -> String {
         None => String::new(),
     };
     format!(
-        "\n// the scene: {}\nobject {{\n  {root}\n{clip}  scale Unit\n}}\n",
-        render.root_id
+        "\n// the scene: {}\nobject {{\n  {root}\n{clip}  {}\n}}\n",
+        entity(render.root_id, captions),
+        frame.modifiers()
     )
 }

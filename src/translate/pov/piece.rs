@@ -37,6 +37,9 @@ pub struct State {
     pub part: Part,
     pub look: Look,
     pub medium: Medium,
+    /// The number of the box around what it is taken from, where it ends flush with that: outside of
+    /// the box it may be anything.
+    pub flush: Option<u32>,
 }
 
 impl State {
@@ -48,12 +51,14 @@ impl State {
             optics: None,
         },
         medium: Medium::Own,
+        flush: None,
     };
     /// A solid that only tells inside from outside.
     pub const GEOMETRY: State = State {
         part: Part::Solid,
         look: Look::Above { transparent: false },
         medium: Medium::Above,
+        flush: None,
     };
 
     pub fn part(self, part: Part) -> State {
@@ -62,6 +67,10 @@ impl State {
 
     pub fn look(self, look: Look) -> State {
         State { look, ..self }
+    }
+
+    pub fn flush(self, flush: Option<u32>) -> State {
+        State { flush, ..self }
     }
 
     pub fn medium(self, medium: Medium) -> State {
@@ -82,6 +91,8 @@ pub enum Modifier {
     Matrix(Matrix),
     /// Number of a look.
     Look(u32),
+    /// Number of a look, of the side that the normals are not on, lit from behind.
+    Behind(u32),
     /// Number of an index.
     Interior(u32),
     Inverse,
@@ -104,8 +115,8 @@ pub struct Piece {
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
-    /// Index of a shape.
-    Shape(u32),
+    /// Index of a shape; it may be longer than that to be taken from what lies in a box.
+    Shape(u32, Option<u32>),
     Declared(Key),
     /// All of space.
     Everything,
@@ -157,7 +168,7 @@ impl Piece {
         match &self.body {
             Body::Declared(key) => f(*key),
             Body::Group { members, .. } => members.iter().for_each(|m| m.for_each_declared(f)),
-            Body::Shape(_) | Body::Everything => {}
+            Body::Shape(..) | Body::Everything => {}
         }
         for modifier in &self.modifiers {
             if let Modifier::Clip { by, .. } = modifier {

@@ -1,20 +1,23 @@
-//! Lights, and the two scales of the export.
+//! Lights.
 
 use super::camera::Eye;
-use super::text::{rgb, vector};
-use crate::scene::bounds::NodeBounds;
-use crate::scene::frame::{headlight, seen_box};
+use super::frame::{Frame, power_of_two_about};
+use super::text::{entity, number, rgb, vector};
+use crate::scene::frame::headlight;
 use crate::scene::{Optics, Render, Rgb, Scene};
+use crate::syntax::Captions;
 
 /// The point lights, one a line; where there is no light at all, a headlight for each camera.
-pub fn point_lights(scene: &Scene, eyes: &[Eye]) -> String {
+pub fn point_lights(scene: &Scene, eyes: &[Eye], frame: &Frame, captions: &Captions) -> String {
     let mut out = String::new();
+    let place = frame.modifiers();
     for light in &scene.point_lights {
         out.push_str(&format!(
-            "light_source {{ {}, {}*Light_Scale scale Unit }} // {}\n",
+            "light_source {{ {}, {}*{}*Light_Scale {place} }} // {}\n",
             vector(&light.position),
-            rgb(light.colour.map(|c| c * light.intensity)),
-            light.id
+            rgb(light.colour),
+            number(light.intensity),
+            entity(light.id, captions)
         ));
     }
     for (eye, switch) in eyes.iter().zip(["Eye = 0", "Eye = 1"]) {
@@ -22,7 +25,7 @@ pub fn point_lights(scene: &Scene, eyes: &[Eye]) -> String {
             continue;
         };
         let text = format!(
-            "light_source {{ {}, rgb 1*Light_Scale scale Unit }} // the scene has no light\n",
+            "light_source {{ {}, rgb 1*Light_Scale {place} }} // the scene has no light\n",
             vector(&light.position)
         );
         out.push_str(&if eyes.len() > 1 {
@@ -43,45 +46,6 @@ pub fn ambient(scene: &Scene) -> Rgb {
         }
     }
     sum
-}
-
-/// The size that the scene is scaled to. Shadow rays overlook what is closer than 1e-3, and nothing
-/// is seen beyond 1e7: these are 1/32 000 and 300 000 of the scene.
-const SIZE: f64 = 32.0;
-
-/// The camera may be this far away at most.
-const FAR: f64 = 1e6;
-
-/// The power of two that brings the scene to about that size, or nearer if the camera is far away:
-/// tolerances are absolute there.
-pub fn unit(scene: &Scene, bounds: &[NodeBounds], eyes: &[Eye]) -> f64 {
-    let seen = seen_box(scene, bounds);
-    let centre = if seen.is_empty() {
-        [0.0; 3]
-    } else {
-        seen.centre()
-    };
-    let distance = |e: &Eye| {
-        let way = (e.camera.position.iter().zip(centre)).map(|(p, c)| (p - c).abs());
-        way.fold(0.0f64, f64::max)
-    };
-    let distance = eyes.iter().map(distance).fold(0.0, f64::max);
-    let size = if seen.is_empty() {
-        distance
-    } else {
-        seen.radius()
-    };
-    power_of_two_about((SIZE / size).min(FAR / distance))
-}
-
-/// The largest power of two that is not above `x`; 1 for a number without one.
-fn power_of_two_about(x: f64) -> f64 {
-    let exponent = x.log2().floor();
-    if exponent.abs() <= 900.0 {
-        2f64.powi(exponent as i32)
-    } else {
-        1.0
-    }
 }
 
 /// Lights are dimmed by at most this: a 16-bit file keeps eight bits then.

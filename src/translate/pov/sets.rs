@@ -3,7 +3,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::scene::{Geometry, Matrix, Node, NodeId, Scene};
+use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
 
 /// A solid at a place: what nodes are, whatever they look like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -48,10 +48,13 @@ impl Sets {
         let mut shapes: HashMap<Vec<u64>, u32> = HashMap::new();
         for node in scene.nodes.iter().take(root as usize + 1) {
             let of = |id: NodeId| sets.places[id as usize];
+            let mut matrix = here;
             let core = match *node {
                 Node::Shape(s) => {
-                    let key = bits(&scene.shapes[s as usize].geometry);
-                    Core::Shape(*shapes.entry(key).or_insert(s))
+                    let (geometry, m) = standard(&scene.shapes[s as usize].geometry);
+                    let core = Core::Shape(*shapes.entry(bits(&geometry)).or_insert(s));
+                    matrix = sets.matrix(&m);
+                    core
                 }
                 Node::Union(a, b) => Core::Union(of(a), of(b)),
                 Node::Intersection(a, b) => Core::Intersection(of(a), of(b)),
@@ -76,7 +79,7 @@ impl Sets {
             }
             sets.places.push(Place {
                 core: number,
-                matrix: here,
+                matrix,
             });
         }
         sets
@@ -186,6 +189,30 @@ impl Sets {
             }
         }
         places.iter().any(|p| self.is_within(*p, &outside))
+    }
+}
+
+/// A ball as the unit ball, a box as the unit cube, in its place: there are several records for them.
+fn standard(geometry: &Geometry) -> (Geometry, Matrix) {
+    let ball = Geometry::Sphere {
+        centre: [0.0; 3],
+        radius: 1.0,
+    };
+    let place = |[x, y, z]: Vec3, [a, b, c]: Vec3| {
+        Matrix::translation(x, y, z).after(&Matrix::scaling(a, b, c))
+    };
+    match geometry {
+        Geometry::Sphere { centre, radius } => (ball, place(*centre, [*radius; 3])),
+        Geometry::Ellipsoid { semi_axes } => (ball, place([0.0; 3], *semi_axes)),
+        Geometry::Box { min, max } => {
+            let cube = Geometry::Box {
+                min: [0.0; 3],
+                max: [1.0; 3],
+            };
+            let size = std::array::from_fn(|i| max[i] - min[i]);
+            (cube, place(*min, size))
+        }
+        other => (other.clone(), Matrix::IDENTITY),
     }
 }
 

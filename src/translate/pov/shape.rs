@@ -1,9 +1,10 @@
 //! Shapes as POV-Ray's primitives.
 
+use super::frame::power_of_two_about;
 use super::profile::Profile;
 use super::text::{number, vector};
 use super::{poly, triangle};
-use crate::scene::{Geometry, Shape, TriangleNormals};
+use crate::scene::{Geometry, TriangleNormals};
 
 /// A primitive in the shape's own coordinates: a keyword, and what stands between its braces, one
 /// line each.
@@ -30,8 +31,8 @@ impl Primitive {
 }
 
 /// The primitive that is the shape.
-pub fn primitive(shape: &Shape) -> Primitive {
-    match &shape.geometry {
+pub fn primitive(geometry: &Geometry) -> Primitive {
+    match geometry {
         Geometry::Sphere { centre, radius } => {
             Primitive::new("sphere", format!("{}, {}", vector(centre), number(*radius)))
         }
@@ -80,7 +81,7 @@ pub fn primitive(shape: &Shape) -> Primitive {
         | Geometry::ParabolicCylinder { .. }
         | Geometry::HyperbolicCylinder { .. }
         | Geometry::Hyperboloid { .. }
-        | Geometry::HyperbolicParaboloid { .. } => poly::quadric(&poly::form(&shape.geometry)),
+        | Geometry::HyperbolicParaboloid { .. } => poly::quadric(&poly::form(geometry)),
     }
 }
 
@@ -106,7 +107,12 @@ fn cone_parameters(height: f64, radius: f64) -> String {
 /// The primitive's inside is that of a tube wider than its ring, too, with the lemon; the quartic's
 /// is not.
 fn torus(major: f64, minor: f64) -> Primitive {
-    let unit = size_unit(major + minor);
+    // However thin the tube, it has to be thicker than the tolerances.
+    const THIN: f64 = 1.0 / 64.0;
+    let unit = match size_unit(major + minor) {
+        unit if minor < THIN * unit => power_of_two_about(minor / THIN),
+        unit => unit,
+    };
     let (major, minor) = (major / unit, minor / unit);
     if major >= minor {
         return Primitive::new(

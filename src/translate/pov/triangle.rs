@@ -2,11 +2,13 @@
 
 use super::shape::Primitive;
 use super::text::vector;
-use crate::scene::Vec3;
+use crate::scene::{Geometry, TriangleNormals, Vec3};
 
 /// POV-Ray makes the normals of the corners equally long before it interpolates. Where they are not,
-/// the triangle is cut into so many along each side, with its own normals at their corners.
+/// the triangle is cut into at most so many along each side, with its own normals at their corners.
 const PARTS: usize = 24;
+/// The normals may be off by this share of their differences.
+const OFF: f64 = 1e-3;
 
 /// What the cut triangle's normals are off by at most, for the report.
 pub const BOUND: &str = "off by less than a thousandth of the difference between two normals";
@@ -16,22 +18,23 @@ pub fn smooth(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Primitive {
     if are_equally_long(normals) {
         return Primitive::new("smooth_triangle", [0, 1, 2].map(corner).join(", "));
     }
+    let parts = parts(normals);
     let mut lines = Vec::new();
     let at = |i: usize, j: usize| {
-        let (u, v) = (i as f64 / PARTS as f64, j as f64 / PARTS as f64);
+        let (u, v) = (i as f64 / parts as f64, j as f64 / parts as f64);
         let mix = |from: &[Vec3; 3]| -> Vec3 {
             std::array::from_fn(|k| from[0][k] * (1.0 - u - v) + from[1][k] * u + from[2][k] * v)
         };
         format!("{}, {}", vector(&mix(vertices)), vector(&mix(normals)))
     };
-    for i in 0..PARTS {
-        for j in 0..PARTS - i {
+    for i in 0..parts {
+        for j in 0..parts - i {
             let mut part = |corners: [(usize, usize); 3]| {
                 let corners = corners.map(|(i, j)| at(i, j));
                 lines.push(format!("smooth_triangle {{ {} }}", corners.join(", ")));
             };
             part([(i, j), (i + 1, j), (i, j + 1)]);
-            if i + j + 1 < PARTS {
+            if i + j + 1 < parts {
                 part([(i + 1, j), (i + 1, j + 1), (i, j + 1)]);
             }
         }
@@ -42,9 +45,45 @@ pub fn smooth(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Primitive {
     }
 }
 
+/// Between two normals one of which is longer by a part ρ, equally long ones are off by up to ρ/4 of
+/// their difference; in n parts, where ρ and the differences are n times less, by ρ/4n².
+fn parts(normals: &[Vec3; 3]) -> usize {
+    let lengths = normals.map(length);
+    let most = lengths.iter().fold(0.0f64, |m, l| m.max(*l));
+    let least = lengths.iter().fold(most, |m, l| m.min(*l));
+    let parts = ((most / least - 1.0) / (4.0 * OFF)).sqrt().ceil();
+    // No number for a normal without length.
+    if parts < PARTS as f64 {
+        (parts as usize).max(1)
+    } else {
+        PARTS
+    }
+}
+
+fn length(n: Vec3) -> f64 {
+    n[0].hypot(n[1]).hypot(n[2])
+}
+
+/// A triangle with its normals on the other side.
+pub fn turned(geometry: &Geometry) -> Option<Geometry> {
+    let Geometry::Triangle { vertices, normals } = geometry else {
+        return None;
+    };
+    let back = |n: Vec3| n.map(|x| -x);
+    let normals = match normals {
+        TriangleNormals::Flat => TriangleNormals::Flat,
+        TriangleNormals::One(n) => TriangleNormals::One(back(*n)),
+        TriangleNormals::PerVertex(n) => TriangleNormals::PerVertex(n.map(back)),
+    };
+    Some(Geometry::Triangle {
+        vertices: *vertices,
+        normals,
+    })
+}
+
 /// Within rounding.
 pub fn are_equally_long(normals: &[Vec3; 3]) -> bool {
-    let lengths = normals.map(|n| n[0].hypot(n[1]).hypot(n[2]));
+    let lengths = normals.map(length);
     lengths
         .iter()
         .all(|l| (l - lengths[0]).abs() <= 1e-9 * lengths[0])

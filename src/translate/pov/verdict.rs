@@ -44,7 +44,7 @@ fn record(code: i32) -> Option<Verdict> {
         -402 => Verdict::exact("light_source without fading"),
         -501 | -502 => Verdict::exact("camera"),
         -503 => Verdict::exact("one file for each eye"),
-        -601 | -602 => Verdict::exact("left out: it never changes the picture"),
+        -601 | -602 => Verdict::exact("bounded_by, where it is proved to hold the object"),
         9999 => Verdict::exact(""),
         _ => return None,
     })

@@ -21,6 +21,7 @@ use std::collections::BTreeMap;
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::solids::{named, near};
 use crate::lint::{Context, live_nodes};
+use crate::scene::bounds::NodeBounds;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Node, NodeId, OperationRecord, Scene};
 use face::Part;
@@ -35,6 +36,12 @@ enum Case {
     Holes,
     /// Neither cuts: they have no more than the face in common.
     Touch,
+}
+
+/// The shapes whose faces are in one place.
+pub fn pairs(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<[u32; 2]> {
+    let found = search(scene, bounds, live);
+    found.iter().map(|f| f.sides.map(|s| s.shape)).collect()
 }
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {

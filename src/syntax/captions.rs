@@ -1,0 +1,216 @@
+//! What comments say about the entities of a scene: its title, and a line for each ID that has one.
+
+use std::collections::HashMap;
+
+use super::ast::{Document, Item};
+use super::directive::{inside, is_directive};
+use super::lexer::{Token, TokenKind};
+
+/// The comments of a scene by what they belong to, each as one line of text without control
+/// characters.
+///
+/// An entity's comment stands within one of its records or behind it on its last line; where there is
+/// none, it is the heading before its first record, a comment on lines of its own with no blank line
+/// in between. What stands before all records and a blank line is the title of the scene.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Captions {
+    title: Option<String>,
+    texts: Vec<String>,
+    /// For each ID the index of its text, and whether that is its own, not a heading.
+    ids: HashMap<u32, (u32, bool)>,
+}
+
+/// Longer comments are cut off.
+const LONGEST: usize = 72;
+
+/// What the walk along the tokens has come across.
+#[derive(Default)]
+struct Walk {
+    captions: Captions,
+    /// Comments that may become a heading or the title.
+    heading: Vec<String>,
+    /// The index of the heading's text, once a record has asked for it.
+    heading_text: Option<u32>,
+    /// Line breaks since the last token of another kind.
+    breaks: u32,
+    /// The last record, which a comment on the same line belongs to.
+    last: Option<u32>,
+    any_record: bool,
+}
+
+impl Captions {
+    pub fn of(document: &Document, text: &str) -> Captions {
+        let mut walk = Walk::default();
+        let mut items = document.items.iter().peekable();
+        let mut at = 0;
+        while at < document.tokens.len() {
+            if let Some(item) = items.next_if(|item| item.ends().0 as usize <= at) {
+                let (first, last) = item.ends();
+                walk.item(item, &document.tokens[first as usize..=last as usize], text);
+                at = last as usize + 1;
+                continue;
+            }
+            walk.token(&document.tokens[at], text);
+            at += 1;
+        }
+        walk.end_of_block();
+        walk.captions
+    }
+
+    /// What the scene is, by its first comments.
+    pub fn title(&self) -> Option<&str> {
+        self.title.as_deref()
+    }
+
+    /// What a comment of its own says about an entity.
+    pub fn own(&self, id: u32) -> Option<&str> {
+        let (_, own) = self.ids.get(&id)?;
+        self.get(id).filter(|_| *own)
+    }
+
+    /// What a comment or a heading says about an entity.
+    pub fn get(&self, id: u32) -> Option<&str> {
+        let (text, _) = self.ids.get(&id)?;
+        Some(&self.texts[*text as usize])
+    }
+}
+
+impl Walk {
+    fn token(&mut self, token: &Token, text: &str) {
+        match token.kind {
+            TokenKind::Newline => {
+                self.breaks += 1;
+                self.last = None;
+                if self.breaks > 1 {
+                    self.end_of_block();
+                }
+            }
+            kind if kind.is_comment() => {
+                self.breaks = 0;
+                let said = said(token, text);
+                match self.last {
+                    Some(id) => self.own(id, said),
+                    None if said.is_some() => {
+                        if self.heading_text.is_some() {
+                            self.end_of_block();
+                        }
+                        self.heading.extend(said);
+                    }
+                    None => {}
+                }
+            }
+            _ => self.breaks = 0,
+        }
+    }
+
+    fn item(&mut self, item: &Item, tokens: &[Token], text: &str) {
+        self.breaks = 0;
+        self.last = None;
+        let Item::Record(record) = item else { return };
+        self.any_record = true;
+        let id = record.id;
+        if !self.captions.ids.contains_key(&id) && !self.heading.is_empty() {
+            let index = match self.heading_text {
+                Some(index) => index,
+                None => self.keep(self.heading.join(" ")),
+            };
+            self.heading_text = Some(index);
+            self.captions.ids.insert(id, (index, false));
+        }
+        let within = tokens.iter().filter(|t| t.kind.is_comment());
+        for comment in within {
+            self.own(id, said(comment, text));
+        }
+        self.last = Some(id);
+    }
+
+    /// A comment of the entity itself: its first one counts.
+    fn own(&mut self, id: u32, said: Option<String>) {
+        let known = self.captions.ids.get(&id);
+        if let Some(said) = said
+            && !known.is_some_and(|(_, own)| *own)
+        {
+            let index = self.keep(said);
+            self.captions.ids.insert(id, (index, true));
+        }
+    }
+
+    fn keep(&mut self, text: String) -> u32 {
+        self.captions.texts.push(shortened(text));
+        self.captions.texts.len() as u32 - 1
+    }
+
+    /// A blank line, or another heading.
+    fn end_of_block(&mut self) {
+        let heading = std::mem::take(&mut self.heading);
+        self.heading_text = None;
+        if !self.any_record && self.captions.title.is_none() && !heading.is_empty() {
+            self.captions.title = Some(heading.join(" "));
+        }
+    }
+}
+
+/// A comment on one line; nothing if it is empty or meant for zpg.
+fn said(token: &Token, text: &str) -> Option<String> {
+    if is_directive(token, text) {
+        return None;
+    }
+    let breaks = |c: char| c.is_whitespace() || c.is_control();
+    let words = inside(token.text(text)).split(breaks);
+    let words: Vec<&str> = words.filter(|w| !w.is_empty()).collect();
+    (!words.is_empty()).then(|| words.join(" "))
+}
+
+fn shortened(text: String) -> String {
+    match text.char_indices().nth(LONGEST) {
+        Some(_) => {
+            let cut: String = text.chars().take(LONGEST - 1).collect();
+            cut.trim_end().to_owned() + "…"
+        }
+        None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::syntax::parse;
+
+    fn captions(text: &str) -> Captions {
+        Captions::of(&parse(text).0, text)
+    }
+
+    #[test]
+    fn own_comments_come_before_headings() {
+        let all = captions(
+            "0 # a scene #\n0 # in two lines #\n\n0 # balls #\n2 9 1 # red #\n3 9 2\n\n4 9 3\n\
+             # bare # \n5 9 4\n6 11 0 # the middle # 0 0 1\n0 # more #\n7 9 5\n3 -1 1 0 0 # moved #\n",
+        );
+        assert_eq!(all.title(), Some("a scene in two lines"));
+        let of: Vec<_> = (2..8).map(|id| all.get(id)).collect();
+        assert_eq!((all.own(2), all.own(5)), (Some("red"), None));
+        let expected = ["red", "moved", "", "bare", "the middle", "more"];
+        assert_eq!(of, expected.map(|t| (!t.is_empty()).then_some(t)));
+    }
+
+    #[test]
+    fn a_heading_at_the_top_is_no_title() {
+        let all = captions("0 # balls #\n2 9 1\n");
+        assert_eq!((all.title(), all.get(2)), (None, Some("balls")));
+    }
+
+    #[test]
+    fn comments_are_one_line_without_control_characters() {
+        let text =
+            "2 9 1 # a\r\n b\t\u{1}c\u{2028}d */ ř #\n3 9 1 # zpg: allow(W310) #\n4 9 1 # #\n";
+        let all = captions(text);
+        assert_eq!(all.get(2), Some("a b c d */ ř"));
+        assert_eq!((all.get(3), all.get(4)), (None, None));
+    }
+
+    #[test]
+    fn long_comments_are_cut() {
+        let all = captions(&format!("2 9 1 # {} #\n", "ž".repeat(500)));
+        assert_eq!(all.get(2).unwrap().chars().count(), LONGEST);
+    }
+}

@@ -1,0 +1,282 @@
+//! Tools that end flush with what they cut: which of the two faces in one place POV-Ray takes for the
+//! nearer one is up to rounding. Such a tool is written longer than it is. That changes nothing: what
+//! is added lies outside of the thing that is cut.
+
+use std::collections::HashMap;
+
+use super::build::Builder;
+use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
+
+/// Faces that are this near, as a part of the numbers, are in one place: what a few roundings may do.
+const HAIR: f64 = 32.0 * f64::EPSILON;
+/// So many nodes of a tool are looked at.
+const PATIENCE: u32 = 4096;
+
+/// Boxes around what is cut, by number.
+#[derive(Debug, Default)]
+pub struct Cuts {
+    boxes: Vec<Aabb>,
+    numbers: HashMap<[u64; 6], u32>,
+}
+
+impl Cuts {
+    fn number(&mut self, b: Aabb) -> u32 {
+        let mut key = [0; 6];
+        for (k, x) in key.iter_mut().zip(b.min.iter().chain(&b.max)) {
+            *k = (x + 0.0).to_bits();
+        }
+        let next = self.boxes.len() as u32;
+        let number = *self.numbers.entry(key).or_insert(next);
+        if number == next {
+            self.boxes.push(b);
+        }
+        number
+    }
+
+    pub fn get(&self, number: u32) -> Aabb {
+        self.boxes[number as usize]
+    }
+
+    /// The same box in the coordinates that a matrix leads away from, if it is a box there.
+    pub fn moved_back(&mut self, number: u32, m: &Matrix) -> Option<u32> {
+        let there = moved_back(self.get(number), m)?;
+        Some(self.number(there))
+    }
+}
+
+impl Builder<'_> {
+    /// The number of the box around what is cut, for a tool that has a shape which ends flush with it.
+    pub(super) fn flush(&mut self, tool: NodeId, around: Aabb) -> Option<u32> {
+        if around.is_empty()
+            || around
+                .min
+                .iter()
+                .chain(&around.max)
+                .all(|x| x.is_infinite())
+        {
+            return None;
+        }
+        let mut todo = vec![(tool, around)];
+        for _ in 0..PATIENCE {
+            let (node, cut) = todo.pop()?;
+            match self.scene.nodes[node as usize] {
+                Node::Shape(shape) => {
+                    if lengthened(&self.scene.shapes[shape as usize].geometry, &cut).is_some() {
+                        return Some(self.cuts.number(around));
+                    }
+                }
+                Node::Transform { child, matrix } => {
+                    let matrix = &self.scene.matrices[matrix as usize];
+                    todo.extend(moved_back(cut, matrix).map(|cut| (child, cut)));
+                }
+                other => {
+                    let children = other.children();
+                    todo.extend(children.into_iter().flatten().map(|child| (child, cut)));
+                }
+            }
+        }
+        None
+    }
+}
+
+/// A box seen from before an affine change, where that leaves the axes in parallel.
+fn moved_back(b: Aabb, m: &Matrix) -> Option<Aabb> {
+    let back = m.inverse()?;
+    let mut out = Aabb::ALL;
+    for (i, row) in back.0.iter().take(3).enumerate() {
+        let largest = row[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let mut along = (0..3).filter(|j| row[*j].abs() > 1e-12 * largest);
+        let (Some(j), None) = (along.next(), along.next()) else {
+            return None;
+        };
+        let ends = [b.min[j], b.max[j]].map(|x| row[j] * x + row[3]);
+        (out.min[i], out.max[i]) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+    }
+    Some(out)
+}
+
+/// The shape with its flush faces farther out, if it has any that can be moved.
+pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
+    let finite = |a: f64, b: f64| {
+        if (a - b).is_finite() {
+            (a - b).abs()
+        } else {
+            0.0
+        }
+    };
+    match geometry {
+        Geometry::Box { min, max } => {
+            let (mut low, mut high) = (*min, *max);
+            let mut any = false;
+            for i in 0..3 {
+                let size = max[i] - min[i];
+                let hair = HAIR * size.max(finite(cut.max[i], cut.min[i]));
+                let step = size / 2.0;
+                for (x, end) in [(&mut low[i], *min), (&mut high[i], *max)].map(|(x, c)| (x, c[i]))
+                {
+                    if (end - cut.max[i]).abs() <= hair {
+                        *x = end + step;
+                        any = true;
+                    } else if (end - cut.min[i]).abs() <= hair {
+                        *x = end - step;
+                        any = true;
+                    }
+                }
+            }
+            any.then_some(Geometry::Box {
+                min: low,
+                max: high,
+            })
+        }
+        Geometry::HalfSpace([a, b, c, d]) => {
+            let n = [*a, *b, *c];
+            let mut along = (0..3).filter(|i| n[*i] != 0.0);
+            let (Some(i), None) = (along.next(), along.next()) else {
+                return None;
+            };
+            let at = -d / n[i];
+            let size = finite(cut.max[i], cut.min[i]);
+            let hair = HAIR * size.max(at.abs());
+            let at = match () {
+                () if (at - cut.max[i]).abs() <= hair => at + size.max(1.0) / 2.0,
+                () if (at - cut.min[i]).abs() <= hair => at - size.max(1.0) / 2.0,
+                () => return None,
+            };
+            Some(Geometry::HalfSpace([*a, *b, *c, -at * n[i]]))
+        }
+        Geometry::Cone { height, radius } => {
+            let size = height.abs().max(finite(cut.max[1], cut.min[1]));
+            let near = |y: f64| (height - y).abs() <= HAIR * size;
+            let flush = (*height > 0.0 && near(cut.max[1])) || (*height < 0.0 && near(cut.min[1]));
+            flush.then_some(Geometry::Cone {
+                height: 1.5 * height,
+                radius: 1.5 * radius,
+            })
+        }
+        Geometry::Revolution { profile, colours } if colours.is_empty() => {
+            let longer = longer_profile(profile, cut)?;
+            Some(Geometry::Revolution {
+                profile: longer,
+                colours: Vec::new(),
+            })
+        }
+        _ => None,
+    }
+}
+
+/// A profile whose flat ends are moved out where they are flush with the box.
+fn longer_profile(profile: &[[f64; 2]], cut: &Aabb) -> Option<Vec<[f64; 2]>> {
+    let heights = || profile.iter().map(|p| p[1]);
+    let low = heights().fold(f64::INFINITY, f64::min);
+    let high = heights().fold(f64::NEG_INFINITY, f64::max);
+    let hair = HAIR * (high - low);
+    let step = (high - low) / 2.0;
+    // A ring begins anywhere: only profiles from the axis to the axis, one flat piece at each end.
+    if profile.first() == profile.last() || low == high {
+        return None;
+    }
+    let mut out = profile.to_vec();
+    let mut any = false;
+    for (end, at, by) in [(low, cut.min[1], -step), (high, cut.max[1], step)] {
+        if (end - at).abs() > hair {
+            continue;
+        }
+        let level = |p: &[f64; 2]| p[1] == end;
+        let first = out.iter().position(level)?;
+        let last = out.iter().rposition(level)?;
+        if !out[first..=last].iter().all(level) {
+            continue;
+        }
+        let beyond = |p: [f64; 2], before: Option<[f64; 2]>| match before {
+            // On along the piece that ends there: a point at this height would be one too many, since
+            // POV-Ray cannot tell on which side of the profile others at its height are.
+            Some(q) => {
+                let slope = (p[0] - q[0]) / (p[1] - q[1]);
+                let most = if slope * by < 0.0 {
+                    p[0] / 2.0 / -slope
+                } else {
+                    by
+                };
+                let by = if most.abs() < by.abs() { most } else { by };
+                [p[0] + slope * by, p[1] + by]
+            }
+            None => [p[0], end + by],
+        };
+        let before = first.checked_sub(1).map(|i| out[i]);
+        let after = out.get(last + 1).copied();
+        if first == last && before.is_some() && after.is_some() {
+            continue;
+        }
+        let run = out[first..=last].to_vec();
+        let count = run.len();
+        let moved = run.iter().enumerate().map(|(i, p)| match i {
+            0 if count == 1 => beyond(*p, before.or(after)),
+            0 => beyond(*p, before),
+            i if i + 1 == count => beyond(*p, after),
+            _ => beyond(*p, None),
+        });
+        out.splice(first..=last, moved);
+        any = true;
+    }
+    any.then_some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CUT: Aabb = Aabb {
+        min: [-1.0, 0.0, -1.0],
+        max: [1.0, 2.0, 1.0],
+    };
+
+    #[test]
+    fn flush_faces_move_away_from_what_is_cut() {
+        let tool = Geometry::Box {
+            min: [-0.5, 1.0, -1.0],
+            max: [0.5, 2.0, 0.0],
+        };
+        let longer = Geometry::Box {
+            min: [-0.5, 1.0, -1.5],
+            max: [0.5, 2.5, 0.0],
+        };
+        assert_eq!(lengthened(&tool, &CUT), Some(longer));
+        let inside = Geometry::Box {
+            min: [-0.5, 0.5, -0.5],
+            max: [0.5, 1.5, 0.5],
+        };
+        assert_eq!(lengthened(&inside, &CUT), None);
+        // One that lies against it from outside moves away from it.
+        let against = Geometry::Box {
+            min: [-0.5, 2.0, -0.5],
+            max: [0.5, 4.0, 0.5],
+        };
+        let away = Geometry::Box {
+            min: [-0.5, 3.0, -0.5],
+            max: [0.5, 4.0, 0.5],
+        };
+        assert_eq!(lengthened(&against, &CUT), Some(away));
+    }
+
+    #[test]
+    fn flat_ends_of_profiles_grow_straight() {
+        let tool = |profile: &[[f64; 2]]| Geometry::Revolution {
+            profile: profile.to_vec(),
+            colours: Vec::new(),
+        };
+        let cylinder = tool(&[[0.5, 0.0], [0.5, 2.0]]);
+        let longer = [[0.5, -1.0], [0.5, 3.0]];
+        assert_eq!(lengthened(&cylinder, &CUT), Some(tool(&longer)));
+        let cup = tool(&[[0.0, 1.0], [0.25, 2.0], [0.5, 2.0], [0.5, 0.5]]);
+        let taller = [[0.0, 1.0], [0.4375, 2.75], [0.5, 2.75], [0.5, 0.5]];
+        assert_eq!(lengthened(&cup, &CUT), Some(tool(&taller)));
+    }
+
+    #[test]
+    fn boxes_stay_boxes_where_the_axes_do() {
+        let m = Matrix::translation(1.0, 2.0, 3.0).after(&Matrix::rotation(90.0, 1));
+        let b = moved_back(CUT, &m).unwrap();
+        assert!((b.max[1] - b.min[1] - 2.0).abs() < 1e-12);
+        assert_eq!(moved_back(CUT, &Matrix::rotation(30.0, 1)), None);
+    }
+}

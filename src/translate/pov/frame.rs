@@ -1,0 +1,121 @@
+//! Where the scene is put: POV-Ray's tolerances are absolute, so it is moved about the origin and
+//! scaled.
+
+use std::fmt::Write as _;
+
+use super::build::Builder;
+use super::camera::Eye;
+use super::reach::reach;
+use super::text::{number, vector};
+use crate::scene::Vec3;
+use crate::scene::frame::seen_box;
+use crate::translate::fidelity::Fidelity;
+
+/// The size that the scene is scaled to.
+const SIZE: f64 = 32.0;
+
+/// Shadow rays overlook what is closer than this.
+const OVERLOOKED: f64 = 1e-3;
+
+/// The camera may be this far away at most: nothing is seen beyond 1e7.
+const FAR: f64 = 1e6;
+
+/// What is seen is brought no farther away than this to make room for what is near.
+const FAR_FOR_NEAR: f64 = 262_144.0;
+
+/// Of scenes that are farther from the origin than so many sizes the coordinates are moved.
+const OFF: f64 = 16.0;
+
+/// From the scene's coordinates to those that POV-Ray works in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Comes to lie in the origin; the origin itself for most scenes.
+    centre: Vec3,
+    /// A power of two.
+    unit: f64,
+}
+
+impl Frame {
+    /// Brings the scene to about [`SIZE`], or nearer if the camera is far away; and farther apart where
+    /// what is seen would be too near for the tolerances.
+    pub fn of(builder: &mut Builder, eyes: &[Eye]) -> Frame {
+        let scene = builder.scene;
+        let seen = seen_box(scene, &builder.bounds);
+        let locations = || eyes.iter().map(Eye::location);
+        let middle = match seen.is_empty() {
+            true => locations().next().unwrap_or_default(),
+            false => seen.centre(),
+        };
+        let away = |p: Vec3| (0..3).fold(0.0f64, |m, i| m.max((p[i] - middle[i]).abs()));
+        let distance = locations().map(away).fold(0.0, f64::max);
+        let size = match seen.is_empty() {
+            true => distance,
+            false => seen.radius(),
+        };
+        let mut unit = power_of_two_about((SIZE / size).min(FAR / distance));
+        if let Some(reach) = reach(scene, eyes, builder.box_of_root()) {
+            let wanted = (SIZE / reach.near).max(SIZE * OVERLOOKED / reach.gap);
+            if wanted > unit {
+                unit = unit.max(power_of_two_about(wanted.min(FAR_FOR_NEAR / reach.far)));
+            }
+            let overlooked = OVERLOOKED / unit;
+            if reach.gap < overlooked {
+                builder.report.state(
+                    "narrow gaps behind transparent surfaces",
+                    Fidelity::Approximate(format!(
+                        "what is nearer than {overlooked:.1e} behind a surface may be overlooked"
+                    )),
+                    "",
+                );
+            }
+        }
+        let step = power_of_two_about(size);
+        let is_off = middle.iter().any(|x| x.abs() > OFF * size);
+        let centre = match is_off && step > 0.0 {
+            true => middle.map(|x| (x / step).round() * step),
+            false => [0.0; 3],
+        };
+        Frame { centre, unit }
+    }
+
+    /// The declarations that [`modifiers`](Self::modifiers) needs.
+    pub fn write(&self, out: &mut String) {
+        // Writing to a string does not fail.
+        if self.is_moved() {
+            let _ = write!(
+                out,
+                "// The finished scene is moved by this to the origin, because far from it numbers are coarse.\n\
+                 #declare Centre = {};\n",
+                vector(&self.centre)
+            );
+        }
+        let _ = write!(
+            out,
+            "// The finished scene is scaled by this, because tolerances are absolute.\n\
+             #declare Unit = {};\n",
+            number(self.unit)
+        );
+    }
+
+    /// What is said of everything that has a place.
+    pub fn modifiers(&self) -> &'static str {
+        match self.is_moved() {
+            true => "translate -Centre scale Unit",
+            false => "scale Unit",
+        }
+    }
+
+    fn is_moved(&self) -> bool {
+        self.centre != [0.0; 3]
+    }
+}
+
+/// The largest power of two that is not above `x`; 1 for a number without one.
+pub fn power_of_two_about(x: f64) -> f64 {
+    let exponent = x.log2().floor();
+    if exponent.abs() <= 900.0 {
+        2f64.powi(exponent as i32)
+    } else {
+        1.0
+    }
+}

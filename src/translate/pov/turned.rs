@@ -1,0 +1,106 @@
+//! Triangles whose shading normal turns away from the eye somewhere. POV-Ray turns such a normal round;
+//! light is reckoned with it as it is if the normals are on the eye's side and the texture of the side
+//! where they would be behind is lit from the other side.
+
+use std::collections::HashMap;
+
+use super::camera::Eye;
+use super::facts::{Facts, is_smooth};
+use crate::scene::{Geometry, Matrix, Node, Scene, TriangleNormals, Vec3};
+use crate::trace::vec::Vec3 as V;
+
+/// For each such shape that stands in one place: whether its normals have to be turned to the eye's
+/// side.
+pub fn turned(scene: &Scene, facts: &[Facts], eye: &Eye) -> HashMap<u32, bool> {
+    let eyes = mirrored(scene, V::from(eye.camera.position));
+    if !scene.shapes.iter().any(|s| is_smooth(&s.geometry)) {
+        return HashMap::new();
+    }
+    let mut out = HashMap::new();
+    let mut places: Vec<Option<Matrix>> = vec![None; facts.len()];
+    if let Some(root) = places.last_mut() {
+        *root = Some(Matrix::IDENTITY);
+    }
+    for id in (0..facts.len()).rev() {
+        let Some(place) = places[id] else { continue };
+        let node = scene.nodes[id];
+        let below = match node {
+            Node::Transform { matrix, .. } => place.after(&scene.matrices[matrix as usize]),
+            _ => place,
+        };
+        for child in node.children().into_iter().flatten() {
+            if facts[child as usize].uses == 1 {
+                places[child as usize] = Some(below);
+            }
+        }
+        if let Node::Shape(shape) = node
+            && let Geometry::Triangle { vertices, normals } = &scene.shapes[shape as usize].geometry
+            && let Some(turn) = turns(vertices, normals, &place, &eyes)
+        {
+            out.insert(shape, turn);
+        }
+    }
+    out
+}
+
+/// The eye, and where it seems to be in the mirrors that planes may be.
+fn mirrored(scene: &Scene, eye: V) -> Vec<V> {
+    const MOST: usize = 8;
+    let planes = scene.shapes.iter().filter_map(|s| match s.geometry {
+        Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d]) => {
+            let n = V::new(a, b, c);
+            Some(eye - n * (2.0 * (n.dot(eye) + d) / n.dot(n)))
+        }
+        _ => None,
+    });
+    let finite = planes.filter(|p| p.is_finite());
+    std::iter::once(eye).chain(finite.take(MOST)).collect()
+}
+
+/// Whether the normals are on the far side of a triangle on whose near side some of them turn away.
+fn turns(
+    vertices: &[Vec3; 3],
+    normals: &TriangleNormals,
+    place: &Matrix,
+    eyes: &[V],
+) -> Option<bool> {
+    let normals = match normals {
+        TriangleNormals::Flat => return None,
+        TriangleNormals::One(n) => [*n; 3],
+        TriangleNormals::PerVertex(n) => *n,
+    };
+    let back = place.inverse()?;
+    let points = vertices.map(|v| V::from(place.point(v)));
+    // Normals go with the inverse's transpose.
+    let normals = normals.map(|n| {
+        let row = |j: usize| (0..3).map(|i| back.0[i][j] * n[i]).sum();
+        V::new(row(0), row(1), row(2))
+    });
+    let flat = (points[1] - points[0]).cross(points[2] - points[0]);
+    let is_before = |eye: V| flat.dot(eye - points[0]) > 0.0;
+    let front = is_before(*eyes.first()?);
+    let near = if front { flat } else { -flat };
+    let sides = normals.map(|n| n.dot(near) > 0.0);
+    if sides != [sides[0]; 3] {
+        return None;
+    }
+    let sign = if sides[0] { 1.0 } else { -1.0 };
+    // Corners, the middles of sides, and the middle.
+    let weights = [
+        [1., 0., 0.],
+        [0., 1., 0.],
+        [0., 0., 1.],
+        [0.5, 0.5, 0.],
+        [0., 0.5, 0.5],
+        [0.5, 0., 0.5],
+        [0.3; 3],
+    ];
+    let any = weights.iter().any(|w| {
+        let total: f64 = w.iter().sum();
+        let mix = |all: &[V; 3]| (0..3).fold(V::ZERO, |sum, i| sum + all[i] * (w[i] / total));
+        let (point, normal) = (mix(&points), mix(&normals) * sign);
+        let mut seen = eyes.iter().filter(|e| is_before(**e) == front);
+        seen.any(|e| normal.dot(point - *e) > 0.0)
+    });
+    any.then_some(!sides[0])
+}

@@ -1,0 +1,72 @@
+//! Bounding volumes: those that are proved to hold their objects help POV-Ray; others would cut.
+
+use std::collections::HashMap;
+
+use crate::scene::bounds::NodeBounds;
+use crate::scene::{Aabb, NodeId, Scene, Vec3, Volume};
+
+/// For each object the last of its volumes that certainly holds it, and whether that was written.
+pub type Volumes = HashMap<NodeId, (Volume, bool)>;
+
+pub fn proved(scene: &Scene, bounds: &[NodeBounds]) -> Volumes {
+    let held = |node: NodeId, volume: &Volume| {
+        let all = bounds[node as usize].all;
+        all.is_finite() && holds(volume, &all)
+    };
+    (scene.promises.iter())
+        .filter(|p| held(p.node, &p.volume))
+        .map(|p| (p.node, (p.volume, false)))
+        .collect()
+}
+
+/// The IDs of the objects, among those that the predicate names, whose volumes were left out.
+pub fn left_out(scene: &Scene, volumes: &Volumes, drawn: impl Fn(NodeId) -> bool) -> Vec<u32> {
+    let written = |node| volumes.get(node).is_some_and(|(_, written)| *written);
+    let promises = scene.promises.iter().filter(|p| drawn(p.node));
+    let mut ids: Vec<u32> = promises
+        .filter(|p| !written(&p.node))
+        .map(|p| p.id)
+        .collect();
+    ids.dedup();
+    ids
+}
+
+/// Whether a volume holds a box, with room for rounding.
+fn holds(volume: &Volume, b: &Aabb) -> bool {
+    const ROOM: f64 = 1e-12;
+    match volume {
+        Volume::Box { min, max } => Aabb::new(*min, *max).holds(b),
+        Volume::Sphere { centre, radius } => {
+            let farthest: Vec3 = std::array::from_fn(|i| {
+                (b.max[i] - centre[i])
+                    .abs()
+                    .max((b.min[i] - centre[i]).abs())
+            });
+            let [x, y, z] = farthest;
+            x.hypot(y).hypot(z) <= radius * (1.0 - ROOM)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_have_to_be_within() {
+        let cube = Aabb::new([-1.0; 3], [1.0; 3]);
+        let sphere = |radius| Volume::Sphere {
+            centre: [0.0; 3],
+            radius,
+        };
+        assert!(holds(&sphere(1.74), &cube) && !holds(&sphere(1.73), &cube));
+        let max = [1.0, 1.0, 0.9];
+        assert!(!holds(
+            &Volume::Box {
+                min: [-1.0; 3],
+                max
+            },
+            &cube
+        ));
+    }
+}
