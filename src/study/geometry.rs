@@ -4,8 +4,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::mitsuba::CHANNELS;
-use crate::scene::{Camera, Vec3};
+use crate::scene::{Aabb, Camera, Vec3};
 use crate::trace::camera::View;
+use crate::trace::ray::Ray;
 use crate::trace::{Tracer, Walkers};
 use crate::translate::mitsuba::{Output, ShapeInfo};
 
@@ -49,7 +50,11 @@ pub fn seen(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> Ve
 /// Positions may differ by so much of the scene's size on exact shapes.
 const EXACT: f64 = 1e-4;
 /// What is so many sizes of the scene away is rounded more: single precision has seven digits.
-const FAR: f64 = 1e3;
+const FAR: f64 = 30.0;
+/// What is so many sizes of the scene away is cut off.
+const HORIZON: f64 = 1e3;
+/// By so much of the largest coordinate single precision may mistake a place, after a few operations.
+const ROUNDED: f64 = 4.0 * f32::EPSILON as f64;
 
 /// How two sights compare.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -58,6 +63,9 @@ pub struct Comparison {
     /// Where a neighbour shows another shape, another face or a fold, or where parts without end are
     /// cut off in the translation: not compared.
     pub silhouettes: usize,
+    /// Where single precision, in which Mitsuba computes, does not tell what is seen from something
+    /// else that is nearly there: not compared.
+    pub undecided: usize,
     /// Another shape, or another place than allowed.
     pub wrong: usize,
     /// Of all pixels.
@@ -83,28 +91,48 @@ pub struct Differences {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Pixel {
     Silhouette,
+    Undecided,
     Wrong,
     /// By how much of what is allowed it is off.
     Right(f64),
 }
 
-/// Compares what Mitsuba has written with what we see.
+/// Compares what Mitsuba has written with what we see; `None` where it is of another size.
 pub fn compare(
+    tracer: &Tracer,
+    camera: &Camera,
     ours: &[Option<Seen>],
     theirs: &[f32],
-    width: usize,
+    (width, height): (u32, u32),
     translation: &Output,
-) -> Comparison {
+) -> Option<Comparison> {
+    if theirs.len() != CHANNELS * ours.len() {
+        return None;
+    }
+    let Output { extent, frame, .. } = translation;
+    let mut all = extent
+        .region
+        .hull(&Aabb::new(camera.position, camera.position));
+    (all.min, all.max) = (frame.place(all.min), frame.place(all.max));
+    let largest = all
+        .min
+        .iter()
+        .chain(&all.max)
+        .fold(0.0f64, |m, x| m.max(x.abs()));
     let sight = Sight {
+        tracer,
+        view: View::new(camera, width, height),
         ours,
         theirs,
-        width,
+        width: width as usize,
         translation,
-        size: 2.0 * translation.extent.radius,
+        size: 2.0 * extent.radius,
+        rounded: ROUNDED * largest / frame.scale,
     };
     let mut comparison = Comparison {
         pixels: ours.len(),
         silhouettes: 0,
+        undecided: 0,
         wrong: 0,
         share_wrong: 0.0,
         exact: Differences::default(),
@@ -115,21 +143,26 @@ pub fn compare(
         let pixel = sight.pixel(i, &mut comparison);
         match pixel {
             Pixel::Silhouette => comparison.silhouettes += 1,
+            Pixel::Undecided => comparison.undecided += 1,
             Pixel::Wrong => comparison.wrong += 1,
             Pixel::Right(_) => {}
         }
         comparison.map.push(pixel);
     }
     comparison.share_wrong = comparison.wrong as f64 / comparison.pixels.max(1) as f64;
-    comparison
+    Some(comparison)
 }
 
 struct Sight<'a> {
+    tracer: &'a Tracer,
+    view: Option<View>,
     ours: &'a [Option<Seen>],
     theirs: &'a [f32],
     width: usize,
     translation: &'a Output,
     size: f64,
+    /// By how much single precision may mistake a place.
+    rounded: f64,
 }
 
 impl Sight<'_> {
@@ -140,7 +173,7 @@ impl Sight<'_> {
         let index = c[6].round() as usize;
         let shape = index.checked_sub(1);
         let info = shape.and_then(|s| self.translation.shapes.get(s));
-        (vector(0), vector(3), info)
+        (self.translation.frame.back(vector(0)), vector(3), info)
     }
 
     fn pixel(&self, i: usize, account: &mut Comparison) -> Pixel {
@@ -150,21 +183,24 @@ impl Sight<'_> {
         if cut_off || !self.is_smooth(i) {
             return Pixel::Silhouette;
         }
+        let wrong = || match self.is_nearly_seen(i, point, info) {
+            true => Pixel::Undecided,
+            false => Pixel::Wrong,
+        };
         let (here, info) = match (here, info) {
             (None, None) => return Pixel::Right(0.0),
             (Some(here), Some(info)) => (here, info),
-            _ => return Pixel::Wrong,
+            _ => return wrong(),
         };
         let across = dot(minus(point, here.point), here.normal).abs();
-        let rounding = EXACT * self.size.max(here.distance / FAR);
-        let tolerance = self.translation.extent.tolerance;
-        let (kind, allowed) = match info.exact {
-            true => (&mut account.exact, rounding),
-            false => (&mut account.meshes, tolerance + rounding),
-        };
+        let allowed = self.allowed(here.distance, info);
         if across > allowed || (info.shape, info.object) != (here.shape, here.object) {
-            return Pixel::Wrong;
+            return wrong();
         }
+        let kind = match info.exact {
+            true => &mut account.exact,
+            false => &mut account.meshes,
+        };
         let angle = dot(normal, here.normal).abs().min(1.0).acos().to_degrees();
         kind.pixels += 1;
         kind.distance = kind.distance.max(across);
@@ -173,9 +209,59 @@ impl Sight<'_> {
         Pixel::Right(across / allowed)
     }
 
+    /// How far their place may be from ours.
+    fn allowed(&self, distance: f64, info: &ShapeInfo) -> f64 {
+        let rounding = EXACT * self.size.max(distance / FAR);
+        match info.exact {
+            true => rounding,
+            false => self.translation.extent.tolerance + rounding,
+        }
+    }
+
+    /// Whether we see what they show from a place that single precision does not tell from the ray's
+    /// origin, or behind what we see and as near to it.
+    fn is_nearly_seen(&self, i: usize, point: Vec3, info: Option<&ShapeInfo>) -> bool {
+        let (x, y) = (i % self.width, i / self.width);
+        let ray = |view: &View| view.ray(x as f64 + 0.5, y as f64 + 0.5);
+        let Some(ray) = self.view.as_ref().and_then(ray) else {
+            return false;
+        };
+        let mut walkers: Walkers<f64> = self.tracer.walker();
+        let length = ray.line.direction.length();
+        let mut sees = |by: Vec3, all: bool| {
+            let origin = ray.line.origin + by.into();
+            let crossings = self
+                .tracer
+                .probe(&mut walkers, &Ray::new(origin, ray.line.direction))
+                .crossings;
+            let Some(info) = info else {
+                return crossings.is_empty();
+            };
+            let first = crossings.first().map_or(0.0, |c| c.hit.t * length);
+            let mut near = crossings.iter().take(if all { usize::MAX } else { 1 });
+            near.any(|c| {
+                let distance = c.hit.t * length;
+                let across = dot(minus(point, c.hit.point.0), c.hit.shading.0).abs();
+                (c.shape, c.object) == (info.shape, info.object)
+                    && distance <= first + self.rounded
+                    && across <= self.allowed(distance, info)
+            })
+        };
+        let aside = (0..6).any(|k| {
+            let mut by = [0.0; 3];
+            by[k / 2] = if k % 2 == 0 {
+                self.rounded
+            } else {
+                -self.rounded
+            };
+            sees(by, false)
+        });
+        aside || sees([0.0; 3], true)
+    }
+
     /// Parts without end are cut off somewhere.
     fn is_beyond(&self, seen: Seen) -> bool {
-        seen.distance > FAR * self.size || !self.translation.extent.region.contains(seen.point)
+        seen.distance > HORIZON * self.size || !self.translation.extent.region.contains(seen.point)
     }
 
     /// Whether all pixels around show the same face, and not a fold of it.
@@ -209,11 +295,12 @@ fn minus(a: Vec3, b: Vec3) -> Vec3 {
 }
 
 impl Comparison {
-    /// As a picture of 8-bit RGB, row by row: green up to what is allowed, red where it is wrong, grey
-    /// for silhouettes.
+    /// As a picture of 8-bit RGB, row by row: green up to what is allowed, red where it is wrong, blue
+    /// where single precision decides, grey for silhouettes.
     pub fn picture(&self) -> Vec<u8> {
         let colour = |pixel: &Pixel| match *pixel {
             Pixel::Silhouette => [60; 3],
+            Pixel::Undecided => [0, 90, 255],
             Pixel::Wrong => [255, 0, 0],
             Pixel::Right(share) => [0, (200.0 * share) as u8, 0],
         };

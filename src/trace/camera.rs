@@ -62,6 +62,14 @@ impl View {
         self.position
     }
 
+    /// From clip coordinates to the scene, of a camera with a projection matrix.
+    pub fn unprojection(&self) -> Option<&Matrix> {
+        match &self.lens {
+            Lens::Perspective { .. } => None,
+            Lens::Matrix(back) => Some(back),
+        }
+    }
+
     /// Whether all rays start at the camera's position.
     pub fn is_pinhole(&self) -> bool {
         matches!(self.lens, Lens::Perspective { .. })

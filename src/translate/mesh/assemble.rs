@@ -26,6 +26,9 @@ pub struct Piece {
     pub surface: bool,
     /// It is one shape that no operation cut anything from, and neither did the render box.
     pub whole: bool,
+    /// What is on the other side of its boundary, if it is not empty space: the index into
+    /// [`Graph::indices`].
+    pub around: Option<u32>,
 }
 
 /// Pieces, the first of those that hold a point owning it, and what their labels mean.
@@ -256,6 +259,7 @@ impl<'a> Assembly<'a> {
                 inside: label,
                 surface,
                 whole: one && !solid.outside && !part.inverted,
+                around: None,
             });
         }
         Ok(Operand {
@@ -283,6 +287,7 @@ impl<'a> Assembly<'a> {
                 inside: label,
                 surface: false,
                 whole: false,
+                around: None,
             }],
             outside: false,
         }

@@ -11,8 +11,8 @@ use std::ops::{Add, Mul};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::sync::Once;
 
-use super::soup::Mesh;
-use crate::scene::Matrix;
+use super::soup::{Mesh, cross, dot, sub};
+use crate::scene::{Matrix, Vec3};
 
 /// What two solids make.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,6 +58,7 @@ impl Mul<f64> for Tag {
 pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed> {
     let (of_a, of_b) = (a.volume(), b.volume());
     let size = a.bounds().radius().max(b.bounds().radius());
+    let (a, b, back) = &aligned(a, b, size);
     // Faces in one place are what fails, if anything.
     const NUDGES: [f64; 4] = [0.0, 1e-11, -1e-9, 1e-8];
     for nudge in NUDGES {
@@ -75,10 +76,94 @@ pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed>
             && plausible(&mesh, of_a, of_b, operation)
         {
             mesh.drop_thin(THINNEST * size);
+            if let Some(back) = back {
+                mesh.transform(back);
+            }
             return Ok(mesh);
         }
     }
     Err(Failed)
+}
+
+/// Coordinates that are nearer to each other than this, by the size of the operands, are the same: they
+/// differ by what rotations were rounded.
+const ROUNDED: f64 = 1e-14;
+
+/// The two with the first one's faces along the axes, so that faces of both in one plane are in one
+/// plane of the numbers too; and the way back, if they were turned.
+fn aligned(a: &Mesh, b: &Mesh, size: f64) -> (Mesh, Mesh, Option<Matrix>) {
+    let (mut a, mut b) = (a.clone(), b.clone());
+    let turned = axes(&a);
+    if let Some(turned) = &turned {
+        let mut to = Matrix::IDENTITY;
+        let mut back = Matrix::IDENTITY;
+        for i in 0..3 {
+            for k in 0..3 {
+                (to.0[i][k], back.0[k][i]) = (turned[i][k], turned[i][k]);
+            }
+        }
+        a.transform(&to);
+        b.transform(&to);
+        snap(&mut a, &mut b, ROUNDED * size);
+        return (a, b, Some(back));
+    }
+    snap(&mut a, &mut b, ROUNDED * size);
+    (a, b, None)
+}
+
+/// The directions of a mesh's largest faces, at right angles; `None` where they are the axes, or there
+/// are no two such faces.
+fn axes(mesh: &Mesh) -> Option<[Vec3; 3]> {
+    let normal = |t: usize| {
+        let [a, b, c] = mesh.corners(t);
+        let n = cross(sub(b, a), sub(c, a));
+        (dot(n, n).sqrt(), n)
+    };
+    let largest = |wanted: &dyn Fn(f64, Vec3) -> bool| {
+        let mut best = (0.0, [0.0; 3]);
+        for t in 0..mesh.triangles.len() {
+            let (area, n) = normal(t);
+            if area > best.0 && wanted(area, n) {
+                best = (area, n);
+            }
+        }
+        (best.0 > 0.0).then(|| best.1.map(|x| x / best.0))
+    };
+    let first = largest(&|_, _| true)?;
+    let second = largest(&|area, n| dot(n, first).abs() < 1e-12 * area)?;
+    let along = |n: Vec3| n.iter().any(|x| x.abs() > 1.0 - 1e-15);
+    if along(first) && along(second) {
+        return None;
+    }
+    // At right angles as far as numbers go.
+    let k = dot(first, second);
+    let second = sub(second, first.map(|x| k * x));
+    let length = dot(second, second).sqrt();
+    let second = second.map(|x| x / length);
+    Some([first, second, cross(first, second)])
+}
+
+/// Makes coordinates that are within `least` of each other the same, axis by axis.
+fn snap(a: &mut Mesh, b: &mut Mesh, least: f64) {
+    for axis in 0..3 {
+        let points = a.points.iter().chain(&b.points);
+        let mut places: Vec<f64> = points.map(|p| p[axis]).collect();
+        places.sort_unstable_by(f64::total_cmp);
+        let mut from = f64::NEG_INFINITY;
+        places.retain(|&x| {
+            let new = x - from > least;
+            if new {
+                from = x;
+            }
+            new
+        });
+        for p in a.points.iter_mut().chain(&mut b.points) {
+            let next = places.partition_point(|&x| x <= p[axis]);
+            if let Some(&place) = next.checked_sub(1).and_then(|i| places.get(i)) {
+                p[axis] = place;
+            }
+        }
+    }
 }
 
 fn attempt(a: &Mesh, b: &Mesh, operation: Operation) -> Option<Mesh> {
@@ -189,6 +274,31 @@ mod tests {
         assert_eq!(without_panic(|| 3), Some(3));
         assert_eq!(without_panic(|| -> i32 { panic!("not a word") }), None);
         assert!(!QUIET.get());
+    }
+
+    #[test]
+    fn faces_in_one_place_and_turned() {
+        // A pit that ends where the block does, in any position: open, with five walls.
+        for (angle, axis) in [(30.0, 2), (2.0, 1), (77.7, 0), (123.4, 1)] {
+            let turn = Matrix::rotation(angle, axis).after(&Matrix::rotation(8.0, (axis + 1) % 3));
+            let mut block = cuboid([-1.0, 0.0, -1.0], [1.0, 1.0, 1.0]);
+            let mut tool = cuboid([-0.8, 0.5, -0.8], [-0.1, 1.0, -0.1]);
+            block.transform(&turn);
+            tool.transform(&turn);
+            tool.label_all(7);
+            let made = combine(&block, &tool, Operation::Difference).unwrap();
+            assert!(made.is_closed());
+            assert!((made.volume() - (4.0 - 0.49 * 0.5)).abs() < 1e-9);
+            let area: f64 = (0..made.triangles.len())
+                .filter(|&t| made.labels[t] == 7)
+                .map(|t| {
+                    let [a, b, c] = made.corners(t);
+                    let n = cross(sub(b, a), sub(c, a));
+                    dot(n, n).sqrt() / 2.0
+                })
+                .sum();
+            assert!((area - (0.49 + 4.0 * 0.35)).abs() < 1e-9, "{area}");
+        }
     }
 
     #[test]

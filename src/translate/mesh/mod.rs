@@ -1,11 +1,13 @@
 //! The scene as triangles, for every program that reads meshes.
 //!
 //! [`shape`] makes each shape of triangles that keep within a tolerance of it; [`assemble`] places and
-//! combines them as the scene says, with [`csg`] for two solids and [`unite`] for many; [`skin`] knows
+//! combines them as the scene says, with [`csg`] for two solids, [`unite`] for many and [`carve`] for those
+//! of different media; [`skin`] knows
 //! what each triangle shows; [`ply`], [`obj`] and [`glb`] write files.
 
 mod assemble;
 mod budget;
+mod carve;
 mod csg;
 pub mod glb;
 mod material;
@@ -22,6 +24,7 @@ mod unite;
 mod verdict;
 
 pub use assemble::Piece;
+pub use carve::Medium;
 pub use material::{Coloured, Material};
 pub use skin::Skin;
 pub use soup::Mesh;
@@ -31,7 +34,7 @@ use std::collections::BTreeMap;
 use super::{Fidelity, Report, Unsupported};
 use crate::scene::bounds::node_bounds;
 use crate::scene::frame::seen_box;
-use crate::scene::{Aabb, Scene, Vec3};
+use crate::scene::{Aabb, Matrix, Scene, Vec3};
 use crate::trace::graph::Graph;
 use assemble::{Assembly, Thing, Troubles};
 use budget::TooMany;
@@ -180,9 +183,28 @@ impl Parts {
                     inside,
                     surface: false,
                     whole: false,
+                    around: None,
                 });
             }
         }
+    }
+
+    /// Moves everything; lengths are to be stretched alike.
+    pub fn place(&mut self, m: &Matrix) {
+        for piece in &mut self.pieces {
+            piece.mesh.transform(m);
+            piece.bounds = piece.mesh.bounds();
+        }
+        for skin in &mut self.skins {
+            *skin.matrix = m.after(&skin.matrix);
+            if let Some(texture) = &mut skin.texture {
+                texture.matrix = m.after(&texture.matrix);
+            }
+        }
+        let by = shape::stretch(m);
+        self.extent.region = self.extent.region.transformed(m);
+        self.extent.tolerance *= by;
+        self.extent.radius *= by;
     }
 
     /// Whether the render box cuts some solid open.

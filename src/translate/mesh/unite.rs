@@ -17,7 +17,7 @@ pub struct Union {
 }
 
 impl Union {
-    /// Joins closed meshes. The order does not matter but for faces in one place.
+    /// Joins closed meshes. The order matters only to faces in one place: those of the first are kept.
     pub fn of(meshes: Vec<Mesh>) -> Union {
         let boxes: Vec<Aabb> = meshes.iter().map(Mesh::bounds).collect();
         let tree = Bvh::new(
@@ -36,7 +36,7 @@ impl Union {
             });
         }
         let mut meshes: Vec<Option<Mesh>> = meshes.into_iter().map(Some).collect();
-        let mut groups: Vec<Vec<(Aabb, Mesh)>> = Vec::new();
+        let mut groups: Vec<Vec<Member>> = Vec::new();
         let mut group_of: Vec<Option<usize>> = vec![None; meshes.len()];
         // In the order of the tree, in which neighbours are near each other.
         for &i in &tree.items {
@@ -48,7 +48,11 @@ impl Union {
                 groups.push(Vec::new());
                 groups.len() - 1
             });
-            groups[group].push((boxes[i as usize], mesh));
+            groups[group].push(Member {
+                first: i,
+                bounds: boxes[i as usize],
+                mesh,
+            });
         }
         let mut out = Union::default();
         for group in groups {
@@ -69,32 +73,46 @@ impl Union {
         out
     }
 
-    fn join(&mut self, mut group: Vec<(Aabb, Mesh)>) -> Option<(Aabb, Mesh)> {
+    fn join(&mut self, mut group: Vec<Member>) -> Option<(Aabb, Mesh)> {
         while group.len() > 1 {
             let mut next = Vec::with_capacity(group.len().div_ceil(2));
             let mut rest = group.into_iter();
-            while let Some((box_a, a)) = rest.next() {
-                let Some((box_b, b)) = rest.next() else {
-                    next.push((box_a, a));
+            while let Some(a) = rest.next() {
+                let Some(b) = rest.next() else {
+                    next.push(a);
                     break;
                 };
-                let joined = if box_a.overlaps(&box_b) {
-                    combine(&a, &b, Operation::Union).ok()
-                } else {
-                    None
+                // Of faces in one place those of the first are kept.
+                let (a, b) = if a.first < b.first { (a, b) } else { (b, a) };
+                let overlap = a.bounds.overlaps(&b.bounds);
+                let joined = match overlap {
+                    true => combine(&a.mesh, &b.mesh, Operation::Union).ok(),
+                    false => None,
                 };
-                let joined = joined.unwrap_or_else(|| {
-                    self.failures += u64::from(box_a.overlaps(&box_b));
-                    let mut both = a;
-                    both.append(&b);
+                let mesh = joined.unwrap_or_else(|| {
+                    self.failures += u64::from(overlap);
+                    let mut both = a.mesh;
+                    both.append(&b.mesh);
                     both
                 });
-                next.push((box_a.hull(&box_b), joined));
+                next.push(Member {
+                    first: a.first,
+                    bounds: a.bounds.hull(&b.bounds),
+                    mesh,
+                });
             }
             group = next;
         }
-        group.pop()
+        group.pop().map(|m| (m.bounds, m.mesh))
     }
+}
+
+/// A mesh to be joined with others.
+struct Member {
+    /// The least number of the meshes in it.
+    first: u32,
+    bounds: Aabb,
+    mesh: Mesh,
 }
 
 /// Which boxes overlap another one.
@@ -110,6 +128,32 @@ pub fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
         out[i] = found;
     }
     out
+}
+
+/// The pairs of boxes that overlap and are wanted, in order: the second number larger, the pairs by
+/// the larger and then the smaller; `None` if there are too many.
+pub fn pairs(
+    boxes: &[Aabb],
+    most: usize,
+    wanted: impl Fn(usize, usize) -> bool,
+) -> Option<Vec<(usize, usize)>> {
+    let numbered = boxes.iter().enumerate();
+    let tree = Bvh::new(numbered.map(|(i, b)| (i as u32, bounds(b))).collect());
+    let mut out = Vec::new();
+    for (j, b) in boxes.iter().enumerate() {
+        let start = out.len();
+        visit(&tree, &bounds(b), |i| {
+            let i = i as usize;
+            if i < j && out.len() <= most && b.overlaps(&boxes[i]) && wanted(i, j) {
+                out.push((i, j));
+            }
+        });
+        if out.len() > most {
+            return None;
+        }
+        out[start..].sort_unstable();
+    }
+    Some(out)
 }
 
 fn bounds(b: &Aabb) -> Bounds {

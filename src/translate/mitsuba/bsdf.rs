@@ -34,8 +34,8 @@ impl<'g> Bsdfs<'g> {
         }
     }
 
-    /// A reference to the material of an exact shape.
-    pub fn exact(&mut self, skin: &Skin, shape: &Exact) -> String {
+    /// A reference to the material of an exact shape with an index around it.
+    pub fn exact(&mut self, skin: &Skin, shape: &Exact, around: Option<u32>) -> String {
         let board = skin
             .texture
             .as_ref()
@@ -54,11 +54,11 @@ impl<'g> Bsdfs<'g> {
             }
             (plain, ..) => Reflectance::Plain(plain.unwrap_or(DEFAULT_COLOUR)),
         };
-        self.reference(skin, &colour)
+        self.reference(skin, &colour, around)
     }
 
-    /// A reference to the material of a mesh.
-    pub fn mesh(&mut self, skin: &Skin, colours: Colours) -> String {
+    /// A reference to the material of a mesh with an index around it.
+    pub fn mesh(&mut self, skin: &Skin, colours: Colours, around: Option<u32>) -> String {
         let colour = match colours {
             Colours::Plain => {
                 Reflectance::Plain(skin.plain_colour(self.graph).unwrap_or(DEFAULT_COLOUR))
@@ -66,13 +66,13 @@ impl<'g> Bsdfs<'g> {
             Colours::OfFaces => Reflectance::Attribute("face_color"),
             Colours::OfPoints => Reflectance::Attribute("vertex_color"),
         };
-        self.reference(skin, &colour)
+        self.reference(skin, &colour, around)
     }
 
-    fn reference(&mut self, skin: &Skin, colour: &Reflectance) -> String {
+    fn reference(&mut self, skin: &Skin, colour: &Reflectance, around: Option<u32>) -> String {
         let optics = &self.graph.optics[skin.optics.unwrap_or(0) as usize];
-        let index = self.graph.indices[skin.index.unwrap_or(0) as usize];
-        let body = mixture(optics, index, colour);
+        let indices = [skin.index, around].map(|i| self.graph.indices[i.unwrap_or(0) as usize]);
+        let body = mixture(optics, indices, colour);
         let next = self.numbers.len();
         let n = *self.numbers.entry(body.clone()).or_insert(next);
         if n == next {
@@ -123,11 +123,20 @@ fn blend(weight: f64, first: &str, second: &str) -> String {
     )
 }
 
-/// Each kind of light takes part as often as it is strong, and is as much stronger then.
-fn mixture(o: &Optics, index: Rgb, colour: &Reflectance) -> String {
-    let (kd, ks, kt) = (mean(o.kd), mean(o.ks), mean(o.kt));
+/// Each kind of light takes part as often as it is strong, and is as much stronger then. The indices
+/// are those of the two sides: within and around.
+fn mixture(o: &Optics, [within, around]: [Rgb; 2], colour: &Reflectance) -> String {
+    // By the strongest channel: where no light is made, what is stronger then is no more than all.
+    let strongest = |k: Rgb| k.iter().fold(0.0f64, |m, x| m.max(*x));
+    let (kd, ks, kt) = (strongest(o.kd), strongest(o.ks), strongest(o.kt));
     let all = kd + ks + kt;
-    let scaled = |k: Rgb, share: f64| k.map(|x| if share > 0.0 { x / share } else { 0.0 });
+    // Mitsuba knows no surface that makes light.
+    let scaled = |k: Rgb, share: f64| {
+        k.map(|x| match share > 0.0 {
+            true => (x / share).clamp(0.0, 1.0),
+            false => 0.0,
+        })
+    };
     if all == 0.0 {
         return format!(
             "<bsdf type=\"twosided\"><bsdf type=\"diffuse\">{}</bsdf></bsdf>",
@@ -152,19 +161,20 @@ fn mixture(o: &Optics, index: Rgb, colour: &Reflectance) -> String {
     if through == 0.0 {
         return opaque;
     }
-    let colour = scaled(o.kt, through);
-    let clear = if mean(index) == 1.0 && index[0] == index[1] && index[1] == index[2] {
-        format!(
-            "<bsdf type=\"thindielectric\"><float name=\"int_ior\" value=\"1\"/><float name=\"ext_ior\" value=\"1\"/>{}</bsdf>",
-            rgb("specular_transmittance", colour)
-        )
+    // What does not bend light is a sheet, which knows no total reflection either.
+    let kind = if within == around {
+        "thindielectric"
     } else {
-        format!(
-            "<bsdf type=\"dielectric\"><float name=\"int_ior\" value=\"{}\"/><float name=\"ext_ior\" value=\"1\"/>{}</bsdf>",
-            number(mean(index)),
-            rgb("specular_transmittance", colour)
-        )
+        "dielectric"
     };
+    let indices =
+        [mean(within), mean(around)].map(|n| number(if within == around { 1.0 } else { n }));
+    let clear = format!(
+        "<bsdf type=\"{kind}\"><float name=\"int_ior\" value=\"{}\"/><float name=\"ext_ior\" value=\"{}\"/>{}</bsdf>",
+        indices[0],
+        indices[1],
+        rgb("specular_transmittance", scaled(o.kt, through))
+    );
     if diffuse + mirrored == 0.0 {
         clear
     } else {

@@ -25,13 +25,17 @@ impl Exact {
     }
 }
 
-/// The shape of a skin, if Mitsuba has it and its colours can be laid on it. Planes and half-spaces
-/// are rectangles that reach very far.
-pub fn shape(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<Exact> {
+/// What is near of something without end, by how far it reaches.
+const NEAR: f64 = 1.0 / 32.0;
+
+/// The shapes that make up the shape of a skin, if Mitsuba has them and its colours can be laid on
+/// them. Planes and half-spaces are rectangles: one, and four around it that reach very far. For
+/// Mitsuba's rectangles are as exact as they are small.
+pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<Vec<Exact>> {
     let record = graph.records[skin.primitive? as usize] as usize;
     let m = &*skin.matrix;
     let placed = |m: &Matrix| xml::transform("to_world", m);
-    let (kind, body, uv) = match scene.shapes[record].geometry {
+    let made = match scene.shapes[record].geometry {
         Geometry::Sphere { centre, radius } => {
             let scale = uniform_scale(m)?;
             // Its poles lie on z, ours on y; from south to north ours go.
@@ -51,12 +55,12 @@ pub fn shape(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<Ex
                 row[3] = at;
             }
             let uv = (!mirrored).then_some([[1.0, -1.0], [0.0, 1.0]]);
-            ("sphere", placed(&place), uv)
+            vec![("sphere", placed(&place), uv)]
         }
         Geometry::Box { min, max } => {
             let centre: Vec3 = std::array::from_fn(|i| min[i] / 2.0 + max[i] / 2.0);
             let half: Vec3 = std::array::from_fn(|i| max[i] / 2.0 - min[i] / 2.0);
-            ("cube", placed(&m.after(&at(centre, half))), None)
+            vec![("cube", placed(&m.after(&at(centre, half))), None)]
         }
         Geometry::Rectangle { min, max } => {
             let centre = [
@@ -70,7 +74,7 @@ pub fn shape(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<Ex
                 1.0,
             ];
             let uv = Some([[1.0; 2], [0.0; 2]]);
-            ("rectangle", placed(&m.after(&at(centre, half))), uv)
+            vec![("rectangle", placed(&m.after(&at(centre, half))), uv)]
         }
         Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d]) => {
             let length = a.hypot(b).hypot(c);
@@ -82,28 +86,41 @@ pub fn shape(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<Ex
             };
             let u = flat::normal_to(up, n);
             let v = flat::normal_to(n, u);
-            let half = reach / uniform_scale(m)?;
-            let mut frame = Matrix::IDENTITY;
-            for i in 0..3 {
-                frame.0[i] = [u[i] * half, v[i] * half, n[i], -d / length * n[i]];
-            }
-            let uv = Some([[2.0 * half; 2], [-half; 2]]);
-            ("rectangle", placed(&m.after(&frame)), uv)
+            let far = reach / uniform_scale(m)?;
+            let near = NEAR * far;
+            let (middle, half) = ((far + near) / 2.0, (far - near) / 2.0);
+            let strip = |centre: [f64; 2], [p, q]: [f64; 2]| {
+                let mut frame = Matrix::IDENTITY;
+                for i in 0..3 {
+                    let foot = centre[0] * u[i] + centre[1] * v[i] - d / length * n[i];
+                    frame.0[i] = [u[i] * p, v[i] * q, n[i], foot];
+                }
+                let uv = Some([[2.0 * p, 2.0 * q], [centre[0] - p, centre[1] - q]]);
+                ("rectangle", placed(&m.after(&frame)), uv)
+            };
+            vec![
+                strip([0.0; 2], [near; 2]),
+                strip([middle, 0.0], [half, far]),
+                strip([-middle, 0.0], [half, far]),
+                strip([0.0, middle], [near, half]),
+                strip([0.0, -middle], [near, half]),
+            ]
         }
         _ => return None,
     };
-    let out = Exact {
+    let plain = skin.plain_colour(graph).is_some();
+    let board = skin.texture.as_ref().is_some_and(|t| {
+        let texture = &graph.textures[t.texture as usize];
+        matches!(texture, Texture::Checkerboard { .. })
+    });
+    let exact = |(kind, body, uv)| Exact {
         kind,
         body,
         shape: skin.shape,
         uv,
     };
-    let plain = skin.plain_colour(graph).is_some();
-    let board = skin.texture.as_ref().is_some_and(|t| {
-        let texture = &graph.textures[t.texture as usize];
-        matches!(texture, Texture::Checkerboard { .. }) && out.uv.is_some()
-    });
-    (plain || board).then_some(out)
+    let out: Vec<Exact> = made.into_iter().map(exact).collect();
+    (plain || board && out.iter().all(|e| e.uv.is_some())).then_some(out)
 }
 
 fn at(centre: Vec3, half: Vec3) -> Matrix {

@@ -17,6 +17,7 @@ struct Key {
     object: u32,
     optics: u32,
     index: u32,
+    around: Option<u32>,
     colours: Colours,
     colour: [u64; 3],
 }
@@ -33,6 +34,8 @@ pub struct File {
     /// One that all its triangles have the material of.
     pub skin: u32,
     pub colours: Colours,
+    /// As in [`Piece`].
+    pub around: Option<u32>,
     pub bytes: Vec<u8>,
 }
 
@@ -54,7 +57,7 @@ impl Collector {
                 part.refine(|_| true, grain);
             }
             self.meshes
-                .entry(key(skin, graph))
+                .entry(key(skin, piece.around, graph))
                 .or_default()
                 .append(&part);
         }
@@ -69,13 +72,14 @@ impl Collector {
             },
             skin: mesh.labels.first().copied().unwrap_or(0),
             colours: key.colours,
+            around: key.around,
             bytes: bytes(&mesh, key.colours, skins, graph),
         };
         self.meshes.into_iter().map(file).collect()
     }
 }
 
-fn key(skin: &Skin, graph: &Graph) -> Key {
+fn key(skin: &Skin, around: Option<u32>, graph: &Graph) -> Key {
     let plain = skin.plain_colour(graph);
     let colours = match (&plain, &skin.texture) {
         (Some(_), _) => Colours::Plain,
@@ -89,6 +93,7 @@ fn key(skin: &Skin, graph: &Graph) -> Key {
         object: skin.object(),
         optics: skin.optics.unwrap_or(0),
         index: skin.index.unwrap_or(0),
+        around,
         colours,
         colour: plain.map_or([0; 3], |c| c.map(f64::to_bits)),
     }

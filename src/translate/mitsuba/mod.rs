@@ -6,15 +6,19 @@
 
 mod bsdf;
 mod exact;
+mod frame;
+mod lens;
 mod meshes;
 mod scenery;
 mod verdict;
 mod xml;
 
-use super::{Report, Unsupported, mesh};
-use crate::scene::Scene;
-use crate::trace::Tracer;
+use super::{Fidelity, Report, Unsupported, mesh};
+use crate::scene::{Camera, Scene};
+use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
+pub use frame::Frame;
+pub use scenery::is_exact;
 
 /// What Mitsuba is to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -63,6 +67,8 @@ pub struct Output {
     pub shapes: Vec<ShapeInfo>,
     /// How far the meshes may be from the shapes, and where parts without end are cut off.
     pub extent: mesh::Extent,
+    /// Where the scene was put.
+    pub frame: Frame,
     pub report: Report,
 }
 
@@ -83,43 +89,59 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         eye: cameras.first().map(|c| c.position),
     };
     let mut parts = mesh::Parts::of(scene, graph, &of_meshes)?;
-    // One medium has no boundary in itself.
-    let media: Vec<Option<u64>> = parts
+    parts.drop_equals();
+    let clear = |skin: &mesh::Skin| graph.optics[skin.optics.unwrap_or(0) as usize].kt != [0.0; 3];
+    let media: Vec<mesh::Medium> = parts
         .skins
         .iter()
-        .map(|skin| {
-            let (optics, index) = (skin.optics.unwrap_or(0), skin.index.unwrap_or(0));
-            let clear = graph.optics[optics as usize].kt != [0.0; 3];
-            clear.then_some(u64::from(optics) << 32 | u64::from(index))
+        .map(|skin| mesh::Medium {
+            optics: skin.optics.unwrap_or(0),
+            index: skin.index.unwrap_or(0),
+            clear: clear(skin),
         })
         .collect();
     // What is opaque hides what overlaps in it, unless one looks into it.
-    let opaque = parts.is_cut_open().then_some(u64::MAX);
-    parts.join_by(|piece| media[piece.inside as usize].or(opaque));
-    let reach = scenery::reach(&parts.extent.region, &cameras);
+    let within = parts.is_cut_open() || cameras.iter().any(|c| is_within(tracer, c, options.size));
+    parts.carve(&media, within);
+    // One medium has no boundary in itself.
+    parts.join_by(|piece| {
+        let m = media.get(piece.inside as usize)?;
+        let joined = (m.clear || within) && piece.around.is_none();
+        joined.then_some(u64::from(m.optics) << 32 | u64::from(m.index))
+    });
+    let frame = Frame::of(&parts.extent.region);
+    let extent = parts.extent;
+    if !frame.is_plain() {
+        parts.place(&frame.matrix());
+    }
+    let there: Vec<Camera> = cameras.iter().map(|c| frame.camera(c)).collect();
+    let reach = scenery::reach(&parts.extent.region, &there);
 
     let mut bsdfs = Bsdfs::new(graph);
     let (mut shapes, mut text) = (Vec::new(), String::new());
     let mut cut = meshes::Collector::default();
     for piece in &parts.pieces {
         let skin = &parts.skins[piece.inside as usize];
-        let own = piece.whole.then(|| exact::shape(scene, graph, skin, reach));
-        match own.flatten() {
-            Some(shape) => {
-                let bsdf = bsdfs.exact(skin, &shape);
-                shapes.push(ShapeInfo {
-                    shape: skin.shape,
-                    object: skin.object(),
-                    exact: true,
-                });
-                text.push_str(&shape.xml(&bsdf, shapes.len()));
-            }
-            None => cut.add(piece, &parts.skins, graph, parts.extent.grain()),
+        let own = piece
+            .whole
+            .then(|| exact::shapes(scene, graph, skin, reach));
+        let Some(own) = own.flatten() else {
+            cut.add(piece, &parts.skins, graph, parts.extent.grain());
+            continue;
+        };
+        for shape in own {
+            let bsdf = bsdfs.exact(skin, &shape, piece.around);
+            shapes.push(ShapeInfo {
+                shape: skin.shape,
+                object: skin.object(),
+                exact: true,
+            });
+            text.push_str(&shape.xml(&bsdf, shapes.len()));
         }
     }
     let mut files = Vec::new();
     for mesh in cut.finish(&parts.skins, graph) {
-        let bsdf = bsdfs.mesh(&parts.skins[mesh.skin as usize], mesh.colours);
+        let bsdf = bsdfs.mesh(&parts.skins[mesh.skin as usize], mesh.colours, mesh.around);
         shapes.push(mesh.info);
         let name = format!("{}_{}.ply", options.stem, shapes.len());
         text.push_str(&xml::ply(&name, &bsdf, &mesh.info, shapes.len()));
@@ -130,28 +152,71 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         _ => &["_left", "_right"],
     };
     let mut documents = Vec::new();
-    for (name, camera) in names.iter().zip(&cameras) {
-        let view = scenery::view(scene, camera, reach, options)?;
+    for ((name, camera), there) in names.iter().zip(&cameras).zip(&there) {
+        let view = scenery::view(scene, there, reach, options)?;
         let lights = match options.integrator {
-            Integrator::Path => scenery::lights(scene, camera, &parts.extent.region),
+            Integrator::Path => scenery::lights(scene, camera, &frame, &parts.extent.region),
             Integrator::Aov => String::new(),
+        };
+        let moved = match frame.is_plain() {
+            true => String::new(),
+            false => format!(
+                "<!-- of the scene's coordinates, {} is taken off; the rest is multiplied by {} -->\n",
+                xml::vector(frame.origin),
+                xml::number(frame.scale)
+            ),
         };
         documents.push((
             *name,
             format!(
-                "<!-- made by zpg, for Mitsuba 3 -->\n<scene version=\"3.0.0\">\n{view}{lights}{}{text}</scene>\n",
+                "<!-- made by zpg, for Mitsuba 3 -->\n{moved}<scene version=\"3.0.0\">\n{view}{lights}{}{text}</scene>\n",
                 bsdfs.text
             ),
         ));
     }
-    let extent = parts.extent;
     let mut report = Report::of("mitsuba", scene, |f| verdict::verdict(f, extent.tolerance));
     parts.account(&mut report);
+    for camera in &cameras {
+        if !scenery::is_exact(camera, options.size) {
+            let why = "pixels are made square: choose the --size that the matrix is meant for";
+            let fidelity = Fidelity::Approximate(why.to_owned());
+            report.count(
+                "cameras whose pixels are not squares",
+                fidelity,
+                "perspective",
+            );
+        }
+    }
     Ok(Output {
         documents,
         meshes: files,
         shapes,
         extent,
+        frame,
         report,
     })
+}
+
+/// Whether rays of a camera start in a solid.
+fn is_within(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> bool {
+    let Some(view) = View::new(camera, width, height) else {
+        return false;
+    };
+    let mut walkers: Walkers<f64> = tracer.walker();
+    // Those of a projection matrix start all over the picture.
+    let (w, h) = (f64::from(width), f64::from(height));
+    let mut within = |x: f64, y: f64| {
+        let ray = view.ray(x * w, y * h);
+        ray.is_some_and(|ray| tracer.probe(&mut walkers, &ray).inside_at_origin)
+    };
+    let steps = if view.is_pinhole() { 1..2 } else { 0..5 };
+    let places = steps.map(|i| {
+        if view.is_pinhole() {
+            0.5
+        } else {
+            f64::from(i) / 4.0
+        }
+    });
+    let places: Vec<f64> = places.collect();
+    places.iter().any(|&y| places.iter().any(|&x| within(x, y)))
 }

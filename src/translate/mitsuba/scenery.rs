@@ -3,12 +3,13 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
+use super::frame::Frame;
+use super::lens::Lens;
 use super::xml::{number, rgb, transform, vector};
 use super::{Integrator, Options};
 use crate::scene::bounds::node_bounds;
 use crate::scene::frame::{Basis, automatic_camera, headlight};
-use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3, View};
-use crate::trace;
+use crate::scene::{Aabb, Camera, Matrix, Scene, View};
 use crate::translate::Unsupported;
 
 /// Samples a pixel of a path-traced picture.
@@ -47,11 +48,13 @@ pub fn view(
     reach: f64,
     options: &Options,
 ) -> Result<String, Unsupported> {
-    let basis = Basis::of(camera).ok_or_else(|| Unsupported {
+    let nowhere = || Unsupported {
         id: camera.id,
         span: None,
         message: format!("camera {} looks nowhere", camera.id),
-    })?;
+    };
+    let basis = Basis::of(camera).ok_or_else(nowhere)?;
+    let (sensor, near) = sensor(camera, &basis, options.size).ok_or_else(nowhere)?;
     let integrator = match options.integrator {
         Integrator::Path => format!(
             "  <integrator type=\"path\">\n    <integer name=\"max_depth\" value=\"{}\"/>\n    \
@@ -75,69 +78,71 @@ pub fn view(
     };
     let (width, height) = options.size;
     Ok(format!(
-        "{integrator}{}    <float name=\"near_clip\" value=\"{}\"/>\n    \
+        "{integrator}{sensor}    <float name=\"near_clip\" value=\"{}\"/>\n    \
          <float name=\"far_clip\" value=\"{}\"/>\n    \
          {sampler}\n    <film type=\"hdrfilm\">\n      <integer name=\"width\" value=\"{width}\"/>\n      \
          <integer name=\"height\" value=\"{height}\"/>\n      <rfilter type=\"box\"/>\n      \
          <string name=\"pixel_format\" value=\"rgb\"/>\n      \
          <string name=\"component_format\" value=\"float32\"/>\n    </film>\n  </sensor>\n",
-        sensor(camera, &basis, options.size),
-        number(reach / HORIZON * 1e-5),
+        number(near.unwrap_or(reach / HORIZON * 1e-7)),
         number(reach * 10.0),
     ))
 }
 
-/// The beginning of a sensor: where it is and what it sees.
-fn sensor(camera: &Camera, basis: &Basis, (width, height): (u32, u32)) -> String {
-    if let Some([origin, right, up]) = parallel(camera, width, height) {
-        // It looks along its z, and its x points to the left; it sees x from −1 to 1.
-        let aspect = f64::from(width) / f64::from(height);
-        let mut place = Matrix::IDENTITY;
-        for i in 0..3 {
-            place.0[i] = [-right[i], aspect * up[i], basis.forward[i], origin[i]];
-        }
-        return format!(
-            "  <sensor type=\"orthographic\">\n    {}\n",
-            transform("to_world", &place)
+/// The beginning of a sensor: where it is and what it sees, and how near.
+fn sensor(
+    camera: &Camera,
+    basis: &Basis,
+    (width, height): (u32, u32),
+) -> Option<(String, Option<f64>)> {
+    if camera.projection.is_none() {
+        let target = std::array::from_fn(|i| camera.position[i] + basis.forward[i]);
+        let text = format!(
+            "  <sensor type=\"perspective\">\n    <string name=\"fov_axis\" value=\"y\"/>\n    \
+             <float name=\"fov\" value=\"{}\"/>\n    \
+             <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n",
+            number(camera.fovy),
+            vector(camera.position),
+            vector(target),
+            vector(basis.up),
         );
+        return Some((text, None));
     }
-    let target: [f64; 3] = std::array::from_fn(|i| camera.position[i] + basis.forward[i]);
-    format!(
-        "  <sensor type=\"perspective\">\n    <string name=\"fov_axis\" value=\"y\"/>\n    \
-         <float name=\"fov\" value=\"{}\"/>\n    \
-         <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n",
-        number(field_of_view(camera)),
-        vector(camera.position),
-        vector(target),
-        vector(basis.up),
-    )
-}
-
-/// Of a projection with parallel rays: where the one in the middle starts, and from there to the
-/// right edge and to the upper one.
-fn parallel(camera: &Camera, width: u32, height: u32) -> Option<[Vec3; 3]> {
-    camera.projection?;
-    let view = trace::camera::View::new(camera, width, height)?;
-    let (w, h) = (f64::from(width), f64::from(height));
-    let [middle, right, top] = [[w / 2.0, h / 2.0], [w, h / 2.0], [w / 2.0, 0.0]].map(|[x, y]| {
-        view.ray(x, y)
-            .map(|ray| (ray.line.origin.0, ray.line.direction.unit()))
-    });
-    let (middle, right, top) = (middle?, right?, top?);
-    let same = |d: trace::vec::Vec3| (d - middle.1).length() < 1e-9;
-    let to = |end: Vec3| std::array::from_fn(|i| end[i] - middle.0[i]);
-    (same(right.1) && same(top.1)).then(|| [middle.0, to(right.0), to(top.0)])
-}
-
-/// Vertical, in degrees; of a projection matrix what it comes nearest to.
-fn field_of_view(camera: &Camera) -> f64 {
-    match &camera.projection {
-        Some(p) if p.0[1][1] != 0.0 && p.0[3][3] == 0.0 => {
-            (2.0 * (1.0 / p.0[1][1].abs()).atan()).to_degrees()
+    match Lens::of(camera, width, height)? {
+        Lens::Parallel([origin, right, up, forward]) => {
+            // It looks along its z, and its x points to the left; it sees x from −1 to 1.
+            let aspect = f64::from(width) / f64::from(height);
+            let mut place = Matrix::IDENTITY;
+            for i in 0..3 {
+                place.0[i] = [-right[i], aspect * up[i], forward[i], origin[i]];
+            }
+            let text = format!(
+                "  <sensor type=\"orthographic\">\n    {}\n",
+                transform("to_world", &place)
+            );
+            Some((text, None))
         }
-        Some(_) => 45.0,
-        None => camera.fovy,
+        Lens::Pinhole(p) => {
+            let [x, y] = p.shift;
+            let text = format!(
+                "  <sensor type=\"perspective\">\n    <string name=\"fov_axis\" value=\"y\"/>\n    \
+                 <float name=\"fov\" value=\"{}\"/>\n    \
+                 <float name=\"principal_point_offset_x\" value=\"{}\"/>\n    \
+                 <float name=\"principal_point_offset_y\" value=\"{}\"/>\n    {}\n",
+                number(p.field_of_view),
+                number(x / 2.0),
+                number(-y / 2.0),
+                transform("to_world", &p.place()),
+            );
+            Some((text, Some(p.near).filter(|n| *n > 0.0)))
+        }
     }
+}
+
+/// Whether the pixels of a camera are squares or its rays parallel: Mitsuba has no others.
+pub fn is_exact(camera: &Camera, (width, height): (u32, u32)) -> bool {
+    camera.projection.is_none()
+        || !matches!(Lens::of(camera, width, height), Some(Lens::Pinhole(p)) if !p.is_exact())
 }
 
 /// What surrounds the scene.
@@ -168,7 +173,7 @@ fn environment(scene: &Scene) -> Option<Environment> {
 }
 
 /// The lamps. They are as bright as ours at the middle of the scene: Mitsuba's fade with distance.
-pub fn lights(scene: &Scene, camera: &Camera, region: &Aabb) -> String {
+pub fn lights(scene: &Scene, camera: &Camera, frame: &Frame, region: &Aabb) -> String {
     let mut out = String::new();
     if let Some(e) = environment(scene) {
         // Writing to a string does not fail.
@@ -180,14 +185,15 @@ pub fn lights(scene: &Scene, camera: &Camera, region: &Aabb) -> String {
     }
     let middle = region.centre();
     for lamp in scene.point_lights.iter().chain(&headlight(scene, camera)) {
-        let d: [f64; 3] = std::array::from_fn(|i| lamp.position[i] - middle[i]);
+        let position = frame.place(lamp.position);
+        let d: [f64; 3] = std::array::from_fn(|i| position[i] - middle[i]);
         let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
         let power = lamp.colour.map(|c| c * lamp.intensity * PI * square);
         let _ = writeln!(
             out,
             "  <emitter type=\"point\" id=\"Light_{}\"><point name=\"position\" value=\"{}\"/>{}</emitter>",
             lamp.id,
-            vector(lamp.position),
+            vector(position),
             rgb("intensity", power)
         );
     }

@@ -90,7 +90,8 @@ pub fn tessellate(
             Ok(Solid::of(flat::cuboid(min, max)))
         }
         Geometry::Torus { major, minor } => {
-            let half = tolerance / 2.0;
+            // However thin a wire is, it is round.
+            let half = (tolerance / 2.0).min(minor / 20.0);
             let around = sides(major + minor, half);
             let n = sides(minor, half);
             budget.spend(n)?;

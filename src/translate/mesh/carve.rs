@@ -1,0 +1,138 @@
+//! Pieces that overlap, as a union sees them: the first that holds a point owns it, and a boundary
+//! within another medium has that on its other side.
+
+use std::collections::HashSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use super::Parts;
+use super::assemble::Piece;
+use super::csg::{Operation, combine};
+use super::shape::DROPPED;
+use super::soup::Mesh;
+use super::unite;
+
+/// What something is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Medium {
+    /// Index into [`crate::trace::graph::Graph::optics`].
+    pub optics: u32,
+    /// Index into [`crate::trace::graph::Graph::indices`].
+    pub index: u32,
+    /// It lets light through.
+    pub clear: bool,
+}
+
+/// So many pairs of different media are told apart at most.
+const MOST_PAIRS: usize = 20_000;
+
+impl Parts {
+    /// Leaves out what is where the same is already.
+    pub fn drop_equals(&mut self) {
+        let mut seen: HashSet<u64> = HashSet::new();
+        self.pieces.retain(|p| seen.insert(form(p)));
+    }
+
+    /// Takes from each solid what earlier ones of another medium hold, where that can be seen: through
+    /// clear ones, or everywhere with `within`. What of a clear solid lies in a later one becomes a
+    /// piece with that one's index around it. `media` are beside the skins.
+    pub fn carve(&mut self, media: &[Medium], within: bool) {
+        let medium = |p: &Piece| media.get(p.inside as usize).filter(|_| !p.surface).copied();
+        if !within && !self.pieces.iter().filter_map(medium).any(|m| m.clear) {
+            return;
+        }
+        let boxes: Vec<_> = self.pieces.iter().map(|p| p.bounds).collect();
+        let wanted = |i: usize, j: usize| {
+            let Some((a, b)) = medium(&self.pieces[i]).zip(medium(&self.pieces[j])) else {
+                return false;
+            };
+            (a.optics, a.index) != (b.optics, b.index) && (within || a.clear)
+        };
+        let Some(pairs) = unite::pairs(&boxes, MOST_PAIRS, wanted) else {
+            self.troubles.unjoined += 1;
+            return;
+        };
+        let mut tools: Vec<Option<Mesh>> = vec![None; self.pieces.len()];
+        for &(i, j) in &pairs {
+            for k in [i, j] {
+                tools[k].get_or_insert_with(|| {
+                    let mut tool = self.pieces[k].mesh.clone();
+                    tool.label_all(DROPPED);
+                    tool
+                });
+            }
+        }
+        let mut pieces: Vec<Vec<Piece>> = std::mem::take(&mut self.pieces)
+            .into_iter()
+            .map(|p| vec![p])
+            .collect();
+        for (first, second) in pairs {
+            let (Some(of_first), Some(of_second)) = (&tools[first], &tools[second]) else {
+                continue;
+            };
+            let later = std::mem::take(&mut pieces[second]);
+            for piece in later {
+                let [_, left] = self.parted(piece, of_first);
+                pieces[second].extend(left);
+            }
+            let [Some(a), Some(b)] = [first, second].map(|k| {
+                let inside = pieces[k].first()?.inside;
+                media.get(inside as usize).copied()
+            }) else {
+                continue;
+            };
+            if a.clear && b.clear && b.index != 0 {
+                let earlier = std::mem::take(&mut pieces[first]);
+                for piece in earlier {
+                    if piece.around.is_some() {
+                        pieces[first].push(piece);
+                        continue;
+                    }
+                    let [held, left] = self.parted(piece, of_second);
+                    let around = Some(b.index);
+                    let held = held.map(|p| Piece { around, ..p });
+                    pieces[first].extend(left);
+                    pieces[first].extend(held);
+                }
+            }
+        }
+        self.pieces = pieces.into_iter().flatten().collect();
+    }
+
+    /// What of a piece's faces lies in a tool, and what outside; one that lies wholly on one side stays
+    /// as it is.
+    fn parted(&mut self, piece: Piece, tool: &Mesh) -> [Option<Piece>; 2] {
+        let shown = |m: &Mesh| m.labels.iter().any(|l| *l != DROPPED);
+        let [held, left] = [Operation::Intersection, Operation::Difference]
+            .map(|operation| combine(&piece.mesh, tool, operation));
+        let (Ok(held), Ok(left)) = (held, left) else {
+            self.troubles.uncut += 1;
+            return [None, Some(piece)];
+        };
+        match (shown(&held), shown(&left)) {
+            (true, false) => [Some(piece), None],
+            (false, true) => [None, Some(piece)],
+            (false, false) => [None, None],
+            (true, true) => [held, left].map(|mesh| {
+                Some(Piece {
+                    bounds: mesh.bounds(),
+                    mesh,
+                    whole: false,
+                    ..piece
+                })
+            }),
+        }
+    }
+}
+
+/// The same for pieces of one form in one place.
+fn form(piece: &Piece) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    piece.surface.hash(&mut hasher);
+    piece.mesh.triangles.hash(&mut hasher);
+    for p in &piece.mesh.points {
+        p.map(f64::to_bits).hash(&mut hasher);
+    }
+    let dropped = piece.mesh.labels.iter().map(|l| *l == DROPPED);
+    dropped.for_each(|d| d.hash(&mut hasher));
+    hasher.finish()
+}

@@ -1,0 +1,209 @@
+//! What Mitsuba's cameras can be of those with a projection matrix.
+
+use crate::scene::{Camera, Matrix, Vec3};
+use crate::trace::camera::View;
+
+/// A camera as Mitsuba has it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Lens {
+    /// Rays through one point.
+    Pinhole(Pinhole),
+    /// Parallel rays: where the one in the middle starts, and from there to the right edge and to the
+    /// upper one; the way they go.
+    Parallel([Vec3; 4]),
+}
+
+/// Rays through one point, and a picture at right angles to the way it looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pinhole {
+    pub position: Vec3,
+    /// Unit vectors: to the right and upwards in the picture, and along the optical axis.
+    pub right: Vec3,
+    pub up: Vec3,
+    pub forward: Vec3,
+    /// Vertical, in degrees.
+    pub field_of_view: f64,
+    /// Where the middle of the picture is seen from the optical axis, to the right and upwards, by
+    /// its half width and height.
+    pub shift: [f64; 2],
+    /// Nothing is seen before.
+    pub near: f64,
+    /// Width of a pixel by its height; `None` where it has no right angles.
+    pub pixel: Option<f64>,
+}
+
+impl Pinhole {
+    /// Whether Mitsuba's camera sees the same: its pixels are squares.
+    pub fn is_exact(&self) -> bool {
+        self.pixel.is_some_and(|p| (p - 1.0).abs() < 1e-6)
+    }
+}
+
+impl Lens {
+    /// Of a camera with a projection matrix; `None` where its rays cannot be told.
+    pub fn of(camera: &Camera, width: u32, height: u32) -> Option<Lens> {
+        let view = View::new(camera, width, height)?;
+        let back = view.unprojection()?;
+        let (w, h) = (f64::from(width), f64::from(height));
+        let middle = view.ray(w / 2.0, h / 2.0)?;
+        let seen = middle.line.direction.unit().0;
+        // What the lines through all points of the picture have in common.
+        let common: [f64; 4] = std::array::from_fn(|i| back.0[i][2]);
+        let size = common.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        if common[3].abs() <= 1e-12 * size {
+            let right = view.ray(w, h / 2.0)?.line.origin.0;
+            let top = view.ray(w / 2.0, 0.0)?.line.origin.0;
+            let start = middle.line.origin.0;
+            return Some(Lens::Parallel([
+                start,
+                minus(right, start),
+                minus(top, start),
+                seen,
+            ]));
+        }
+        let position: Vec3 = std::array::from_fn(|i| common[i] / common[3]);
+        // The near plane's point of (x, y), from that point: weighted, and so linear in x and y.
+        let column = |c: [f64; 4]| -> Vec3 {
+            let at = |i: usize| (0..4).map(|j| back.0[i][j] * c[j]).sum::<f64>();
+            let weight = at(3);
+            std::array::from_fn(|i| at(i) - position[i] * weight)
+        };
+        let along_x = column([1.0, 0.0, 0.0, 0.0]);
+        let along_y = column([0.0, 1.0, 0.0, 0.0]);
+        let centre = column([0.0, 0.0, -1.0, 1.0]);
+        // Weights may be negative.
+        let sign = if dot(centre, seen) < 0.0 { -1.0 } else { 1.0 };
+        let [along_x, along_y, centre] = [along_x, along_y, centre].map(|v| v.map(|x| sign * x));
+        let (width_there, height_there) = (length(along_x), length(along_y));
+        let right = along_x.map(|x| x / width_there);
+        let up = along_y.map(|x| x / height_there);
+        let across = cross(right, up);
+        let facing = if dot(across, centre) < 0.0 { -1.0 } else { 1.0 };
+        let forward = across.map(|x| facing * x / length(across));
+        let depth = dot(centre, forward);
+        let square = dot(right, up).abs() < 1e-9;
+        let out = Pinhole {
+            position,
+            right,
+            // Where the pixels are skewed, what comes nearest.
+            up: cross(forward, right).map(|x| {
+                x * if dot(cross(forward, right), up) < 0.0 {
+                    -1.0
+                } else {
+                    1.0
+                }
+            }),
+            forward,
+            field_of_view: 2.0 * (height_there / depth).atan().to_degrees(),
+            shift: [
+                dot(centre, right) / width_there,
+                dot(centre, up) / height_there,
+            ],
+            near: dot(minus(middle.line.origin.0, position), forward),
+            pixel: square.then_some(width_there / height_there * h / w),
+        };
+        let numbers = [out.field_of_view, out.near, out.shift[0], out.shift[1]];
+        let finite = numbers
+            .iter()
+            .chain(&right)
+            .chain(&forward)
+            .all(|x| x.is_finite());
+        (finite && depth > 0.0).then_some(Lens::Pinhole(out))
+    }
+}
+
+impl Pinhole {
+    /// Camera to world: Mitsuba's looks along its z, and its x points to the left.
+    pub fn place(&self) -> Matrix {
+        let mut out = Matrix::IDENTITY;
+        for i in 0..3 {
+            out.0[i] = [
+                -self.right[i],
+                self.up[i],
+                self.forward[i],
+                self.position[i],
+            ];
+        }
+        out
+    }
+}
+
+fn minus(a: Vec3, b: Vec3) -> Vec3 {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+fn dot(a: Vec3, b: Vec3) -> f64 {
+    (0..3).map(|i| a[i] * b[i]).sum()
+}
+
+fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}
+
+fn length(a: Vec3) -> f64 {
+    a[0].hypot(a[1]).hypot(a[2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pinhole(rows: &[f64; 16], width: u32, height: u32) -> Pinhole {
+        let camera = Camera {
+            id: 1,
+            position: [0.0; 3],
+            direction: [0.0, 0.0, -1.0],
+            up: [0.0, 1.0, 0.0],
+            fovy: 45.0,
+            projection: Some(Matrix::from_rows(rows)),
+        };
+        match Lens::of(&camera, width, height) {
+            Some(Lens::Pinhole(p)) => p,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// glFrustum of OpenGL 1.0, section 2.10.2.
+    fn frustum([l, r, b, t, n, f]: [f64; 6]) -> [f64; 16] {
+        [
+            2.0 * n / (r - l),
+            0.0,
+            (r + l) / (r - l),
+            0.0,
+            0.0,
+            2.0 * n / (t - b),
+            (t + b) / (t - b),
+            0.0,
+            0.0,
+            0.0,
+            (n + f) / (n - f),
+            2.0 * f * n / (n - f),
+            0.0,
+            0.0,
+            -1.0,
+            0.0,
+        ]
+    }
+
+    #[test]
+    fn a_frustum_beside_the_axis() {
+        // Seen at distance 1: from x = 0 to 2 and y = −1 to ½.
+        let p = pinhole(&frustum([0.0, 1.0, -0.5, 0.25, 0.5, 9.0]), 80, 60);
+        assert!((p.near - 0.5).abs() < 1e-12, "{p:?}");
+        assert!((p.field_of_view - 2.0 * 0.75f64.atan().to_degrees()).abs() < 1e-9);
+        assert!((p.shift[0] - 1.0).abs() < 1e-12 && (p.shift[1] + 1.0 / 3.0).abs() < 1e-12);
+        assert!(p.is_exact(), "{p:?}");
+        assert!((p.forward[2] + 1.0).abs() < 1e-12 && (p.right[0] - 1.0).abs() < 1e-12);
+        assert!(!pinhole(&frustum([0.0, 1.0, -0.5, 0.25, 0.5, 9.0]), 60, 60).is_exact());
+    }
+
+    #[test]
+    fn skewed_pixels_are_noticed() {
+        let mut rows = frustum([-1.0, 1.0, -1.0, 1.0, 1.0, 9.0]);
+        rows[1] = 0.2;
+        assert_eq!(pinhole(&rows, 60, 60).pixel, None);
+    }
+}
