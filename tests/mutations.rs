@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use rayon::prelude::*;
 use zpg::commands::Loaded;
 use zpg::syntax::table::ParamKind;
 use zpg::syntax::{Document, Item};
@@ -123,37 +124,58 @@ struct Tally {
     one: usize,
 }
 
-#[test]
-fn one_edit_one_error_on_its_line() {
+impl Tally {
+    fn add(&mut self, other: &Tally) {
+        self.all += other.all;
+        self.on_line += other.on_line;
+        self.one += other.one;
+    }
+}
+
+/// What comes of the edits of a scene, by kind; and the edits whose error is not alone on their line.
+fn outcome(name: &str, text: &str) -> (BTreeMap<&'static str, Tally>, String) {
     let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
     let mut misses = String::new();
-    for (name, text) in corpus() {
-        let original = Loaded::new(name.as_str(), text.clone().into_bytes());
-        assert!(original.sound, "{name} is not valid");
-        for m in mutants(&text, &original.document) {
-            let mut mutated = text.clone();
-            mutated.replace_range(m.at..m.to, &m.with);
-            let line = text[..m.at].matches('\n').count() as u32 + 1;
-            let loaded = Loaded::new(name.as_str(), mutated.into_bytes());
-            let errors: Vec<_> = loaded.diagnostics.iter().filter(|d| d.is_error()).collect();
-            let found =
-                |d: &&zpg::diagnostics::Diagnostic| loaded.source.position(d.span.start).line;
-            let on_line = errors.first().map(found) == Some(line);
-            let tally = tallies.entry(m.kind).or_default();
-            tally.all += 1;
-            tally.on_line += usize::from(on_line);
-            tally.one += usize::from(errors.len() == 1);
-            if !on_line || errors.len() != 1 {
-                let what: Vec<String> = errors
-                    .iter()
-                    .take(4)
-                    .map(|d| format!("{}@{}", d.code.as_str(), found(d)))
-                    .collect();
-                let edited = loaded
-                    .source
-                    .slice(loaded.source.line_span(line as usize - 1));
-                misses += &format!("{name}:{line} {} | {edited} | {}\n", m.kind, what.join(" "));
-            }
+    let original = Loaded::new(name, text.as_bytes().to_vec());
+    assert!(original.sound, "{name} is not valid");
+    for m in mutants(text, &original.document) {
+        let mut mutated = text.to_owned();
+        mutated.replace_range(m.at..m.to, &m.with);
+        let line = text[..m.at].matches('\n').count() as u32 + 1;
+        let loaded = Loaded::new(name, mutated.into_bytes());
+        let errors: Vec<_> = loaded.diagnostics.iter().filter(|d| d.is_error()).collect();
+        let found = |d: &&zpg::diagnostics::Diagnostic| loaded.source.position(d.span.start).line;
+        let on_line = errors.first().map(found) == Some(line);
+        let tally = tallies.entry(m.kind).or_default();
+        tally.all += 1;
+        tally.on_line += usize::from(on_line);
+        tally.one += usize::from(errors.len() == 1);
+        if !on_line || errors.len() != 1 {
+            let what: Vec<String> = errors
+                .iter()
+                .take(4)
+                .map(|d| format!("{}@{}", d.code.as_str(), found(d)))
+                .collect();
+            let edited = loaded
+                .source
+                .slice(loaded.source.line_span(line as usize - 1));
+            misses += &format!("{name}:{line} {} | {edited} | {}\n", m.kind, what.join(" "));
+        }
+    }
+    (tallies, misses)
+}
+
+#[test]
+fn one_edit_one_error_on_its_line() {
+    let outcomes: Vec<_> = (corpus().par_iter())
+        .map(|(name, text)| outcome(name, text))
+        .collect();
+    let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
+    let mut misses = String::new();
+    for (scene, missed) in outcomes {
+        misses += &missed;
+        for (kind, t) in scene {
+            tallies.entry(kind).or_default().add(&t);
         }
     }
     let mut sum = Tally::default();
@@ -166,9 +188,7 @@ fn one_edit_one_error_on_its_line() {
             share(t.on_line),
             share(t.one)
         );
-        sum.all += t.all;
-        sum.on_line += t.on_line;
-        sum.one += t.one;
+        sum.add(t);
     }
     let share = |n: usize| n as f64 / sum.all as f64;
     table += &format!(
