@@ -20,7 +20,7 @@ fn load(text: &str) -> Loaded {
 fn text(d: &Diagnostic, place: &str) -> String {
     let found = d.values.iter().find(|v| v.0 == place);
     match found.map(|v| &v.1) {
-        Some(Value::Text(text)) => text.clone(),
+        Some(Value::Text(text)) => text.to_string(),
         other => panic!("{place}: {other:?}"),
     }
 }

@@ -290,7 +290,7 @@ fn images(loaded: &Loaded) -> Result<trace::Images, Failure> {
 }
 
 /// Why a program gave no answer; `name` is what people call it and `how` the ways to get it.
-fn failed(error: ProgramError, name: &str, how: &str, folder: &Path) -> Complaint {
+fn failed(error: ProgramError, name: &'static str, how: &'static str, folder: &Path) -> Complaint {
     match error {
         ProgramError::Missing => Complaint::new("no-program").with("how", how),
         ProgramError::Io(e) => return unwritable(folder, &e),

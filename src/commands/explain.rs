@@ -33,7 +33,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         None => {
             let near = suggestions(topic)
                 .into_iter()
-                .map(|s| Value::Text(format!("`{s}`")));
+                .map(|s| Value::from(format!("`{s}`")));
             let near = near.reduce(|first, last| {
                 Complaint::new("list-or")
                     .with("first", first)

@@ -194,7 +194,7 @@ fn format_file(
         if changed && args.diff {
             diff(&mut output, &source.path, &source.text, &text, colour);
         } else if changed && !is_stdin {
-            let path = [("path", Value::from(source.path.as_str()))];
+            let path = [("path", Value::from(source.path.clone()))];
             output = (language.say("would-reformat", &path) + "\n").into_bytes();
         }
     } else if is_stdin {

@@ -34,7 +34,7 @@ pub enum Language {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Value {
     /// As it is: text of the user's, numbers as they are spelled.
-    Text(String),
+    Text(Cow<'static, str>),
     /// How many; the words around it follow.
     Count(u64),
     /// A name of the language, in English.
@@ -49,19 +49,19 @@ pub enum Value {
 
 impl From<String> for Value {
     fn from(text: String) -> Value {
-        Value::Text(text)
+        Value::Text(Cow::Owned(text))
     }
 }
 
-impl From<&str> for Value {
-    fn from(text: &str) -> Value {
-        Value::Text(text.to_owned())
+impl From<&'static str> for Value {
+    fn from(text: &'static str) -> Value {
+        Value::Text(Cow::Borrowed(text))
     }
 }
 
 impl From<&Path> for Value {
     fn from(path: &Path) -> Value {
-        Value::Text(path.to_string_lossy().into_owned())
+        path.to_string_lossy().into_owned().into()
     }
 }
 
@@ -175,7 +175,7 @@ impl<'a> Speaker<'a> {
     fn filled(mut self, language: Language, values: &'a [(&'static str, Value)]) -> Self {
         for (place, value) in values {
             let value = match value {
-                Value::Text(text) => FluentValue::from(text.as_str()),
+                Value::Text(text) => FluentValue::from(text.as_ref()),
                 Value::Count(n) => FluentValue::from(*n),
                 Value::Term(name) => {
                     for (form, text) in forms(language, name) {
@@ -285,8 +285,8 @@ fn one_of(language: Language, names: &[&'static str]) -> String {
         Some((last, rest @ [_, ..])) => {
             let rest: Vec<String> = rest.iter().map(name).collect();
             let values = [
-                ("first", Value::Text(rest.join(", "))),
-                ("last", Value::Text(name(last))),
+                ("first", rest.join(", ").into()),
+                ("last", name(last).into()),
             ];
             language.say("list-or", &values)
         }

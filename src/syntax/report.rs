@@ -293,7 +293,7 @@ impl Reporter<'_, '_> {
         if expected > NUMBERS_MAX {
             let n = piece.start + 2;
             return Diagnostic::new(Code::E013, self.span(n, n + 1))
-                .with("text", self.text(n))
+                .with("text", self.text(n).to_owned())
                 .with("got", count(got - 1));
         }
         let row = self.odd_row(piece, ty, got, expected);

@@ -85,7 +85,7 @@ impl Tally {
         .collect();
         let findings = match parts.as_slice() {
             [rest @ .., last] if !rest.is_empty() => {
-                let (first, last) = (rest.join(", ").into(), last.as_str().into());
+                let (first, last) = (rest.join(", ").into(), last.clone().into());
                 language.say("list-and", &[("first", first), ("last", last)])
             }
             parts => parts.concat(),

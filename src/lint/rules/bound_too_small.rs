@@ -1,9 +1,11 @@
 //! W311: a bounding volume that does not hold its object. The proof is a point of the object's
 //! surface outside of it.
 
+use std::cell::Cell;
+
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::solids::reach::{
-    Bare, Met, Outline, RAYS, Search, WRITTEN, beyond, farthest_leaf, size, tracer,
+    Bare, DIRECTIONS, Met, Outline, RAYS, Search, WRITTEN, beyond, farthest_leaf, size, tracer,
 };
 use crate::lint::solids::{near, tree::Tree};
 use crate::lint::{Context, spelled};
@@ -12,7 +14,7 @@ use crate::scene::record::Params;
 use crate::scene::{Aabb, NodeId, Promise, Scene, Volume};
 
 /// Nodes gone through for all bounding volumes of a file together.
-const NODES: usize = 1_000_000;
+const NODES: usize = 700_000;
 
 /// Rays for one of them at least, as long as there are any: enough to look at one box.
 const RAYS_EACH: usize = 75;
@@ -25,6 +27,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let bounds = context.bounds();
     let mut rays = RAYS;
     let mut nodes = NODES;
+    let directions = Cell::new(DIRECTIONS);
     let mut bare = Bare::new(scene);
     for (i, promise) in scene.promises.iter().enumerate() {
         let whole = bounds[promise.node as usize].all;
@@ -37,7 +40,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let still = scene.promises.len() - i;
         let mut share = (rays / still).max(RAYS_EACH).min(rays);
         rays -= share;
-        let (met, reach) = search(part, promise, &whole, &mut share);
+        let (met, reach) = search(part, promise, &whole, &mut share, &directions);
         rays += share;
         let Some(met) = met else { continue };
         let Some(p) = context.params(promise.span) else {
@@ -64,7 +67,13 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 /// A point of an object's surface outside of its volume, and the largest distance of the object's
 /// points from the middle of a sphere.
-fn search(part: Scene, promise: &Promise, whole: &Aabb, rays: &mut usize) -> (Option<Met>, f64) {
+fn search(
+    part: Scene,
+    promise: &Promise,
+    whole: &Aabb,
+    rays: &mut usize,
+    directions: &Cell<usize>,
+) -> (Option<Met>, f64) {
     let volume = &promise.volume;
     let bounds = node_bounds(&part);
     let root = part.nodes.len() as NodeId - 1;
@@ -79,13 +88,15 @@ fn search(part: Scene, promise: &Promise, whole: &Aabb, rays: &mut usize) -> (Op
         return (None, reach);
     }
     let outline = Outline {
+        left: directions,
         scene: &part,
         bounds: &bounds,
         tree: &tree,
         root,
     };
     let known = outline.outside(volume);
-    if known.is_some() || *rays == 0 || outline.is_exact(volume) {
+    let spent = *rays == 0 || directions.get() == 0;
+    if known.is_some() || spent || outline.is_exact(volume) {
         return (known, reach);
     }
     // What has no end certainly reaches out: it is met close to the volume too.

@@ -6,7 +6,7 @@
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
-use crate::lint::solids::proofs::{KEPT, Literal, Proofs, Reason};
+use crate::lint::solids::proofs::{Literals, Proofs, Reason};
 use crate::lint::solids::{named, near};
 use crate::scene::{Node, NodeId, OperationRecord};
 
@@ -19,29 +19,29 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut proofs = Proofs::new(scene, bounds);
     // What is empty has been spoken of, here or by the rules about shapes.
     let mut empty: Vec<bool> = Vec::with_capacity(scene.nodes.len());
-    let mut lists: Vec<Vec<Literal>> = Vec::with_capacity(scene.nodes.len());
+    let mut lists: Vec<Literals> = Vec::with_capacity(scene.nodes.len());
     let mut records = scene.operations.iter().peekable();
     for (i, node) in scene.nodes.iter().enumerate() {
         let record = records.next_if(|o| o.node as usize == i);
         let is_empty = |n: NodeId| empty[n as usize];
-        let own = vec![(i as NodeId, false)];
+        let own = Literals::new((i as NodeId, false));
         let (nothing, list) = match *node {
             Node::Shape(_) => (bounds[i].all.is_empty(), own),
             Node::Transform { child, .. } => (is_empty(child), own),
             Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                (is_empty(child), lists[child as usize].clone())
+                (is_empty(child), lists[child as usize])
             }
             Node::Union(a, b) => (is_empty(a) && is_empty(b), own),
             Node::Complement(child) => match lists[child as usize][..] {
-                [(n, turned)] => (false, vec![(n, !turned)]),
+                [(n, turned)] => (false, Literals::new((n, !turned))),
                 _ => (false, own),
             },
             Node::Intersection(a, b) | Node::Difference(a, b) => {
                 let cut = matches!(node, Node::Difference(..));
-                let first = lists[a as usize].clone();
+                let first = lists[a as usize];
                 let second = match cut {
                     true => proofs.complement(b, &lists),
-                    false => lists[b as usize].clone(),
+                    false => lists[b as usize].to_vec(),
                 };
                 let known = is_empty(a) || (!cut && is_empty(b));
                 let proof = match known || (cut && is_empty(b)) {
@@ -54,8 +54,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                     out.extend(finding(context, record, (*x, *y), reason));
                 }
                 let mut all = first;
-                all.extend(second);
-                all.truncate(KEPT);
+                all.extend(&second);
                 (known || proof.is_some(), all)
             }
         };

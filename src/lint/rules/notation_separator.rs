@@ -31,7 +31,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         out.push(
             Diagnostic::new(Code::S501, first.span())
-                .with("text", first.text(context.text))
+                .with("text", first.text(context.text).to_owned())
                 .with("count", Value::Count(separators.len() as u64))
                 .fix(Fix {
                     title: "fix",

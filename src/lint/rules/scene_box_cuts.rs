@@ -3,11 +3,15 @@
 //! Planes, half-spaces, quadrics and everything else without end are what the box is for: they are
 //! passed over. A point of something that ends, outside of the box, and one inside are the proof.
 
+use std::cell::Cell;
+
 use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
-use crate::lint::solids::reach::{Bare, Outline, RAYS, Search, WRITTEN, beyond, size, tracer};
+use crate::lint::solids::reach::{
+    Bare, DIRECTIONS, Outline, RAYS, Search, WRITTEN, beyond, size, tracer,
+};
 use crate::lint::solids::{near, tree::Tree};
 use crate::scene::{Aabb, Volume};
 
@@ -60,6 +64,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let outline = Outline {
+        left: &Cell::new(DIRECTIONS),
         scene,
         bounds,
         tree: &tree,

@@ -24,8 +24,8 @@ fn torus(context: &Context, shape: &Shape, out: &mut Vec<Diagnostic>) {
         Diagnostic::new(Code::W320, p.span_of(1, 1))
             .case("torus")
             .with("id", shape.id.to_string())
-            .with("tube", p.text_of(1))
-            .with("ring", p.text_of(0))
+            .with("tube", p.text_of(1).to_owned())
+            .with("ring", p.text_of(0).to_owned())
             .label(p.span_of(0, 1), "ring")
             .fix(Fix {
                 title: "fix",

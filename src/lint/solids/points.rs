@@ -1,5 +1,7 @@
 //! Which shapes hold a point.
 
+use rustc_hash::FxHashMap;
+
 use super::boxes::Boxes;
 use super::inside::Inside;
 use super::tree::{Answer, Tree};
@@ -7,16 +9,20 @@ use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Matrix, Scene, Vec3};
 
 /// Boxes looked at, for all points together: some tenths of a second.
-const STEPS: usize = 30_000_000;
+const STEPS: usize = 25_000_000;
 
-/// What placing a point in the coordinates of a shape costs, in steps.
+/// What placing a point in the coordinates of a shape costs, in steps, and what it costs that it is
+/// inside: the operations above are gone through.
 const SHAPE_COST: usize = 4;
+const HELD_COST: usize = 12;
 
 pub struct Points<'a> {
     scene: &'a Scene,
     tree: &'a Tree,
     inside: Inside<'a>,
     boxes: Boxes,
+    /// From the coordinates of the root into those of leaves that have been asked for.
+    inverses: FxHashMap<u32, Option<Matrix>>,
     left: usize,
 }
 
@@ -28,22 +34,34 @@ impl<'a> Points<'a> {
             tree,
             inside: Inside::new(scene, bounds),
             boxes: Boxes::new(leaves.map(|(i, l)| (i as u32, l.bounds))),
+            inverses: FxHashMap::default(),
             left: STEPS,
         }
     }
 
-    /// The leaves that hold a point or may do so, in the order of their places; `None` when no steps
+    /// The leaves that may hold a point of a box, in the order of their places; `None` when no steps
     /// are left.
-    pub fn at(&mut self, p: Vec3) -> Option<Vec<(u32, Answer)>> {
+    pub fn near(&mut self, around: &Aabb) -> Option<Vec<u32>> {
         let mut near: Vec<u32> = Vec::new();
-        let mut steps = self.boxes.near(&Aabb::new(p, p), &mut near);
-        near.retain(|&i| self.tree.leaves[i as usize].bounds.contains(p));
+        let steps = self.boxes.near(around, &mut near);
+        self.spend(steps + near.len())?;
+        near.retain(|&i| self.tree.leaves[i as usize].bounds.overlaps(around));
         near.sort_unstable();
+        Some(near)
+    }
+
+    /// Those of some leaves that hold a point or may do so, as their places; `None` when no steps are
+    /// left.
+    pub fn at(&mut self, p: Vec3, near: &[u32]) -> Option<Vec<(u32, Answer)>> {
+        self.spend(near.len())?;
         let mut out = Vec::new();
-        for i in near {
+        for &i in near {
             let leaf = &self.tree.leaves[i as usize];
-            steps += SHAPE_COST;
-            let local = local(&leaf.matrix, p)?;
+            if !leaf.bounds.contains(p) {
+                continue;
+            }
+            self.spend(SHAPE_COST)?;
+            let local = self.local(i, p)?;
             let answer = match leaf.shape {
                 Some(shape) => {
                     let geometry = &self.scene.shapes[shape as usize].geometry;
@@ -52,25 +70,40 @@ impl<'a> Points<'a> {
                 None => self.inside.node(leaf.node, local),
             };
             if answer != Some(false) {
+                self.spend(HELD_COST)?;
                 out.push((leaf.place, answer));
             }
         }
-        self.left = self.left.checked_sub(steps)?;
         Some(out)
     }
 
     /// Whether a point is in the shape of a leaf.
     pub fn in_leaf(&mut self, leaf: u32, p: Vec3) -> Answer {
-        self.left = self.left.checked_sub(SHAPE_COST)?;
-        let leaf = &self.tree.leaves[leaf as usize];
-        let geometry = &self.scene.shapes[leaf.shape? as usize].geometry;
-        self.inside.shape(geometry, local(&leaf.matrix, p)?)
+        self.spend(SHAPE_COST)?;
+        let local = self.local(leaf, p)?;
+        let shape = self.tree.leaves[leaf as usize].shape?;
+        let geometry = &self.scene.shapes[shape as usize].geometry;
+        self.inside.shape(geometry, local)
     }
-}
 
-fn local(m: &Matrix, p: Vec3) -> Option<Vec3> {
-    match *m == Matrix::IDENTITY {
-        true => Some(p),
-        false => Some(m.inverse()?.point(p)),
+    /// Whether there are no steps left for any more points.
+    pub fn is_spent(&self) -> bool {
+        self.left == 0
+    }
+
+    /// Takes steps; the last ones if there are fewer.
+    fn spend(&mut self, steps: usize) -> Option<()> {
+        let left = self.left.checked_sub(steps);
+        self.left = left.unwrap_or(0);
+        left.map(|_| ())
+    }
+
+    fn local(&mut self, leaf: u32, p: Vec3) -> Option<Vec3> {
+        let m = &self.tree.leaves[leaf as usize].matrix;
+        if *m == Matrix::IDENTITY {
+            return Some(p);
+        }
+        let back = self.inverses.entry(leaf).or_insert_with(|| m.inverse());
+        Some(back.as_ref()?.point(p))
     }
 }

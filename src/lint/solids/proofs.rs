@@ -11,12 +11,50 @@ use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene, Vec3};
 /// How many of a list are kept, the first ones: what a chain begins with is what is cut.
 pub const KEPT: usize = 4;
 
+/// How many parts of a union are looked at, as long as there are [`Proofs::left`] of them; then
+/// no more than [`KEPT`].
+const PARTS: usize = 64;
+
+/// Parts of larger unions, for all proofs together: some hundredths of a second.
+const MORE: usize = 100_000;
+
 /// What must lie apart or within by this share of its size and place: more than the rounding of any
 /// test of a point, and of the matrices before it.
 const CLEAR: f64 = 1e-9;
 
 /// Something in the coordinates of the operation, or its complement.
 pub type Literal = (NodeId, bool);
+
+/// A few literals that are all to hold, the first ones where there are more than [`KEPT`].
+#[derive(Debug, Clone, Copy)]
+pub struct Literals {
+    all: [Literal; KEPT],
+    count: usize,
+}
+
+impl Literals {
+    pub fn new(first: Literal) -> Literals {
+        Literals {
+            all: [first; KEPT],
+            count: 1,
+        }
+    }
+
+    pub fn extend(&mut self, more: &[Literal]) {
+        for &literal in more.iter().take(KEPT - self.count) {
+            self.all[self.count] = literal;
+            self.count += 1;
+        }
+    }
+}
+
+impl std::ops::Deref for Literals {
+    type Target = [Literal];
+
+    fn deref(&self) -> &[Literal] {
+        &self.all[..self.count]
+    }
+}
 
 /// Why there is nothing.
 pub enum Reason {
@@ -54,6 +92,7 @@ pub struct Proofs<'a> {
     inside: Inside<'a>,
     /// Whether a surface without inside is a part, to which the laws of sets do not apply.
     sheets: Vec<bool>,
+    left: usize,
 }
 
 impl<'a> Proofs<'a> {
@@ -71,28 +110,18 @@ impl<'a> Proofs<'a> {
             bounds,
             inside: Inside::new(scene, bounds),
             sheets,
+            left: MORE,
         }
     }
 
     /// What is left of all of space without an object, as far as that is a list.
-    pub fn complement(&self, node: NodeId, lists: &[Vec<Literal>]) -> Vec<Literal> {
-        let [(n, turned)] = lists[node as usize][..] else {
-            return vec![(node, true)];
-        };
-        if turned {
-            return vec![(n, false)];
+    pub fn complement(&mut self, node: NodeId, lists: &[Literals]) -> Vec<Literal> {
+        match lists[node as usize][..] {
+            [(n, true)] => vec![(n, false)],
+            // Without any part of a union.
+            [(n, false)] => self.parts(n).into_iter().map(|p| (p, true)).collect(),
+            _ => vec![(node, true)],
         }
-        // Without any part of a union.
-        let mut out = Vec::new();
-        let mut todo = vec![n];
-        while let Some(n) = todo.pop() {
-            match self.scene.nodes[n as usize] {
-                Node::Union(a, b) if todo.len() + out.len() + 2 <= KEPT => todo.extend([b, a]),
-                Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push(child),
-                _ => out.push((n, true)),
-            }
-        }
-        out
     }
 
     /// Two things that have nothing in common. `whole`: the operands, where both are to hold.
@@ -179,25 +208,29 @@ impl<'a> Proofs<'a> {
     }
 
     /// Whether each part of a union is apart from something.
-    fn in_parts(&self, x: NodeId, union: NodeId) -> bool {
+    fn in_parts(&mut self, x: NodeId, union: NodeId) -> bool {
+        if self.all(x).is_empty() {
+            return false;
+        }
         let parts = self.parts(union);
         let apart = |&part: &NodeId| self.apart(x, part).is_some() || self.apart(part, x).is_some();
         parts.len() > 1 && parts.iter().all(apart)
     }
 
-    /// What a union is made of; itself if it is none, or of more than is looked at.
-    fn parts(&self, node: NodeId) -> Vec<NodeId> {
+    /// What a union is made of; where that is more than is looked at, some of it in larger parts.
+    fn parts(&mut self, node: NodeId) -> Vec<NodeId> {
+        let most = if self.left > 0 { PARTS } else { KEPT };
         let mut out = Vec::new();
         let mut todo = vec![node];
         while let Some(n) = todo.pop() {
             match self.scene.nodes[n as usize] {
-                Node::Union(a, b) => todo.extend([b, a]),
+                Node::Union(a, b) if todo.len() + out.len() + 2 <= most => todo.extend([b, a]),
                 Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push(child),
                 _ => out.push(n),
             }
-            if todo.len() + out.len() > KEPT {
-                return vec![node];
-            }
+        }
+        if out.len() > KEPT {
+            self.left = self.left.saturating_sub(out.len());
         }
         out
     }

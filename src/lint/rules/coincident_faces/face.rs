@@ -32,12 +32,12 @@ pub enum Form {
     Flat {
         /// Outwards, of length 1.
         normal: Vec3,
-        /// Four corners around the face; none where it has no end.
-        corners: Vec<Vec3>,
-        /// Points of the face where the middle of the corners may not be one.
-        samples: Vec<Vec3>,
-        /// A point of its plane.
+        /// The middle of the face, or any point of its plane.
         point: Vec3,
+        /// The way from there to the middles of two sides that meet; `None` where it has no end.
+        sides: Option<[Vec3; 2]>,
+        /// Of a disc or ring, where its middle line is, as a share of the sides.
+        ring: Option<f64>,
     },
     Round {
         /// The same for equal surfaces, whatever piece of them this is.
@@ -46,6 +46,47 @@ pub enum Form {
         scale: f64,
         class: u8,
     },
+}
+
+impl Form {
+    /// Four corners around a flat face that ends.
+    pub fn corners(&self) -> Option<[Vec3; 4]> {
+        let Form::Flat {
+            point,
+            sides: Some([u, v]),
+            ..
+        } = self
+        else {
+            return None;
+        };
+        let corner = |a: f64, b: f64| add(add(*point, *u, a), *v, b);
+        Some([
+            corner(-1.0, -1.0),
+            corner(1.0, -1.0),
+            corner(1.0, 1.0),
+            corner(-1.0, 1.0),
+        ])
+    }
+
+    /// Points of a flat face where the middle of the corners may not be one.
+    pub fn samples(&self) -> impl Iterator<Item = Vec3> {
+        let ring = match *self {
+            Form::Flat {
+                point,
+                sides: Some([u, v]),
+                ring: Some(middle),
+                ..
+            } => Some((point, u, v, middle)),
+            _ => None,
+        };
+        // Eight points in the middle of the ring, none on an axis.
+        ring.into_iter().flat_map(|(point, u, v, middle)| {
+            (0..8).map(move |i| {
+                let (sin, cos) = (f64::from(i) * std::f64::consts::FRAC_PI_4 + 0.3).sin_cos();
+                add(add(point, u, middle * cos), v, middle * sin)
+            })
+        })
+    }
 }
 
 #[derive(Debug, Clone)]
@@ -101,7 +142,13 @@ pub fn faces(geometry: &Geometry, leaf: u32, m: &Matrix, out: &mut Vec<Face>) {
                     c[axis] = if upper { max[axis] } else { min[axis] };
                     let sides = (along(j, half[j]), along(k, half[k]));
                     let outwards = along(axis, if upper { 1.0 } else { -1.0 });
-                    faces.flat(Part::Side { axis, upper }, c, sides, outwards, &[], true);
+                    faces.flat(
+                        Part::Side { axis, upper },
+                        c,
+                        sides,
+                        outwards,
+                        Extent::Corners,
+                    );
                 }
             }
         }
@@ -112,7 +159,7 @@ pub fn faces(geometry: &Geometry, leaf: u32, m: &Matrix, out: &mut Vec<Face>) {
             let least = (0..3).fold(0, |i, j| if n[j].abs() < n[i].abs() { j } else { i });
             let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
             let u = cross(n, axis);
-            faces.flat(Part::All, point, (u, cross(n, u)), n, &[], false);
+            faces.flat(Part::All, point, (u, cross(n, u)), n, Extent::Endless);
         }
         Geometry::Cone { height, radius } => {
             faces.disc(
@@ -162,6 +209,15 @@ const CYLINDER: u8 = 3;
 /// These have a number that stands for their matrix in the place of an anchor.
 pub const QUADRIC: u8 = 4;
 
+/// How far a flat face goes.
+#[derive(Clone, Copy, PartialEq)]
+enum Extent {
+    Endless,
+    Corners,
+    /// See [`Form::Flat`].
+    Ring(f64),
+}
+
 struct Faces<'a> {
     leaf: u32,
     m: &'a Matrix,
@@ -169,40 +225,31 @@ struct Faces<'a> {
 }
 
 impl Faces<'_> {
-    /// The parallelogram centre ± sides, or all of its plane.
+    /// The parallelogram centre ± sides, what lies in it, or all of its plane.
     fn flat(
         &mut self,
         part: Part,
         centre: Vec3,
         (u, v): (Vec3, Vec3),
         outwards: Vec3,
-        samples: &[Vec3],
-        bounded: bool,
+        extent: Extent,
     ) {
-        let c = self.m.point(centre);
         let (u, v) = (self.m.vector(u), self.m.vector(v));
         let Some(normal) = unit(cross(u, v)) else {
             return;
         };
         let side = dot(normal, self.m.vector(outwards)).signum();
-        let corner = |a: f64, b: f64| add(add(c, u, a), v, b);
-        let corners = match bounded {
-            true => vec![
-                corner(-1.0, -1.0),
-                corner(1.0, -1.0),
-                corner(1.0, 1.0),
-                corner(-1.0, 1.0),
-            ],
-            false => Vec::new(),
-        };
         self.out.push(Face {
             leaf: self.leaf,
             part,
             form: Form::Flat {
                 normal: normal.map(|x| x * side),
-                corners,
-                samples: samples.iter().map(|&p| self.m.point(p)).collect(),
-                point: c,
+                point: self.m.point(centre),
+                sides: (extent != Extent::Endless).then_some([u, v]),
+                ring: match extent {
+                    Extent::Ring(middle) => Some(middle),
+                    _ => None,
+                },
             },
             own: true,
         });
@@ -210,16 +257,15 @@ impl Faces<'_> {
 
     /// A disc or ring about the y axis.
     fn disc(&mut self, part: Part, y: f64, (inner, outer): (f64, f64), up: f64) {
-        // Eight points in the middle of the ring, none on an axis.
-        let middle = inner / 2.0 + outer / 2.0;
-        let samples: Vec<Vec3> = (0..8)
-            .map(|i| {
-                let (sin, cos) = (f64::from(i) * std::f64::consts::FRAC_PI_4 + 0.3).sin_cos();
-                [middle * cos, y, middle * sin]
-            })
-            .collect();
+        let middle = (inner / 2.0 + outer / 2.0) / outer;
         let sides = ([outer, 0.0, 0.0], [0.0, 0.0, outer]);
-        self.flat(part, [0.0, y, 0.0], sides, [0.0, up, 0.0], &samples, true);
+        self.flat(
+            part,
+            [0.0, y, 0.0],
+            sides,
+            [0.0, up, 0.0],
+            Extent::Ring(middle),
+        );
     }
 
     fn round(&mut self, part: Part, anchor: Vec3, scale: f64, class: u8) {

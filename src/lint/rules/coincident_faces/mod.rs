@@ -16,8 +16,6 @@ mod sample;
 mod search;
 mod vector;
 
-use std::collections::BTreeMap;
-
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::solids::{named, near};
 use crate::lint::{Context, live_nodes};
@@ -53,25 +51,26 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let live = live_nodes(scene);
     let bounds = context.bounds();
     // One finding for each tool of an operation, however many faces it shares.
-    let mut groups: BTreeMap<(NodeId, u32, Case), Vec<Found>> = BTreeMap::new();
-    for found in search(scene, bounds, &live) {
-        let [tool, other] = found.sides;
+    let group = |found: &Found| {
+        let [tool, other] = &found.sides;
         let case = match (tool.cuts, other.cuts) {
             (true, false) => Case::Flush,
             (true, true) => Case::Holes,
             _ => Case::Touch,
         };
-        let group = groups.entry((found.operation, tool.shape, case));
-        group.or_default().push(found);
-    }
-    if groups.is_empty() {
+        (found.operation, tool.shape, case)
+    };
+    let mut found = search(scene, bounds, &live);
+    if found.is_empty() {
         return;
     }
+    found.sort_by_key(group);
     let parents = Parents::new(scene, &live);
-    for ((operation, _, case), pairs) in &groups {
-        let at = (scene.operations).binary_search_by_key(operation, |o| o.node);
+    for pairs in found.chunk_by(|a, b| group(a) == group(b)) {
+        let (operation, _, case) = group(&pairs[0]);
+        let at = (scene.operations).binary_search_by_key(&operation, |o| o.node);
         if let Ok(at) = at
-            && let Some(d) = finding(context, &scene.operations[at], *case, pairs, &parents)
+            && let Some(d) = finding(context, &scene.operations[at], case, pairs, &parents)
         {
             out.push(d);
         }
@@ -99,16 +98,22 @@ fn finding(
         let params = context.params(shape(side).span)?;
         Some(place(&params, &shape(side).geometry, side.part))
     };
-    let copy = |side: &Side| side.copy.map_or("none".to_owned(), |id| id.to_string());
+    let copy = |side: &Side| {
+        side.copy
+            .map_or(Value::from("none"), |id| id.to_string().into())
+    };
     // Two states of one shape go by one ID: what tells them apart is where they are used.
     let alike = tool.id == other.id && tool.copy == other.copy;
     let within = |side: &Side| {
         let operand = named(scene, side.operand).filter(|_| alike && side.operand != side.node);
-        operand.map_or("none".to_owned(), |n| n.id.to_string())
+        operand.map_or(Value::from("none"), |n| n.id.to_string().into())
     };
     let (span, face_of_tool, name) = face(tool)?;
     let (other_span, face_of_other, other_name) = face(other)?;
-    let mut d = Diagnostic::new(Code::W321, span)
+    let mut d = Diagnostic::new(Code::W321, span);
+    // There may be as many findings as objects: no room for more than what is said.
+    d.values.reserve_exact(17);
+    d = d
         .case(match case {
             Case::Flush if tool.round => "round",
             Case::Flush => "",

@@ -4,7 +4,7 @@ use super::face::{Face, Form, QUADRIC};
 use super::search::{NEAR, ROUNDING};
 use super::vector::dot;
 use crate::lint::solids::boxes::Boxes;
-use crate::lint::solids::tree::{NONE, Tree};
+use crate::lint::solids::tree::Tree;
 use crate::scene::{Aabb, Vec3};
 
 /// Faces and boxes looked at, for all faces together: some tenths of a second. What is not looked at
@@ -19,6 +19,9 @@ const FEW: usize = 16;
 
 type Cell = [i32; 3];
 
+/// A face's cell and number, its index, and how large the numbers are that it is made of.
+type Filed = (Cell, f64, u32, f64);
+
 /// A unit vector's components in steps of a ten-thousandth.
 const CELLS: f64 = 1e4;
 
@@ -31,7 +34,6 @@ const LOOSE: f64 = 1e-7 / ROUNDING;
 
 /// A face in the file, with all that is asked of it: the faces themselves lie far apart in memory.
 struct Entry {
-    group: u32,
     cell: Cell,
     at: f64,
     face: u32,
@@ -58,10 +60,9 @@ impl Entry {
     }
 }
 
-/// Faces of one group that lie in one plane, or in planes very near to each other.
+/// Faces that lie in one plane, or in planes very near to each other.
 struct Run {
-    /// Its group and cell.
-    filed: (u32, Cell),
+    cell: Cell,
     /// The least and the largest number by which its entries are told apart.
     low: f64,
     high: f64,
@@ -105,6 +106,16 @@ fn beyond_border(normal: Vec3, cell: Cell) -> [Option<i32>; 3] {
     })
 }
 
+/// Whether a neighbour of a face may be in another cell.
+fn on_border(form: &Form, cell: Cell, turned: bool) -> bool {
+    let Form::Flat { normal, .. } = form else {
+        return false;
+    };
+    let sign = if turned { -1.0 } else { 1.0 };
+    let others = beyond_border(normal.map(|x| sign * x), cell);
+    others.iter().any(Option::is_some)
+}
+
 /// All cells in which a neighbour of this one's face can be.
 fn cells(form: &Form, turned: bool, cell: Cell) -> Vec<Cell> {
     let Form::Flat { normal, .. } = form else {
@@ -124,63 +135,177 @@ fn cells(form: &Form, turned: bool, cell: Cell) -> Vec<Cell> {
     out
 }
 
-/// Pairs of faces, of different leaves of one group, that look against each other in one plane or
-/// are round and of one place, and whose outlines overlap; the earlier leaf's face first.
-pub fn pairs(tree: &Tree, faces: &[Face]) -> Vec<(u32, u32)> {
-    let place = |f: &Face| &tree.places[tree.leaves[f.leaf as usize].place as usize];
-    let sizes = || tree.leaves.iter().map(|l| l.size);
-    let largest = sizes().filter(|s| s.is_finite()).fold(0.0, f64::max);
-    let mut entries: Vec<Entry> = faces
-        .iter()
-        .enumerate()
-        .map(|(i, face)| {
-            let (cell, at, magnitude) = key(&face.form, place(face).turned);
-            let size = tree.leaves[face.leaf as usize].size;
+/// The search for pairs in one group after the other.
+pub struct Planes<'a> {
+    tree: &'a Tree,
+    /// The largest size of all shapes that end.
+    largest: f64,
+    steps: usize,
+    pairs: usize,
+}
+
+impl<'a> Planes<'a> {
+    pub fn new(tree: &'a Tree) -> Planes<'a> {
+        let sizes = tree.leaves.iter().map(|l| l.size);
+        Planes {
+            tree,
+            largest: sizes.filter(|s| s.is_finite()).fold(0.0, f64::max),
+            steps: STEPS,
+            pairs: PAIRS,
+        }
+    }
+
+    /// Pairs of faces, of different leaves of the group that all of these are of, that look against
+    /// each other in one plane or are round and of one place, and whose outlines overlap; the earlier
+    /// leaf's face first. By the later leaf, then the earlier one, which is mostly the workpiece.
+    pub fn pairs(&mut self, faces: &[Face]) -> Vec<(u32, u32)> {
+        let mut out = Vec::new();
+        if self.steps > 0 && self.pairs > 0 {
+            let entries = self.entries(faces);
+            let mut runs = runs(&entries);
+            if self.fill(faces, &entries, &mut runs, &mut out).is_none() {
+                (self.steps, self.pairs) = (0, 0);
+            }
+        }
+        let leaf = |f: u32| faces[f as usize].leaf;
+        out.sort_unstable_by_key(|&(f, g)| (leaf(g), leaf(f), g, f));
+        out
+    }
+
+    fn turned(&self, face: &Face) -> bool {
+        let leaf = &self.tree.leaves[face.leaf as usize];
+        self.tree.places[leaf.place as usize].turned
+    }
+
+    /// The faces in the order of their planes.
+    fn entries(&self, faces: &[Face]) -> Vec<Entry> {
+        let filed = (0..).zip(faces).map(|(i, face)| {
+            let (cell, at, magnitude) = key(&face.form, self.turned(face));
+            (cell, at, i, magnitude)
+        });
+        let mut filed: Vec<Filed> = filed.filter(|(_, at, ..)| at.is_finite()).collect();
+        filed.sort_unstable_by(|a, b| {
+            (a.0.cmp(&b.0))
+                .then(a.1.total_cmp(&b.1))
+                .then(a.2.cmp(&b.2))
+        });
+        let mut filed = self.opposed(faces, filed);
+        let entry = |(cell, at, i, magnitude): Filed| {
+            let face: &Face = &faces[i as usize];
+            let size = self.tree.leaves[face.leaf as usize].size;
             let normal = match &face.form {
                 Form::Flat { normal, .. } => Some(*normal),
                 Form::Round { .. } => None,
             };
-            let sign = if place(face).turned { -1.0 } else { 1.0 };
-            let borders = normal.map(|n| beyond_border(n.map(|x| sign * x), cell));
             Entry {
-                group: place(face).group,
                 cell,
                 at,
-                face: i as u32,
+                face: i,
                 leaf: face.leaf,
-                on_border: borders.is_some_and(|b| b.iter().any(Option::is_some)),
+                on_border: on_border(&face.form, cell, self.turned(face)),
                 flat: normal.is_some(),
                 own: face.own,
                 // What has no end is near to what is not far from the origin either.
                 size: match normal {
                     _ if size.is_finite() => size,
-                    Some(_) => magnitude.max(largest),
-                    None => largest,
+                    Some(_) => magnitude.max(self.largest),
+                    None => self.largest,
                 },
                 magnitude,
-                bounds: outline(tree, face),
+                bounds: outline(self.tree, face),
             }
-        })
-        .filter(|e| e.group != NONE && e.at.is_finite())
-        .collect();
-    entries.sort_unstable_by(|a, b| {
-        let filed = |e: &Entry| (e.group, e.cell);
-        (filed(a).cmp(&filed(b)))
-            .then(a.at.total_cmp(&b.at))
-            .then(a.face.cmp(&b.face))
-    });
+        };
+        filed.drain(..).map(entry).collect()
+    }
+
+    /// Of sorted faces the round ones, and those flat ones that may have a flat one against them: in
+    /// most scenes few.
+    fn opposed(&self, faces: &[Face], filed: Vec<Filed>) -> Vec<Filed> {
+        let flats = filed.partition_point(|f| f.0[0] < i32::MAX);
+        // Further than any of them is from one that lies in its plane.
+        let magnitudes = filed[..flats].iter().map(|f| f.3);
+        let magnitude = magnitudes.fold(self.largest, f64::max);
+        let reach = (2.0 * NEAR + ROUNDING) * magnitude;
+        // What is looked for comes in the opposite order.
+        let mut below = flats;
+        let mut keep = |(cell, at, i, _): &Filed| {
+            let opposite = cell.map(|c| -c);
+            let past = |f: &Filed| f.0 > opposite || f.0 == opposite && f.1 > reach - at;
+            while below > 0 && past(&filed[below - 1]) {
+                below -= 1;
+            }
+            let last = below.checked_sub(1).map(|last| &filed[last]);
+            last.is_some_and(|f| f.0 == opposite && f.1 >= -at - reach)
+                || on_border(
+                    &faces[*i as usize].form,
+                    *cell,
+                    self.turned(&faces[*i as usize]),
+                )
+        };
+        let mut kept: Vec<Filed> = filed[..flats].iter().filter(|f| keep(f)).copied().collect();
+        kept.extend_from_slice(&filed[flats..]);
+        kept
+    }
+
+    /// Adds the pairs; `None` when no steps are left, or no room for more.
+    fn fill(
+        &mut self,
+        faces: &[Face],
+        entries: &[Entry],
+        runs: &mut [Run],
+        out: &mut Vec<(u32, u32)>,
+    ) -> Option<()> {
+        let mut found = Vec::new();
+        for entry in entries {
+            let (cell, at) = entry.opposite();
+            let reach = 2.0 * NEAR * entry.size + ROUNDING * entry.magnitude;
+            let room = NEAR * entry.size;
+            let mut around = entry.bounds;
+            around.min = around.min.map(|x| x - room - ROUNDING * x.abs());
+            around.max = around.max.map(|x| x + room + ROUNDING * x.abs());
+            let (mut one, mut several) = (Some(cell), Vec::new());
+            if entry.on_border {
+                let face = &faces[entry.face as usize];
+                (one, several) = (None, cells(&face.form, !self.turned(face), cell));
+            }
+            for cell in one.into_iter().chain(several) {
+                let from = runs
+                    .partition_point(|r| r.cell < cell || r.cell == cell && r.high < at - reach);
+                for run in &mut runs[from..] {
+                    if run.cell != cell || run.low > at + reach {
+                        break;
+                    }
+                    let steps = run.near(entries, &around, &mut found);
+                    for other in found.drain(..) {
+                        let other = &entries[other as usize];
+                        let both_again = !entry.own && !other.own;
+                        if entry.leaf < other.leaf && !both_again && (other.at - at).abs() <= reach
+                        {
+                            self.pairs = self.pairs.checked_sub(1)?;
+                            out.push((entry.face, other.face));
+                        }
+                    }
+                    self.steps = self.steps.checked_sub(steps)?;
+                }
+            }
+        }
+        Some(())
+    }
+}
+
+/// Stretches of entries that lie in one plane.
+fn runs(entries: &[Entry]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
-    for i in 0..entries.len() {
-        let e = &entries[i];
+    for (i, e) in entries.iter().enumerate() {
         let near = i > 0 && {
             let before = &entries[i - 1];
             let room = 2.0 * NEAR * e.size.min(before.size) + ROUNDING * e.magnitude;
-            (before.group, before.cell) == (e.group, e.cell) && e.at - before.at <= room
+            before.cell == e.cell && e.at - before.at <= room
         };
         match runs.last_mut().filter(|_| near) {
             Some(run) => (run.end, run.high) = (i + 1, e.at),
             None => runs.push(Run {
-                filed: (e.group, e.cell),
+                cell: e.cell,
                 low: e.at,
                 high: e.at,
                 start: i,
@@ -189,54 +314,7 @@ pub fn pairs(tree: &Tree, faces: &[Face]) -> Vec<(u32, u32)> {
             }),
         }
     }
-    let mut out = Vec::new();
-    let mut left = STEPS;
-    let mut found = Vec::new();
-    for entry in &entries {
-        let (cell, at) = entry.opposite();
-        let reach = 2.0 * NEAR * entry.size + ROUNDING * entry.magnitude;
-        let room = NEAR * entry.size;
-        let mut around = entry.bounds;
-        around.min = around.min.map(|x| x - room - ROUNDING * x.abs());
-        around.max = around.max.map(|x| x + room + ROUNDING * x.abs());
-        let cells = match entry.on_border {
-            true => {
-                let face = &faces[entry.face as usize];
-                cells(&face.form, !place(face).turned, cell)
-            }
-            false => vec![cell],
-        };
-        for cell in cells {
-            let filed = (entry.group, cell);
-            let from = runs
-                .partition_point(|r| r.filed < filed || r.filed == filed && r.high < at - reach);
-            for run in &mut runs[from..] {
-                if run.filed != filed || run.low > at + reach {
-                    break;
-                }
-                let steps = run.near(&entries, &around, &mut found);
-                for other in found.drain(..) {
-                    let other = &entries[other as usize];
-                    let both_again = !entry.own && !other.own;
-                    if entry.leaf < other.leaf && !both_again && (other.at - at).abs() <= reach {
-                        out.push((entry.face, other.face));
-                    }
-                }
-                match left.checked_sub(steps) {
-                    Some(rest) if out.len() < PAIRS => left = rest,
-                    _ => return sorted(out, faces),
-                }
-            }
-        }
-    }
-    sorted(out, faces)
-}
-
-/// By the later leaf, then the earlier one, which is mostly the workpiece.
-fn sorted(mut pairs: Vec<(u32, u32)>, faces: &[Face]) -> Vec<(u32, u32)> {
-    let leaf = |f: u32| faces[f as usize].leaf;
-    pairs.sort_unstable_by_key(|&(f, g)| (leaf(g), leaf(f), g, f));
-    pairs
+    runs
 }
 
 impl Run {
@@ -264,11 +342,11 @@ impl Run {
 
 /// A box around a face.
 fn outline(tree: &Tree, face: &Face) -> Aabb {
-    match &face.form {
-        Form::Flat { corners, .. } if !corners.is_empty() => {
+    match face.form.corners() {
+        Some(corners) => {
             let points = corners.iter().map(|&p| Aabb::new(p, p));
             points.fold(Aabb::EMPTY, |b, p| b.hull(&p))
         }
-        _ => tree.leaves[face.leaf as usize].bounds,
+        None => tree.leaves[face.leaf as usize].bounds,
     }
 }

@@ -11,27 +11,13 @@ pub type Sample = (Vec3, Vec3);
 
 /// Where two flat faces overlap: nothing where that is less than a sliver.
 pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
-    let (
-        Form::Flat {
-            normal,
-            corners: a,
-            samples: s,
-            point,
-        },
-        Form::Flat {
-            corners: b,
-            samples: t,
-            ..
-        },
-    ) = (&one.form, &two.form)
-    else {
+    let Form::Flat { normal, point, .. } = &one.form else {
         return Vec::new();
     };
-    let outline = match (a.is_empty(), b.is_empty()) {
-        (true, true) => return plane(*point, *normal, size),
-        (true, false) => b.clone(),
-        (false, true) => a.clone(),
-        (false, false) => clipped(a, b, *normal),
+    let outline = match (one.form.corners(), two.form.corners()) {
+        (None, None) => return plane(*point, *normal, size),
+        (Some(outline), None) | (None, Some(outline)) => outline.to_vec(),
+        (Some(a), Some(b)) => clipped(&a, &b, *normal),
     };
     /// Overlaps narrower than this share of the smaller shape may be rounding: silence.
     const SLIVER: f64 = 1e-6;
@@ -55,7 +41,7 @@ pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
             add(centre, corner, 0.91),
         ]);
     }
-    points.extend(s.iter().chain(t));
+    points.extend(one.form.samples().chain(two.form.samples()));
     points.into_iter().map(|p| (p, *normal)).collect()
 }
 

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 
 use super::face::{Face, Form, Part, as_quadrics, faces};
-use super::planes::pairs;
+use super::planes::Planes;
 use super::quadric;
 use super::sample::{self, Sample};
 use super::vector::{add, cross, unit};
@@ -12,7 +12,7 @@ use crate::lint::solids::points::Points;
 use crate::lint::solids::roots;
 use crate::lint::solids::tree::{Answer, NONE, Tree};
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Geometry, NodeId, Scene, Vec3};
+use crate::scene::{Aabb, Geometry, NodeId, Scene, Vec3};
 
 /// How near two faces must be, as a share of the smaller shape: the language's own bound.
 pub const NEAR: f64 = 1e-9;
@@ -70,74 +70,53 @@ pub struct Found {
 /// rounding, and is seen.
 pub fn search(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<Found> {
     let tree = Tree::new(scene, bounds, &roots(scene, live));
-    let mut all = Vec::new();
     // Only where there are quadrics can others lie in them.
     let of = |leaf: &Leaf| Some(&scene.shapes[leaf.shape? as usize].geometry);
     let is_quadric = |leaf: &Leaf| of(leaf).is_some_and(|g| quadric::form(g).is_some());
     let quadrics = tree.leaves.iter().any(is_quadric);
-    for (i, leaf) in tree.leaves.iter().enumerate() {
-        if let Some(shape) = leaf.shape
-            && tree.places[leaf.place as usize].group != NONE
-        {
-            let geometry = &scene.shapes[shape as usize].geometry;
-            let from = all.len();
-            faces(geometry, i as u32, &leaf.matrix, &mut all);
-            if quadrics {
-                as_quadrics(geometry, &leaf.matrix, from, &mut all);
+    let mut planes = Planes::new(&tree);
+    let mut search = None;
+    let mut found = Vec::new();
+    let mut all = Vec::new();
+    // The leaves of a group stand together.
+    let group = |leaf: &Leaf| tree.places[leaf.place as usize].group;
+    let mut from = 0;
+    for leaves in tree.leaves.chunk_by(|a, b| group(a) == group(b)) {
+        let first = from as u32;
+        from += leaves.len();
+        if leaves.len() < 2 || group(&leaves[0]) == NONE {
+            continue;
+        }
+        all.clear();
+        all.reserve(6 * leaves.len());
+        for (i, leaf) in (first..).zip(leaves) {
+            if let Some(geometry) = of(leaf) {
+                let from = all.len();
+                faces(geometry, i, &leaf.matrix, &mut all);
+                if quadrics {
+                    as_quadrics(geometry, &leaf.matrix, from, &mut all);
+                }
             }
         }
-    }
-    let pairs = pairs(&tree, &all);
-    if pairs.is_empty() {
-        return Vec::new();
-    }
-    let mut search = Search {
-        scene,
-        points: Points::new(scene, bounds, &tree),
-        tree: &tree,
-    };
-    let mut done = FxHashSet::default();
-    let mut found = Vec::new();
-    for (f, g) in pairs {
-        let faces = [&all[f as usize], &all[g as usize]];
-        let leaves = faces.map(|f| &tree.leaves[f.leaf as usize]);
-        let operation = tree.join(leaves[0].place, leaves[1].place);
-        let pair = Pair {
-            operation,
-            faces,
-            leaves,
-        };
-        if !tree.places[operation as usize].cuts || search.identical(&pair) {
-            continue;
-        }
-        let sides = search.sides(&pair);
-        let [tool, other] = sides;
-        let group = (
-            tree.places[operation as usize].node,
-            (tool.shape, tool.part),
-            (tool.cuts, other.cuts),
-        );
-        if done.contains(&group) {
-            continue;
-        }
-        if let Some(witness) = search.witness(&pair) {
-            done.insert(group);
-            let skin = search.leaves_a_skin(&pair);
-            found.push(Found {
-                operation: group.0,
-                sides,
-                witness,
-                skin,
-            });
+        let pairs = planes.pairs(&all);
+        if !pairs.is_empty() {
+            let new = || Search::new(scene, bounds, &tree);
+            (search.get_or_insert_with(new)).group(&all, &pairs, &mut found);
         }
     }
     found
 }
 
+/// A pair of faces as something is said of it once: the operation, the tool's shape and face, and
+/// which of the two cut.
+type Done = (NodeId, (u32, Part), (bool, bool));
+
 struct Search<'a> {
     scene: &'a Scene,
     tree: &'a Tree,
     points: Points<'a>,
+    /// What has been found.
+    done: FxHashSet<Done>,
 }
 
 /// Two faces to be compared, one from each operand.
@@ -168,7 +147,56 @@ impl Pair<'_> {
     }
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn new(scene: &'a Scene, bounds: &'a [NodeBounds], tree: &'a Tree) -> Search<'a> {
+        Search {
+            scene,
+            points: Points::new(scene, bounds, tree),
+            tree,
+            done: FxHashSet::default(),
+        }
+    }
+
+    /// Looks at pairs of faces of one group.
+    fn group(&mut self, all: &[Face], pairs: &[(u32, u32)], found: &mut Vec<Found>) {
+        let tree = self.tree;
+        for &(f, g) in pairs {
+            let faces = [&all[f as usize], &all[g as usize]];
+            let leaves = faces.map(|f| &tree.leaves[f.leaf as usize]);
+            let operation = tree.join(leaves[0].place, leaves[1].place);
+            let pair = Pair {
+                operation,
+                faces,
+                leaves,
+            };
+            if !tree.places[operation as usize].cuts {
+                continue;
+            }
+            let tool = self.tool(&pair);
+            let cuts = |i: usize| self.cuts(&pair, leaves[i]);
+            let done = (
+                tree.places[operation as usize].node,
+                (leaves[tool].shape.unwrap_or_default(), faces[tool].part),
+                (cuts(tool), cuts(1 - tool)),
+            );
+            if self.done.contains(&done) || self.identical(&pair) {
+                continue;
+            }
+            if self.points.is_spent() {
+                return;
+            }
+            if let Some(witness) = self.witness(&pair) {
+                self.done.insert(done);
+                found.push(Found {
+                    operation: done.0,
+                    sides: self.sides(&pair),
+                    witness,
+                    skin: self.leaves_a_skin(&pair),
+                });
+            }
+        }
+    }
+
     fn geometry(&self, leaf: &Leaf) -> Option<&Geometry> {
         Some(&self.scene.shapes[leaf.shape? as usize].geometry)
     }
@@ -265,7 +293,17 @@ impl Search<'_> {
     fn shows(&mut self, pair: &Pair, p: Vec3, n: Vec3) -> bool {
         let magnitude = p.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let reach = NEAR * pair.size(p) + ROUNDING * magnitude;
-        if !self.meets(pair, p, n, reach) {
+        // Both shapes first: that is quick.
+        if !self.change_sides(pair, p, n, reach) {
+            return false;
+        }
+        let away = AROUND * reach;
+        let room = 2.0 * away;
+        let around = Aabb::new(p.map(|x| x - room), p.map(|x| x + room));
+        let Some(near) = self.points.near(&around) else {
+            return false;
+        };
+        if !self.meets(pair, p, n, reach, &near) {
             return false;
         }
         let least = (0..3).fold(0, |i, j| if n[j].abs() < n[i].abs() { j } else { i });
@@ -278,21 +316,23 @@ impl Search<'_> {
         [(1.0, 0.1), (-0.6, 0.8), (-0.4, -0.9)]
             .into_iter()
             .all(|(a, b)| {
-                let away = AROUND * reach;
                 let q = add(add(p, u, a * away), v, b * away);
-                self.meets(pair, q, n, reach)
+                self.change_sides(pair, q, n, reach) && self.meets(pair, q, n, reach, &near)
             })
     }
 
-    fn meets(&mut self, pair: &Pair, p: Vec3, n: Vec3, reach: f64) -> bool {
+    /// Whether both shapes change sides at a point.
+    fn change_sides(&mut self, pair: &Pair, p: Vec3, n: Vec3, reach: f64) -> bool {
+        pair.faces.iter().all(|face| {
+            let sides = [-reach, reach].map(|by| self.points.in_leaf(face.leaf, add(p, n, by)));
+            matches!(sides, [Some(below), Some(above)] if below != above)
+        })
+    }
+
+    /// Whether both operands do, one into the result and the other out of it, and that decides what
+    /// is seen. `near`: all leaves that may hold a point around there.
+    fn meets(&mut self, pair: &Pair, p: Vec3, n: Vec3, reach: f64, near: &[u32]) -> bool {
         let sides = [add(p, n, -reach), add(p, n, reach)];
-        // Both shapes first: that is quick.
-        for face in pair.faces {
-            match sides.map(|q| self.points.in_leaf(face.leaf, q)) {
-                [Some(below), Some(above)] if below != above => {}
-                _ => return false,
-            }
-        }
         if let Some((low, high)) = self.scene.render.and_then(|r| r.clip)
             && !sides
                 .iter()
@@ -300,7 +340,7 @@ impl Search<'_> {
         {
             return false;
         }
-        let [Some(below), Some(above)] = sides.map(|q| self.points.at(q)) else {
+        let [Some(below), Some(above)] = sides.map(|q| self.points.at(q, near)) else {
             return false;
         };
         let operands = self.tree.places[pair.operation as usize].children;

@@ -1,0 +1,163 @@
+//! Scenes of twenty thousand objects that make rules work hardest: whatever is done for each pair of
+//! objects, or for all of them each time, takes minutes here.
+
+use std::fmt::Write;
+use std::time::{Duration, Instant};
+
+use zpg::commands::Loaded;
+use zpg::diagnostics::render::human::{self, Look};
+
+const N: u32 = 20_000;
+
+/// Several times what any of these takes on a slow machine without optimisation.
+const SOON: Duration = Duration::from_secs(20);
+
+/// Where the IDs of results begin.
+const RESULTS: u32 = 10_000_000;
+
+/// Checks a scene of `N` objects, 2 and those after it, the way `zpg check` does; what is found.
+#[track_caller]
+fn check(object: impl Fn(u32) -> String, join: &str) -> Vec<&'static str> {
+    let mut text = String::new();
+    let (mut root, mut next) = (2, RESULTS);
+    for id in 2..2 + N {
+        writeln!(text, "{}", object(id)).unwrap();
+    }
+    for id in 3..2 + N {
+        let operands = join.replace("ROOT", &root.to_string());
+        let operands = operands.replace("ID", &id.to_string());
+        if operands.is_empty() {
+            break;
+        }
+        writeln!(text, "{next} {operands}").unwrap();
+        (root, next) = (next, next + 1);
+    }
+    writeln!(text, "1 9999 {root} 0").unwrap();
+    let start = Instant::now();
+    let loaded = Loaded::new("scene.zpg", text.into_bytes());
+    let mut out = Vec::new();
+    human::write(
+        &mut out,
+        &loaded.source,
+        &loaded.diagnostics,
+        Look::default(),
+    )
+    .unwrap();
+    let time = start.elapsed();
+    assert!(time < SOON, "{time:?}");
+    assert!(out.len() < 1_000_000, "{} bytes", out.len());
+    let mut codes: Vec<_> = loaded.diagnostics.iter().map(|d| d.code.as_str()).collect();
+    codes.sort_unstable();
+    codes.dedup();
+    codes
+}
+
+/// A coordinate that has no pattern.
+fn odd(id: u32, k: u32) -> f64 {
+    f64::from(id.wrapping_mul(2_654_435_761).rotate_left(7 * k) % 20_000) / 100.0 - 100.0
+}
+
+#[test]
+fn bricks_of_a_wall_cut_flush() {
+    let brick = |id: u32| {
+        let (x, y, z) = (id % 28, id / 28 % 28, id / 784);
+        format!("{id} 12 {x} {y} {z} {} {} {}", x + 1, y + 1, z + 1)
+    };
+    for join in ["-101 ROOT ID", "-102 ROOT ID", "-103 ROOT ID"] {
+        check(brick, join);
+    }
+}
+
+#[test]
+fn tools_that_all_end_in_one_plane() {
+    let tool = |id: u32| {
+        let (x, z) = (odd(id, 1) / 1e4, odd(id, 2) / 1e4);
+        let y = f64::from(id) / 1e4 + 1.0;
+        format!("{id} 12 {x} 0 {z} {} {y} {}", x + 4.0, z + 4.0)
+    };
+    check(tool, "-103 ROOT ID");
+    // And a sheet full of holes.
+    let hole = |id: u32| match id {
+        2 => "2 12 -200 -1 -200 200 1 200".to_owned(),
+        _ => {
+            let (x, z) = (odd(id, 1), odd(id, 2));
+            format!("{id} 12 {x} -1 {z} {} 1 {}", x + 0.3, z + 0.3)
+        }
+    };
+    assert!(check(hole, "-103 ROOT ID").contains(&"W321"));
+}
+
+#[test]
+fn glass_in_one_place() {
+    let ball = |id: u32| {
+        let [x, y, z] = [1, 2, 3].map(|k| odd(id, k) / 50.0);
+        let share = f64::from(id) / 1e5;
+        format!("{id} 11 {x} {y} {z} 1\n{id} -201 0 0 {share}")
+    };
+    assert!(check(ball, "-101 ROOT ID").contains(&"W307"));
+    let concentric = |id: u32| format!("{id} 9 {id}\n{id} -201 0 0 {}", f64::from(id) / 1e5);
+    check(concentric, "-101 ROOT ID");
+    check(concentric, "-103 ROOT ID");
+}
+
+#[test]
+fn copies_of_one_thing() {
+    let copy = |id: u32| match id {
+        2 => "7000000 12 -1 -1 -1 1 1 1\n7000001 12 -0.5 -1 -0.5 0.5 1 0.5\n\
+              7000002 -103 7000000 7000001\n2 -105 7000002"
+            .to_owned(),
+        _ => {
+            let [x, y, z] = [1, 2, 3].map(|k| odd(id, k));
+            format!(
+                "{id} -105 7000002\n{id} -1 {x} {y} {z}\n{id} -2 {} 2",
+                id % 360
+            )
+        }
+    };
+    assert!(check(copy, "-101 ROOT ID").contains(&"W321"));
+}
+
+#[test]
+fn bounds_of_all_that_is_there() {
+    let torus = |id: u32| format!("{id} 14 2 0.5");
+    let bounded = |id: u32| {
+        format!(
+            "{}\n{id} -602 0 0 0 {}",
+            torus(id),
+            1.0 + f64::from(id) / 1e5
+        )
+    };
+    assert!(check(bounded, "-101 ROOT ID").contains(&"W311"));
+    // All of them of one object, and one of each step towards it.
+    let last = N + 1;
+    let many = |id: u32| match id {
+        2 => torus(2),
+        _ if id < last => torus(id),
+        _ => {
+            let mut text = torus(id);
+            let mut root = 2;
+            for i in 3..=last {
+                let result = 20_000_000 + i;
+                write!(text, "\n{result} -101 {root} {i}\n{result} -602 0 0 0 1").unwrap();
+                root = result;
+            }
+            (0..N).for_each(|i| write!(text, "\n{root} -602 0 0 0 {}", 2 + i % 2).unwrap());
+            text
+        }
+    };
+    assert!(check(many, "-101 ROOT ID").contains(&"W311"));
+}
+
+#[test]
+fn comments_that_allow_in_a_row() {
+    let row = |id: u32| match id {
+        2 => "# zpg: allow(W301) #\n".repeat(N as usize) + "2 9 1",
+        _ => format!("# zpg: allow(W301) #\n{id} 9 1\n{id} -701 2 0 0 # zpg: allow(W301) #"),
+    };
+    assert!(check(row, "-101 ROOT ID").contains(&"S504"));
+    let line = |id: u32| match id {
+        2 => format!("2 9 1 {}", "# zpg: allow(W301) # ".repeat(N as usize)),
+        _ => String::new(),
+    };
+    assert_eq!(check(line, ""), ["N602", "N603", "S504"]);
+}
