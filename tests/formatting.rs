@@ -63,6 +63,24 @@ fn findings(loaded: &Loaded, of_layout: bool) -> Vec<(Code, (usize, usize))> {
     all
 }
 
+/// A broken record without an error on its lines.
+fn broken_without_an_error(loaded: &Loaded) -> Option<&str> {
+    let line = |at: u32| loaded.source.line_index(at);
+    let errors: Vec<usize> = (loaded.diagnostics.iter())
+        .filter(|d| d.is_error())
+        .flat_map(|d| [line(d.span.start), line(d.span.end)])
+        .collect();
+    let silent = (loaded.document.items.iter())
+        .filter(|i| matches!(i, Item::Broken(_)))
+        .map(|i| loaded.document.item_span(i))
+        .find(|s| {
+            !errors
+                .iter()
+                .any(|l| (line(s.start)..=line(s.end)).contains(l))
+        })?;
+    Some(loaded.source.slice(silent))
+}
+
 /// The first thing that is not as it should be.
 fn complaint(text: &str) -> Option<String> {
     let once = formatted(text);
@@ -73,6 +91,9 @@ fn complaint(text: &str) -> Option<String> {
         return Some("comments differ".to_owned());
     }
     let (before, after) = (load(text), load(&once));
+    if let Some(silent) = broken_without_an_error(&before) {
+        return Some(format!("nothing is said of {silent}"));
+    }
     if meaning(&before) != meaning(&after) {
         return Some("the meaning differs".to_owned());
     }

@@ -4,12 +4,18 @@
 
 use libfuzzer_sys::fuzz_target;
 use zpg::format::{Options, format, format_range, same_content};
-use zpg::syntax::parse;
+use zpg::syntax::{Item, parse};
 
 fuzz_target!(|input: (u8, u8, &str)| {
     let (first, more, text) = input;
     let options = Options::default();
-    let (document, _) = parse(text);
+    let (document, findings) = parse(text);
+    let is_broken = |i: &Item| matches!(i, Item::Broken(_));
+    let errors = findings.iter().filter(|d| d.is_error()).count();
+    assert!(
+        errors > 0 || !document.items.iter().any(is_broken),
+        "nothing is said of what is broken"
+    );
     let once = format(text, &document, &options);
     let (again, _) = parse(&once);
     assert!(same_content((text, &document), (&once, &again)), "{once}");
@@ -18,6 +24,9 @@ fuzz_target!(|input: (u8, u8, &str)| {
     if let Some(edit) = format_range(text, &document, &options, first..=first + more) {
         let mut part = text.to_owned();
         part.replace_range(edit.span.range(), &edit.text);
-        assert!(same_content((text, &document), (&part, &parse(&part).0)), "{part}");
+        assert!(
+            same_content((text, &document), (&part, &parse(&part).0)),
+            "{part}"
+        );
     }
 });

@@ -155,13 +155,14 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
         error(Complaint::new("too-large").with("size", size))
     };
     let result = if path.as_os_str() == STDIN {
-        read_limited(io::stdin().lock())
+        read_limited(io::stdin().lock(), 0)
     } else {
         File::open(path).and_then(|file| {
             // A file that is known to be too large is not read at all.
             match file.metadata() {
                 Ok(m) if m.is_file() && m.len() > MAX_FILE_BYTES as u64 => Ok(None),
-                _ => read_limited(file),
+                Ok(m) if m.is_file() => read_limited(file, m.len() as usize),
+                _ => read_limited(file, 0),
             }
         })
     };
@@ -179,9 +180,10 @@ pub fn unreadable(path: &Path, reason: Complaint) -> Complaint {
         .with("reason", reason)
 }
 
-/// Reads everything, or nothing when there is more than may be.
-fn read_limited(input: impl Read) -> io::Result<Option<Vec<u8>>> {
-    let mut bytes = Vec::new();
+/// Reads everything, or nothing when there is more than may be. `size` is how much there seems to be.
+fn read_limited(input: impl Read, size: usize) -> io::Result<Option<Vec<u8>>> {
+    // The end is found by reading a little further.
+    let mut bytes = Vec::with_capacity(size + 32);
     input
         .take(MAX_FILE_BYTES as u64 + 1)
         .read_to_end(&mut bytes)?;

@@ -80,6 +80,7 @@ impl<'a> Printer<'a> {
                         let entry = Entry {
                             record,
                             tokens,
+                            keeps_zero: line.has_zero && self.care.zeros,
                             wanted,
                         };
                         self.run.push(&self.context, &mut self.page, entry);
@@ -136,7 +137,7 @@ impl<'a> Printer<'a> {
         let is_kept = |item: &Item| self.care.items.contains(&item.ends().0);
         // What is said to a line is said to all of its records.
         (lines.len() > 1 && spoken_to)
-            || (self.care.zeros && lines.iter().any(|l| l.has_zero))
+            || (lines.len() > 1 && self.care.zeros && lines.iter().any(|l| l.has_zero))
             || (!self.care.items.is_empty() && chunk.items().any(is_kept))
     }
 

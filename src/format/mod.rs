@@ -83,7 +83,7 @@ fn attempt(
             return Some((result, edit));
         }
         care.zeros = true;
-        let reach = 1 << round;
+        let reach = (1 << round) - 1;
         for i in differences {
             let near = i.saturating_sub(reach)..(i + reach + 1).min(document.items.len());
             care.items
@@ -94,7 +94,7 @@ fn attempt(
 }
 
 /// How often it is tried to keep the lines that are read differently, each time with more around them.
-const ROUNDS: u32 = 6;
+const ROUNDS: u32 = 7;
 
 fn print(
     text: &str,

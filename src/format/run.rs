@@ -11,6 +11,8 @@ pub struct Entry<'a> {
     pub record: &'a Record,
     /// From the first comment before the record to the last behind it, as tokens.
     pub tokens: (u32, u32),
+    /// A `0` before the comments behind the record stays.
+    pub keeps_zero: bool,
     /// Whether the line is among those asked for.
     pub wanted: bool,
 }
@@ -18,12 +20,13 @@ pub struct Entry<'a> {
 impl<'a> Entry<'a> {
     /// Comments before the record.
     fn lead(&self, context: &Context<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
-        comments(context, self.tokens.0, self.record.first)
+        comments(context, self.tokens.0, self.record.first, false)
     }
 
     /// Comments behind the record.
     pub fn trail(&self, context: &Context<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
-        comments(context, self.record.last + 1, self.tokens.1 + 1)
+        let (from, to) = (self.record.last + 1, self.tokens.1 + 1);
+        comments(context, from, to, self.keeps_zero)
     }
 
     /// Nothing but numbers up to its end.
@@ -40,16 +43,17 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// The comments among some tokens.
+/// The comments among some tokens, and the zeros if those are wanted.
 fn comments<'a>(
     context: &Context<'a>,
     from: u32,
     to: u32,
+    zeros: bool,
 ) -> impl Iterator<Item = &'a str> + use<'a> {
     let text = context.text;
     context.document.tokens[from as usize..to as usize]
         .iter()
-        .filter(|t| t.kind.is_comment())
+        .filter(move |t| t.kind.is_comment() || zeros && !t.kind.is_trivia())
         .map(move |t| t.text(text))
 }
 

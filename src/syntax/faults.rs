@@ -324,6 +324,9 @@ fn untyped(stream: &Stream, start: usize, end: usize) -> (Verdict, u32) {
     }
 }
 
+/// The price of a record as a fault that has none: it is to be read as it stands.
+const NOTHING_WRONG: u32 = 1_000 * FAULT;
+
 /// The parameters `first..end` of a record whose type is known.
 fn judge_params(
     stream: &Stream,
@@ -363,8 +366,17 @@ fn judge_params(
         if got.saturating_sub(bad) <= expected && expected <= got {
             let kinds = wrong_kinds(stream, ty, first, end);
             let mistakes = (bad.min(u64::from(BAD_MAX)) as u32).max(kinds) * FAULT + real_type;
-            // With no mistake in it, it would have been read as it is.
-            return (Verdict::Damaged { ty }, mistakes.max(FAULT));
+            if mistakes > 0 {
+                return (Verdict::Damaged { ty }, mistakes);
+            }
+            if ty.optional.is_empty() {
+                return (Verdict::Damaged { ty }, NOTHING_WRONG);
+            }
+            // Nothing is wrong with it but where its line ends: its optional parameters are not the
+            // last of the line, or they are just those that follow.
+            let (got, other) = (end - first, if expected == base { full } else { base });
+            let expected = usize::try_from(other).unwrap_or(usize::MAX);
+            return (Verdict::Count { ty, got, expected }, 2 * FAULT);
         }
     }
     if cut_off() && (got as u64) < full {

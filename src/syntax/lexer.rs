@@ -280,9 +280,13 @@ impl Iterator for Tokens<'_> {
         if let Some(comma) = self.comma.take() {
             return Some(comma);
         }
-        if let Some(token) = self.plain() {
-            return Some(token);
-        }
+        self.plain().or_else(|| self.other())
+    }
+}
+
+impl Tokens<'_> {
+    /// The next token, whatever it is.
+    fn other(&mut self) -> Option<Token> {
         loop {
             self.raw.bump(self.at - self.raw.span().end);
             let raw = self.raw.next()?;
@@ -430,6 +434,17 @@ mod tests {
             lex(text, &[2]).iter().map(|t| t.kind).collect::<Vec<_>>(),
             [Integer, UnterminatedComment, Newline, Integer, Comment]
         );
+    }
+
+    proptest::proptest! {
+        /// The short way says what the automaton says.
+        #[test]
+        fn plain_tokens_are_those_of_the_automaton(text in "[0-9+.,eE# \\n\\r\\t\\-\"x]{0,40}") {
+            let mut tokens = Tokens::new(&text, &[]);
+            let automaton: Vec<Token> =
+                std::iter::from_fn(|| tokens.comma.take().or_else(|| tokens.other())).collect();
+            proptest::prop_assert_eq!(lex(&text, &[]), automaton);
+        }
     }
 
     #[test]
