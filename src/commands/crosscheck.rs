@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::draft::{Draft, unwritable};
+use super::loaded::STDIN;
 use super::size::Size;
 use super::{Loaded, LookChoice, Status, complain, convert, load_sound, report, terminal, usage};
 use crate::diagnostics::{Complaint, Diagnostic};
@@ -240,9 +241,13 @@ fn answer<T: Outcome>(args: &Args, pictures: Vec<Compared<T>>) -> Result<(bool, 
     Ok((answer.agrees, text))
 }
 
-/// The scene's name without its extension.
+/// The scene's name without its extension; for standard input `scene`.
 fn stem(args: &Args) -> String {
-    let stem = args.file.file_stem().unwrap_or("scene".as_ref());
+    let stem = match args.file.to_str() {
+        Some(STDIN) => None,
+        _ => args.file.file_stem(),
+    };
+    let stem = stem.unwrap_or("scene".as_ref());
     stem.to_string_lossy().into_owned()
 }
 

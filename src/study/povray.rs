@@ -37,6 +37,8 @@ pub fn render(
         // No smoothing, no window, 16 bits a channel, linear.
         arguments.extend(["-A", "-D", "+FN16", "File_Gamma=1.0"].map(str::to_owned));
         arguments.extend(pass.map(|c| format!("Declare=Channel={c}")));
+        // What another run has left is no answer.
+        let _ = fs::remove_file(folder.join(picture));
         run(program, folder, &arguments)?;
         read(&folder.join(picture), size, translation.light_scale)
     };
@@ -56,7 +58,9 @@ pub fn render(
 /// Reads a linear PNG of 16 bits whose values are scaled.
 fn read(path: &Path, size: (u32, u32), scale: f64) -> Result<Film, ProgramError> {
     let unexpected = |_| ProgramError::Unexpected("its picture cannot be read");
-    let decoder = png::Decoder::new(BufReader::new(File::open(path)?));
+    let none = |_| ProgramError::Unexpected("it has written no picture");
+    let file = File::open(path).map_err(none)?;
+    let decoder = png::Decoder::new(BufReader::new(file));
     let mut reader = decoder.read_info().map_err(unexpected)?;
     let info = reader.info();
     if (info.width, info.height) != size || info.bit_depth != png::BitDepth::Sixteen {

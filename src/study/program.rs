@@ -48,6 +48,9 @@ pub(super) fn run<S: AsRef<OsStr>>(
     let said = [output.stdout, output.stderr].concat();
     let said = String::from_utf8_lossy(&said);
     let lines: Vec<&str> = said.lines().filter(|l| !l.trim().is_empty()).collect();
+    if lines.is_empty() {
+        return Err(ProgramError::Failed(output.status.to_string()));
+    }
     let last = lines.len().saturating_sub(LINES);
     Err(ProgramError::Failed(lines[last..].join("\n")))
 }

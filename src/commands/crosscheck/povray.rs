@@ -13,7 +13,8 @@ use crate::trace::film::srgb8;
 use crate::trace::{Film, Settings, Tracer};
 use crate::translate::pov;
 
-const HOW: &str = "`apt-get install povray`, `brew install povray`, https://www.povray.org";
+const HOW: &str =
+    "with `apt-get install povray` or `brew install povray`, or from https://www.povray.org";
 
 /// Takes, compares and writes all pictures.
 pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>, Failure> {
@@ -41,7 +42,7 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
     let mut compared = Vec::new();
     for (i, camera) in cameras(scene, args.size).iter().enumerate() {
         let suffix = translation.files[i].suffix;
-        let name = format!("{}{suffix}", stem(args));
+        let name = format!("{}{suffix}", plain(&stem(args)));
         let theirs = render(&program, &translation, i, size, &folder, &name)
             .map_err(|e| failed(e, "POV-Ray", HOW, &folder))?;
         // Half the bar each way: two pictures that are an edge apart differ by all of it.
@@ -60,6 +61,12 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
         });
     }
     Ok(compared)
+}
+
+/// A file name that POV-Ray's command line takes as it is.
+fn plain(name: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    name.replace(|c| !plain(c), "_")
 }
 
 fn srgb(film: &Film) -> Vec<u8> {

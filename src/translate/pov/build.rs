@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::descend::{End, Stop};
+use super::difference::Substance;
 use super::facts::{self, Facts};
 use super::flush::{Cuts, lengthened};
 use super::look::Looks;
@@ -16,6 +17,12 @@ use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, NodeId, Scene, View};
 use crate::trace::members;
 use crate::translate::fidelity::{Fidelity, Report};
+
+/// What the report calls faces that POV-Ray cannot tell apart.
+const FACES: &str = "faces in one place";
+
+/// Unions of more members are not searched for them.
+const MANY: usize = 4096;
 
 /// What the objects of a scene are built from.
 pub(super) struct Builder<'a> {
@@ -233,7 +240,45 @@ impl<'a> Builder<'a> {
                 }
             }
         }
-        self.without_repeats(out)
+        let out = self.without_repeats(out);
+        self.look_for_shared_faces(&out);
+        out
+    }
+
+    /// Says so where members that look different are made of one and the same solid.
+    fn look_for_shared_faces(&mut self, members: &[(NodeId, State)]) {
+        if members.len() > MANY {
+            return;
+        }
+        let mut seen: HashMap<_, Option<Substance>> = HashMap::new();
+        for &(node, state) in members {
+            if self.facts[node as usize].has_surface {
+                continue;
+            }
+            let substance = self.substance(node, state);
+            let place = self.sets.place(node);
+            let parts = self.sets.parts(place);
+            let differs = |known: &Option<Substance>| known.is_none() || *known != substance;
+            if parts.iter().filter_map(|p| seen.get(p)).any(differs) {
+                self.faces_in_one_place(self.ids[node as usize]);
+            }
+            for part in parts {
+                seen.entry(part).or_insert(substance);
+            }
+        }
+    }
+
+    /// Says that faces of an object lie in those of another; 0 is nobody's object.
+    pub fn faces_in_one_place(&mut self, id: u32) {
+        let example = match id {
+            0 => String::new(),
+            id => format!(", as in {id}"),
+        };
+        let doubt = format!("which is seen is up to rounding{example}");
+        let known = |e: &crate::translate::fidelity::Entry| e.feature == FACES;
+        if !self.report.entries().any(known) {
+            self.report.state(FACES, Fidelity::Approximate(doubt), "");
+        }
     }
 
     /// Leaves out what is within a later member of the same look and medium.

@@ -108,7 +108,10 @@ impl Builder<'_> {
             ),
             look => (look, None),
         };
-        for (node, state) in self.flat_union(nodes, state.look(look)) {
+        let mut tools = self.flat_union(nodes, state.look(look));
+        let cut = base.map_or(Aabb::ALL, |base| self.box_of(base));
+        self.overlap_tools(&mut tools, cut);
+        for (node, state) in tools {
             let piece = match base {
                 Some(base) => self.cutter(base, node, state),
                 None => self.piece(node, state),

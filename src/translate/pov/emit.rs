@@ -29,6 +29,8 @@ pub(super) struct Emitter<'b, 'a> {
     captions: &'b Captions,
     pub text: String,
     names: HashMap<Key, Option<String>>,
+    /// The name of each object by what is said of it.
+    bodies: HashMap<String, String>,
     /// The numbers of splits that geodesic spheres were written with.
     pub geodesics: BTreeSet<u32>,
     /// How many objects of each entity there are.
@@ -42,6 +44,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
             captions,
             text: String::new(),
             names: HashMap::new(),
+            bodies: HashMap::new(),
             geodesics: BTreeSet::new(),
             times: HashMap::new(),
         }
@@ -69,11 +72,17 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     todo.extend(needs.into_iter().rev());
                 }
                 Step::Write(key, piece) => {
-                    let name = self.name(piece.id);
-                    let comment = self.comment(key.node, piece.id);
                     let body = self.piece(&piece, 0);
                     let body = self.bounded(body, key);
+                    // States that differ need not look different.
+                    if let Some(name) = self.bodies.get(&body) {
+                        self.names.insert(key, Some(name.clone()));
+                        continue;
+                    }
+                    let name = self.name(piece.id);
+                    let comment = self.comment(key.node, piece.id);
                     let text = format!("#declare {name} = {body}");
+                    self.bodies.insert(body, name.clone());
                     self.text += &match comment {
                         Some(comment) => commented(&text, &comment),
                         None => text,
@@ -193,7 +202,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     let adds = match kind {
                         Group::Union | Group::Merge => true,
                         Group::Difference | Group::CutawayDifference => i > 0,
-                        Group::Intersection => false,
+                        Group::Intersection => member.modifiers.contains(&Modifier::Inverse),
                     };
                     if adds && self.is_empty(member) {
                         continue;
@@ -271,6 +280,8 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     }
                 },
                 Modifier::Inverse => "inverse".to_owned(),
+                // Nothing is in it: all is outside.
+                Modifier::Clip { by, outside: true } if self.is_empty(by) => continue,
                 Modifier::Clip { by, outside } => {
                     let inverse = outside.then_some(Modifier::Inverse);
                     let by = Piece::clone(by).with(inverse);

@@ -5,6 +5,7 @@
 use std::collections::HashMap;
 
 use super::build::Builder;
+use super::piece::State;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
 
 /// Faces that are this near, as a part of the numbers, are in one place: what a few roundings may do.
@@ -79,20 +80,110 @@ impl Builder<'_> {
     }
 }
 
-/// A box seen from before an affine change, where that leaves the axes in parallel.
+/// Of more tools none are compared with each other.
+const MANY: usize = 256;
+
+impl Builder<'_> {
+    /// Tools that end in one plane, from its two sides, would leave a skin there: one of them is made
+    /// longer where it stays within the other. Where it does not, the report says so. `cut` is a box
+    /// around what they are taken from.
+    pub(super) fn overlap_tools(&mut self, tools: &mut [(NodeId, State)], cut: Aabb) {
+        if tools.len() > MANY {
+            return;
+        }
+        for i in 0..tools.len() {
+            for j in 0..tools.len() {
+                for axis in 0..3 {
+                    let (a, b) = (self.box_of(tools[i].0), self.box_of(tools[j].0));
+                    if i != j && touch(&a, &b, axis) {
+                        self.overlap_pair(tools, (i, j), axis, cut);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The first of the pair ends where the second begins.
+    fn overlap_pair(
+        &mut self,
+        tools: &mut [(NodeId, State)],
+        (i, j): (usize, usize),
+        axis: usize,
+        cut: Aabb,
+    ) {
+        let [a, b] = [i, j].map(|k| self.box_of(tools[k].0));
+        // They may end flush with that, too.
+        let (mut below, mut above) = (cut, cut);
+        below.max[axis] = a.max[axis];
+        above.min[axis] = b.min[axis];
+        let [Some(first), Some(second)] =
+            [(i, below), (j, above)].map(|(k, half)| self.flush(tools[k].0, half))
+        else {
+            return;
+        };
+        for (k, other, flush) in [(i, j, first), (j, i, second)] {
+            let (own, room) = (self.box_of(tools[k].0), self.box_of(tools[other].0));
+            let fits = (0..3).all(|x| match x == axis {
+                true => (own.max[x] - own.min[x]) / 2.0 < room.max[x] - room.min[x],
+                false => own.min[x] >= room.min[x] && own.max[x] <= room.max[x],
+            });
+            let state = &mut tools[k].1;
+            if fits && state.flush.is_none() && self.is_box(tools[other].0) {
+                state.flush = Some(flush);
+                return;
+            }
+        }
+        self.faces_in_one_place(self.ids[tools[i].0 as usize]);
+    }
+
+    /// Whether a node is a box along the axes.
+    fn is_box(&self, mut node: NodeId) -> bool {
+        loop {
+            node = match self.scene.nodes[node as usize] {
+                Node::Shape(shape) => {
+                    let geometry = &self.scene.shapes[shape as usize].geometry;
+                    return matches!(geometry, Geometry::Box { .. });
+                }
+                Node::Paint { child, .. } | Node::Copy { child, .. } => child,
+                Node::Transform { child, matrix } => {
+                    let m = &self.scene.matrices[matrix as usize];
+                    let along =
+                        |row: &[f64; 4]| row[..3].iter().filter(|x| **x != 0.0).count() == 1;
+                    if !m.0.iter().take(3).all(along) {
+                        return false;
+                    }
+                    child
+                }
+                _ => return false,
+            }
+        }
+    }
+}
+
+/// Whether one box ends along an axis where the other begins, with more than an edge in common.
+fn touch(a: &Aabb, b: &Aabb, axis: usize) -> bool {
+    let (end, start) = (a.max[axis], b.min[axis]);
+    let size = end.abs().max(start.abs()).max(a.max[axis] - a.min[axis]);
+    size.is_finite()
+        && (end - start).abs() <= HAIR * size
+        && (0..3).all(|i| i == axis || a.min[i].max(b.min[i]) < a.max[i].min(b.max[i]))
+}
+
+/// A box seen from before an affine change, with the ends of it that are at right angles to an axis.
 fn moved_back(b: Aabb, m: &Matrix) -> Option<Aabb> {
     let back = m.inverse()?;
     let mut out = Aabb::ALL;
     for (i, row) in back.0.iter().take(3).enumerate() {
         let largest = row[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let mut along = (0..3).filter(|j| row[*j].abs() > 1e-12 * largest);
+        // Along an axis that is turned there is no end.
         let (Some(j), None) = (along.next(), along.next()) else {
-            return None;
+            continue;
         };
         let ends = [b.min[j], b.max[j]].map(|x| row[j] * x + row[3]);
         (out.min[i], out.max[i]) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
     }
-    Some(out)
+    (out != Aabb::ALL).then_some(out)
 }
 
 /// The shape with its flush faces farther out, if it has any that can be moved.
@@ -273,10 +364,15 @@ mod tests {
     }
 
     #[test]
-    fn boxes_stay_boxes_where_the_axes_do() {
+    fn ends_stay_where_the_axes_do() {
         let m = Matrix::translation(1.0, 2.0, 3.0).after(&Matrix::rotation(90.0, 1));
         let b = moved_back(CUT, &m).unwrap();
         assert!((b.max[1] - b.min[1] - 2.0).abs() < 1e-12);
-        assert_eq!(moved_back(CUT, &Matrix::rotation(30.0, 1)), None);
+        let b = moved_back(CUT, &Matrix::rotation(30.0, 1)).unwrap();
+        assert_eq!((b.min[1], b.max[1], b.max[0]), (0.0, 2.0, f64::INFINITY));
+        let askew = Matrix::rotation(30.0, 1)
+            .after(&Matrix::rotation(20.0, 0))
+            .after(&Matrix::rotation(40.0, 2));
+        assert_eq!(moved_back(CUT, &askew), None);
     }
 }

@@ -43,7 +43,7 @@ impl Frame {
         let seen = seen_box(scene, &builder.bounds);
         let locations = || eyes.iter().map(Eye::location);
         let middle = match seen.is_empty() {
-            true => locations().next().unwrap_or_default(),
+            true => [0.0; 3],
             false => seen.centre(),
         };
         let away = |p: Vec3| (0..3).fold(0.0f64, |m, i| m.max((p[i] - middle[i]).abs()));

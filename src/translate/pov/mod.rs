@@ -1,14 +1,15 @@
 //! POV-Ray 3.7 scenes.
 //!
-//! Coordinates stay as they are; the whole scene is scaled to a fixed size at the end, since
-//! POV-Ray's tolerances are absolute. With `assumed_gamma 1`, no attenuation and no highlights its
-//! light is that of the reference ray tracer, except at total internal reflection.
+//! Coordinates stay as they are; the whole scene is moved and scaled at the end ([`frame`], by what
+//! [`reach`] sees of it), since POV-Ray's tolerances are absolute. With `assumed_gamma 1`, no attenuation
+//! and no highlights its light is that of the reference ray tracer, except at total internal reflection.
 //!
-//! From the resolved scene to text: [`facts`] about every node, bottom-up; [`build`] with
-//! [`descend`], [`union`], [`difference`], [`grouping`] and [`sets`] says what each object consists of, as [`piece`]s;
-//! [`emit`] orders, names and prints them; [`look`] and [`uv`] know POV-Ray's textures, [`shape`] with
-//! [`poly`], [`profile`] and [`triangle`] its primitives; [`camera`] and [`scenery`] do the rest.
-//! [`verdict`] says what becomes of each feature.
+//! From the resolved scene to text: [`facts`] about every node, bottom-up; [`build`] with [`descend`],
+//! [`union`], [`difference`], [`grouping`], [`flush`] and [`sets`] says what each object consists of, as
+//! [`piece`]s; [`emit`] orders, names and prints them; [`look`] and [`uv`] know POV-Ray's textures,
+//! [`shape`] with [`poly`], [`profile`] and [`triangle`] its primitives, [`turned`] the triangles with
+//! normals that turn away, [`volumes`] the bounding volumes that may be written; [`camera`] and
+//! [`scenery`] do the rest. [`verdict`] says what becomes of each feature.
 
 mod aspects;
 mod build;
@@ -169,15 +170,8 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
     }
     let flush = lint::coincident_faces(scene, &builder.bounds);
     let is_left = |pair: &[u32; 2]| !pair.iter().any(|shape| builder.longer.contains(shape));
-    if let Some([a, b]) = flush.into_iter().find(is_left) {
-        let [a, b] = [a, b].map(|shape| scene.shapes[shape as usize].id);
-        builder.report.state(
-            "faces in one place",
-            Fidelity::Approximate(format!(
-                "which is seen is up to rounding, as for {a} and {b}"
-            )),
-            "",
-        );
+    if let Some([shape, _]) = flush.into_iter().find(is_left) {
+        builder.faces_in_one_place(scene.shapes[shape as usize].id);
     }
     if !builder.longer.is_empty() {
         let note = "made longer, where they are outside of it";

@@ -30,6 +30,8 @@ pub struct Sets {
     cores: Vec<Core>,
     matrices: Vec<Matrix>,
     numbers: HashMap<[u64; 16], u32>,
+    /// The cores that are round about the y axis.
+    round: HashSet<u32>,
 }
 
 /// So many steps are taken to find out whether a solid is within others.
@@ -42,6 +44,7 @@ impl Sets {
             cores: Vec::new(),
             matrices: Vec::new(),
             numbers: HashMap::new(),
+            round: HashSet::new(),
         };
         let here = sets.matrix(&Matrix::IDENTITY);
         let mut known: HashMap<Core, u32> = HashMap::new();
@@ -76,6 +79,11 @@ impl Sets {
             let number = *known.entry(core).or_insert(next);
             if number == next {
                 sets.cores.push(core);
+                if let Core::Shape(s) = core
+                    && is_round(&scene.shapes[s as usize].geometry)
+                {
+                    sets.round.insert(number);
+                }
             }
             sets.places.push(Place {
                 core: number,
@@ -100,7 +108,16 @@ impl Sets {
     }
 
     fn moved(&mut self, place: Place, m: &Matrix) -> Place {
-        let all = m.after(&self.matrices[place.matrix as usize]);
+        let mut all = m.after(&self.matrices[place.matrix as usize]);
+        if self.round.contains(&place.core) {
+            // Its mirror images are the same.
+            for j in [0, 2] {
+                let first = (0..3).map(|i| all.0[i][j]).find(|x| *x != 0.0);
+                if first.is_some_and(|x| x < 0.0) {
+                    (0..3).for_each(|i| all.0[i][j] = -all.0[i][j]);
+                }
+            }
+        }
         Place {
             matrix: self.matrix(&all),
             ..place
@@ -138,6 +155,23 @@ impl Sets {
             }
             steps += 1;
         }
+    }
+
+    /// The solid and all that it is made of, as far as patience goes.
+    pub fn parts(&mut self, place: Place) -> Vec<Place> {
+        let mut out = vec![place];
+        let mut at = 0;
+        while at < out.len() && out.len() < PATIENCE as usize {
+            match self.core(out[at]) {
+                Core::Shape(_) => {}
+                Core::Complement(a) => out.push(a),
+                Core::Union(a, b) | Core::Intersection(a, b) | Core::Difference(a, b) => {
+                    out.extend([a, b]);
+                }
+            }
+            at += 1;
+        }
+        out
     }
 
     /// Whether a solid is certainly part of one of others; those were [added](Self::add).
@@ -214,6 +248,19 @@ fn standard(geometry: &Geometry) -> (Geometry, Matrix) {
         }
         other => (other.clone(), Matrix::IDENTITY),
     }
+}
+
+/// Whether a shape is a solid of revolution about the y axis.
+fn is_round(geometry: &Geometry) -> bool {
+    matches!(
+        geometry,
+        Geometry::Sphere { .. }
+            | Geometry::Ellipsoid { .. }
+            | Geometry::Revolution { .. }
+            | Geometry::Torus { .. }
+            | Geometry::Cone { .. }
+            | Geometry::DoubleCone { .. }
+    )
 }
 
 /// A shape's type and numbers.

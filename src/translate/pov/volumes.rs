@@ -31,19 +31,21 @@ pub fn left_out(scene: &Scene, volumes: &Volumes, drawn: impl Fn(NodeId) -> bool
     ids
 }
 
-/// Whether a volume holds a box, with room for rounding.
+/// Whether a volume holds a box, up to the rounding of the box's own numbers.
 fn holds(volume: &Volume, b: &Aabb) -> bool {
-    const ROOM: f64 = 1e-12;
+    const ROUNDING: f64 = 1e-12;
+    let room = ROUNDING * b.radius();
     match volume {
-        Volume::Box { min, max } => Aabb::new(*min, *max).holds(b),
+        Volume::Box { min, max } => {
+            (0..3).all(|i| b.min[i] >= min[i] - room && b.max[i] <= max[i] + room)
+        }
         Volume::Sphere { centre, radius } => {
-            let farthest: Vec3 = std::array::from_fn(|i| {
+            let [x, y, z]: Vec3 = std::array::from_fn(|i| {
                 (b.max[i] - centre[i])
                     .abs()
                     .max((b.min[i] - centre[i]).abs())
             });
-            let [x, y, z] = farthest;
-            x.hypot(y).hypot(z) <= radius * (1.0 - ROOM)
+            x.hypot(y).hypot(z) <= radius + room
         }
     }
 }
