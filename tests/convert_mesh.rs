@@ -133,10 +133,12 @@ fn ply_reads_back_closed() {
         line.trim().parse().unwrap()
     };
     let (n, m) = (count("element vertex"), count("element face"));
-    assert_eq!(bytes.len(), start + 15 * n + 16 * m);
+    assert_eq!(bytes.len(), start + 27 * n + 16 * m);
     let float = |at: usize| f64::from(f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()));
-    let point = |i: usize| [0, 1, 2].map(|k| float(start + 15 * i + 4 * k));
-    let faces = start + 15 * n;
+    let numbers =
+        |i: usize, first: usize| [0, 1, 2].map(|k| float(start + 27 * i + 4 * (first + k)));
+    let (point, normal) = (|i: usize| numbers(i, 0), |i: usize| numbers(i, 3));
+    let faces = start + 27 * n;
     let corner = |f: usize, k: usize| {
         let at = faces + 16 * f + 1 + 4 * k;
         i32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize
@@ -145,11 +147,25 @@ fn ply_reads_back_closed() {
     let mut volume = 0.0;
     for f in 0..m {
         assert_eq!(bytes[faces + 16 * f], 3);
-        let [a, b, c] = [0, 1, 2].map(|k| corner(f, k));
+        let corners = [0, 1, 2].map(|k| corner(f, k));
+        let [p, q, r] = corners.map(point);
+        // Where normals or colours differ there are several points in one place.
+        let [a, b, c] = [p, q, r].map(|p| p.map(f64::to_bits));
         for edge in [(a, b), (b, c), (c, a)] {
             *edges.entry(edge).or_insert(0) += 1;
         }
-        let [p, q, r] = [a, b, c].map(point);
+        let flat: [f64; 3] = std::array::from_fn(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            (q[j] - p[j]) * (r[k] - p[k]) - (q[k] - p[k]) * (r[j] - p[j])
+        });
+        let length = flat.iter().map(|x| x * x).sum::<f64>().sqrt();
+        for n in corners.map(normal) {
+            // Facets are small: none is seen under more than a few degrees by its curved surface.
+            let along: f64 = (0..3).map(|i| n[i] * flat[i]).sum();
+            assert!(along > 0.98 * length, "{p:?} {n:?}");
+            let unit = n.iter().map(|x| x * x).sum::<f64>();
+            assert!((unit - 1.0).abs() < 1e-5);
+        }
         volume += (p[0] * (q[1] * r[2] - q[2] * r[1])
             + p[1] * (q[2] * r[0] - q[0] * r[2])
             + p[2] * (q[0] * r[1] - q[1] * r[0]))
@@ -184,6 +200,7 @@ fn obj_uses_what_its_library_defines() {
     let library = fs::read_to_string(folder.path().join("a b.mtl")).unwrap();
     assert!(text.contains("mtllib a b.mtl\n"));
     let points = text.lines().filter(|l| l.starts_with("v ")).count();
+    let normals = text.lines().filter(|l| l.starts_with("vn ")).count();
     let defined: Vec<&str> = library
         .lines()
         .filter_map(|l| l.strip_prefix("newmtl "))
@@ -197,10 +214,59 @@ fn obj_uses_what_its_library_defines() {
     assert_eq!(defined.len(), 4);
     assert!(library.contains("Kd 0.9 0.2 0.1\n") && library.contains("Ni 1.5\n"));
     for face in text.lines().filter_map(|l| l.strip_prefix("f ")) {
-        for index in face.split(' ') {
-            assert!((1..=points).contains(&index.parse().unwrap()), "{face}");
+        for corner in face.split(' ') {
+            let mut indices = corner.split('/');
+            let mut number = || indices.next().unwrap().parse::<usize>();
+            assert!((1..=points).contains(&number().unwrap()), "{face}");
+            // No picture, and a normal.
+            assert!(number().is_err());
+            assert!((1..=normals).contains(&number().unwrap()), "{face}");
         }
     }
+}
+
+#[test]
+fn obj_has_its_pictures() {
+    let folder = folder();
+    let board = "2 9 1\n3 -701 1 0 0\n4 -701 0 0 1\n2 -399 4 2 3 4\n1 9999 2 0\n";
+    fs::write(folder.path().join("ball.zpg"), board).unwrap();
+    let output = zpg(folder.path(), &["convert", "ball.zpg", "--to", "obj"], "");
+    assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+    let library = fs::read_to_string(folder.path().join("ball.mtl")).unwrap();
+    let name = library.lines().find_map(|l| l.strip_prefix("map_Kd "));
+    let picture = image::open(folder.path().join(name.unwrap())).unwrap();
+    let picture = picture.into_rgb8();
+    // Red below on the left, and repeated twice around and once upwards.
+    assert_eq!(picture.dimensions(), (2, 2));
+    assert_eq!(picture.get_pixel(0, 1).0, [255, 0, 0]);
+    assert_eq!(picture.get_pixel(1, 1).0, [0, 0, 255]);
+    let text = fs::read_to_string(folder.path().join("ball.obj")).unwrap();
+    let row = |start: &str| -> Vec<Vec<f64>> {
+        let lines = text.lines().filter_map(|l| l.strip_prefix(start));
+        lines
+            .map(|l| l.split(' ').map(|x| x.parse().unwrap()).collect())
+            .collect()
+    };
+    let (points, places) = (row("v "), row("vt "));
+    let mut seen = 0;
+    for corner in text
+        .lines()
+        .filter_map(|l| l.strip_prefix("f "))
+        .flat_map(|l| l.split(' '))
+    {
+        let numbers: Vec<usize> = corner.split('/').map(|x| x.parse().unwrap()).collect();
+        let (p, uv) = (&points[numbers[0] - 1], &places[numbers[1] - 1]);
+        if p[0].hypot(p[2]) < 0.1 {
+            continue;
+        }
+        seen += 1;
+        // The surface coordinates of the reference: v from the south pole upwards, twice 0 to ½.
+        assert!((uv[1] - (-p[1]).clamp(-1.0, 1.0).acos() / std::f64::consts::PI).abs() < 2e-3);
+        let turn = (-p[2]).atan2(p[0]) / std::f64::consts::TAU;
+        let off = uv[0] / 2.0 - turn;
+        assert!((off - off.round()).abs() < 2e-3, "{p:?} {uv:?}");
+    }
+    assert!(seen > 1000);
 }
 
 /// The validator of the Khronos group finds nothing to say.

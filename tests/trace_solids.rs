@@ -232,6 +232,34 @@ fn a_box_less_one_with_a_common_face_is_open() {
     assert_eq!(crossings(&tracer, &down), [(5.5, true), (6.0, false)]);
 }
 
+/// A face that two operands of an intersection have in one place is the first one's, however the
+/// places of the two are rounded.
+#[test]
+fn common_faces_of_an_intersection_are_the_first_operands() {
+    let text = "2 9 1.14\n2 -1 1.86 1.4 0.88\n5 12 3 -3 -3 4 4 4\n6 -103 2 5\n6 -701 1 0 0\n\
+        4 -102 2 6\n4 -3 1.15 1.15 1.15\n7 11 9 9 9 1\n8 -101 6 7\n8 -1 20 0 0\n9 -101 4 8\n\
+        1 9999 9 0\n";
+    let loaded = zpg::commands::Loaded::new("scene", text.as_bytes().to_vec());
+    let tracer = Tracer::new(&loaded.scene).unwrap();
+    let mut walkers: zpg::trace::Walkers<f64> = tracer.walker();
+    let mut r = Random(5);
+    let mut seen = 0;
+    for _ in 0..300 {
+        let origin = [r.within(-3.0, 6.0), r.within(-3.0, 6.0), 9.0];
+        let to = [r.within(1.3, 2.9), r.within(0.8, 2.4), 1.0];
+        let direction: [f64; 3] = std::array::from_fn(|i| to[i] - origin[i]);
+        let ray = Ray::new(origin.into(), direction.into());
+        for crossing in tracer.probe(&mut walkers, &ray).crossings {
+            // The other union's parts are twenty units away.
+            if crossing.hit.point.0[0] < 9.0 && crossing.shape == 2 {
+                assert_eq!(crossing.object, 2, "{ray:?}");
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 300);
+}
+
 #[test]
 fn surfaces_are_cut_and_never_cut() {
     let mut b = Builder::default();

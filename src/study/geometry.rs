@@ -52,7 +52,7 @@ const EXACT: f64 = 1e-4;
 /// What is so many sizes of the scene away is rounded more: single precision has seven digits.
 const FAR: f64 = 30.0;
 /// What is so many sizes of the scene away is cut off.
-const HORIZON: f64 = 1e3;
+const HORIZON: f64 = 400.0;
 /// By so much of the largest coordinate single precision may mistake a place, after a few operations.
 const ROUNDED: f64 = 4.0 * f32::EPSILON as f64;
 
@@ -179,8 +179,7 @@ impl Sight<'_> {
     fn pixel(&self, i: usize, account: &mut Comparison) -> Pixel {
         let (point, normal, info) = self.other(i);
         let here = self.ours[i];
-        let cut_off = here.is_some_and(|s| self.is_beyond(s)) && info.is_none_or(|i| !i.exact);
-        if cut_off || !self.is_smooth(i) {
+        if here.is_some_and(|s| self.is_cut_off(s)) || !self.is_smooth(i) {
             return Pixel::Silhouette;
         }
         let wrong = || match self.is_nearly_seen(i, point, info) {
@@ -259,9 +258,12 @@ impl Sight<'_> {
         aside || sees([0.0; 3], true)
     }
 
-    /// Parts without end are cut off somewhere.
-    fn is_beyond(&self, seen: Seen) -> bool {
-        seen.distance > HORIZON * self.size || !self.translation.extent.region.contains(seen.point)
+    /// Parts without end are cut off somewhere, meshes at the region's end.
+    fn is_cut_off(&self, seen: Seen) -> bool {
+        let Output { extent, shapes, .. } = self.translation;
+        let same = |s: &&ShapeInfo| (s.shape, s.object) == (seen.shape, seen.object);
+        let exact = shapes.iter().any(|s| same(&s)) && shapes.iter().filter(same).all(|s| s.exact);
+        seen.distance > HORIZON * self.size || !extent.region.contains(seen.point) && !exact
     }
 
     /// Whether all pixels around show the same face, and not a fold of it.

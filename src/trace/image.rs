@@ -155,6 +155,15 @@ impl Bitmap {
         }
     }
 
+    /// Width, height, and the texels as 8-bit sRGB, row by row from the top.
+    pub fn rgb8(&self) -> (u32, u32, Vec<u8>) {
+        let texels = match &self.texels {
+            Texels::Eight(t) => t.clone(),
+            Texels::Sixteen(t) => t.iter().map(|x| (x / 257) as u8).collect(),
+        };
+        (self.width, self.height, texels)
+    }
+
     fn bytes(&self) -> u64 {
         match &self.texels {
             Texels::Eight(t) => t.len() as u64,

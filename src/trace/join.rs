@@ -217,10 +217,11 @@ pub(super) fn join_intersection<R: Precision>(
             event.kind != Kind::Sheet && scratch.before[list].inside != scratch.after[list].inside
         };
         if before.inside != after.inside {
-            // A face of an operand goes before one made by a cut at the same place.
-            let mut candidates = scratch.group.iter().filter(turned);
-            let face = candidates.clone().find(|e| e.0 < first);
-            if let Some(&(list, event)) = face.or_else(|| candidates.next()) {
+            // A face of an operand goes before one made by a cut at the same place, and that of an
+            // earlier operand before that of a later one, whatever their t were rounded to.
+            let rank = |list: usize| (list >= first, spans.lists[base + list].part);
+            let face = scratch.group.iter().filter(turned);
+            if let Some(&(list, event)) = face.min_by_key(|e| rank(e.0)) {
                 let within = if after.inside { after } else { before };
                 let owner = if list >= first && inherit {
                     within.owner

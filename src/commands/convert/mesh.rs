@@ -39,20 +39,37 @@ pub fn make(args: &Args, format: Format, loaded: &Loaded) -> Result<Made, Refusa
     let options = mesh::Options {
         tolerance: args.tolerance,
         eye: None,
+        pictured: format != Format::Ply,
     };
     let model = mesh::model(&loaded.scene, &tracer.graph, &options)?;
-    let coloured = Coloured::new(&model, &tracer.graph);
+    let coloured = Coloured::new(&model, &tracer.graph, options.pictured);
     let files = match format {
         Format::Ply => vec![(Some(path), ply::write(&coloured))],
         Format::Glb => vec![(Some(path), glb::write(&coloured))],
         Format::Obj => {
+            let name = |p: &Path| {
+                p.file_name()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned()
+            };
             let library = path.with_extension("mtl");
-            let name = library.file_name().unwrap_or_default().to_string_lossy();
-            let (text, materials) = obj::write(&coloured, &name);
-            vec![
-                (Some(path), text.into_bytes()),
+            let stem = path
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
+            let picture = |number: u32| path.with_file_name(format!("{stem}_{number}.png"));
+            let (text, materials) =
+                obj::write(&coloured, &name(&library), |number| name(&picture(number)));
+            let mut files = vec![
+                (Some(path.clone()), text.into_bytes()),
                 (Some(library), materials.into_bytes()),
-            ]
+            ];
+            for (number, picture_of) in &coloured.pictures.all {
+                files.push((Some(picture(*number)), picture_of.png.clone()));
+            }
+            files
         }
     };
     Ok(Made {

@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use super::budget::{Budget, TooMany};
+use super::budget::{Budget, Crowd, MOST_TRIANGLES, TooMany};
 use super::csg::{Operation, combine};
 use super::shape::{self, DROPPED, tessellate};
 use super::skin::Skin;
@@ -14,6 +14,9 @@ use super::soup::Mesh;
 use super::unite::Union;
 use crate::scene::{Aabb, Matrix, Scene};
 use crate::trace::graph::{self, Graph, Part, Target};
+
+/// The fewest triangles of a shape: those of a triangle as a slab.
+const FEWEST: f64 = 8.0;
 
 /// A solid with one inside, or a surface.
 #[derive(Debug, Clone)]
@@ -61,6 +64,8 @@ pub struct Assembly<'a> {
     tolerances: Vec<f64>,
     /// How often each object still has to be placed.
     uses: Vec<u32>,
+    /// How many shapes that makes in the end.
+    shapes: f64,
     things: Vec<Option<Thing>>,
 }
 
@@ -82,6 +87,7 @@ impl<'a> Assembly<'a> {
             regions: vec![Aabb::EMPTY; n],
             tolerances: vec![f64::INFINITY; n],
             uses: vec![0; n],
+            shapes: 0.0,
             things: (0..n).map(|_| None).collect(),
         };
         out.look_down(region, tolerance);
@@ -96,6 +102,8 @@ impl<'a> Assembly<'a> {
         self.regions[root] = enlarged(region, 1.1);
         self.tolerances[root] = tolerance;
         self.uses[root] = 1;
+        let mut occurrences = vec![0.0; graph.objects.len()];
+        occurrences[root] = 1.0;
         // Objects stand after those that they are made of.
         for object in (0..graph.objects.len()).rev() {
             if self.uses[object] == 0 {
@@ -103,16 +111,19 @@ impl<'a> Assembly<'a> {
             }
             for part in parts(&graph.objects[object].operation) {
                 let part = &graph.parts[part as usize];
-                if let Target::Object(below) = part.target {
-                    let below = below as usize;
-                    let m = &graph.matrices[part.placement as usize];
-                    let back = m.inverse().unwrap_or(Matrix::IDENTITY);
-                    let region = self.regions[object].transformed(&back);
-                    self.regions[below] = self.regions[below].hull(&region);
-                    let tolerance = self.tolerances[object] / shape::stretch(m);
-                    self.tolerances[below] = self.tolerances[below].min(tolerance);
-                    self.uses[below] += 1;
-                }
+                let Target::Object(below) = part.target else {
+                    self.shapes += occurrences[object];
+                    continue;
+                };
+                let below = below as usize;
+                occurrences[below] += occurrences[object];
+                let m = &graph.matrices[part.placement as usize];
+                let back = m.inverse().unwrap_or(Matrix::IDENTITY);
+                let region = self.regions[object].transformed(&back);
+                self.regions[below] = self.regions[below].hull(&region);
+                let tolerance = self.tolerances[object] / shape::stretch(m);
+                self.tolerances[below] = self.tolerances[below].min(tolerance);
+                self.uses[below] += 1;
             }
         }
     }
@@ -122,6 +133,11 @@ impl<'a> Assembly<'a> {
     /// # Errors
     /// There would be too many triangles.
     pub fn pieces(&mut self, region: &Aabb, boxed: bool) -> Result<Thing, TooMany> {
+        // Before any is made.
+        let needed = FEWEST * self.shapes;
+        if needed > MOST_TRIANGLES as f64 {
+            return Err(TooMany::Made(needed));
+        }
         for object in 0..self.graph.objects.len() {
             if self.uses[object] > 0 {
                 self.things[object] = Some(self.object(object)?);
@@ -141,7 +157,7 @@ impl<'a> Assembly<'a> {
                 let mut thing = Thing::default();
                 for part in parts(&graph.objects[object].operation) {
                     let operand = self.operand(object, part, &mut thing.skins)?;
-                    let pieces = self.inside_out(object, operand, &mut thing.skins);
+                    let pieces = self.inside_out(object, operand, &mut thing.skins)?;
                     thing.pieces.extend(pieces);
                 }
                 Ok(thing)
@@ -174,7 +190,8 @@ impl<'a> Assembly<'a> {
                     self.troubles.endless += 1;
                     kept.push(self.all_of_space(object, &mut skins));
                 }
-                let mut thing = self.intersection(kept, taken, skins);
+                let pieces = self.intersection(kept, taken, &skins)?;
+                let mut thing = Thing { pieces, skins };
                 if *inherit {
                     thing.hand_down(tools);
                 }
@@ -294,9 +311,14 @@ impl<'a> Assembly<'a> {
     }
 
     /// The pieces of an operand, as a solid with an end where it has none.
-    fn inside_out(&mut self, object: usize, operand: Operand, skins: &mut Vec<Skin>) -> Vec<Piece> {
+    fn inside_out(
+        &mut self,
+        object: usize,
+        operand: Operand,
+        skins: &mut Vec<Skin>,
+    ) -> Result<Vec<Piece>, TooMany> {
         if !operand.outside {
-            return operand.pieces;
+            return Ok(operand.pieces);
         }
         self.troubles.endless += 1;
         let inside = operand.pieces.first().map(|p| p.inside);
@@ -304,25 +326,28 @@ impl<'a> Assembly<'a> {
         if let (Some(inside), Some(piece)) = (inside, all.pieces.first_mut()) {
             piece.inside = inside;
         }
-        self.intersection(vec![all], vec![operand], Vec::new())
-            .pieces
+        self.intersection(vec![all], vec![operand], skins)
     }
 
     /// What is in all operands of `kept` and in none of `taken`.
-    fn intersection(&mut self, kept: Vec<Operand>, taken: Vec<Operand>, skins: Vec<Skin>) -> Thing {
+    fn intersection(
+        &mut self,
+        kept: Vec<Operand>,
+        taken: Vec<Operand>,
+        skins: &[Skin],
+    ) -> Result<Vec<Piece>, TooMany> {
         let tools = taken.into_iter().flat_map(|o| o.pieces);
-        let tools = self.union_of_solids(tools);
+        let tools = self.union_of_solids(tools, skins)?;
         let mut pieces = Vec::new();
         // The solids of all but the first, and of the first where a surface is cut by it.
         let has_surfaces = kept.iter().flat_map(|o| &o.pieces).any(|p| p.surface);
-        let solids: Vec<Option<Union>> = kept
-            .iter()
-            .enumerate()
-            .map(|(i, operand)| {
-                (i > 0 || has_surfaces)
-                    .then(|| self.union_of_solids(operand.pieces.iter().cloned()))
-            })
-            .collect();
+        let mut solids: Vec<Option<Union>> = Vec::with_capacity(kept.len());
+        for (i, operand) in kept.iter().enumerate() {
+            solids.push(match i > 0 || has_surfaces {
+                true => Some(self.union_of_solids(operand.pieces.iter().cloned(), skins)?),
+                false => None,
+            });
+        }
         for (i, operand) in kept.into_iter().enumerate() {
             for piece in operand.pieces {
                 // One inside: the first operand's. Surfaces are kept of every operand.
@@ -334,13 +359,18 @@ impl<'a> Assembly<'a> {
                 pieces.extend(self.cut(piece, others, &tools));
             }
         }
-        Thing { pieces, skins }
+        Ok(pieces)
     }
 
-    fn union_of_solids(&mut self, pieces: impl Iterator<Item = Piece>) -> Union {
-        let union = Union::of(pieces.filter(|p| !p.surface).map(|p| p.mesh).collect());
+    fn union_of_solids(
+        &mut self,
+        pieces: impl Iterator<Item = Piece>,
+        skins: &[Skin],
+    ) -> Result<Union, TooMany> {
+        let meshes = pieces.filter(|p| !p.surface).map(|p| p.mesh).collect();
+        let union = Union::of(meshes, &mut self.budget).map_err(|crowd| crowded(crowd, skins))?;
         self.troubles.unjoined += union.failures;
-        union
+        Ok(union)
     }
 
     /// What of a piece is in all of some solids and outside of others.
@@ -434,6 +464,14 @@ impl Thing {
                 });
             }
         }
+    }
+}
+
+/// The error for solids that are too many to be joined.
+pub fn crowded(crowd: Crowd, skins: &[Skin]) -> TooMany {
+    TooMany::Joined {
+        solids: crowd.solids,
+        shape: skins.get(crowd.label as usize).map_or(0, |s| s.shape),
     }
 }
 

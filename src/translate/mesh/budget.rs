@@ -1,32 +1,61 @@
-//! A limit on how many triangles there may be, so that a small tolerance ends in words and not in
-//! full memory.
+//! Limits on how many triangles there may be, and how much work is put into joining them, so that a
+//! small tolerance ends in words and not in full memory or never.
 
 use std::fmt;
 
 /// The most triangles that are made: about two gigabytes of them.
 pub const MOST_TRIANGLES: u64 = 1 << 25;
 
+/// The most triangles that operations are given, each as often as it is given to one: some minutes.
+const MOST_WORK: f64 = (1u64 << 24) as f64;
+
 /// How many triangles there are so far.
 #[derive(Debug, Default)]
 pub struct Budget {
     spent: u64,
+    work: f64,
 }
 
 /// There would be too many triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TooMany {
-    /// At least so many.
-    pub needed: f64,
+pub enum TooMany {
+    /// At least so many to be made.
+    Made(f64),
+    /// In solids that overlap and are to be joined: how many, and one of them.
+    Joined { solids: usize, shape: u32 },
+}
+
+/// Solids that overlap and are too many to be joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Crowd {
+    pub solids: usize,
+    /// A label of one of them.
+    pub label: u32,
+}
+
+impl Crowd {
+    /// Of so many triangles in all: whether joining them is beyond the limit for certain. Half of what
+    /// is joined is taken to be left of each pair at the end.
+    pub fn is_hopeless(&self, triangles: usize) -> bool {
+        let rounds = (self.solids as f64).log2().max(1.0);
+        triangles as f64 * rounds / 2.0 > MOST_WORK
+    }
 }
 
 impl fmt::Display for TooMany {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "this takes at least {:.3e} triangles, and at most {MOST_TRIANGLES} are made: \
-             choose a larger --tolerance or a smaller part of the scene",
-            self.needed
-        )
+        match self {
+            TooMany::Made(needed) => write!(
+                f,
+                "this takes at least {needed:.3e} triangles, and at most {MOST_TRIANGLES} are made: \
+                 choose a larger --tolerance or a smaller part of the scene"
+            ),
+            TooMany::Joined { solids, shape } => write!(
+                f,
+                "{solids} solids overlap each other, the shape {shape} among them, and have too many \
+                 triangles to be joined: choose a larger --tolerance or a smaller part of the scene"
+            ),
+        }
     }
 }
 
@@ -41,7 +70,20 @@ impl Budget {
             self.spent = needed as u64;
             Ok(())
         } else {
-            Err(TooMany { needed })
+            Err(TooMany::Made(needed))
+        }
+    }
+
+    /// Asks for operations on so many triangles.
+    ///
+    /// # Errors
+    /// There would be too many.
+    pub fn work(&mut self, triangles: usize, crowd: Crowd) -> Result<(), Crowd> {
+        self.work += triangles as f64;
+        if self.work <= MOST_WORK {
+            Ok(())
+        } else {
+            Err(crowd)
         }
     }
 }

@@ -1,15 +1,20 @@
 //! glTF 2.0, binary.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Value, json};
 
 use super::material::{Coloured, Material};
-use crate::scene::DEFAULT_COLOUR;
+use super::picture::Picture;
+use crate::scene::{DEFAULT_COLOUR, Vec3};
 
 const FLOAT: u32 = 5126;
 const UNSIGNED_INT: u32 = 5125;
-/// The same points serve all materials: a mesh that is closed stays so.
-const POINTS: usize = 0;
-const COLOURS: usize = 1;
+const ELEMENTS: u32 = 34963;
+const ATTRIBUTES: u32 = 34962;
+const NEAREST: u32 = 9728;
+const LINEAR: u32 = 9729;
+const REPEAT: u32 = 10497;
 
 /// The bytes of the file.
 pub fn write(coloured: &Coloured) -> Vec<u8> {
@@ -17,85 +22,151 @@ pub fn write(coloured: &Coloured) -> Vec<u8> {
     if mesh.is_empty() {
         return container(&json!({ "asset": asset() }), &[]);
     }
-    let mut binary: Vec<u8> = Vec::new();
+    let mut file = Parts::default();
+    let vertices = &coloured.vertices;
+    let points = vertices.iter().map(|v| mesh.points[v.point as usize]);
+    let places = file.attribute("VEC3", points.clone());
     let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    for p in &mesh.points {
-        for (i, x) in p.iter().enumerate() {
-            let x = *x as f32;
+    for p in points {
+        for (i, x) in p.map(|x| x as f32).into_iter().enumerate() {
             (low[i], high[i]) = (low[i].min(x), high[i].max(x));
-            binary.extend_from_slice(&x.to_le_bytes());
         }
     }
-    let n = mesh.points.len();
-    let mut views = vec![json!({
-        "buffer": 0, "byteOffset": 0, "byteLength": 12 * n, "target": 34962,
-    })];
-    let mut accessors = vec![json!({
-        "bufferView": 0, "componentType": FLOAT, "count": n, "type": "VEC3",
-        "min": low, "max": high,
-    })];
-    let smooth = coloured.materials.iter().any(|m| m.colour.is_none());
-    if smooth {
-        let start = binary.len();
-        for colour in &coloured.points {
-            for x in colour {
-                binary.extend_from_slice(&(x.clamp(0.0, 1.0) as f32).to_le_bytes());
-            }
-        }
-        views.push(json!({
-            "buffer": 0, "byteOffset": start, "byteLength": 12 * n, "target": 34962,
-        }));
-        accessors.push(json!({
-            "bufferView": 1, "componentType": FLOAT, "count": n, "type": "VEC3",
-        }));
+    file.accessors[places]["min"] = json!(low);
+    file.accessors[places]["max"] = json!(high);
+    let normals = file.attribute("VEC3", vertices.iter().map(|v| rounded_unit(v.normal)));
+    let materials = &coloured.materials;
+    let colours = materials.iter().any(|m| m.colour.is_none()).then(|| {
+        let colours = vertices.iter().map(|v| v.colour.map(|x| x.clamp(0.0, 1.0)));
+        file.attribute("VEC3", colours)
+    });
+    let pictured = materials.iter().any(|m| m.picture.is_some()).then(|| {
+        // Their t goes down.
+        file.attribute("VEC2", vertices.iter().map(|v| [v.uv[0], -v.uv[1]]))
+    });
+    let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
+    for (number, picture) in &coloured.pictures.all {
+        numbers.insert(*number, file.picture(picture));
     }
-    let start = binary.len();
-    let view = views.len();
-    let (mut primitives, mut materials) = (Vec::new(), Vec::new());
+    let view = file.views.len();
+    let start = file.binary.len();
+    let (mut primitives, mut described) = (Vec::new(), Vec::new());
     let mut extensions = Extensions::default();
-    for material in &coloured.materials {
-        let offset = binary.len() - start;
+    for material in materials {
+        let offset = file.binary.len() - start;
         for &t in &material.triangles {
-            for i in mesh.triangles[t as usize] {
-                binary.extend_from_slice(&i.to_le_bytes());
+            for i in coloured.triangles[t as usize] {
+                file.binary.extend_from_slice(&i.to_le_bytes());
             }
         }
-        let mut attributes = json!({ "POSITION": POINTS });
-        if material.colour.is_none() {
-            attributes["COLOR_0"] = json!(COLOURS);
+        let mut attributes = json!({ "POSITION": places, "NORMAL": normals });
+        if let (None, Some(colours)) = (material.colour, colours) {
+            attributes["COLOR_0"] = json!(colours);
+        }
+        if let (Some(_), Some(pictured)) = (material.picture, pictured) {
+            attributes["TEXCOORD_0"] = json!(pictured);
         }
         primitives.push(json!({
             "attributes": attributes,
-            "indices": accessors.len(),
-            "material": materials.len(),
+            "indices": file.accessors.len(),
+            "material": described.len(),
         }));
-        accessors.push(json!({
+        file.accessors.push(json!({
             "bufferView": view, "byteOffset": offset, "componentType": UNSIGNED_INT,
             "count": 3 * material.triangles.len(), "type": "SCALAR",
         }));
         let of_surface =
             material.triangles.first().map(|&t| t as usize) >= Some(coloured.model.solid);
-        materials.push(appearance(material, of_surface, &mut extensions));
+        let mut look = appearance(material, of_surface, &mut extensions);
+        if let Some(texture) = material.picture.and_then(|p| numbers.get(&p)) {
+            look["pbrMetallicRoughness"]["baseColorTexture"] = json!({ "index": texture });
+        }
+        described.push(look);
     }
-    views.push(json!({
-        "buffer": 0, "byteOffset": start, "byteLength": binary.len() - start, "target": 34963,
+    file.views.push(json!({
+        "buffer": 0, "byteOffset": start, "byteLength": file.binary.len() - start, "target": ELEMENTS,
     }));
-    let mut file = json!({
+    let mut out = json!({
         "asset": asset(),
         "scene": 0,
         "scenes": [{ "nodes": [0] }],
         "nodes": [{ "mesh": 0 }],
         "meshes": [{ "primitives": primitives }],
-        "materials": materials,
-        "accessors": accessors,
-        "bufferViews": views,
-        "buffers": [{ "byteLength": binary.len() }],
+        "materials": described,
+        "accessors": file.accessors,
+        "bufferViews": file.views,
+        "buffers": [{ "byteLength": file.binary.len() }],
     });
+    if !file.textures.is_empty() {
+        out["textures"] = json!(file.textures);
+        out["images"] = json!(file.images);
+        out["samplers"] = json!([
+            { "magFilter": LINEAR, "minFilter": LINEAR, "wrapS": REPEAT, "wrapT": REPEAT },
+            { "magFilter": NEAREST, "minFilter": NEAREST, "wrapS": REPEAT, "wrapT": REPEAT },
+        ]);
+    }
     let used = extensions.names();
     if !used.is_empty() {
-        file["extensionsUsed"] = json!(used);
+        out["extensionsUsed"] = json!(used);
     }
-    container(&file, &binary)
+    container(&out, &file.binary)
+}
+
+/// The lists of a file as far as they are written.
+#[derive(Default)]
+struct Parts {
+    binary: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+    images: Vec<Value>,
+    textures: Vec<Value>,
+}
+
+impl Parts {
+    /// Numbers of all vertices; gives the accessor's number.
+    fn attribute<const N: usize>(
+        &mut self,
+        kind: &str,
+        numbers: impl Iterator<Item = [f64; N]>,
+    ) -> usize {
+        let start = self.binary.len();
+        let mut count = 0;
+        for vector in numbers {
+            for x in vector {
+                self.binary.extend_from_slice(&(x as f32).to_le_bytes());
+            }
+            count += 1;
+        }
+        self.accessors.push(json!({
+            "bufferView": self.views.len(), "componentType": FLOAT, "count": count, "type": kind,
+        }));
+        self.views.push(json!({
+            "buffer": 0, "byteOffset": start, "byteLength": self.binary.len() - start,
+            "target": ATTRIBUTES,
+        }));
+        self.accessors.len() - 1
+    }
+
+    /// Gives the texture's number.
+    fn picture(&mut self, picture: &Picture) -> usize {
+        let start = self.binary.len();
+        self.binary.extend_from_slice(&picture.png);
+        self.images
+            .push(json!({ "bufferView": self.views.len(), "mimeType": "image/png" }));
+        self.views
+            .push(json!({ "buffer": 0, "byteOffset": start, "byteLength": picture.png.len() }));
+        // What comes next begins at a multiple of four.
+        self.binary.resize(self.binary.len().next_multiple_of(4), 0);
+        self.textures.push(
+            json!({ "source": self.images.len() - 1, "sampler": usize::from(picture.cells) }),
+        );
+        self.textures.len() - 1
+    }
+}
+
+/// What has no direction points upwards: the format has no normals of length 0.
+fn rounded_unit(n: Vec3) -> Vec3 {
+    if n == [0.0; 3] { [0.0, 1.0, 0.0] } else { n }
 }
 
 fn asset() -> Value {

@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 
 use super::Model;
+use super::corners::corners;
+use super::picture::Pictures;
 use super::soup::{cross, sub};
 use crate::scene::{Optics, Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
@@ -15,74 +17,127 @@ pub struct Material {
     pub index: Rgb,
     /// `None` where the colour changes from point to point.
     pub colour: Option<Rgb>,
+    /// The number of the picture that is laid on; then the colour is white.
+    pub picture: Option<u32>,
     /// Indices of triangles of the mesh.
     pub triangles: Vec<u32>,
+}
+
+/// A point as files know it: where normals, colours or surface coordinates differ there are several in
+/// one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vertex {
+    /// The number of the mesh's point.
+    pub point: u32,
+    pub normal: Vec3,
+    /// Linear.
+    pub colour: Rgb,
+    /// As the picture's.
+    pub uv: [f64; 2],
 }
 
 /// A model with its colours.
 #[derive(Debug)]
 pub struct Coloured<'m> {
     pub model: &'m Model,
-    /// Every triangle's, linear.
+    pub vertices: Vec<Vertex>,
+    /// Indices into `vertices`, beside the mesh's triangles.
+    pub triangles: Vec<[u32; 3]>,
+    /// Every triangle's colour, linear.
     pub faces: Vec<Rgb>,
-    /// Every point's, the mean of the triangles around it where they differ.
-    pub points: Vec<Rgb>,
     pub materials: Vec<Material>,
+    pub pictures: Pictures,
 }
 
 impl<'m> Coloured<'m> {
-    pub fn new(model: &'m Model, graph: &Graph) -> Coloured<'m> {
+    /// With `pictured`, textures are pictures where that is possible, else colours.
+    pub fn new(model: &'m Model, graph: &Graph, pictured: bool) -> Coloured<'m> {
         let mesh = &model.mesh;
-        let mut faces = Vec::with_capacity(mesh.triangles.len());
-        let mut points = vec![([0.0; 3], 0.0); mesh.points.len()];
-        let mut materials: Vec<Material> = Vec::new();
-        let mut numbers: HashMap<(u32, u32, Option<[u64; 3]>), usize> = HashMap::new();
+        let mut pictures = Pictures::default();
+        let of_skins: Vec<Option<u32>> = (model.skins.iter())
+            .map(|skin| pictured.then(|| pictures.of(skin, graph)).flatten())
+            .collect();
+        let corners = corners(mesh, &model.skins, graph, |label| {
+            of_skins[label as usize].is_some()
+        });
+        let mut out = Coloured {
+            model,
+            vertices: Vec::with_capacity(mesh.points.len()),
+            triangles: Vec::with_capacity(mesh.triangles.len()),
+            faces: Vec::with_capacity(mesh.triangles.len()),
+            materials: Vec::new(),
+            pictures,
+        };
+        let mut numbers: HashMap<MaterialKey, usize> = HashMap::new();
+        let mut known: HashMap<VertexKey, u32> = HashMap::new();
         for (t, &label) in mesh.labels.iter().enumerate() {
             let skin = &model.skins[label as usize];
             let [a, b, c] = mesh.corners(t);
             let normal = cross(sub(b, a), sub(c, a));
-            let plain = skin.plain_colour(graph);
+            let picture = of_skins[label as usize];
+            let plain = match picture {
+                Some(_) => Some([1.0; 3]),
+                None => skin.plain_colour(graph),
+            };
             let middle: Vec3 = std::array::from_fn(|i| (a[i] + b[i] + c[i]) / 3.0);
             let colour = plain.unwrap_or_else(|| skin.colour(graph, middle, normal));
-            faces.push(colour);
+            out.faces.push(colour);
             let smooth = plain.is_none() && is_smooth(skin, graph);
-            for (corner, at) in mesh.triangles[t].into_iter().zip([a, b, c]) {
-                let here = if smooth {
-                    skin.colour(graph, at, normal)
-                } else {
-                    colour
+            let scale = picture.map_or([1.0; 2], |p| out.pictures.all[&p].scale);
+            let mut triangle = [0; 3];
+            for k in 0..3 {
+                let corner = corners[t][k];
+                let vertex = Vertex {
+                    point: mesh.triangles[t][k],
+                    normal: corner.normal,
+                    colour: match smooth {
+                        true => skin.colour(graph, [a, b, c][k], normal),
+                        false => colour,
+                    },
+                    uv: [corner.uv[0] * scale[0], corner.uv[1] * scale[1]],
                 };
-                let (sum, n): &mut (Rgb, f64) = &mut points[corner as usize];
-                for (s, x) in sum.iter_mut().zip(here) {
-                    *s += x;
-                }
-                *n += 1.0;
+                triangle[k] = *known.entry(vertex.key()).or_insert_with(|| {
+                    out.vertices.push(vertex);
+                    out.vertices.len() as u32 - 1
+                });
             }
+            out.triangles.push(triangle);
             let key = (
                 skin.optics.unwrap_or(0),
                 skin.index.unwrap_or(0),
                 (!smooth).then(|| colour.map(f64::to_bits)),
+                picture,
             );
             let number = *numbers.entry(key).or_insert_with(|| {
-                materials.push(Material {
+                out.materials.push(Material {
                     optics: graph.optics[key.0 as usize],
                     index: graph.indices[key.1 as usize],
                     colour: (!smooth).then_some(colour),
+                    picture,
                     triangles: Vec::new(),
                 });
-                materials.len() - 1
+                out.materials.len() - 1
             });
-            materials[number].triangles.push(t as u32);
+            out.materials[number].triangles.push(t as u32);
         }
-        Coloured {
-            model,
-            faces,
-            points: points
-                .into_iter()
-                .map(|(sum, n)| sum.map(|x| if n > 0.0 { x / n } else { 1.0 }))
-                .collect(),
-            materials,
-        }
+        out
+    }
+}
+
+/// Optics, index, colour and picture.
+type MaterialKey = (u32, u32, Option<[u64; 3]>, Option<u32>);
+type VertexKey = (u32, [i64; 3], [u64; 3], [i64; 2]);
+
+impl Vertex {
+    /// What differs by rounding is the same.
+    fn key(&self) -> VertexKey {
+        let rounded = |x: f64, steps: f64| (x * steps).round() as i64;
+        (
+            self.point,
+            self.normal.map(|x| rounded(x, 128.0)),
+            self.colour.map(f64::to_bits),
+            self.uv.map(|x| rounded(x, 4096.0)),
+        )
     }
 }
 

@@ -8,10 +8,12 @@
 mod assemble;
 mod budget;
 mod carve;
+pub mod corners;
 mod csg;
 pub mod glb;
 mod material;
 pub mod obj;
+pub mod picture;
 pub mod ply;
 mod refine;
 mod sets;
@@ -27,7 +29,7 @@ pub use assemble::Piece;
 pub use carve::Medium;
 pub use material::{Coloured, Material};
 pub use skin::Skin;
-pub use soup::Mesh;
+pub use soup::{Mesh, cross, sub};
 
 use std::collections::BTreeMap;
 
@@ -36,8 +38,8 @@ use crate::scene::bounds::node_bounds;
 use crate::scene::frame::seen_box;
 use crate::scene::{Aabb, Matrix, Scene, Vec3};
 use crate::trace::graph::Graph;
-use assemble::{Assembly, Thing, Troubles};
-use budget::TooMany;
+use assemble::{Assembly, Thing, Troubles, crowded};
+use budget::{Budget, Crowd, TooMany};
 use shape::DROPPED;
 use unite::Union;
 
@@ -49,6 +51,8 @@ pub struct Options {
     pub tolerance: Option<f64>,
     /// Where the scene is seen from, if that matters: parts without end reach that far, too.
     pub eye: Option<Vec3>,
+    /// Textures are pictures, so that triangles need not be small for their sake.
+    pub pictured: bool,
 }
 
 /// The tolerance by the radius of the sphere around the scene.
@@ -152,8 +156,13 @@ impl Parts {
         })
     }
 
-    /// Joins those solids that overlap and are chosen and of one kind; the others stay as they are.
-    pub fn join_by(&mut self, kind: impl Fn(&Piece) -> Option<u64>) {
+    /// Joins those solids that overlap and are chosen and of one kind; the others stay as they are, and
+    /// so do those that are too many.
+    ///
+    /// # Errors
+    /// It takes too long.
+    pub fn join_by(&mut self, kind: impl Fn(&Piece) -> Option<u64>) -> Result<(), Unsupported> {
+        let mut budget = Budget::default();
         let mut groups: BTreeMap<u64, Vec<Piece>> = BTreeMap::new();
         for piece in std::mem::take(&mut self.pieces) {
             match kind(&piece).filter(|_| !piece.surface) {
@@ -165,16 +174,27 @@ impl Parts {
             let boxes: Vec<Aabb> = group.iter().map(|p| p.bounds).collect();
             let overlapping = unite::overlapping(&boxes);
             let mut together = Vec::new();
-            let mut inside = 0;
             for (piece, overlaps) in group.into_iter().zip(overlapping) {
-                if overlaps {
-                    inside = piece.inside;
-                    together.push(piece.mesh);
-                } else {
-                    self.pieces.push(piece);
+                match overlaps {
+                    true => together.push(piece),
+                    false => self.pieces.push(piece),
                 }
             }
-            let union = Union::of(together);
+            let Some(inside) = together.first().map(|p| p.inside) else {
+                continue;
+            };
+            let crowd = Crowd {
+                solids: together.len(),
+                label: inside,
+            };
+            if crowd.is_hopeless(together.iter().map(|p| p.mesh.triangles.len()).sum()) {
+                self.troubles.unjoined += together.len() as u64;
+                self.pieces.append(&mut together);
+                continue;
+            }
+            let together = together.into_iter().map(|p| p.mesh).collect();
+            let union = Union::of(together, &mut budget)
+                .map_err(|crowd| refusal(&crowded(crowd, &self.skins)))?;
             self.troubles.unjoined += union.failures;
             for (bounds, mesh) in union.meshes {
                 self.pieces.push(Piece {
@@ -187,6 +207,7 @@ impl Parts {
                 });
             }
         }
+        Ok(())
     }
 
     /// Moves everything; lengths are to be stretched alike.
@@ -239,7 +260,8 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, U
             solids.push(piece.mesh);
         }
     }
-    let union = Union::of(solids);
+    let union = Union::of(solids, &mut Budget::default())
+        .map_err(|crowd| refusal(&crowded(crowd, &thing.skins)))?;
     troubles.unjoined += union.failures;
     let mut mesh = Mesh::default();
     for (_, part) in &union.meshes {
@@ -248,7 +270,10 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, U
     let textured: Vec<bool> = thing
         .skins
         .iter()
-        .map(|skin| skin.plain_colour(graph).is_none())
+        .map(|skin| {
+            let pictured = options.pictured && picture::is_pictured(skin, graph);
+            skin.plain_colour(graph).is_none() && !pictured
+        })
         .collect();
     for part in [&mut mesh, &mut surfaces] {
         part.refine(|label| textured[label as usize], extent.grain());

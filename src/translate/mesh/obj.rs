@@ -1,12 +1,19 @@
 //! Wavefront OBJ with a library of materials beside it.
 
+use std::collections::HashMap;
 use std::fmt::Write as _;
 
 use super::material::Coloured;
 use crate::scene::{DEFAULT_COLOUR, Rgb};
 
-/// The text of the mesh, and that of its materials, which is to be found under the name `library`.
-pub fn write(coloured: &Coloured, library: &str) -> (String, String) {
+/// The text of the mesh, and that of its materials, which is to be found under the name `library`; its
+/// pictures have the names that `picture` gives them. Points are shared by all faces around them: what
+/// is closed stays so.
+pub fn write(
+    coloured: &Coloured,
+    library: &str,
+    picture: impl Fn(u32) -> String,
+) -> (String, String) {
     let mesh = &coloured.model.mesh;
     let smooth = coloured.materials.iter().any(|m| m.colour.is_none());
     let mut out = String::with_capacity(48 * (mesh.points.len() + mesh.triangles.len()));
@@ -15,7 +22,11 @@ pub fn write(coloured: &Coloured, library: &str) -> (String, String) {
         out,
         "# made by zpg; lengths as in the scene, y is up\nmtllib {library}"
     );
-    for (p, colour) in mesh.points.iter().zip(&coloured.points) {
+    let mut colours = vec![DEFAULT_COLOUR; mesh.points.len()];
+    for vertex in &coloured.vertices {
+        colours[vertex.point as usize] = vertex.colour;
+    }
+    for (p, colour) in mesh.points.iter().zip(&colours) {
         let [x, y, z] = p.map(|x| x as f32);
         let _ = write!(out, "v {x} {y} {z}");
         if smooth {
@@ -24,6 +35,23 @@ pub fn write(coloured: &Coloured, library: &str) -> (String, String) {
             let _ = write!(out, " {r} {g} {b}");
         }
         out.push('\n');
+    }
+    let mut normals = Numbered::default();
+    let mut places = Numbered::default();
+    let numbers: Vec<[usize; 2]> = (coloured.vertices.iter())
+        .map(|v| {
+            let [x, y, z] = v.normal.map(|x| (x * 1e4).round() / 1e4 + 0.0);
+            let [s, t] = v.uv.map(|x| (x * 1e6).round() / 1e6 + 0.0);
+            [
+                normals.number(format!("vn {x} {y} {z}\n")),
+                places.number(format!("vt {s} {t}\n")),
+            ]
+        })
+        .collect();
+    out.push_str(&normals.text);
+    let pictured = coloured.materials.iter().any(|m| m.picture.is_some());
+    if pictured {
+        out.push_str(&places.text);
     }
     let mut library = String::from("# made by zpg\n");
     for (i, material) in coloured.materials.iter().enumerate() {
@@ -48,11 +76,39 @@ pub fn write(coloured: &Coloured, library: &str) -> (String, String) {
             by(o.kt, DEFAULT_COLOUR),
             1.0 - through.clamp(0.0, 1.0) * 0.9,
         );
+        if let Some(number) = material.picture {
+            let _ = writeln!(library, "map_Kd {}", picture(number));
+        }
         let _ = writeln!(out, "usemtl material_{i}");
         for &t in &material.triangles {
-            let [a, b, c] = mesh.triangles[t as usize].map(|i| i + 1);
-            let _ = writeln!(out, "f {a} {b} {c}");
+            out.push('f');
+            for v in coloured.triangles[t as usize] {
+                let point = coloured.vertices[v as usize].point + 1;
+                let [normal, place] = numbers[v as usize];
+                let _ = match material.picture {
+                    Some(_) => write!(out, " {point}/{place}/{normal}"),
+                    None => write!(out, " {point}//{normal}"),
+                };
+            }
+            out.push('\n');
         }
     }
     (out, library)
+}
+
+/// Lines that are written once, counted from 1.
+#[derive(Default)]
+struct Numbered {
+    text: String,
+    known: HashMap<String, usize>,
+}
+
+impl Numbered {
+    fn number(&mut self, line: String) -> usize {
+        let next = self.known.len() + 1;
+        *self.known.entry(line).or_insert_with_key(|line| {
+            self.text.push_str(line);
+            next
+        })
+    }
 }

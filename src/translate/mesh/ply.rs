@@ -2,29 +2,31 @@
 
 use super::material::{Coloured, srgb};
 
-/// The bytes of the file. Colours are sRGB; points shared by faces of several colours have the mean.
+/// The bytes of the file. Colours are sRGB; where normals or colours differ there are several points
+/// in one place.
 pub fn write(coloured: &Coloured) -> Vec<u8> {
-    let mesh = &coloured.model.mesh;
+    let points = &coloured.model.mesh.points;
     let header = format!(
         "ply\nformat binary_little_endian 1.0\n\
          comment made by zpg; lengths as in the scene, y is up\n\
          element vertex {}\nproperty float x\nproperty float y\nproperty float z\n\
+         property float nx\nproperty float ny\nproperty float nz\n\
          property uchar red\nproperty uchar green\nproperty uchar blue\n\
          element face {}\nproperty list uchar int vertex_indices\n\
          property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
-        mesh.points.len(),
-        mesh.triangles.len()
+        coloured.vertices.len(),
+        coloured.triangles.len()
     );
-    let size = header.len() + 15 * mesh.points.len() + 16 * mesh.triangles.len();
+    let size = header.len() + 27 * coloured.vertices.len() + 16 * coloured.triangles.len();
     let mut out = Vec::with_capacity(size);
     out.extend_from_slice(header.as_bytes());
-    for (p, colour) in mesh.points.iter().zip(&coloured.points) {
-        for x in p {
+    for vertex in &coloured.vertices {
+        for x in points[vertex.point as usize].iter().chain(&vertex.normal) {
             out.extend_from_slice(&(*x as f32).to_le_bytes());
         }
-        out.extend_from_slice(&srgb(*colour));
+        out.extend_from_slice(&srgb(vertex.colour));
     }
-    for (t, colour) in mesh.triangles.iter().zip(&coloured.faces) {
+    for (t, colour) in coloured.triangles.iter().zip(&coloured.faces) {
         out.push(3);
         for i in t {
             out.extend_from_slice(&i.to_le_bytes());

@@ -3,7 +3,7 @@
 use crate::scene::{DEFAULT_COLOUR, Matrix, Rgb, Texture, Vec3};
 use crate::trace::graph::{Coat, Graph, Part};
 use crate::trace::ray::Line;
-use crate::trace::shapes::{Root, Roots};
+use crate::trace::shapes::{Primitive, Root, Roots};
 
 /// A texture, and the matrix from the coordinates it was given in to those at hand.
 #[derive(Debug, Clone, PartialEq)]
@@ -157,6 +157,29 @@ impl Skin {
         }
     }
 
+    /// The surface coordinates of a point on or near the surface, looked for along a normal of its.
+    pub fn uv(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<[f64; 2]> {
+        let (primitive, local, face) = self.locate(graph, point, normal)?;
+        let shape = graph.primitives[primitive as usize].shape();
+        Some(shape.uv(local.into(), face)).filter(|uv| uv.iter().all(|x| x.is_finite()))
+    }
+
+    /// Which of the surface coordinates go round from 1 to 0.
+    pub fn turns(&self, graph: &Graph) -> [bool; 2] {
+        match self.primitive.map(|p| &graph.primitives[p as usize]) {
+            Some(Primitive::Torus(_)) => [true, true],
+            Some(
+                Primitive::Revolution(_)
+                | Primitive::Sphere(_)
+                | Primitive::Ellipsoid(_)
+                | Primitive::GeodesicSphere(_)
+                | Primitive::Quadric(_)
+                | Primitive::Cone(_),
+            ) => [true, false],
+            _ => [false, false],
+        }
+    }
+
     /// The unit normal that light is reckoned with at a point on or near the surface, on the side of
     /// `normal`, along which it is looked for.
     pub fn shading_normal(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<Vec3> {
@@ -200,7 +223,6 @@ fn nearest(roots: &Roots) -> Option<Root> {
 }
 
 fn has_colours(graph: &Graph, primitive: u32) -> bool {
-    use crate::trace::shapes::Primitive;
     matches!(
         graph.primitives[primitive as usize],
         Primitive::Revolution(_)

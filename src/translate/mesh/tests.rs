@@ -10,7 +10,7 @@ fn made(text: &str, tolerance: f64) -> Model {
     let tracer = Tracer::new(&scene).unwrap();
     let options = Options {
         tolerance: Some(tolerance),
-        eye: None,
+        ..Options::default()
     };
     model(&scene, &tracer.graph, &options).unwrap()
 }

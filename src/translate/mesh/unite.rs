@@ -1,8 +1,12 @@
 //! The union of many solids: what lies apart is left alone, the rest is joined two by two, neighbours
 //! first.
 
+use rayon::prelude::*;
+
+use super::budget::{Budget, Crowd};
 use super::csg::{Operation, combine};
 use super::sets::Sets;
+use super::shape::DROPPED;
 use super::soup::Mesh;
 use crate::scene::Aabb;
 use crate::trace::bounds::Bounds;
@@ -18,7 +22,10 @@ pub struct Union {
 
 impl Union {
     /// Joins closed meshes. The order matters only to faces in one place: those of the first are kept.
-    pub fn of(meshes: Vec<Mesh>) -> Union {
+    ///
+    /// # Errors
+    /// Too many overlap.
+    pub fn of(meshes: Vec<Mesh>, budget: &mut Budget) -> Result<Union, Crowd> {
         let boxes: Vec<Aabb> = meshes.iter().map(Mesh::bounds).collect();
         let tree = Bvh::new(
             boxes
@@ -56,10 +63,10 @@ impl Union {
         }
         let mut out = Union::default();
         for group in groups {
-            let joined = out.join(group);
+            let joined = out.join(group, budget)?;
             out.meshes.extend(joined);
         }
-        out
+        Ok(out)
     }
 
     /// Everything of it that may touch a box, as one mesh.
@@ -73,37 +80,36 @@ impl Union {
         out
     }
 
-    fn join(&mut self, mut group: Vec<Member>) -> Option<(Aabb, Mesh)> {
+    fn join(
+        &mut self,
+        mut group: Vec<Member>,
+        budget: &mut Budget,
+    ) -> Result<Option<(Aabb, Mesh)>, Crowd> {
+        let label = |m: &Member| m.mesh.labels.iter().copied().find(|l| *l != DROPPED);
+        let crowd = Crowd {
+            solids: group.len(),
+            label: group.iter().find_map(label).unwrap_or(0),
+        };
+        if group.len() > 1 && crowd.is_hopeless(group.iter().map(Member::triangles).sum()) {
+            return Err(crowd);
+        }
         while group.len() > 1 {
-            let mut next = Vec::with_capacity(group.len().div_ceil(2));
+            budget.work(group.iter().map(Member::triangles).sum(), crowd)?;
+            let mut pairs = Vec::with_capacity(group.len().div_ceil(2));
             let mut rest = group.into_iter();
             while let Some(a) = rest.next() {
-                let Some(b) = rest.next() else {
-                    next.push(a);
-                    break;
-                };
-                // Of faces in one place those of the first are kept.
-                let (a, b) = if a.first < b.first { (a, b) } else { (b, a) };
-                let overlap = a.bounds.overlaps(&b.bounds);
-                let joined = match overlap {
-                    true => combine(&a.mesh, &b.mesh, Operation::Union).ok(),
-                    false => None,
-                };
-                let mesh = joined.unwrap_or_else(|| {
-                    self.failures += u64::from(overlap);
-                    let mut both = a.mesh;
-                    both.append(&b.mesh);
-                    both
-                });
-                next.push(Member {
-                    first: a.first,
-                    bounds: a.bounds.hull(&b.bounds),
-                    mesh,
-                });
+                pairs.push((a, rest.next()));
             }
-            group = next;
+            let made: Vec<(Member, bool)> = (pairs.into_par_iter())
+                .map(|(a, b)| match b {
+                    Some(b) => a.with(b),
+                    None => (a, true),
+                })
+                .collect();
+            self.failures += made.iter().filter(|(_, joined)| !joined).count() as u64;
+            group = made.into_iter().map(|(member, _)| member).collect();
         }
-        group.pop().map(|m| (m.bounds, m.mesh))
+        Ok(group.pop().map(|m| (m.bounds, m.mesh)))
     }
 }
 
@@ -113,6 +119,42 @@ struct Member {
     first: u32,
     bounds: Aabb,
     mesh: Mesh,
+}
+
+impl Member {
+    fn triangles(&self) -> usize {
+        self.mesh.triangles.len()
+    }
+
+    /// Both, and whether they could be joined where they overlap. Of faces in one place those of the
+    /// first are kept.
+    fn with(self, other: Member) -> (Member, bool) {
+        let (a, b) = match self.first < other.first {
+            true => (self, other),
+            false => (other, self),
+        };
+        let overlap = a.bounds.overlaps(&b.bounds);
+        let joined = match overlap {
+            true => combine(&a.mesh, &b.mesh, Operation::Union).ok(),
+            false => None,
+        };
+        let success = joined.is_some() || !overlap;
+        let bounds = a.bounds.hull(&b.bounds);
+        let mesh = joined.unwrap_or_else(|| {
+            let mut both = a.mesh;
+            both.append(&b.mesh);
+            both
+        });
+        let first = a.first;
+        (
+            Member {
+                first,
+                bounds,
+                mesh,
+            },
+            success,
+        )
+    }
 }
 
 /// Which boxes overlap another one.
@@ -190,7 +232,7 @@ mod tests {
         // Three that overlap, two that overlap, one alone.
         let at = |x: f64| cuboid([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]);
         let row = [0.0, 10.0, 0.5, 5.0, 1.2, 5.3].map(at).to_vec();
-        let union = Union::of(row);
+        let union = Union::of(row, &mut Budget::default()).unwrap();
         assert_eq!(union.failures, 0);
         let mut volumes: Vec<f64> = union.meshes.iter().map(|m| m.1.volume()).collect();
         volumes.sort_by(f64::total_cmp);

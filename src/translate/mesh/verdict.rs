@@ -17,8 +17,7 @@ fn record(target: &str, code: i32, tolerance: f64) -> Option<Verdict> {
         0 => Verdict::exact("there is nothing to draw"),
         1 | 2 | 9..=11 | 14 | 16 | 17 => facets,
         3 | 4 | 15 | 18..=21 => facets,
-        5 | 6 | 12 | 13 => Verdict::exact("triangles"),
-        7 | 8 => Verdict::exact("triangles; the shading normals are left out"),
+        5..=8 | 12 | 13 => Verdict::exact("triangles"),
         -4..=-1 => Verdict::exact("applied to the points"),
         -104..=-101 => Verdict::approximate(&within, "cut and joined as meshes"),
         -105 => Verdict::exact(""),
@@ -31,6 +30,9 @@ fn record(target: &str, code: i32, tolerance: f64) -> Option<Verdict> {
             ),
         },
         -299 | -701 => Verdict::exact(""),
+        -301 | -399 if target != "ply" => {
+            Verdict::approximate("straight between the points of the mesh", "a picture")
+        }
         -301 | -302 | -399 => Verdict::approximate("one colour a triangle or point", ""),
         -401 | -402 => Verdict::dropped("a mesh has no lights"),
         -503..=-501 | -99 => Verdict::dropped("a mesh has no camera"),
@@ -52,7 +54,7 @@ fn of_effect(target: &str, effect: Effect) -> Verdict {
             }
         }
         Effect::VertexColours => Verdict::approximate("between the points of the mesh", ""),
-        Effect::SmoothNormals => Verdict::dropped("the mesh has no normals"),
+        Effect::SmoothNormals => Verdict::exact("normals of the mesh"),
         Effect::Background => Verdict::dropped("a mesh has no background"),
         Effect::RenderBox => {
             Verdict::approximate("what it cuts is closed", "everything is cut to it")

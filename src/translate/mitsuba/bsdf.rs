@@ -1,10 +1,10 @@
 //! Materials: what of light is diffused, mirrored and let through, as a mixture of Mitsuba's BSDFs.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::fmt::Write as _;
 
 use super::exact::Exact;
-use super::xml::{number, rgb};
+use super::xml::{escaped, number, rgb};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture};
 use crate::trace::graph::Graph;
 use crate::translate::mesh::Skin;
@@ -16,6 +16,13 @@ pub enum Colours {
     Plain,
     OfFaces,
     OfPoints,
+    /// A picture is laid on by surface coordinates: its texture's number.
+    Pictured(u32),
+}
+
+/// The file of a picture.
+pub fn image_name(stem: &str, number: u32) -> String {
+    format!("{stem}_picture_{number}.png")
 }
 
 /// The materials of a scene, each written once.
@@ -23,6 +30,8 @@ pub struct Bsdfs<'g> {
     graph: &'g Graph,
     pub text: String,
     numbers: HashMap<String, usize>,
+    /// The textures whose pictures are used.
+    pub images: BTreeSet<u32>,
 }
 
 impl<'g> Bsdfs<'g> {
@@ -31,6 +40,7 @@ impl<'g> Bsdfs<'g> {
             graph,
             text: String::new(),
             numbers: HashMap::new(),
+            images: BTreeSet::new(),
         }
     }
 
@@ -41,16 +51,8 @@ impl<'g> Bsdfs<'g> {
             .as_ref()
             .map(|t| &self.graph.textures[t.texture as usize]);
         let colour = match (skin.plain_colour(self.graph), board, shape.uv) {
-            (None, Some(Texture::Checkerboard { n, m, colours }), Some([[su, sv], [tu, tv]])) => {
-                // Its board has two cells each way.
-                let [x, y] = [f64::from(*n) / 2.0, f64::from(*m) / 2.0];
-                let [ax, ay, bx, by] = [su * x, sv * y, tu * x, tv * y].map(number);
-                Reflectance::Board(
-                    *colours,
-                    format!(
-                        "<transform name=\"to_uv\"><scale x=\"{ax}\" y=\"{ay}\"/><translate x=\"{bx}\" y=\"{by}\"/></transform>"
-                    ),
-                )
+            (None, Some(Texture::Checkerboard { n, m, colours }), Some(uv)) => {
+                Reflectance::Board(*colours, to_board([*n, *m], uv))
             }
             (plain, ..) => Reflectance::Plain(plain.unwrap_or(DEFAULT_COLOUR)),
         };
@@ -58,13 +60,28 @@ impl<'g> Bsdfs<'g> {
     }
 
     /// A reference to the material of a mesh with an index around it.
-    pub fn mesh(&mut self, skin: &Skin, colours: Colours, around: Option<u32>) -> String {
+    pub fn mesh(
+        &mut self,
+        skin: &Skin,
+        colours: Colours,
+        around: Option<u32>,
+        stem: &str,
+    ) -> String {
         let colour = match colours {
             Colours::Plain => {
                 Reflectance::Plain(skin.plain_colour(self.graph).unwrap_or(DEFAULT_COLOUR))
             }
             Colours::OfFaces => Reflectance::Attribute("face_color"),
             Colours::OfPoints => Reflectance::Attribute("vertex_color"),
+            Colours::Pictured(number) => match &self.graph.textures[number as usize] {
+                Texture::Checkerboard { n, m, colours } => {
+                    Reflectance::Board(*colours, to_board([*n, *m], [[1.0; 2], [0.0; 2]]))
+                }
+                _ => {
+                    self.images.insert(number);
+                    Reflectance::Image(image_name(stem, number))
+                }
+            },
         };
         self.reference(skin, &colour, around)
     }
@@ -84,7 +101,21 @@ impl<'g> Bsdfs<'g> {
     }
 }
 
+/// The transformation of surface coordinates for a board of n × m cells, from those that have to be
+/// scaled and moved to be ours.
+fn to_board(cells: [u32; 2], [[su, sv], [tu, tv]]: [[f64; 2]; 2]) -> String {
+    // Mitsuba's has two cells each way, and repeats.
+    let [x, y] = cells.map(|n| f64::from(n) / 2.0);
+    let whole = |b: f64| b.rem_euclid(1.0);
+    let [ax, ay, bx, by] = [su * x, sv * y, whole(tu * x), whole(tv * y)].map(number);
+    format!(
+        "<transform name=\"to_uv\"><scale x=\"{ax}\" y=\"{ay}\"/><translate x=\"{bx}\" y=\"{by}\"/></transform>"
+    )
+}
+
 enum Reflectance {
+    /// A file.
+    Image(String),
     Plain(Rgb),
     Attribute(&'static str),
     /// Two colours, and the transformation of surface coordinates.
@@ -92,10 +123,27 @@ enum Reflectance {
 }
 
 impl Reflectance {
-    /// As the diffuse reflectance, dimmed per channel.
+    /// A surface that diffuses light, dimmed per channel.
+    fn diffuse(&self, k: Rgb) -> String {
+        let matt = |reflectance: &str| format!("<bsdf type=\"diffuse\">{reflectance}</bsdf>");
+        match self {
+            // A picture has no factor: some of it is black instead.
+            Reflectance::Image(_) if k != [1.0; 3] => {
+                let black = matt(&rgb("reflectance", [0.0; 3]));
+                blend(mean(k), &black, &matt(&self.xml(k)))
+            }
+            _ => matt(&self.xml(k)),
+        }
+    }
+
+    /// As the diffuse reflectance, dimmed per channel where that can be.
     fn xml(&self, k: Rgb) -> String {
         let by = |c: Rgb| [0, 1, 2].map(|i| c[i] * k[i]);
         match self {
+            Reflectance::Image(file) => format!(
+                "<texture name=\"reflectance\" type=\"bitmap\"><string name=\"filename\" value=\"{}\"/></texture>",
+                escaped(file)
+            ),
             Reflectance::Plain(c) => rgb("reflectance", by(*c)),
             Reflectance::Attribute(name) => {
                 let scale = number(mean(k));
@@ -144,10 +192,7 @@ fn mixture(o: &Optics, [within, around]: [Rgb; 2], colour: &Reflectance) -> Stri
         );
     }
     let (diffuse, mirrored, through) = (kd / all, ks / all, kt / all);
-    let matt = format!(
-        "<bsdf type=\"diffuse\">{}</bsdf>",
-        colour.xml(scaled(o.kd, diffuse))
-    );
+    let matt = colour.diffuse(scaled(o.kd, diffuse));
     let mirror = format!(
         "<bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/>{}</bsdf>",
         rgb("specular_reflectance", scaled(o.ks, mirrored))

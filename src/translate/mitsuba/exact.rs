@@ -25,17 +25,24 @@ impl Exact {
     }
 }
 
+/// Where something without end is seen, and how far it has to reach from there.
+#[derive(Debug, Clone, Copy)]
+pub struct Reach {
+    pub centre: Vec3,
+    pub far: f64,
+}
+
 /// What is near of something without end, by how far it reaches.
 const NEAR: f64 = 1.0 / 32.0;
 
 /// The shapes that make up the shape of a skin, if Mitsuba has them and its colours can be laid on
 /// them. Planes and half-spaces are rectangles: one, and four around it that reach very far. For
 /// Mitsuba's rectangles are as exact as they are small.
-pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<Vec<Exact>> {
+pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, view: &Reach) -> Option<Vec<Exact>> {
     let record = graph.records[skin.primitive? as usize] as usize;
     let m = &*skin.matrix;
     let placed = |m: &Matrix| xml::transform("to_world", m);
-    let made = match scene.shapes[record].geometry {
+    let made: Vec<Made> = match scene.shapes[record].geometry {
         Geometry::Sphere { centre, radius } => {
             let scale = uniform_scale(m)?;
             // Its poles lie on z, ours on y; from south to north ours go.
@@ -76,36 +83,18 @@ pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<V
             let uv = Some([[1.0; 2], [0.0; 2]]);
             vec![("rectangle", placed(&m.after(&at(centre, half))), uv)]
         }
-        Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d]) => {
-            let length = a.hypot(b).hypot(c);
-            let n = [a, b, c].map(|x| x / length);
-            let up = if n[1].abs() > 0.999 {
-                [0.0, 0.0, -1.0]
-            } else {
-                [0.0, 1.0, 0.0]
-            };
-            let u = flat::normal_to(up, n);
-            let v = flat::normal_to(n, u);
-            let far = reach / uniform_scale(m)?;
-            let near = NEAR * far;
-            let (middle, half) = ((far + near) / 2.0, (far - near) / 2.0);
-            let strip = |centre: [f64; 2], [p, q]: [f64; 2]| {
-                let mut frame = Matrix::IDENTITY;
-                for i in 0..3 {
-                    let foot = centre[0] * u[i] + centre[1] * v[i] - d / length * n[i];
-                    frame.0[i] = [u[i] * p, v[i] * q, n[i], foot];
-                }
-                let uv = Some([[2.0 * p, 2.0 * q], [centre[0] - p, centre[1] - q]]);
-                ("rectangle", placed(&m.after(&frame)), uv)
-            };
-            vec![
-                strip([0.0; 2], [near; 2]),
-                strip([middle, 0.0], [half, far]),
-                strip([-middle, 0.0], [half, far]),
-                strip([0.0, middle], [near, half]),
-                strip([0.0, -middle], [near, half]),
-            ]
-        }
+        Geometry::Plane(plane) | Geometry::HalfSpace(plane) => match uniform_scale(m) {
+            Some(scale) => around(&Facing::of(plane), m, scale, view),
+            // A plane all the same, but with other surface coordinates.
+            None => {
+                let facing = Facing::of(placed_plane(plane, m)?);
+                let plain = around(&facing, &Matrix::IDENTITY, 1.0, view);
+                plain
+                    .into_iter()
+                    .map(|(kind, body, _)| (kind, body, None))
+                    .collect()
+            }
+        },
         _ => return None,
     };
     let plain = skin.plain_colour(graph).is_some();
@@ -121,6 +110,80 @@ pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, reach: f64) -> Option<V
     };
     let out: Vec<Exact> = made.into_iter().map(exact).collect();
     (plain || board && out.iter().all(|e| e.uv.is_some())).then_some(out)
+}
+
+/// A plane, and the directions of its surface coordinates.
+struct Facing {
+    normal: Vec3,
+    /// The point nearest to the origin.
+    foot: Vec3,
+    u: Vec3,
+    v: Vec3,
+}
+
+impl Facing {
+    fn of([a, b, c, d]: [f64; 4]) -> Facing {
+        let length = a.hypot(b).hypot(c);
+        let normal = [a, b, c].map(|x| x / length);
+        let up = if normal[1].abs() > 0.999 {
+            [0.0, 0.0, -1.0]
+        } else {
+            [0.0, 1.0, 0.0]
+        };
+        let u = flat::normal_to(up, normal);
+        Facing {
+            normal,
+            foot: normal.map(|x| -d / length * x),
+            u,
+            v: flat::normal_to(normal, u),
+        }
+    }
+}
+
+/// The plane that a matrix makes of one.
+fn placed_plane(plane: [f64; 4], m: &Matrix) -> Option<[f64; 4]> {
+    let back = m.inverse()?;
+    Some(std::array::from_fn(|k| {
+        (0..4).map(|i| plane[i] * back.0[i][k]).sum()
+    }))
+}
+
+/// A shape before it has its name: kind, body, and what its surface coordinates are.
+type Made = (&'static str, String, Option<[[f64; 2]; 2]>);
+
+/// A plane as rectangles about where it is seen, placed by a matrix that scales.
+fn around(plane: &Facing, m: &Matrix, scale: f64, view: &Reach) -> Vec<Made> {
+    let Facing { normal, foot, u, v } = *plane;
+    let back = m.inverse().unwrap_or(Matrix::IDENTITY);
+    let seen = back.point(view.centre);
+    let along = |axis: Vec3| (0..3).map(|i| (seen[i] - foot[i]) * axis[i]).sum::<f64>();
+    let far = view.far / scale;
+    let near = NEAR * far;
+    // Near the origin there is no need to move.
+    let from = [u, v]
+        .map(along)
+        .map(|x| if x.abs() < near { 0.0 } else { x });
+    let (middle, half) = ((far + near) / 2.0, (far - near) / 2.0);
+    let strip = |[x, y]: [f64; 2], [p, q]: [f64; 2]| {
+        let [x, y] = [from[0] + x, from[1] + y];
+        let mut frame = Matrix::IDENTITY;
+        for i in 0..3 {
+            frame.0[i] = [u[i] * p, v[i] * q, normal[i], foot[i] + x * u[i] + y * v[i]];
+        }
+        let uv = Some([[2.0 * p, 2.0 * q], [x - p, y - q]]);
+        (
+            "rectangle",
+            xml::transform("to_world", &m.after(&frame)),
+            uv,
+        )
+    };
+    vec![
+        strip([0.0; 2], [near; 2]),
+        strip([middle, 0.0], [half, far]),
+        strip([-middle, 0.0], [half, far]),
+        strip([0.0, middle], [near, half]),
+        strip([0.0, -middle], [near, half]),
+    ]
 }
 
 fn at(centre: Vec3, half: Vec3) -> Matrix {

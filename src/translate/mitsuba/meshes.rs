@@ -7,8 +7,10 @@ use super::ShapeInfo;
 use super::bsdf::Colours;
 use crate::scene::{Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
+use crate::translate::mesh::corners::{Corner, corners};
+use crate::translate::mesh::picture::is_pictured;
 use crate::translate::mesh::shape::DROPPED;
-use crate::translate::mesh::{Mesh, Piece, Skin};
+use crate::translate::mesh::{Mesh, Piece, Skin, cross, sub};
 
 /// What triangles must have in common to be in one file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -53,7 +55,7 @@ impl Collector {
                 continue;
             }
             let mut part = piece.mesh.only(|l| l == label);
-            if skin.plain_colour(graph).is_none() {
+            if skin.plain_colour(graph).is_none() && !is_pictured(skin, graph) {
                 part.refine(|_| true, grain);
             }
             self.meshes
@@ -83,6 +85,7 @@ fn key(skin: &Skin, around: Option<u32>, graph: &Graph) -> Key {
     let plain = skin.plain_colour(graph);
     let colours = match (&plain, &skin.texture) {
         (Some(_), _) => Colours::Plain,
+        (None, Some(t)) if is_pictured(skin, graph) => Colours::Pictured(t.texture),
         (None, Some(t)) if !matches!(graph.textures[t.texture as usize], Texture::Image { .. }) => {
             Colours::OfFaces
         }
@@ -99,48 +102,49 @@ fn key(skin: &Skin, around: Option<u32>, graph: &Graph) -> Key {
     }
 }
 
-/// How far from a corner, towards the middle of its triangle, its normal is looked for: on the
-/// triangle's own side of an edge.
-const ASIDE: f64 = 1e-3;
+/// A point of a file.
+struct Point {
+    place: Vec3,
+    corner: Corner,
+    colour: Rgb,
+}
 
 fn bytes(mesh: &Mesh, colours: Colours, skins: &[Skin], graph: &Graph) -> Vec<u8> {
+    let pictured = matches!(colours, Colours::Pictured(_));
+    let corners = corners(mesh, skins, graph, |_| pictured);
     // A point has one normal: where faces meet at an edge there are several points.
-    let mut numbers: HashMap<(u32, [i64; 3]), u32> = HashMap::new();
-    let mut points: Vec<(Vec3, Vec3, Rgb)> = Vec::new();
+    let mut numbers: HashMap<(u32, [i64; 5]), u32> = HashMap::new();
+    let mut points: Vec<Point> = Vec::new();
     let mut triangles: Vec<([u32; 3], Rgb)> = Vec::with_capacity(mesh.triangles.len());
-    for (t, corners) in mesh.triangles.iter().enumerate() {
+    for (t, of_points) in mesh.triangles.iter().enumerate() {
         let skin = &skins[mesh.labels[t] as usize];
-        let at = mesh.corners(t);
-        let [a, b, c] = at;
-        let e: Vec3 = std::array::from_fn(|i| b[i] - a[i]);
-        let f: Vec3 = std::array::from_fn(|i| c[i] - a[i]);
-        let n = [
-            e[1] * f[2] - e[2] * f[1],
-            e[2] * f[0] - e[0] * f[2],
-            e[0] * f[1] - e[1] * f[0],
-        ];
-        let length = n[0].hypot(n[1]).hypot(n[2]);
-        if length == 0.0 {
+        let [a, b, c] = mesh.corners(t);
+        let n = cross(sub(b, a), sub(c, a));
+        if n == [0.0; 3] {
             continue;
         }
-        let flat = n.map(|x| x / length);
-        let middle: Vec3 = std::array::from_fn(|i| (a[i] + b[i] + c[i]) / 3.0);
         let mut numbered = [0; 3];
-        for (k, (&corner, p)) in corners.iter().zip(at).enumerate() {
-            let near: Vec3 = std::array::from_fn(|i| p[i] + ASIDE * (middle[i] - p[i]));
-            let normal = skin.shading_normal(graph, near, flat).unwrap_or(flat);
-            let rounded = normal.map(|x| (x * 128.0).round() as i64);
-            numbered[k] = *numbers.entry((corner, rounded)).or_insert_with(|| {
+        for (k, place) in [a, b, c].into_iter().enumerate() {
+            let corner = corners[t][k];
+            let [x, y, z] = corner.normal.map(|x| (x * 128.0).round() as i64);
+            let [u, v] = corner.uv.map(|x| (x * 4096.0).round() as i64);
+            let key = (of_points[k], [x, y, z, u, v]);
+            numbered[k] = *numbers.entry(key).or_insert_with(|| {
                 let colour = match colours {
-                    Colours::OfPoints => skin.colour(graph, p, flat),
+                    Colours::OfPoints => skin.colour(graph, place, n),
                     _ => [0.0; 3],
                 };
-                points.push((p, normal, colour));
+                points.push(Point {
+                    place,
+                    corner,
+                    colour,
+                });
                 points.len() as u32 - 1
             });
         }
+        let middle: Vec3 = std::array::from_fn(|i| (a[i] + b[i] + c[i]) / 3.0);
         let colour = match colours {
-            Colours::OfFaces => skin.colour(graph, middle, flat),
+            Colours::OfFaces => skin.colour(graph, middle, n),
             _ => [0.0; 3],
         };
         triangles.push((numbered, colour));
@@ -148,7 +152,7 @@ fn bytes(mesh: &Mesh, colours: Colours, skins: &[Skin], graph: &Graph) -> Vec<u8
     write(&points, &triangles, colours)
 }
 
-fn write(points: &[(Vec3, Vec3, Rgb)], triangles: &[([u32; 3], Rgb)], colours: Colours) -> Vec<u8> {
+fn write(points: &[Point], triangles: &[([u32; 3], Rgb)], colours: Colours) -> Vec<u8> {
     let three = |prefix: &str, names: [&str; 3]| {
         names
             .map(|n| format!("property float {prefix}{n}\n"))
@@ -160,8 +164,10 @@ fn write(points: &[(Vec3, Vec3, Rgb)], triangles: &[([u32; 3], Rgb)], colours: C
         three("", ["x", "y", "z"]),
         three("n", ["x", "y", "z"]),
     );
-    if colours == Colours::OfPoints {
-        header += &three("", ["r", "g", "b"]);
+    match colours {
+        Colours::OfPoints => header += &three("", ["r", "g", "b"]),
+        Colours::Pictured(_) => header += "property float u\nproperty float v\n",
+        _ => {}
     }
     header += &format!(
         "element face {}\nproperty list uchar int vertex_indices\n",
@@ -172,16 +178,18 @@ fn write(points: &[(Vec3, Vec3, Rgb)], triangles: &[([u32; 3], Rgb)], colours: C
     }
     header += "end_header\n";
     let mut out = header.into_bytes();
-    let put = |out: &mut Vec<u8>, v: Vec3| {
+    let put = |out: &mut Vec<u8>, v: &[f64]| {
         for x in v {
-            out.extend_from_slice(&(x as f32).to_le_bytes());
+            out.extend_from_slice(&(*x as f32).to_le_bytes());
         }
     };
-    for (p, n, c) in points {
-        put(&mut out, *p);
-        put(&mut out, *n);
-        if colours == Colours::OfPoints {
-            put(&mut out, *c);
+    for p in points {
+        put(&mut out, &p.place);
+        put(&mut out, &p.corner.normal);
+        match colours {
+            Colours::OfPoints => put(&mut out, &p.colour),
+            Colours::Pictured(_) => put(&mut out, &p.corner.uv),
+            _ => {}
         }
     }
     for (t, c) in triangles {
@@ -190,7 +198,7 @@ fn write(points: &[(Vec3, Vec3, Rgb)], triangles: &[([u32; 3], Rgb)], colours: C
             out.extend_from_slice(&i.to_le_bytes());
         }
         if colours == Colours::OfFaces {
-            put(&mut out, *c);
+            put(&mut out, c);
         }
     }
     out

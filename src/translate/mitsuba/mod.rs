@@ -13,7 +13,8 @@ mod scenery;
 mod verdict;
 mod xml;
 
-use super::{Fidelity, Report, Unsupported, mesh};
+use super::mesh::{self, picture};
+use super::{Fidelity, Report, Unsupported};
 use crate::scene::{Camera, Scene};
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
@@ -87,6 +88,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let of_meshes = mesh::Options {
         tolerance: options.tolerance,
         eye: cameras.first().map(|c| c.position),
+        pictured: true,
     };
     let mut parts = mesh::Parts::of(scene, graph, &of_meshes)?;
     parts.drop_equals();
@@ -108,7 +110,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         let m = media.get(piece.inside as usize)?;
         let joined = (m.clear || within) && piece.around.is_none();
         joined.then_some(u64::from(m.optics) << 32 | u64::from(m.index))
-    });
+    })?;
     let frame = Frame::of(&parts.extent.region);
     let extent = parts.extent;
     if !frame.is_plain() {
@@ -116,6 +118,10 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     }
     let there: Vec<Camera> = cameras.iter().map(|c| frame.camera(c)).collect();
     let reach = scenery::reach(&parts.extent.region, &there);
+    let seen = exact::Reach {
+        centre: parts.extent.region.centre(),
+        far: reach,
+    };
 
     let mut bsdfs = Bsdfs::new(graph);
     let (mut shapes, mut text) = (Vec::new(), String::new());
@@ -124,7 +130,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         let skin = &parts.skins[piece.inside as usize];
         let own = piece
             .whole
-            .then(|| exact::shapes(scene, graph, skin, reach));
+            .then(|| exact::shapes(scene, graph, skin, &seen));
         let Some(own) = own.flatten() else {
             cut.add(piece, &parts.skins, graph, parts.extent.grain());
             continue;
@@ -141,11 +147,17 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     }
     let mut files = Vec::new();
     for mesh in cut.finish(&parts.skins, graph) {
-        let bsdf = bsdfs.mesh(&parts.skins[mesh.skin as usize], mesh.colours, mesh.around);
+        let skin = &parts.skins[mesh.skin as usize];
+        let bsdf = bsdfs.mesh(skin, mesh.colours, mesh.around, &options.stem);
         shapes.push(mesh.info);
         let name = format!("{}_{}.ply", options.stem, shapes.len());
         text.push_str(&xml::ply(&name, &bsdf, &mesh.info, shapes.len()));
         files.push((name, mesh.bytes));
+    }
+    for number in &bsdfs.images {
+        if let Some(picture) = picture::picture(*number, graph) {
+            files.push((bsdf::image_name(&options.stem, *number), picture.png));
+        }
     }
     let names: &[&'static str] = match cameras.len() {
         1 => &[""],

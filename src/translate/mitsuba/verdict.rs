@@ -35,10 +35,10 @@ fn record(code: i32, tolerance: f64) -> Option<Verdict> {
         ),
         -203 => Verdict::approximate("the mean of the channels", "int_ior, ext_ior"),
         -299 | -701 => Verdict::exact(""),
-        -301 => Verdict::approximate("colours at the points of a mesh", "mesh_attribute"),
+        -301 => Verdict::approximate("straight between the points of a mesh", "bitmap"),
         -302 => Verdict::approximate("one colour a triangle", "mesh_attribute"),
         -399 => Verdict::approximate(
-            "exact on planes, rectangles and spheres; else one colour a triangle",
+            "exact on planes, rectangles and spheres; else straight between the points of a mesh",
             "checkerboard",
         ),
         -401 => Verdict::approximate("light that what is near keeps out", "a constant emitter"),

@@ -1,0 +1,69 @@
+//! Corners of triangles as files have them: with the true surface's normal, and with surface
+//! coordinates where there is a picture on them.
+
+use rayon::prelude::*;
+
+use super::Mesh;
+use super::skin::Skin;
+use super::soup::{cross, sub};
+use crate::scene::Vec3;
+use crate::trace::graph::Graph;
+
+/// How far from a corner, towards the middle of its triangle, it is looked at: on the triangle's own
+/// side of an edge.
+const ASIDE: f64 = 1e-3;
+
+/// A corner of a triangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corner {
+    /// Unit, outwards.
+    pub normal: Vec3,
+    /// Without a seam within the triangle; 0 where they are not asked for.
+    pub uv: [f64; 2],
+}
+
+/// The corners of every triangle; of those without area the normals are 0. Surface coordinates are
+/// those of labels that are `pictured`.
+pub fn corners(
+    mesh: &Mesh,
+    skins: &[Skin],
+    graph: &Graph,
+    pictured: impl Fn(u32) -> bool + Sync,
+) -> Vec<[Corner; 3]> {
+    let of = |t: usize| {
+        let none = Corner {
+            normal: [0.0; 3],
+            uv: [0.0; 2],
+        };
+        let label = mesh.labels[t];
+        let at = mesh.corners(t);
+        let [a, b, c] = at;
+        let n = cross(sub(b, a), sub(c, a));
+        let length = n[0].hypot(n[1]).hypot(n[2]);
+        let Some(skin) = skins.get(label as usize).filter(|_| length > 0.0) else {
+            return [none; 3];
+        };
+        let flat = n.map(|x| x / length);
+        let middle: Vec3 = std::array::from_fn(|i| (a[i] + b[i] + c[i]) / 3.0);
+        let pictured = pictured(label);
+        let around = pictured.then(|| skin.uv(graph, middle, flat)).flatten();
+        at.map(|p| {
+            let near: Vec3 = std::array::from_fn(|i| p[i] + ASIDE * (middle[i] - p[i]));
+            let normal = skin.shading_normal(graph, near, flat).unwrap_or(flat);
+            let uv = around.and_then(|around| {
+                let uv = skin.uv(graph, near, flat)?;
+                let turns = skin.turns(graph);
+                Some(std::array::from_fn(|i| match turns[i] {
+                    // On the middle's side of the seam.
+                    true => uv[i] - (uv[i] - around[i]).round(),
+                    false => uv[i],
+                }))
+            });
+            Corner {
+                normal,
+                uv: uv.unwrap_or([0.0; 2]),
+            }
+        })
+    };
+    (0..mesh.triangles.len()).into_par_iter().map(of).collect()
+}

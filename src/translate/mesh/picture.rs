@@ -1,0 +1,81 @@
+//! Textures as pictures over surface coordinates.
+
+use std::collections::BTreeMap;
+
+use super::material::srgb;
+use super::skin::Skin;
+use crate::scene::Texture;
+use crate::trace::graph::Graph;
+
+/// A picture as PNG, and how it is laid on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    pub png: Vec<u8>,
+    /// Texels are squares of one colour: nothing is interpolated.
+    pub cells: bool,
+    /// What surface coordinates are multiplied by.
+    pub scale: [f64; 2],
+}
+
+/// Whether what a skin shows is a picture over its surface coordinates.
+pub fn is_pictured(skin: &Skin, graph: &Graph) -> bool {
+    let texture = skin.texture.as_ref().filter(|_| skin.primitive.is_some());
+    texture.is_some_and(|t| match &graph.textures[t.texture as usize] {
+        Texture::Checkerboard { .. } => true,
+        Texture::Image { .. } => graph.bitmaps[t.texture as usize].is_some(),
+        _ => false,
+    })
+}
+
+/// The pictures of a scene, each once, by the index of its texture.
+#[derive(Debug, Default)]
+pub struct Pictures {
+    pub all: BTreeMap<u32, Picture>,
+}
+
+impl Pictures {
+    /// Takes in the picture of a skin that has one, and gives its number.
+    pub fn of(&mut self, skin: &Skin, graph: &Graph) -> Option<u32> {
+        let number = skin
+            .texture
+            .as_ref()
+            .filter(|_| is_pictured(skin, graph))?
+            .texture;
+        if !self.all.contains_key(&number) {
+            self.all.insert(number, picture(number, graph)?);
+        }
+        Some(number)
+    }
+}
+
+/// The texture of this index, if it is a picture.
+pub fn picture(number: u32, graph: &Graph) -> Option<Picture> {
+    Some(match &graph.textures[number as usize] {
+        Texture::Checkerboard { n, m, colours } => {
+            let [even, odd] = colours.map(srgb);
+            Picture {
+                // Even where ⌊uN⌋ + ⌊vM⌋ is: below on the left, and above on the right.
+                png: png(2, 2, &[odd, even, even, odd].concat())?,
+                cells: true,
+                scale: [n, m].map(|x| f64::from(*x) / 2.0),
+            }
+        }
+        Texture::Image { .. } => {
+            let bitmap = graph.bitmaps[number as usize].as_ref()?;
+            let (width, height, texels) = bitmap.rgb8();
+            Picture {
+                png: png(width, height, &texels)?,
+                cells: false,
+                scale: [1.0; 2],
+            }
+        }
+        _ => return None,
+    })
+}
+
+/// 8-bit RGB, row by row from the top.
+fn png(width: u32, height: u32, rgb: &[u8]) -> Option<Vec<u8>> {
+    let mut out = Vec::new();
+    crate::trace::film::write_rgb8(&mut out, width, height, rgb).ok()?;
+    Some(out)
+}
