@@ -20,7 +20,7 @@ impl FromStr for Size {
             .ok_or_else(|| Complaint::new("expected-size"))?;
         let side = |s: &str| match s.parse() {
             Ok(n @ 1..) => Ok(n),
-            _ => Err(Complaint::new("not-pixels").with("text", s)),
+            _ => Err(Complaint::new("not-pixels").with("text", s.to_owned())),
         };
         let (width, height) = (side(w)?, side(h)?);
         Ok(Size { width, height })

@@ -40,7 +40,7 @@ pub fn refuse(error: &clap::Error, args: impl Iterator<Item = OsString>) -> Stat
     complain(look, &what);
     let usage = error.get(ContextKind::Usage).map(ToString::to_string);
     if let Some(usage) = usage.as_deref().and_then(|u| u.strip_prefix("Usage: ")) {
-        say(Complaint::new("usage").with("usage", usage));
+        say(Complaint::new("usage").with("usage", usage.to_owned()));
     }
     say(Complaint::new("usage-more"));
     Status::Failure
