@@ -376,7 +376,8 @@ impl<'a> Builder<'a> {
         self.report.count(
             "operations on media of different index",
             Fidelity::Approximate(
-                "refracted rays may take another direction at faces between the media".to_owned(),
+                "light that goes through faces between the media may take another way, and show another picture"
+                    .to_owned(),
             ),
             "an object has one index there",
         );

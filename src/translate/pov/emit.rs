@@ -9,7 +9,7 @@ use super::piece::{Body, Group, Key, Modifier, Piece, State};
 use super::shape::{Primitive, primitive};
 use super::text::{commented, number, transformation, vector};
 use super::triangle;
-use crate::scene::{Geometry, Node, NodeId, TriangleNormals, Volume};
+use crate::scene::{Geometry, Node, NodeId, Rgb, TriangleNormals, Volume};
 use crate::syntax::Captions;
 use crate::syntax::table::RecordType;
 use crate::translate::fidelity::Fidelity;
@@ -256,6 +256,12 @@ impl<'b, 'a> Emitter<'b, 'a> {
         (member.id != 0 && member.id != named).then_some(member.id)
     }
 
+    /// An index that is written.
+    fn refraction(&mut self, index: u32) -> Rgb {
+        self.builder.refractive = true;
+        self.builder.aspects.index(index)
+    }
+
     fn modifiers(&mut self, modifiers: &[Modifier], depth: usize) -> Vec<String> {
         let mut out = Vec::with_capacity(modifiers.len());
         for modifier in modifiers {
@@ -267,7 +273,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 Modifier::Behind(look) => {
                     format!("interior_texture {{ {} }}", self.builder.looks.name(*look))
                 }
-                Modifier::Interior(index) => match self.builder.aspects.index(*index) {
+                Modifier::Interior(index) => match self.refraction(*index) {
                     [r, g, b] if r == g && g == b => {
                         format!("interior {{ ior {} }}", number(r))
                     }

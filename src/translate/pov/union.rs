@@ -150,7 +150,9 @@ impl Builder<'_> {
         if earlier.medium.is_some() && earlier.medium == later.medium {
             self.report.count(
                 "parts of one medium that overlap, with another medium between them",
-                Fidelity::Approximate("a face inside the overlap shows".to_owned()),
+                Fidelity::Approximate(
+                    "what is seen through the overlap may be another picture".to_owned(),
+                ),
                 "",
             );
         }
