@@ -22,6 +22,7 @@ mod hard_cases;
 mod hard_scenes;
 mod invariance;
 mod lint_generated;
+mod lint_speed;
 mod mesh;
 mod messages;
 mod mitsuba;

@@ -51,8 +51,8 @@ pub fn seen(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> Ve
 const EXACT: f64 = 1e-4;
 /// What is so many sizes of the scene away is rounded more: single precision has seven digits.
 const FAR: f64 = 30.0;
-/// What is so many sizes of the scene away is cut off.
-const HORIZON: f64 = 400.0;
+/// What is seen so near to where parts without end are cut off may be seen beyond that.
+const HORIZON: f64 = 0.9;
 /// By so much of the largest coordinate single precision may mistake a place, after a few operations.
 const ROUNDED: f64 = 4.0 * f32::EPSILON as f64;
 
@@ -260,10 +260,16 @@ impl Sight<'_> {
 
     /// Parts without end are cut off somewhere, meshes at the region's end.
     fn is_cut_off(&self, seen: Seen) -> bool {
-        let Output { extent, shapes, .. } = self.translation;
+        let Output {
+            extent,
+            shapes,
+            reach,
+            ..
+        } = self.translation;
         let same = |s: &&ShapeInfo| (s.shape, s.object) == (seen.shape, seen.object);
         let exact = shapes.iter().any(|s| same(&s)) && shapes.iter().filter(same).all(|s| s.exact);
-        seen.distance > HORIZON * self.size || !extent.region.contains(seen.point) && !exact
+        let d = minus(seen.point, extent.region.centre());
+        dot(d, d).sqrt() > HORIZON * reach || !extent.region.contains(seen.point) && !exact
     }
 
     /// Whether all pixels around show the same face, and not a fold of it.

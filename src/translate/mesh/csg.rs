@@ -97,9 +97,9 @@ fn aligned(a: &Mesh, b: &Mesh, size: f64) -> (Mesh, Mesh, Option<Matrix>) {
     if let Some(turned) = &turned {
         let mut to = Matrix::IDENTITY;
         let mut back = Matrix::IDENTITY;
-        for (i, row) in turned.iter().enumerate() {
-            for (k, &x) in row.iter().enumerate() {
-                (to.0[i][k], back.0[k][i]) = (x, x);
+        for (i, axis) in turned.iter().enumerate() {
+            for (k, x) in axis.iter().enumerate() {
+                (to.0[i][k], back.0[k][i]) = (*x, *x);
             }
         }
         a.transform(&to);

@@ -1,6 +1,7 @@
 //! Textures as pictures over surface coordinates.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use super::material::srgb;
 use super::skin::Skin;
@@ -41,8 +42,8 @@ impl Pictures {
             .as_ref()
             .filter(|_| is_pictured(skin, graph))?
             .texture;
-        if !self.all.contains_key(&number) {
-            self.all.insert(number, picture(number, graph)?);
+        if let Entry::Vacant(place) = self.all.entry(number) {
+            place.insert(picture(number, graph)?);
         }
         Some(number)
     }

@@ -32,6 +32,8 @@ pub struct Bsdfs<'g> {
     numbers: HashMap<String, usize>,
     /// The textures whose pictures are used.
     pub images: BTreeSet<u32>,
+    /// The indices, of those in the graph, that differ by channel: parameters of the document.
+    dispersive: BTreeSet<u32>,
 }
 
 impl<'g> Bsdfs<'g> {
@@ -41,6 +43,7 @@ impl<'g> Bsdfs<'g> {
             text: String::new(),
             numbers: HashMap::new(),
             images: BTreeSet::new(),
+            dispersive: BTreeSet::new(),
         }
     }
 
@@ -86,10 +89,50 @@ impl<'g> Bsdfs<'g> {
         self.reference(skin, &colour, around)
     }
 
+    /// What makes a picture of each channel of a document whose indices differ by channel: how to ask
+    /// for it, and the parameters with the mean of the channels.
+    pub fn dispersion(&self) -> Option<String> {
+        let channel = |k: usize| {
+            let of = |i: &u32| {
+                let value = number(self.graph.indices[*i as usize][k]);
+                format!(" -D {}={value}", parameter(*i))
+            };
+            self.dispersive.iter().map(of).collect::<String>()
+        };
+        let defaults = self.dispersive.iter().map(|i| {
+            let value = number(mean(self.graph.indices[*i as usize]));
+            format!(
+                "  <default name=\"{}\" value=\"{value}\"/>\n",
+                parameter(*i)
+            )
+        });
+        (!self.dispersive.is_empty()).then(|| {
+            format!(
+                "  <!-- Refractive indices differ by channel: make three pictures, and keep one channel of each:\n       \
+                 red: mitsuba{}\n       green: mitsuba{}\n       blue: mitsuba{}\n       \
+                 Without -D all channels have the mean. -->\n{}",
+                channel(0),
+                channel(1),
+                channel(2),
+                defaults.collect::<String>()
+            )
+        })
+    }
+
     fn reference(&mut self, skin: &Skin, colour: &Reflectance, around: Option<u32>) -> String {
         let optics = &self.graph.optics[skin.optics.unwrap_or(0) as usize];
-        let indices = [skin.index, around].map(|i| self.graph.indices[i.unwrap_or(0) as usize]);
-        let body = mixture(optics, indices, colour);
+        let sides = [skin.index, around].map(|i| i.unwrap_or(0));
+        let indices = sides.map(|i| self.graph.indices[i as usize]);
+        let bends = optics.kt != [0.0; 3] && indices[0] != indices[1];
+        let named = [0, 1].map(|k| match is_plain(indices[k]) {
+            true => number(indices[k][0]),
+            false if bends => {
+                self.dispersive.insert(sides[k]);
+                format!("${}", parameter(sides[k]))
+            }
+            false => number(mean(indices[k])),
+        });
+        let body = mixture(optics, bends.then_some(&named), colour);
         let next = self.numbers.len();
         let n = *self.numbers.entry(body.clone()).or_insert(next);
         if n == next {
@@ -111,6 +154,15 @@ fn to_board(cells: [u32; 2], [[su, sv], [tu, tv]]: [[f64; 2]; 2]) -> String {
     format!(
         "<transform name=\"to_uv\"><scale x=\"{ax}\" y=\"{ay}\"/><translate x=\"{bx}\" y=\"{by}\"/></transform>"
     )
+}
+
+/// Whether an index is the same in all channels.
+fn is_plain(index: Rgb) -> bool {
+    index.iter().all(|x| *x == index[0])
+}
+
+fn parameter(index: u32) -> String {
+    format!("index_{index}")
 }
 
 enum Reflectance {
@@ -140,8 +192,9 @@ impl Reflectance {
     fn xml(&self, k: Rgb) -> String {
         let by = |c: Rgb| [0, 1, 2].map(|i| c[i] * k[i]);
         match self {
+            // Its pictures hang down from v = 0.
             Reflectance::Image(file) => format!(
-                "<texture name=\"reflectance\" type=\"bitmap\"><string name=\"filename\" value=\"{}\"/></texture>",
+                "<texture name=\"reflectance\" type=\"bitmap\"><string name=\"filename\" value=\"{}\"/><transform name=\"to_uv\"><scale x=\"1\" y=\"-1\"/></transform></texture>",
                 escaped(file)
             ),
             Reflectance::Plain(c) => rgb("reflectance", by(*c)),
@@ -172,8 +225,8 @@ fn blend(weight: f64, first: &str, second: &str) -> String {
 }
 
 /// Each kind of light takes part as often as it is strong, and is as much stronger then. The indices
-/// are those of the two sides: within and around.
-fn mixture(o: &Optics, [within, around]: [Rgb; 2], colour: &Reflectance) -> String {
+/// are those of the two sides, within and around, where light is bent.
+fn mixture(o: &Optics, indices: Option<&[String; 2]>, colour: &Reflectance) -> String {
     // By the strongest channel: where no light is made, what is stronger then is no more than all.
     let strongest = |k: Rgb| k.iter().fold(0.0f64, |m, x| m.max(*x));
     let (kd, ks, kt) = (strongest(o.kd), strongest(o.ks), strongest(o.kt));
@@ -207,17 +260,15 @@ fn mixture(o: &Optics, [within, around]: [Rgb; 2], colour: &Reflectance) -> Stri
         return opaque;
     }
     // What does not bend light is a sheet, which knows no total reflection either.
-    let kind = if within == around {
-        "thindielectric"
-    } else {
-        "dielectric"
+    let one = || number(1.0);
+    let (kind, within, around) = match indices {
+        Some([within, around]) => ("dielectric", within.clone(), around.clone()),
+        None => ("thindielectric", one(), one()),
     };
-    let indices =
-        [mean(within), mean(around)].map(|n| number(if within == around { 1.0 } else { n }));
     let clear = format!(
         "<bsdf type=\"{kind}\"><float name=\"int_ior\" value=\"{}\"/><float name=\"ext_ior\" value=\"{}\"/>{}</bsdf>",
-        indices[0],
-        indices[1],
+        within,
+        around,
         rgb("specular_transmittance", scaled(o.kt, through))
     );
     if diffuse + mirrored == 0.0 {

@@ -70,6 +70,8 @@ pub struct Output {
     pub extent: mesh::Extent,
     /// Where the scene was put.
     pub frame: Frame,
+    /// How far parts without end go on about the middle of the region.
+    pub reach: f64,
     pub report: Report,
 }
 
@@ -181,7 +183,8 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         documents.push((
             *name,
             format!(
-                "<!-- made by zpg, for Mitsuba 3 -->\n{moved}<scene version=\"3.0.0\">\n{view}{lights}{}{text}</scene>\n",
+                "<!-- made by zpg, for Mitsuba 3 -->\n{moved}<scene version=\"3.0.0\">\n{}{view}{lights}{}{text}</scene>\n",
+                bsdfs.dispersion().unwrap_or_default(),
                 bsdfs.text
             ),
         ));
@@ -205,6 +208,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         shapes,
         extent,
         frame,
+        reach: reach / frame.scale,
         report,
     })
 }

@@ -33,7 +33,7 @@ fn record(code: i32, tolerance: f64) -> Option<Verdict> {
             "a mixture by the strongest channel, with Fresnel's law where light is bent",
             "diffuse, conductor, dielectric",
         ),
-        -203 => Verdict::approximate("the mean of the channels", "int_ior, ext_ior"),
+        -203 => Verdict::exact("int_ior, ext_ior"),
         -299 | -701 => Verdict::exact(""),
         -301 => Verdict::approximate("straight between the points of a mesh", "bitmap"),
         -302 => Verdict::approximate("one colour a triangle", "mesh_attribute"),
@@ -66,7 +66,10 @@ fn of_effect(effect: Effect) -> Verdict {
         Effect::Refraction | Effect::TotalReflection => {
             Verdict::approximate("with Fresnel's law", "dielectric")
         }
-        Effect::Dispersion => Verdict::dropped("one index for all channels"),
+        Effect::Dispersion => Verdict::approximate(
+            "the mean of the channels; exact in three passes",
+            "as the head of the file says",
+        ),
         Effect::VertexColours => Verdict::approximate("at the points of a mesh", "mesh_attribute"),
         Effect::SmoothNormals => Verdict::exact("normals of the mesh"),
         Effect::Background => Verdict::approximate(
