@@ -332,11 +332,11 @@ fn whoever_waits_for_an_answer_gets_it() {
 fn wrong_usage() {
     let dir = folder(&scene("21 11 0 0 0 2\n30 -701 1 1 1", 21));
     for (args, words) in [
-        (&["a.zpg"] as &[&str], "required"),
+        (&["a.zpg"] as &[&str], "missing: <--ray"),
         (&["a.zpg", "--ray", "0 0 9 0 0 0"], "zero vector"),
         (
             &["a.zpg", "--ray", "0 0 9 0 0 -1", "--point", "0 0 0"],
-            "cannot be used with",
+            "does not go together with",
         ),
         (&["-", "--rays", "-"], "cannot both be standard input"),
         (
@@ -357,7 +357,7 @@ fn wrong_usage() {
         ),
         (
             &["a.zpg", "--point", "0 0 0", "--precision", "f16"],
-            "[possible values: f32, f64, dd]",
+            "there are f32, f64, dd",
         ),
         (&["b.zpg", "--point", "0 0 0"], "cannot read b.zpg"),
         (&["a.zpg", "--rays", "b.txt"], "cannot read b.txt"),
