@@ -15,7 +15,7 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
 /// Whether a text plainly says the same as a scene: `true` means what [`same_content`] says of the two, `false`
 /// nothing.
 ///
-/// The text is not parsed, but read by the reader that the parser asks first ([`plain`]), token by token.
+/// The text is not parsed, but read by the reader that the parser asks first (`syntax::plain`), token by token.
 /// What that reads without a doubt is what the parser makes of the text, to the token; so its records
 /// are compared as they come, and nothing is kept of them.
 pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {

@@ -15,7 +15,8 @@ mod xml;
 
 use super::mesh::{self, picture};
 use super::{Fidelity, Report, Unsupported};
-use crate::scene::{Camera, Scene};
+use crate::scene::bounds::node_bounds;
+use crate::scene::{Aabb, Camera, Scene};
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
 pub use frame::Frame;
@@ -80,7 +81,7 @@ pub struct Output {
 /// # Errors
 /// Something in it has no translation, or too many triangles.
 pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output, Unsupported> {
-    scene.render.ok_or_else(|| Unsupported {
+    let render = scene.render.ok_or_else(|| Unsupported {
         id: 0,
         span: None,
         message: "the scene has no render record: nothing is drawn".to_owned(),
@@ -165,9 +166,11 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         1 => &[""],
         _ => &["_left", "_right"],
     };
+    let all = node_bounds(scene)[render.root as usize].all;
+    let all = Aabb::new(frame.place(all.min), frame.place(all.max));
     let mut documents = Vec::new();
     for ((name, camera), there) in names.iter().zip(&cameras).zip(&there) {
-        let view = scenery::view(scene, there, reach, options)?;
+        let view = scenery::view(scene, there, &all, reach, options)?;
         let lights = match options.integrator {
             Integrator::Path => scenery::lights(scene, camera, &frame, &parts.extent.region),
             Integrator::Aov => String::new(),

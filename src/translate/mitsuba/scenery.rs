@@ -41,10 +41,11 @@ pub fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
     HORIZON * all.hull(&origin).radius()
 }
 
-/// The integrator and the camera.
+/// The integrator and the camera; `all` holds everything that is drawn.
 pub fn view(
     scene: &Scene,
     camera: &Camera,
+    all: &Aabb,
     reach: f64,
     options: &Options,
 ) -> Result<String, Unsupported> {
@@ -84,9 +85,23 @@ pub fn view(
          <integer name=\"height\" value=\"{height}\"/>\n      <rfilter type=\"box\"/>\n      \
          <string name=\"pixel_format\" value=\"rgb\"/>\n      \
          <string name=\"component_format\" value=\"float32\"/>\n    </film>\n  </sensor>\n",
-        number(near.unwrap_or(reach / HORIZON * 1e-7)),
+        number(near.unwrap_or_else(|| before(all, camera, &basis).max(reach / HORIZON * 1e-7))),
         number(reach * 10.0),
     ))
+}
+
+/// Where rays start, along the camera's axis: halfway to what comes nearest to it, because of what is
+/// far from where a ray starts single precision tells less. 0 if it may be anywhere.
+fn before(all: &Aabb, camera: &Camera, basis: &Basis) -> f64 {
+    let depth = |i: usize| {
+        let ends = [all.min[i], all.max[i]].map(|x| basis.forward[i] * (x - camera.position[i]));
+        ends[0].min(ends[1])
+    };
+    let nearest = depth(0) + depth(1) + depth(2);
+    match nearest.is_finite() && camera.projection.is_none() {
+        true => (nearest / 2.0).max(0.0),
+        false => 0.0,
+    }
 }
 
 /// The beginning of a sensor: where it is and what it sees, and how near.
