@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use super::cell::Context;
 use super::chunk::{Chunk, Element, Piece};
 use super::page::Page;
+use super::rows;
 use super::run::{Entry, Run};
 use crate::syntax::{Item, is_directive};
 
@@ -132,12 +133,24 @@ impl<'a> Printer<'a> {
             && !tokens.iter().any(|t| is_directive(t, text))
     }
 
+    /// Whether a line is to become several rows, the last of which must not be read as a record with
+    /// what stands behind it.
+    fn wraps(&self, line: &Line) -> bool {
+        match line.item {
+            Some(Item::Record(record)) => rows::is_wanted(&self.context, record),
+            _ => false,
+        }
+    }
+
     /// Whether another layout could change what is meant.
     fn has_to_stay(&self, chunk: &Chunk, lines: &[Line], spoken_to: bool) -> bool {
         let is_kept = |item: &Item| self.care.items.contains(&item.ends().0);
         // What is said to a line is said to all of its records.
         (lines.len() > 1 && spoken_to)
-            || (lines.len() > 1 && self.care.zeros && lines.iter().any(|l| l.has_zero))
+            || (self.care.zeros
+                && lines
+                    .iter()
+                    .any(|l| l.has_zero && (lines.len() > 1 || self.wraps(l))))
             || (!self.care.items.is_empty() && chunk.items().any(is_kept))
     }
 
