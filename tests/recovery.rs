@@ -253,3 +253,10 @@ fn a_number_taken_from_a_line_that_could_stand_alone() {
     let free = "2 9 1 3 9\n2 4 11 0 0\n0 1 5 4 0 1 0\n0 # heading #\n6 9 1 7 -101\n6 2 1\n9999 7 0";
     check(free, &["W314@4"]);
 }
+
+/// The line of a second definition that is also a record without its ID: never passed over in silence.
+#[test]
+fn a_line_that_lost_its_id_and_reads_well_gets_an_error() {
+    let rows: String = (6..=13).map(|id| format!("{id} 1 2 0 0 0 0\n")).collect();
+    check(&format!("2 0\n3 0\n13 9 1\n5 0\n{rows}"), &["E005@3"]);
+}

@@ -265,14 +265,21 @@ fn all_but_reals(stream: &Stream, start: usize, end: usize) -> Option<&'static R
     };
     let got = (end - start - 2) as u64;
     let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
-    let right = |i: usize| {
-        let param = ty.param(i - start - 2, n as usize);
-        param.is_some_and(|p| {
-            let sig = stream.sigs[i];
-            fits(sig.kind, p.kind) || p.kind != ParamKind::FileName && whole(i)
-        })
-    };
-    (exact && (start + 2..end).all(right)).then_some(ty)
+    if !exact {
+        return None;
+    }
+    // Where no integer is spelled as a real, nothing of this kind is wrong.
+    let mut respelled = stream.sigs[start].int.is_none() || code.is_none();
+    for i in start + 2..end {
+        let param = ty.param(i - start - 2, n as usize)?;
+        if !fits(stream.sigs[i].kind, param.kind) {
+            if param.kind == ParamKind::FileName || !whole(i) {
+                return None;
+            }
+            respelled = true;
+        }
+    }
+    respelled.then_some(ty)
 }
 
 /// A line `9999 1 …` that would be the render record with its first two numbers swapped.
