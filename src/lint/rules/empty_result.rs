@@ -256,6 +256,25 @@ mod tests {
         assert_eq!(found(&gap("5").replace("5 4\n", "4 5\n")).len(), 1);
     }
 
+    /// A ball in one of the gaps of a row: all 64 parts are looked at one by one.
+    #[test]
+    fn a_gap_in_a_long_row() {
+        let row = |parts: usize, at: f64| {
+            let balls = (0..parts).map(|i| format!("{} 11 {} 0 0 1\n", 10 + i, 3 * i));
+            let sums = (1..parts).map(|i| match i {
+                1 => "1001 -101 10 11\n".to_owned(),
+                _ => format!("{} -101 {} {}\n", 1000 + i, 999 + i, 10 + i),
+            });
+            let sum: String = balls.chain(sums).collect();
+            format!("{sum}2 11 {at} 0 0 0.4\n3 -102 2 {}\n", 999 + parts)
+        };
+        for gap in [0, 31, 62] {
+            let middle = 3.0 * f64::from(gap) + 1.5;
+            assert_eq!(found(&row(64, middle)).len(), 1, "gap {gap}");
+            assert!(found(&row(64, middle + 0.2)).is_empty(), "gap {gap}");
+        }
+    }
+
     #[test]
     fn what_is_the_same() {
         says(
