@@ -282,8 +282,8 @@ fn wrong_usage_in_both_languages() {
     for (args, english, czech) in [
         (
             &["check", "--fixx", "a.zpg"][..],
-            "error: there is no argument `--fixx` here; did you mean `--fix`?\n\nUsage: zpg check",
-            "chyba: argument `--fixx` zde není; mysleli jste `--fix`?\n\nPoužití: zpg check",
+            "error: unexpected argument `--fixx`; did you mean `--fix`?\n\nUsage: zpg check",
+            "chyba: neočekávaný argument `--fixx`; mysleli jste `--fix`?\n\nPoužití: zpg check",
         ),
         (
             &["chek", "a.zpg"],
@@ -314,6 +314,21 @@ fn wrong_usage_in_both_languages() {
             &["probe", "a.zpg", "--ray", "0 0 x 0 0 1"],
             "`x` is not a number",
             "`x` není číslo",
+        ),
+        (
+            &["render", "a.zpg", "b.zpg"],
+            "error: unexpected argument `b.zpg`\n",
+            "chyba: neočekávaný argument `b.zpg`\n",
+        ),
+        (
+            &["check", "--fix=1", "a.zpg"],
+            "error: `--fix` takes no value, but `1` is given",
+            "chyba: `--fix` je bez hodnoty, ale uvedeno je `1`",
+        ),
+        (
+            &[],
+            "error: which command? There are check, ",
+            "chyba: který příkaz? Možnosti jsou check, ",
         ),
         (
             &["render"],

@@ -56,11 +56,18 @@ fn complaint(error: &clap::Error) -> Option<Complaint> {
             let command = get(ContextKind::InvalidSubcommand)?;
             Complaint::new("usage-no-command").with("arg", command)
         }
+        ErrorKind::MissingSubcommand => {
+            let commands = get(ContextKind::ValidSubcommand)?;
+            Complaint::new("usage-command").with("commands", commands)
+        }
         ErrorKind::MissingRequiredArgument => arg("usage-missing")?,
         ErrorKind::ArgumentConflict => match get(ContextKind::PriorArg)? {
             other if Some(&other) == get(ContextKind::InvalidArg).as_ref() => arg("usage-twice")?,
             other => arg("usage-conflict")?.with("other", other),
         },
+        ErrorKind::TooManyValues => {
+            arg("usage-flag")?.with("text", get(ContextKind::InvalidValue)?)
+        }
         ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
             let what = match get(ContextKind::InvalidValue).filter(|text| !text.is_empty()) {
                 None => arg("usage-no-value")?,

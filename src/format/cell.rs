@@ -107,7 +107,7 @@ fn kind(record: &Record, i: usize) -> ParamKind {
 pub struct Gaps {
     /// A bit for each value that begins a vector, the ID being the lowest.
     wide: u32,
-    /// The number of points, and the values of one, the count of points before them not counted.
+    /// The number of points, and the type that says how many values each has.
     points: Option<(usize, &'static RecordType)>,
 }
 

@@ -64,8 +64,9 @@ fn attempt(
     options: &Options,
     wanted: Option<Range<usize>>,
 ) -> Option<(String, Option<Edit>)> {
+    let broken = document.items.iter().any(|i| matches!(i, Item::Broken(_)));
     let mut care = Care {
-        zeros: document.items.iter().any(|i| matches!(i, Item::Broken(_))),
+        zeros: broken,
         ..Care::default()
     };
     for round in 0..ROUNDS {
@@ -73,7 +74,7 @@ fn attempt(
         if result == text {
             return Some((result, None));
         }
-        if compare::are_plainly_same(text, document, &result) {
+        if !broken && compare::are_plainly_same(text, document, &result) {
             return Some((result, edit));
         }
         let (again, _) = parse(&result);

@@ -8,9 +8,6 @@ const CERTAIN_DIGITS: usize = 15;
 
 /// A number where any will do. What is no finite number is left as it is.
 pub fn real(text: &str) -> Cow<'_, str> {
-    if canonical(text).is_some() {
-        return text.into();
-    }
     match plain(text) {
         Some(spelled) => spelled,
         None => shortest(text),
@@ -178,6 +175,14 @@ mod tests {
     }
 
     proptest::proptest! {
+        /// What is taken as it is would not be spelled otherwise.
+        #[test]
+        fn canonical_numbers_stay_as_they_are(text in "-?[0-9]{1,8}(\\.[0-9]{1,9})?") {
+            if canonical(&text).is_some() {
+                proptest::prop_assert_eq!(&real(&text), &text);
+            }
+        }
+
         #[test]
         fn values_stay_to_the_bit(bits: u64) {
             let value = f64::from_bits(bits);
@@ -190,6 +195,9 @@ mod tests {
                     let same = text.parse::<f64>().map(f64::to_bits);
                     proptest::prop_assert_eq!(spelled.parse::<f64>().map(f64::to_bits), same);
                     proptest::prop_assert_eq!(&real(&spelled), &spelled);
+                    if canonical(&text).is_some() {
+                        proptest::prop_assert_eq!(&real(&text), &text);
+                    }
                 }
             }
         }

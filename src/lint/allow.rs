@@ -115,14 +115,15 @@ impl Directive {
         let (text, tokens) = (layout.context.text, &layout.context.document.tokens);
         let token = &tokens[at];
         let line = layout.line_at(at);
-        let covers = if let Some(covers) = layout.records_on(line.span) {
-            Some(covers)
+        let own = layout.records_on(line.span);
+        let alone = own.is_none();
+        let covers = if own.is_some() {
+            own
         } else if layout.none_before(line.span.start) {
             Some(Span::new(0, text.len() as u32))
         } else {
             layout.below(line.end)
         };
-        let alone = layout.is_alone(line.span);
         let list = without_word(directive::inside(token.text(text)), PREFIX)
             .and_then(|rest| without_word(rest, "allow"))
             .and_then(|rest| rest.strip_prefix('('))

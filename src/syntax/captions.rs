@@ -105,8 +105,15 @@ impl Walk {
 
     fn item(&mut self, item: &Item, tokens: &[Token], text: &str) {
         self.breaks = 0;
-        self.last = None;
-        let Item::Record(record) = item else { return };
+        let record = match item {
+            Item::Record(record) => record,
+            // It introduces a comment, which is the record's if there is one before it on the line.
+            Item::Void { .. } => return,
+            Item::Broken(_) => {
+                self.last = None;
+                return;
+            }
+        };
         self.any_record = true;
         let id = record.id;
         if !self.captions.ids.contains_key(&id) && !self.heading.is_empty() {
@@ -145,7 +152,7 @@ impl Walk {
         let heading = std::mem::take(&mut self.heading);
         self.heading_text = None;
         if !self.any_record && self.captions.title.is_none() && !heading.is_empty() {
-            self.captions.title = Some(heading.join(" "));
+            self.captions.title = Some(shortened(heading.join(" ")));
         }
     }
 }
@@ -194,6 +201,13 @@ mod tests {
     }
 
     #[test]
+    fn a_comment_behind_a_zero_is_of_the_record_on_its_line() {
+        let all = captions("2 9 1 0 # red #\n3 9 2\n4 9 3 0 # blue #\n0 # the rest #\n5 9 4\n");
+        let of: Vec<_> = (2..6).map(|id| all.get(id)).collect();
+        assert_eq!(of, [Some("red"), None, Some("blue"), Some("the rest")]);
+    }
+
+    #[test]
     fn a_heading_at_the_top_is_no_title() {
         let all = captions("0 # balls #\n2 9 1\n");
         assert_eq!((all.title(), all.get(2)), (None, Some("balls")));
@@ -212,5 +226,7 @@ mod tests {
     fn long_comments_are_cut() {
         let all = captions(&format!("2 9 1 # {} #\n", "ž".repeat(500)));
         assert_eq!(all.get(2).unwrap().chars().count(), LONGEST);
+        let all = captions(&format!("0 # {} #\n\n2 9 1\n", "ž".repeat(500)));
+        assert_eq!(all.title().unwrap().chars().count(), LONGEST);
     }
 }

@@ -149,8 +149,19 @@ pub fn expected_ends(stream: &Stream, i: usize) -> Vec<usize> {
     out
 }
 
-/// Finds what is wrong with tokens `start..end`, and its price.
+/// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
 pub fn judge(
+    stream: &Stream,
+    start: usize,
+    end: usize,
+    is_id: impl Fn(i32) -> bool,
+) -> (Verdict, u32) {
+    let found = likeliest(stream, start, end, is_id);
+    debug_assert!(found.1 >= LEAST, "{found:?}");
+    found
+}
+
+fn likeliest(
     stream: &Stream,
     start: usize,
     end: usize,

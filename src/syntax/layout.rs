@@ -342,3 +342,37 @@ impl Search<'_, '_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use chumsky::Parser;
+
+    use super::super::{lexer, parser, plain};
+    use super::*;
+
+    proptest::proptest! {
+        #![proptest_config(proptest::test_runner::Config::with_cases(4_000))]
+
+        /// Where it is not searched, the search would have found the same.
+        #[test]
+        fn a_cheap_reading_is_the_cheapest(
+            pieces in proptest::collection::vec(proptest::sample::select(plain::PIECES), 0..12),
+        ) {
+            let text = pieces.join(" ");
+            let tokens = lexer::lex(&text, &[]);
+            let stream = Stream::new(&text, &tokens);
+            let strict = reader::records(&stream).parse(&stream.sigs).into_output();
+            let Some(items) = strict else { return Ok(()) };
+            let strict = whole_pieces(&stream, parser::extents(&items));
+            let witnesses = Witnesses::new(&stream);
+            for doubt_takeovers in [false, true] {
+                let sums = Sums::new(&stream, &witnesses);
+                let search = Search { stream: &stream, witnesses: &witnesses, sums, doubt_takeovers };
+                if search.is_cheap(&strict) {
+                    let found = search.run();
+                    proptest::prop_assert_eq!(format!("{:?}", found), format!("{:?}", strict));
+                }
+            }
+        }
+    }
+}

@@ -14,10 +14,15 @@ use crate::diagnostics::{self, Diagnostic};
 /// Parses a scene text. It never fails: what cannot be read is in the findings, sorted by place,
 /// and every character of the text is still in the document.
 pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
-    let mut tokens = lexer::lex(text, &[]);
-    if let Some(items) = plain::items(text, &tokens) {
-        return (Document { tokens, items }, Vec::new());
+    let tokens = lexer::lex(text, &[]);
+    match plain::items(text, &tokens) {
+        Some(items) => (Document { tokens, items }, Vec::new()),
+        None => in_full(text, tokens),
     }
+}
+
+/// Reads a text of which nothing is known.
+pub(super) fn in_full(text: &str, mut tokens: Vec<Token>) -> (Document, Vec<Diagnostic>) {
     if comments::in_trouble(&tokens, text) {
         let unclosed = comments::unclosed(text);
         if !unclosed.is_empty() {
@@ -65,13 +70,13 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
         .any(|t| t.kind == TokenKind::UnterminatedComment);
     if damage > 0
         && !cut_off
-        && let Some(plain) = strict
+        && let Some(strict) = strict
     {
         // The arity has a reading without faults. If nothing is undefined or defined twice in it,
         // it stands against two errors, and against one where no line was crossed.
-        let sound = references::damage(&stream, &plain) == 0;
-        if sound && (damage > 1 || !witness::is_odd(&stream, &witnesses, &plain)) {
-            pieces = plain;
+        let sound = references::damage(&stream, &strict) == 0;
+        if sound && (damage > 1 || !witness::is_odd(&stream, &witnesses, &strict)) {
+            pieces = strict;
         }
     }
     report::pieces(&stream, &witnesses, &pieces, diagnostics);
@@ -79,7 +84,7 @@ fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec
 }
 
 /// The items' tokens, as half-open ranges of significant tokens.
-fn extents(items: &[Item]) -> impl Iterator<Item = (usize, usize)> {
+pub(super) fn extents(items: &[Item]) -> impl Iterator<Item = (usize, usize)> {
     let mut start = 0;
     items.iter().map(move |item| {
         let length = match item {

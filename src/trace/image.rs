@@ -159,7 +159,11 @@ impl Bitmap {
     pub fn rgb8(&self) -> (u32, u32, Vec<u8>) {
         let texels = match &self.texels {
             Texels::Eight(t) => t.clone(),
-            Texels::Sixteen(t) => t.iter().map(|x| (x / 257) as u8).collect(),
+            // 65535 / 255 = 257, rounded to nearest.
+            Texels::Sixteen(t) => t
+                .iter()
+                .map(|x| ((u32::from(*x) + 128) / 257) as u8)
+                .collect(),
         };
         (self.width, self.height, texels)
     }

@@ -121,12 +121,14 @@ at-part = { $path }: { $part }: { $why }
 
 usage = Použití: { $usage }
 usage-more = Více řekne `--help`.
-usage-unknown = argument `{ $arg }` zde není
+usage-unknown = neočekávaný argument `{ $arg }`
 usage-no-command = příkaz `{ $arg }` neexistuje
+usage-command = který příkaz? Možnosti jsou { $commands }
 usage-missing = chybí: { $arg }
 usage-twice = `{ $arg }` lze uvést jen jednou
 usage-conflict = `{ $arg }` nelze uvést spolu s `{ $other }`
 usage-no-value = `{ $arg }` potřebuje hodnotu
+usage-flag = `{ $arg }` je bez hodnoty, ale uvedeno je `{ $text }`
 usage-value = `{ $text }` není hodnota pro `{ $arg }`
 usage-values = možnosti jsou { $values }
 with-reason = { $what }: { $reason }

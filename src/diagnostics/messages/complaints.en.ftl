@@ -116,12 +116,14 @@ at-part = { $path }: { $part }: { $why }
 
 usage = Usage: { $usage }
 usage-more = For more information, try `--help`.
-usage-unknown = there is no argument `{ $arg }` here
+usage-unknown = unexpected argument `{ $arg }`
 usage-no-command = there is no command `{ $arg }`
+usage-command = which command? There are { $commands }
 usage-missing = missing: { $arg }
 usage-twice = `{ $arg }` can be given only once
 usage-conflict = `{ $arg }` does not go together with `{ $other }`
 usage-no-value = `{ $arg }` needs a value
+usage-flag = `{ $arg }` takes no value, but `{ $text }` is given
 usage-value = `{ $text }` is no value of `{ $arg }`
 usage-values = there are { $values }
 with-reason = { $what }: { $reason }
