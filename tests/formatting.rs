@@ -74,10 +74,10 @@ fn broken_without_an_error(loaded: &Loaded) -> Option<&str> {
         .collect();
     let said = |k: usize| {
         let lines = line(spans[k].start)..=line(spans[k].end);
-        let next = spans.get(k + 1).map_or(u32::MAX, |s| s.start);
+        let next = spans.get(k + 1).map_or(usize::MAX, |s| line(s.start));
         errors().any(|d| {
             let within = [d.span.start, d.span.end].map(|at| lines.contains(&line(at)));
-            within.contains(&true) || open(d) && (spans[k].end..next).contains(&d.span.start)
+            within.contains(&true) || open(d) && (*lines.end()..=next).contains(&line(d.span.start))
         })
     };
     let is_silent = |k: &usize| matches!(document.items[*k], Item::Broken(_)) && !said(*k);
