@@ -1,5 +1,7 @@
 //! Which faces may lie in one another: faces filed by their planes, and there by their outlines.
 
+use rayon::prelude::*;
+
 use super::face::{Face, Form, QUADRIC};
 use super::search::{NEAR, ROUNDING};
 use super::vector::dot;
@@ -9,18 +11,31 @@ use crate::scene::{Aabb, Vec3};
 
 /// Faces and boxes looked at, for all faces together: some tenths of a second. What is not looked at
 /// is not spoken of.
-const STEPS: usize = 20_000_000;
+const STEPS: usize = 10_000_000;
 
-/// Pairs at most.
-const PAIRS: usize = 2_000_000;
+/// Pairs at most: several times what there are points for.
+const PAIRS: usize = 500_000;
 
 /// Fewer faces than this in one plane are looked at one by one.
 const FEW: usize = 16;
 
-type Cell = [i32; 3];
+type Cell = [i16; 3];
 
 /// A face's cell and number, its index, and how large the numbers are that it is made of.
 type Filed = (Cell, f64, u32, f64);
+
+/// By cell, then by number, as one integer: there are as many to be sorted as there are faces.
+fn order(filed: &Filed) -> (u128, u32) {
+    let (cell, at, face, _) = *filed;
+    let [x, y, z] = cell.map(|c| u64::from(c as u16 ^ 0x8000));
+    // As `total_cmp` has it.
+    let bits = at.to_bits();
+    let at = bits ^ ((bits as i64 >> 63) as u64 | 1 << 63);
+    (
+        u128::from(x << 32 | y << 16 | z) << 64 | u128::from(at),
+        face,
+    )
+}
 
 /// A unit vector's components in steps of a ten-thousandth.
 const CELLS: f64 = 1e4;
@@ -78,7 +93,7 @@ fn key(form: &Form, turned: bool) -> (Cell, f64, f64) {
     match form {
         Form::Flat { normal, point, .. } => {
             let n = if turned { normal.map(|x| -x) } else { *normal };
-            let cell = n.map(|x| (x * CELLS).round() as i32);
+            let cell = n.map(|x| (x * CELLS).round() as i16);
             let size = point.iter().fold(0.0f64, |m, x| m.max(x.abs()));
             (cell, dot(n, *point), size)
         }
@@ -92,16 +107,16 @@ fn key(form: &Form, turned: bool) -> (Cell, f64, f64) {
                 _ => anchor.iter().fold(scale.abs(), |m, x| m.max(x.abs())),
             };
             let at = dot(ODD, *anchor) + std::f64::consts::SQRT_2 * scale;
-            ([i32::MAX, i32::from(*class), 0], at, size)
+            ([i16::MAX, i16::from(*class), 0], at, size)
         }
     }
 }
 
 /// The cell on the other side of a border within a hundredth of a step, along each axis.
-fn beyond_border(normal: Vec3, cell: Cell) -> [Option<i32>; 3] {
+fn beyond_border(normal: Vec3, cell: Cell) -> [Option<i16>; 3] {
     std::array::from_fn(|i| {
         let x = normal[i] * CELLS;
-        let near = [x - 0.01, x + 0.01].map(|x| x.round() as i32);
+        let near = [x - 0.01, x + 0.01].map(|x| x.round() as i16);
         near.into_iter().find(|&c| c != cell[i])
     })
 }
@@ -168,7 +183,7 @@ impl<'a> Planes<'a> {
             }
         }
         let leaf = |f: u32| faces[f as usize].leaf;
-        out.sort_unstable_by_key(|&(f, g)| (leaf(g), leaf(f), g, f));
+        out.par_sort_unstable_by_key(|&(f, g)| (leaf(g), leaf(f), g, f));
         out
     }
 
@@ -179,17 +194,13 @@ impl<'a> Planes<'a> {
 
     /// The faces in the order of their planes.
     fn entries(&self, faces: &[Face]) -> Vec<Entry> {
-        let filed = (0..).zip(faces).map(|(i, face)| {
+        let filed = faces.par_iter().enumerate().map(|(i, face)| {
             let (cell, at, magnitude) = key(&face.form, self.turned(face));
-            (cell, at, i, magnitude)
+            (cell, at, i as u32, magnitude)
         });
         let mut filed: Vec<Filed> = filed.filter(|(_, at, ..)| at.is_finite()).collect();
-        filed.sort_unstable_by(|a, b| {
-            (a.0.cmp(&b.0))
-                .then(a.1.total_cmp(&b.1))
-                .then(a.2.cmp(&b.2))
-        });
-        let mut filed = self.opposed(faces, filed);
+        filed.par_sort_unstable_by_key(order);
+        let filed = self.opposed(faces, filed);
         let entry = |(cell, at, i, magnitude): Filed| {
             let face: &Face = &faces[i as usize];
             let size = self.tree.leaves[face.leaf as usize].size;
@@ -215,13 +226,13 @@ impl<'a> Planes<'a> {
                 bounds: outline(self.tree, face),
             }
         };
-        filed.drain(..).map(entry).collect()
+        filed.into_par_iter().map(entry).collect()
     }
 
     /// Of sorted faces the round ones, and those flat ones that may have a flat one against them: in
     /// most scenes few.
     fn opposed(&self, faces: &[Face], filed: Vec<Filed>) -> Vec<Filed> {
-        let flats = filed.partition_point(|f| f.0[0] < i32::MAX);
+        let flats = filed.partition_point(|f| f.0[0] < i16::MAX);
         // Further than any of them is from one that lies in its plane.
         let magnitudes = filed[..flats].iter().map(|f| f.3);
         let magnitude = magnitudes.fold(self.largest, f64::max);
