@@ -21,20 +21,28 @@ const FEW: usize = 16;
 
 type Cell = [i16; 3];
 
-/// A face's cell and number, its index, and how large the numbers are that it is made of.
-type Filed = (Cell, f64, u32, f64);
+/// What a face is filed by. Those of all faces are sorted, and most are thrown away then.
+#[derive(Clone, Copy)]
+struct Filed {
+    cell: Cell,
+    /// Whether a neighbour may be in another cell.
+    on_border: bool,
+    face: u32,
+    at: f64,
+    /// How large the numbers are that the face is made of.
+    magnitude: f64,
+}
 
-/// By cell, then by number, as one integer: there are as many to be sorted as there are faces.
-fn order(filed: &Filed) -> (u128, u32) {
-    let (cell, at, face, _) = *filed;
-    let [x, y, z] = cell.map(|c| u64::from(c as u16 ^ 0x8000));
-    // As `total_cmp` has it.
-    let bits = at.to_bits();
-    let at = bits ^ ((bits as i64 >> 63) as u64 | 1 << 63);
-    (
-        u128::from(x << 32 | y << 16 | z) << 64 | u128::from(at),
-        face,
-    )
+impl Filed {
+    /// By cell, then by number, as one integer; then by face.
+    fn order(&self) -> (u128, u32) {
+        let [x, y, z] = self.cell.map(|c| u64::from(c as u16 ^ 0x8000));
+        let cell = x << 32 | y << 16 | z;
+        // As `total_cmp` has it.
+        let bits = self.at.to_bits();
+        let at = bits ^ ((bits as i64 >> 63) as u64 | 1 << 63);
+        (u128::from(cell) << 64 | u128::from(at), self.face)
+    }
 }
 
 /// A unit vector's components in steps of a ten-thousandth.
@@ -195,34 +203,41 @@ impl<'a> Planes<'a> {
     /// The faces in the order of their planes.
     fn entries(&self, faces: &[Face]) -> Vec<Entry> {
         let filed = faces.par_iter().enumerate().map(|(i, face)| {
-            let (cell, at, magnitude) = key(&face.form, self.turned(face));
-            (cell, at, i as u32, magnitude)
+            let turned = self.turned(face);
+            let (cell, at, magnitude) = key(&face.form, turned);
+            Filed {
+                cell,
+                on_border: on_border(&face.form, cell, turned),
+                face: i as u32,
+                at,
+                magnitude,
+            }
         });
-        let mut filed: Vec<Filed> = filed.filter(|(_, at, ..)| at.is_finite()).collect();
-        filed.par_sort_unstable_by_key(order);
-        let filed = self.opposed(faces, filed);
-        let entry = |(cell, at, i, magnitude): Filed| {
-            let face: &Face = &faces[i as usize];
+        let mut filed: Vec<Filed> = filed.filter(|f| f.at.is_finite()).collect();
+        filed.par_sort_unstable_by_key(Filed::order);
+        let filed = self.opposed(filed);
+        let entry = |filed: Filed| {
+            let face = &faces[filed.face as usize];
             let size = self.tree.leaves[face.leaf as usize].size;
             let normal = match &face.form {
                 Form::Flat { normal, .. } => Some(*normal),
                 Form::Round { .. } => None,
             };
             Entry {
-                cell,
-                at,
-                face: i,
+                cell: filed.cell,
+                at: filed.at,
+                face: filed.face,
                 leaf: face.leaf,
-                on_border: on_border(&face.form, cell, self.turned(face)),
+                on_border: filed.on_border,
                 flat: normal.is_some(),
                 own: face.own,
                 // What has no end is near to what is not far from the origin either.
                 size: match normal {
                     _ if size.is_finite() => size,
-                    Some(_) => magnitude.max(self.largest),
+                    Some(_) => filed.magnitude.max(self.largest),
                     None => self.largest,
                 },
-                magnitude,
+                magnitude: filed.magnitude,
                 bounds: outline(self.tree, face),
             }
         };
@@ -231,27 +246,22 @@ impl<'a> Planes<'a> {
 
     /// Of sorted faces the round ones, and those flat ones that may have a flat one against them: in
     /// most scenes few.
-    fn opposed(&self, faces: &[Face], filed: Vec<Filed>) -> Vec<Filed> {
-        let flats = filed.partition_point(|f| f.0[0] < i16::MAX);
+    fn opposed(&self, filed: Vec<Filed>) -> Vec<Filed> {
+        let flats = filed.partition_point(|f| f.cell[0] < i16::MAX);
         // Further than any of them is from one that lies in its plane.
-        let magnitudes = filed[..flats].iter().map(|f| f.3);
+        let magnitudes = filed[..flats].iter().map(|f| f.magnitude);
         let magnitude = magnitudes.fold(self.largest, f64::max);
         let reach = (2.0 * NEAR + ROUNDING) * magnitude;
         // What is looked for comes in the opposite order.
         let mut below = flats;
-        let mut keep = |(cell, at, i, _): &Filed| {
-            let opposite = cell.map(|c| -c);
-            let past = |f: &Filed| f.0 > opposite || f.0 == opposite && f.1 > reach - at;
+        let mut keep = |f: &Filed| {
+            let opposite = f.cell.map(|c| -c);
+            let past = |g: &Filed| g.cell > opposite || g.cell == opposite && g.at > reach - f.at;
             while below > 0 && past(&filed[below - 1]) {
                 below -= 1;
             }
             let last = below.checked_sub(1).map(|last| &filed[last]);
-            last.is_some_and(|f| f.0 == opposite && f.1 >= -at - reach)
-                || on_border(
-                    &faces[*i as usize].form,
-                    *cell,
-                    self.turned(&faces[*i as usize]),
-                )
+            f.on_border || last.is_some_and(|g| g.cell == opposite && g.at >= -f.at - reach)
         };
         let mut kept: Vec<Filed> = filed[..flats].iter().filter(|f| keep(f)).copied().collect();
         kept.extend_from_slice(&filed[flats..]);
