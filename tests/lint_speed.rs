@@ -88,6 +88,19 @@ fn tools_that_all_end_in_one_plane() {
 }
 
 #[test]
+fn a_crowd_about_the_origin() {
+    // Every box meets every other one, and differs from it.
+    let member = |id: u32| {
+        let [x, y, z] = [1, 2, 3].map(|k| odd(id, k) / 100.0);
+        let [a, b, c] = [4, 5, 6].map(|k| 1.0 + odd(id, k) / 250.0);
+        let seen = f64::from(id) / 1e5;
+        format!("{id} 12 0 0 0 {a} {b} {c}\n{id} -1 {x} {y} {z}\n{id} -201 0 0 {seen}")
+    };
+    assert!(check(member, "-102 ROOT ID").contains(&"W308"));
+    check(member, "-103 ROOT ID");
+}
+
+#[test]
 fn glass_in_one_place() {
     let ball = |id: u32| {
         let [x, y, z] = [1, 2, 3].map(|k| odd(id, k) / 50.0);

@@ -10,7 +10,9 @@ mod records;
 mod rules;
 mod solids;
 
-use std::cell::OnceCell;
+use std::sync::OnceLock;
+
+use rayon::prelude::*;
 
 use crate::diagnostics::{Diagnostic, Span};
 use crate::scene::bounds::{NodeBounds, node_bounds};
@@ -23,7 +25,7 @@ pub struct Context<'a> {
     pub text: &'a str,
     pub document: &'a Document,
     pub scene: &'a Scene,
-    bounds: OnceCell<Vec<NodeBounds>>,
+    bounds: OnceLock<Vec<NodeBounds>>,
 }
 
 impl<'a> Context<'a> {
@@ -32,7 +34,7 @@ impl<'a> Context<'a> {
             text,
             document,
             scene,
-            bounds: OnceCell::new(),
+            bounds: OnceLock::new(),
         }
     }
 
@@ -114,27 +116,27 @@ fn rough(x: f64) -> String {
 
 type Rule = fn(&Context, &mut Vec<Diagnostic>);
 
-/// Every rule, in the order of its code.
+/// Every rule. Those that may take longest come first: they are begun in this order.
 const RULES: &[Rule] = &[
+    rules::coincident_faces::check,
+    rules::overlapping_union::check,
+    rules::bound_too_small::check,
+    rules::scene_box_cuts::check,
+    rules::empty_result::check,
+    rules::mixed_intersection::check,
+    rules::unused_definition::check,
+    rules::stale_operand::check,
     rules::colour_out_of_range::check,
     rules::energy_gain::check,
     rules::not_a_rotation::check,
     rules::asymmetric_quadric::check,
     rules::degenerate_shape::check,
     rules::no_real_points::check,
-    rules::overlapping_union::check,
-    rules::mixed_intersection::check,
-    rules::stale_operand::check,
-    rules::unused_definition::check,
-    rules::bound_too_small::check,
-    rules::scene_box_cuts::check,
     rules::surface_operand::check,
     rules::comment_hides_records::check,
     rules::several_cameras::check,
     rules::pointless_index::check,
-    rules::empty_result::check,
     rules::self_intersecting::check,
-    rules::coincident_faces::check,
     rules::ill_scaled::check,
     rules::no_camera::check,
     rules::no_light::check,
@@ -143,12 +145,19 @@ const RULES: &[Rule] = &[
     rules::several_records_per_line::check,
 ];
 
-/// Runs all rules; the findings are added to those of the parser and the resolver, and what comments
-/// allow is taken out.
+/// Runs all rules, side by side; the findings are added to those of the parser and the resolver, and
+/// what comments allow is taken out.
 pub fn run(context: &Context, out: &mut Vec<Diagnostic>) {
-    for rule in RULES {
-        rule(context, out);
-    }
+    let found = |(i, rule): (usize, &Rule)| {
+        let mut found = Vec::new();
+        rule(context, &mut found);
+        (i, found)
+    };
+    // Whoever is free takes the next one.
+    let rules = RULES.iter().enumerate().par_bridge();
+    let mut all: Vec<(usize, Vec<Diagnostic>)> = rules.map(found).collect();
+    all.sort_unstable_by_key(|(i, _)| *i);
+    out.extend(all.into_iter().flat_map(|(_, found)| found));
     allow::apply(context, out);
 }
 

@@ -19,9 +19,9 @@ pub struct Params<'a> {
 
 impl<'a> Params<'a> {
     pub fn new(document: &Document, text: &'a str, record: &Record) -> Params<'a> {
-        let mut tokens: Vec<Token> = Vec::with_capacity(record.params as usize + 2);
-        tokens.extend(document.significant(record.first, record.last));
-        tokens.drain(..2);
+        let mut tokens: Vec<Token> = Vec::with_capacity(record.params as usize);
+        // Behind the ID and the type.
+        tokens.extend(document.significant(record.first, record.last).skip(2));
         Params {
             text,
             ty: record.ty,

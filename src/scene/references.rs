@@ -13,8 +13,8 @@ use crate::syntax::table::{Effect, ParamKind, RecordType};
 use crate::syntax::{self, Document, Item};
 
 /// How many defined IDs are compared, in all, to find the ones that may have been meant: proposals
-/// for the first few thousand errors of a large file, none for a million of them.
-const COMPARISONS_MAX: usize = 5_000_000;
+/// for the first errors of a large file, none for a million of them.
+const COMPARISONS_MAX: usize = 2_000_000;
 
 /// A record that lost its ID.
 pub struct Lost {

@@ -197,17 +197,18 @@ impl RecordType {
 
     /// The entry for a type number, if there is one.
     pub fn by_code(code: i64) -> Option<&'static RecordType> {
-        static INDEX: OnceLock<Vec<(i32, &'static RecordType)>> = OnceLock::new();
-        let index = INDEX.get_or_init(|| {
-            let mut v: Vec<_> = RECORD_TYPES.iter().map(|t| (t.code, t)).collect();
-            v.sort_by_key(|e| e.0);
-            v
+        // By code, from the least one on.
+        static INDEX: OnceLock<(i64, Vec<Option<&'static RecordType>>)> = OnceLock::new();
+        let (least, index) = INDEX.get_or_init(|| {
+            let codes = || RECORD_TYPES.iter().map(|t| i64::from(t.code));
+            let (least, most) = (codes().min().unwrap_or(0), codes().max().unwrap_or(0));
+            let mut index = vec![None; (most - least) as usize + 1];
+            for (code, ty) in codes().zip(RECORD_TYPES) {
+                index[(code - least) as usize] = Some(ty);
+            }
+            (least, index)
         });
-        let code = i32::try_from(code).ok()?;
-        index
-            .binary_search_by_key(&code, |e| e.0)
-            .ok()
-            .map(|i| index[i].1)
+        *index.get(usize::try_from(code.checked_sub(*least)?).ok()?)?
     }
 
     /// The entry with this keyword.

@@ -88,15 +88,21 @@ fn split(boxes: &mut [(u32, Bounds)]) -> Option<usize> {
         slot.0 += 1;
         slot.1 = slot.1.union(b);
     }
-    let cost = |part: &[(usize, Bounds)]| {
-        let (count, bounds) = part
-            .iter()
-            .fold((0, Bounds::EMPTY), |(n, b), x| (n + x.0, b.union(&x.1)));
-        (count, count as f64 * bounds.half_area())
+    // What lies left of each cut, and what lies right of it: swept from either end.
+    let sweep = |bins: &mut dyn Iterator<Item = &(usize, Bounds)>| {
+        let mut all = (0, Bounds::EMPTY);
+        let mut costs = [(0, 0.0); BINS];
+        for (slot, bin) in costs.iter_mut().zip(bins) {
+            all = (all.0 + bin.0, all.1.union(&bin.1));
+            *slot = (all.0, all.0 as f64 * all.1.half_area());
+        }
+        costs
     };
+    let lefts = sweep(&mut bins.iter());
+    let rights = sweep(&mut bins.iter().rev());
     let mut best = (f64::INFINITY, 0);
     for cut in 1..BINS {
-        let (left, right) = (cost(&bins[..cut]), cost(&bins[cut..]));
+        let (left, right) = (lefts[cut - 1], rights[BINS - 1 - cut]);
         if left.0 > 0 && right.0 > 0 && left.1 + right.1 < best.0 {
             best = (left.1 + right.1, cut);
         }

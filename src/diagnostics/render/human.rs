@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use ariadne::{Cache, CharSet, Color, Config, Fmt, IndexType, Label, Report, ReportKind, Source};
+use rayon::prelude::*;
 
 use super::excerpt::{self, Excerpt};
 use super::visible;
@@ -57,22 +58,31 @@ pub fn write(
         true
     };
     let shown: Vec<&Diagnostic> = diagnostics.iter().filter(&mut is_shown).collect();
-    let mut printer = Printer {
+    let printer = Printer {
         file,
         path: visible(&file.path).into_owned(),
-        locator,
         common: Excerpt::new(file, shown.iter().flat_map(|d| spans(d))),
-        budget: LINE_BUDGET,
         look,
     };
-    for diagnostic in shown {
-        printer.write(out, diagnostic)?;
+    let mut budget = LINE_BUDGET;
+    let shown: Vec<(&Diagnostic, Lines)> = (shown.into_iter())
+        .map(|d| (d, printer.lines(d, &mut budget)))
+        .collect();
+    // Errors are as many as there are: side by side, and not all of their texts at once.
+    for some in shown.chunks(16 * TOGETHER) {
+        let texts = some.par_chunks(TOGETHER).map(|part| printer.texts(part));
+        for text in texts.collect::<io::Result<Vec<_>>>()? {
+            out.write_all(&text)?;
+        }
     }
     for (code, fold) in &folds {
         printer.write_fold(out, code, fold)?;
     }
     Ok(())
 }
+
+/// So many findings are put into words by one thread.
+const TOGETHER: usize = 512;
 
 /// So many findings of one code are shown; the others of a file become a count. Errors never do.
 const SHOWN: usize = 9;
@@ -106,11 +116,19 @@ fn spans(d: &Diagnostic) -> impl Iterator<Item = Span> {
 struct Printer<'a> {
     file: &'a SourceFile,
     path: String,
-    locator: Locator<'a>,
     /// The lines of all the findings that are shown, long ones cut around the first finding on them.
     common: Excerpt,
-    budget: usize,
     look: Look,
+}
+
+/// Where the lines come from that a finding is shown with.
+#[derive(Clone, Copy)]
+enum Lines {
+    Common,
+    /// An excerpt of its own.
+    Own,
+    /// It is shown without.
+    None,
 }
 
 /// One place in a report.
@@ -123,7 +141,42 @@ struct Mark<'a> {
 }
 
 impl Printer<'_> {
-    fn write(&mut self, out: &mut dyn Write, d: &Diagnostic) -> io::Result<()> {
+    /// What of the budget an excerpt of its own costs is taken from it.
+    fn lines(&self, d: &Diagnostic, budget: &mut usize) -> Lines {
+        if spans(d).all(|span| self.common.place(self.file, span).is_some()) {
+            return Lines::Common;
+        }
+        let lines = spans(d).map(|span| self.line(span));
+        match budget.checked_sub(lines.max().unwrap_or(0)) {
+            Some(rest) => {
+                *budget = rest;
+                Lines::Own
+            }
+            None => Lines::None,
+        }
+    }
+
+    fn line(&self, span: Span) -> usize {
+        self.file.line_index(self.file.floor(span.start))
+    }
+
+    /// The text of some findings, one after the other.
+    fn texts(&self, some: &[(&Diagnostic, Lines)]) -> io::Result<Vec<u8>> {
+        let mut locator = Locator::new(self.file);
+        let mut out = Vec::new();
+        for (d, lines) in some {
+            self.write(&mut out, d, *lines, &mut locator)?;
+        }
+        Ok(out)
+    }
+
+    fn write(
+        &self,
+        out: &mut dyn Write,
+        d: &Diagnostic,
+        lines: Lines,
+        locator: &mut Locator,
+    ) -> io::Result<()> {
         let language = self.look.language;
         let words = d.wording(language);
         let severity = language.say(d.severity.as_str(), &[]);
@@ -132,21 +185,21 @@ impl Printer<'_> {
         writeln!(out, "{head} {}", visible(&words.message))?;
 
         let marks = self.marks(d, &words);
-        let common = spans(d).all(|span| self.common.place(self.file, span).is_some());
-        if common {
-            let report = self.report(d, &words, &marks, &self.common)?;
-            self.put_places(out, &report, &marks)?;
-        } else {
-            let deepest = marks.iter().map(|m| m.line).max().unwrap_or(0);
-            match self.budget.checked_sub(deepest) {
-                Some(rest) => {
-                    self.budget = rest;
-                    let own = Excerpt::new(self.file, spans(d));
-                    let report = self.report(d, &words, &marks, &own)?;
-                    self.put_places(out, &report, &marks)?;
-                }
-                None => self.write_without_lines(out, d, &words)?,
+        let own;
+        let excerpt = match lines {
+            Lines::Common => Some(&self.common),
+            Lines::Own => {
+                own = Excerpt::new(self.file, spans(d));
+                Some(&own)
             }
+            Lines::None => None,
+        };
+        match excerpt {
+            Some(excerpt) => {
+                let report = self.report(d, &words, &marks, excerpt)?;
+                self.put_places(out, &report, &marks, locator)?;
+            }
+            None => self.write_without_lines(out, d, &words, locator)?,
         }
         writeln!(out)
     }
@@ -172,8 +225,7 @@ impl Printer<'_> {
 
     /// The places of a finding by section and line, those of the first place's section first.
     fn marks<'d>(&self, d: &Diagnostic, words: &'d Wording) -> Vec<Mark<'d>> {
-        let line = |span: Span| self.file.line_index(self.file.floor(span.start));
-        let here = line(d.span);
+        let here = self.line(d.span);
         let mut marks = vec![Mark {
             span: d.span,
             message: &words.label,
@@ -182,7 +234,7 @@ impl Printer<'_> {
             section: 0,
         }];
         for (i, (label, message)) in d.labels.iter().zip(&words.labels).enumerate() {
-            let line = line(label.span);
+            let line = self.line(label.span);
             marks.push(Mark {
                 span: label.span,
                 message,
@@ -247,7 +299,13 @@ impl Printer<'_> {
     }
 
     /// Writes a report, with the real places for the marked ones.
-    fn put_places(&mut self, out: &mut dyn Write, report: &str, marks: &[Mark]) -> io::Result<()> {
+    fn put_places(
+        &self,
+        out: &mut dyn Write,
+        report: &str,
+        marks: &[Mark],
+        locator: &mut Locator,
+    ) -> io::Result<()> {
         let mut pieces = report.split(MARK);
         write!(out, "{}", pieces.next().unwrap_or(""))?;
         while let (Some(section), Some(rest)) = (pieces.next(), pieces.next()) {
@@ -257,7 +315,7 @@ impl Printer<'_> {
                 .filter(of_section)
                 .max_by_key(|m| m.primary)
                 .or(marks.first());
-            let place = self.locator.position(mark.map_or(0, |m| m.span.start));
+            let place = locator.position(mark.map_or(0, |m| m.span.start));
             let rest =
                 rest.trim_start_matches(|c: char| c == ':' || c == '?' || c.is_ascii_digit());
             write!(out, "{}:{}:{}{rest}", self.path, place.line, place.column)?;
@@ -266,12 +324,13 @@ impl Printer<'_> {
     }
 
     fn write_without_lines(
-        &mut self,
+        &self,
         out: &mut dyn Write,
         d: &Diagnostic,
         words: &Wording,
+        locator: &mut Locator,
     ) -> io::Result<()> {
-        let place = self.locator.position(d.span.start);
+        let place = locator.position(d.span.start);
         writeln!(out, "  {}:{}:{}", self.path, place.line, place.column)?;
         for help in self.helps(d, words) {
             writeln!(out, "  {help}")?;

@@ -1,5 +1,6 @@
 //! W308: an intersection whose surface is made of pieces with different properties.
 
+use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
@@ -160,11 +161,9 @@ fn seen(scene: &Scene) -> Vec<u8> {
 fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagnostic>) {
     let titles = context.titles();
     let properties = Properties::new(context);
-    for &(node, differ) in mixed {
+    let finding = |&(node, differ): &(NodeId, [bool; 3])| {
         let origin = context.scene.origins[node as usize];
-        let Some(p) = context.params(origin.span) else {
-            continue;
-        };
+        let p = context.params(origin.span)?;
         let operands = [0, 1].map(|i| u32::try_from(p.integer(i)).unwrap_or(0));
         let [first, second] =
             operands.map(|id| Value::Term(titles.get(&id).copied().unwrap_or("object")));
@@ -192,8 +191,9 @@ fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagno
                 break;
             }
         }
-        out.push(d);
-    }
+        Some(d)
+    };
+    out.par_extend(mixed.par_iter().filter_map(finding));
 }
 
 #[cfg(test)]

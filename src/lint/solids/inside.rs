@@ -1,5 +1,6 @@
 //! Whether a point is in an object: an answer only where it is certain enough to build on.
 
+use super::distance;
 use super::tree::{both, either};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
@@ -134,9 +135,7 @@ fn in_shape(geometry: &Geometry, p: Vec3) -> Option<bool> {
         // A surface has no inside, and what it is taken away from stays what it was.
         Geometry::Plane(_) | Geometry::Rectangle { .. } | Geometry::Triangle { .. } => false,
         Geometry::HalfSpace([a, b, c, d]) => a * x + b * y + c * z + d <= 0.0,
-        Geometry::Sphere { centre, radius } => {
-            (x - centre[0]).hypot(y - centre[1]).hypot(z - centre[2]) <= *radius
-        }
+        Geometry::Sphere { centre, radius } => distance(p, *centre) <= *radius,
         Geometry::Ellipsoid {
             semi_axes: [a, b, c],
         } => square(x, *a) + square(y, *b) + square(z, *c) <= 1.0,

@@ -11,7 +11,7 @@ pub mod tips;
 pub mod tree;
 
 use crate::diagnostics::Span;
-use crate::scene::{Node, NodeId, OperationRecord, Scene};
+use crate::scene::{Node, NodeId, OperationRecord, Scene, Vec3};
 
 /// What is drawn; without a render record all objects that are part of no other.
 pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
@@ -49,6 +49,17 @@ pub fn near(x: f64, size: f64) -> String {
         "0".into()
     } else {
         text.into()
+    }
+}
+
+/// How far two points are from each other.
+pub fn distance(p: Vec3, q: Vec3) -> f64 {
+    let [x, y, z]: Vec3 = std::array::from_fn(|i| p[i] - q[i]);
+    let square = x * x + y * y + z * z;
+    // Mostly: squares of the others are out of range.
+    match (1e-200..1e200).contains(&square) {
+        true => square.sqrt(),
+        false => x.hypot(y).hypot(z),
     }
 }
 

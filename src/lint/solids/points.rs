@@ -9,7 +9,7 @@ use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Matrix, Scene, Vec3};
 
 /// Boxes looked at, for all points together: some tenths of a second.
-const STEPS: usize = 30_000_000;
+const STEPS: usize = 12_000_000;
 
 /// What placing a point in the coordinates of a shape costs, in steps, and what it costs that it is
 /// inside: the operations above are gone through.

@@ -1,9 +1,10 @@
 //! Proofs that two solids have nothing in common, or that one holds all of the other: by boxes, balls,
 //! half-spaces, planes between them, and by being the same.
 
+use super::distance;
 use super::hull::{hull, is_convex};
 use super::inside::Inside;
-use super::reach::{ball, distance};
+use super::reach::ball;
 use super::tips::extent;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene, Vec3};

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use super::distance;
 use super::inside::Inside;
 use super::leaf::Leaf;
 use super::tips::{Tip, tips};
@@ -129,16 +130,6 @@ pub fn beyond(volume: &Volume, p: Vec3) -> f64 {
     }
 }
 
-pub fn distance(p: Vec3, q: Vec3) -> f64 {
-    let [x, y, z]: Vec3 = std::array::from_fn(|i| p[i] - q[i]);
-    let square = x * x + y * y + z * z;
-    // Mostly: squares of the others are out of range.
-    match (1e-200..1e200).contains(&square) {
-        true => square.sqrt(),
-        false => x.hypot(y).hypot(z),
-    }
-}
-
 /// The size that a volume's numbers are written with: its extent, and how far it is away.
 pub fn size(volume: &Volume) -> f64 {
     let of = |points: [Vec3; 2]| points.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -172,7 +163,7 @@ const STEP: f64 = 0.01;
 
 /// Directions in which shapes are asked how far they reach, for all searches of a rule together: some
 /// tenths of a second.
-pub const DIRECTIONS: usize = 3_000_000;
+pub const DIRECTIONS: usize = 1_500_000;
 
 /// The exactly known points of an object: those where its leaves reach furthest.
 pub struct Outline<'a> {

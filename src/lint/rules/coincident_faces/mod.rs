@@ -16,8 +16,10 @@ mod sample;
 mod search;
 mod vector;
 
+use rayon::prelude::*;
+
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
-use crate::lint::solids::{named, near};
+use crate::lint::solids::{named, near, operation_of};
 use crate::lint::{Context, live_nodes};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::record::Params;
@@ -66,15 +68,13 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     found.sort_by_key(group);
     let parents = Parents::new(scene, &live);
-    for pairs in found.chunk_by(|a, b| group(a) == group(b)) {
+    let groups: Vec<&[Found]> = found.chunk_by(|a, b| group(a) == group(b)).collect();
+    let findings = groups.par_iter().filter_map(|pairs| {
         let (operation, _, case) = group(&pairs[0]);
-        let at = (scene.operations).binary_search_by_key(&operation, |o| o.node);
-        if let Ok(at) = at
-            && let Some(d) = finding(context, &scene.operations[at], case, pairs, &parents)
-        {
-            out.push(d);
-        }
-    }
+        let record = operation_of(scene, operation)?;
+        finding(context, record, case, pairs, &parents)
+    });
+    out.par_extend(findings);
 }
 
 fn finding(

@@ -1,5 +1,7 @@
 //! Which faces may lie in one another: faces filed by their planes, and there by their outlines.
 
+use rayon::prelude::*;
+
 use super::face::{Face, Form, QUADRIC};
 use super::search::{NEAR, ROUNDING};
 use super::vector::dot;
@@ -9,18 +11,39 @@ use crate::scene::{Aabb, Vec3};
 
 /// Faces and boxes looked at, for all faces together: some tenths of a second. What is not looked at
 /// is not spoken of.
-const STEPS: usize = 20_000_000;
+const STEPS: usize = 10_000_000;
 
-/// Pairs at most.
-const PAIRS: usize = 2_000_000;
+/// Pairs at most: several times what there are points for.
+const PAIRS: usize = 500_000;
 
 /// Fewer faces than this in one plane are looked at one by one.
 const FEW: usize = 16;
 
-type Cell = [i32; 3];
+type Cell = [i16; 3];
 
-/// A face's cell and number, its index, and how large the numbers are that it is made of.
-type Filed = (Cell, f64, u32, f64);
+/// What a face is filed by. Those of all faces are sorted, and most are thrown away then.
+#[derive(Clone, Copy)]
+struct Filed {
+    cell: Cell,
+    /// Whether a neighbour may be in another cell.
+    on_border: bool,
+    face: u32,
+    at: f64,
+    /// How large the numbers are that the face is made of.
+    magnitude: f64,
+}
+
+impl Filed {
+    /// By cell, then by number, as one integer; then by face.
+    fn order(&self) -> (u128, u32) {
+        let [x, y, z] = self.cell.map(|c| u64::from(c as u16 ^ 0x8000));
+        let cell = x << 32 | y << 16 | z;
+        // As `total_cmp` has it.
+        let bits = self.at.to_bits();
+        let at = bits ^ ((bits as i64 >> 63) as u64 | 1 << 63);
+        (u128::from(cell) << 64 | u128::from(at), self.face)
+    }
+}
 
 /// A unit vector's components in steps of a ten-thousandth.
 const CELLS: f64 = 1e4;
@@ -78,7 +101,7 @@ fn key(form: &Form, turned: bool) -> (Cell, f64, f64) {
     match form {
         Form::Flat { normal, point, .. } => {
             let n = if turned { normal.map(|x| -x) } else { *normal };
-            let cell = n.map(|x| (x * CELLS).round() as i32);
+            let cell = n.map(|x| (x * CELLS).round() as i16);
             let size = point.iter().fold(0.0f64, |m, x| m.max(x.abs()));
             (cell, dot(n, *point), size)
         }
@@ -92,16 +115,16 @@ fn key(form: &Form, turned: bool) -> (Cell, f64, f64) {
                 _ => anchor.iter().fold(scale.abs(), |m, x| m.max(x.abs())),
             };
             let at = dot(ODD, *anchor) + std::f64::consts::SQRT_2 * scale;
-            ([i32::MAX, i32::from(*class), 0], at, size)
+            ([i16::MAX, i16::from(*class), 0], at, size)
         }
     }
 }
 
 /// The cell on the other side of a border within a hundredth of a step, along each axis.
-fn beyond_border(normal: Vec3, cell: Cell) -> [Option<i32>; 3] {
+fn beyond_border(normal: Vec3, cell: Cell) -> [Option<i16>; 3] {
     std::array::from_fn(|i| {
         let x = normal[i] * CELLS;
-        let near = [x - 0.01, x + 0.01].map(|x| x.round() as i32);
+        let near = [x - 0.01, x + 0.01].map(|x| x.round() as i16);
         near.into_iter().find(|&c| c != cell[i])
     })
 }
@@ -168,7 +191,7 @@ impl<'a> Planes<'a> {
             }
         }
         let leaf = |f: u32| faces[f as usize].leaf;
-        out.sort_unstable_by_key(|&(f, g)| (leaf(g), leaf(f), g, f));
+        out.par_sort_unstable_by_key(|&(f, g)| (leaf(g), leaf(f), g, f));
         out
     }
 
@@ -179,68 +202,66 @@ impl<'a> Planes<'a> {
 
     /// The faces in the order of their planes.
     fn entries(&self, faces: &[Face]) -> Vec<Entry> {
-        let filed = (0..).zip(faces).map(|(i, face)| {
-            let (cell, at, magnitude) = key(&face.form, self.turned(face));
-            (cell, at, i, magnitude)
+        let filed = faces.par_iter().enumerate().map(|(i, face)| {
+            let turned = self.turned(face);
+            let (cell, at, magnitude) = key(&face.form, turned);
+            Filed {
+                cell,
+                on_border: on_border(&face.form, cell, turned),
+                face: i as u32,
+                at,
+                magnitude,
+            }
         });
-        let mut filed: Vec<Filed> = filed.filter(|(_, at, ..)| at.is_finite()).collect();
-        filed.sort_unstable_by(|a, b| {
-            (a.0.cmp(&b.0))
-                .then(a.1.total_cmp(&b.1))
-                .then(a.2.cmp(&b.2))
-        });
-        let mut filed = self.opposed(faces, filed);
-        let entry = |(cell, at, i, magnitude): Filed| {
-            let face: &Face = &faces[i as usize];
+        let mut filed: Vec<Filed> = filed.filter(|f| f.at.is_finite()).collect();
+        filed.par_sort_unstable_by_key(Filed::order);
+        let filed = self.opposed(filed);
+        let entry = |filed: Filed| {
+            let face = &faces[filed.face as usize];
             let size = self.tree.leaves[face.leaf as usize].size;
             let normal = match &face.form {
                 Form::Flat { normal, .. } => Some(*normal),
                 Form::Round { .. } => None,
             };
             Entry {
-                cell,
-                at,
-                face: i,
+                cell: filed.cell,
+                at: filed.at,
+                face: filed.face,
                 leaf: face.leaf,
-                on_border: on_border(&face.form, cell, self.turned(face)),
+                on_border: filed.on_border,
                 flat: normal.is_some(),
                 own: face.own,
                 // What has no end is near to what is not far from the origin either.
                 size: match normal {
                     _ if size.is_finite() => size,
-                    Some(_) => magnitude.max(self.largest),
+                    Some(_) => filed.magnitude.max(self.largest),
                     None => self.largest,
                 },
-                magnitude,
+                magnitude: filed.magnitude,
                 bounds: outline(self.tree, face),
             }
         };
-        filed.drain(..).map(entry).collect()
+        filed.into_par_iter().map(entry).collect()
     }
 
     /// Of sorted faces the round ones, and those flat ones that may have a flat one against them: in
     /// most scenes few.
-    fn opposed(&self, faces: &[Face], filed: Vec<Filed>) -> Vec<Filed> {
-        let flats = filed.partition_point(|f| f.0[0] < i32::MAX);
+    fn opposed(&self, filed: Vec<Filed>) -> Vec<Filed> {
+        let flats = filed.partition_point(|f| f.cell[0] < i16::MAX);
         // Further than any of them is from one that lies in its plane.
-        let magnitudes = filed[..flats].iter().map(|f| f.3);
+        let magnitudes = filed[..flats].iter().map(|f| f.magnitude);
         let magnitude = magnitudes.fold(self.largest, f64::max);
         let reach = (2.0 * NEAR + ROUNDING) * magnitude;
         // What is looked for comes in the opposite order.
         let mut below = flats;
-        let mut keep = |(cell, at, i, _): &Filed| {
-            let opposite = cell.map(|c| -c);
-            let past = |f: &Filed| f.0 > opposite || f.0 == opposite && f.1 > reach - at;
+        let mut keep = |f: &Filed| {
+            let opposite = f.cell.map(|c| -c);
+            let past = |g: &Filed| g.cell > opposite || g.cell == opposite && g.at > reach - f.at;
             while below > 0 && past(&filed[below - 1]) {
                 below -= 1;
             }
             let last = below.checked_sub(1).map(|last| &filed[last]);
-            last.is_some_and(|f| f.0 == opposite && f.1 >= -at - reach)
-                || on_border(
-                    &faces[*i as usize].form,
-                    *cell,
-                    self.turned(&faces[*i as usize]),
-                )
+            f.on_border || last.is_some_and(|g| g.cell == opposite && g.at >= -f.at - reach)
         };
         let mut kept: Vec<Filed> = filed[..flats].iter().filter(|f| keep(f)).copied().collect();
         kept.extend_from_slice(&filed[flats..]);

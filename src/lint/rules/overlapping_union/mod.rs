@@ -11,11 +11,13 @@ mod search;
 mod split;
 mod unions;
 
+use rayon::prelude::*;
+
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::solids::{near, operation_of, roots};
 use crate::lint::{Context, live_nodes};
 use crate::scene::record::Params;
-use crate::scene::{Node, OperationRecord, Optics};
+use crate::scene::{Node, NodeId, OperationRecord, Optics};
 use search::{Found, Search};
 use split::Splitter;
 use unions::Unions;
@@ -38,18 +40,21 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if found.is_empty() {
         return;
     }
+    let said = found.par_iter().filter_map(|found| {
+        let record = operation_of(scene, found.union)?;
+        let p = context.params(record.span)?;
+        Some((finding(&unions, &p, record, found), p, found.union))
+    });
+    let said: Vec<(Diagnostic, Params, NodeId)> = said.collect();
+    // One after the other: each fix has IDs of its own.
     let mut splitter = Splitter::new(context, bounds);
-    for found in found {
-        if let Some(record) = operation_of(scene, found.union)
-            && let Some(p) = context.params(record.span)
-        {
-            let d = finding(&unions, &p, record, &found);
-            out.push(match splitter.split(&p, found.union) {
+    out.extend(
+        said.into_iter()
+            .map(|(d, p, union)| match splitter.split(&p, union) {
                 Some(fix) => d.fix(fix),
                 None => d,
-            });
-        }
-    }
+            }),
+    );
 }
 
 fn finding(unions: &Unions, p: &Params, record: &OperationRecord, found: &Found) -> Diagnostic {
