@@ -156,21 +156,21 @@ impl Parts {
         })
     }
 
-    /// Joins those solids that overlap and are chosen and of one kind; the others stay as they are, and
-    /// so do those that are too many.
+    /// Joins those solids that overlap, are chosen and of one kind, and have the same around them; the
+    /// others stay as they are, and so do those that are too many.
     ///
     /// # Errors
     /// It takes too long.
     pub fn join_by(&mut self, kind: impl Fn(&Piece) -> Option<u64>) -> Result<(), Unsupported> {
         let mut budget = Budget::default();
-        let mut groups: BTreeMap<u64, Vec<Piece>> = BTreeMap::new();
+        let mut groups: BTreeMap<(u64, Option<u32>), Vec<Piece>> = BTreeMap::new();
         for piece in std::mem::take(&mut self.pieces) {
             match kind(&piece).filter(|_| !piece.surface) {
-                Some(k) => groups.entry(k).or_default().push(piece),
+                Some(k) => groups.entry((k, piece.around)).or_default().push(piece),
                 None => self.pieces.push(piece),
             }
         }
-        for group in groups.into_values() {
+        for ((_, around), group) in groups {
             let boxes: Vec<Aabb> = group.iter().map(|p| p.bounds).collect();
             let overlapping = unite::overlapping(&boxes);
             let mut together = Vec::new();
@@ -203,7 +203,7 @@ impl Parts {
                     inside,
                     surface: false,
                     whole: false,
-                    around: None,
+                    around,
                 });
             }
         }

@@ -111,8 +111,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     // One medium has no boundary in itself.
     parts.join_by(|piece| {
         let m = media.get(piece.inside as usize)?;
-        let joined = (m.clear || within) && piece.around.is_none();
-        joined.then_some(u64::from(m.optics) << 32 | u64::from(m.index))
+        (m.clear || within).then_some(u64::from(m.optics) << 32 | u64::from(m.index))
     })?;
     let frame = Frame::of(&parts.extent.region);
     let extent = parts.extent;

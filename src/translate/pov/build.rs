@@ -24,6 +24,9 @@ const FACES: &str = "faces in one place";
 /// Unions of more members are not searched for them.
 const MANY: usize = 4096;
 
+/// Operands of larger intersections are not compared with each other.
+const FEW: usize = 64;
+
 /// What the objects of a scene are built from.
 pub(super) struct Builder<'a> {
     pub scene: &'a Scene,
@@ -101,6 +104,7 @@ impl<'a> Builder<'a> {
                 if self.sets.is_empty(&nodes) {
                     return None;
                 }
+                let members = self.without_wider(members);
                 let members = self.with_room(members);
                 Piece::group(Group::Intersection, self.pieces(&members))
             }
@@ -301,6 +305,34 @@ impl<'a> Builder<'a> {
         }
         out.reverse();
         out
+    }
+
+    /// Leaves out operands of an intersection that hold another one of the same look and medium:
+    /// they take nothing away, and have faces where that one has.
+    fn without_wider(&mut self, mut members: Vec<(NodeId, State)>) -> Vec<(NodeId, State)> {
+        if members.len() > FEW {
+            return members;
+        }
+        let mut i = 0;
+        while i < members.len() {
+            let (node, state) = members[i];
+            let own = self.substance(node, state);
+            let solid = !self.facts[node as usize].has_surface;
+            let held = (0..members.len()).any(|j| {
+                let (other, state) = members[j];
+                j != i
+                    && solid
+                    && !self.facts[other as usize].has_surface
+                    && own.is_some()
+                    && own == self.substance(other, state)
+                    && self.is_within(other, &[node])
+            });
+            match held {
+                true => drop(members.remove(i)),
+                false => i += 1,
+            }
+        }
+        members
     }
 
     /// Whether a node's solid is certainly part of one of others.

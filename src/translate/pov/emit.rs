@@ -289,8 +289,17 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 // Nothing is in it: all is outside.
                 Modifier::Clip { by, outside: true } if self.is_empty(by) => continue,
                 Modifier::Clip { by, outside } => {
-                    let inverse = outside.then_some(Modifier::Inverse);
-                    let by = Piece::clone(by).with(inverse);
+                    let by = Piece::clone(by);
+                    let by = match (outside, &by.body) {
+                        (false, _) => by,
+                        (true, Body::Shape(..)) => by.with([Modifier::Inverse]),
+                        // An operation keeps its bounds when it is turned inside out, and POV-Ray takes
+                        // them for those of what has no end.
+                        (true, _) => {
+                            let members = vec![Piece::new(Body::Everything, 0), by];
+                            Piece::group(Group::Difference, members)
+                        }
+                    };
                     format!("clipped_by {{ {} }}", self.piece(&by, depth + 1))
                 }
             });

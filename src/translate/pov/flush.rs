@@ -186,6 +186,17 @@ fn moved_back(b: Aabb, m: &Matrix) -> Option<Aabb> {
     (out != Aabb::ALL).then_some(out)
 }
 
+/// Where a face goes that is flush with an end of what is cut: a step away from it.
+fn outward(at: f64, (low, high): (f64, f64), hair: f64, step: f64) -> Option<f64> {
+    if (at - high).abs() <= hair {
+        Some(step)
+    } else if (at - low).abs() <= hair {
+        Some(-step)
+    } else {
+        None
+    }
+}
+
 /// The shape with its flush faces farther out, if it has any that can be moved.
 pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
     let finite = |a: f64, b: f64| {
@@ -203,13 +214,9 @@ pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
                 let size = max[i] - min[i];
                 let hair = HAIR * size.max(finite(cut.max[i], cut.min[i]));
                 let step = size / 2.0;
-                for (x, end) in [(&mut low[i], *min), (&mut high[i], *max)].map(|(x, c)| (x, c[i]))
-                {
-                    if (end - cut.max[i]).abs() <= hair {
-                        *x = end + step;
-                        any = true;
-                    } else if (end - cut.min[i]).abs() <= hair {
-                        *x = end - step;
+                for end in [&mut low[i], &mut high[i]] {
+                    if let Some(by) = outward(*end, (cut.min[i], cut.max[i]), hair, step) {
+                        *end += by;
                         any = true;
                     }
                 }
@@ -228,11 +235,8 @@ pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
             let at = -d / n[i];
             let size = finite(cut.max[i], cut.min[i]);
             let hair = HAIR * size.max(at.abs());
-            let at = match () {
-                () if (at - cut.max[i]).abs() <= hair => at + size.max(1.0) / 2.0,
-                () if (at - cut.min[i]).abs() <= hair => at - size.max(1.0) / 2.0,
-                () => return None,
-            };
+            let step = size.max(1.0) / 2.0;
+            let at = at + outward(at, (cut.min[i], cut.max[i]), hair, step)?;
             Some(Geometry::HalfSpace([*a, *b, *c, -at * n[i]]))
         }
         Geometry::Cone { height, radius } => {
