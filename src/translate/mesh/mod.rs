@@ -1,8 +1,8 @@
 //! The scene as triangles, for every program that reads meshes.
 //!
 //! [`shape`] makes each shape of triangles that keep within a tolerance of it; [`assemble`] places and
-//! combines them as the scene says, with [`csg`] for two solids, [`unite`] for many and [`carve`] for those
-//! of different media; [`skin`] knows
+//! combines them as the scene says, by [`operate`], with [`csg`] for two solids, [`unite`] for many and
+//! [`carve`] for those of different media; [`shared`] finds surfaces that are there twice; [`skin`] knows
 //! what each triangle shows; [`ply`], [`obj`] and [`glb`] write files.
 
 mod assemble;
@@ -13,11 +13,13 @@ mod csg;
 pub mod glb;
 mod material;
 pub mod obj;
+mod operate;
 pub mod picture;
 pub mod ply;
 mod refine;
 mod sets;
 pub mod shape;
+mod shared;
 mod skin;
 mod soup;
 #[cfg(test)]
@@ -156,16 +158,19 @@ impl Parts {
         })
     }
 
-    /// Joins those solids that overlap, are chosen and of one kind, and have the same around them; the
+    /// Joins those solids that overlap, are chosen (by number and piece) and of one kind, and have the same around them; the
     /// others stay as they are, and so do those that are too many.
     ///
     /// # Errors
     /// It takes too long.
-    pub fn join_by(&mut self, kind: impl Fn(&Piece) -> Option<u64>) -> Result<(), Unsupported> {
+    pub fn join_by<K: Ord>(
+        &mut self,
+        kind: impl Fn(usize, &Piece) -> Option<K>,
+    ) -> Result<(), Unsupported> {
         let mut budget = Budget::default();
-        let mut groups: BTreeMap<(u64, Option<u32>), Vec<Piece>> = BTreeMap::new();
-        for piece in std::mem::take(&mut self.pieces) {
-            match kind(&piece).filter(|_| !piece.surface) {
+        let mut groups: BTreeMap<(K, Option<u32>), Vec<Piece>> = BTreeMap::new();
+        for (i, piece) in std::mem::take(&mut self.pieces).into_iter().enumerate() {
+            match kind(i, &piece).filter(|_| !piece.surface) {
                 Some(k) => groups.entry((k, piece.around)).or_default().push(piece),
                 None => self.pieces.push(piece),
             }

@@ -7,9 +7,8 @@ use super::frame::Frame;
 use super::lens::Lens;
 use super::xml::{number, rgb, transform, vector};
 use super::{Integrator, Options};
-use crate::scene::bounds::node_bounds;
-use crate::scene::frame::{Basis, automatic_camera, headlight};
-use crate::scene::{Aabb, Camera, Matrix, Scene, View};
+use crate::scene::frame::{Basis, headlight};
+use crate::scene::{Aabb, Camera, Matrix, Scene};
 use crate::translate::Unsupported;
 
 /// Samples a pixel of a path-traced picture.
@@ -17,20 +16,6 @@ const SAMPLES: u32 = 64;
 
 /// What has no end is drawn this far, by the size of the scene and its distance from the camera.
 const HORIZON: f64 = 1e3;
-
-/// The cameras that take the picture: one, or left and right.
-pub fn cameras(scene: &Scene, options: &Options) -> Vec<Camera> {
-    let known = |i: usize| scene.cameras.get(i).copied();
-    let chosen = match scene.view {
-        View::Automatic => {
-            let aspect = f64::from(options.size.0) / f64::from(options.size.1);
-            vec![Some(automatic_camera(scene, &node_bounds(scene), aspect))]
-        }
-        View::Mono(i) => vec![known(i)],
-        View::Stereo { left, right } => vec![known(left), known(right)],
-    };
-    chosen.into_iter().flatten().collect()
-}
 
 /// How far things without end reach.
 pub fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {

@@ -4,8 +4,8 @@ use super::Options;
 use super::build::Builder;
 use super::frame::Frame;
 use super::text::{entity, vector};
-use crate::scene::frame::{Basis, automatic_camera};
-use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3, View};
+use crate::scene::frame::{Basis, selected_cameras};
+use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3};
 use crate::syntax::Captions;
 use crate::translate::Unsupported;
 use crate::translate::fidelity::Fidelity;
@@ -44,18 +44,9 @@ pub fn eyes(
     builder: &mut Builder,
     options: &Options,
 ) -> Result<Vec<Eye>, Unsupported> {
-    let known = |i: usize| scene.cameras.get(i).copied();
-    let chosen = match scene.view {
-        View::Automatic => vec![Some(automatic_camera(
-            scene,
-            &builder.bounds,
-            options.aspect(),
-        ))],
-        View::Mono(i) => vec![known(i)],
-        View::Stereo { left, right } => vec![known(left), known(right)],
-    };
+    let chosen = selected_cameras(scene, options.aspect());
     let mut out = Vec::with_capacity(chosen.len());
-    for camera in chosen.into_iter().flatten() {
+    for camera in chosen {
         let fault = |message: String| Unsupported {
             id: camera.id,
             span: None,

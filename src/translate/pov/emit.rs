@@ -290,15 +290,15 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 Modifier::Clip { by, outside: true } if self.is_empty(by) => continue,
                 Modifier::Clip { by, outside } => {
                     let by = Piece::clone(by);
-                    let by = match (outside, &by.body) {
-                        (false, _) => by,
-                        (true, Body::Shape(..)) => by.with([Modifier::Inverse]),
-                        // An operation keeps its bounds when it is turned inside out, and POV-Ray takes
-                        // them for those of what has no end.
-                        (true, _) => {
+                    // What is turned inside out by `inverse` keeps its bounds there, unless it is one of
+                    // the simplest shapes, and POV-Ray takes them for those of something without end
+                    // that is clipped.
+                    let by = match outside {
+                        true => {
                             let members = vec![Piece::new(Body::Everything, 0), by];
                             Piece::group(Group::Difference, members)
                         }
+                        false => by,
                     };
                     format!("clipped_by {{ {} }}", self.piece(&by, depth + 1))
                 }
