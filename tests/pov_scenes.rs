@@ -106,6 +106,40 @@ fn floors_under_glass() {
     }
 }
 
+/// Glass that stands on something, or hangs from it: one of the faces in one place is seen.
+#[test]
+fn glass_on_tables() {
+    let glass =
+        |id: u32, index: f64| format!("{id} -201 0.1 0.1 0.8\n{id} -203 {index} {index} {index}\n");
+    let things = [
+        "3 12 -1 0 -1 1 1 1\n",
+        "3 1 5 0 0 0.8 0 0.4 1 0.8 2 0 2\n",
+        "3 16 -2 1.5\n3 -1 0 2 0\n",
+        "3 12 -1 0 -1 1 1 1\n3 -2 30 2\n",
+        // A tube, and a glass with a bottom.
+        "4 1 2 1 0 1 2\n5 1 2 0.7 0 0.7 2\n3 -103 4 5\n",
+        "4 1 2 1 0 1 2\n5 1 2 0.7 0.3 0.7 2\n3 -103 4 5\n",
+    ];
+    let tables = ["2 4 0 1 0 0\n", "2 12 -4 -0.2 -4 4 0 4\n"];
+    for (i, thing) in things.iter().enumerate() {
+        for (j, table) in tables.iter().enumerate() {
+            for (k, order) in ["3 2", "2 3"].iter().enumerate() {
+                let body = format!("{thing}{}{table}9 -101 {order}\n", glass(3, 1.05));
+                agrees(&format!("table_{i}{j}{k}"), &lit(&body, 9));
+            }
+        }
+    }
+    // One on the other, of one glass and of two.
+    for (i, index) in [1.05, 1.08].into_iter().enumerate() {
+        let body = format!(
+            "3 12 -1 0 -1 1 1 1\n4 12 -2 -1 -2 2 0 2\n{}{}9 -101 4 3\n",
+            glass(3, 1.05),
+            glass(4, index)
+        );
+        agrees(&format!("stack_{i}"), &lit(&body, 9));
+    }
+}
+
 /// Operations on things that have been operated on before: faces of one shape in one place.
 #[test]
 fn the_same_shape_twice() {

@@ -9,7 +9,7 @@ use super::piece::State;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
 
 /// Faces that are this near, as a part of the numbers, are in one place: what a few roundings may do.
-const HAIR: f64 = 32.0 * f64::EPSILON;
+pub const HAIR: f64 = 32.0 * f64::EPSILON;
 /// So many nodes of a tool are looked at.
 const PATIENCE: u32 = 4096;
 
@@ -137,24 +137,26 @@ impl Builder<'_> {
     }
 
     /// Whether a node is a box along the axes.
-    fn is_box(&self, mut node: NodeId) -> bool {
+    fn is_box(&self, node: NodeId) -> bool {
+        matches!(self.along_the_axes(node), Some(Geometry::Box { .. }))
+    }
+
+    /// The shape that a node is, if its axes are along those of the node.
+    pub(super) fn along_the_axes(&self, mut node: NodeId) -> Option<&Geometry> {
         loop {
             node = match self.scene.nodes[node as usize] {
-                Node::Shape(shape) => {
-                    let geometry = &self.scene.shapes[shape as usize].geometry;
-                    return matches!(geometry, Geometry::Box { .. });
-                }
+                Node::Shape(shape) => return Some(&self.scene.shapes[shape as usize].geometry),
                 Node::Paint { child, .. } | Node::Copy { child, .. } => child,
                 Node::Transform { child, matrix } => {
                     let m = &self.scene.matrices[matrix as usize];
                     let along =
                         |row: &[f64; 4]| row[..3].iter().filter(|x| **x != 0.0).count() == 1;
                     if !m.0.iter().take(3).all(along) {
-                        return false;
+                        return None;
                     }
                     child
                 }
-                _ => return false,
+                _ => return None,
             }
         }
     }
@@ -213,7 +215,7 @@ pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
             for i in 0..3 {
                 let size = max[i] - min[i];
                 let hair = HAIR * size.max(finite(cut.max[i], cut.min[i]));
-                let step = size / 2.0;
+                let step = size.min(cut.max[i] - cut.min[i]) / 2.0;
                 for end in [&mut low[i], &mut high[i]] {
                     if let Some(by) = outward(*end, (cut.min[i], cut.max[i]), hair, step) {
                         *end += by;
@@ -243,9 +245,10 @@ pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
             let size = height.abs().max(finite(cut.max[1], cut.min[1]));
             let near = |y: f64| (height - y).abs() <= HAIR * size;
             let flush = (*height > 0.0 && near(cut.max[1])) || (*height < 0.0 && near(cut.min[1]));
+            let by = 1.0 + ((cut.max[1] - cut.min[1]) / height.abs()).min(1.0) / 2.0;
             flush.then_some(Geometry::Cone {
-                height: 1.5 * height,
-                radius: 1.5 * radius,
+                height: by * height,
+                radius: by * radius,
             })
         }
         Geometry::Revolution { profile, colours } if colours.is_empty() => {
@@ -265,7 +268,7 @@ fn longer_profile(profile: &[[f64; 2]], cut: &Aabb) -> Option<Vec<[f64; 2]>> {
     let low = heights().fold(f64::INFINITY, f64::min);
     let high = heights().fold(f64::NEG_INFINITY, f64::max);
     let hair = HAIR * (high - low);
-    let step = (high - low) / 2.0;
+    let step = (high - low).min(cut.max[1] - cut.min[1]) / 2.0;
     // A ring begins anywhere: only profiles from the axis to the axis, one flat piece at each end.
     if profile.first() == profile.last() || low == high {
         return None;
@@ -287,8 +290,11 @@ fn longer_profile(profile: &[[f64; 2]], cut: &Aabb) -> Option<Vec<[f64; 2]>> {
             // POV-Ray cannot tell on which side of the profile others at its height are.
             Some(q) => {
                 let slope = (p[0] - q[0]) / (p[1] - q[1]);
+                // It becomes half as wide at least, and twice as wide at most.
                 let most = if slope * by < 0.0 {
                     p[0] / 2.0 / -slope
+                } else if slope * by > 0.0 && p[0] > 0.0 {
+                    p[0] / slope
                 } else {
                     by
                 };

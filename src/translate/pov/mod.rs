@@ -30,6 +30,7 @@ mod reach;
 mod scenery;
 mod sets;
 mod shape;
+mod standing;
 mod text;
 mod triangle;
 mod turned;
