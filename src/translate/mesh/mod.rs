@@ -57,10 +57,12 @@ pub struct Options {
     pub pictured: bool,
 }
 
-/// The tolerance by the radius of the sphere around the scene.
+/// The tolerance by the radius of the sphere around the scene: a quarter of a pixel where the scene fills
+/// a picture of 480 rows.
 pub const DEFAULT_TOLERANCE: f64 = 1e-3;
 
-/// How much larger than its bounded parts the region is that things without end are cut to.
+/// How much larger than its bounded parts the region is that things without end are cut to: a floor that
+/// reaches beyond what stands on it.
 const AROUND: f64 = 2.0;
 
 /// Half the side of that region in a scene without bounded parts.

@@ -14,7 +14,8 @@ use crate::translate::Unsupported;
 /// Samples a pixel of a path-traced picture.
 const SAMPLES: u32 = 64;
 
-/// What has no end is drawn this far, by the size of the scene and its distance from the camera.
+/// What has no end is drawn this far, by the size of the scene and its distance from the camera: the
+/// horizon is then less than a pixel below where it should be.
 const HORIZON: f64 = 1e3;
 
 /// How far things without end reach.
@@ -62,6 +63,8 @@ pub fn view(
                 .to_owned()
         }
     };
+    // It must be more than 0; a ten-millionth of the scene hides nothing.
+    let nearest = || before(all, camera, &basis).max(reach / HORIZON * 1e-7);
     let (width, height) = options.size;
     Ok(format!(
         "{integrator}{sensor}    <float name=\"near_clip\" value=\"{}\"/>\n    \
@@ -70,7 +73,7 @@ pub fn view(
          <integer name=\"height\" value=\"{height}\"/>\n      <rfilter type=\"box\"/>\n      \
          <string name=\"pixel_format\" value=\"rgb\"/>\n      \
          <string name=\"component_format\" value=\"float32\"/>\n    </film>\n  </sensor>\n",
-        number(near.unwrap_or_else(|| before(all, camera, &basis).max(reach / HORIZON * 1e-7))),
+        number(near.unwrap_or_else(nearest)),
         number(reach * 10.0),
     ))
 }

@@ -182,6 +182,7 @@ fn projecting(back: &Matrix) -> Option<Lens> {
     let size = |v: Homogeneous| v[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let [x, y, q] = [0, 1, 3].map(|j| column(back, j));
     // Where the scene's coordinates are of the size of q, C is a direction if its w is but rounding.
+    // Zero, but for the roundings of the matrix's inverse; so below.
     let parallel = c[3].abs() * size(q) <= 1e-12 * size(c) * q[3].abs();
     let lens = if parallel {
         if (x[3].abs() + y[3].abs()) > 1e-12 * q[3].abs() {
@@ -220,6 +221,7 @@ impl Lens {
     /// Parallel rays could all run exactly along faces and seams, where POV-Ray does not know what to
     /// do: they are moved by a hair.
     fn shift(&self) -> String {
+        // By the size of the picture: a millionth of a pixel, and a million times what is rounded.
         const HAIR: f64 = 1e-9;
         let shift: Vec3 = std::array::from_fn(|i| HAIR * (0.6 * self.right[i] + self.up[i]));
         let shift = shift.map(|x| format!("{x:.1e}").parse().unwrap_or(x));

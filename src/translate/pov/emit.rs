@@ -214,7 +214,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                             None => id.to_string(),
                         };
                         if let Body::Shape(_, Some(_)) = member.body {
-                            comment += ": made longer, since it ends flush with what it cuts";
+                            comment += ": made longer, since it ends flush with something";
                         }
                         line = commented(&line, &comment);
                     }

@@ -177,6 +177,7 @@ fn moved_back(b: Aabb, m: &Matrix) -> Option<Aabb> {
     let mut out = Aabb::ALL;
     for (i, row) in back.0.iter().take(3).enumerate() {
         let largest = row[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        // What is smaller is what rotations by right angles and the inverse were rounded.
         let mut along = (0..3).filter(|j| row[*j].abs() > 1e-12 * largest);
         // Along an axis that is turned there is no end.
         let (Some(j), None) = (along.next(), along.next()) else {
