@@ -151,6 +151,8 @@ fn the_same_shape_twice() {
         ("either", "4 -103 2 3\n5 -103 3 2\n9 -101 4 5\n"),
         ("apart", "4 -103 2 3\n5 -103 3 2\n9 -103 4 5\n"),
         ("not_less", "4 -103 2 3\n5 -104 4\n9 -102 2 5\n"),
+        ("all", "4 -103 2 2\n5 -104 4\n9 -102 2 5\n"),
+        ("first_looks", "4 -102 2 3\n4 -701 1 0 0\n9 -102 4 2\n"),
         (
             "empty",
             "4 -103 2 3\n5 -102 4 3\n6 11 2 0 0 0.5\n9 -101 5 6\n",
@@ -294,8 +296,8 @@ fn random() {
     let seeds = std::env::var("POV_SEEDS").unwrap_or("1..25".to_owned());
     let (from, to) = seeds.split_once("..").unwrap();
     let (mut bad, mut exact) = (Vec::new(), 0);
-    // In the last one a solid is met with what it was taken from.
-    for seed in (from.parse::<u64>().unwrap()..to.parse().unwrap()).chain([189]) {
+    // In the last ones a solid is met with what it was taken from or with itself, or with nothing.
+    for seed in (from.parse::<u64>().unwrap()..to.parse().unwrap()).chain([189, 267, 291]) {
         let text = scenes::scene(seed);
         let loaded = Loaded::new("scene.zpg", text.clone().into());
         assert!(loaded.sound, "{:?}", loaded.diagnostics);

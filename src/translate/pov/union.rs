@@ -70,11 +70,11 @@ impl Builder<'_> {
             let (medium, true) = kinds[i] else { continue };
             let node = solids[i].0;
             let (mut before, mut after) = (Vec::new(), Vec::new());
-            for (j, (other, seen_into)) in kinds.iter().enumerate() {
+            for (j, (other, _)) in kinds.iter().enumerate().filter(|(j, _)| *j != i) {
                 let same = medium.is_some() && medium == *other;
-                if j < i && (same || !seen_into) {
+                if j < i {
                     before.push(solids[j].0);
-                } else if j > i && !same {
+                } else if !same {
                     after.push(solids[j].0);
                 }
             }
