@@ -1,26 +1,15 @@
 //! `zpg check` from outside: fixes, levels, languages, and what goes where.
 
 use std::fs;
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
+
+use crate::support::program::zpg;
 
 /// A decimal comma (a safe fix), a torus that runs through itself (a guess), and energy gain (none).
 const SCENE: &str = "2 9 0,5\n3 14 1 3\n35 -201 0.7 0.7 0.7\n4 -101 2 3\n4 -299 0 35\n\
                      9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 4 0\n";
-
-fn zpg(folder: &Path, args: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
-        .args(args)
-        .current_dir(folder)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
-    child.wait_with_output().unwrap()
-}
 
 fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let dir = tempfile::tempdir().unwrap();

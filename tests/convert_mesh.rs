@@ -1,9 +1,10 @@
 //! `zpg convert` to meshes: the command, and the files it writes.
 
 use std::fs;
-use std::io::Write as _;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Output};
+
+use crate::support::program::zpg;
 
 /// A glass ball beside a box with a hole, under a triangle, and a coloured vase.
 const SCENE: &str = "\
@@ -23,24 +24,6 @@ const SCENE: &str = "\
 10 -101  9 7
 1 9999  10 0
 ";
-
-fn zpg(folder: &Path, arguments: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
-        .args(arguments)
-        .current_dir(folder)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child
-        .stdin
-        .take()
-        .unwrap()
-        .write_all(input.as_bytes())
-        .unwrap();
-    child.wait_with_output().unwrap()
-}
 
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();

@@ -2,14 +2,12 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
+
+use crate::support::{mitsuba, program};
 
 fn zpg(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_zpg"))
-        .args(args)
-        .current_dir(folder)
-        .output()
-        .unwrap()
+    program::zpg(folder, args, "")
 }
 
 /// A ball on a checkered floor, seen from above.
@@ -21,6 +19,25 @@ fn folder(scene: &str) -> tempfile::TempDir {
     let dir = tempfile::tempdir().unwrap();
     fs::write(dir.path().join("a.zpg"), scene).unwrap();
     dir
+}
+
+/// A program of some lines of shell.
+fn script_in(folder: &Path, lines: &str) -> String {
+    let path = folder.join("script");
+    fs::write(&path, format!("#!/bin/sh\n{lines}")).unwrap();
+    #[cfg(unix)]
+    fs::set_permissions(&path, std::os::unix::fs::PermissionsExt::from_mode(0o755)).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// Both programs, and where they are.
+fn programs() -> [(&'static str, String); 2] {
+    let python = mitsuba::python().to_str().unwrap().to_owned();
+    [("povray", "povray".to_owned()), ("mitsuba", python)]
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
 }
 
 #[test]
@@ -57,22 +74,14 @@ fn other_pictures_differ() {
     let dir = folder(SCENE);
     let dark = SCENE.replace("7 -402 1", "7 -402 0.5");
     fs::write(dir.path().join("dark.zpg"), dark).unwrap();
-    let script = "#!/bin/sh\n\
+    let script = "\
         for a in \"$@\"; do case $a in +I*) f=${a#+I};; esac; done\n\
         cp ../dark.pov \"$f\"\nexec povray \"$@\"\n";
-    let program = dir.path().join("darker");
-    fs::write(&program, script).unwrap();
-    #[cfg(unix)]
-    fs::set_permissions(
-        &program,
-        std::os::unix::fs::PermissionsExt::from_mode(0o755),
-    )
-    .unwrap();
+    let program = script_in(dir.path(), script);
     let convert = [
         "convert", "dark.zpg", "--to", "pov", "-o", "dark.pov", "--size", "96x72",
     ];
     assert!(zpg(dir.path(), &convert).status.success());
-    let program = program.to_str().unwrap();
     let args = [
         "crosscheck",
         "a.zpg",
@@ -82,7 +91,7 @@ fn other_pictures_differ() {
         "96x72",
         "--json",
     ];
-    let run = zpg(dir.path(), &[&args[..], &["--program", program]].concat());
+    let run = zpg(dir.path(), &[&args[..], &["--program", &program]].concat());
     assert_eq!(
         run.status.code(),
         Some(1),
@@ -104,8 +113,8 @@ fn other_pictures_differ() {
 #[test]
 fn geometry_agrees_with_mitsuba() {
     let dir = folder(SCENE);
-    let python = concat!(env!("CARGO_TARGET_TMPDIR"), "/../mitsuba-3.9.1/bin/python");
-    assert!(Path::new(python).exists(), "tests/run installs {python}");
+    let python = mitsuba::python();
+    let python = python.to_str().unwrap();
     let args = [
         "crosscheck",
         "a.zpg",
@@ -180,4 +189,75 @@ fn what_is_missing_is_said() {
     fs::write(dir.path().join("b.zpg"), "2 9 1\n").unwrap();
     let run = zpg(dir.path(), &["crosscheck", "b.zpg", "--with", "povray"]);
     assert_eq!(run.status.code(), Some(1));
+}
+
+#[test]
+fn files_may_be_called_anything() {
+    let dir = folder(SCENE);
+    for name in ["-two words", "kůň.v1", "it's \"<&>\" %20"] {
+        let file = format!("{name}.zpg");
+        fs::write(dir.path().join(&file), SCENE).unwrap();
+        for (with, path) in programs() {
+            let args = ["crosscheck", "--with", with, "--program", &path];
+            let args = [&args[..], &["--size", "16x12", "--", &file]].concat();
+            let run = zpg(dir.path(), &args);
+            assert_eq!(run.status.code(), Some(0), "{file}: {}", text(&run.stderr));
+            let out = dir.path().join(format!("{name}-{with}"));
+            let size = image::image_dimensions(out.join("theirs.png")).unwrap();
+            assert_eq!(size, (16, 12), "{file}");
+        }
+    }
+}
+
+#[test]
+fn a_scene_from_standard_input() {
+    let dir = folder("");
+    for (with, path) in programs() {
+        let args = ["crosscheck", "-", "--with", with, "--program", &path];
+        let args = [&args[..], &["--size", "16x12"]].concat();
+        let run = program::zpg(dir.path(), &args, SCENE);
+        assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+        let out = dir.path().join(format!("scene-{with}"));
+        assert!(out.join("theirs.png").exists());
+    }
+}
+
+/// Each after one that succeeded, into the same folder.
+#[test]
+fn programs_that_fail() {
+    for (with, path) in programs() {
+        let dir = folder(SCENE);
+        let cross = |program: &str| {
+            let args = ["crosscheck", "a.zpg", "--with", with, "-o", "out"];
+            let run = zpg(
+                dir.path(),
+                &[&args[..], &["--size", "16x12", "--program", program]].concat(),
+            );
+            (run.status.code(), text(&run.stderr))
+        };
+        assert_eq!(cross(&path).0, Some(0));
+        // Mitsuba's Python is asked first whether it has the package.
+        let asked = "case \"$2\" in import*numpy) exit 0;; esac\n";
+        for (lines, said) in [
+            ("exit 0\n", "it has written no picture"),
+            ("exit 3\n", "exit status: 3"),
+            ("echo out of memory >&2\nexit 1\n", "out of memory"),
+            ("kill -9 $$\n", "signal: 9"),
+        ] {
+            let program = script_in(dir.path(), &format!("{asked}{lines}"));
+            let (status, errors) = cross(&program);
+            assert_eq!(status, Some(2), "{with}, {lines}: {errors}");
+            assert!(errors.contains(said), "{with}, {lines}: {errors}");
+        }
+        // What is there and no program is no missing one.
+        let (status, errors) = cross("./a.zpg");
+        assert_eq!(status, Some(2));
+        assert!(!errors.contains("not installed"), "{errors}");
+    }
+    let dir = folder(SCENE);
+    let without = script_in(dir.path(), "echo No module named mitsuba >&2\nexit 1\n");
+    let args = ["crosscheck", "a.zpg", "--with", "mitsuba", "--program"];
+    let run = zpg(dir.path(), &[&args[..], &[&without]].concat());
+    assert_eq!(run.status.code(), Some(2));
+    assert!(text(&run.stderr).contains("Mitsuba is not installed: get it with `pip install"));
 }

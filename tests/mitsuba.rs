@@ -94,7 +94,8 @@ fn random_scenes_are_where_we_see_them() {
         Some(a.parse().ok()?..b.parse().ok()?)
     });
     let mut wrong = Vec::new();
-    for seed in range.unwrap_or(0..12u64) {
+    // In the last ones something is there twice, and two parts of one medium are in another.
+    for seed in range.unwrap_or(0..12u64).chain([244, 296]) {
         let loaded = Loaded::new("scene", scenes::scene(seed).into_bytes());
         let seen = compare(&format!("random_{seed}"), &loaded, Path::new("."));
         // At the edges of cuts, which bound one shape on both sides, there is one now and then.

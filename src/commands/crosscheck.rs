@@ -14,10 +14,11 @@ use super::loaded::STDIN;
 use super::size::Size;
 use super::{Loaded, LookChoice, Status, complain, convert, load_sound, report, terminal, usage};
 use crate::diagnostics::{Complaint, Diagnostic};
-use crate::scene::{Camera, Scene, View};
+use crate::scene::frame::selected_cameras;
+use crate::scene::{Camera, Scene};
 use crate::study::program::ProgramError;
+use crate::trace;
 use crate::trace::film::write_rgb8;
-use crate::trace::{self, selected_camera};
 use crate::translate;
 
 /// Compare what we see of a scene with what another program does
@@ -277,15 +278,27 @@ fn program(args: &Args, name: &str) -> PathBuf {
     }
 }
 
-/// The cameras that take the picture: one, or left and right.
+/// The cameras that take the picture.
 fn cameras(scene: &Scene, size: Size) -> Vec<Camera> {
-    if let View::Stereo { left, right } = scene.view
-        && let (Some(left), Some(right)) = (scene.cameras.get(left), scene.cameras.get(right))
-    {
-        return vec![*left, *right];
-    }
     let aspect = f64::from(size.width) / f64::from(size.height);
-    vec![selected_camera(scene, aspect)]
+    selected_cameras(scene, aspect)
+}
+
+/// Compares what each camera sees, and writes the pictures. `suffixes` are what the names of a camera's
+/// files end with; `look` is given one of them and the number of its camera.
+fn each_camera<T>(
+    args: &Args,
+    folder: &Path,
+    suffixes: impl IntoIterator<Item = &'static str>,
+    mut look: impl FnMut(usize, &str) -> Result<(Pictures, T), Failure>,
+) -> Result<Vec<Compared<T>>, Failure> {
+    let mut compared = Vec::new();
+    for (i, name) in suffixes.into_iter().enumerate() {
+        let (pictures, comparison) = look(i, name)?;
+        write_pictures(folder, name, args.size, &pictures)?;
+        compared.push(Compared { name, comparison });
+    }
+    Ok(compared)
 }
 
 /// Where the scene's pictures are.

@@ -18,13 +18,12 @@ use super::size::Size;
 use super::terminal::{tell, warn};
 use super::{Loaded, LookChoice, Status, complain, load_sound, report, usage};
 use crate::diagnostics::{Complaint, Diagnostic};
-use crate::scene::{Camera, Scene, View};
+use crate::scene::frame::selected_cameras;
+use crate::scene::{Camera, Scene};
 use crate::syntax::Document;
 use crate::trace::plan::Plan;
 use crate::trace::stats::{Counts, Intersections, Rays};
-use crate::trace::{
-    CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer, Unsupported, selected_camera,
-};
+use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer, Unsupported};
 use output::Output;
 
 /// Draw a scene
@@ -347,13 +346,8 @@ fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Failure> {
                 .into()),
         };
     }
-    if let View::Stereo { left, right } = scene.view
-        && let (Some(left), Some(right)) = (scene.cameras.get(left), scene.cameras.get(right))
-    {
-        return Ok(vec![*left, *right]);
-    }
     let aspect = f64::from(args.size.width) / f64::from(args.size.height);
-    Ok(vec![selected_camera(scene, aspect)])
+    Ok(selected_cameras(scene, aspect))
 }
 
 /// Where the picture goes.

@@ -1,12 +1,27 @@
 //! What a scene without a camera or without a light is seen and lit by.
 
-use super::bounds::NodeBounds;
-use super::{Aabb, Camera, PointLight, Scene, Vec3};
+use super::bounds::{NodeBounds, node_bounds};
+use super::{Aabb, Camera, PointLight, Scene, Vec3, View};
 
 /// The vertical field of view of the automatic camera, in degrees.
 const AUTOMATIC_FOVY: f64 = 45.0;
 /// The bounding sphere is seen as if it were larger by this factor.
 const MARGIN: f64 = 1.05;
+
+/// The cameras that take the picture: one, or left and right; without any, one that frames the scene.
+pub fn selected_cameras(scene: &Scene, aspect: f64) -> Vec<Camera> {
+    let chosen = match scene.view {
+        View::Automatic => vec![],
+        View::Mono(i) => vec![i],
+        View::Stereo { left, right } => vec![left, right],
+    };
+    let known = chosen.iter().filter_map(|i| scene.cameras.get(*i));
+    let cameras: Vec<Camera> = known.copied().collect();
+    match cameras.is_empty() {
+        true => vec![automatic_camera(scene, &node_bounds(scene), aspect)],
+        false => cameras,
+    }
+}
 
 /// The camera of a scene that has none: it looks along −z at the centre of what is to be seen, and
 /// the sphere around that fits into the picture both ways. `aspect` is width by height.

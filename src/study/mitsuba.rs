@@ -16,16 +16,16 @@ mitsuba.set_variant('scalar_rgb')
 mitsuba.set_log_level(mitsuba.LogLevel.Error)
 # Not optimised: that would join meshes and number the shapes anew.
 scene = mitsuba.load_file(sys.argv[1], optimize=False)
-numpy.array(mitsuba.render(scene)).astype('<f4').tofile(sys.argv[2])
+numpy.array(mitsuba.render(scene, spp=int(sys.argv[3]))).astype('<f4').tofile(sys.argv[2])
 ";
 
-/// Channels of a pixel: position, shading normal, index of the shape.
-pub const CHANNELS: usize = 7;
-
-/// Has a document of a translation with [`Integrator::Aov`] rendered: [`CHANNELS`] numbers a pixel,
-/// row by row. Document, meshes and numbers are left in `folder`.
+/// Channels of a pixel of a translation with [`Integrator::Aov`]: position, shading normal, index of the shape.
 ///
 /// [`Integrator::Aov`]: crate::translate::mitsuba::Integrator::Aov
+pub const CHANNELS: usize = 7;
+
+/// Has a document of a translation rendered, with so many samples a pixel, 0 for as many as it says:
+/// the channels of all pixels, row by row. Document, meshes and numbers are left in `folder`.
 ///
 /// # Errors
 ///
@@ -36,6 +36,7 @@ pub fn render(
     document: usize,
     folder: &Path,
     name: &str,
+    samples: u32,
 ) -> Result<Vec<f32>, ProgramError> {
     let asked = run(python, folder, &["-c", "import mitsuba, numpy"]);
     if let Err(ProgramError::Failed(_)) = asked {
@@ -47,8 +48,12 @@ pub fn render(
     }
     let (file, numbers) = (format!("{name}.xml"), format!("{name}.bin"));
     fs::write(folder.join(&file), &made.documents[document].1)?;
-    run(python, folder, &["-c", SCRIPT, &file, &numbers])?;
-    let bytes = fs::read(folder.join(&numbers))?;
+    // What another run has left is no answer.
+    let _ = fs::remove_file(folder.join(&numbers));
+    let samples = samples.to_string();
+    run(python, folder, &["-c", SCRIPT, &file, &numbers, &samples])?;
+    let none = |_| ProgramError::Unexpected("it has written no picture");
+    let bytes = fs::read(folder.join(&numbers)).map_err(none)?;
     let number = |b: &[u8]| f32::from_le_bytes([b[0], b[1], b[2], b[3]]);
     Ok(bytes.chunks_exact(4).map(number).collect())
 }

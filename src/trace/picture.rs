@@ -114,19 +114,8 @@ pub struct Samples {
 /// The camera a scene is seen by: the selected one, or one that frames the scene. Of a stereo pair
 /// the left one.
 pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
-    use crate::scene::View::{Automatic, Mono, Stereo};
-    let selected = match scene.view {
-        Automatic => None,
-        Mono(i) => scene.cameras.get(i),
-        Stereo { left, .. } => scene.cameras.get(left),
-    };
-    match selected {
-        Some(camera) => *camera,
-        None => {
-            let bounds = crate::scene::bounds::node_bounds(scene);
-            frame::automatic_camera(scene, &bounds, aspect)
-        }
-    }
+    // There is always one.
+    frame::selected_cameras(scene, aspect).swap_remove(0)
 }
 
 impl Tracer {

@@ -210,6 +210,7 @@ fn transformation(m: &Matrix) -> i32 {
     match (diagonal, moved) {
         (true, true) if (0..3).all(|i| r[i][i] == 1.0) => -1,
         (true, false) => -3,
+        // A rotation by sine and cosine, within their rounding and that of ten digits.
         (false, false) if kept && (m.determinant3() - 1.0).abs() < 1e-9 => -2,
         _ => -4,
     }

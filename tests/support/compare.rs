@@ -3,25 +3,15 @@
 use std::path::Path;
 
 use super::povray;
-use zpg::scene::{Camera, Scene, View};
+use zpg::scene::Scene;
+use zpg::scene::frame::selected_cameras;
 use zpg::study::compare::Comparison;
 use zpg::study::silhouette::study;
-use zpg::trace::{Images, Settings, Tracer, selected_camera};
+use zpg::trace::{Images, Settings, Tracer};
 use zpg::translate::pov::{self, Options};
 
 /// Pixels may differ by so much.
 pub const BAR: f64 = 2.0 / 255.0;
-
-/// The cameras that take the pictures of a scene.
-fn cameras(scene: &Scene, size: (u32, u32)) -> Vec<Camera> {
-    match scene.view {
-        View::Stereo { left, right } => vec![scene.cameras[left], scene.cameras[right]],
-        _ => vec![selected_camera(
-            scene,
-            f64::from(size.0) / f64::from(size.1),
-        )],
-    }
-}
 
 /// Compares all pictures of a scene. The scene's images are in `folder`; the differences stay in the
 /// target folder, to be looked at.
@@ -41,7 +31,7 @@ pub fn compare(name: &str, scene: &Scene, folder: &Path, size: (u32, u32)) -> Ve
         cutoff: 0.0,
         ..Settings::default()
     };
-    let cameras = cameras(scene, size);
+    let cameras = selected_cameras(scene, f64::from(size.0) / f64::from(size.1));
     assert_eq!(cameras.len(), translation.files.len());
     let mut all = Vec::new();
     for (i, camera) in cameras.iter().enumerate() {

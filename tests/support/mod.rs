@@ -6,3 +6,4 @@ pub mod mitsuba;
 pub mod naive;
 pub mod naive_shapes;
 pub mod povray;
+pub mod program;

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::{Args, Compared, Failure, Outcome, Pictures};
-use super::{cameras, failed, images, made_folder, program, stem, write_pictures};
+use super::{cameras, each_camera, failed, images, made_folder, program, stem};
 use crate::commands::Loaded;
 use crate::study::geometry::{self, Comparison, Differences, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
@@ -43,13 +43,12 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
     let folder = made_folder(args)?;
     let program = program(args, PROGRAM);
     let fail = |e| failed(e, "Mitsuba", HOW, &folder);
-    let mut compared = Vec::new();
-    for (i, camera) in cameras.iter().enumerate() {
-        let suffix = made.documents[i].0;
+    let suffixes = made.documents.iter().map(|d| d.0);
+    each_camera(args, &folder, suffixes, |i, suffix| {
         let name = format!("{}{suffix}", stem(args));
-        let theirs = render(&program, &made, i, &folder, &name).map_err(fail)?;
-        let ours = geometry::seen(&tracer, camera, size);
-        let comparison = geometry::compare(&tracer, camera, &ours, &theirs, size, &made);
+        let theirs = render(&program, &made, i, &folder, &name, 0).map_err(fail)?;
+        let ours = geometry::seen(&tracer, &cameras[i], size);
+        let comparison = geometry::compare(&tracer, &cameras[i], &ours, &theirs, size, &made);
         let comparison = comparison.ok_or_else(|| {
             fail(ProgramError::Unexpected(
                 "what it has written is of another size",
@@ -60,13 +59,8 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
             theirs: their_normals(&theirs),
             difference: comparison.picture(),
         };
-        write_pictures(&folder, suffix, args.size, &pictures)?;
-        compared.push(Compared {
-            name: suffix,
-            comparison,
-        });
-    }
-    Ok(compared)
+        Ok((pictures, comparison))
+    })
 }
 
 impl Outcome for Comparison {

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::{Args, Compared, Failure, Outcome, Pictures};
-use super::{cameras, failed, images, made_folder, program, stem, write_pictures};
+use super::{cameras, each_camera, failed, images, made_folder, program, stem};
 use crate::commands::{Loaded, convert};
 use crate::study::compare::Comparison;
 use crate::study::povray::{PROGRAM, render};
@@ -39,14 +39,14 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
     };
     let folder = made_folder(args)?;
     let program = program(args, PROGRAM);
-    let mut compared = Vec::new();
-    for (i, camera) in cameras(scene, args.size).iter().enumerate() {
-        let suffix = translation.files[i].suffix;
+    let cameras = cameras(scene, args.size);
+    let suffixes = translation.files.iter().map(|f| f.suffix);
+    each_camera(args, &folder, suffixes, |i, suffix| {
         let name = format!("{}{suffix}", plain(&stem(args)));
         let theirs = render(&program, &translation, i, size, &folder, &name)
             .map_err(|e| failed(e, "POV-Ray", HOW, &folder))?;
         // Half the bar each way: two pictures that are an edge apart differ by all of it.
-        let ours = study(&tracer, camera, &settings, bar / 2.0)?;
+        let ours = study(&tracer, &cameras[i], &settings, bar / 2.0)?;
         let most = (1.0 / translation.light_scale) as f32;
         let comparison = Comparison::new(&ours, &theirs, most, bar);
         let pictures = Pictures {
@@ -54,13 +54,8 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
             theirs: srgb(&theirs),
             difference: comparison.picture(),
         };
-        write_pictures(&folder, suffix, args.size, &pictures)?;
-        compared.push(Compared {
-            name: suffix,
-            comparison,
-        });
-    }
-    Ok(compared)
+        Ok((pictures, comparison))
+    })
 }
 
 /// A file name that POV-Ray's command line takes as it is.

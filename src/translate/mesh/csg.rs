@@ -27,7 +27,7 @@ pub enum Operation {
 pub struct Failed;
 
 /// Parts thinner than this, by the size of the operands, are what rounding left between faces in one
-/// place.
+/// place: half a million roundings, and a ten-millionth of the default tolerance.
 const THINNEST: f64 = 1e-10;
 
 /// A label carried along: what lies between corners of one label has this label.
@@ -59,7 +59,8 @@ pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed>
     let (of_a, of_b) = (a.volume(), b.volume());
     let size = a.bounds().radius().max(b.bounds().radius());
     let (a, b, back) = &aligned(a, b, size);
-    // Faces in one place are what fails, if anything.
+    // Faces in one place are what fails, if anything. By the size of the operands: each time more beyond
+    // what points are rounded, and at last still a hundred-thousandth of the default tolerance.
     const NUDGES: [f64; 4] = [0.0, 1e-11, -1e-9, 1e-8];
     for nudge in NUDGES {
         let moved;
@@ -86,7 +87,7 @@ pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed>
 }
 
 /// Coordinates that are nearer to each other than this, by the size of the operands, are the same: they
-/// differ by what rotations were rounded.
+/// differ by what rotations were rounded, some tens of roundings.
 const ROUNDED: f64 = 1e-14;
 
 /// The two with the first one's faces along the axes, so that faces of both in one plane are in one
@@ -129,6 +130,7 @@ fn axes(mesh: &Mesh) -> Option<[Vec3; 3]> {
         }
         (best.0 > 0.0).then(|| best.1.map(|x| x / best.0))
     };
+    // At right angles, and along an axis, but for some roundings: of the sine, and of the cosine.
     let first = largest(&|_, _| true)?;
     let second = largest(&|area, n| dot(n, first).abs() < 1e-12 * area)?;
     let along = |n: Vec3| n.iter().any(|x| x.abs() > 1.0 - 1e-15);
@@ -254,7 +256,8 @@ fn back(m: &Manifold<Tag>) -> Mesh {
 /// Whether a mesh can be what the operation makes of solids with these volumes.
 fn plausible(mesh: &Mesh, a: f64, b: f64, operation: Operation) -> bool {
     let volume = mesh.volume();
-    // Rounding, and what thin parts lose when short edges are collapsed.
+    // Rounding, and what thin parts lose when short edges are collapsed; what fails is off by more, since
+    // whole parts are lost or there twice.
     let slack = 1e-6 * (a + b);
     let (least, most) = match operation {
         Operation::Union => (a.max(b), a + b),

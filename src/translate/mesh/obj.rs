@@ -30,7 +30,7 @@ pub fn write(
         let [x, y, z] = p.map(|x| x as f32);
         let _ = write!(out, "v {x} {y} {z}");
         if smooth {
-            // As many programs read them: linear, behind the coordinates.
+            // As many programs read them: linear, behind the coordinates. Finer than 8 bits.
             let [r, g, b] = colour.map(|c| (c * 1e4).round() / 1e4);
             let _ = write!(out, " {r} {g} {b}");
         }
@@ -40,6 +40,7 @@ pub fn write(
     let mut places = Numbered::default();
     let numbers: Vec<[usize; 2]> = (coloured.vertices.iter())
         .map(|v| {
+            // Angles to a hundredth of a degree, places to a hundredth of a pixel of the largest pictures.
             let [x, y, z] = v.normal.map(|x| (x * 1e4).round() / 1e4 + 0.0);
             let [s, t] = v.uv.map(|x| (x * 1e6).round() / 1e6 + 0.0);
             [

@@ -32,7 +32,8 @@ pub struct Reach {
     pub far: f64,
 }
 
-/// What is near of something without end, by how far it reaches.
+/// What is near of something without end, by how far it reaches: that is a thousand times the scene's
+/// size, so that it holds the scene with room around.
 const NEAR: f64 = 1.0 / 32.0;
 
 /// The shapes that make up the shape of a skin, if Mitsuba has them and its colours can be laid on
@@ -125,6 +126,7 @@ impl Facing {
     fn of([a, b, c, d]: [f64; 4]) -> Facing {
         let length = a.hypot(b).hypot(c);
         let normal = [a, b, c].map(|x| x / length);
+        // The language's own bound for planes that lie flat.
         let up = if normal[1].abs() > 0.999 {
             [0.0, 0.0, -1.0]
         } else {
@@ -199,6 +201,7 @@ fn uniform_scale(m: &Matrix) -> Option<f64> {
     for i in 0..3 {
         for j in 0..3 {
             let meant = if i == j { size } else { 0.0 };
+            // Rotations written with ten digits pass, and single precision does not tell.
             if (dot(column(i), column(j)) - meant).abs() > 1e-9 * size {
                 return None;
             }

@@ -35,6 +35,7 @@ pub struct Pinhole {
 impl Pinhole {
     /// Whether Mitsuba's camera sees the same: its pixels are squares.
     pub fn is_exact(&self) -> bool {
+        // Over thousands of pixels a hundredth of one is made of that: as exact as single precision.
         self.pixel.is_some_and(|p| (p - 1.0).abs() < 1e-6)
     }
 }
@@ -50,6 +51,7 @@ impl Lens {
         // What the lines through all points of the picture have in common.
         let common: [f64; 4] = std::array::from_fn(|i| back.0[i][2]);
         let size = common.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        // Zero, but for the roundings of the matrix's inverse: the rays are parallel.
         if common[3].abs() <= 1e-12 * size {
             let right = view.ray(w, h / 2.0)?.line.origin.0;
             let top = view.ray(w / 2.0, 0.0)?.line.origin.0;
@@ -81,6 +83,7 @@ impl Lens {
         let facing = if dot(across, centre) < 0.0 { -1.0 } else { 1.0 };
         let forward = across.map(|x| facing * x / length(across));
         let depth = dot(centre, forward);
+        // Unit vectors at right angles: more than the inverse is rounded, less than single precision.
         let square = dot(right, up).abs() < 1e-9;
         let out = Pinhole {
             position,

@@ -16,6 +16,7 @@ mod xml;
 use super::mesh::{self, picture};
 use super::{Fidelity, Report, Unsupported};
 use crate::scene::bounds::node_bounds;
+use crate::scene::frame::selected_cameras;
 use crate::scene::{Aabb, Camera, Scene};
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
@@ -76,6 +77,15 @@ pub struct Output {
     pub report: Report,
 }
 
+/// Pieces that are joined where they overlap.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    /// Those of one medium: optics and index.
+    Medium(u32, u32),
+    /// Opaque ones that have surfaces in common.
+    Opaque(u32),
+}
+
 /// Translates a scene that was compiled with its pictures.
 ///
 /// # Errors
@@ -87,7 +97,8 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         message: "the scene has no render record: nothing is drawn".to_owned(),
     })?;
     let graph = &tracer.graph;
-    let cameras = scenery::cameras(scene, options);
+    let aspect = f64::from(options.size.0) / f64::from(options.size.1);
+    let cameras = selected_cameras(scene, aspect);
     let of_meshes = mesh::Options {
         tolerance: options.tolerance,
         eye: cameras.first().map(|c| c.position),
@@ -108,11 +119,14 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     // What is opaque hides what overlaps in it, unless one looks into it.
     let within = parts.is_cut_open() || cameras.iter().any(|c| is_within(tracer, c, options.size));
     parts.carve(&media, within);
-    // One medium has no boundary in itself.
-    parts.join_by(|piece| {
+    // One medium has no boundary in itself; and of faces in one place the first one is seen.
+    let sharing = parts.sharing();
+    parts.join_by(|i, piece| {
         let m = media.get(piece.inside as usize)?;
-        let joined = (m.clear || within) && piece.around.is_none();
-        joined.then_some(u64::from(m.optics) << 32 | u64::from(m.index))
+        match m.clear || within {
+            true => Some(Kind::Medium(m.optics, m.index)),
+            false => sharing[i].map(Kind::Opaque),
+        }
     })?;
     let frame = Frame::of(&parts.extent.region);
     let extent = parts.extent;

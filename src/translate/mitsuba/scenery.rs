@@ -7,30 +7,16 @@ use super::frame::Frame;
 use super::lens::Lens;
 use super::xml::{number, rgb, transform, vector};
 use super::{Integrator, Options};
-use crate::scene::bounds::node_bounds;
-use crate::scene::frame::{Basis, automatic_camera, headlight};
-use crate::scene::{Aabb, Camera, Matrix, Scene, View};
+use crate::scene::frame::{Basis, headlight};
+use crate::scene::{Aabb, Camera, Matrix, Scene};
 use crate::translate::Unsupported;
 
 /// Samples a pixel of a path-traced picture.
 const SAMPLES: u32 = 64;
 
-/// What has no end is drawn this far, by the size of the scene and its distance from the camera.
+/// What has no end is drawn this far, by the size of the scene and its distance from the camera: the
+/// horizon is then less than a pixel below where it should be.
 const HORIZON: f64 = 1e3;
-
-/// The cameras that take the picture: one, or left and right.
-pub fn cameras(scene: &Scene, options: &Options) -> Vec<Camera> {
-    let known = |i: usize| scene.cameras.get(i).copied();
-    let chosen = match scene.view {
-        View::Automatic => {
-            let aspect = f64::from(options.size.0) / f64::from(options.size.1);
-            vec![Some(automatic_camera(scene, &node_bounds(scene), aspect))]
-        }
-        View::Mono(i) => vec![known(i)],
-        View::Stereo { left, right } => vec![known(left), known(right)],
-    };
-    chosen.into_iter().flatten().collect()
-}
 
 /// How far things without end reach.
 pub fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
@@ -77,6 +63,8 @@ pub fn view(
                 .to_owned()
         }
     };
+    // It must be more than 0; a ten-millionth of the scene hides nothing.
+    let nearest = || before(all, camera, &basis).max(reach / HORIZON * 1e-7);
     let (width, height) = options.size;
     Ok(format!(
         "{integrator}{sensor}    <float name=\"near_clip\" value=\"{}\"/>\n    \
@@ -85,7 +73,7 @@ pub fn view(
          <integer name=\"height\" value=\"{height}\"/>\n      <rfilter type=\"box\"/>\n      \
          <string name=\"pixel_format\" value=\"rgb\"/>\n      \
          <string name=\"component_format\" value=\"float32\"/>\n    </film>\n  </sensor>\n",
-        number(near.unwrap_or_else(|| before(all, camera, &basis).max(reach / HORIZON * 1e-7))),
+        number(near.unwrap_or_else(nearest)),
         number(reach * 10.0),
     ))
 }

@@ -12,6 +12,7 @@ pub fn vector(v: Vec3) -> String {
 /// The shortest decimal that reads back as the same number.
 pub fn number(x: f64) -> String {
     let size = x.abs();
+    // As people write it, where an exponent would not be shorter.
     if x == 0.0 || (1e-5..1e15).contains(&size) {
         (x + 0.0).to_string()
     } else {

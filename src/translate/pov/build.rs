@@ -24,6 +24,9 @@ const FACES: &str = "faces in one place";
 /// Unions of more members are not searched for them.
 const MANY: usize = 4096;
 
+/// Operands of larger intersections are not compared with each other.
+const FEW: usize = 64;
+
 /// What the objects of a scene are built from.
 pub(super) struct Builder<'a> {
     pub scene: &'a Scene,
@@ -86,7 +89,23 @@ impl<'a> Builder<'a> {
     /// The object that a key is declared as; `None` where there is nothing in it.
     pub fn definition(&mut self, key: Key) -> Option<Piece> {
         let descent = self.descend(key.node, key.state, Stop::BelowStart);
-        let piece = match descent.end {
+        let mut piece = match self.body(&descent.end) {
+            Some(piece) => piece.with(descent.modifiers),
+            // Nothing, turned inside out, is all of space.
+            None if descent.modifiers.contains(&Modifier::Inverse) => {
+                let mut modifiers = descent.modifiers;
+                modifiers.retain(|m| !matches!(m, Modifier::Inverse | Modifier::Matrix(_)));
+                Piece::new(Body::Everything, 0).with(modifiers)
+            }
+            None => return None,
+        };
+        piece.id = self.ids[key.node as usize];
+        Some(piece)
+    }
+
+    /// What is at the end of a descent, if anything is left of it.
+    fn body(&mut self, end: &End) -> Option<Piece> {
+        Some(match *end {
             End::Nothing => return None,
             End::Everything => Piece::new(Body::Everything, 0),
             End::Shape(shape, state) => self.shape(shape, state),
@@ -101,6 +120,7 @@ impl<'a> Builder<'a> {
                 if self.sets.is_empty(&nodes) {
                     return None;
                 }
+                let members = self.without_wider(members);
                 let members = self.with_room(members);
                 Piece::group(Group::Intersection, self.pieces(&members))
             }
@@ -121,10 +141,7 @@ impl<'a> Builder<'a> {
                 ];
                 Piece::group(Group::Union, self.pieces(&parts))
             }
-        };
-        let mut piece = piece.with(descent.modifiers);
-        piece.id = self.ids[key.node as usize];
-        Some(piece)
+        })
     }
 
     /// The object that stands for a node inside another object: a shape is written out, an
@@ -301,6 +318,36 @@ impl<'a> Builder<'a> {
         }
         out.reverse();
         out
+    }
+
+    /// Leaves out operands of an intersection that hold another one: they take nothing away, and have
+    /// faces where that one has. Those are the first one's, unless both are of one look and medium.
+    fn without_wider(&mut self, mut members: Vec<(NodeId, State)>) -> Vec<(NodeId, State)> {
+        if members.len() > FEW || members.iter().any(|m| self.facts[m.0 as usize].has_surface) {
+            return members;
+        }
+        let mut i = 0;
+        while i < members.len() {
+            let (node, state) = members[i];
+            let own = self.substance(node, state);
+            let (mut held, mut doubtful) = (false, false);
+            for (j, &(other, state)) in members.iter().enumerate() {
+                if j != i && self.is_within(other, &[node]) {
+                    let alike = own.is_some() && own == self.substance(other, state);
+                    held |= alike || j < i;
+                    doubtful |= !alike && j > i;
+                }
+            }
+            if held {
+                members.remove(i);
+                continue;
+            }
+            if doubtful {
+                self.faces_in_one_place(self.ids[node as usize]);
+            }
+            i += 1;
+        }
+        members
     }
 
     /// Whether a node's solid is certainly part of one of others.

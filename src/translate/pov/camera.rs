@@ -4,8 +4,8 @@ use super::Options;
 use super::build::Builder;
 use super::frame::Frame;
 use super::text::{entity, vector};
-use crate::scene::frame::{Basis, automatic_camera};
-use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3, View};
+use crate::scene::frame::{Basis, selected_cameras};
+use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3};
 use crate::syntax::Captions;
 use crate::translate::Unsupported;
 use crate::translate::fidelity::Fidelity;
@@ -44,18 +44,9 @@ pub fn eyes(
     builder: &mut Builder,
     options: &Options,
 ) -> Result<Vec<Eye>, Unsupported> {
-    let known = |i: usize| scene.cameras.get(i).copied();
-    let chosen = match scene.view {
-        View::Automatic => vec![Some(automatic_camera(
-            scene,
-            &builder.bounds,
-            options.aspect(),
-        ))],
-        View::Mono(i) => vec![known(i)],
-        View::Stereo { left, right } => vec![known(left), known(right)],
-    };
+    let chosen = selected_cameras(scene, options.aspect());
     let mut out = Vec::with_capacity(chosen.len());
-    for camera in chosen.into_iter().flatten() {
+    for camera in chosen {
         let fault = |message: String| Unsupported {
             id: camera.id,
             span: None,
@@ -191,6 +182,7 @@ fn projecting(back: &Matrix) -> Option<Lens> {
     let size = |v: Homogeneous| v[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let [x, y, q] = [0, 1, 3].map(|j| column(back, j));
     // Where the scene's coordinates are of the size of q, C is a direction if its w is but rounding.
+    // Zero, but for the roundings of the matrix's inverse; so below.
     let parallel = c[3].abs() * size(q) <= 1e-12 * size(c) * q[3].abs();
     let lens = if parallel {
         if (x[3].abs() + y[3].abs()) > 1e-12 * q[3].abs() {
@@ -229,6 +221,7 @@ impl Lens {
     /// Parallel rays could all run exactly along faces and seams, where POV-Ray does not know what to
     /// do: they are moved by a hair.
     fn shift(&self) -> String {
+        // By the size of the picture: a millionth of a pixel, and a million times what is rounded.
         const HAIR: f64 = 1e-9;
         let shift: Vec3 = std::array::from_fn(|i| HAIR * (0.6 * self.right[i] + self.up[i]));
         let shift = shift.map(|x| format!("{x:.1e}").parse().unwrap_or(x));

@@ -68,9 +68,28 @@ impl Builder<'_> {
     /// The base without the cutters; the cut faces look like `look`.
     fn cut(&mut self, base: (NodeId, State), cutters: &[NodeId], look: Look) -> Option<Piece> {
         let of = base.0;
-        let base = self.piece(base.0, base.1)?;
+        let base = self.without_what_goes(base, cutters)?;
         let taken = self.cutters(cutters, look, Some(of));
         Some(difference(base, taken, &[]))
+    }
+
+    /// A base, without those parts of it that certainly go: their faces are the cutters', too.
+    fn without_what_goes(
+        &mut self,
+        (node, state): (NodeId, State),
+        cutters: &[NodeId],
+    ) -> Option<Piece> {
+        let descent = self.descend(node, state, Stop::BelowStart);
+        let Some((a, b, inner)) = descent.bare_union() else {
+            return self.piece(node, state);
+        };
+        let mut parts = self.flat_union(&[a, b], inner);
+        let all = parts.len();
+        parts.retain(|(part, _)| !self.is_within(*part, cutters));
+        match parts.len() == all {
+            true => self.piece(node, state),
+            false => self.union(parts),
+        }
     }
 
     /// The objects to be taken away, with the look of what they are taken from; `base` is that where

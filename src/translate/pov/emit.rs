@@ -214,7 +214,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                             None => id.to_string(),
                         };
                         if let Body::Shape(_, Some(_)) = member.body {
-                            comment += ": made longer, since it ends flush with what it cuts";
+                            comment += ": made longer, since it ends flush with something";
                         }
                         line = commented(&line, &comment);
                     }
@@ -289,8 +289,17 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 // Nothing is in it: all is outside.
                 Modifier::Clip { by, outside: true } if self.is_empty(by) => continue,
                 Modifier::Clip { by, outside } => {
-                    let inverse = outside.then_some(Modifier::Inverse);
-                    let by = Piece::clone(by).with(inverse);
+                    let by = Piece::clone(by);
+                    // What is turned inside out by `inverse` keeps its bounds there, unless it is one of
+                    // the simplest shapes, and POV-Ray takes them for those of something without end
+                    // that is clipped.
+                    let by = match outside {
+                        true => {
+                            let members = vec![Piece::new(Body::Everything, 0), by];
+                            Piece::group(Group::Difference, members)
+                        }
+                        false => by,
+                    };
                     format!("clipped_by {{ {} }}", self.piece(&by, depth + 1))
                 }
             });

@@ -9,45 +9,66 @@ use super::piece::State;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
 
 /// Faces that are this near, as a part of the numbers, are in one place: what a few roundings may do.
-const HAIR: f64 = 32.0 * f64::EPSILON;
+pub const HAIR: f64 = 32.0 * f64::EPSILON;
 /// So many nodes of a tool are looked at.
 const PATIENCE: u32 = 4096;
+
+/// The part of its own length that a tool is made longer by, where nothing is in the way.
+const HALF: f64 = 0.5;
+
+/// What a solid may be longer than it is outside of.
+#[derive(Debug, Clone, Copy)]
+pub struct Cut {
+    pub around: Aabb,
+    /// By this part of its length.
+    pub by: f64,
+}
 
 /// Boxes around what is cut, by number.
 #[derive(Debug, Default)]
 pub struct Cuts {
-    boxes: Vec<Aabb>,
-    numbers: HashMap<[u64; 6], u32>,
+    cuts: Vec<Cut>,
+    numbers: HashMap<[u64; 7], u32>,
 }
 
 impl Cuts {
-    fn number(&mut self, b: Aabb) -> u32 {
-        let mut key = [0; 6];
-        for (k, x) in key.iter_mut().zip(b.min.iter().chain(&b.max)) {
+    fn number(&mut self, cut: Cut) -> u32 {
+        let mut key = [0; 7];
+        let Cut { around, by } = &cut;
+        for (k, x) in key
+            .iter_mut()
+            .zip(around.min.iter().chain(&around.max).chain([by]))
+        {
             *k = (x + 0.0).to_bits();
         }
-        let next = self.boxes.len() as u32;
+        let next = self.cuts.len() as u32;
         let number = *self.numbers.entry(key).or_insert(next);
         if number == next {
-            self.boxes.push(b);
+            self.cuts.push(cut);
         }
         number
     }
 
-    pub fn get(&self, number: u32) -> Aabb {
-        self.boxes[number as usize]
+    pub fn get(&self, number: u32) -> Cut {
+        self.cuts[number as usize]
     }
 
     /// The same box in the coordinates that a matrix leads away from, if it is a box there.
     pub fn moved_back(&mut self, number: u32, m: &Matrix) -> Option<u32> {
-        let there = moved_back(self.get(number), m)?;
-        Some(self.number(there))
+        let Cut { around, by } = self.get(number);
+        let around = moved_back(around, m)?;
+        Some(self.number(Cut { around, by }))
     }
 }
 
 impl Builder<'_> {
     /// The number of the box around what is cut, for a tool that has a shape which ends flush with it.
     pub(super) fn flush(&mut self, tool: NodeId, around: Aabb) -> Option<u32> {
+        self.flush_by(tool, Cut { around, by: HALF })
+    }
+
+    pub(super) fn flush_by(&mut self, tool: NodeId, all: Cut) -> Option<u32> {
+        let Cut { around, by } = all;
         if around.is_empty()
             || around
                 .min
@@ -62,8 +83,9 @@ impl Builder<'_> {
             let (node, cut) = todo.pop()?;
             match self.scene.nodes[node as usize] {
                 Node::Shape(shape) => {
-                    if lengthened(&self.scene.shapes[shape as usize].geometry, &cut).is_some() {
-                        return Some(self.cuts.number(around));
+                    let geometry = &self.scene.shapes[shape as usize].geometry;
+                    if lengthened(geometry, &Cut { around: cut, by }).is_some() {
+                        return Some(self.cuts.number(all));
                     }
                 }
                 Node::Transform { child, matrix } => {
@@ -137,24 +159,26 @@ impl Builder<'_> {
     }
 
     /// Whether a node is a box along the axes.
-    fn is_box(&self, mut node: NodeId) -> bool {
+    fn is_box(&self, node: NodeId) -> bool {
+        matches!(self.along_the_axes(node), Some(Geometry::Box { .. }))
+    }
+
+    /// The shape that a node is, if its axes are along those of the node.
+    pub(super) fn along_the_axes(&self, mut node: NodeId) -> Option<&Geometry> {
         loop {
             node = match self.scene.nodes[node as usize] {
-                Node::Shape(shape) => {
-                    let geometry = &self.scene.shapes[shape as usize].geometry;
-                    return matches!(geometry, Geometry::Box { .. });
-                }
+                Node::Shape(shape) => return Some(&self.scene.shapes[shape as usize].geometry),
                 Node::Paint { child, .. } | Node::Copy { child, .. } => child,
                 Node::Transform { child, matrix } => {
                     let m = &self.scene.matrices[matrix as usize];
                     let along =
                         |row: &[f64; 4]| row[..3].iter().filter(|x| **x != 0.0).count() == 1;
                     if !m.0.iter().take(3).all(along) {
-                        return false;
+                        return None;
                     }
                     child
                 }
-                _ => return false,
+                _ => return None,
             }
         }
     }
@@ -175,6 +199,7 @@ fn moved_back(b: Aabb, m: &Matrix) -> Option<Aabb> {
     let mut out = Aabb::ALL;
     for (i, row) in back.0.iter().take(3).enumerate() {
         let largest = row[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        // What is smaller is what rotations by right angles and the inverse were rounded.
         let mut along = (0..3).filter(|j| row[*j].abs() > 1e-12 * largest);
         // Along an axis that is turned there is no end.
         let (Some(j), None) = (along.next(), along.next()) else {
@@ -186,8 +211,19 @@ fn moved_back(b: Aabb, m: &Matrix) -> Option<Aabb> {
     (out != Aabb::ALL).then_some(out)
 }
 
+/// Where a face goes that is flush with an end of what is cut: a step away from it.
+fn outward(at: f64, (low, high): (f64, f64), hair: f64, step: f64) -> Option<f64> {
+    if (at - high).abs() <= hair {
+        Some(step)
+    } else if (at - low).abs() <= hair {
+        Some(-step)
+    } else {
+        None
+    }
+}
+
 /// The shape with its flush faces farther out, if it has any that can be moved.
-pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
+pub fn lengthened(geometry: &Geometry, &Cut { around: cut, by }: &Cut) -> Option<Geometry> {
     let finite = |a: f64, b: f64| {
         if (a - b).is_finite() {
             (a - b).abs()
@@ -202,14 +238,10 @@ pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
             for i in 0..3 {
                 let size = max[i] - min[i];
                 let hair = HAIR * size.max(finite(cut.max[i], cut.min[i]));
-                let step = size / 2.0;
-                for (x, end) in [(&mut low[i], *min), (&mut high[i], *max)].map(|(x, c)| (x, c[i]))
-                {
-                    if (end - cut.max[i]).abs() <= hair {
-                        *x = end + step;
-                        any = true;
-                    } else if (end - cut.min[i]).abs() <= hair {
-                        *x = end - step;
+                let step = by * size;
+                for end in [&mut low[i], &mut high[i]] {
+                    if let Some(by) = outward(*end, (cut.min[i], cut.max[i]), hair, step) {
+                        *end += by;
                         any = true;
                     }
                 }
@@ -228,11 +260,8 @@ pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
             let at = -d / n[i];
             let size = finite(cut.max[i], cut.min[i]);
             let hair = HAIR * size.max(at.abs());
-            let at = match () {
-                () if (at - cut.max[i]).abs() <= hair => at + size.max(1.0) / 2.0,
-                () if (at - cut.min[i]).abs() <= hair => at - size.max(1.0) / 2.0,
-                () => return None,
-            };
+            let step = size.max(1.0) / 2.0;
+            let at = at + outward(at, (cut.min[i], cut.max[i]), hair, step)?;
             Some(Geometry::HalfSpace([*a, *b, *c, -at * n[i]]))
         }
         Geometry::Cone { height, radius } => {
@@ -240,12 +269,12 @@ pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
             let near = |y: f64| (height - y).abs() <= HAIR * size;
             let flush = (*height > 0.0 && near(cut.max[1])) || (*height < 0.0 && near(cut.min[1]));
             flush.then_some(Geometry::Cone {
-                height: 1.5 * height,
-                radius: 1.5 * radius,
+                height: height + by * height,
+                radius: radius + by * radius,
             })
         }
         Geometry::Revolution { profile, colours } if colours.is_empty() => {
-            let longer = longer_profile(profile, cut)?;
+            let longer = longer_profile(profile, &cut, by)?;
             Some(Geometry::Revolution {
                 profile: longer,
                 colours: Vec::new(),
@@ -256,12 +285,12 @@ pub fn lengthened(geometry: &Geometry, cut: &Aabb) -> Option<Geometry> {
 }
 
 /// A profile whose flat ends are moved out where they are flush with the box.
-fn longer_profile(profile: &[[f64; 2]], cut: &Aabb) -> Option<Vec<[f64; 2]>> {
+fn longer_profile(profile: &[[f64; 2]], cut: &Aabb, by: f64) -> Option<Vec<[f64; 2]>> {
     let heights = || profile.iter().map(|p| p[1]);
     let low = heights().fold(f64::INFINITY, f64::min);
     let high = heights().fold(f64::NEG_INFINITY, f64::max);
     let hair = HAIR * (high - low);
-    let step = (high - low) / 2.0;
+    let step = by * (high - low);
     // A ring begins anywhere: only profiles from the axis to the axis, one flat piece at each end.
     if profile.first() == profile.last() || low == high {
         return None;
@@ -283,8 +312,11 @@ fn longer_profile(profile: &[[f64; 2]], cut: &Aabb) -> Option<Vec<[f64; 2]>> {
             // POV-Ray cannot tell on which side of the profile others at its height are.
             Some(q) => {
                 let slope = (p[0] - q[0]) / (p[1] - q[1]);
+                // It becomes half as wide at least, and twice as wide at most.
                 let most = if slope * by < 0.0 {
                     p[0] / 2.0 / -slope
+                } else if slope * by > 0.0 && p[0] > 0.0 {
+                    p[0] / slope
                 } else {
                     by
                 };
@@ -321,6 +353,16 @@ mod tests {
         max: [1.0, 2.0, 1.0],
     };
 
+    fn made_longer(geometry: &Geometry) -> Option<Geometry> {
+        lengthened(
+            geometry,
+            &Cut {
+                around: CUT,
+                by: HALF,
+            },
+        )
+    }
+
     #[test]
     fn flush_faces_move_away_from_what_is_cut() {
         let tool = Geometry::Box {
@@ -331,12 +373,12 @@ mod tests {
             min: [-0.5, 1.0, -1.5],
             max: [0.5, 2.5, 0.0],
         };
-        assert_eq!(lengthened(&tool, &CUT), Some(longer));
+        assert_eq!(made_longer(&tool), Some(longer));
         let inside = Geometry::Box {
             min: [-0.5, 0.5, -0.5],
             max: [0.5, 1.5, 0.5],
         };
-        assert_eq!(lengthened(&inside, &CUT), None);
+        assert_eq!(made_longer(&inside), None);
         // One that lies against it from outside moves away from it.
         let against = Geometry::Box {
             min: [-0.5, 2.0, -0.5],
@@ -346,7 +388,7 @@ mod tests {
             min: [-0.5, 3.0, -0.5],
             max: [0.5, 4.0, 0.5],
         };
-        assert_eq!(lengthened(&against, &CUT), Some(away));
+        assert_eq!(made_longer(&against), Some(away));
     }
 
     #[test]
@@ -357,10 +399,10 @@ mod tests {
         };
         let cylinder = tool(&[[0.5, 0.0], [0.5, 2.0]]);
         let longer = [[0.5, -1.0], [0.5, 3.0]];
-        assert_eq!(lengthened(&cylinder, &CUT), Some(tool(&longer)));
+        assert_eq!(made_longer(&cylinder), Some(tool(&longer)));
         let cup = tool(&[[0.0, 1.0], [0.25, 2.0], [0.5, 2.0], [0.5, 0.5]]);
         let taller = [[0.0, 1.0], [0.4375, 2.75], [0.5, 2.75], [0.5, 0.5]];
-        assert_eq!(lengthened(&cup, &CUT), Some(tool(&taller)));
+        assert_eq!(made_longer(&cup), Some(tool(&taller)));
     }
 
     #[test]

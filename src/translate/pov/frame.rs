@@ -11,7 +11,8 @@ use crate::scene::Vec3;
 use crate::scene::frame::seen_box;
 use crate::translate::fidelity::Fidelity;
 
-/// The size that the scene is scaled to.
+/// The size that the scene is scaled to: POV-Ray's tolerances, 1e-6 to 1e-3, are small beside that, and its
+/// limits, 1e7, far away.
 const SIZE: f64 = 32.0;
 
 /// Shadow rays overlook what is closer than this.
@@ -113,6 +114,7 @@ impl Frame {
 /// The largest power of two that is not above `x`; 1 for a number without one.
 pub fn power_of_two_about(x: f64) -> f64 {
     let exponent = x.log2().floor();
+    // Far within the exponents of numbers, so that neither products with it nor its inverse leave them.
     if exponent.abs() <= 900.0 {
         2f64.powi(exponent as i32)
     } else {

@@ -229,7 +229,7 @@ struct Pigments<'a> {
 }
 
 /// Moves the edges between cells by so little that it cannot be seen, so that a face lying in such
-/// an edge is not speckled by rounding.
+/// an edge is not speckled by rounding: in units of a cell, some millions of roundings.
 const NUDGE: &str = "1e-9";
 
 impl Pigments<'_> {

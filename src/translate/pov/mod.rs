@@ -30,6 +30,7 @@ mod reach;
 mod scenery;
 mod sets;
 mod shape;
+mod standing;
 mod text;
 mod triangle;
 mod turned;
@@ -174,8 +175,8 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
         builder.faces_in_one_place(scene.shapes[shape as usize].id);
     }
     if !builder.longer.is_empty() {
-        let note = "made longer, where they are outside of it";
-        let tools = "tools that end flush with what they cut";
+        let note = "made longer, where nobody sees them";
+        let tools = "solids that end flush with others";
         builder.report.state(tools, Fidelity::Exact, note);
     }
     let drawn = |node| builder.facts.get(node as usize).is_some_and(|f| f.uses > 0);

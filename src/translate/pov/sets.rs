@@ -213,16 +213,26 @@ impl Sets {
         })
     }
 
-    /// Whether an intersection of solids is certainly empty: one is within another's opposite.
+    /// Whether an intersection of solids is certainly empty: one is within another's opposite, or
+    /// within what is taken from another.
     pub fn is_empty(&mut self, members: &[NodeId]) -> bool {
-        let places: Vec<Place> = members.iter().map(|n| self.place(*n)).collect();
+        let mut inside: Vec<Place> = members.iter().map(|n| self.place(*n)).collect();
         let mut outside = HashSet::new();
-        for place in &places {
-            if let Core::Complement(inner) = self.core(*place) {
-                self.add(inner, &mut outside);
+        let most = inside.len() + PATIENCE as usize;
+        let mut at = 0;
+        while at < inside.len() && at < most {
+            match self.core(inside[at]) {
+                Core::Shape(_) | Core::Union(..) => {}
+                Core::Intersection(a, b) => inside.extend([a, b]),
+                Core::Difference(a, b) => {
+                    inside.push(a);
+                    self.add(b, &mut outside);
+                }
+                Core::Complement(a) => self.add(a, &mut outside),
             }
+            at += 1;
         }
-        places.iter().any(|p| self.is_within(*p, &outside))
+        inside.iter().any(|p| self.is_within(*p, &outside))
     }
 }
 

@@ -9,6 +9,7 @@ pub fn number(x: f64) -> String {
     if x == 0.0 {
         "0".to_owned()
     } else if (1e-5..1e15).contains(&size) {
+        // As people write it, where an exponent would not be shorter; whole numbers to 2⁵³ are exact.
         x.to_string()
     } else {
         format!("{x:e}")

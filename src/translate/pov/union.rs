@@ -1,12 +1,17 @@
 //! Unions. Opaque ones are plain: what lies inside is never seen. In transparent ones the faces
 //! inside have to go, except where two media meet; there the first medium owns the overlap.
 
+use std::collections::HashMap;
+
 use super::aspects::DEFAULT;
 use super::build::{Builder, inside_medium};
 use super::grouping::{self, meet, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use crate::scene::{Aabb, NodeId};
 use crate::translate::fidelity::Fidelity;
+
+/// Unions of more solids are not searched for those that stand on each other.
+const MANY: usize = 512;
 
 /// Operands of an operation.
 type Operands = Vec<(NodeId, State)>;
@@ -32,7 +37,8 @@ impl Builder<'_> {
             let pieces = self.pieces(&members);
             return non_empty(Group::Union, pieces);
         }
-        let (solids, surfaces) = self.by_part(&members);
+        let (mut solids, surfaces) = self.by_part(&members);
+        let reaching = self.settle(&mut solids);
         let mut groups = self.by_medium(&solids);
         let mut pieces = Vec::new();
         for i in 0..groups.len() {
@@ -40,7 +46,7 @@ impl Builder<'_> {
             for earlier in 0..i {
                 if groups[earlier].seen_into && meet(&groups[earlier].boxes, &groups[i].boxes) {
                     self.overlap(&groups[earlier], &groups[i]);
-                    clips.extend(self.outside_of(&groups[earlier]));
+                    clips.extend(self.outside_of(&groups[earlier], &reaching));
                 }
             }
             let piece = self.one_medium_union(&mut groups[i]);
@@ -48,6 +54,38 @@ impl Builder<'_> {
         }
         pieces.extend(self.pieces(&surfaces));
         non_empty(Group::Union, pieces)
+    }
+
+    /// Makes solids longer that stand on earlier ones and would show the face between, and gives by
+    /// which boxes solids are to be longer where later ones are clipped by them.
+    fn settle(&mut self, solids: &mut Operands) -> HashMap<NodeId, u32> {
+        let mut reaching = HashMap::new();
+        if solids.len() > MANY {
+            return reaching;
+        }
+        let kinds: Vec<_> = (solids.iter())
+            .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
+            .collect();
+        for i in 0..solids.len() {
+            let (medium, true) = kinds[i] else { continue };
+            let node = solids[i].0;
+            let (mut before, mut after) = (Vec::new(), Vec::new());
+            for (j, (other, _)) in kinds.iter().enumerate().filter(|(j, _)| *j != i) {
+                let same = medium.is_some() && medium == *other;
+                if j < i {
+                    before.push(solids[j].0);
+                } else if !same {
+                    after.push(solids[j].0);
+                }
+            }
+            if let Some(flush) = self.standing(node, &after) {
+                reaching.insert(node, flush);
+            }
+            if solids[i].1.flush.is_none() {
+                solids[i].1.flush = self.standing(node, &before);
+            }
+        }
+        reaching
     }
 
     /// Solids and surfaces apart: a merge has no place for surfaces.
@@ -122,20 +160,20 @@ impl Builder<'_> {
     }
 
     /// Keeps of an object what no operand of a group holds.
-    fn outside_of(&mut self, group: &Members) -> Option<Modifier> {
-        let by = self.geometry(group)?;
+    fn outside_of(&mut self, group: &Members, reaching: &HashMap<NodeId, u32>) -> Option<Modifier> {
+        let by = self.geometry(group, reaching)?;
         Some(Modifier::Clip {
             by: std::boxed::Box::new(by),
             outside: true,
         })
     }
 
-    /// The bare solid of a group.
-    pub(super) fn geometry(&mut self, group: &Members) -> Option<Piece> {
+    /// The bare solid of a group; some of its members reach farther.
+    fn geometry(&mut self, group: &Members, reaching: &HashMap<NodeId, u32>) -> Option<Piece> {
         let members: Vec<_> = group
             .nodes
             .iter()
-            .map(|&(node, _)| (node, State::GEOMETRY))
+            .map(|&(node, _)| (node, State::GEOMETRY.flush(reaching.get(&node).copied())))
             .collect();
         let pieces = self.pieces(&members);
         non_empty(Group::Union, pieces)

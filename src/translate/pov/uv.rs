@@ -92,7 +92,8 @@ fn tube(major: f64, minor: f64) -> String {
     format!("select(y, 1, 0) + atan2(y, {across})/(2*pi)")
 }
 
-/// On the sides ρ/r is |y|/h, on the discs it is less.
+/// On the sides ρ/r is |y|/h, on the discs it is less. What is added lets
+/// the sides win where both are the same but for rounding, and takes the outermost millionth from a disc.
 fn double_cone(height: f64, radius: f64) -> String {
     let (h, r) = (number(height), number(radius));
     format!("select({RHO}/{r} - abs(y)/{h} + 1e-6, {RHO}/{r}, 0.5 + 0.5*y/{h})")
@@ -202,6 +203,7 @@ fn plane(p: &[f64; 4]) -> [String; 2] {
     let p = [p[0] / largest, p[1] / largest, p[2] / largest];
     let length = p[0].hypot(p[1]).hypot(p[2]);
     let n = [p[0] / length, p[1] / length, p[2] / length];
+    // The language's own bound for planes that lie flat.
     let side = if n[1].abs() > 0.999 {
         // −ẑ × n
         [n[1], -n[0], 0.0]

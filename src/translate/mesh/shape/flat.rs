@@ -88,7 +88,7 @@ pub fn surface(face: &[Vec3]) -> Option<Mesh> {
     let n = cross(e, f);
     let length = n[0].hypot(n[1]).hypot(n[2]);
     let size = dot(e, e).max(dot(f, f)).sqrt();
-    // What has no area shows nothing.
+    // What has no area, but for the rounding of the cross product, shows nothing.
     (length > 1e-12 * size * size).then(|| slab(face, n.map(|x| -x / length * size / 8.0), false))
 }
 

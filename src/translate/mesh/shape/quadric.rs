@@ -48,7 +48,8 @@ struct Canonical {
     out: Matrix,
 }
 
-/// Values below this part of what they were computed from are taken for zero.
+/// Values below this part of what they were computed from are taken for zero: some hundreds of
+/// roundings, as many as the eigenvalues and the products of matrices take.
 const ROUNDING: f64 = 1e-13;
 
 /// The solid xᵀQx ≤ 0 as far as the region reaches.
@@ -63,6 +64,7 @@ pub fn quadric(
         return Ok(Solid::nothing());
     };
     let near = region.transformed(&back);
+    // Beyond the region, so that no face of what is made lies in one of its own.
     let pad: [f64; 3] = std::array::from_fn(|i| 0.05 * (near.max[i] - near.min[i]));
     let low: [f64; 3] = std::array::from_fn(|i| near.min[i] - pad[i]);
     let high: [f64; 3] = std::array::from_fn(|i| near.max[i] + pad[i]);
@@ -194,6 +196,7 @@ fn saddle(
 ) -> Result<Mesh, TooMany> {
     // Between two points h apart a parabola rises h²/4 above its chord.
     let step = 2.0 * tolerance.sqrt();
+    // Products of two such are numbers still, for the budget to refuse.
     let cells = |axis: usize| ((high[axis] - low[axis]) / step).ceil().clamp(1.0, 1e9);
     let (nx, nz) = (cells(0), cells(2));
     budget.spend(4.0 * nx * nz)?;
@@ -202,6 +205,7 @@ fn saddle(
         low[axis] + (high[axis] - low[axis]) * i as f64 / n as f64
     };
     let peak = low[0].abs().max(high[0].abs()).powi(2);
+    // Above all of it, by however much.
     let lid = high[1].max(peak) + (high[1] - low[1]).abs().max(peak) * 0.1;
     let mut mesh = Mesh::default();
     let mut grid = |y: &dyn Fn(f64, f64) -> f64| -> Vec<Vec<u32>> {

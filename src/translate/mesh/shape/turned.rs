@@ -12,8 +12,9 @@ pub struct Profile {
     pub ring: bool,
 }
 
-/// Fewest sides that something round is given.
+/// Fewest sides that something round is given: with fewer it would have no room inside.
 const FEWEST_SIDES: f64 = 6.0;
+/// More than the budget of triangles allows, and still a whole number.
 const MOST_SIDES: f64 = 1e9;
 
 /// How many sides keep a circle within the tolerance of its polygon.
@@ -22,7 +23,7 @@ pub fn sides(radius: f64, tolerance: f64) -> f64 {
         return FEWEST_SIDES;
     }
     let sunk = (tolerance / radius).min(0.5);
-    // cos x ≈ 1 − x²/2 where 1 − sunk is rounded to 1.
+    // cos x ≈ 1 − x²/2 to all digits below, where 1 − sunk loses most of its own.
     let angle = if sunk < 1e-8 {
         (2.0 * sunk).sqrt()
     } else {
@@ -104,7 +105,8 @@ pub fn flattened(
     tolerance: f64,
     budget: &mut Budget,
 ) -> Result<Vec<[f64; 2]>, TooMany> {
-    /// A chord this short a part of the curve is taken as it is.
+    /// A chord this short a part of the curve is taken as it is: there are no more than the budget's
+    /// triangles of them.
     const FINEST: f64 = 1.0 / (1u32 << 24) as f64;
     let first = curve(from);
     let mut out = vec![first];
