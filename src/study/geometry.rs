@@ -1,6 +1,7 @@
 //! Where two programs see the surfaces of a scene: position, normal and shape, pixel by pixel.
 
 use rayon::prelude::*;
+use rustc_hash::FxHashMap;
 use serde::Serialize;
 
 use super::mitsuba::CHANNELS;
@@ -49,9 +50,11 @@ pub fn seen(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> Ve
 
 /// Positions may differ by so much of the scene's size on exact shapes.
 const EXACT: f64 = 1e-4;
-/// What is so many sizes of the scene away is rounded more: single precision has seven digits.
+/// What is so many sizes of the scene away is rounded more. Together they are 28 units of single
+/// precision (2^-23): a place is transformed, met and transformed back, some operations each way.
 const FAR: f64 = 30.0;
-/// What is seen so near to where parts without end are cut off may be seen beyond that.
+/// What is seen beyond this part of the way to where parts without end are cut off is not compared: a
+/// neighbouring pixel may show what is cut off.
 const HORIZON: f64 = 0.9;
 /// By so much of the largest coordinate single precision may mistake a place, after a few operations.
 const ROUNDED: f64 = 4.0 * f32::EPSILON as f64;
@@ -93,8 +96,18 @@ enum Pixel {
     Silhouette,
     Undecided,
     Wrong,
-    /// By how much of what is allowed it is off.
-    Right(f64),
+    Right {
+        /// Whether Mitsuba has the shape itself, not a mesh of it.
+        exact: bool,
+        /// Across our surface, in units of the scene.
+        distance: f64,
+        /// What the distance may be.
+        allowed: f64,
+        /// Between the shading normals, in degrees.
+        angle: f64,
+    },
+    /// Nothing, for both.
+    Empty,
 }
 
 /// Compares what Mitsuba has written with what we see; `None` where it is of another size.
@@ -119,6 +132,10 @@ pub fn compare(
         .iter()
         .chain(&all.max)
         .fold(0.0f64, |m, x| m.max(x.abs()));
+    let mut exact = FxHashMap::default();
+    for s in &translation.shapes {
+        *exact.entry((s.shape, s.object)).or_insert(true) &= s.exact;
+    }
     let sight = Sight {
         tracer,
         view: View::new(camera, width, height),
@@ -126,10 +143,15 @@ pub fn compare(
         theirs,
         width: width as usize,
         translation,
+        exact,
         size: 2.0 * extent.radius,
         rounded: ROUNDED * largest / frame.scale,
     };
+    let pixels = (0..ours.len()).into_par_iter();
     let mut comparison = Comparison {
+        map: pixels
+            .map_init(|| tracer.walker(), |walkers, i| sight.pixel(i, walkers))
+            .collect(),
         pixels: ours.len(),
         silhouettes: 0,
         undecided: 0,
@@ -137,17 +159,29 @@ pub fn compare(
         share_wrong: 0.0,
         exact: Differences::default(),
         meshes: Differences::default(),
-        map: Vec::with_capacity(ours.len()),
     };
-    for i in 0..ours.len() {
-        let pixel = sight.pixel(i, &mut comparison);
-        match pixel {
+    for pixel in &comparison.map {
+        match *pixel {
             Pixel::Silhouette => comparison.silhouettes += 1,
             Pixel::Undecided => comparison.undecided += 1,
             Pixel::Wrong => comparison.wrong += 1,
-            Pixel::Right(_) => {}
+            Pixel::Empty => {}
+            Pixel::Right {
+                exact,
+                distance,
+                allowed,
+                angle,
+            } => {
+                let kind = match exact {
+                    true => &mut comparison.exact,
+                    false => &mut comparison.meshes,
+                };
+                kind.pixels += 1;
+                kind.distance = kind.distance.max(distance);
+                kind.distance_by_allowed = kind.distance_by_allowed.max(distance / allowed);
+                kind.angle = kind.angle.max(angle);
+            }
         }
-        comparison.map.push(pixel);
     }
     comparison.share_wrong = comparison.wrong as f64 / comparison.pixels.max(1) as f64;
     Some(comparison)
@@ -160,6 +194,8 @@ struct Sight<'a> {
     theirs: &'a [f32],
     width: usize,
     translation: &'a Output,
+    /// The shapes of objects that the translation has, and whether all of each are exact.
+    exact: FxHashMap<(u32, u32), bool>,
     size: f64,
     /// By how much single precision may mistake a place.
     rounded: f64,
@@ -176,18 +212,18 @@ impl Sight<'_> {
         (self.translation.frame.back(vector(0)), vector(3), info)
     }
 
-    fn pixel(&self, i: usize, account: &mut Comparison) -> Pixel {
+    fn pixel(&self, i: usize, walkers: &mut Walkers<f64>) -> Pixel {
         let (point, normal, info) = self.other(i);
         let here = self.ours[i];
         if here.is_some_and(|s| self.is_cut_off(s)) || !self.is_smooth(i) {
             return Pixel::Silhouette;
         }
-        let wrong = || match self.is_nearly_seen(i, point, info) {
+        let mut wrong = || match self.is_nearly_seen(i, point, info, walkers) {
             true => Pixel::Undecided,
             false => Pixel::Wrong,
         };
         let (here, info) = match (here, info) {
-            (None, None) => return Pixel::Right(0.0),
+            (None, None) => return Pixel::Empty,
             (Some(here), Some(info)) => (here, info),
             _ => return wrong(),
         };
@@ -196,16 +232,12 @@ impl Sight<'_> {
         if across > allowed || (info.shape, info.object) != (here.shape, here.object) {
             return wrong();
         }
-        let kind = match info.exact {
-            true => &mut account.exact,
-            false => &mut account.meshes,
-        };
-        let angle = dot(normal, here.normal).abs().min(1.0).acos().to_degrees();
-        kind.pixels += 1;
-        kind.distance = kind.distance.max(across);
-        kind.distance_by_allowed = kind.distance_by_allowed.max(across / allowed);
-        kind.angle = kind.angle.max(angle);
-        Pixel::Right(across / allowed)
+        Pixel::Right {
+            exact: info.exact,
+            distance: across,
+            allowed,
+            angle: dot(normal, here.normal).abs().min(1.0).acos().to_degrees(),
+        }
     }
 
     /// How far their place may be from ours.
@@ -219,19 +251,24 @@ impl Sight<'_> {
 
     /// Whether we see what they show from a place that single precision does not tell from the ray's
     /// origin, or behind what we see and as near to it.
-    fn is_nearly_seen(&self, i: usize, point: Vec3, info: Option<&ShapeInfo>) -> bool {
+    fn is_nearly_seen(
+        &self,
+        i: usize,
+        point: Vec3,
+        info: Option<&ShapeInfo>,
+        walkers: &mut Walkers<f64>,
+    ) -> bool {
         let (x, y) = (i % self.width, i / self.width);
         let ray = |view: &View| view.ray(x as f64 + 0.5, y as f64 + 0.5);
         let Some(ray) = self.view.as_ref().and_then(ray) else {
             return false;
         };
-        let mut walkers: Walkers<f64> = self.tracer.walker();
         let length = ray.line.direction.length();
         let mut sees = |by: Vec3, all: bool| {
             let origin = ray.line.origin + by.into();
             let crossings = self
                 .tracer
-                .probe(&mut walkers, &Ray::new(origin, ray.line.direction))
+                .probe(walkers, &Ray::new(origin, ray.line.direction))
                 .crossings;
             let Some(info) = info else {
                 return crossings.is_empty();
@@ -260,16 +297,11 @@ impl Sight<'_> {
 
     /// Parts without end are cut off somewhere, meshes at the region's end.
     fn is_cut_off(&self, seen: Seen) -> bool {
-        let Output {
-            extent,
-            shapes,
-            reach,
-            ..
-        } = self.translation;
-        let same = |s: &&ShapeInfo| (s.shape, s.object) == (seen.shape, seen.object);
-        let exact = shapes.iter().any(|s| same(&s)) && shapes.iter().filter(same).all(|s| s.exact);
+        let Output { extent, reach, .. } = self.translation;
+        let exact = self.exact.get(&(seen.shape, seen.object));
         let d = minus(seen.point, extent.region.centre());
-        dot(d, d).sqrt() > HORIZON * reach || !extent.region.contains(seen.point) && !exact
+        dot(d, d).sqrt() > HORIZON * reach
+            || !extent.region.contains(seen.point) && exact != Some(&true)
     }
 
     /// Whether all pixels around show the same face, and not a fold of it.
@@ -310,7 +342,10 @@ impl Comparison {
             Pixel::Silhouette => [60; 3],
             Pixel::Undecided => [0, 90, 255],
             Pixel::Wrong => [255, 0, 0],
-            Pixel::Right(share) => [0, (200.0 * share) as u8, 0],
+            Pixel::Right {
+                distance, allowed, ..
+            } => [0, (200.0 * distance / allowed) as u8, 0],
+            Pixel::Empty => [0; 3],
         };
         self.map.iter().flat_map(colour).collect()
     }
@@ -333,4 +368,83 @@ pub fn their_normals(theirs: &[f32]) -> Vec<u8> {
 
 fn shade(x: f64) -> u8 {
     (127.5 * (x.clamp(-1.0, 1.0) + 1.0)).round() as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::commands::Loaded;
+    use crate::trace::selected_camera;
+    use crate::translate::mitsuba::{self, Integrator};
+
+    const SIZE: (u32, u32) = (64, 48);
+
+    /// Two balls, one on each half of the picture, as Mitsuba would have them if it made no mistake; and
+    /// what is said of that once `change` was made to the channels of all pixels.
+    fn compared(change: impl Fn(&Output, &mut [f32])) -> Comparison {
+        let text = "2 11 -1.5 0 0 1\n3 11 1.5 0 0 1\n4 -101 2 3\n\
+                    5 -501 0 0 8 0 0 -1 0 1 0 45\n1 9999 4 0\n";
+        let loaded = Loaded::new("balls.zpg", text.as_bytes().to_vec());
+        let tracer = Tracer::new(&loaded.scene).unwrap();
+        let options = mitsuba::Options {
+            size: SIZE,
+            depth: 10,
+            tolerance: None,
+            integrator: Integrator::Aov,
+            stem: "balls".to_owned(),
+        };
+        let made = mitsuba::write(&loaded.scene, &tracer, &options).unwrap();
+        let camera = selected_camera(&loaded.scene, 4.0 / 3.0);
+        let ours = seen(&tracer, &camera, SIZE);
+        let mut theirs: Vec<f32> = ours.iter().flat_map(|s| channels(&made, *s)).collect();
+        change(&made, &mut theirs);
+        compare(&tracer, &camera, &ours, &theirs, SIZE, &made).unwrap()
+    }
+
+    fn channels(made: &Output, seen: Option<Seen>) -> [f32; CHANNELS] {
+        let Some(s) = seen else {
+            return [0.0; CHANNELS];
+        };
+        let same = |i: &ShapeInfo| (i.shape, i.object) == (s.shape, s.object);
+        let index = made.shapes.iter().position(same).unwrap() + 1;
+        let [x, y, z] = made.frame.place(s.point).map(|x| x as f32);
+        let [nx, ny, nz] = s.normal.map(|x| x as f32);
+        [x, y, z, nx, ny, nz, index as f32]
+    }
+
+    /// The middle of the left ball.
+    const MIDDLE: usize = CHANNELS * (24 * 64 + 19);
+
+    #[test]
+    fn the_same_is_right() {
+        let all = compared(|_, _| {});
+        assert_eq!((all.wrong, all.undecided, all.meshes.pixels), (0, 0, 0));
+        assert!(all.exact.pixels > 100, "{:?}", all.exact);
+        assert!(all.exact.distance < 1e-6 && all.exact.angle < 0.05);
+    }
+
+    #[test]
+    fn another_place_is_wrong() {
+        // The scene is five long, of which a ten-thousandth is allowed.
+        for (towards_us, wrong) in [(4e-4, 0), (7e-4, 1), (-7e-4, 1), (0.5, 1)] {
+            let moved = compared(|made, theirs| {
+                assert!(theirs[MIDDLE + 6] > 0.0);
+                theirs[MIDDLE + 2] += (towards_us * made.frame.scale) as f32;
+            });
+            assert_eq!(moved.wrong, wrong, "{towards_us}: {:?}", moved.exact);
+        }
+    }
+
+    #[test]
+    fn another_shape_is_wrong() {
+        let other = compared(|_, theirs| theirs[MIDDLE + 6] = 3.0 - theirs[MIDDLE + 6]);
+        assert_eq!((other.wrong, other.undecided), (1, 0));
+        let nothing = compared(|_, theirs| theirs[MIDDLE..][..CHANNELS].fill(0.0));
+        assert_eq!((nothing.wrong, nothing.undecided), (1, 0));
+        let corner = compared(|_, theirs| {
+            let (pixels, _) = theirs.split_at_mut(CHANNELS);
+            pixels[6] = 1.0;
+        });
+        assert_eq!((corner.wrong, corner.undecided), (1, 0));
+    }
 }
