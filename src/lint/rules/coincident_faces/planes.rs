@@ -11,10 +11,13 @@ use crate::scene::{Aabb, Vec3};
 
 /// Faces and boxes looked at, for all faces together: some tenths of a second. What is not looked at
 /// is not spoken of.
-const STEPS: usize = 10_000_000;
+const STEPS: usize = 20_000_000;
 
 /// Pairs at most: several times what there are points for.
 const PAIRS: usize = 500_000;
+
+/// What it costs to find the operation that joins two shapes, in steps.
+const JOIN_COST: usize = 4;
 
 /// Fewer faces than this in one plane are looked at one by one.
 const FEW: usize = 16;
@@ -179,8 +182,9 @@ impl<'a> Planes<'a> {
     }
 
     /// Pairs of faces, of different leaves of the group that all of these are of, that look against
-    /// each other in one plane or are round and of one place, and whose outlines overlap; the earlier
-    /// leaf's face first. By the later leaf, then the earlier one, which is mostly the workpiece.
+    /// each other in one plane or are round and of one place, whose outlines overlap and whose shapes
+    /// are joined by a difference or an intersection; the earlier leaf's face first. By the later
+    /// leaf, then the earlier one, which is mostly the workpiece.
     pub fn pairs(&mut self, faces: &[Face]) -> Vec<(u32, u32)> {
         let mut out = Vec::new();
         if self.steps > 0 && self.pairs > 0 {
@@ -268,6 +272,14 @@ impl<'a> Planes<'a> {
         kept
     }
 
+    /// Whether the operation that joins two leaves is a difference or an intersection: faces of parts of
+    /// a union are most of those that lie against each other.
+    fn is_cut(&self, one: u32, two: u32) -> bool {
+        let place = |leaf: u32| self.tree.leaves[leaf as usize].place;
+        let operation = self.tree.join(place(one), place(two));
+        self.tree.places[operation as usize].cuts
+    }
+
     /// Adds the pairs; `None` when no steps are left, or no room for more.
     fn fill(
         &mut self,
@@ -302,8 +314,11 @@ impl<'a> Planes<'a> {
                         let both_again = !entry.own && !other.own;
                         if entry.leaf < other.leaf && !both_again && (other.at - at).abs() <= reach
                         {
-                            self.pairs = self.pairs.checked_sub(1)?;
-                            out.push((entry.face, other.face));
+                            self.steps = self.steps.checked_sub(JOIN_COST)?;
+                            if self.is_cut(entry.leaf, other.leaf) {
+                                self.pairs = self.pairs.checked_sub(1)?;
+                                out.push((entry.face, other.face));
+                            }
                         }
                     }
                     self.steps = self.steps.checked_sub(steps)?;

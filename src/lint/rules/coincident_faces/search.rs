@@ -169,9 +169,6 @@ impl<'a> Search<'a> {
                 faces,
                 leaves,
             };
-            if !tree.places[operation as usize].cuts {
-                continue;
-            }
             let tool = self.tool(&pair);
             let cuts = |i: usize| self.cuts(&pair, leaves[i]);
             let done = (
