@@ -84,18 +84,8 @@ fn live_nodes(scene: &Scene) -> Vec<bool> {
 /// Pairs of shapes of which faces are in one place where it is seen, as W321 has it: indices of
 /// [`Scene::shapes`].
 pub fn coincident_faces(scene: &Scene, bounds: &[NodeBounds]) -> Vec<[u32; 2]> {
-    let mut live = vec![false; scene.nodes.len()];
-    if let Some(render) = &scene.render {
-        live[render.root as usize] = true;
-    }
-    for (i, node) in scene.nodes.iter().enumerate().rev() {
-        if live[i] {
-            for child in node.children().into_iter().flatten() {
-                live[child as usize] = true;
-            }
-        }
-    }
-    rules::coincident_faces::pairs(scene, bounds, &live)
+    let roots = scene.render.iter().map(|r| r.root);
+    rules::coincident_faces::pairs(scene, bounds, &roots.collect::<Vec<_>>())
 }
 
 /// A number as it stands in a scene.

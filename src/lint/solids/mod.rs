@@ -56,7 +56,7 @@ pub fn near(x: f64, size: f64) -> String {
 pub fn distance(p: Vec3, q: Vec3) -> f64 {
     let [x, y, z]: Vec3 = std::array::from_fn(|i| p[i] - q[i]);
     let square = x * x + y * y + z * z;
-    // Mostly: squares of the others are out of range.
+    // `hypot` is slow, and needed only where the squares overflow, or lose digits as subnormals.
     match (1e-200..1e200).contains(&square) {
         true => square.sqrt(),
         false => x.hypot(y).hypot(z),

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use super::distance;
 use super::inside::Inside;
 use super::leaf::Leaf;
-use super::tips::{Tip, tips};
+use super::tips::{Tip, tips, ways};
 use super::tree::{NONE, Tree};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Render, Scene, Vec3, Volume};
@@ -188,8 +188,9 @@ impl Outline<'_> {
 
     /// Whether nothing reaches out of a box at all if [`outside`](Self::outside) finds nothing.
     pub fn is_exact(&self, volume: &Volume) -> bool {
+        let ways = ways(volume);
         let whole = |leaf: &Leaf| {
-            let ends = |g| !tips(g, &leaf.matrix, volume).is_empty();
+            let ends = |g| tips(g, &leaf.matrix, volume, &ways).next().is_some();
             self.is_whole(leaf) && self.geometry(leaf).is_some_and(ends)
         };
         matches!(volume, Volume::Box { .. }) && self.tree.leaves.iter().all(whole)
@@ -219,10 +220,8 @@ impl Outline<'_> {
         let leaves = self.tree.leaves.iter().map(|l| (most(&l.bounds), l));
         let mut leaves: Vec<(f64, &Leaf)> = leaves.filter(|l| l.0 > least).collect();
         leaves.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let cost = match volume {
-            Volume::Box { .. } => 6,
-            Volume::Sphere { .. } => 26,
-        };
+        let ways = ways(volume);
+        let cost = ways.len();
         let mut all: Vec<(f64, &Leaf, Tip)> = Vec::new();
         for (most, leaf) in leaves {
             let Some(geometry) = self.geometry(leaf) else {
@@ -240,7 +239,7 @@ impl Outline<'_> {
             if left < cost {
                 break;
             }
-            for tip in tips(geometry, &leaf.matrix, volume) {
+            for tip in tips(geometry, &leaf.matrix, volume, &ways) {
                 let by = worth(beyond(volume, tip.point));
                 if by > least {
                     all.push((by, leaf, tip));

@@ -15,14 +15,15 @@ pub struct Tip {
 /// corners it is there after two or three times.
 const STEPS: usize = 12;
 
-/// Points of a moved shape that reach out of a volume, on all of its sides; none for shapes without
-/// end. Of a box they are those that reach furthest.
-pub fn tips(geometry: &Geometry, m: &Matrix, volume: &Volume) -> Vec<Tip> {
-    let directions = match volume {
-        Volume::Box { .. } => directions(|v| v.iter().filter(|x| **x != 0.0).count() == 1),
-        Volume::Sphere { .. } => directions(|_| true),
-    };
-    let reach = |d: Vec3| {
+/// Points of a moved shape that reach out of a volume, looked for along its [`ways`]; none for shapes
+/// without end. Of a box they are those that reach furthest.
+pub fn tips<'a>(
+    geometry: &'a Geometry,
+    m: &'a Matrix,
+    volume: &'a Volume,
+    ways: &'a [Vec3],
+) -> impl Iterator<Item = Tip> + 'a {
+    let reach = move |d: Vec3| {
         let mut tip = moved_tip(geometry, m, d)?;
         if let Volume::Sphere { centre, .. } = volume {
             // What is furthest along the way to the furthest point so far is not nearer.
@@ -37,7 +38,7 @@ pub fn tips(geometry: &Geometry, m: &Matrix, volume: &Volume) -> Vec<Tip> {
         }
         Some(tip)
     };
-    directions.into_iter().filter_map(reach).collect()
+    ways.iter().copied().filter_map(reach)
 }
 
 /// How far a moved shape goes in a direction, as the least and the largest product with it; `None` for
@@ -47,11 +48,17 @@ pub fn extent(geometry: &Geometry, m: &Matrix, d: Vec3) -> Option<(f64, f64)> {
     Some((-along(d.map(|x| -x))?, along(d)?))
 }
 
-/// Directions to the sides, edges and corners of a box.
-fn directions(which: impl Fn(&Vec3) -> bool) -> Vec<Vec3> {
+/// Where to look for what reaches beyond a volume: towards the sides of a box, and all around a sphere
+/// towards the sides, edges and corners of one.
+pub fn ways(volume: &Volume) -> Vec<Vec3> {
     let part = |k: usize| (k % 3) as f64 - 1.0;
     let all = (0..27).map(|k| [part(k), part(k / 3), part(k / 9)]);
-    all.filter(|v| *v != [0.0; 3] && which(v)).collect()
+    let axes = |v: &Vec3| v.iter().filter(|x| **x != 0.0).count();
+    let most = match volume {
+        Volume::Box { .. } => 1,
+        Volume::Sphere { .. } => 3,
+    };
+    all.filter(|v| (1..=most).contains(&axes(v))).collect()
 }
 
 /// The point of a moved shape that is furthest in a direction.
@@ -286,9 +293,13 @@ mod tests {
         let phi = (1.0 + 5f64.sqrt()) / 2.0;
         let first = geodesic_corner([0.1, 1.0, phi], 0);
         let expected = unit([0.0, 1.0, phi]);
+        let all_around = Volume::Sphere {
+            centre: [0.0; 3],
+            radius: 1.0,
+        };
         (0..3).for_each(|i| assert!((first[i] - expected[i]).abs() < 1e-15));
         for (splits, near) in [(0, 0.79), (1, 0.93), (2, 0.98), (5, 0.9995)] {
-            for d in directions(|_| true) {
+            for d in ways(&all_around) {
                 let d = unit([d[0] + 0.1, d[1] + 0.2, d[2] - 0.3]);
                 let c = geodesic_corner(d, splits);
                 assert!((dot(c, c) - 1.0).abs() < 1e-12);
@@ -309,9 +320,10 @@ mod tests {
         };
         let m = Matrix::rotation(30.0, 1);
         let best = |g: &Geometry| {
-            let all = tips(g, &m, &ball(0.0));
-            all.iter()
-                .fold(0.0f64, |b, t| b.max(beyond(&ball(0.0), t.point)))
+            let from = ball(0.0);
+            let ways = ways(&from);
+            let all = tips(g, &m, &from, &ways);
+            all.fold(0.0f64, |b, t| b.max(beyond(&from, t.point)))
         };
         assert!((best(&cube) - 6f64.sqrt()).abs() < 1e-12);
         let long = Geometry::Ellipsoid {

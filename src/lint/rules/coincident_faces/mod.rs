@@ -19,7 +19,7 @@ mod vector;
 use rayon::prelude::*;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
-use crate::lint::solids::{named, near, operation_of};
+use crate::lint::solids::{named, near, operation_of, roots};
 use crate::lint::{Context, live_nodes};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::record::Params;
@@ -39,19 +39,14 @@ enum Case {
 }
 
 /// The shapes whose faces are in one place.
-pub fn pairs(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<[u32; 2]> {
-    let found = search(scene, bounds, live);
+pub fn pairs(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<[u32; 2]> {
+    let found = search(scene, bounds, roots);
     found.iter().map(|f| f.sides.map(|s| s.shape)).collect()
 }
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
-    let cuts = |n: &Node| matches!(n, Node::Difference(..) | Node::Intersection(..));
-    if !scene.nodes.iter().any(cuts) {
-        return;
-    }
     let live = live_nodes(scene);
-    let bounds = context.bounds();
     // One finding for each tool of an operation, however many faces it shares.
     let group = |found: &Found| {
         let [tool, other] = &found.sides;
@@ -62,7 +57,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         };
         (found.operation, tool.shape, case)
     };
-    let mut found = search(scene, bounds, &live);
+    let mut found = search(scene, context.bounds(), &roots(scene, &live));
     if found.is_empty() {
         return;
     }

@@ -9,10 +9,9 @@ use super::sample::{self, Sample};
 use super::vector::{add, cross, unit};
 use crate::lint::solids::leaf::Leaf;
 use crate::lint::solids::points::Points;
-use crate::lint::solids::roots;
 use crate::lint::solids::tree::{Answer, NONE, Tree};
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Aabb, Geometry, NodeId, Scene, Vec3};
+use crate::scene::{Aabb, Geometry, Node, NodeId, Scene, Vec3};
 
 /// How near two faces must be, as a share of the smaller shape: the language's own bound.
 pub const NEAR: f64 = 1e-9;
@@ -68,8 +67,12 @@ pub struct Found {
 
 /// For each face of a tool the first face that lies in it so that what is left of the two is up to
 /// rounding, and is seen.
-pub fn search(scene: &Scene, bounds: &[NodeBounds], live: &[bool]) -> Vec<Found> {
-    let tree = Tree::new(scene, bounds, &roots(scene, live));
+pub fn search(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<Found> {
+    let cuts = |n: &Node| matches!(n, Node::Difference(..) | Node::Intersection(..));
+    if !scene.nodes.iter().any(cuts) {
+        return Vec::new();
+    }
+    let tree = Tree::new(scene, bounds, roots);
     // Only where there are quadrics can others lie in them.
     let of = |leaf: &Leaf| Some(&scene.shapes[leaf.shape? as usize].geometry);
     let is_quadric = |leaf: &Leaf| of(leaf).is_some_and(|g| quadric::form(g).is_some());
