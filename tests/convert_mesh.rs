@@ -252,6 +252,43 @@ fn obj_has_its_pictures() {
     assert!(seen > 1000);
 }
 
+/// Nothing is written over a picture that the scene itself uses, whatever the target.
+#[test]
+fn pictures_of_the_scene_stay() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    let picture = image::RgbImage::from_pixel(3, 1, image::Rgb([9, 8, 7]));
+    picture.save(path("ball_texture_0.png")).unwrap();
+    let before = fs::read(path("ball_texture_0.png")).unwrap();
+    let ball = "2 9 1\n2 -301 ball_texture_0.png\n1 9999 2 0\n";
+    fs::write(path("ball.zpg"), ball).unwrap();
+    for arguments in [
+        "--to obj",
+        "--to obj -o ./ball.obj",
+        "--to mitsuba -o ball.xml",
+        "--to pov -o ball_texture_0.png",
+        "--to json --report ball_texture_0.png",
+    ] {
+        let arguments = ["convert", "ball.zpg"]
+            .into_iter()
+            .chain(arguments.split(' '));
+        let arguments: Vec<&str> = arguments.collect();
+        let output = zpg(folder.path(), &arguments, "");
+        assert_eq!(output.status.code(), Some(2), "{}", errors(&output));
+        assert!(errors(&output).contains("ball_texture_0.png"));
+        assert_eq!(fs::read(path("ball_texture_0.png")).unwrap(), before);
+        assert!(!path("ball.obj").exists() && !path("ball.xml").exists());
+    }
+    let output = zpg(
+        folder.path(),
+        &["convert", "ball.zpg", "--to", "obj", "-o", "other.obj"],
+        "",
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+    let copy = image::open(path("other_texture_0.png")).unwrap();
+    assert_eq!(copy.into_rgb8(), picture);
+}
+
 /// The validator of the Khronos group finds nothing to say.
 #[test]
 fn glb_is_valid() {

@@ -6,6 +6,7 @@ mod mitsuba;
 mod pov;
 mod records;
 
+use std::collections::HashSet;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -14,6 +15,7 @@ use super::size::Size;
 use super::terminal::unprintable;
 use super::{Loaded, LookChoice, Status, complain, report, usage};
 use crate::diagnostics::{Complaint, Diagnostic};
+use crate::scene::Texture;
 use crate::translate::{Report, Unsupported};
 
 pub(super) use pov::pictures;
@@ -40,7 +42,8 @@ pub struct Args {
 
     /// Where to write. If not given: standard output, and a mesh to SCENE.ply (obj, glb) in the
     /// current folder. A stereo pair is written to NAME_left and NAME_right; on standard output it is
-    /// one file with a switch
+    /// one file with a switch. Beside NAME.obj there are NAME.mtl and a picture of each texture,
+    /// NAME_texture_0.png and so on; beside NAME.xml such pictures, and meshes NAME_1.ply and so on
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -125,7 +128,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Target::Json => records::json(args, &loaded),
         Target::Zpg => records::zpg(args, &loaded),
     };
-    match made {
+    match made.and_then(|made| spare_images(args, &loaded, made)) {
         Ok(made) => deliver(args, &made, look),
         Err(Refusal::Scene(unsupported)) => refuse(&loaded, &unsupported, look),
         Err(Refusal::Image(found)) => {
@@ -137,6 +140,26 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             complain(look, &complaint);
             Status::Failure
         }
+    }
+}
+
+/// Refuses a translation that would be written over a picture that the scene names.
+fn spare_images(args: &Args, loaded: &Loaded, made: Made) -> Result<Made, Refusal> {
+    let folder = loaded.source.folder().unwrap_or(Path::new("."));
+    let images: HashSet<PathBuf> = (loaded.scene.paints.iter())
+        .filter_map(|paint| match &paint.texture {
+            Some(Texture::Image { file, .. }) => folder.join(file).canonicalize().ok(),
+            _ => None,
+        })
+        .collect();
+    let written = made.files.iter().filter_map(|(path, _)| path.as_ref());
+    // What is not there yet is none of them.
+    let is_image = |p: &&PathBuf| p.canonicalize().is_ok_and(|p| images.contains(&p));
+    match written.chain(&args.report).find(is_image) {
+        Some(path) => Err(Refusal::Wish(
+            Complaint::new("would-overwrite-image").with("path", path.as_path()),
+        )),
+        None => Ok(made),
     }
 }
 

@@ -9,6 +9,7 @@ use crate::commands::loaded::STDIN;
 use crate::diagnostics::Complaint;
 use crate::trace::{self, Images, Tracer};
 use crate::translate::Unsupported;
+use crate::translate::mesh::picture::file_name;
 use crate::translate::mesh::{self, Coloured, glb, obj, ply};
 
 /// The kinds of files there are for meshes.
@@ -59,7 +60,7 @@ pub fn make(args: &Args, format: Format, loaded: &Loaded) -> Result<Made, Refusa
                 .unwrap_or_default()
                 .to_string_lossy()
                 .into_owned();
-            let picture = |number: u32| path.with_file_name(format!("{stem}_{number}.png"));
+            let picture = |number: u32| path.with_file_name(file_name(&stem, number));
             let (text, materials) =
                 obj::write(&coloured, &name(&library), |number| name(&picture(number)));
             let mut files = vec![

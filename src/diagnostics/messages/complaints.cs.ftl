@@ -106,6 +106,7 @@ program-strange = { $program }: { $what }
 ## Překlad
 
 mesh-without-name = scéna ze standardního vstupu nemá jméno: místo pro soubor { $format } určete pomocí -o
+would-overwrite-image = { $path } je obrázek, který scéna používá, a byl by přepsán: zvolte jiné jméno pomocí -o
 many-files = překlad má více souborů ({ $documents ->
     [one] { $documents } dokument
     [few] { $documents } dokumenty

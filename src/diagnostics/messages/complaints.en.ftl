@@ -103,6 +103,7 @@ program-strange = { $program }: { $what }
 ## Translating
 
 mesh-without-name = a scene from standard input has no name: say with -o where to write the { $format } file
+would-overwrite-image = { $path } is a picture that the scene uses and would be overwritten: choose another name with -o
 many-files = the translation is more than one file ({ $documents ->
     [one] { $documents } document
    *[other] { $documents } documents

@@ -18,6 +18,11 @@ pub struct Picture {
     pub scale: [f64; 2],
 }
 
+/// The file of a texture's picture, beside one with a stem.
+pub fn file_name(stem: &str, number: u32) -> String {
+    format!("{stem}_texture_{number}.png")
+}
+
 /// Whether what a skin shows is a picture over its surface coordinates.
 pub fn is_pictured(skin: &Skin, graph: &Graph) -> bool {
     let texture = skin.texture.as_ref().filter(|_| skin.primitive.is_some());

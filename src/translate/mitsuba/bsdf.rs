@@ -8,6 +8,7 @@ use super::xml::{escaped, number, rgb};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture};
 use crate::trace::graph::Graph;
 use crate::translate::mesh::Skin;
+use crate::translate::mesh::picture::file_name;
 
 /// How a mesh knows its colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -18,11 +19,6 @@ pub enum Colours {
     OfPoints,
     /// A picture is laid on by surface coordinates: its texture's number.
     Pictured(u32),
-}
-
-/// The file of a picture.
-pub fn image_name(stem: &str, number: u32) -> String {
-    format!("{stem}_picture_{number}.png")
 }
 
 /// The materials of a scene, each written once.
@@ -82,7 +78,7 @@ impl<'g> Bsdfs<'g> {
                 }
                 _ => {
                     self.images.insert(number);
-                    Reflectance::Image(image_name(stem, number))
+                    Reflectance::Image(file_name(stem, number))
                 }
             },
         };

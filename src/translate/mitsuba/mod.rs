@@ -173,7 +173,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     }
     for number in &bsdfs.images {
         if let Some(picture) = picture::picture(*number, graph) {
-            files.push((bsdf::image_name(&options.stem, *number), picture.png));
+            files.push((picture::file_name(&options.stem, *number), picture.png));
         }
     }
     let names: &[&'static str] = match cameras.len() {
