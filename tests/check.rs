@@ -266,6 +266,22 @@ fn complaints_in_czech() {
 }
 
 #[test]
+fn what_cannot_be_translated_in_both_languages() {
+    let dir = folder(&[("a.zpg", "2 9 1\n1 9999 2 0\n")]);
+    let args = ["convert", "a.zpg", "--to", "ply", "--tolerance", "1e-12"];
+    for (language, expected) in [
+        ("en", "choose a larger --tolerance"),
+        ("cs", "zvolte větší --tolerance"),
+    ] {
+        let run = zpg(dir.path(), &[&["--lang", language], &args[..]].concat(), "");
+        let said = text(&run.stderr);
+        assert!(said.contains(expected), "{said}");
+        assert_eq!(run.status.code(), Some(1));
+        assert!(run.stdout.is_empty());
+    }
+}
+
+#[test]
 fn wrong_usage_in_both_languages() {
     let dir = folder(&[("a.zpg", SCENE)]);
     for (args, english, czech) in [

@@ -13,7 +13,8 @@ pub use fidelity::{Fidelity, Report, Verdict};
 
 use std::fmt;
 
-use crate::diagnostics::Span;
+use crate::diagnostics::{Complaint, Language, Span};
+use crate::scene::Camera;
 
 /// A file of a translation.
 #[derive(Debug)]
@@ -30,12 +31,32 @@ pub struct Unsupported {
     pub id: u32,
     /// Where it is written, if that is known.
     pub span: Option<Span>,
-    pub message: String,
+    pub message: Complaint,
+}
+
+impl Unsupported {
+    /// A scene without a render record.
+    fn nothing() -> Unsupported {
+        Unsupported {
+            id: 0,
+            span: None,
+            message: Complaint::new("draw-nothing"),
+        }
+    }
+
+    /// A camera that there is no other one for; `message` names it as `id`.
+    pub fn camera(camera: &Camera, message: &'static str) -> Unsupported {
+        Unsupported {
+            id: camera.id,
+            span: None,
+            message: Complaint::new(message).with("id", camera.id.to_string()),
+        }
+    }
 }
 
 impl fmt::Display for Unsupported {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
+        f.write_str(&self.message.wording(Language::English))
     }
 }
 

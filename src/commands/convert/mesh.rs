@@ -103,7 +103,7 @@ pub fn tracer(loaded: &Loaded) -> Result<Tracer, Refusal> {
         Refusal::Scene(Unsupported {
             id: e.id,
             span: Some(e.span),
-            message: e.to_string(),
+            message: e.complaint(),
         })
     })
 }

@@ -28,16 +28,12 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
     };
     let cameras = cameras(scene, args.size);
     if let Some(camera) = cameras.iter().find(|c| !is_exact(c, size)) {
-        return Err(Unsupported {
-            id: camera.id,
-            span: None,
-            message: format!(
-                "camera {} has pixels that are not squares at {}x{}, and Mitsuba has no such camera: \
-                 choose the --size that its matrix is meant for",
-                camera.id, size.0, size.1
-            ),
-        }
-        .into());
+        let mut unsupported = Unsupported::camera(camera, "camera-of-no-squares");
+        let (width, height) = (size.0.to_string(), size.1.to_string());
+        unsupported.message = (unsupported.message)
+            .with("width", width)
+            .with("height", height);
+        return Err(unsupported.into());
     }
     let made = write(scene, &tracer, &options)?;
     let folder = made_folder(args)?;

@@ -1,7 +1,7 @@
 //! Limits on how many triangles there may be, and how much work is put into joining them, so that a
 //! small tolerance ends in words and not in full memory or never.
 
-use std::fmt;
+use crate::diagnostics::Complaint;
 
 /// The most triangles that are made: about two gigabytes of them.
 pub const MOST_TRIANGLES: u64 = 1 << 25;
@@ -42,19 +42,16 @@ impl Crowd {
     }
 }
 
-impl fmt::Display for TooMany {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl TooMany {
+    /// In words: what to do about it, too.
+    pub fn complaint(&self) -> Complaint {
         match self {
-            TooMany::Made(needed) => write!(
-                f,
-                "this takes at least {needed:.3e} triangles, and at most {MOST_TRIANGLES} are made: \
-                 choose a larger --tolerance or a smaller part of the scene"
-            ),
-            TooMany::Joined { solids, shape } => write!(
-                f,
-                "{solids} solids overlap each other, the shape {shape} among them, and have too many \
-                 triangles to be joined: choose a larger --tolerance or a smaller part of the scene"
-            ),
+            TooMany::Made(needed) => Complaint::new("too-many-triangles")
+                .with("needed", format!("{needed:.3e}"))
+                .with("most", MOST_TRIANGLES.to_string()),
+            TooMany::Joined { solids, shape } => Complaint::new("too-many-joined")
+                .with("solids", solids.to_string())
+                .with("shape", shape.to_string()),
         }
     }
 }

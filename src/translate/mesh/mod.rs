@@ -309,7 +309,7 @@ fn refusal(e: &TooMany) -> Unsupported {
     Unsupported {
         id: 0,
         span: None,
-        message: e.to_string(),
+        message: e.complaint(),
     }
 }
 

@@ -165,5 +165,5 @@ fn copies_of_copies_are_refused_in_words() {
     let scene = crate::scene::resolve(&document, &source, &mut found);
     let tracer = Tracer::new(&scene).unwrap();
     let refused = model(&scene, &tracer.graph, &Options::default()).unwrap_err();
-    assert!(refused.message.contains("triangles"), "{refused}");
+    assert!(refused.to_string().contains("triangles"), "{refused}");
 }

@@ -91,11 +91,7 @@ enum Kind {
 /// # Errors
 /// Something in it has no translation, or too many triangles.
 pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output, Unsupported> {
-    let render = scene.render.ok_or_else(|| Unsupported {
-        id: 0,
-        span: None,
-        message: "the scene has no render record: nothing is drawn".to_owned(),
-    })?;
+    let render = scene.render.ok_or_else(Unsupported::nothing)?;
     let graph = &tracer.graph;
     let aspect = f64::from(options.size.0) / f64::from(options.size.1);
     let cameras = selected_cameras(scene, aspect);

@@ -35,11 +35,7 @@ pub fn view(
     reach: f64,
     options: &Options,
 ) -> Result<String, Unsupported> {
-    let nowhere = || Unsupported {
-        id: camera.id,
-        span: None,
-        message: format!("camera {} looks nowhere", camera.id),
-    };
+    let nowhere = || Unsupported::camera(camera, "camera-nowhere");
     let basis = Basis::of(camera).ok_or_else(nowhere)?;
     let (sensor, near) = sensor(camera, &basis, options.size).ok_or_else(nowhere)?;
     let integrator = match options.integrator {

@@ -47,14 +47,8 @@ pub fn eyes(
     let chosen = selected_cameras(scene, options.aspect());
     let mut out = Vec::with_capacity(chosen.len());
     for camera in chosen {
-        let fault = |message: String| Unsupported {
-            id: camera.id,
-            span: None,
-            message,
-        };
-        let id = camera.id;
-        let basis =
-            Basis::of(&camera).ok_or_else(|| fault(format!("camera {id} looks nowhere")))?;
+        let fault = |message| Unsupported::camera(&camera, message);
+        let basis = Basis::of(&camera).ok_or_else(|| fault("camera-nowhere"))?;
         let lens = match &camera.projection {
             None => match from_far(&camera, &basis, options.aspect(), builder.box_of_root()) {
                 Some((lens, off)) => {
@@ -72,12 +66,8 @@ pub fn eyes(
             },
             Some(p) => {
                 let back = clip_to_scene(p, &camera, &basis);
-                let lens = back.and_then(|m| projecting(&m)).ok_or_else(|| {
-                    fault(format!(
-                        "the projection matrix of camera {id} has no rays that POV-Ray could follow: \
-                         they neither come from one point nor are they parallel"
-                    ))
-                })?;
+                let lens = (back.and_then(|m| projecting(&m)))
+                    .ok_or_else(|| fault("camera-of-no-lens"))?;
                 if let Some(back) = back
                     && !sees_all_behind_near(&back, &lens, builder.box_of_root())
                 {

@@ -113,11 +113,7 @@ const MOST_LEVELS: u32 = 256;
 /// # Errors
 /// Something in it has no translation.
 pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupported> {
-    let render = scene.render.ok_or_else(|| Unsupported {
-        id: 0,
-        span: None,
-        message: "the scene has no render record: nothing is drawn".to_owned(),
-    })?;
+    let render = scene.render.ok_or_else(Unsupported::nothing)?;
     let mut builder = Builder::new(scene, render.root);
     let eyes = camera::eyes(scene, &mut builder, options)?;
     if let Some(eye) = eyes.first() {
