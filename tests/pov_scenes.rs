@@ -140,6 +140,23 @@ fn glass_on_tables() {
     }
 }
 
+/// A cube of glass on the end of a cylinder that lies: one of them reaches into the other.
+#[test]
+fn glass_on_round_glass() {
+    let glass =
+        |id: u32, index: f64| format!("{id} -201 0.1 0.1 0.8\n{id} -203 {index} {index} {index}\n");
+    let body = format!(
+        "2 1 2 0.6 0 0.8 1\n2 -2 90 3\n2 -3 2 2 2\n3 12 0 -0.5 -0.5 1 0.5 0.5\n{}{}9 -101 2 3\n",
+        glass(2, 1.05),
+        glass(3, 1.06)
+    );
+    let loaded = lit(&body, 9);
+    agrees("lying", &loaded);
+    let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+    let report = translation.report.to_string();
+    assert!(!report.contains("faces in one place"), "{report}");
+}
+
 /// Operations on things that have been operated on before: faces of one shape in one place.
 #[test]
 fn the_same_shape_twice() {

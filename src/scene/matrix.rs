@@ -88,6 +88,22 @@ impl Matrix {
             + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
     }
 
+    /// By how much it scales if it does no more than turn, mirror, scale and move.
+    pub fn uniform_scale(&self) -> Option<f64> {
+        let dot = |i: usize, j: usize| (0..3).map(|k| self.0[k][i] * self.0[k][j]).sum::<f64>();
+        let size = dot(0, 0);
+        for i in 0..3 {
+            for j in 0..3 {
+                let meant = if i == j { size } else { 0.0 };
+                // Rotations written with ten digits pass.
+                if (dot(i, j) - meant).abs() > 1e-9 * size {
+                    return None;
+                }
+            }
+        }
+        (size > 0.0).then(|| size.sqrt())
+    }
+
     /// The inverse, by Gauss–Jordan elimination with full pivoting; `None` where a pivot is zero or
     /// an entry of the inverse is not finite.
     pub fn inverse(&self) -> Option<Matrix> {

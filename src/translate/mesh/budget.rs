@@ -9,6 +9,10 @@ pub const MOST_TRIANGLES: u64 = 1 << 25;
 /// The most triangles that operations are given, each as often as it is given to one: some minutes.
 const MOST_WORK: f64 = (1u64 << 24) as f64;
 
+/// What is expected to take so many times the limit is not begun: where solids lie in heaps, more goes in
+/// later rounds than in the first.
+const MARGIN: f64 = 1.5;
+
 /// How many triangles there are so far.
 #[derive(Debug, Default)]
 pub struct Budget {
@@ -71,6 +75,14 @@ impl Budget {
         }
     }
 
+    /// Whether joining solids two by two, some more rounds of it, will be beyond the limit: in the last
+    /// round so many triangles became so many, and it is taken to go on like this.
+    pub fn will_not_do(&self, before: usize, after: usize, rounds: u32) -> bool {
+        let left = after as f64 / before.max(1) as f64;
+        let shares = (0..rounds).map(|i| left.powi(i as i32));
+        self.work + after as f64 * shares.sum::<f64>() > MARGIN * MOST_WORK
+    }
+
     /// Asks for operations on so many triangles.
     ///
     /// # Errors
@@ -82,5 +94,22 @@ impl Budget {
         } else {
             Err(crowd)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stays_is_work_in_each_round() {
+        let budget = Budget::default();
+        let most = MOST_WORK as usize;
+        // Nothing goes: 1 + 1; half of it goes: less than 1 + 1.
+        assert!(!budget.will_not_do(most, most, 1) && budget.will_not_do(most, most, 2));
+        assert!(!budget.will_not_do(most, most / 2, 30));
+        // Nine tenths stay: ten times as much in the end.
+        assert!(!budget.will_not_do(most / 9, most / 10, 30));
+        assert!(budget.will_not_do(most / 5, most * 9 / 50, 30));
     }
 }

@@ -26,10 +26,17 @@ pub struct Medium {
 const MOST_PAIRS: usize = 20_000;
 
 impl Parts {
-    /// Leaves out what is where the same is already.
+    /// Leaves out what is where the same is already: the same triangles, or the whole of the same shape,
+    /// which may be of other triangles as a part of another object.
     pub fn drop_equals(&mut self) {
         let mut seen: HashSet<u64> = HashSet::new();
-        self.pieces.retain(|p| seen.insert(form(p)));
+        let mut wholes: HashSet<(u32, [u64; 16])> = HashSet::new();
+        let skins = &self.skins;
+        self.pieces.retain(|p| {
+            let skin = skins.get(p.inside as usize).filter(|_| p.whole);
+            let place = skin.and_then(|s| Some((s.primitive?, s.place())));
+            place.is_none_or(|place| wholes.insert(place)) && seen.insert(form(p))
+        });
     }
 
     /// Takes from each solid what earlier ones of another medium hold, where that can be seen: through

@@ -3,8 +3,12 @@
 use std::collections::HashMap;
 
 use super::Parts;
+use super::assemble::Piece;
 use super::sets::Sets;
 use super::shape::DROPPED;
+use super::skin::Skin;
+use crate::scene::{Geometry, Matrix, Scene};
+use crate::trace::graph::Graph;
 
 impl Parts {
     /// For each piece, the number of the group of solids that hang together by surfaces in one place;
@@ -14,25 +18,8 @@ impl Parts {
         let mut shares = vec![false; self.pieces.len()];
         let mut first: HashMap<(u32, [u64; 16]), usize> = HashMap::new();
         for (i, piece) in self.pieces.iter().enumerate() {
-            if piece.surface {
-                continue;
-            }
-            let mut labels = piece.mesh.labels.clone();
-            labels.sort_unstable();
-            labels.dedup();
-            for label in labels.into_iter().filter(|l| *l != DROPPED) {
-                let Some(skin) = self.skins.get(label as usize) else {
-                    continue;
-                };
-                let Some(primitive) = skin.primitive else {
-                    continue;
-                };
-                let mut place = [0; 16];
-                for (bits, x) in place.iter_mut().zip(skin.matrix.0.iter().flatten()) {
-                    // Adding zero makes one of the two zeros.
-                    *bits = (x + 0.0).to_bits();
-                }
-                let j = *first.entry((primitive, place)).or_insert(i);
+            for (skin, primitive) in self.shown(piece) {
+                let j = *first.entry((primitive, skin.place())).or_insert(i);
                 if j != i {
                     sets.join(i as u32, j as u32);
                     (shares[i], shares[j]) = (true, true);
@@ -43,4 +30,60 @@ impl Parts {
             .map(|i| shares[i].then(|| sets.find(i as u32)))
             .collect()
     }
+
+    /// The number of surfaces that solids have in one place and are seen from both sides, since some
+    /// of these solids are seen into; their triangles may differ. Balls may be turned in their place.
+    pub fn clashes(&self, scene: &Scene, graph: &Graph, seen_into: impl Fn(&Piece) -> bool) -> u64 {
+        let mut first: HashMap<(u32, [i64; 12]), (usize, bool)> = HashMap::new();
+        let mut clashes = 0;
+        for (i, piece) in self.pieces.iter().enumerate() {
+            for (skin, primitive) in self.shown(piece) {
+                let record = graph.records[primitive as usize];
+                let geometry = &scene.shapes[record as usize].geometry;
+                let place = round_place(geometry, &skin.matrix);
+                let open = seen_into(piece);
+                let (j, other) = *first.entry((primitive, place)).or_insert((i, open));
+                clashes += u64::from(j != i && (open || other));
+            }
+        }
+        clashes
+    }
+
+    /// The skins of the surfaces of a solid that belong to shapes, and these.
+    fn shown(&self, piece: &Piece) -> impl Iterator<Item = (&Skin, u32)> {
+        let mut labels = match piece.surface {
+            true => Vec::new(),
+            false => piece.mesh.labels.clone(),
+        };
+        labels.sort_unstable();
+        labels.dedup();
+        labels
+            .into_iter()
+            .filter(|l| *l != DROPPED)
+            .filter_map(|label| {
+                let skin = self.skins.get(label as usize)?;
+                Some((skin, skin.primitive?))
+            })
+    }
+}
+
+/// Where a shape is, to six digits: the same where matrices differ by roundings, and for balls that are
+/// turned.
+fn round_place(geometry: &Geometry, matrix: &Matrix) -> [i64; 12] {
+    let mut matrix = *matrix;
+    if let Geometry::Sphere { centre, .. } = geometry
+        && let Some(scale) = matrix.uniform_scale()
+    {
+        let [x, y, z] = matrix.point(*centre);
+        matrix = Matrix::translation(x, y, z).after(&Matrix::scaling(scale, scale, scale));
+    }
+    let entries = || matrix.0.iter().take(3).flatten();
+    let size = entries().fold(0.0f64, |s, x| s.max(x.abs()));
+    // Powers of two, so that sizes that differ by a rounding do not count in different steps.
+    let step = size.log2().floor().exp2() * 1e-6;
+    let mut place = [0; 12];
+    for (number, x) in place.iter_mut().zip(entries()) {
+        *number = (x / step).round() as i64;
+    }
+    place
 }

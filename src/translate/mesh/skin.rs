@@ -95,6 +95,16 @@ impl Skin {
         }
     }
 
+    /// The same for surfaces of one shape in one place.
+    pub fn place(&self) -> [u64; 16] {
+        let mut place = [0; 16];
+        for (bits, x) in place.iter_mut().zip(self.matrix.0.iter().flatten()) {
+            // Adding zero makes one of the two zeros.
+            *bits = (x + 0.0).to_bits();
+        }
+        place
+    }
+
     /// The entity whose properties apply.
     pub fn object(&self) -> u32 {
         if self.owner != 0 {

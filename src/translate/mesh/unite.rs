@@ -93,8 +93,15 @@ impl Union {
         if group.len() > 1 && crowd.is_hopeless(group.iter().map(Member::triangles).sum()) {
             return Err(crowd);
         }
+        let mut before = None;
         while group.len() > 1 {
-            budget.work(group.iter().map(Member::triangles).sum(), crowd)?;
+            let triangles = group.iter().map(Member::triangles).sum();
+            let rounds = group.len().next_power_of_two().ilog2();
+            if before.is_some_and(|before| budget.will_not_do(before, triangles, rounds)) {
+                return Err(crowd);
+            }
+            budget.work(triangles, crowd)?;
+            before = Some(triangles);
             let mut pairs = Vec::with_capacity(group.len().div_ceil(2));
             let mut rest = group.into_iter();
             while let Some(a) = rest.next() {

@@ -45,7 +45,7 @@ pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, view: &Reach) -> Option
     let placed = |m: &Matrix| xml::transform("to_world", m);
     let made: Vec<Made> = match scene.shapes[record].geometry {
         Geometry::Sphere { centre, radius } => {
-            let scale = uniform_scale(m)?;
+            let scale = m.uniform_scale()?;
             // Its poles lie on z, ours on y; from south to north ours go.
             let turned = Matrix([
                 [1.0, 0.0, 0.0, 0.0],
@@ -84,7 +84,7 @@ pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, view: &Reach) -> Option
             let uv = Some([[1.0; 2], [0.0; 2]]);
             vec![("rectangle", placed(&m.after(&at(centre, half))), uv)]
         }
-        Geometry::Plane(plane) | Geometry::HalfSpace(plane) => match uniform_scale(m) {
+        Geometry::Plane(plane) | Geometry::HalfSpace(plane) => match m.uniform_scale() {
             Some(scale) => around(&Facing::of(plane), m, scale, view),
             // A plane all the same, but with other surface coordinates.
             None => {
@@ -191,21 +191,4 @@ fn around(plane: &Facing, m: &Matrix, scale: f64, view: &Reach) -> Vec<Made> {
 fn at(centre: Vec3, half: Vec3) -> Matrix {
     Matrix::translation(centre[0], centre[1], centre[2])
         .after(&Matrix::scaling(half[0], half[1], half[2]))
-}
-
-/// By how much a matrix scales that does no more than turn, mirror, scale and move.
-fn uniform_scale(m: &Matrix) -> Option<f64> {
-    let column = |j: usize| -> Vec3 { std::array::from_fn(|i| m.0[i][j]) };
-    let dot = |a: Vec3, b: Vec3| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let size = dot(column(0), column(0));
-    for i in 0..3 {
-        for j in 0..3 {
-            let meant = if i == j { size } else { 0.0 };
-            // Rotations written with ten digits pass, and single precision does not tell.
-            if (dot(column(i), column(j)) - meant).abs() > 1e-9 * size {
-                return None;
-            }
-        }
-    }
-    (size > 0.0).then(|| size.sqrt())
 }

@@ -124,6 +124,9 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             false => sharing[i].map(Kind::Opaque),
         }
     })?;
+    let clashes = parts.clashes(scene, graph, |piece| {
+        within || media.get(piece.inside as usize).is_some_and(|m| m.clear)
+    });
     let frame = Frame::of(&parts.extent.region);
     let extent = parts.extent;
     if !frame.is_plain() {
@@ -204,6 +207,10 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     }
     let mut report = Report::of("mitsuba", scene, |f| verdict::verdict(f, extent.tolerance));
     parts.account(&mut report);
+    for _ in 0..clashes {
+        let doubt = "which of them is seen is up to rounding and the tolerance".to_owned();
+        report.count("surfaces in one place", Fidelity::Approximate(doubt), "");
+    }
     for camera in &cameras {
         if !scenery::is_exact(camera, options.size) {
             let why = "pixels are made square: choose the --size that the matrix is meant for";

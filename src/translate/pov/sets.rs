@@ -34,6 +34,9 @@ pub struct Sets {
     round: HashSet<u32>,
 }
 
+/// The number of the matrix that changes nothing.
+const HERE: u32 = 0;
+
 /// So many steps are taken to find out whether a solid is within others.
 const PATIENCE: u32 = 64;
 
@@ -46,12 +49,12 @@ impl Sets {
             numbers: HashMap::new(),
             round: HashSet::new(),
         };
-        let here = sets.matrix(&Matrix::IDENTITY);
+        sets.matrix(&Matrix::IDENTITY);
         let mut known: HashMap<Core, u32> = HashMap::new();
         let mut shapes: HashMap<Vec<u64>, u32> = HashMap::new();
         for node in scene.nodes.iter().take(root as usize + 1) {
             let of = |id: NodeId| sets.places[id as usize];
-            let mut matrix = here;
+            let mut matrix = HERE;
             let core = match *node {
                 Node::Shape(s) => {
                     let (geometry, m) = standard(&scene.shapes[s as usize].geometry);
@@ -130,8 +133,11 @@ impl Sets {
 
     /// What a solid is made of.
     fn core(&mut self, place: Place) -> Core {
-        let m = self.matrices[place.matrix as usize];
         let core = self.cores[place.core as usize];
+        if place.matrix == HERE {
+            return core;
+        }
+        let m = self.matrices[place.matrix as usize];
         let mut moved = |p: Place| self.moved(p, &m);
         match core {
             Core::Shape(s) => Core::Shape(s),

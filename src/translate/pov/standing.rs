@@ -4,7 +4,7 @@
 
 use super::build::Builder;
 use super::flush::{Cut, HAIR};
-use crate::scene::{Aabb, Geometry, Node, NodeId};
+use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Vec3};
 
 /// Solids are made longer by this part of their length, or of what there is room for: far more than
 /// POV-Ray's tolerances.
@@ -17,23 +17,55 @@ const WIDER: f64 = 2.0;
 enum Room {
     /// A box that it is beside.
     Full(Aabb),
+    /// A part of a cone or cylinder, with flat ends.
+    Round(Frustum),
     /// What is around a box that it is in, up to another one.
     Hollow { inner: Aabb, outer: Aabb },
     /// Something with these bounds that has another form.
     Other(Aabb),
 }
 
+/// A part of a cone or cylinder along an axis of the coordinates.
+#[derive(Debug, Clone, Copy)]
+struct Frustum {
+    bounds: Aabb,
+    axis: usize,
+    /// At the lower end and at the upper one.
+    radii: [f64; 2],
+}
+
+/// What stands on something.
+struct Standing {
+    bounds: Aabb,
+    /// What is made longer may become so many times as wide.
+    wider: f64,
+    /// The axis that it is round about.
+    round: Option<usize>,
+}
+
+/// What was found out about a solid that may stand on others.
+#[derive(Default)]
+pub(super) struct Stand {
+    /// The number of the cut that makes it longer, if it stands on any that have room for it.
+    pub flush: Option<u32>,
+    /// The others it is made longer into.
+    pub held: Vec<NodeId>,
+    /// Those it touches that have no room for it.
+    pub loose: Vec<NodeId>,
+}
+
 impl Builder<'_> {
-    /// The number of the cut that makes a solid longer where it stands on others with a flat face, if it
-    /// stands on any that have room for it. Where there is no room the report says so.
-    pub(super) fn standing(&mut self, node: NodeId, others: &[NodeId]) -> Option<u32> {
+    /// Whether a solid stands on others with a flat face, and on which of them.
+    pub(super) fn standing(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+        let mut stand = Stand::default();
         let own = self.box_of(node);
         if own.is_empty() || !own.radius().is_finite() {
-            return None;
+            return stand;
         }
-        let wider = match self.is_flat(node) {
-            true => 1.0,
-            false => WIDER,
+        let thing = Standing {
+            bounds: own,
+            wider: self.wider(node),
+            round: self.frustum(node).map(|f| f.axis),
         };
         let mut free = Cut {
             around: Aabb::ALL,
@@ -60,17 +92,78 @@ impl Builder<'_> {
                     if (self.flush_by(node, Cut { around, by: PART })).is_none() {
                         continue;
                     }
-                    if room.holds(&own, axis, wider) {
+                    if room.holds(&thing, axis, below) {
                         let share = depth / (own.max[axis] - own.min[axis]);
                         cut.by = cut.by.min(PART * share);
                         free = cut;
+                        stand.held.push(other);
                     } else {
-                        self.faces_in_one_place(self.ids[node as usize]);
+                        stand.loose.push(other);
                     }
                 }
             }
         }
-        self.flush_by(node, free)
+        stand.flush = self.flush_by(node, free);
+        stand
+    }
+
+    /// How many times as wide a solid becomes at most where it is made longer.
+    fn wider(&self, node: NodeId) -> f64 {
+        match self.along_the_axes(node) {
+            Some(Geometry::Box { .. } | Geometry::HalfSpace(_)) => 1.0,
+            // They go on straight.
+            Some(Geometry::Cone { .. }) => 1.0 + PART,
+            Some(Geometry::Revolution { profile, .. }) if profile.len() == 2 => 1.0 + PART,
+            _ => WIDER,
+        }
+    }
+
+    /// A node as a part of a cone or cylinder along an axis, if it is one.
+    fn frustum(&self, node: NodeId) -> Option<Frustum> {
+        let (y, radii) = match self.along_the_axes(node)? {
+            Geometry::Cone { height, radius } => ([0.0, *height], [0.0, *radius]),
+            Geometry::Revolution { profile, .. } => match profile[..] {
+                [[r, y], [q, z]] => ([y, z], [r, q]),
+                _ => return None,
+            },
+            _ => return None,
+        };
+        let bounds = self.box_of(node);
+        let size: [f64; 3] = std::array::from_fn(|i| bounds.max[i] - bounds.min[i]);
+        // The place of the two ends tells the axis, and which of them is the lower one.
+        let place = self.placement(node);
+        let ends = y.map(|y| place.point([0.0, y, 0.0]));
+        let axis = (0..3).find(|i| (ends[1][*i] - ends[0][*i]).abs() > size[*i] / 2.0)?;
+        let [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
+        let wide = size[a].max(size[b]);
+        if (size[a] - size[b]).abs() > 1e-9 * wide {
+            return None;
+        }
+        let largest = radii[0].max(radii[1]);
+        let mut radii = radii.map(|r| r / largest * wide / 2.0);
+        if ends[0][axis] > ends[1][axis] {
+            radii.reverse();
+        }
+        Some(Frustum {
+            bounds,
+            axis,
+            radii,
+        })
+    }
+
+    /// From the coordinates of a shape to those of a node that is that shape.
+    fn placement(&self, mut node: NodeId) -> Matrix {
+        let mut all = Matrix::IDENTITY;
+        loop {
+            node = match self.scene.nodes[node as usize] {
+                Node::Paint { child, .. } | Node::Copy { child, .. } => child,
+                Node::Transform { child, matrix } => {
+                    all = all.after(&self.scene.matrices[matrix as usize]);
+                    child
+                }
+                _ => return all,
+            }
+        }
     }
 
     /// Whether a node is a box along the axes, or a half-space.
@@ -83,6 +176,9 @@ impl Builder<'_> {
         let bounds = self.box_of(node);
         if self.is_flat(node) {
             return Room::Full(bounds);
+        }
+        if let Some(frustum) = self.frustum(node) {
+            return Room::Round(frustum);
         }
         let mut at = node;
         while let Node::Paint { child, .. } | Node::Copy { child, .. } =
@@ -113,6 +209,9 @@ impl Room {
         };
         let at = ends(own).0;
         let (end, far, bounds) = match self {
+            // Only its ends are flat.
+            Room::Round(f) if f.axis != axis => return None,
+            Room::Round(f) => (ends(&f.bounds).1, ends(&f.bounds).0, &f.bounds),
             Room::Full(b) | Room::Other(b) => (ends(b).1, ends(b).0, b),
             Room::Hollow { inner, outer } => (ends(inner).0, ends(outer).0, outer),
         };
@@ -125,12 +224,16 @@ impl Room {
         ((at - end).abs() <= hair && beside && depth > 0.0).then_some((at, depth))
     }
 
-    /// Whether it holds all that is beyond the end of a box, not far away.
-    fn holds(&self, own: &Aabb, axis: usize, wider: f64) -> bool {
+    /// Whether it holds all that is beyond an end of what stands on it, not far away.
+    fn holds(&self, thing: &Standing, axis: usize, below: bool) -> bool {
+        let own = &thing.bounds;
         let centre = own.centre();
+        let half: [f64; 3] = std::array::from_fn(|i| thing.wider * (own.max[i] - own.min[i]) / 2.0);
+        if let Room::Round(frustum) = self {
+            return frustum.holds(centre, half, thing.round == Some(axis), below);
+        }
         (0..3).filter(|i| *i != axis).all(|i| {
-            let half = wider * (own.max[i] - own.min[i]) / 2.0;
-            let (low, high) = (centre[i] - half, centre[i] + half);
+            let (low, high) = (centre[i] - half[i], centre[i] + half[i]);
             match self {
                 Room::Full(b) => b.min[i] < low && high < b.max[i],
                 // It is in the box, and there is something around that.
@@ -138,9 +241,26 @@ impl Room {
                     let within = inner.min[i] <= own.min[i] && own.max[i] <= inner.max[i];
                     within && outer.min[i] < low && high < outer.max[i]
                 }
-                Room::Other(_) => false,
+                Room::Round(_) | Room::Other(_) => false,
             }
         })
+    }
+}
+
+impl Frustum {
+    /// Whether it holds a box, or what is round in that, beyond its upper or its lower end.
+    fn holds(&self, centre: Vec3, half: Vec3, round: bool, upper: bool) -> bool {
+        let [a, b] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
+        let here = self.bounds.centre();
+        let off = (centre[a] - here[a]).hypot(centre[b] - here[b]);
+        let reach = match round {
+            true => half[a].max(half[b]),
+            false => half[a].hypot(half[b]),
+        };
+        let [low, high] = self.radii;
+        let (near, far) = if upper { (high, low) } else { (low, high) };
+        // As deep as something goes into it at most, it may be narrower.
+        off + reach < near.min(near + PART * (far - near))
     }
 }
 
@@ -150,6 +270,11 @@ mod tests {
 
     #[test]
     fn boxes_stand_on_tables() {
+        let beneath = |bounds, wider| Standing {
+            bounds,
+            wider,
+            round: None,
+        };
         let table = Aabb::new([-5.0, -1.0, -5.0], [5.0, 0.0, 5.0]);
         let cube = Aabb::new([-1.0, 0.0, -1.0], [1.0, 2.0, 1.0]);
         let room = Room::Full(table);
@@ -160,12 +285,13 @@ mod tests {
         let ground = Room::Full(ground);
         assert_eq!(ground.under(&cube, 1, true), Some((0.0, 2.0)));
         assert_eq!(ground.under(&cube, 1, false), None);
-        assert!(ground.holds(&cube, 1, 2.0));
+        assert!(ground.holds(&beneath(cube, 2.0), 1, true));
         // The table against the cube above it.
         assert_eq!(Room::Full(cube).under(&table, 1, false), Some((0.0, 1.0)));
         let beside = Aabb::new([6.0, 0.0, -1.0], [8.0, 2.0, 1.0]);
         assert_eq!(room.under(&beside, 1, true), None);
-        assert!(room.holds(&cube, 1, 4.9) && !room.holds(&cube, 1, 5.0));
+        assert!(room.holds(&beneath(cube, 4.9), 1, true));
+        assert!(!room.holds(&beneath(cube, 5.0), 1, true));
     }
 
     #[test]
@@ -177,9 +303,42 @@ mod tests {
         assert_eq!(tank.under(&water, 1, true), Some((0.25, 0.25)));
         assert_eq!(tank.under(&water, 1, false), None);
         assert_eq!(tank.under(&water, 0, false), Some((2.5, 0.5)));
-        assert!(tank.holds(&water, 1, 1.0) && tank.holds(&water, 0, 1.0));
+        let filling = Standing {
+            bounds: water,
+            wider: 1.0,
+            round: None,
+        };
+        assert!(tank.holds(&filling, 1, true) && tank.holds(&filling, 0, false));
         // Something on the rim is not within.
         let lid = Aabb::new([-3.0, 3.0, -2.0], [3.0, 3.5, 2.0]);
         assert_eq!(tank.under(&lid, 1, true), None);
+    }
+
+    #[test]
+    fn discs_hold_what_stands_within_them() {
+        // A cone's lower part from y = 0 to 1, of radius 2 below and 1 above.
+        let bounds = Aabb::new([-2.0, 0.0, -2.0], [2.0, 1.0, 2.0]);
+        let room = Room::Round(Frustum {
+            bounds,
+            axis: 1,
+            radii: [2.0, 1.0],
+        });
+        let on = |half: f64, at: f64, round: bool| Standing {
+            bounds: Aabb::new([at - half, 1.0, -half], [at + half, 3.0, half]),
+            wider: 1.0,
+            round: round.then_some(1),
+        };
+        let cube = on(0.7, 0.0, false);
+        assert_eq!(room.under(&cube.bounds, 1, true), Some((1.0, 1.0)));
+        // What is beside it touches it along a line.
+        assert_eq!(room.under(&cube.bounds, 0, true), None);
+        // Corners are √2 as far out as sides.
+        assert!(room.holds(&cube, 1, true));
+        assert!(!room.holds(&on(0.75, 0.0, false), 1, true));
+        assert!(room.holds(&on(0.75, 0.0, true), 1, true));
+        assert!(!room.holds(&on(0.75, 0.25, true), 1, true));
+        // Below it is wider, but narrower a little above: 2 − 1/16.
+        assert!(room.holds(&on(1.9, 0.0, true), 1, false));
+        assert!(!room.holds(&on(1.95, 0.0, true), 1, false));
     }
 }

@@ -1,12 +1,13 @@
 //! Unions. Opaque ones are plain: what lies inside is never seen. In transparent ones the faces
 //! inside have to go, except where two media meet; there the first medium owns the overlap.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::aspects::DEFAULT;
 use super::build::{Builder, inside_medium};
 use super::grouping::{self, meet, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
+use super::standing::Stand;
 use crate::scene::{Aabb, NodeId};
 use crate::translate::fidelity::Fidelity;
 
@@ -66,6 +67,7 @@ impl Builder<'_> {
         let kinds: Vec<_> = (solids.iter())
             .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
             .collect();
+        let (mut held, mut loose) = (HashSet::new(), Vec::new());
         for i in 0..solids.len() {
             let (medium, true) = kinds[i] else { continue };
             let node = solids[i].0;
@@ -78,12 +80,22 @@ impl Builder<'_> {
                     after.push(solids[j].0);
                 }
             }
-            if let Some(flush) = self.standing(node, &after) {
+            let mut note = |stand: Stand| {
+                let pair = |other: NodeId| (node.min(other), node.max(other));
+                held.extend(stand.held.into_iter().map(pair));
+                loose.extend(stand.loose.into_iter().map(pair));
+                stand.flush
+            };
+            if let Some(flush) = note(self.standing(node, &after)) {
                 reaching.insert(node, flush);
             }
             if solids[i].1.flush.is_none() {
-                solids[i].1.flush = self.standing(node, &before);
+                solids[i].1.flush = note(self.standing(node, &before));
             }
+        }
+        // One of the two is enough.
+        if let Some((_, above)) = loose.iter().find(|pair| !held.contains(pair)) {
+            self.faces_in_one_place(self.ids[*above as usize]);
         }
         reaching
     }
