@@ -166,15 +166,10 @@ fn spare_images(args: &Args, loaded: &Loaded, made: Made) -> Result<Made, Refusa
 /// Says what cannot be translated, and where it is written.
 pub(super) fn refuse(loaded: &Loaded, unsupported: &Unsupported, look: LookChoice) -> Status {
     let why = unsupported.message.clone();
-    let said = match unsupported.span.map(|s| loaded.source.position(s.start)) {
-        Some(at) => Complaint::new("at-place")
-            .with("path", loaded.source.path.clone())
-            .with("line", at.line.to_string())
-            .with("column", at.column.to_string())
-            .with("why", why),
-        None => why,
-    };
-    complain(look, &said);
+    match unsupported.span {
+        Some(span) => loaded.refuse(Path::new(&loaded.source.path), span, why, look),
+        None => complain(look, &why),
+    }
     Status::Negative
 }
 
