@@ -107,13 +107,18 @@ fn shortest(text: &str) -> Cow<'_, str> {
         _ => return text.into(),
     };
     // Both have the shortest digits; the first never has an exponent, the second always.
-    let (plain, exponent) = (format!("{value}"), format!("{value:e}"));
+    let plain = format!("{value}");
+    let kept = text.contains(['e', 'E']) && plain.len() > text.len();
     let small_or_large = !(1e-4..1e16).contains(&value.abs()) && value != 0.0;
-    let has_exponent = text.contains(['e', 'E']);
-    if (has_exponent && plain.len() > text.len())
-        || (small_or_large && exponent.len() < plain.len())
-    {
-        exponent.into()
+    if kept || small_or_large {
+        let exponent = format!("{value:e}");
+        if kept || exponent.len() < plain.len() {
+            return exponent.into();
+        }
+    }
+    // As most are that a program has written.
+    if plain == text {
+        text.into()
     } else {
         plain.into()
     }
