@@ -217,13 +217,7 @@ fn complaint_of_ranges(text: &str) -> Option<String> {
     let loaded = load(text);
     let document = &loaded.document;
     let broken = document.items.iter().any(|i| matches!(i, Item::Broken(_)));
-    // Where a comment has lines like records, other breaks could make records of them.
-    let like_records = |comment: String| {
-        let mut lines = comment.lines().skip(1).map(str::trim_start);
-        lines.any(|l| l.starts_with(|c: char| c.is_ascii_digit()))
-    };
-    let ambiguous = comments(text).into_iter().any(like_records);
-    if broken || ambiguous || !loaded.sound || !findings(&loaded, true).is_empty() {
+    if broken || !loaded.sound || !findings(&loaded, true).is_empty() {
         // How careful it has to be depends on the whole text.
         return None;
     }

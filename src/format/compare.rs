@@ -69,18 +69,23 @@ pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
 /// The items of the first scene that are not the same in the second, or not in the same place among
 /// its numbers.
 pub fn differences(a: (&str, &Document), b: (&str, &Document)) -> Vec<usize> {
+    let same = |x: &Item, y: &Item| same_item((a.0, a.1, x), (b.0, b.1, y));
+    let (mut items, mut others): (Vec<_>, Vec<_>) = (places(a.1).collect(), places(b.1).collect());
+    // What is the same up to the end is no difference, however much else is read before it.
+    let ends = items.iter().rev().zip(others.iter().rev());
+    let ends = ends.take_while(|(x, y)| same(x.2, y.2)).count();
+    items.truncate(items.len() - ends);
+    others.truncate(others.len() - ends);
     let mut found = Vec::new();
-    let mut others = places(b.1).peekable();
+    let mut others = others.into_iter().peekable();
     let mut last = 0;
-    for (i, start, item) in places(a.1) {
+    for (i, start, item) in items {
         // What begins within the item before.
         while others.next_if(|other| other.1 < start).is_some() {
             found.push(last);
         }
-        let same = others
-            .next_if(|other| other.1 == start)
-            .is_some_and(|(.., other)| same_item((a.0, a.1, item), (b.0, b.1, other)));
-        if !same {
+        let other = others.next_if(|other| other.1 == start);
+        if !other.is_some_and(|(.., other)| same(item, other)) {
             found.push(i);
         }
         last = i;

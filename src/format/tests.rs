@@ -219,6 +219,15 @@ fn comments_align_by_the_room_they_take() {
     );
 }
 
+/// With other breaks the lines of this comment would be read as records; the lines behind it are not.
+#[test]
+fn only_what_would_be_read_otherwise_is_kept() {
+    check(
+        "2 -301\n# 7 9 1\n 8 9 2 #\na.png\n3 11 +7 0 3 1\n\n\n4 9 1.50\n",
+        "2 -301\n# 7 9 1\n 8 9 2 #\na.png\n3 11  7 0 3  1\n\n4 9 1.5\n",
+    );
+}
+
 /// Where there are mistakes, what a `0` behind a record introduces may bear witness; the record is laid
 /// out for all that.
 #[test]

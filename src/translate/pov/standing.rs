@@ -136,6 +136,7 @@ impl Builder<'_> {
         let axis = (0..3).find(|i| (ends[1][*i] - ends[0][*i]).abs() > size[*i] / 2.0)?;
         let [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
         let wide = size[a].max(size[b]);
+        // As wide as it is deep but for what its placement was rounded: the axis stands upright.
         if (size[a] - size[b]).abs() > 1e-9 * wide {
             return None;
         }
