@@ -9,6 +9,7 @@ pub mod proofs;
 pub mod reach;
 pub mod tips;
 pub mod tree;
+pub mod ways;
 
 use crate::diagnostics::Span;
 use crate::scene::{Node, NodeId, OperationRecord, Scene, Vec3};

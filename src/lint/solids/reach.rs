@@ -6,7 +6,8 @@ use super::distance;
 use super::inside::Inside;
 use super::leaf::Leaf;
 use super::tips::{Tip, tips, ways};
-use super::tree::{NONE, Tree};
+use super::tree::Tree;
+use super::ways::NONE;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Render, Scene, Vec3, Volume};
 use crate::trace::{Crossing, Ray, Tracer, vec};
@@ -163,7 +164,7 @@ const STEP: f64 = 0.01;
 
 /// Directions in which shapes are asked how far they reach, for all searches of a rule together: some
 /// tenths of a second.
-pub const DIRECTIONS: usize = 1_500_000;
+pub const DIRECTIONS: usize = 3_000_000;
 
 /// The exactly known points of an object: those where its leaves reach furthest.
 pub struct Outline<'a> {
@@ -190,7 +191,11 @@ impl Outline<'_> {
     pub fn is_exact(&self, volume: &Volume) -> bool {
         let ways = ways(volume);
         let whole = |leaf: &Leaf| {
-            let ends = |g| tips(g, &leaf.matrix, volume, &ways).next().is_some();
+            let ends = |g| {
+                tips(g, &leaf.matrix, volume, &ways, self.left)
+                    .next()
+                    .is_some()
+            };
             self.is_whole(leaf) && self.geometry(leaf).is_some_and(ends)
         };
         matches!(volume, Volume::Box { .. }) && self.tree.leaves.iter().all(whole)
@@ -221,7 +226,6 @@ impl Outline<'_> {
         let mut leaves: Vec<(f64, &Leaf)> = leaves.filter(|l| l.0 > least).collect();
         leaves.sort_by(|a, b| b.0.total_cmp(&a.0));
         let ways = ways(volume);
-        let cost = ways.len();
         let mut all: Vec<(f64, &Leaf, Tip)> = Vec::new();
         for (most, leaf) in leaves {
             let Some(geometry) = self.geometry(leaf) else {
@@ -234,12 +238,11 @@ impl Outline<'_> {
                     break;
                 }
             }
-            let left = self.left.get();
-            self.left.set(left.saturating_sub(cost));
-            if left < cost {
+            if self.left.get() < ways.len() {
+                self.left.set(0);
                 break;
             }
-            for tip in tips(geometry, &leaf.matrix, volume, &ways) {
+            for tip in tips(geometry, &leaf.matrix, volume, &ways, self.left) {
                 let by = worth(beyond(volume, tip.point));
                 if by > least {
                     all.push((by, leaf, tip));

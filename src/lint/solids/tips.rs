@@ -1,5 +1,7 @@
 //! Where shapes reach furthest: points of their surface, known exactly.
 
+use std::cell::Cell;
+
 use super::reach::beyond;
 use crate::scene::{Geometry, Matrix, Vec3, Volume, icosahedron};
 
@@ -16,20 +18,26 @@ pub struct Tip {
 const STEPS: usize = 12;
 
 /// Points of a moved shape that reach out of a volume, looked for along its [`ways`]; none for shapes
-/// without end. Of a box they are those that reach furthest.
+/// without end. Of a box they are those that reach furthest. Each direction asked for is taken from what
+/// is `left`; where nothing is, there are no more.
 pub fn tips<'a>(
     geometry: &'a Geometry,
     m: &'a Matrix,
     volume: &'a Volume,
     ways: &'a [Vec3],
+    left: &'a Cell<usize>,
 ) -> impl Iterator<Item = Tip> + 'a {
+    let ask = move |d: Vec3| {
+        left.set(left.get().checked_sub(1)?);
+        moved_tip(geometry, m, d)
+    };
     let reach = move |d: Vec3| {
-        let mut tip = moved_tip(geometry, m, d)?;
+        let mut tip = ask(d)?;
         if let Volume::Sphere { centre, .. } = volume {
             // What is furthest along the way to the furthest point so far is not nearer.
             for _ in 0..STEPS {
                 let way = std::array::from_fn(|i| tip.point[i] - centre[i]);
-                let next = moved_tip(geometry, m, way)?;
+                let next = ask(way)?;
                 if beyond(volume, next.point) <= beyond(volume, tip.point) {
                     break;
                 }
@@ -322,7 +330,8 @@ mod tests {
         let best = |g: &Geometry| {
             let from = ball(0.0);
             let ways = ways(&from);
-            let all = tips(g, &m, &from, &ways);
+            let left = Cell::new(1000);
+            let all = tips(g, &m, &from, &ways, &left);
             all.fold(0.0f64, |b, t| b.max(beyond(&from, t.point)))
         };
         assert!((best(&cube) - 6f64.sqrt()).abs() < 1e-12);

@@ -5,15 +5,13 @@
 //! the point are looked at, however long the chain that they are part of.
 
 use super::leaf::Leaf;
+use super::ways::{NONE, Ways};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Matrix, Node, NodeId, Scene};
 
 /// Nodes gone through for the second time or more. Scenes that share parts without end would take
 /// more: parts beyond are known as a whole only.
 const REPEATED: u32 = 400_000;
-
-/// No place in the tree.
-pub const NONE: u32 = u32::MAX;
 
 /// Inside, outside, or not known.
 pub type Answer = Option<bool>;
@@ -37,8 +35,6 @@ pub struct Place {
     /// One more than the last place below.
     end: u32,
     depth: u32,
-    /// The top of a way down along the larger children.
-    head: u32,
     /// Whether its complement is what the parent is made of.
     pub negated: bool,
     /// Whether there is an odd number of complements on the way from the root.
@@ -60,6 +56,9 @@ pub struct Place {
 pub struct Tree {
     /// Parents stand before their children, and what first operands are made of before second ones.
     pub places: Vec<Place>,
+    ways: Ways,
+    /// Of each place the highest one reached by way of unions alone.
+    crowds: Vec<u32>,
     pub leaves: Vec<Leaf>,
 }
 
@@ -93,6 +92,8 @@ impl Tree {
         };
         let mut tree = Tree {
             places: Vec::new(),
+            ways: Ways::default(),
+            crowds: Vec::new(),
             leaves: Vec::new(),
         };
         let start = |&node: &NodeId| Task {
@@ -181,7 +182,6 @@ impl Tree {
             children: [NONE; 2],
             end: here + 1,
             depth,
-            head: here,
             negated: task.negated,
             turned: above.is_some_and(|p| p.turned) != task.negated,
             cuts,
@@ -229,15 +229,20 @@ impl Tree {
                 };
             }
         }
+        let parents: Vec<u32> = self.places.iter().map(|p| p.parent).collect();
+        self.ways = Ways::new(&parents);
+        self.crowds = (0..self.places.len() as u32).collect();
         for i in 0..self.places.len() {
             let place = self.places[i];
             if place.join == Join::Leaf {
                 continue;
             }
-            let weight = |c: u32| self.places[c as usize].end - c;
             let [a, b] = place.children;
-            let heavy = if weight(a) >= weight(b) { a } else { b };
-            self.places[heavy as usize].head = place.head;
+            if place.join == Join::Or {
+                for child in [a, b] {
+                    self.crowds[child as usize] = self.crowds[i];
+                }
+            }
             for (child, other) in [(a, b), (b, a)] {
                 let other = self.places[other as usize];
                 // True settles an "or", false an "and".
@@ -250,24 +255,14 @@ impl Tree {
         }
     }
 
-    /// The lowest place that two places of one root are part of.
-    pub fn join(&self, mut a: u32, mut b: u32) -> u32 {
-        let at = |i: u32| &self.places[i as usize];
-        while at(a).head != at(b).head {
-            if at(at(a).head).depth < at(at(b).head).depth {
-                std::mem::swap(&mut a, &mut b);
-            }
-            a = at(at(a).head).parent;
+    /// The difference or intersection that joins two places of one root, if it is not a union that does.
+    pub fn cut(&self, a: u32, b: u32) -> Option<u32> {
+        // Most of those that are near each other are parts of one union.
+        if self.crowds[a as usize] == self.crowds[b as usize] {
+            return None;
         }
-        if at(a).depth < at(b).depth { a } else { b }
-    }
-
-    pub fn root(&self, place: u32) -> u32 {
-        let mut top = self.places[place as usize].head;
-        while self.places[top as usize].parent != NONE {
-            top = self.places[self.places[top as usize].parent as usize].head;
-        }
-        top
+        let join = self.ways.join(a, b)?;
+        self.places[join as usize].cuts.then_some(join)
     }
 
     /// Whether there are nothing but differences and intersections between a place and an operation
@@ -309,7 +304,7 @@ impl Tree {
         for &(place, answer) in answers[start..].iter().take_while(|a| a.0 < end) {
             let mut meet = top;
             if let Some(last) = stack.last() {
-                meet = self.join(last.0, place);
+                meet = self.ways.join(last.0, place).unwrap_or(top);
                 self.reduce(&mut stack, i64::from(self.places[meet as usize].depth));
             }
             stack.push((place, answer, meet));
@@ -353,7 +348,7 @@ impl Tree {
         let mut others = answers[..before].to_vec();
         others.push((place, None));
         others.extend_from_slice(&answers[after..]);
-        let root = self.root(place);
+        let root = self.ways.root(place);
         let [without, with] = [false, true].map(|x| {
             others[before].1 = Some(x);
             self.value(root, &others)

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::face::{Face, Form, QUADRIC};
+use super::sample::SLIVER;
 use super::search::{NEAR, ROUNDING};
 use super::vector::dot;
 use crate::lint::solids::boxes::Boxes;
@@ -17,7 +18,7 @@ const STEPS: usize = 20_000_000;
 const PAIRS: usize = 500_000;
 
 /// What it costs to find the operation that joins two shapes, in steps.
-const JOIN_COST: usize = 4;
+const JOIN_COST: usize = 8;
 
 /// Fewer faces than this in one plane are looked at one by one.
 const FEW: usize = 16;
@@ -54,6 +55,9 @@ const CELLS: f64 = 1e4;
 /// A direction that no scene is built along, to tell places apart by one number.
 const ODD: Vec3 = [0.612_372, 0.288_675, 0.736_203];
 
+/// Another one, for sums of whole numbers.
+const ODD_CELL: [i32; 3] = [612, 289, 736];
+
 /// The numbers of quadrics agree to within a ten-millionth or are those of different surfaces:
 /// rounding on the way through their matrices is magnified by where they are, and samples decide.
 const LOOSE: f64 = 1e-7 / ROUNDING;
@@ -83,6 +87,24 @@ impl Entry {
             true => (self.cell.map(|c| -c), -self.at),
             false => (self.cell, self.at),
         }
+    }
+
+    /// A number that has opposite signs for faces that look against each other, but for a cell's width.
+    fn side(&self) -> i32 {
+        match self.flat {
+            true => (0..3).map(|i| ODD_CELL[i] * i32::from(self.cell[i])).sum(),
+            false => 0,
+        }
+    }
+
+    /// Whether it looks for others.
+    fn asks(&self) -> bool {
+        self.side() >= -ODD_CELL.iter().sum::<i32>()
+    }
+
+    /// Whether it is the one of two that finds the other.
+    fn precedes(&self, other: &Entry) -> bool {
+        (other.side(), self.leaf) < (self.side(), other.leaf)
     }
 }
 
@@ -161,6 +183,17 @@ fn cells(form: &Form, turned: bool, cell: Cell) -> Vec<Cell> {
     out
 }
 
+/// Two faces that may lie in one another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Meeting {
+    /// The later one first.
+    leaves: [u32; 2],
+    /// The later leaf's first.
+    pub faces: [u32; 2],
+    /// The place of the operation that joins their shapes.
+    pub operation: u32,
+}
+
 /// The search for pairs in one group after the other.
 pub struct Planes<'a> {
     tree: &'a Tree,
@@ -183,9 +216,9 @@ impl<'a> Planes<'a> {
 
     /// Pairs of faces, of different leaves of the group that all of these are of, that look against
     /// each other in one plane or are round and of one place, whose outlines overlap and whose shapes
-    /// are joined by a difference or an intersection; the earlier leaf's face first. By the later
-    /// leaf, then the earlier one, which is mostly the workpiece.
-    pub fn pairs(&mut self, faces: &[Face]) -> Vec<(u32, u32)> {
+    /// are joined by a difference or an intersection. By the later leaf, then the earlier one, which is
+    /// mostly the workpiece.
+    pub fn pairs(&mut self, faces: &[Face]) -> Vec<Meeting> {
         let mut out = Vec::new();
         if self.steps > 0 && self.pairs > 0 {
             let entries = self.entries(faces);
@@ -194,8 +227,7 @@ impl<'a> Planes<'a> {
                 (self.steps, self.pairs) = (0, 0);
             }
         }
-        let leaf = |f: u32| faces[f as usize].leaf;
-        out.par_sort_unstable_by_key(|&(f, g)| (leaf(g), leaf(f), g, f));
+        out.par_sort_unstable();
         out
     }
 
@@ -272,24 +304,16 @@ impl<'a> Planes<'a> {
         kept
     }
 
-    /// Whether the operation that joins two leaves is a difference or an intersection: faces of parts of
-    /// a union are most of those that lie against each other.
-    fn is_cut(&self, one: u32, two: u32) -> bool {
-        let place = |leaf: u32| self.tree.leaves[leaf as usize].place;
-        let operation = self.tree.join(place(one), place(two));
-        self.tree.places[operation as usize].cuts
-    }
-
     /// Adds the pairs; `None` when no steps are left, or no room for more.
     fn fill(
         &mut self,
         faces: &[Face],
         entries: &[Entry],
         runs: &mut [Run],
-        out: &mut Vec<(u32, u32)>,
+        out: &mut Vec<Meeting>,
     ) -> Option<()> {
         let mut found = Vec::new();
-        for entry in entries {
+        for entry in entries.iter().filter(|e| e.asks()) {
             let (cell, at) = entry.opposite();
             let reach = 2.0 * NEAR * entry.size + ROUNDING * entry.magnitude;
             let room = NEAR * entry.size;
@@ -312,13 +336,23 @@ impl<'a> Planes<'a> {
                     for other in found.drain(..) {
                         let other = &entries[other as usize];
                         let both_again = !entry.own && !other.own;
-                        if entry.leaf < other.leaf && !both_again && (other.at - at).abs() <= reach
+                        let apart = (other.at - at).abs() > reach || touch(entry, other);
+                        if entry.leaf == other.leaf || !entry.precedes(other) || both_again || apart
                         {
-                            self.steps = self.steps.checked_sub(JOIN_COST)?;
-                            if self.is_cut(entry.leaf, other.leaf) {
-                                self.pairs = self.pairs.checked_sub(1)?;
-                                out.push((entry.face, other.face));
-                            }
+                            continue;
+                        }
+                        self.steps = self.steps.checked_sub(JOIN_COST)?;
+                        let place = |e: &Entry| self.tree.leaves[e.leaf as usize].place;
+                        if let Some(operation) = self.tree.cut(place(entry), place(other)) {
+                            self.pairs = self.pairs.checked_sub(1)?;
+                            let late = usize::from(entry.leaf < other.leaf);
+                            let both = [entry, other];
+                            let both = [both[late], both[1 - late]];
+                            out.push(Meeting {
+                                leaves: both.map(|e| e.leaf),
+                                faces: both.map(|e| e.face),
+                                operation,
+                            });
                         }
                     }
                     self.steps = self.steps.checked_sub(steps)?;
@@ -327,6 +361,16 @@ impl<'a> Planes<'a> {
         }
         Some(())
     }
+}
+
+/// Whether two flat faces have no more than a sliver in common ([`SLIVER`]).
+fn touch(one: &Entry, two: &Entry) -> bool {
+    let both = one.bounds.intersection(&two.bounds);
+    let mut extent: Vec3 = std::array::from_fn(|i| both.max[i] - both.min[i]);
+    extent.sort_unstable_by(f64::total_cmp);
+    // The overlap is at most √2 times as wide as the second longest side of the box that holds it, and
+    // its area at most that times half of the way around it.
+    one.flat && two.flat && extent[1] < SLIVER * one.size.min(two.size)
 }
 
 /// Stretches of entries that lie in one plane.
@@ -370,7 +414,7 @@ impl Run {
                 (all.clone()).map(|i| (i, entries[i as usize].bounds)),
             ))
         });
-        steps += index.near(around, out);
+        steps += index.near(around, out) + out.len();
         out.retain(overlaps);
         steps
     }

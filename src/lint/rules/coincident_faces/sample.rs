@@ -9,6 +9,9 @@ use crate::scene::{Geometry, Vec3};
 /// A point of a surface and the direction at right angles to it, of length 1.
 pub type Sample = (Vec3, Vec3);
 
+/// Overlaps narrower than this share of the smaller shape may be rounding: silence.
+pub const SLIVER: f64 = 1e-6;
+
 /// Where two flat faces overlap: nothing where that is less than a sliver.
 pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
     let Form::Flat { normal, point, .. } = &one.form else {
@@ -19,8 +22,6 @@ pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
         (Some(outline), None) | (None, Some(outline)) => outline.to_vec(),
         (Some(a), Some(b)) => clipped(&a, &b, *normal),
     };
-    /// Overlaps narrower than this share of the smaller shape may be rounding: silence.
-    const SLIVER: f64 = 1e-6;
     let n = outline.len();
     let edge = |i: usize| sub(outline[(i + 1) % n], outline[i]);
     let around: f64 = (0..n).map(|i| length(edge(i))).sum();

@@ -3,13 +3,14 @@
 use rustc_hash::FxHashSet;
 
 use super::face::{Face, Form, Part, as_quadrics, faces};
-use super::planes::Planes;
+use super::planes::{Meeting, Planes};
 use super::quadric;
 use super::sample::{self, Sample};
 use super::vector::{add, cross, unit};
 use crate::lint::solids::leaf::Leaf;
 use crate::lint::solids::points::Points;
-use crate::lint::solids::tree::{Answer, NONE, Tree};
+use crate::lint::solids::tree::{Answer, Tree};
+use crate::lint::solids::ways::NONE;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Geometry, Node, NodeId, Scene, Vec3};
 
@@ -161,12 +162,13 @@ impl<'a> Search<'a> {
     }
 
     /// Looks at pairs of faces of one group.
-    fn group(&mut self, all: &[Face], pairs: &[(u32, u32)], found: &mut Vec<Found>) {
+    fn group(&mut self, all: &[Face], pairs: &[Meeting], found: &mut Vec<Found>) {
         let tree = self.tree;
-        for &(f, g) in pairs {
-            let faces = [&all[f as usize], &all[g as usize]];
+        for pair in pairs {
+            let Meeting { operation, .. } = *pair;
+            let [later, earlier] = pair.faces.map(|f| &all[f as usize]);
+            let faces = [earlier, later];
             let leaves = faces.map(|f| &tree.leaves[f.leaf as usize]);
-            let operation = tree.join(leaves[0].place, leaves[1].place);
             let pair = Pair {
                 operation,
                 faces,

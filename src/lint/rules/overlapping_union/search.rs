@@ -9,7 +9,7 @@ use crate::lint::solids::inside::Inside;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Matrix, NodeId, Scene, Vec3};
 
-/// Boxes looked at and steps up the unions, for all parts together: some hundredths of a second.
+/// Boxes looked at and points tried, for all parts together: some tenths of a second.
 const STEPS: usize = 10_000_000;
 
 /// Points tried for a pair of parts whose boxes overlap.
@@ -120,7 +120,8 @@ impl<'a> Search<'a> {
 
     fn pair(&mut self, pair: [u32; 2], opaque: bool) -> Option<Found> {
         let parts = pair.map(|i| &self.unions.parts[i as usize]);
-        let union = self.union(parts)?;
+        let place = self.unions.ways.join(parts[0].union, parts[1].union)?;
+        let union = self.unions.places[place as usize];
         if self.done.contains(&union) {
             return None;
         }
@@ -224,27 +225,5 @@ impl<'a> Search<'a> {
             }
         }
         true
-    }
-
-    /// The union that joins two parts, if there is one.
-    fn union(&mut self, parts: [&Part; 2]) -> Option<NodeId> {
-        let place = |i: u32| &self.unions.places[i as usize];
-        let [mut a, mut b] = parts.map(|p| p.union);
-        if place(a).top != place(b).top {
-            return None;
-        }
-        while place(a).head != place(b).head {
-            self.left = self.left.checked_sub(1)?;
-            if place(place(a).head).depth < place(place(b).head).depth {
-                std::mem::swap(&mut a, &mut b);
-            }
-            a = place(place(a).head).parent;
-        }
-        let upper = if place(a).depth < place(b).depth {
-            a
-        } else {
-            b
-        };
-        Some(place(upper).node)
     }
 }

@@ -3,25 +3,13 @@
 use rustc_hash::FxHashMap;
 
 use super::medium::{Coat, Colouring, Medium, looks};
+use crate::lint::solids::ways::{NONE, Ways};
 use crate::lint::solids::{Named, named};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
 
 /// Nodes gone through more often than once, in scenes that share parts.
 const REPEATED: usize = 200_000;
-
-const NONE: u32 = u32::MAX;
-
-/// A union where it occurs.
-pub(super) struct Place {
-    pub(super) node: NodeId,
-    pub(super) parent: u32,
-    pub(super) depth: u32,
-    /// The topmost union of unions that this is part of.
-    pub(super) top: u32,
-    /// The top of a way down along the larger operands.
-    pub(super) head: u32,
-}
 
 /// A part of a union that is none itself.
 pub(super) struct Part {
@@ -52,7 +40,10 @@ struct Task {
 }
 
 pub(super) struct Unions {
-    pub(super) places: Vec<Place>,
+    /// Unions where they occur, as nodes: those above before those below.
+    pub(super) places: Vec<NodeId>,
+    /// Of each place the one that it is an operand of.
+    pub(super) ways: Ways,
     /// In the order of their operands.
     pub(super) parts: Vec<Part>,
     pub(super) media: Vec<Medium>,
@@ -63,6 +54,7 @@ impl Unions {
     pub(super) fn new(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Unions {
         let mut all = Unions {
             places: Vec::new(),
+            ways: Ways::default(),
             parts: Vec::new(),
             media: Vec::new(),
         };
@@ -79,6 +71,7 @@ impl Unions {
         };
         let mut todo: Vec<Task> = roots.iter().rev().map(start).collect();
         let mut left = scene.nodes.len() + REPEATED;
+        let mut parents = Vec::new();
         while let Some(mut task) = todo.pop() {
             match left.checked_sub(1) {
                 Some(l) => left = l,
@@ -108,15 +101,8 @@ impl Unions {
                 }
                 Node::Union(a, b) => {
                     let union = all.places.len() as u32;
-                    let above = all.places.get(task.union as usize);
-                    let (depth, top) = above.map_or((0, union), |p| (p.depth + 1, p.top));
-                    all.places.push(Place {
-                        node: task.node,
-                        parent: task.union,
-                        depth,
-                        top,
-                        head: union,
-                    });
+                    all.places.push(task.node);
+                    parents.push(task.union);
                     for node in [b, a] {
                         let copy = None;
                         todo.push(Task {
@@ -148,31 +134,8 @@ impl Unions {
                 Node::Complement(_) => {}
             }
         }
-        all.find_heads();
+        all.ways = Ways::new(&parents);
         all
-    }
-
-    /// Chains of unions are as deep as they are long: ways along the larger operands are gone at once.
-    fn find_heads(&mut self) {
-        let count = self.places.len();
-        let mut weights = vec![1u32; count];
-        let mut larger = vec![NONE; count];
-        // Parents stand before their children.
-        for i in (0..count).rev() {
-            let parent = self.places[i].parent as usize;
-            if let Some(other) = larger.get_mut(parent) {
-                if *other == NONE || weights[*other as usize] < weights[i] {
-                    *other = i as u32;
-                }
-                weights[parent] += weights[i];
-            }
-        }
-        for i in 0..count {
-            let parent = self.places[i].parent;
-            if parent != NONE && larger[parent as usize] == i as u32 {
-                self.places[i].head = self.places[parent as usize].head;
-            }
-        }
     }
 
     fn part(
