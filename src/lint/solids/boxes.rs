@@ -8,6 +8,8 @@ use crate::trace::vec::Vec3;
 /// Numbered boxes: a hierarchy of those that end, and the others. Empty ones are nowhere.
 pub struct Boxes {
     finite: Bvh,
+    /// Of each node of the tree the one that comes after all below it.
+    after: Vec<u32>,
     endless: Vec<u32>,
 }
 
@@ -21,8 +23,17 @@ impl Boxes {
                 false => endless.push(i),
             }
         }
+        let finite = Bvh::new(finite);
+        let mut after = vec![0; finite.nodes.len()];
+        for (i, node) in finite.nodes.iter().enumerate().rev() {
+            after[i] = match node.count {
+                0 => after[node.index as usize],
+                _ => i as u32 + 1,
+            };
+        }
         Boxes {
-            finite: Bvh::new(finite),
+            finite,
+            after,
             endless,
         }
     }
@@ -38,22 +49,20 @@ impl Boxes {
     pub fn near_finite(&self, around: &Aabb, out: &mut Vec<u32>) -> usize {
         let tree = &self.finite;
         let mut steps = 0;
-        let mut todo: Vec<u32> = (!tree.nodes.is_empty()).then_some(0).into_iter().collect();
-        while let Some(i) = todo.pop() {
-            let node = &tree.nodes[i as usize];
+        let mut i = 0;
+        while let Some(node) = tree.nodes.get(i) {
             steps += 1;
             let apart =
                 |k: usize| around.max[k] < node.bounds.min[k] || node.bounds.max[k] < around.min[k];
             if (0..3).any(apart) {
+                i = self.after[i] as usize;
                 continue;
             }
-            match node.count {
-                0 => todo.extend([node.index, i + 1]),
-                n => {
-                    let items = node.index as usize..(node.index + n) as usize;
-                    out.extend_from_slice(&tree.items[items]);
-                }
+            if node.count > 0 {
+                let items = node.index as usize..(node.index + node.count) as usize;
+                out.extend_from_slice(&tree.items[items]);
             }
+            i += 1;
         }
         steps
     }

@@ -16,6 +16,9 @@ pub struct Inside<'a> {
     /// Inverses of the scene's matrices, made when they are first needed.
     inverses: Vec<Option<Matrix>>,
     left: usize,
+    /// Room for [`node`](Self::node), kept from one point to the next.
+    tasks: Vec<Task>,
+    answers: Vec<Option<bool>>,
 }
 
 enum Task {
@@ -35,84 +38,82 @@ impl<'a> Inside<'a> {
             bounds,
             inverses: vec![None; scene.matrices.len()],
             left: STEPS,
+            tasks: Vec::new(),
+            answers: Vec::new(),
         }
     }
 
     /// Whether a point, in the node's coordinates, is in it. `None` where that is not known, or no
     /// steps are left.
     pub fn node(&mut self, node: NodeId, p: Vec3) -> Option<bool> {
-        let mut tasks = vec![Task::Ask(node, p)];
-        let mut answers: Vec<Option<bool>> = Vec::new();
-        while let Some(task) = tasks.pop() {
+        self.tasks.clear();
+        self.answers.clear();
+        self.tasks.push(Task::Ask(node, p));
+        while let Some(task) = self.tasks.pop() {
             self.left = self.left.checked_sub(1)?;
             match task {
-                Task::Ask(node, p) => self.ask(node, p, &mut tasks, &mut answers)?,
+                Task::Ask(node, p) => self.ask(node, p)?,
                 Task::Not => {
-                    let answer = answers.pop()?;
-                    answers.push(answer.map(|x| !x));
+                    let answer = self.answers.pop()?;
+                    self.answers.push(answer.map(|x| !x));
                 }
                 Task::First(node, p) => {
-                    let second = answers.pop()?;
+                    let second = self.answers.pop()?;
                     match (self.scene.nodes[node as usize], second) {
-                        (Node::Union(..), Some(true)) => answers.push(Some(true)),
+                        (Node::Union(..), Some(true)) => self.answers.push(Some(true)),
                         (Node::Intersection(..), Some(false))
-                        | (Node::Difference(..), Some(true)) => answers.push(Some(false)),
+                        | (Node::Difference(..), Some(true)) => self.answers.push(Some(false)),
                         (operation, _) => {
-                            tasks.push(Task::Join(node, second));
-                            tasks.push(Task::Ask(operation.children()[0]?, p));
+                            self.tasks.push(Task::Join(node, second));
+                            self.tasks.push(Task::Ask(operation.children()[0]?, p));
                         }
                     }
                 }
                 Task::Join(node, second) => {
-                    let first = answers.pop()?;
+                    let first = self.answers.pop()?;
                     let joined = match self.scene.nodes[node as usize] {
                         Node::Union(..) => either(first, second),
                         Node::Intersection(..) => both(first, second),
                         _ => both(first, second.map(|x| !x)),
                     };
-                    answers.push(joined);
+                    self.answers.push(joined);
                 }
             }
         }
-        answers.pop()?
+        self.answers.pop()?
     }
 
-    fn ask(
-        &mut self,
-        node: NodeId,
-        p: Vec3,
-        tasks: &mut Vec<Task>,
-        answers: &mut Vec<Option<bool>>,
-    ) -> Option<()> {
+    fn ask(&mut self, node: NodeId, p: Vec3) -> Option<()> {
         if !self.bounds[node as usize].all.contains(p) {
-            answers.push(Some(false));
+            self.answers.push(Some(false));
             return Some(());
         }
         match self.scene.nodes[node as usize] {
             Node::Shape(s) => {
                 let geometry = &self.scene.shapes[s as usize].geometry;
-                answers.push(self.shape(geometry, p));
+                let answer = self.shape(geometry, p);
+                self.answers.push(answer);
             }
             Node::Transform { child, matrix } => {
                 let known = &mut self.inverses[matrix as usize];
                 if known.is_none() {
                     *known = self.scene.matrices[matrix as usize].inverse();
                 }
-                tasks.push(Task::Ask(child, (*known)?.point(p)));
+                self.tasks.push(Task::Ask(child, (*known)?.point(p)));
             }
             Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                tasks.push(Task::Ask(child, p));
+                self.tasks.push(Task::Ask(child, p));
             }
             Node::Complement(child) => {
-                tasks.push(Task::Not);
-                tasks.push(Task::Ask(child, p));
+                self.tasks.push(Task::Not);
+                self.tasks.push(Task::Ask(child, p));
             }
             // The second operand first: chains grow by it, and it is mostly the smaller one.
             Node::Union(_, second)
             | Node::Intersection(_, second)
             | Node::Difference(_, second) => {
-                tasks.push(Task::First(node, p));
-                tasks.push(Task::Ask(second, p));
+                self.tasks.push(Task::First(node, p));
+                self.tasks.push(Task::Ask(second, p));
             }
         }
         Some(())

@@ -20,6 +20,9 @@ const PAIRS: usize = 500_000;
 /// What it costs to find the operation that joins two shapes, in steps.
 const JOIN_COST: usize = 8;
 
+/// Fewer faces than this are not worth to be shared among threads.
+const MANY: usize = 2048;
+
 /// Fewer faces than this in one plane are looked at one by one.
 const FEW: usize = 16;
 
@@ -238,7 +241,8 @@ impl<'a> Planes<'a> {
 
     /// The faces in the order of their planes.
     fn entries(&self, faces: &[Face]) -> Vec<Entry> {
-        let filed = faces.par_iter().enumerate().map(|(i, face)| {
+        let numbered = faces.par_iter().enumerate().with_min_len(MANY);
+        let filed = numbered.map(|(i, face)| {
             let turned = self.turned(face);
             let (cell, at, magnitude) = key(&face.form, turned);
             Filed {
@@ -277,7 +281,8 @@ impl<'a> Planes<'a> {
                 bounds: outline(self.tree, face),
             }
         };
-        filed.into_par_iter().map(entry).collect()
+        let filed = filed.into_par_iter().with_min_len(MANY);
+        filed.map(entry).collect()
     }
 
     /// Of sorted faces the round ones, and those flat ones that may have a flat one against them: in
