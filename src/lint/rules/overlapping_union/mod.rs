@@ -14,12 +14,13 @@ mod unions;
 use rayon::prelude::*;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::lint::properties::Properties;
 use crate::lint::solids::{near, operation_of, roots};
 use crate::lint::{Context, live_nodes};
 use crate::scene::record::Params;
-use crate::scene::{Node, NodeId, OperationRecord, Optics};
+use crate::scene::{Node, OperationRecord, Optics};
 use search::{Found, Search};
-use split::Splitter;
+use split::{Pieces, Splitter};
 use unions::Unions;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -40,21 +41,22 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if found.is_empty() {
         return;
     }
-    let said = found.par_iter().filter_map(|found| {
-        let record = operation_of(scene, found.union)?;
-        let p = context.params(record.span)?;
-        Some((finding(&unions, &p, record, found), p, found.union))
-    });
-    let said: Vec<(Diagnostic, Params, NodeId)> = said.collect();
     // One after the other: each fix has IDs of its own.
     let mut splitter = Splitter::new(context, bounds);
-    out.extend(
-        said.into_iter()
-            .map(|(d, p, union)| match splitter.split(&p, union) {
-                Some(fix) => d.fix(fix),
-                None => d,
-            }),
-    );
+    let pieces = found.iter().map(|f| splitter.pieces(f.union));
+    let pieces: Vec<Option<Pieces>> = pieces.collect();
+    let properties = Properties::new(context);
+    let said = found.par_iter().zip(pieces).filter_map(|(found, pieces)| {
+        let record = operation_of(scene, found.union)?;
+        let p = context.params(record.span)?;
+        let d = finding(&unions, &p, record, found);
+        let fix = pieces.and_then(|pieces| pieces.fix(context, &properties, &p));
+        Some(match fix {
+            Some(fix) => d.fix(fix),
+            None => d,
+        })
+    });
+    out.par_extend(said);
 }
 
 fn finding(unions: &Unions, p: &Params, record: &OperationRecord, found: &Found) -> Diagnostic {

@@ -11,46 +11,82 @@ use crate::scene::{Geometry, Node, NodeId, Scene};
 /// The largest ID that the language knows.
 const ID_MAX: u32 = i32::MAX as u32;
 
-/// Writes unions anew; each fix of a file has IDs of its own.
+/// Which pieces unions are written anew with; each fix of a file has IDs of its own.
 pub struct Splitter<'a> {
-    context: &'a Context<'a>,
+    scene: &'a Scene,
     proofs: Proofs<'a>,
-    properties: Properties<'a>,
     /// An ID that is free, as are those above it.
     free: Option<u32>,
+}
+
+/// The pieces of a union by their IDs; those that are empty for certain are left out.
+#[derive(Debug, Clone, Copy)]
+pub struct Pieces {
+    first: NodeId,
+    both: u32,
+    rest: Rest,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Rest {
+    OnlyA(u32),
+    OnlyB(u32),
+    /// These two and the union of them.
+    Either([u32; 3]),
 }
 
 impl<'a> Splitter<'a> {
     pub fn new(context: &'a Context<'a>, bounds: &'a [NodeBounds]) -> Splitter<'a> {
         Splitter {
-            context,
+            scene: context.scene,
             proofs: Proofs::new(context.scene, bounds),
-            properties: Properties::new(context),
             free: context.free_id(),
         }
     }
 
-    /// The pieces come in front of the union, whose record keeps its place and its comments. A piece
-    /// that is empty for certain is left out. The common piece has the properties of A, to which it
-    /// belongs in a union; there is no fix where these cannot be repeated.
-    pub fn split(&mut self, p: &Params, union: NodeId) -> Option<Fix> {
-        let Node::Union(first, second) = self.context.scene.nodes[union as usize] else {
+    pub fn pieces(&mut self, union: NodeId) -> Option<Pieces> {
+        let Node::Union(first, second) = self.scene.nodes[union as usize] else {
             return None;
         };
-        let (a, b) = (p.text_of(0), p.text_of(1));
         let only_a = self.proofs.covered(first, second).is_none();
         let only_b = self.proofs.covered(second, first).is_none();
         let both = self.id()?;
-        let mut lines = vec![format!("{both} -102 {a} {b}")];
-        lines.extend(self.properties_of(u32::try_from(p.integer(0)).ok()?, first, both)?);
         let rest = match (only_a, only_b) {
             (false, false) => return None,
-            (true, false) => self.difference(a, b, &mut lines)?,
-            (false, true) => self.difference(b, a, &mut lines)?,
-            (true, true) => {
-                let one = self.difference(a, b, &mut lines)?;
-                let other = self.difference(b, a, &mut lines)?;
-                let either = self.id()?;
+            (true, false) => Rest::OnlyA(self.id()?),
+            (false, true) => Rest::OnlyB(self.id()?),
+            (true, true) => Rest::Either([self.id()?, self.id()?, self.id()?]),
+        };
+        Some(Pieces { first, both, rest })
+    }
+
+    fn id(&mut self) -> Option<u32> {
+        let id = self.free?;
+        self.free = id.checked_add(1).filter(|&next| next <= ID_MAX);
+        Some(id)
+    }
+}
+
+impl Pieces {
+    /// The pieces come in front of the union, whose record keeps its place and its comments. The
+    /// common piece has the properties of A, to which it belongs in a union; there is no fix where
+    /// these cannot be repeated.
+    pub fn fix(self, context: &Context, properties: &Properties, p: &Params) -> Option<Fix> {
+        let (a, b, both) = (p.text_of(0), p.text_of(1), self.both);
+        let mut lines = vec![format!("{both} -102 {a} {b}")];
+        lines.extend(self.looks(context, properties, u32::try_from(p.integer(0)).ok()?)?);
+        let rest = match self.rest {
+            Rest::OnlyA(one) => {
+                lines.push(format!("{one} -103 {a} {b}"));
+                one
+            }
+            Rest::OnlyB(one) => {
+                lines.push(format!("{one} -103 {b} {a}"));
+                one
+            }
+            Rest::Either([one, other, either]) => {
+                lines.push(format!("{one} -103 {a} {b}"));
+                lines.push(format!("{other} -103 {b} {a}"));
                 lines.push(format!("{either} -101 {one} {other}"));
                 either
             }
@@ -68,25 +104,17 @@ impl<'a> Splitter<'a> {
         })
     }
 
-    fn id(&mut self) -> Option<u32> {
-        let id = self.free?;
-        self.free = id.checked_add(1).filter(|&next| next <= ID_MAX);
-        Some(id)
-    }
-
-    fn difference(&mut self, of: &str, without: &str, lines: &mut Vec<String>) -> Option<u32> {
-        let id = self.id()?;
-        lines.push(format!("{id} -103 {of} {without}"));
-        Some(id)
-    }
-
-    /// The records that give `result` what an operand looks like.
-    fn properties_of(&self, operand: u32, node: NodeId, result: u32) -> Option<Vec<String>> {
-        if is_default(self.context.scene, node) {
-            return Some(vec![format!("{result} -299 0 0")]);
+    /// The records that give the common piece what the first operand looks like.
+    fn looks(
+        self,
+        context: &Context,
+        properties: &Properties,
+        operand: u32,
+    ) -> Option<Vec<String>> {
+        if is_default(context.scene, self.first) {
+            return Some(vec![format!("{} -299 0 0", self.both)]);
         }
-        let any = [false; ASPECTS];
-        (self.properties).again(self.context, operand, node, result, any)
+        properties.again(context, operand, self.first, self.both, [false; ASPECTS])
     }
 }
 
