@@ -1,6 +1,7 @@
 //! Cameras and transformation records.
 
 use super::record::Params;
+use super::vector::{cross, unit};
 use super::{Camera, Matrix, Vec3, geometry};
 use crate::diagnostics::{Code, Diagnostic};
 
@@ -59,22 +60,7 @@ fn parallel(a: Vec3, b: Vec3) -> bool {
     let (Some(a), Some(b)) = (unit(a), unit(b)) else {
         return true;
     };
-    let cross: Vec3 = std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    });
-    cross.iter().all(|x| x.abs() <= SINE)
-}
-
-/// Scaled by the largest component first, so that nothing overflows.
-fn unit(v: Vec3) -> Option<Vec3> {
-    let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    if largest == 0.0 || !largest.is_finite() {
-        return None;
-    }
-    let v = v.map(|x| x / largest);
-    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    Some(v.map(|x| x / length))
+    cross(a, b).iter().all(|x| x.abs() <= SINE)
 }
 
 /// The matrix of a -1 … -4 record.

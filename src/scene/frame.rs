@@ -1,6 +1,7 @@
 //! What a scene without a camera or without a light is seen and lit by.
 
 use super::bounds::{NodeBounds, node_bounds};
+use super::vector::{cross, unit};
 use super::{Aabb, Camera, PointLight, Scene, Vec3, View};
 
 /// The vertical field of view of the automatic camera, in degrees.
@@ -89,25 +90,6 @@ impl Basis {
             up: cross(right, forward),
         })
     }
-}
-
-/// A vector's direction, whatever its length.
-fn unit(v: Vec3) -> Option<Vec3> {
-    let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    if !(largest > 0.0 && largest.is_finite()) {
-        return None;
-    }
-    let v = v.map(|x| x / largest);
-    let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
-    Some(v.map(|x| x / length))
-}
-
-fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }
 
 #[cfg(test)]

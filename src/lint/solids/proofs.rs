@@ -7,6 +7,7 @@ use super::inside::Inside;
 use super::reach::ball;
 use super::tips::extent;
 use crate::scene::bounds::NodeBounds;
+use crate::scene::vector::{cross, length, unit};
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene, Vec3};
 
 /// How many of a list are kept, the first ones: what a chain begins with is what is cut.
@@ -350,8 +351,8 @@ impl<'a> Proofs<'a> {
             std::array::from_fn(|i| corners.iter().map(|c| c[i]).sum::<f64>() / count);
         let wider = |c: &Vec3| {
             let away: Vec3 = std::array::from_fn(|i| c[i] - middle[i]);
-            let length = length_of(p.matrix.vector(away));
-            let by = 1.0 + if length > 0.0 { clear / length } else { 0.0 };
+            let reach = length(p.matrix.vector(away));
+            let by = 1.0 + if reach > 0.0 { clear / reach } else { 0.0 };
             back.point(std::array::from_fn(|i| middle[i] + by * away[i]))
         };
         Some(corners.iter().map(wider).collect())
@@ -371,23 +372,6 @@ fn corners_of(b: &Aabb, to: &Placed) -> Option<[Vec3; 8]> {
             _ => b.max[i] + clear,
         }))
     }))
-}
-
-fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
-}
-
-fn length_of(v: Vec3) -> f64 {
-    v[0].hypot(v[1]).hypot(v[2])
-}
-
-/// A vector of length 1; `None` for one without direction.
-fn unit(v: Vec3) -> Option<Vec3> {
-    let length = length_of(v);
-    (length.is_finite() && length > f64::MIN_POSITIVE).then(|| v.map(|x| x / length))
 }
 
 /// The largest of a point's coordinates.

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 
 use super::reach::beyond;
+use crate::scene::vector::dot;
 use crate::scene::{Geometry, Matrix, Vec3, Volume, icosahedron};
 
 /// A point of a shape's surface.
@@ -204,10 +205,6 @@ fn geodesic_corner(d: Vec3, splits: u32) -> Vec3 {
     }
     facet.sort_by(nearest_first);
     facet[0]
-}
-
-fn dot(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// A vector of length 1 in the same direction; any for one without direction.

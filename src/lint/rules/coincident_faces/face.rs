@@ -2,8 +2,8 @@
 //! surfaces with a point that tells them from others.
 
 use super::quadric;
-use super::vector::{add, cross, dot, length, sub, unit};
 use crate::lint::solids::inside::in_profile;
+use crate::scene::vector::{across, add, cross, dot, length, sub, unit};
 use crate::scene::{Geometry, Matrix, Vec3};
 
 /// Profiles with more points have no faces here: to tell the sides of each of their pieces takes
@@ -156,10 +156,7 @@ pub fn faces(geometry: &Geometry, leaf: u32, m: &Matrix, out: &mut Vec<Face>) {
             let Some(n) = unit([*a, *b, *c]) else { return };
             let point = n.map(|x| -x * (d / length([*a, *b, *c])));
             // Any two directions in the plane.
-            let least = (0..3).fold(0, |i, j| if n[j].abs() < n[i].abs() { j } else { i });
-            let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
-            let u = cross(n, axis);
-            faces.flat(Part::All, point, (u, cross(n, u)), n, Extent::Endless);
+            faces.flat(Part::All, point, across(n).into(), n, Extent::Endless);
         }
         Geometry::Cone { height, radius } => {
             faces.disc(

@@ -14,7 +14,6 @@ mod planes;
 mod quadric;
 mod sample;
 mod search;
-mod vector;
 
 use rayon::prelude::*;
 

@@ -2,7 +2,8 @@
 
 use super::face::Part;
 use super::sample::Sample;
-use super::vector::{add, dot, length};
+use super::sample::direction;
+use crate::scene::vector::{add, dot, length};
 use crate::scene::{Geometry, Matrix, Vec3};
 
 type Form = [[f64; 4]; 4];
@@ -106,12 +107,6 @@ pub fn samples(form: &Form) -> Vec<Sample> {
     ];
     let usable = |l: &f64| l.is_finite() && *l > 0.0;
     let scale = lengths.into_iter().find(usable).unwrap_or(1.0);
-    let direction = |i: u32, count: u32| -> Vec3 {
-        let y = 1.0 - (2.0 * f64::from(i) + 1.037) / f64::from(count);
-        let (sin, cos) = (f64::from(i) * 2.399_963 + 0.3).sin_cos();
-        let ring = (1.0 - y * y).sqrt();
-        [ring * cos, y, ring * sin]
-    };
     /// Lines to try, and how far from their start a crossing is of use, in lengths of the surface.
     const COUNT: u32 = 24;
     const FAR: f64 = 10.0;

@@ -2,8 +2,8 @@
 
 use super::face::{Face, Form, Part};
 use super::quadric;
-use super::vector::{add, cross, dot, length, middle, sub, unit};
 use crate::lint::solids::leaf::Leaf;
+use crate::scene::vector::{across, add, cross, dot, length, middle, sub, unit};
 use crate::scene::{Geometry, Vec3};
 
 /// A point of a surface and the direction at right angles to it, of length 1.
@@ -48,19 +48,10 @@ pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
 
 /// Points of a plane, up to some way from this one.
 fn plane(point: Vec3, normal: Vec3, size: f64) -> Vec<Sample> {
-    let least = (0..3).fold(0, |i, j| {
-        if normal[j].abs() < normal[i].abs() {
-            j
-        } else {
-            i
-        }
-    });
-    let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
-    let u = cross(normal, axis);
-    let v = cross(normal, u);
+    let [u, v] = across(normal);
     let away = |i: u32| {
-        // Golden angles, and distances of no pattern.
-        let (sin, cos) = (f64::from(i) * 2.399_963 + 0.3).sin_cos();
+        // At distances of no pattern.
+        let (sin, cos) = turn(i);
         let far = size * 0.317 * f64::from(i);
         (add(add(point, u, far * cos), v, far * sin), normal)
     };
@@ -136,15 +127,24 @@ pub fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> 
         .collect()
 }
 
+/// The sine and cosine of so many golden angles, and a little.
+fn turn(i: u32) -> (f64, f64) {
+    (f64::from(i) * 2.399_963 + 0.3).sin_cos()
+}
+
+/// Of `count` directions all around one.
+pub fn direction(i: u32, count: u32) -> Vec3 {
+    let y = 1.0 - (2.0 * f64::from(i) + 1.037) / f64::from(count);
+    let (sin, cos) = turn(i);
+    let ring = (1.0 - y * y).sqrt();
+    [ring * cos, y, ring * sin]
+}
+
 fn ball(centre: Vec3, axes: Vec3) -> Vec<Sample> {
-    // Golden-angle points on the sphere.
     const COUNT: u32 = 24;
     (0..COUNT)
         .map(|i| {
-            let y = 1.0 - (2.0 * f64::from(i) + 1.037) / f64::from(COUNT);
-            let (sin, cos) = (f64::from(i) * 2.399_963 + 0.3).sin_cos();
-            let ring = (1.0 - y * y).sqrt();
-            let d = [ring * cos, y, ring * sin];
+            let d = direction(i, COUNT);
             (
                 std::array::from_fn(|k| centre[k] + axes[k] * d[k]),
                 std::array::from_fn(|k| d[k] / axes[k]),
@@ -156,7 +156,7 @@ fn ball(centre: Vec3, axes: Vec3) -> Vec<Sample> {
 fn torus(major: f64, minor: f64) -> Vec<Sample> {
     (0..24)
         .map(|i| {
-            let (su, cu) = (f64::from(i) * 2.399_963 + 0.3).sin_cos();
+            let (su, cu) = turn(i);
             let (sv, cv) = (f64::from(i) * 1.137 + 0.2).sin_cos();
             let ring = major + minor * cv;
             ([ring * cu, minor * sv, ring * su], [cv * cu, sv, cv * su])

@@ -6,12 +6,12 @@ use super::face::{Face, Form, Part, as_quadrics, faces};
 use super::planes::{Meeting, Planes};
 use super::quadric;
 use super::sample::{self, Sample};
-use super::vector::{add, cross, unit};
 use crate::lint::solids::leaf::Leaf;
 use crate::lint::solids::points::Points;
 use crate::lint::solids::tree::{Answer, Tree};
 use crate::lint::solids::ways::NONE;
 use crate::scene::bounds::NodeBounds;
+use crate::scene::vector::{across, add};
 use crate::scene::{Aabb, Geometry, Node, NodeId, Scene, Vec3};
 
 /// How near two faces must be, as a share of the smaller shape: the language's own bound.
@@ -308,12 +308,7 @@ impl<'a> Search<'a> {
         if !self.meets(pair, p, n, reach, &near) {
             return false;
         }
-        let least = (0..3).fold(0, |i, j| if n[j].abs() < n[i].abs() { j } else { i });
-        let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
-        let Some(u) = unit(cross(n, axis)) else {
-            return false;
-        };
-        let v = cross(n, u);
+        let [u, v] = across(n);
         // The corners of a triangle: whatever line goes through the middle, some are on either side.
         [(1.0, 0.1), (-0.6, 0.8), (-0.4, -0.9)]
             .into_iter()

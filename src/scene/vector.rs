@@ -1,0 +1,82 @@
+//! The little vector algebra of doubles that a scene's geometry needs.
+
+use super::Vec3;
+
+/// a + `times` · b.
+pub fn add(a: Vec3, b: Vec3, times: f64) -> Vec3 {
+    std::array::from_fn(|i| a[i] + b[i] * times)
+}
+
+pub fn sub(a: Vec3, b: Vec3) -> Vec3 {
+    add(a, b, -1.0)
+}
+
+pub fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// The length, however large or small the components.
+pub fn length(a: Vec3) -> f64 {
+    a[0].hypot(a[1]).hypot(a[2])
+}
+
+/// The direction of a vector, whatever its length; `None` where it has none.
+pub fn unit(v: Vec3) -> Option<Vec3> {
+    let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    if !(largest > 0.0 && largest.is_finite()) {
+        return None;
+    }
+    let v = v.map(|x| x / largest);
+    let length = dot(v, v).sqrt();
+    Some(v.map(|x| x / length))
+}
+
+/// Two vectors at right angles to a unit vector and to each other; the first is no shorter than √⅔, the
+/// second as long.
+pub fn across(n: Vec3) -> [Vec3; 2] {
+    let least = (0..3).fold(0, |i, j| if n[j].abs() < n[i].abs() { j } else { i });
+    let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
+    let u = cross(n, axis);
+    [u, cross(n, u)]
+}
+
+pub fn middle(points: &[Vec3]) -> Vec3 {
+    let n = points.len().max(1) as f64;
+    points.iter().fold([0.0; 3], |sum, p| add(sum, *p, 1.0 / n))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_of_any_length() {
+        for size in [5e-324, 1e-200, 1.0, 1e200] {
+            let n = unit([3.0 * size, 0.0, 4.0 * size]).unwrap();
+            assert!((length(n) - 1.0).abs() < 1e-15);
+        }
+        assert_eq!(unit([0.0; 3]), None);
+        assert_eq!(unit([f64::INFINITY, 0.0, 0.0]), None);
+        assert_eq!(unit([f64::NAN; 3]), None);
+    }
+
+    #[test]
+    fn what_is_across_stands_upright_on_it() {
+        for n in [[1.0, 0.0, 0.0], [0.6, 0.0, -0.8], [0.48, 0.6, 0.64]] {
+            let [u, v] = across(n);
+            for (a, b) in [(n, u), (n, v), (u, v)] {
+                assert!(dot(a, b).abs() < 1e-15);
+            }
+            assert!(length(u) >= (2.0f64 / 3.0).sqrt() - 1e-15);
+            assert!((length(u) - length(v)).abs() < 1e-15);
+        }
+    }
+}
