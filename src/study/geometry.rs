@@ -248,7 +248,7 @@ impl Sight<'_> {
     fn pixel(&self, i: usize, walkers: &mut Walkers<f64>) -> Pixel {
         let (point, normal, info) = self.other(i);
         let here = self.ours[i];
-        if here.is_some_and(|s| self.is_cut_off(s)) || !self.is_smooth(i) {
+        if !self.is_smooth(i) {
             return Pixel::Silhouette;
         }
         let (here, info) = match (here, info) {
@@ -391,7 +391,7 @@ impl Sight<'_> {
             || !extent.region.contains(seen.point) && exact != Some(&true)
     }
 
-    /// Whether all pixels around show the same face, and not a fold of it.
+    /// Whether all pixels around show the same face, and not a fold of it, or where it is cut off.
     fn is_smooth(&self, i: usize) -> bool {
         let (x, y) = (i % self.width, i / self.width);
         let height = self.ours.len() / self.width;
@@ -405,6 +405,7 @@ impl Sight<'_> {
                     // The neighbour is near the tangent plane.
                     let across = dot(d, a.normal).abs();
                     (a.shape, a.object) == (b.shape, b.object)
+                        && !self.is_cut_off(b)
                         && dot(a.normal, b.normal) > 0.9
                         && across < 0.5 * dot(d, d).sqrt() + 1e-9 * self.size
                 }
