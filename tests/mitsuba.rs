@@ -62,6 +62,20 @@ fn loaded(path: &Path) -> Loaded {
     Loaded::new(path.to_string_lossy(), std::fs::read(path).unwrap())
 }
 
+/// Scenes of which single precision does not tell all: in how many pixels at most, and in how many at
+/// least what is seen is right. All of the others are told wholly, and 200 pixels right.
+const TOLD_IN_PART: [(&str, usize, usize); 4] = [
+    // The eye and what stands before it are some millimetres from a ball of a thousand kilometres: near
+    // the ground, which lies under their feet.
+    ("ground", 700, 2500),
+    // Two sheets, a hair above the ground and under it.
+    ("sheet", 60, 6000),
+    // Of four windows in a wall two are 1e-9 and 1e-12 from its far side.
+    ("slivers", 320, 3500),
+    // A wire of 1e-4, a million units away, where numbers of single precision are 0.06 apart.
+    ("thin-torus-far", 900, 0),
+];
+
 #[test]
 fn the_scenes_are_where_we_see_them() {
     for folder in ["gallery", "handout", "hard"] {
@@ -71,18 +85,13 @@ fn the_scenes_are_where_we_see_them() {
             println!("{name}: {}", figures(&seen));
             let most = if folder == "hard" { 5e-4 } else { 0.0 };
             assert!(seen.share_wrong <= most, "{name}: {}", figures(&seen));
-            // In the gallery all can be compared; what is hard is hard for single precision, too.
-            let compared = seen.exact.pixels + seen.meshes.pixels;
-            assert!(
-                compared > 200 || folder == "hard",
-                "{name}: {}",
-                figures(&seen)
-            );
-            assert!(
-                seen.undecided == 0 || folder == "hard",
-                "{name}: {}",
-                figures(&seen)
-            );
+            let in_part = TOLD_IN_PART.iter().find(|t| t.0 == name);
+            let (most, least) = in_part.map_or((0, 200), |t| (t.1, t.2));
+            let left_out = seen.undecided + seen.in_one_place;
+            assert!(left_out <= most, "{name}: {}", figures(&seen));
+            let right = seen.exact.pixels + seen.meshes.pixels;
+            assert!(right >= least, "{name}: {}", figures(&seen));
+            assert_eq!(seen.tells(), least > 0, "{name}");
         }
     }
 }
@@ -95,13 +104,21 @@ fn random_scenes_are_where_we_see_them() {
     });
     let mut wrong = Vec::new();
     // In the last ones something is there twice, also once opaque and once clear and of other triangles,
-    // and two parts of one medium are in another.
-    for seed in range.unwrap_or(0..12u64).chain([244, 296, 644]) {
+    // two parts of one medium are in another, one looks into a ball whose socket was turned about it, what a
+    // part would take from a later one is all in an earlier one, and one sees where something is cut off.
+    for seed in range
+        .unwrap_or(0..12u64)
+        .chain([244, 296, 644, 650, 1005, 1022])
+    {
         let loaded = Loaded::new("scene", scenes::scene(seed).into_bytes());
         let seen = compare(&format!("random_{seed}"), &loaded, Path::new("."));
         // At the edges of cuts, which bound one shape on both sides, there is one now and then.
         if seen.share_wrong > 5e-4 {
             wrong.push(format!("{seed}: {}", figures(&seen)));
+        }
+        let left_out = seen.undecided + seen.in_one_place;
+        if left_out > seen.pixels / 100 {
+            wrong.push(format!("{seed}: too little is told: {}", figures(&seen)));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -183,6 +200,24 @@ fn surfaces_in_one_place_are_named() {
     assert!(named(&format!("{ball}1 9999 5 0 -3 -3 -3 3 3 0.25\n")));
     let apart = ball.replace("4 -2 30 1", "4 -1 0 0 5");
     assert!(!named(&format!("{apart}1 9999 5 0 -3 -3 -3 3 3 0.25\n")));
+}
+
+/// Walls that go through each other, with their tops at one height, and a picture in the face of one.
+#[test]
+fn surfaces_in_one_place_are_counted_by_themselves() {
+    let text = "2 12 -2 0 -2 2 1 -1\n3 12 1 0 -2 2 1 2\n4 12 -2 0 1 2 1 2\n5 5 -1.5 0.2 0.5 0.8\n\
+                5 -1 0 0 2\n6 -101 2 3\n7 -101 6 4\n8 -101 7 5\n9 -501 1 4 9 0 -4 -9 0 1 0 30\n1 9999 8 0\n";
+    let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+    let seen = compare("walls", &loaded, Path::new("."));
+    assert_eq!((seen.wrong, seen.undecided), (0, 0), "{}", figures(&seen));
+    assert!((1..400).contains(&seen.in_one_place), "{}", figures(&seen));
+    let pairs = [[2, 3], [3, 4], [4, 5]];
+    for shared in &seen.shared {
+        let mut shapes = shared.shapes;
+        shapes.sort_unstable();
+        assert!(pairs.contains(&shapes), "{shapes:?}");
+    }
+    assert!(seen.exact.pixels > 1000, "{}", figures(&seen));
 }
 
 /// A prism that splits light: three pictures, each with the index of its channel.

@@ -31,10 +31,12 @@ povray: pictures, in linear light. On silhouettes, where an edge goes through th
 what one sample shows is up to rounding; and POV-Ray treats total internal reflection in another way:
 both are counted by themselves.
 mitsuba: position, normal and shape of what is seen first, from a Python that has the package mitsuba.
+What single precision cannot tell, and which of two surfaces in one place is seen, is counted by itself;
+the answer is \"no\", too, when that is more than what is seen alike.
 
 In DIR are then ours.png, theirs.png, difference.png (green: alike, red: differing, grey: silhouettes,
-blue: total reflection with povray, what single precision cannot tell with mitsuba), side-by-side.png, crosscheck.json, and the translation; with _left and _right
-for a pair of cameras. Pictures of mitsuba show normals as colours.
+blue: what is counted by itself), side-by-side.png, crosscheck.json, and the translation; with _left
+and _right for a pair of cameras. Pictures of mitsuba show normals as colours.
 
 Examples:
   zpg crosscheck scene.zpg --with povray
@@ -156,6 +158,11 @@ trait Outcome: Serialize {
     /// The share of pixels that differ off silhouettes.
     fn share(&self) -> f64;
 
+    /// Whether so much could be compared that it is an answer.
+    fn tells(&self) -> bool {
+        true
+    }
+
     /// The numbers for people, a line each.
     fn print(&self, args: &Args, out: &mut dyn Write) -> io::Result<()>;
 }
@@ -213,7 +220,9 @@ fn answer<T: Outcome>(args: &Args, pictures: Vec<Compared<T>>) -> Result<(bool, 
         scene: args.file.to_string_lossy().into_owned(),
         with: args.with.name(),
         size: [args.size.width, args.size.height],
-        agrees: pictures.iter().all(|p| p.comparison.share() <= SHARE),
+        agrees: pictures
+            .iter()
+            .all(|p| p.comparison.share() <= SHARE && p.comparison.tells()),
         pictures,
     };
     let folder = folder(args);
@@ -225,9 +234,10 @@ fn answer<T: Outcome>(args: &Args, pictures: Vec<Compared<T>>) -> Result<(bool, 
     }
     let mut text = Vec::new();
     for Compared { name, comparison } in &answer.pictures {
-        let agrees = match comparison.share() <= SHARE {
-            true => "agrees",
-            false => "DIFFERS",
+        let agrees = match (comparison.share() <= SHARE, comparison.tells()) {
+            (true, true) => "agrees",
+            (true, false) => "CANNOT BE COMPARED",
+            (false, _) => "DIFFERS",
         };
         let [w, h] = answer.size;
         // Writing to memory cannot fail.

@@ -1,5 +1,8 @@
 //! Where two programs see the surfaces of a scene: position, normal and shape, pixel by pixel.
 
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use serde::Serialize;
@@ -56,6 +59,9 @@ const FAR: f64 = 30.0;
 /// What is seen beyond this part of the way to where parts without end are cut off is not compared: a
 /// neighbouring pixel may show what is cut off.
 const HORIZON: f64 = 0.9;
+/// Surfaces are in one place when they are nearer to each other than this share of the largest coordinate:
+/// roundings of doubles on the way through some matrices.
+const IN_ONE_PLACE: f64 = 64.0 * f64::EPSILON;
 /// By so much of the largest coordinate single precision may mistake a place, after a few operations.
 const ROUNDED: f64 = 4.0 * f32::EPSILON as f64;
 
@@ -69,6 +75,10 @@ pub struct Comparison {
     /// Where single precision, in which Mitsuba computes, does not tell what is seen from something
     /// else that is nearly there: not compared.
     pub undecided: usize,
+    /// Where the surfaces of two shapes are in one place, and Mitsuba shows the other one: not compared.
+    pub in_one_place: usize,
+    /// Whose these are, those of the most pixels first.
+    pub shared: Vec<Shared>,
     /// Another shape, or another place than allowed.
     pub wrong: usize,
     /// Of all pixels.
@@ -77,6 +87,14 @@ pub struct Comparison {
     pub meshes: Differences,
     #[serde(skip)]
     map: Vec<Pixel>,
+}
+
+/// Surfaces in one place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Shared {
+    /// The IDs of the shapes: ours and theirs.
+    pub shapes: [u32; 2],
+    pub pixels: usize,
 }
 
 /// The largest differences on shapes of a kind.
@@ -95,6 +113,8 @@ pub struct Differences {
 enum Pixel {
     Silhouette,
     Undecided,
+    /// Of these two shapes, ours and theirs.
+    InOnePlace([u32; 2]),
     Wrong,
     Right {
         /// Whether Mitsuba has the shape itself, not a mesh of it.
@@ -123,15 +143,13 @@ pub fn compare(
         return None;
     }
     let Output { extent, frame, .. } = translation;
-    let mut all = extent
+    let all = extent
         .region
         .hull(&Aabb::new(camera.position, camera.position));
-    (all.min, all.max) = (frame.place(all.min), frame.place(all.max));
-    let largest = all
-        .min
-        .iter()
-        .chain(&all.max)
-        .fold(0.0f64, |m, x| m.max(x.abs()));
+    let largest = |corners: [Vec3; 2]| {
+        let coordinates = corners.as_flattened().iter();
+        coordinates.fold(0.0f64, |m, x| m.max(x.abs()))
+    };
     let mut exact = FxHashMap::default();
     for s in &translation.shapes {
         *exact.entry((s.shape, s.object)).or_insert(true) &= s.exact;
@@ -145,7 +163,8 @@ pub fn compare(
         translation,
         exact,
         size: 2.0 * extent.radius,
-        rounded: ROUNDED * largest / frame.scale,
+        rounded: ROUNDED * largest([all.min, all.max].map(|p| frame.place(p))) / frame.scale,
+        in_one_place: IN_ONE_PLACE * largest([all.min, all.max]),
     };
     let pixels = (0..ours.len()).into_par_iter();
     let mut comparison = Comparison {
@@ -155,15 +174,22 @@ pub fn compare(
         pixels: ours.len(),
         silhouettes: 0,
         undecided: 0,
+        in_one_place: 0,
+        shared: Vec::new(),
         wrong: 0,
         share_wrong: 0.0,
         exact: Differences::default(),
         meshes: Differences::default(),
     };
+    let mut shared: BTreeMap<[u32; 2], usize> = BTreeMap::new();
     for pixel in &comparison.map {
         match *pixel {
             Pixel::Silhouette => comparison.silhouettes += 1,
             Pixel::Undecided => comparison.undecided += 1,
+            Pixel::InOnePlace(shapes) => {
+                comparison.in_one_place += 1;
+                *shared.entry(shapes).or_default() += 1;
+            }
             Pixel::Wrong => comparison.wrong += 1,
             Pixel::Empty => {}
             Pixel::Right {
@@ -183,6 +209,11 @@ pub fn compare(
             }
         }
     }
+    let pairs = shared.into_iter();
+    comparison.shared = pairs
+        .map(|(shapes, pixels)| Shared { shapes, pixels })
+        .collect();
+    comparison.shared.sort_by_key(|s| Reverse(s.pixels));
     comparison.share_wrong = comparison.wrong as f64 / comparison.pixels.max(1) as f64;
     Some(comparison)
 }
@@ -199,6 +230,8 @@ struct Sight<'a> {
     size: f64,
     /// By how much single precision may mistake a place.
     rounded: f64,
+    /// How near to each other surfaces are in one place.
+    in_one_place: f64,
 }
 
 impl Sight<'_> {
@@ -215,28 +248,58 @@ impl Sight<'_> {
     fn pixel(&self, i: usize, walkers: &mut Walkers<f64>) -> Pixel {
         let (point, normal, info) = self.other(i);
         let here = self.ours[i];
-        if here.is_some_and(|s| self.is_cut_off(s)) || !self.is_smooth(i) {
+        if !self.is_smooth(i) {
             return Pixel::Silhouette;
         }
-        let mut wrong = || match self.is_nearly_seen(i, point, info, walkers) {
-            true => Pixel::Undecided,
-            false => Pixel::Wrong,
-        };
         let (here, info) = match (here, info) {
             (None, None) => return Pixel::Empty,
             (Some(here), Some(info)) => (here, info),
-            _ => return wrong(),
+            _ => return self.unlike(i, point, info, walkers),
         };
         let across = dot(minus(point, here.point), here.normal).abs();
         let allowed = self.allowed(here.distance, info);
         if across > allowed || (info.shape, info.object) != (here.shape, here.object) {
-            return wrong();
+            return self.unlike(i, point, Some(info), walkers);
         }
         Pixel::Right {
             exact: info.exact,
             distance: across,
             allowed,
             angle: dot(normal, here.normal).abs().min(1.0).acos().to_degrees(),
+        }
+    }
+
+    /// What to make of a pixel that shows something else.
+    fn unlike(
+        &self,
+        i: usize,
+        point: Vec3,
+        info: Option<&ShapeInfo>,
+        walkers: &mut Walkers<f64>,
+    ) -> Pixel {
+        let Some(ray) = self.ray(i) else {
+            return Pixel::Wrong;
+        };
+        if let (Some(here), Some(info)) = (self.ours[i], info) {
+            let across = dot(minus(point, here.point), here.normal).abs();
+            let places = [
+                (
+                    self.in_one_place,
+                    Pixel::InOnePlace([here.shape, info.shape]),
+                ),
+                (self.rounded, Pixel::Undecided),
+            ];
+            for (gap, pixel) in places {
+                if across <= self.allowed(here.distance, info) + gap
+                    && self.is_within(gap, &ray, &here, info, walkers)
+                {
+                    return pixel;
+                }
+            }
+        }
+        match self.is_nearly_seen(&ray, point, info, walkers) {
+            true => Pixel::Undecided,
+            false => Pixel::Wrong,
         }
     }
 
@@ -249,20 +312,44 @@ impl Sight<'_> {
         }
     }
 
+    /// The ray through the middle of a pixel.
+    fn ray(&self, i: usize) -> Option<Ray> {
+        let (x, y) = (i % self.width, i / self.width);
+        (self.view.as_ref()?).ray(x as f64 + 0.5, y as f64 + 0.5)
+    }
+
+    /// Whether the surface that they show, whatever operations leave of it, is no farther from the one
+    /// that we see.
+    fn is_within(
+        &self,
+        gap: f64,
+        ray: &Ray,
+        here: &Seen,
+        info: &ShapeInfo,
+        walkers: &mut Walkers<f64>,
+    ) -> bool {
+        let direction = ray.line.direction;
+        let length = direction.length();
+        let slope = dot(direction.0, here.normal).abs() / length;
+        let by = gap / slope.max(1e-3) / length;
+        let t = here.distance / length;
+        let met = self.tracer.surfaces(walkers, ray, t - by, t + by);
+        let mut ours = met.iter().filter(|s| s.shape == here.shape);
+        ours.any(|a| {
+            met.iter()
+                .any(|b| b.leaf != a.leaf && b.shape == info.shape)
+        })
+    }
+
     /// Whether we see what they show from a place that single precision does not tell from the ray's
     /// origin, or behind what we see and as near to it.
     fn is_nearly_seen(
         &self,
-        i: usize,
+        ray: &Ray,
         point: Vec3,
         info: Option<&ShapeInfo>,
         walkers: &mut Walkers<f64>,
     ) -> bool {
-        let (x, y) = (i % self.width, i / self.width);
-        let ray = |view: &View| view.ray(x as f64 + 0.5, y as f64 + 0.5);
-        let Some(ray) = self.view.as_ref().and_then(ray) else {
-            return false;
-        };
         let length = ray.line.direction.length();
         let mut sees = |by: Vec3, all: bool| {
             let origin = ray.line.origin + by.into();
@@ -304,7 +391,7 @@ impl Sight<'_> {
             || !extent.region.contains(seen.point) && exact != Some(&true)
     }
 
-    /// Whether all pixels around show the same face, and not a fold of it.
+    /// Whether all pixels around show the same face, and not a fold of it, or where it is cut off.
     fn is_smooth(&self, i: usize) -> bool {
         let (x, y) = (i % self.width, i / self.width);
         let height = self.ours.len() / self.width;
@@ -318,6 +405,7 @@ impl Sight<'_> {
                     // The neighbour is near the tangent plane.
                     let across = dot(d, a.normal).abs();
                     (a.shape, a.object) == (b.shape, b.object)
+                        && !self.is_cut_off(b)
                         && dot(a.normal, b.normal) > 0.9
                         && across < 0.5 * dot(d, d).sqrt() + 1e-9 * self.size
                 }
@@ -335,12 +423,18 @@ fn minus(a: Vec3, b: Vec3) -> Vec3 {
 }
 
 impl Comparison {
+    /// Whether there is an answer: no more is left out than is shown to be right.
+    pub fn tells(&self) -> bool {
+        let right = self.exact.pixels + self.meshes.pixels;
+        self.undecided + self.in_one_place <= right
+    }
+
     /// As a picture of 8-bit RGB, row by row: green up to what is allowed, red where it is wrong, blue
-    /// where single precision decides, grey for silhouettes.
+    /// where single precision or nothing decides, grey for silhouettes.
     pub fn picture(&self) -> Vec<u8> {
         let colour = |pixel: &Pixel| match *pixel {
             Pixel::Silhouette => [60; 3],
-            Pixel::Undecided => [0, 90, 255],
+            Pixel::Undecided | Pixel::InOnePlace(_) => [0, 90, 255],
             Pixel::Wrong => [255, 0, 0],
             Pixel::Right {
                 distance, allowed, ..
@@ -379,19 +473,30 @@ mod tests {
 
     const SIZE: (u32, u32) = (64, 48);
 
-    /// Two balls, one on each half of the picture, as Mitsuba would have them if it made no mistake; and
-    /// what is said of that once `change` was made to the channels of all pixels.
+    /// Two balls, one on each half of the picture.
+    const BALLS: &str = "2 11 -1.5 0 0 1\n3 11 1.5 0 0 1\n4 -101 2 3\n\
+                         5 -501 0 0 8 0 0 -1 0 1 0 45\n1 9999 4 0\n";
+
+    /// Two boxes, of which the right half of the first is the left half of the second.
+    const BOXES: &str = "2 12 -2 -1 -1 0.5 1 0\n3 12 -0.5 -1 -2 2 1 0\n4 -101 2 3\n\
+                         5 -501 0 0 8 0 0 -1 0 1 0 45\n1 9999 4 0\n";
+
+    /// What is said of the balls once `change` was made to the channels of all pixels.
     fn compared(change: impl Fn(&Output, &mut [f32])) -> Comparison {
-        let text = "2 11 -1.5 0 0 1\n3 11 1.5 0 0 1\n4 -101 2 3\n\
-                    5 -501 0 0 8 0 0 -1 0 1 0 45\n1 9999 4 0\n";
-        let loaded = Loaded::new("balls.zpg", text.as_bytes().to_vec());
+        compared_in(BALLS, change)
+    }
+
+    /// A scene as Mitsuba would have it if it made no mistake, and what is said of that once `change` was
+    /// made to the channels of all pixels.
+    fn compared_in(text: &str, change: impl Fn(&Output, &mut [f32])) -> Comparison {
+        let loaded = Loaded::new("scene.zpg", text.as_bytes().to_vec());
         let tracer = Tracer::new(&loaded.scene).unwrap();
         let options = mitsuba::Options {
             size: SIZE,
             depth: 10,
             tolerance: None,
             integrator: Integrator::Aov,
-            stem: "balls".to_owned(),
+            stem: "scene".to_owned(),
         };
         let made = mitsuba::write(&loaded.scene, &tracer, &options).unwrap();
         let camera = selected_camera(&loaded.scene, 4.0 / 3.0);
@@ -446,5 +551,45 @@ mod tests {
             pixels[6] = 1.0;
         });
         assert_eq!((corner.wrong, corner.undecided), (1, 0));
+    }
+
+    #[test]
+    fn of_surfaces_in_one_place_either_may_be_seen() {
+        // In the middle both boxes are; a quarter of the picture to the left, the first alone.
+        let middle = CHANNELS * (24 * 64 + 32);
+        let swapped = |at: usize, by: f32| {
+            compared_in(BOXES, move |_, theirs| {
+                theirs[at + 6] = 3.0 - theirs[at + 6];
+                theirs[at + 2] += by;
+            })
+        };
+        let both = swapped(middle, 0.0);
+        let shared = Shared {
+            shapes: [2, 3],
+            pixels: 1,
+        };
+        assert_eq!((both.wrong, both.undecided, both.in_one_place), (0, 0, 1));
+        assert_eq!(both.shared, [shared]);
+        // Not in that place.
+        let behind = swapped(middle, -0.1);
+        assert_eq!((behind.wrong, behind.in_one_place), (1, 0));
+        let alone = swapped(CHANNELS * (24 * 64 + 20), 0.0);
+        assert_eq!((alone.wrong, alone.in_one_place), (1, 0));
+    }
+
+    #[test]
+    fn what_is_nowhere_certain_is_no_answer() {
+        let all = compared_in(BOXES, |_, _| {});
+        assert!(all.tells() && all.in_one_place == 0);
+        // Two sheets in one place.
+        let sheets = "2 5 -2 -1 2 1\n3 5 -2 -1 2 1.5\n4 -101 2 3\n5 -501 0 0 8 0 0 -1 0 1 0 45\n\
+                      1 9999 4 0\n";
+        let other = compared_in(sheets, |_, theirs| {
+            for pixel in theirs.chunks_exact_mut(CHANNELS).filter(|p| p[6] == 1.0) {
+                pixel[6] = 2.0;
+            }
+        });
+        assert_eq!(other.wrong, 0);
+        assert!(other.in_one_place > 300 && !other.tells(), "{other:?}");
     }
 }

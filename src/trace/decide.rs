@@ -48,6 +48,11 @@ impl<'t, R: Precision> Walkers<'t, R> {
         }
     }
 
+    /// The walker in the precision asked for, alone.
+    pub(super) fn walker(&mut self) -> &mut Walker<'t, R> {
+        &mut self.walker
+    }
+
     /// Forgets what was counted.
     pub fn reset(&mut self) {
         self.uncertain = 0;

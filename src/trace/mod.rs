@@ -45,6 +45,7 @@ pub mod shade;
 pub mod shapes;
 pub mod spans;
 pub mod stats;
+pub mod surfaces;
 pub mod vec;
 pub mod walk;
 mod way;

@@ -70,14 +70,14 @@ pub(super) struct List {
 /// The lists under way: a stack, and so are their events.
 #[derive(Debug, Default)]
 pub(super) struct Spans<R = f64> {
-    tasks: Vec<Task>,
+    pub tasks: Vec<Task>,
     pub lists: Vec<List>,
     pub events: Vec<Event<R>>,
     pub scratch: super::join::Scratch<R>,
 }
 
 #[derive(Debug, Clone, Copy)]
-enum Task {
+pub(super) enum Task {
     Part {
         part: u32,
         context: u32,
@@ -238,7 +238,7 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// Puts all parts of a group that the ray may meet in [from, to] on the stack.
-    fn gather(&mut self, context: u32, group: &Group, from: R, to: R) {
+    pub(super) fn gather(&mut self, context: u32, group: &Group, from: R, to: R) {
         let task = |&part: &u32| Task::Part { part, context };
         self.spans.tasks.extend(group.loose.iter().map(task));
         let beam = self.contexts[context as usize].beam;

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::{Args, Compared, Failure, Outcome, Pictures};
 use super::{cameras, each_camera, failed, images, made_folder, program, stem};
 use crate::commands::Loaded;
-use crate::study::geometry::{self, Comparison, Differences, our_normals, their_normals};
+use crate::study::geometry::{self, Comparison, Differences, Shared, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
 use crate::study::program::ProgramError;
 use crate::trace::Tracer;
@@ -13,6 +13,9 @@ use crate::translate::Unsupported;
 use crate::translate::mitsuba::{Integrator, Options, is_exact, write};
 
 const HOW: &str = "with `pip install mitsuba numpy`, and name that Python with --program";
+
+/// So many pairs of surfaces in one place are named.
+const NAMED: usize = 3;
 
 /// Looks, compares and writes what is seen.
 pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>, Failure> {
@@ -64,12 +67,16 @@ impl Outcome for Comparison {
         self.share_wrong
     }
 
+    fn tells(&self) -> bool {
+        Comparison::tells(self)
+    }
+
     fn print(&self, _: &Args, out: &mut dyn Write) -> io::Result<()> {
         writeln!(
             out,
             "  off silhouettes    {} of {} pixels show another shape or place ({:.3} %)",
             self.wrong,
-            self.pixels - self.silhouettes - self.undecided,
+            self.pixels - self.silhouettes - self.undecided - self.in_one_place,
             100.0 * self.share_wrong,
         )?;
         if self.undecided > 0 {
@@ -78,6 +85,21 @@ impl Outcome for Comparison {
                 "  left out           {} pixels where single precision, which Mitsuba computes in, takes \
                  something else for what is seen",
                 self.undecided,
+            )?;
+        }
+        if self.in_one_place > 0 {
+            let pair = |s: &Shared| format!("{} and {}", s.shapes[0], s.shapes[1]);
+            let named: Vec<String> = self.shared.iter().take(NAMED).map(pair).collect();
+            let more = match self.shared.len() > NAMED {
+                true => ", …",
+                false => "",
+            };
+            writeln!(
+                out,
+                "  left out           {} pixels where the surfaces of two shapes are in one place, and which of \
+                 them is seen is arbitrary: {}{more}",
+                self.in_one_place,
+                named.join(", "),
             )?;
         }
         for (kind, d) in [("exact shapes", &self.exact), ("meshes", &self.meshes)] {

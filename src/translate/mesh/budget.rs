@@ -75,12 +75,17 @@ impl Budget {
         }
     }
 
-    /// Whether joining solids two by two, some more rounds of it, will be beyond the limit: in the last
-    /// round so many triangles became so many, and it is taken to go on like this.
-    pub fn will_not_do(&self, before: usize, after: usize, rounds: u32) -> bool {
-        let left = after as f64 / before.max(1) as f64;
-        let shares = (0..rounds).map(|i| left.powi(i as i32));
-        self.work + after as f64 * shares.sum::<f64>() > MARGIN * MOST_WORK
+    /// Whether joining solids of so many triangles two by two, in so many rounds, will be beyond the
+    /// limit. `left`: what share of the triangles each round leaves; it is taken to go on like the last.
+    pub fn will_not_do(&self, triangles: usize, left: &[f64], rounds: u32) -> bool {
+        let last = left.last().copied().unwrap_or(1.0);
+        let left = left.iter().copied().chain(std::iter::repeat(last));
+        let (mut work, mut there) = (self.work, triangles as f64);
+        for left in left.take(rounds as usize) {
+            work += there;
+            there *= left;
+        }
+        work > MARGIN * MOST_WORK
     }
 
     /// Asks for operations on so many triangles.
@@ -106,10 +111,13 @@ mod tests {
         let budget = Budget::default();
         let most = MOST_WORK as usize;
         // Nothing goes: 1 + 1; half of it goes: less than 1 + 1.
-        assert!(!budget.will_not_do(most, most, 1) && budget.will_not_do(most, most, 2));
-        assert!(!budget.will_not_do(most, most / 2, 30));
+        assert!(!budget.will_not_do(most, &[1.0], 1) && budget.will_not_do(most, &[1.0], 2));
+        assert!(!budget.will_not_do(most / 2, &[0.5], 30));
         // Nine tenths stay: ten times as much in the end.
-        assert!(!budget.will_not_do(most / 9, most / 10, 30));
-        assert!(budget.will_not_do(most / 5, most * 9 / 50, 30));
+        assert!(!budget.will_not_do(most / 10, &[0.9], 30));
+        assert!(budget.will_not_do(most * 9 / 50, &[0.9], 30));
+        // All but a little goes in the first round, nothing later.
+        assert!(!budget.will_not_do(most, &[0.01, 1.0], 30));
+        assert!(budget.will_not_do(most, &[0.1, 1.0], 30));
     }
 }

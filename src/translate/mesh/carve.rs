@@ -58,22 +58,20 @@ impl Parts {
             self.troubles.unjoined += 1;
             return;
         };
-        let mut tools: Vec<Option<Mesh>> = vec![None; self.pieces.len()];
-        for &(i, j) in &pairs {
-            for k in [i, j] {
-                tools[k].get_or_insert_with(|| {
-                    let mut tool = self.pieces[k].mesh.clone();
-                    tool.label_all(DROPPED);
-                    tool
-                });
-            }
+        let mut seconds: Vec<Option<Mesh>> = vec![None; self.pieces.len()];
+        for &(_, j) in &pairs {
+            seconds[j].get_or_insert_with(|| tool(&self.pieces[j]));
         }
+        // What is left of each once it has lost what earlier ones hold, which is before it takes from later
+        // ones: what it has lost to another one is that one's to take.
+        let mut firsts: Vec<Option<Option<Mesh>>> = vec![None; self.pieces.len()];
         let mut pieces: Vec<Vec<Piece>> = std::mem::take(&mut self.pieces)
             .into_iter()
             .map(|p| vec![p])
             .collect();
         for (first, second) in pairs {
-            let (Some(of_first), Some(of_second)) = (&tools[first], &tools[second]) else {
+            let of_first = firsts[first].get_or_insert_with(|| pieces[first].first().map(tool));
+            let (Some(of_first), Some(of_second)) = (of_first, &seconds[second]) else {
                 continue;
             };
             let later = std::mem::take(&mut pieces[second]);
@@ -129,6 +127,13 @@ impl Parts {
             }),
         }
     }
+}
+
+/// A piece that takes from others, and leaves no faces of its own.
+fn tool(piece: &Piece) -> Mesh {
+    let mut tool = piece.mesh.clone();
+    tool.label_all(DROPPED);
+    tool
 }
 
 /// The same for pieces of one form in one place.

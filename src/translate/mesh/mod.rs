@@ -1,14 +1,15 @@
 //! The scene as triangles, for every program that reads meshes.
 //!
 //! [`shape`] makes each shape of triangles that keep within a tolerance of it; [`assemble`] places and
-//! combines them as the scene says, by [`operate`], with [`csg`] for two solids, [`unite`] for many and
-//! [`carve`] for those of different media; [`shared`] finds surfaces that are there twice; [`skin`] knows
+//! combines them as the scene says, by [`operate`], with [`csg`] for two solids, [`unite`] for many, of which
+//! [`crowds`] finds those that overlap, and [`carve`] for those of different media; [`shared`] finds surfaces that are there twice; [`skin`] knows
 //! what each triangle shows; [`ply`], [`obj`] and [`glb`] write files.
 
 mod assemble;
 mod budget;
 mod carve;
 pub mod corners;
+mod crowds;
 mod csg;
 pub mod glb;
 mod material;

@@ -1,16 +1,16 @@
 //! The union of many solids: what lies apart is left alone, the rest is joined two by two, neighbours
 //! first.
 
+use std::ops::ControlFlow;
+
 use rayon::prelude::*;
 
 use super::budget::{Budget, Crowd};
+use super::crowds::{Crowds, bounds, tree, visit};
 use super::csg::{Operation, combine};
-use super::sets::Sets;
 use super::shape::DROPPED;
 use super::soup::Mesh;
 use crate::scene::Aabb;
-use crate::trace::bounds::Bounds;
-use crate::trace::bvh::Bvh;
 
 /// Closed meshes that lie apart from each other, with their bounds.
 #[derive(Debug, Default)]
@@ -27,35 +27,16 @@ impl Union {
     /// Too many overlap.
     pub fn of(meshes: Vec<Mesh>, budget: &mut Budget) -> Result<Union, Crowd> {
         let boxes: Vec<Aabb> = meshes.iter().map(Mesh::bounds).collect();
-        let tree = Bvh::new(
-            boxes
-                .iter()
-                .enumerate()
-                .map(|(i, b)| (i as u32, bounds(b)))
-                .collect(),
-        );
-        let mut sets = Sets::new(meshes.len());
-        for (i, b) in boxes.iter().enumerate() {
-            visit(&tree, &bounds(b), |j| {
-                if b.overlaps(&boxes[j as usize]) {
-                    sets.join(i as u32, j);
-                }
-            });
-        }
+        let crowds = Crowds::of(&boxes);
         let mut meshes: Vec<Option<Mesh>> = meshes.into_iter().map(Some).collect();
         let mut groups: Vec<Vec<Member>> = Vec::new();
-        let mut group_of: Vec<Option<usize>> = vec![None; meshes.len()];
+        groups.resize_with(crowds.count, Vec::new);
         // In the order of the tree, in which neighbours are near each other.
-        for &i in &tree.items {
+        for &i in &crowds.tree.items {
             let Some(mesh) = meshes[i as usize].take().filter(|m| !m.is_empty()) else {
                 continue;
             };
-            let set = sets.find(i) as usize;
-            let group = *group_of[set].get_or_insert_with(|| {
-                groups.push(Vec::new());
-                groups.len() - 1
-            });
-            groups[group].push(Member {
+            groups[crowds.numbers[i as usize] as usize].push(Member {
                 first: i,
                 bounds: boxes[i as usize],
                 mesh,
@@ -90,37 +71,77 @@ impl Union {
             solids: group.len(),
             label: group.iter().find_map(label).unwrap_or(0),
         };
-        if group.len() > 1 && crowd.is_hopeless(group.iter().map(Member::triangles).sum()) {
+        let triangles = |group: &[Member]| group.iter().map(Member::triangles).sum::<usize>();
+        if group.len() > 1 && crowd.is_hopeless(triangles(&group)) {
             return Err(crowd);
         }
-        let mut before = None;
+        let mut left = trial(&group);
         while group.len() > 1 {
-            let triangles = group.iter().map(Member::triangles).sum();
+            let before = triangles(&group);
             let rounds = group.len().next_power_of_two().ilog2();
-            if before.is_some_and(|before| budget.will_not_do(before, triangles, rounds)) {
+            if !left.is_empty() && budget.will_not_do(before, &left, rounds) {
                 return Err(crowd);
             }
-            budget.work(triangles, crowd)?;
-            before = Some(triangles);
-            let mut pairs = Vec::with_capacity(group.len().div_ceil(2));
-            let mut rest = group.into_iter();
-            while let Some(a) = rest.next() {
-                pairs.push((a, rest.next()));
-            }
-            let made: Vec<(Member, bool)> = (pairs.into_par_iter())
-                .map(|(a, b)| match b {
-                    Some(b) => a.with(b),
-                    None => (a, true),
-                })
-                .collect();
-            self.failures += made.iter().filter(|(_, joined)| !joined).count() as u64;
-            group = made.into_iter().map(|(member, _)| member).collect();
+            budget.work(before, crowd)?;
+            let (joined, failures) = round(group);
+            self.failures += failures;
+            left = vec![triangles(&joined) as f64 / before.max(1) as f64];
+            group = joined;
         }
         Ok(group.pop().map(|m| (m.bounds, m.mesh)))
     }
 }
 
+/// Joins neighbours two by two; also how often that failed.
+fn round(group: Vec<Member>) -> (Vec<Member>, u64) {
+    let mut pairs = Vec::with_capacity(group.len().div_ceil(2));
+    let mut rest = group.into_iter();
+    while let Some(a) = rest.next() {
+        pairs.push((a, rest.next()));
+    }
+    let made: Vec<(Member, bool)> = (pairs.into_par_iter())
+        .map(|(a, b)| match b {
+            Some(b) => a.with(b),
+            None => (a, true),
+        })
+        .collect();
+    let failures = made.iter().filter(|(_, joined)| !joined).count() as u64;
+    (made.into_iter().map(|(m, _)| m).collect(), failures)
+}
+
+/// So many blocks of so many neighbours show what will become of a group, if it is many times larger.
+const BLOCKS: usize = 16;
+const BLOCK: usize = 16;
+const MANY: usize = 4 * BLOCKS * BLOCK;
+
+/// What share of its triangles each of the first rounds will leave of a group; nothing of a small one,
+/// whose first round is done as soon.
+fn trial(group: &[Member]) -> Vec<f64> {
+    if group.len() < MANY {
+        return Vec::new();
+    }
+    let last = group.len() - BLOCK;
+    let mut blocks: Vec<Vec<Member>> = (0..BLOCKS)
+        .map(|i| group[i * last / (BLOCKS - 1)..][..BLOCK].to_vec())
+        .collect();
+    let triangles = |blocks: &[Vec<Member>]| blocks.iter().flatten().map(Member::triangles).sum();
+    let mut before: usize = triangles(&blocks);
+    (0..BLOCK.ilog2())
+        .map(|_| {
+            blocks = std::mem::take(&mut blocks)
+                .into_par_iter()
+                .map(|block| round(block).0)
+                .collect();
+            let after: usize = triangles(&blocks);
+            let left = after as f64 / before.max(1) as f64;
+            before = after;
+            left
+        })
+        .collect()
+}
+
 /// A mesh to be joined with others.
+#[derive(Clone)]
 struct Member {
     /// The least number of the meshes in it.
     first: u32,
@@ -166,17 +187,17 @@ impl Member {
 
 /// Which boxes overlap another one.
 pub fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
-    let numbered = boxes.iter().enumerate();
-    let tree = Bvh::new(numbered.map(|(i, b)| (i as u32, bounds(b))).collect());
-    let mut out = vec![false; boxes.len()];
-    for (i, b) in boxes.iter().enumerate() {
-        let mut found = false;
+    let tree = tree(boxes);
+    let overlaps = |(i, b): (usize, &Aabb)| {
         visit(&tree, &bounds(b), |j| {
-            found |= j as usize != i && b.overlaps(&boxes[j as usize]);
-        });
-        out[i] = found;
-    }
-    out
+            match j as usize != i && b.overlaps(&boxes[j as usize]) {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            }
+        })
+        .is_break()
+    };
+    boxes.iter().enumerate().map(overlaps).collect()
 }
 
 /// The pairs of boxes that overlap and are wanted, in order: the second number larger, the pairs by
@@ -186,47 +207,26 @@ pub fn pairs(
     most: usize,
     wanted: impl Fn(usize, usize) -> bool,
 ) -> Option<Vec<(usize, usize)>> {
-    let numbered = boxes.iter().enumerate();
-    let tree = Bvh::new(numbered.map(|(i, b)| (i as u32, bounds(b))).collect());
+    let tree = tree(boxes);
     let mut out = Vec::new();
     for (j, b) in boxes.iter().enumerate() {
         let start = out.len();
-        visit(&tree, &bounds(b), |i| {
+        let all = visit(&tree, &bounds(b), |i| {
             let i = i as usize;
-            if i < j && out.len() <= most && b.overlaps(&boxes[i]) && wanted(i, j) {
+            if i < j && b.overlaps(&boxes[i]) && wanted(i, j) {
                 out.push((i, j));
             }
+            match out.len() > most {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            }
         });
-        if out.len() > most {
+        if all.is_break() {
             return None;
         }
         out[start..].sort_unstable();
     }
     Some(out)
-}
-
-fn bounds(b: &Aabb) -> Bounds {
-    Bounds::new(b.min.into(), b.max.into())
-}
-
-/// Calls for every box in the tree that overlaps one, and some of their neighbours.
-fn visit(tree: &Bvh, b: &Bounds, mut found: impl FnMut(u32)) {
-    let mut pending = vec![0u32];
-    while let Some(i) = pending.pop() {
-        let Some(node) = tree.nodes.get(i as usize) else {
-            continue;
-        };
-        if node.bounds.intersection(b).is_empty() {
-            continue;
-        }
-        if node.count > 0 {
-            let start = node.index as usize;
-            let items = &tree.items[start..start + node.count as usize];
-            items.iter().for_each(|&j| found(j));
-        } else {
-            pending.extend([node.index, i + 1]);
-        }
-    }
 }
 
 #[cfg(test)]
@@ -247,5 +247,28 @@ mod tests {
             assert!((got - meant).abs() < 1e-9, "{volumes:?}");
         }
         assert!(union.meshes.iter().all(|m| m.1.is_closed()));
+    }
+
+    #[test]
+    fn a_trial_tells_what_rounds_leave() {
+        // Boxes that overlap in a corner, in rows of seven that lie apart.
+        let at = |i: usize| {
+            let corner = [0, 1, 2].map(|k| 0.3 * ((i % 7) as f64 + f64::from(k)) + (i / 7) as f64);
+            let mesh = cuboid(corner, corner.map(|x| x + 0.5));
+            Member {
+                first: i as u32,
+                bounds: mesh.bounds(),
+                mesh,
+            }
+        };
+        let mut group: Vec<Member> = (0..2 * MANY).map(at).collect();
+        assert!(trial(&group[1..MANY]).is_empty());
+        for told in trial(&group) {
+            let triangles = |group: &[Member]| group.iter().map(Member::triangles).sum::<usize>();
+            let before = triangles(&group);
+            group = round(group).0;
+            let left = triangles(&group) as f64 / before as f64;
+            assert!((told - left).abs() < 0.05, "{told} {left}");
+        }
     }
 }

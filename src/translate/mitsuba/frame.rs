@@ -7,8 +7,8 @@ use crate::scene::{Aabb, Camera, Matrix, Vec3};
 const FAR: f64 = 100.0;
 
 /// Sizes at which nothing is scaled. Mitsuba leaves surfaces by lengths of about 1e-4, a thousandth of the
-/// smallest; of the largest, squares and their products fit single precision.
-const SIZES: std::ops::RangeInclusive<f64> = 1e-1..=1e5;
+/// smallest; of the largest, a thousandfold, squares and their products fit single precision.
+const SIZES: std::ops::RangeInclusive<f64> = 1e-1..=4e6;
 
 /// A place p of the scene is at `scale` · (p − `origin`) there.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -183,7 +183,8 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let all = Aabb::new(frame.place(all.min), frame.place(all.max));
     let mut documents = Vec::new();
     for ((name, camera), there) in names.iter().zip(&cameras).zip(&there) {
-        let view = scenery::view(scene, there, &all, reach, options)?;
+        let nearest = frame.scale * nearest(tracer, camera, options.size);
+        let view = scenery::view(scene, there, &all, nearest, reach, options)?;
         let lights = match options.integrator {
             Integrator::Path => scenery::lights(scene, camera, &frame, &parts.extent.region),
             Integrator::Aov => String::new(),
@@ -231,6 +232,27 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         reach: reach / frame.scale,
         report,
     })
+}
+
+/// Across and down: so many rays show how near a camera is to what it sees.
+const RAYS: [u32; 2] = [64, 48];
+
+/// How far the nearest thing that a camera sees is from where its rays start, as far as a grid of rays
+/// tells.
+fn nearest(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> f64 {
+    let Some(view) = View::new(camera, width, height) else {
+        return f64::INFINITY;
+    };
+    let mut walkers: Walkers<f64> = tracer.walker();
+    let [across, down] = RAYS;
+    let at = |i: u32, n: u32, size: u32| (f64::from(i) + 0.5) / f64::from(n) * f64::from(size);
+    let places = (0..down).flat_map(|y| (0..across).map(move |x| (x, y)));
+    let rays = places.filter_map(|(x, y)| view.ray(at(x, across, width), at(y, down, height)));
+    rays.filter_map(|ray| {
+        let hit = tracer.hit(&mut walkers, &ray)?;
+        Some(hit.t * ray.line.direction.length())
+    })
+    .fold(f64::INFINITY, f64::min)
 }
 
 /// Whether rays of a camera start in a solid.

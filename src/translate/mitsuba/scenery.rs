@@ -27,11 +27,17 @@ pub fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
     HORIZON * all.hull(&origin).radius()
 }
 
-/// The integrator and the camera; `all` holds everything that is drawn.
+/// What hides nothing: a ten-millionth of the scene's size, and a thousandth of how near it is seen.
+const NOTHING: f64 = 1e-7;
+const CLOSE: f64 = 1e-3;
+
+/// The integrator and the camera; `all` holds everything that is drawn, of which `nearest` is how near
+/// something is seen.
 pub fn view(
     scene: &Scene,
     camera: &Camera,
     all: &Aabb,
+    nearest: f64,
     reach: f64,
     options: &Options,
 ) -> Result<String, Unsupported> {
@@ -59,8 +65,9 @@ pub fn view(
                 .to_owned()
         }
     };
-    // It must be more than 0; a ten-millionth of the scene hides nothing.
-    let nearest = || before(all, camera, &basis).max(reach / HORIZON * 1e-7);
+    // It must be more than 0, also as a number of single precision.
+    let close = (CLOSE * nearest).min(NOTHING * reach / HORIZON).max(1e-30);
+    let start = || before(all, camera, &basis).max(close);
     let (width, height) = options.size;
     Ok(format!(
         "{integrator}{sensor}    <float name=\"near_clip\" value=\"{}\"/>\n    \
@@ -69,7 +76,7 @@ pub fn view(
          <integer name=\"height\" value=\"{height}\"/>\n      <rfilter type=\"box\"/>\n      \
          <string name=\"pixel_format\" value=\"rgb\"/>\n      \
          <string name=\"component_format\" value=\"float32\"/>\n    </film>\n  </sensor>\n",
-        number(near.unwrap_or_else(nearest)),
+        number(near.unwrap_or_else(start)),
         number(reach * 10.0),
     ))
 }

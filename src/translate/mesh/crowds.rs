@@ -1,0 +1,194 @@
+//! Boxes that overlap.
+
+use std::ops::ControlFlow;
+
+use crate::scene::Aabb;
+use crate::trace::bounds::Bounds;
+use crate::trace::bvh::Bvh;
+
+/// Boxes that hang together, one overlapping the next.
+pub struct Crowds {
+    /// The items are the boxes' numbers; neighbours are near each other.
+    pub tree: Bvh,
+    /// For each box the number of its crowd, from 0.
+    pub numbers: Vec<u32>,
+    pub count: usize,
+}
+
+/// The number of a crowd that is not known yet.
+const NONE: u32 = u32::MAX;
+
+impl Crowds {
+    pub fn of(boxes: &[Aabb]) -> Crowds {
+        let tree = tree(boxes);
+        let mut left = Left::of(&tree, boxes.len());
+        let mut numbers = vec![NONE; boxes.len()];
+        let (mut count, mut pending, mut found) = (0, Vec::new(), Vec::new());
+        for &first in &tree.items {
+            if numbers[first as usize] != NONE {
+                continue;
+            }
+            found.push(first);
+            loop {
+                // Each box is found once: those that have a crowd are not looked at again.
+                for i in found.drain(..) {
+                    numbers[i as usize] = count;
+                    left.take(i);
+                    pending.push(i);
+                }
+                let Some(i) = pending.pop() else {
+                    break;
+                };
+                let b = &boxes[i as usize];
+                let _ = visit_some(
+                    &tree,
+                    &bounds(b),
+                    |node| left.nodes[node as usize] > 0,
+                    |j| {
+                        if numbers[j as usize] == NONE && b.overlaps(&boxes[j as usize]) {
+                            found.push(j);
+                        }
+                        ControlFlow::Continue(())
+                    },
+                );
+            }
+            count += 1;
+        }
+        Crowds {
+            tree,
+            numbers,
+            count: count as usize,
+        }
+    }
+}
+
+/// How many boxes without a crowd there are below each node of a tree.
+struct Left {
+    nodes: Vec<u32>,
+    /// The root is its own.
+    parents: Vec<u32>,
+    /// For each box the node that it is in.
+    leaves: Vec<u32>,
+}
+
+impl Left {
+    fn of(tree: &Bvh, boxes: usize) -> Left {
+        let n = tree.nodes.len();
+        let (mut nodes, mut parents, mut leaves) = (vec![0; n], vec![0; n], vec![0; boxes]);
+        // Nodes stand before those below them.
+        for i in (0..n as u32).rev() {
+            let node = &tree.nodes[i as usize];
+            if node.count > 0 {
+                nodes[i as usize] = node.count;
+                let start = node.index as usize;
+                for &item in &tree.items[start..start + node.count as usize] {
+                    leaves[item as usize] = i;
+                }
+            } else {
+                for child in [i + 1, node.index] {
+                    nodes[i as usize] += nodes[child as usize];
+                    parents[child as usize] = i;
+                }
+            }
+        }
+        Left {
+            nodes,
+            parents,
+            leaves,
+        }
+    }
+
+    fn take(&mut self, item: u32) {
+        let mut node = self.leaves[item as usize];
+        loop {
+            self.nodes[node as usize] -= 1;
+            if node == 0 {
+                return;
+            }
+            node = self.parents[node as usize];
+        }
+    }
+}
+
+pub fn tree(boxes: &[Aabb]) -> Bvh {
+    let numbered = boxes.iter().enumerate();
+    Bvh::new(numbered.map(|(i, b)| (i as u32, bounds(b))).collect())
+}
+
+pub fn bounds(b: &Aabb) -> Bounds {
+    Bounds::new(b.min.into(), b.max.into())
+}
+
+/// Calls for every box in the tree that overlaps one, and some of their neighbours, until it is told to
+/// stop.
+pub fn visit(tree: &Bvh, b: &Bounds, found: impl FnMut(u32) -> ControlFlow<()>) -> ControlFlow<()> {
+    visit_some(tree, b, |_| true, found)
+}
+
+/// The same below those nodes that are wanted.
+fn visit_some(
+    tree: &Bvh,
+    b: &Bounds,
+    wanted: impl Fn(u32) -> bool,
+    mut found: impl FnMut(u32) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let mut pending = vec![0u32];
+    while let Some(i) = pending.pop() {
+        let Some(node) = tree.nodes.get(i as usize) else {
+            continue;
+        };
+        if !wanted(i) || node.bounds.intersection(b).is_empty() {
+            continue;
+        }
+        if node.count > 0 {
+            let start = node.index as usize;
+            let items = &tree.items[start..start + node.count as usize];
+            items.iter().try_for_each(|&j| found(j))?;
+        } else {
+            pending.extend([node.index, i + 1]);
+        }
+    }
+    ControlFlow::Continue(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sets::Sets;
+    use super::*;
+
+    #[test]
+    fn crowds_are_what_pairs_make() {
+        // Boxes all over a cube, some of them large: a sequence that looks random.
+        let mut state = 1u32;
+        let mut next = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(state >> 8) / f64::from(1u32 << 24)
+        };
+        for (n, size) in [(0, 1.0), (1, 1.0), (300, 0.05), (300, 0.1), (300, 0.5)] {
+            let boxes: Vec<Aabb> = (0..n)
+                .map(|_| {
+                    let corner = [next(), next(), next()];
+                    let size = size * next();
+                    Aabb::new(corner, corner.map(|x| x + size))
+                })
+                .collect();
+            let mut sets = Sets::new(n);
+            for i in 0..n {
+                for j in 0..i {
+                    if boxes[i].overlaps(&boxes[j]) {
+                        sets.join(i as u32, j as u32);
+                    }
+                }
+            }
+            let crowds = Crowds::of(&boxes);
+            for i in 0..n {
+                for j in 0..i {
+                    let together = sets.find(i as u32) == sets.find(j as u32);
+                    assert_eq!(together, crowds.numbers[i] == crowds.numbers[j]);
+                }
+            }
+            let most = crowds.numbers.iter().max().map_or(0, |m| m + 1);
+            assert_eq!(crowds.count, most as usize);
+        }
+    }
+}
