@@ -8,6 +8,7 @@ use rustc_hash::FxHashMap;
 use serde::Serialize;
 
 use super::mitsuba::CHANNELS;
+use crate::scene::vector::{dot, sub};
 use crate::scene::{Aabb, Camera, Vec3};
 use crate::trace::camera::View;
 use crate::trace::ray::Ray;
@@ -256,7 +257,7 @@ impl Sight<'_> {
             (Some(here), Some(info)) => (here, info),
             _ => return self.unlike(i, point, info, walkers),
         };
-        let across = dot(minus(point, here.point), here.normal).abs();
+        let across = dot(sub(point, here.point), here.normal).abs();
         let allowed = self.allowed(here.distance, info);
         if across > allowed || (info.shape, info.object) != (here.shape, here.object) {
             return self.unlike(i, point, Some(info), walkers);
@@ -281,7 +282,7 @@ impl Sight<'_> {
             return Pixel::Wrong;
         };
         if let (Some(here), Some(info)) = (self.ours[i], info) {
-            let across = dot(minus(point, here.point), here.normal).abs();
+            let across = dot(sub(point, here.point), here.normal).abs();
             let places = [
                 (
                     self.in_one_place,
@@ -364,7 +365,7 @@ impl Sight<'_> {
             let mut near = crossings.iter().take(if all { usize::MAX } else { 1 });
             near.any(|c| {
                 let distance = c.hit.t * length;
-                let across = dot(minus(point, c.hit.point.0), c.hit.shading.0).abs();
+                let across = dot(sub(point, c.hit.point.0), c.hit.shading.0).abs();
                 (c.shape, c.object) == (info.shape, info.object)
                     && distance <= first + self.rounded
                     && across <= self.allowed(distance, info)
@@ -386,7 +387,7 @@ impl Sight<'_> {
     fn is_cut_off(&self, seen: Seen) -> bool {
         let Output { extent, reach, .. } = self.translation;
         let exact = self.exact.get(&(seen.shape, seen.object));
-        let d = minus(seen.point, extent.region.centre());
+        let d = sub(seen.point, extent.region.centre());
         dot(d, d).sqrt() > HORIZON * reach
             || !extent.region.contains(seen.point) && exact != Some(&true)
     }
@@ -401,7 +402,7 @@ impl Sight<'_> {
             .all(|j| match (self.ours[i], self.ours[j]) {
                 (None, None) => true,
                 (Some(a), Some(b)) => {
-                    let d = minus(b.point, a.point);
+                    let d = sub(b.point, a.point);
                     // The neighbour is near the tangent plane.
                     let across = dot(d, a.normal).abs();
                     (a.shape, a.object) == (b.shape, b.object)
@@ -412,14 +413,6 @@ impl Sight<'_> {
                 _ => false,
             })
     }
-}
-
-fn dot(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn minus(a: Vec3, b: Vec3) -> Vec3 {
-    std::array::from_fn(|i| a[i] - b[i])
 }
 
 impl Comparison {

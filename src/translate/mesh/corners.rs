@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use super::Mesh;
 use super::skin::Skin;
-use super::soup::{cross, sub};
 use crate::scene::Vec3;
+use crate::scene::vector::{cross, sub};
 use crate::trace::graph::Graph;
 
 /// How far from a corner, towards the middle of its triangle, it is looked at: on the triangle's own

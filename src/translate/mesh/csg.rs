@@ -11,7 +11,8 @@ use std::ops::{Add, Mul};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::sync::Once;
 
-use super::soup::{Mesh, cross, dot, sub};
+use super::soup::Mesh;
+use crate::scene::vector::{cross, dot, sub};
 use crate::scene::{Matrix, Vec3};
 
 /// What two solids make.

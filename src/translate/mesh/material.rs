@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::Model;
 use super::corners::corners;
 use super::picture::Pictures;
-use super::soup::{cross, sub};
+use crate::scene::vector::{cross, sub};
 use crate::scene::{Optics, Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
 

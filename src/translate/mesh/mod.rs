@@ -32,7 +32,7 @@ pub use assemble::Piece;
 pub use carve::Medium;
 pub use material::{Coloured, Material};
 pub use skin::Skin;
-pub use soup::{Mesh, cross, sub};
+pub use soup::Mesh;
 
 use std::collections::BTreeMap;
 

@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::soup::{Mesh, dot, sub};
+use super::soup::Mesh;
+use crate::scene::vector::{dot, sub};
 
 /// At this many triangles no more are made.
 const MOST: usize = 1 << 22;

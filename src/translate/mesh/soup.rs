@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::sets::Sets;
+use crate::scene::vector::{cross, dot, sub};
 use crate::scene::{Aabb, Matrix, Vec3};
 
 /// Triangles, counter-clockwise as seen from outside, each with the number of what it shows.
@@ -170,20 +171,4 @@ impl Mesh {
             .iter()
             .all(|&[a, b]| edges.binary_search(&[b, a]).is_ok())
     }
-}
-
-pub fn sub(a: Vec3, b: Vec3) -> Vec3 {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub fn dot(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::scene::vector::{cross, dot, sub};
 use crate::trace::Tracer;
 
 /// The model of a scene.
@@ -102,8 +103,8 @@ fn surfaces_are_cut_by_solids() {
         let all = m.solid..m.mesh.triangles.len();
         all.map(|t| {
             let [a, b, c] = m.mesh.corners(t);
-            let n = soup::cross(soup::sub(b, a), soup::sub(c, a));
-            soup::dot(n, n).sqrt() / 2.0
+            let n = cross(sub(b, a), sub(c, a));
+            dot(n, n).sqrt() / 2.0
         })
         .sum()
     };

@@ -1,5 +1,6 @@
 //! What Mitsuba's cameras can be of those with a projection matrix.
 
+use crate::scene::vector::{cross, dot, length, sub};
 use crate::scene::{Camera, Matrix, Vec3};
 use crate::trace::camera::View;
 
@@ -58,8 +59,8 @@ impl Lens {
             let start = middle.line.origin.0;
             return Some(Lens::Parallel([
                 start,
-                minus(right, start),
-                minus(top, start),
+                sub(right, start),
+                sub(top, start),
                 seen,
             ]));
         }
@@ -102,7 +103,7 @@ impl Lens {
                 dot(centre, right) / width_there,
                 dot(centre, up) / height_there,
             ],
-            near: dot(minus(middle.line.origin.0, position), forward),
+            near: dot(sub(middle.line.origin.0, position), forward),
             pixel: square.then_some(width_there / height_there * h / w),
         };
         let numbers = [out.field_of_view, out.near, out.shift[0], out.shift[1]];
@@ -129,25 +130,6 @@ impl Pinhole {
         }
         out
     }
-}
-
-fn minus(a: Vec3, b: Vec3) -> Vec3 {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn dot(a: Vec3, b: Vec3) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
-fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
-}
-
-fn length(a: Vec3) -> f64 {
-    a[0].hypot(a[1]).hypot(a[2])
 }
 
 #[cfg(test)]

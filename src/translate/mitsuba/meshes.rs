@@ -5,12 +5,13 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::ShapeInfo;
 use super::bsdf::Colours;
+use crate::scene::vector::{cross, sub};
 use crate::scene::{Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
 use crate::translate::mesh::corners::{Corner, corners};
 use crate::translate::mesh::picture::is_pictured;
 use crate::translate::mesh::shape::DROPPED;
-use crate::translate::mesh::{Mesh, Piece, Skin, cross, sub};
+use crate::translate::mesh::{Mesh, Piece, Skin};
 
 /// What triangles must have in common to be in one file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

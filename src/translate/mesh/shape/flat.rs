@@ -1,6 +1,7 @@
 //! What has flat faces.
 
-use super::super::soup::{Mesh, cross, dot, sub};
+use super::super::soup::Mesh;
+use crate::scene::vector::{cross, dot, sub};
 use crate::scene::{Aabb, Vec3};
 
 /// A box between two corners.
