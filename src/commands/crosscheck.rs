@@ -50,7 +50,7 @@ pub struct Args {
     #[arg(long, value_enum)]
     with: Program,
 
-    /// Size of the pictures, in pixels
+    /// Size of the pictures, in pixels; at most 16777216 of them
     #[arg(long, default_value = "320x240", value_name = "WxH")]
     size: Size,
 
