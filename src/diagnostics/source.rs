@@ -72,9 +72,12 @@ impl SourceFile {
         }
     }
 
-    /// The folder the file lies in; `None` for standard input and texts that are no files.
+    /// The folder the file lies in, the current one for standard input; `None` for texts that are no files.
     pub fn folder(&self) -> Option<&Path> {
         let path = Path::new(&self.path);
+        if self.path == "-" {
+            return Some(Path::new("."));
+        }
         let parent = path.parent().filter(|_| path.is_file())?;
         Some(if parent.as_os_str().is_empty() {
             Path::new(".")

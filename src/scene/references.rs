@@ -171,12 +171,12 @@ impl Resolver<'_> {
             }
             None if id == 1 => wrong_kind(span, Kind::Render, what, kinds),
             None => {
-                self.undefined(id, span, kinds, late, p.id);
+                self.undefined(id, span, kinds, late, &used(p));
                 return None;
             }
         };
         let finding = self.showing(finding.with("id", id.to_string()), id);
-        let finding = self.with_proposal(finding, id, span, kinds, p.id);
+        let finding = self.with_proposal(finding, id, span, kinds, &used(p));
         match self.entities.get(&id).cloned() {
             Some(state) => self.say_unless_lost(state, finding, id, kinds),
             None => self.out.push(finding),
@@ -219,7 +219,7 @@ impl Resolver<'_> {
     }
 
     /// E107 or E101.
-    fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, own: u32) {
+    fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, used: &[u32]) {
         if let (false, Some(&at)) = (late, self.references.definition.get(&id)) {
             let finding = Diagnostic::new(Code::E107, span)
                 .with("id", id.to_string())
@@ -234,7 +234,7 @@ impl Resolver<'_> {
             return;
         }
         let finding = Diagnostic::new(Code::E101, span).with("id", id.to_string());
-        let finding = self.with_proposal(finding, id, span, kinds, own);
+        let finding = self.with_proposal(finding, id, span, kinds, used);
         self.references
             .dangling
             .push(Dangling { id, kinds, finding });
@@ -243,7 +243,7 @@ impl Resolver<'_> {
     /// The state of the entity that a record changes, if it may.
     pub fn changed(&mut self, p: &Params, kinds: &'static [Kind]) -> Option<State> {
         let Some(state) = self.entities.get(&p.id) else {
-            self.undefined(p.id, p.id_span, kinds, false, 0);
+            self.undefined(p.id, p.id_span, kinds, false, &[]);
             return None;
         };
         let finding = match state.kind() {
@@ -277,20 +277,21 @@ impl Resolver<'_> {
         }
     }
 
-    /// Adds the defined ID of the right kind that is nearest in spelling, if one is near.
+    /// Adds the defined ID of the right kind that is nearest in spelling, if one is near and the record
+    /// does not have it already (`used`).
     fn with_proposal(
         &mut self,
         finding: Diagnostic,
         id: u32,
         span: Span,
         kinds: &[Kind],
-        own: u32,
+        used: &[u32],
     ) -> Diagnostic {
         let budget = COMPARISONS_MAX.saturating_sub(self.references.comparisons);
         let written = id.to_string();
         // An ID of one digit is near every other of one digit: of several, the nearest number.
         let nearest = (self.scene.entities.iter().take(budget))
-            .filter(|e| e.id != id && e.id != own)
+            .filter(|e| e.id != id && !used.contains(&e.id))
             .filter(|e| e.kind.is_some_and(|k| kinds.contains(&k)))
             .map(|e| {
                 (
@@ -320,6 +321,17 @@ pub fn finding_at(diagnostics: &mut [Diagnostic], span: Span) -> Option<&mut Dia
         .iter_mut()
         .take_while(|d| d.span.start == span.start)
         .find(|d| d.span == span)
+}
+
+/// The IDs that a record has: its own and those that it refers to.
+fn used(p: &Params) -> Vec<u32> {
+    let refers = |i: &usize| {
+        p.param(*i)
+            .is_some_and(|q| matches!(q.kind, ParamKind::Reference { .. }))
+    };
+    let others = (0..p.len()).filter(refers).map(|i| p.integer(i));
+    let others = others.filter_map(|id| u32::try_from(id).ok());
+    std::iter::once(p.id).chain(others).collect()
 }
 
 fn no_id(span: Span, value: i64) -> Diagnostic {

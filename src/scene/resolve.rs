@@ -165,7 +165,11 @@ impl<'a> Resolver<'a> {
         );
         let too_early = property && bears;
         let mut d = Diagnostic::new(Code::E102, p.id_span)
-            .case(if too_early { "property" } else { "" })
+            .case(match p.ty.code {
+                _ if too_early => "property",
+                9999 => "render",
+                _ => "",
+            })
             .with("id", p.id.to_string())
             .with("type", Value::Term(p.ty.title));
         if too_early {

@@ -684,7 +684,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
             integer(
                 "n",
                 Constraint::Within(0.0, 9.0),
-                "how often the facets are split",
+                "the number of splits of the facets",
             ),
         ],
         "Solid: an icosahedron with the vertices (0, ±1, ±φ) and their cyclic permutations, \
@@ -758,7 +758,7 @@ pub static RECORD_TYPES: &[RecordType] = &[
             or_default(positive("b", "the semi-axis along y"), "1"),
             or_default(positive("c", "the semi-axis along z"), "1"),
             or_default(
-                integer("sheets", Constraint::Within(1.0, 2.0), "one sheet or two"),
+                integer("sheets", Constraint::Within(1.0, 2.0), "the number of sheets"),
                 "1",
             ),
         ],

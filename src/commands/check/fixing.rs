@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::commands::Loaded;
 use crate::diagnostics::render::Tally;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, fixes};
+use crate::diagnostics::{Applicability, Code, Fix, Severity, fixes};
 
 /// How many bytes are read in all for fixes that turn out to do harm, and how often a scene is read
 /// again for them at the least and at the most.
@@ -24,7 +24,18 @@ pub fn to_fixed_point(
     let mut left =
         (REFUSED_BYTES / loaded.source.text.len().max(1)).clamp(REFUSED.start, REFUSED.end);
     let mut fixed = 0;
-    while let Some((better, count)) = step(&loaded, unsafe_too, &again, &mut left) {
+    // Errors first: what they hid is weighed against what there is then.
+    let of = |loaded: &Loaded, errors: bool| -> Vec<Fix> {
+        let all = loaded.diagnostics.iter().filter(|d| d.is_error() == errors);
+        all.filter_map(|d| d.applicable_fix(unsafe_too).cloned())
+            .collect()
+    };
+    let mut next = |loaded: &Loaded| {
+        [true, false]
+            .into_iter()
+            .find_map(|errors| step(loaded, &of(loaded, errors), &again, &mut left))
+    };
+    while let Some((better, count)) = next(&loaded) {
         loaded = better;
         fixed += count;
     }
@@ -35,16 +46,15 @@ pub fn to_fixed_point(
     (loaded, fixed)
 }
 
-/// The scene after some of its fixes, and how many these were: all that go together, found by halving
-/// what does harm. `left` is how many times more that may be tried in vain.
+/// The scene after some of these fixes, and how many these were: all that go together, found by halving
+/// what does harm. Of several together none may do any, whatever the others mend. `left` is how many
+/// times more that may be tried in vain.
 fn step(
     loaded: &Loaded,
-    unsafe_too: bool,
+    all: &[Fix],
     again: &impl Fn(Vec<u8>) -> Loaded,
     left: &mut usize,
 ) -> Option<(Loaded, usize)> {
-    let fix = |d: &Diagnostic| d.applicable_fix(unsafe_too).cloned();
-    let all: Vec<Fix> = loaded.diagnostics.iter().filter_map(fix).collect();
     let mut chosen = vec![false; all.len()];
     let mut best: Option<(Loaded, usize)> = None;
     let mut lightest = weight(loaded);
@@ -59,7 +69,8 @@ fn step(
         if count > best.as_ref().map_or(0, |b| b.1) {
             let fixed = again(loaded.source.encode(&text));
             let now = weight(&fixed);
-            if now < lightest {
+            let before = best.as_ref().map_or(loaded, |b| &b.0);
+            if now < lightest && (stretch.len() == 1 || !harms(before, &fixed)) {
                 (best, lightest, chosen) = (Some((fixed, count)), now, tried);
                 continue;
             }
@@ -71,6 +82,20 @@ fn step(
         }
     }
     best
+}
+
+/// Whether as many errors are left, and more of some warning.
+fn harms(before: &Loaded, after: &Loaded) -> bool {
+    let of = |loaded: &Loaded, severity: Severity| -> BTreeMap<Code, usize> {
+        let mut counts = BTreeMap::new();
+        for d in loaded.diagnostics.iter().filter(|d| d.severity == severity) {
+            *counts.entry(d.code).or_default() += 1;
+        }
+        counts
+    };
+    let (old, new) = (of(before, Severity::Warning), of(after, Severity::Warning));
+    let more = |(code, count): (&Code, &usize)| old.get(code).is_none_or(|old| count > old);
+    of(before, Severity::Error) == of(after, Severity::Error) && new.iter().any(more)
 }
 
 /// How much there is to mend, what weighs most first: malformed tokens, which hide what else is wrong
@@ -94,6 +119,7 @@ fn weight(loaded: &Loaded) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnostics::Diagnostic;
 
     fn fixed(text: &str, unsafe_too: bool) -> (String, usize) {
         let read = |bytes| Loaded::new("a.zpg", bytes);
@@ -166,6 +192,27 @@ mod tests {
         let (loaded, count, _) = counting(&text, refused);
         assert_eq!(count, 300);
         assert_eq!(loaded.source.text.matches(';').count(), 100);
+    }
+
+    /// Where the stone is red glass too, mending it makes a warning of another kind; what else is mended
+    /// beside it does not pay for that.
+    #[test]
+    fn none_rides_along_that_does_harm() {
+        let read = |bytes: Vec<u8>| {
+            let text = String::from_utf8(bytes.clone()).unwrap();
+            let mut loaded = Loaded::new("a.zpg", bytes);
+            if !text.contains("2 14 1 3") {
+                loaded
+                    .diagnostics
+                    .push(Diagnostic::new(Code::W301, Default::default()));
+            }
+            loaded
+        };
+        // The tori are the wrong way round; turning the first one does harm here.
+        let text = "2 14 1 3\n3 14 1 4\n4 14 1 5\n5 -101 2 3\n6 -101 5 4\n1 9999 6 0\n";
+        let (loaded, count) = to_fixed_point(read(text.into()), true, read);
+        let mended = text.replace("14 1 4", "14 4 1").replace("14 1 5", "14 5 1");
+        assert_eq!((loaded.source.text, count), (mended, 2));
     }
 
     #[test]

@@ -121,8 +121,8 @@ E005-lost = { $type }: chybí ID
     .label = toto je typ, { $number }; před něj patří ID
     .help = { $type } se zapisuje { $header }
 E005-swapped = { $text } tu nemůže být ID: ID a typ jsou prohozené
-    .label = kreslicí záznam začíná { $number }
-    .help = kreslicí záznam má vždy ID 1 a typ 9999
+    .label = renderovací záznam začíná { $number }
+    .help = renderovací záznam má vždy ID 1 a typ 9999
     .fix = { fix-write }
 
 E006 = za ID { $text } chybí typ
@@ -227,8 +227,12 @@ E101-no-id = { $number } není ID
 
 E102 = ID { $id } už je definováno
     .label = toto by byla druhá definice ({ $type })
-    .help = dejte mu jeho vlastní ID
+    .help = dejte mu vlastní ID
     .first = poprvé je definováno zde
+E102-render = renderovací záznam už ve scéně je
+    .label = scéna má jediný, s ID 1
+    .help = jeden z nich odstraňte
+    .first = { E102.first }
 E102-property = { E102 }
     .label = { E102.label }
     .first = { E102.first }, jako vlastnost, kterou zatím nic nemá
@@ -408,10 +412,10 @@ W305-line = { $type } { $id } má nulový objem: vyhovují jí jen body přímky
 W305-plane = { $type } { $id } má nulový objem: vyhovují jí jen body roviny
     .label = { W305-point.label }
     .note = { no-inside }
-W305-axis = { $type } { $id } má nulový objem: všechny body jejího profilu leží na ose
+W305-axis = { $type } { $id } má nulový objem: všechny body jeho profilu leží na ose
     .label = profil
     .note = { no-inside }
-W305-profile = { $type } { $id } má nulový objem: její profil neohraničuje žádnou plochu
+W305-profile = { $type } { $id } má nulový objem: jeho profil neohraničuje žádnou plochu
     .label = profil
     .note = { no-inside }
 
@@ -436,7 +440,7 @@ W307 = ve sjednocení { $id } se překrývají { $one } { $one-id } a { $two } {
     .second = { $two }
     .note = kde je první operand, není povrch druhého vidět: obrázek závisí na pořadí operandů
     .help = odečtěte jedno od druhého, nebo zapište překryv jako část s vlastními vlastnostmi
-    .fix = zapsat jako (A − B) ∪ (B − A) ∪ (A ∩ B)
+    .fix = zapsat jako (A ∩ B) ∪ (A − B) ∪ (B − A)
 
 W307-open = sjednocení { $id }: { $one } { $one-id } a { $two } { $two-id } se překrývají, vypadají různě a jsou rozříznuté: v bodě ({ $x }, { $y }, { $z }) vede řez oběma
     .label = { W307.label }
@@ -629,7 +633,7 @@ W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { 
 W320-torus = torus { $id } prochází sám sebou: trubka (r = { $tube }) je širší než prstenec (R = { $ring })
     .label = r, poloměr trubky
     .ring = R, od osy do středu trubky
-    .note = kde se trubka překrývá sama se sebou, v čočce kolem osy, je venku: uvnitř je dutina
+    .note = místo kolem osy, kde se trubka překrývá sama se sebou, už k tělesu nepatří: uvnitř je dutina
     .fix = prohodit R a r
 
 W321 = { $operation } { $id }: { W321.the-tool } končí přesně na povrchu, který má { W321.the-other }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })

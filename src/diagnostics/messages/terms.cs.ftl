@@ -74,13 +74,13 @@ term-the-radius = poloměr
 term-the-semi-axis-along-x = poloosa ve směru x
 term-the-semi-axis-along-y = poloosa ve směru y
 term-the-semi-axis-along-z = poloosa ve směru z
-term-how-often-the-facets-are-split = počet dělení stěn
+term-the-number-of-splits-of-the-facets = počet dělení stěn
 term-the-distance-from-the-centre-to-the-tube-s-centre = vzdálenost od středu ke středu trubky
 term-the-tube-s-radius = poloměr trubky
 term-the-half-width-at-y-1 = poloviční šířka při y = 1
 term-the-half-width-along-x-at-y-1 = poloviční šířka ve směru x při y = 1
 term-the-half-width-along-z-at-y-1 = poloviční šířka ve směru z při y = −1
-term-one-sheet-or-two = počet dílů, jeden nebo dva
+term-the-number-of-sheets = počet dílů
 term-the-height-of-the-base-disc-with-its-sign = výška podstavy i se znaménkem
 term-the-base-disc-s-radius = poloměr podstavy
 term-the-height-of-the-upper-base-disc = výška horní podstavy

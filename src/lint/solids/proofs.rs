@@ -139,7 +139,10 @@ impl<'a> Proofs<'a> {
                     (false, false) => match self.apart(x, y) {
                         // Only the second is said to be in parts.
                         None if self.in_parts(y, x) => return Some((y, x, Reason::Parts)),
-                        None => self.in_parts(x, y).then_some(Reason::Parts),
+                        None if self.in_parts(x, y) => Some(Reason::Parts),
+                        None if self.beyond(y, &placed(self.scene, x)) => {
+                            return Some((y, x, Reason::Beyond));
+                        }
                         reason => reason,
                     },
                     (false, true) => self.covered(x, y),

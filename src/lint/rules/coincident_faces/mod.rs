@@ -16,6 +16,7 @@ mod sample;
 mod search;
 
 use rayon::prelude::*;
+use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::solids::{named, near, operation_of, roots};
@@ -134,7 +135,8 @@ fn finding(
         .label(other_span, "other")
         .label(operation.span, "operation");
     let skin = pairs.iter().any(|p| p.skin);
-    if case != Case::Touch && !skin && parents.only_in(tool.node, operation.node) {
+    let bound = parents.bound.contains(&tool.id);
+    if case != Case::Touch && !skin && !bound && parents.only_in(tool.node, operation.node) {
         let shape = &scene.shapes[tool.shape as usize];
         let sides: Vec<Side> = pairs.iter().map(|p| p.sides[0]).collect();
         let params = context.params(shape.span)?;
@@ -168,6 +170,8 @@ struct Parents {
     /// For each node the highest one of which it is part, once, and by way of which alone it is part
     /// of anything else.
     sole: Vec<NodeId>,
+    /// IDs of what has a bounding volume: longer it would reach out of that.
+    bound: FxHashSet<u32>,
 }
 
 impl Parents {
@@ -191,7 +195,8 @@ impl Parents {
                 sole[i] = sole[parent];
             }
         }
-        Parents { sole }
+        let bound = scene.promises.iter().map(|p| p.id).collect();
+        Parents { sole, bound }
     }
 
     /// Whether a node that is part of this operation is so once, and part of nothing that is not:

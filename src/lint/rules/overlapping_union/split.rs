@@ -1,7 +1,8 @@
-//! A union as the handout has it where media meet: (A − B) ∪ (B − A) ∪ (A ∩ B).
+//! A union as the handout has it where media meet, (A − B) ∪ (B − A) ∪ (A ∩ B), the common piece first.
 
 use crate::diagnostics::{Applicability, Edit, Fix, Span};
 use crate::lint::Context;
+use crate::lint::parts::{Parts, parts};
 use crate::lint::properties::{ASPECTS, Properties};
 use crate::lint::solids::proofs::Proofs;
 use crate::scene::bounds::NodeBounds;
@@ -15,6 +16,7 @@ const ID_MAX: u32 = i32::MAX as u32;
 pub struct Splitter<'a> {
     scene: &'a Scene,
     proofs: Proofs<'a>,
+    parts: Vec<Parts>,
     /// An ID that is free, as are those above it.
     free: Option<u32>,
 }
@@ -40,6 +42,7 @@ impl<'a> Splitter<'a> {
         Splitter {
             scene: context.scene,
             proofs: Proofs::new(context.scene, bounds),
+            parts: parts(context.scene),
             free: context.free_id(),
         }
     }
@@ -48,6 +51,13 @@ impl<'a> Splitter<'a> {
         let Node::Union(first, second) = self.scene.nodes[union as usize] else {
             return None;
         };
+        // A surface has no common piece with anything.
+        if [first, second]
+            .iter()
+            .any(|&n| self.parts[n as usize].surface.is_some())
+        {
+            return None;
+        }
         let only_a = self.proofs.covered(first, second).is_none();
         let only_b = self.proofs.covered(second, first).is_none();
         let both = self.id()?;
@@ -98,8 +108,9 @@ impl Pieces {
             applicability: Applicability::Unsafe,
             edits: vec![
                 edit(front, lines.join("\n") + "\n"),
-                edit(p.span_of(0, 1), rest.to_string()),
-                edit(p.span_of(1, 1), both.to_string()),
+                // First: the faces that it shares with the others look like it.
+                edit(p.span_of(0, 1), both.to_string()),
+                edit(p.span_of(1, 1), rest.to_string()),
             ],
         })
     }
