@@ -6,11 +6,12 @@ use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::descend::{End, Stop};
 use super::difference::Substance;
 use super::facts::{self, Facts};
-use super::flush::{Cuts, lengthened};
+use super::flush::{Change, Changes};
 use super::look::Looks;
 use super::names;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
 use super::sets::Sets;
+use super::union;
 use super::verdict::verdict;
 use super::volumes::{self, Volumes};
 use crate::scene::bounds::{NodeBounds, node_bounds};
@@ -35,8 +36,12 @@ pub(super) struct Builder<'a> {
     pub bounds: Vec<NodeBounds>,
     pub sets: Sets,
     pub looks: Looks,
-    /// What tools that end flush with it are taken from.
-    pub cuts: Cuts,
+    /// How shapes are changed where nobody sees it.
+    pub changes: Changes,
+    /// How far apart faces are that are one: less than can be seen, more than POV-Ray's tolerances.
+    pub hair: f64,
+    /// Something has faces that nobody sees.
+    pub unseen: bool,
     /// Shapes that were made longer.
     pub longer: HashSet<u32>,
     /// Bounding volumes that help.
@@ -60,6 +65,7 @@ impl<'a> Builder<'a> {
         let mut aspects = Aspects::of(scene);
         let facts = facts::facts(scene, &mut aspects, root);
         let bounds = node_bounds(scene);
+        let hair = union::hair(scene, &bounds);
         let volumes = volumes::proved(scene, &bounds);
         let all = bounds.get(root as usize).map_or(Aabb::EMPTY, |b| b.all);
         let cut_open = scene
@@ -75,7 +81,9 @@ impl<'a> Builder<'a> {
             cut_open,
             sets: Sets::of(scene, root),
             looks: Looks::default(),
-            cuts: Cuts::default(),
+            changes: Changes::default(),
+            hair,
+            unseen: false,
             longer: HashSet::new(),
             turned: HashMap::new(),
             volumes,
@@ -184,10 +192,9 @@ impl<'a> Builder<'a> {
     fn shape(&mut self, shape: u32, state: State) -> Piece {
         let record = &self.scene.shapes[shape as usize];
         let flush = state.flush.filter(|f| {
-            !self.is_laid_out(state.look)
-                && lengthened(&record.geometry, &self.cuts.get(*f)).is_some()
+            !self.is_laid_out(state.look) && self.changes.changed(*f, &record.geometry).is_some()
         });
-        if flush.is_some() {
+        if let Some(Change::Longer(_)) = flush.map(|f| self.changes.get(f)) {
             self.longer.insert(shape);
         }
         let piece = Piece::new(Body::Shape(shape, flush), record.id);

@@ -5,6 +5,7 @@
 use std::collections::HashMap;
 
 use super::build::Builder;
+use super::offset::{offset, stretched};
 use super::piece::State;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
 
@@ -24,40 +25,71 @@ pub struct Cut {
     pub by: f64,
 }
 
-/// Boxes around what is cut, by number.
-#[derive(Debug, Default)]
-pub struct Cuts {
-    cuts: Vec<Cut>,
-    numbers: HashMap<[u64; 7], u32>,
+/// How shapes are changed where nobody sees it.
+#[derive(Debug, Clone, Copy)]
+pub enum Change {
+    /// Those that end flush with what is cut are longer than they are.
+    Longer(Cut),
+    /// Their surface lies so far outside of where it is, or inside.
+    Offset(f64),
 }
 
-impl Cuts {
-    fn number(&mut self, cut: Cut) -> u32 {
-        let mut key = [0; 7];
-        let Cut { around, by } = &cut;
-        for (k, x) in key
-            .iter_mut()
-            .zip(around.min.iter().chain(&around.max).chain([by]))
-        {
+/// Changes, by number.
+#[derive(Debug, Default)]
+pub struct Changes {
+    changes: Vec<Change>,
+    numbers: HashMap<[u64; 8], u32>,
+}
+
+impl Changes {
+    pub fn number(&mut self, change: Change) -> u32 {
+        let (kind, box_around, by) = match change {
+            Change::Longer(Cut { around, by }) => (0, around, by),
+            Change::Offset(by) => (1, Aabb::ALL, by),
+        };
+        let mut key = [kind; 8];
+        let numbers = box_around.min.iter().chain(&box_around.max).chain([&by]);
+        for (k, x) in key.iter_mut().zip(numbers) {
             *k = (x + 0.0).to_bits();
         }
-        let next = self.cuts.len() as u32;
+        let next = self.changes.len() as u32;
         let number = *self.numbers.entry(key).or_insert(next);
         if number == next {
-            self.cuts.push(cut);
+            self.changes.push(change);
         }
         number
     }
 
-    pub fn get(&self, number: u32) -> Cut {
-        self.cuts[number as usize]
+    pub fn get(&self, number: u32) -> Change {
+        self.changes[number as usize]
     }
 
-    /// The same box in the coordinates that a matrix leads away from, if it is a box there.
+    /// The changed shape, if there is anything to change about it.
+    pub fn changed(&self, number: u32, geometry: &Geometry) -> Option<Geometry> {
+        match self.get(number) {
+            Change::Longer(cut) => lengthened(geometry, &cut),
+            Change::Offset(by) => offset(geometry, by),
+        }
+    }
+
+    /// The same change in the coordinates that a matrix leads away from, if there is one.
     pub fn moved_back(&mut self, number: u32, m: &Matrix) -> Option<u32> {
-        let Cut { around, by } = self.get(number);
-        let around = moved_back(around, m)?;
-        Some(self.number(Cut { around, by }))
+        let change = match self.get(number) {
+            Change::Longer(Cut { around, by }) => {
+                let around = moved_back(around, m)?;
+                Change::Longer(Cut { around, by })
+            }
+            Change::Offset(by) => Change::Offset(by * stretched(m)?),
+        };
+        Some(self.number(change))
+    }
+
+    /// The change of what something is the complement of, or what is taken from it.
+    pub fn turned(&mut self, number: u32) -> u32 {
+        match self.get(number) {
+            Change::Longer(_) => number,
+            Change::Offset(by) => self.number(Change::Offset(-by)),
+        }
     }
 }
 
@@ -85,7 +117,7 @@ impl Builder<'_> {
                 Node::Shape(shape) => {
                     let geometry = &self.scene.shapes[shape as usize].geometry;
                     if lengthened(geometry, &Cut { around: cut, by }).is_some() {
-                        return Some(self.cuts.number(all));
+                        return Some(self.changes.number(Change::Longer(all)));
                     }
                 }
                 Node::Transform { child, matrix } => {

@@ -5,10 +5,13 @@ use std::collections::{HashMap, HashSet};
 
 use super::aspects::DEFAULT;
 use super::build::{Builder, inside_medium};
+use super::flush::Change;
 use super::grouping::{self, meet, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::standing::Stand;
-use crate::scene::{Aabb, NodeId};
+use crate::scene::bounds::NodeBounds;
+use crate::scene::frame::seen_box;
+use crate::scene::{Aabb, NodeId, Scene};
 use crate::translate::fidelity::Fidelity;
 
 /// Unions of more solids are not searched for those that stand on each other.
@@ -24,6 +27,27 @@ pub(super) struct Members {
     pub nodes: Operands,
     pub boxes: Vec<Aabb>,
     seen_into: bool,
+    /// A later medium begins where it ends: POV-Ray has to know its index, even if that is 1.
+    bounds_media: bool,
+}
+
+/// Which solids are longer where later ones are clipped by them.
+#[derive(Default)]
+struct Reaching {
+    /// The numbers of their changes.
+    by: HashMap<NodeId, u32>,
+    /// Each with those that it is made longer into.
+    into: HashSet<(NodeId, NodeId)>,
+}
+
+/// The part of the scene's size that [`Builder::hair`] is.
+const HAIR: f64 = 1.0 / 8192.0;
+
+/// How far apart faces are put that are one.
+pub(super) fn hair(scene: &Scene, bounds: &[NodeBounds]) -> f64 {
+    let seen = seen_box(scene, bounds);
+    let size = if seen.is_empty() { 0.0 } else { seen.radius() };
+    if size.is_finite() { HAIR * size } else { 0.0 }
 }
 
 impl Builder<'_> {
@@ -41,16 +65,31 @@ impl Builder<'_> {
         let (mut solids, surfaces) = self.by_part(&members);
         let reaching = self.settle(&mut solids);
         let mut groups = self.by_medium(&solids);
+        let mut meetings = Vec::new();
+        for later in 0..groups.len() {
+            for earlier in 0..later {
+                let [a, b] = [earlier, later].map(|i| &groups[i]);
+                if a.seen_into && meet(&a.boxes, &b.boxes) {
+                    let apart = self.have_a_hair(a, b, &reaching);
+                    groups[earlier].bounds_media |= apart;
+                    meetings.push((earlier, later, apart));
+                }
+            }
+        }
         let mut pieces = Vec::new();
+        let mut meetings = meetings.into_iter().peekable();
         for i in 0..groups.len() {
-            let mut clips = Vec::new();
-            for earlier in 0..i {
-                if groups[earlier].seen_into && meet(&groups[earlier].boxes, &groups[i].boxes) {
+            let (mut clips, mut owned) = (Vec::new(), Vec::new());
+            while let Some((earlier, _, apart)) = meetings.next_if(|m| m.1 == i) {
+                if apart {
+                    let smaller = self.changes.number(Change::Offset(-self.hair));
+                    owned.extend(self.bare(&groups[earlier], |_| Some(smaller)));
+                } else {
                     self.overlap(&groups[earlier], &groups[i]);
                     clips.extend(self.outside_of(&groups[earlier], &reaching));
                 }
             }
-            let piece = self.one_medium_union(&mut groups[i]);
+            let piece = self.one_medium_union(&mut groups[i], owned);
             pieces.extend(piece.map(|p| p.with(clips)));
         }
         pieces.extend(self.pieces(&surfaces));
@@ -59,8 +98,8 @@ impl Builder<'_> {
 
     /// Makes solids longer that stand on earlier ones and would show the face between, and gives by
     /// which boxes solids are to be longer where later ones are clipped by them.
-    fn settle(&mut self, solids: &mut Operands) -> HashMap<NodeId, u32> {
-        let mut reaching = HashMap::new();
+    fn settle(&mut self, solids: &mut Operands) -> Reaching {
+        let mut reaching = Reaching::default();
         if solids.len() > MANY {
             return reaching;
         }
@@ -86,8 +125,12 @@ impl Builder<'_> {
                 loose.extend(stand.loose.into_iter().map(pair));
                 stand.flush
             };
-            if let Some(flush) = note(self.standing(node, &after)) {
-                reaching.insert(node, flush);
+            let stand = self.standing(node, &after);
+            reaching
+                .into
+                .extend(stand.held.iter().map(|other| (node, *other)));
+            if let Some(flush) = note(stand) {
+                reaching.by.insert(node, flush);
             }
             if solids[i].1.flush.is_none() {
                 solids[i].1.flush = note(self.standing(node, &before));
@@ -124,6 +167,7 @@ impl Builder<'_> {
             medium: group.first().and_then(|i| operands[*i].0),
             nodes: group.iter().map(|i| solids[*i]).collect(),
             boxes: group.iter().map(|i| operands[*i].1).collect(),
+            bounds_media: false,
             seen_into: group.iter().any(|i| {
                 let (node, state) = solids[*i];
                 self.is_seen_into(node, state)
@@ -155,10 +199,34 @@ impl Builder<'_> {
         optics.zip(index)
     }
 
-    /// Operands of one medium as one object; its inside is one, too.
-    fn one_medium_union(&mut self, group: &mut Members) -> Option<Piece> {
+    /// Whether light finds its way from one medium into a later one where they meet.
+    ///
+    /// POV-Ray counts into which objects a ray has gone. Were the face of the later one in the earlier
+    /// one left out, rays would be in both beyond that. So it is there, a hair within the earlier one and
+    /// unseen. A ray that is in both is in the one that it has entered last, which makes it bend at one
+    /// of the two faces alone: as it should where they are so near each other.
+    fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &Reaching) -> bool {
+        let (Some(_), Some((optics, index))) = (earlier.medium, later.medium) else {
+            return false;
+        };
+        let meets_longer = || {
+            let pairs =
+                (earlier.nodes.iter()).flat_map(|a| later.nodes.iter().map(move |b| (a.0, b.0)));
+            pairs.into_iter().any(|pair| reaching.into.contains(&pair))
+        };
+        later.seen_into
+            && index != DEFAULT
+            && self.aspects.is_transparent(optics)
+            && self.hair > 0.0
+            && (earlier.nodes.iter()).all(|(node, _)| self.has_offset(*node, -self.hair))
+            && (reaching.into.is_empty() || !meets_longer())
+    }
+
+    /// Operands of one medium as one object; its inside is one, too. What others own of it is taken from
+    /// it, and the faces of that are not seen.
+    fn one_medium_union(&mut self, group: &mut Members, owned: Vec<Piece>) -> Option<Piece> {
         let merged = group.seen_into && group.nodes.len() > 1 && meet_each_other(&group.boxes);
-        if !merged {
+        if !merged && owned.is_empty() && !group.bounds_media {
             let pieces = self.pieces(&group.nodes);
             return non_empty(Group::Union, pieces);
         }
@@ -167,34 +235,39 @@ impl Builder<'_> {
             *state = inside_medium(*state);
         }
         let pieces = self.pieces(&group.nodes);
-        let piece = non_empty(Group::Merge, pieces)?;
-        Some(piece.with((index != DEFAULT).then_some(Modifier::Interior(index))))
+        let kind = if merged { Group::Merge } else { Group::Union };
+        let mut all = vec![non_empty(kind, pieces)?];
+        self.unseen |= !owned.is_empty();
+        all.extend(owned.into_iter().map(|p| p.with([Modifier::Unseen])));
+        let piece = Piece::group(Group::Difference, all);
+        let says = index != DEFAULT || group.bounds_media;
+        Some(piece.with(says.then_some(Modifier::Interior(index))))
     }
 
     /// Keeps of an object what no operand of a group holds.
-    fn outside_of(&mut self, group: &Members, reaching: &HashMap<NodeId, u32>) -> Option<Modifier> {
-        let by = self.geometry(group, reaching)?;
+    fn outside_of(&mut self, group: &Members, reaching: &Reaching) -> Option<Modifier> {
+        let pieces = self.bare(group, |node| reaching.by.get(&node).copied());
+        let by = non_empty(Group::Union, pieces)?;
         Some(Modifier::Clip {
             by: std::boxed::Box::new(by),
             outside: true,
         })
     }
 
-    /// The bare solid of a group; some of its members reach farther.
-    fn geometry(&mut self, group: &Members, reaching: &HashMap<NodeId, u32>) -> Option<Piece> {
-        let members: Vec<_> = group
-            .nodes
-            .iter()
-            .map(|&(node, _)| (node, State::GEOMETRY.flush(reaching.get(&node).copied())))
+    /// The bare solids of a group, changed.
+    fn bare(&mut self, group: &Members, change: impl Fn(NodeId) -> Option<u32>) -> Vec<Piece> {
+        let members: Vec<_> = (group.nodes.iter())
+            .map(|&(node, _)| (node, State::GEOMETRY.flush(change(node))))
             .collect();
-        let pieces = self.pieces(&members);
-        non_empty(Group::Union, pieces)
+        self.pieces(&members)
     }
 
     /// Says what two overlapping media cost.
     pub(super) fn overlap(&mut self, earlier: &Members, later: &Members) {
         let index = |g: &Members| g.medium.map(|(_, index)| index);
-        if index(earlier) != Some(DEFAULT) || index(later) != Some(DEFAULT) {
+        let opaque = |(optics, _)| !self.aspects.is_transparent(optics);
+        // What is opaque, or bends no light by itself, is no medium to POV-Ray.
+        if index(later) != Some(DEFAULT) && !later.medium.is_some_and(opaque) {
             self.media_are_approximate();
         }
         if earlier.medium.is_some() && earlier.medium == later.medium {
