@@ -13,6 +13,9 @@ const PART: f64 = 1.0 / 16.0;
 /// What is made longer may become so many times as wide: profiles go on as they end.
 const WIDER: f64 = 2.0;
 
+/// So many parts of a solid are looked at.
+const PATIENCE: u32 = 256;
+
 /// What a solid may stand on.
 enum Room {
     /// A box that it is beside.
@@ -109,13 +112,34 @@ impl Builder<'_> {
 
     /// How many times as wide a solid becomes at most where it is made longer.
     fn wider(&self, node: NodeId) -> f64 {
-        match self.along_the_axes(node) {
-            Some(Geometry::Box { .. } | Geometry::HalfSpace(_)) => 1.0,
-            // They go on straight.
-            Some(Geometry::Cone { .. }) => 1.0 + PART,
-            Some(Geometry::Revolution { profile, .. }) if profile.len() == 2 => 1.0 + PART,
-            _ => WIDER,
+        let mut todo = vec![node];
+        let mut most = 1.0f64;
+        for _ in 0..PATIENCE {
+            let Some(node) = todo.pop() else {
+                return most;
+            };
+            let wider = match self.along_the_axes(node) {
+                Some(Geometry::Box { .. } | Geometry::HalfSpace(_)) => 1.0,
+                // They go on straight.
+                Some(Geometry::Cone { .. }) => 1.0 + PART,
+                Some(Geometry::Revolution { profile, .. }) if profile.len() == 2 => 1.0 + PART,
+                Some(_) => WIDER,
+                // Its parts lie within it.
+                None => match self.scene.nodes[node as usize] {
+                    Node::Union(a, b) => {
+                        todo.extend([a, b]);
+                        continue;
+                    }
+                    Node::Paint { child, .. } | Node::Copy { child, .. } => {
+                        todo.push(child);
+                        continue;
+                    }
+                    _ => WIDER,
+                },
+            };
+            most = most.max(wider);
         }
+        WIDER
     }
 
     /// A node as a part of a cone or cylinder along an axis, if it is one.
