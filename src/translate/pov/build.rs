@@ -48,6 +48,8 @@ pub(super) struct Builder<'a> {
     pub volumes: Volumes,
     /// Triangles whose normals turn away from the eye somewhere, and whether they are on the far side.
     pub turned: HashMap<u32, bool>,
+    /// For each node whether there are any in it; nothing where there are none at all.
+    pub holds_turned: Vec<bool>,
     pub report: Report,
     /// The entity each node belongs to, 0 where none does.
     pub ids: Vec<u32>,
@@ -86,6 +88,7 @@ impl<'a> Builder<'a> {
             unseen: false,
             longer: HashSet::new(),
             turned: HashMap::new(),
+            holds_turned: Vec::new(),
             volumes,
             report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
@@ -194,7 +197,7 @@ impl<'a> Builder<'a> {
         let flush = state.flush.filter(|f| {
             !self.is_laid_out(state.look) && self.changes.changed(*f, &record.geometry).is_some()
         });
-        if let Some(Change::Longer(_)) = flush.map(|f| self.changes.get(f)) {
+        if let Some(Change::Longer(_) | Change::Sides(..)) = flush.map(|f| self.changes.get(f)) {
             self.longer.insert(shape);
         }
         let piece = Piece::new(Body::Shape(shape, flush), record.id);
@@ -274,7 +277,7 @@ impl<'a> Builder<'a> {
         if members.len() > MANY {
             return;
         }
-        let mut seen: HashMap<_, Option<Substance>> = HashMap::new();
+        let mut seen: HashMap<_, (Option<Substance>, NodeId, bool)> = HashMap::new();
         for &(node, state) in members {
             if self.facts[node as usize].has_surface {
                 continue;
@@ -282,12 +285,21 @@ impl<'a> Builder<'a> {
             let substance = self.substance(node, state);
             let place = self.sets.place(node);
             let parts = self.sets.parts(place);
-            let differs = |known: &Option<Substance>| known.is_none() || *known != substance;
-            if parts.iter().filter_map(|p| seen.get(p)).any(differs) {
+            let differing: HashSet<_> = (parts.iter())
+                .filter_map(|p| seen.get(p))
+                .filter(|known| known.0.is_none() || known.0 != substance)
+                .map(|&(_, owner, clear)| (owner, clear))
+                .collect();
+            // Those that fill a hole are made larger than that.
+            let is_plug = |&(owner, clear): &(NodeId, bool)| {
+                clear && !self.plug(node, &[owner]).held.is_empty()
+            };
+            if !differing.iter().all(is_plug) {
                 self.faces_in_one_place(self.ids[node as usize]);
             }
+            let clear = self.cut_open || self.is_transparent(node, state.look);
             for part in parts {
-                seen.entry(part).or_insert(substance);
+                seen.entry(part).or_insert((substance, node, clear));
             }
         }
     }

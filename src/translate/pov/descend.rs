@@ -169,7 +169,7 @@ impl Builder<'_> {
                 Node::Intersection(a, b) if solid => {
                     state.part = Part::Solid;
                     if a != b {
-                        self.one_medium(a, f.index.uniform, &mut state, &mut way);
+                        self.one_medium(node, a, &mut state, &mut way);
                         return way.end(End::Intersection(a, b, state));
                     }
                     node = a;
@@ -245,14 +245,14 @@ impl Builder<'_> {
     }
 
     /// One solid has one inside: the first operand's.
-    fn one_medium(&mut self, first: NodeId, uniform: bool, state: &mut State, way: &mut Way) {
+    fn one_medium(&mut self, node: NodeId, first: NodeId, state: &mut State, way: &mut Way) {
         if state.medium == Medium::Own {
-            let index = self.facts[first as usize].index.first;
-            if index != DEFAULT && self.is_transparent(first, state.look) {
-                way.push(Modifier::Interior(index));
+            let index = self.facts[first as usize].index;
+            if index.first != DEFAULT && self.is_transparent(node, state.look) {
+                way.push(Modifier::Interior(index.first));
             }
             state.medium = Medium::Above;
-            if !uniform {
+            if !index.uniform {
                 self.media_are_approximate();
             }
         }
@@ -267,8 +267,11 @@ impl Builder<'_> {
         let f = self.facts[node as usize];
         let texture = texture.or((!f.has_texture).then_some(TextureUse::DEFAULT));
         let optics = optics.or((!f.has_optics).then_some(DEFAULT));
+        // Triangles with normals that turn away have a look for each side.
+        let sides = self.holds_turned.get(node as usize) == Some(&true)
+            && !matches!(self.scene.nodes[node as usize], Node::Shape(_));
         match (texture.or(f.face_texture), optics.or(f.face_optics)) {
-            (Some(t), Some(o)) if !self.aspects.is_laid_on_shapes(t.texture) => (
+            (Some(t), Some(o)) if !sides && !self.aspects.is_laid_on_shapes(t.texture) => (
                 Look::Above {
                     transparent: self.aspects.is_transparent(o),
                 },

@@ -216,7 +216,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                         };
                         if let Body::Shape(_, Some(change)) = member.body {
                             comment += match self.builder.changes.get(change) {
-                                Change::Longer(_) => LONGER,
+                                Change::Longer(_) | Change::Sides(..) => LONGER,
                                 Change::Offset(by) if by < 0.0 => ": a hair smaller",
                                 Change::Offset(_) => ": a hair larger",
                             };

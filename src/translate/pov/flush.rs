@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 
 use super::build::Builder;
-use super::offset::{offset, stretched};
+use super::offset::{offset, offset_profile, stretched};
 use super::piece::State;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
 
@@ -32,12 +32,16 @@ pub enum Change {
     Longer(Cut),
     /// Their surface lies so far outside of where it is, or inside.
     Offset(f64),
+    /// Some sides of a profile do, by their number.
+    Sides(f64, u32),
 }
 
 /// Changes, by number.
 #[derive(Debug, Default)]
 pub struct Changes {
     changes: Vec<Change>,
+    /// For each side of a profile whether it is moved.
+    sides: Vec<Vec<bool>>,
     numbers: HashMap<[u64; 8], u32>,
 }
 
@@ -46,6 +50,7 @@ impl Changes {
         let (kind, box_around, by) = match change {
             Change::Longer(Cut { around, by }) => (0, around, by),
             Change::Offset(by) => (1, Aabb::ALL, by),
+            Change::Sides(by, sides) => (2 + u64::from(sides), Aabb::ALL, by),
         };
         let mut key = [kind; 8];
         let numbers = box_around.min.iter().chain(&box_around.max).chain([&by]);
@@ -60,6 +65,13 @@ impl Changes {
         number
     }
 
+    /// The number of the change that moves some sides of a profile.
+    pub fn of_sides(&mut self, by: f64, sides: Vec<bool>) -> u32 {
+        let next = self.sides.len() as u32;
+        self.sides.push(sides);
+        self.number(Change::Sides(by, next))
+    }
+
     pub fn get(&self, number: u32) -> Change {
         self.changes[number as usize]
     }
@@ -69,6 +81,18 @@ impl Changes {
         match self.get(number) {
             Change::Longer(cut) => lengthened(geometry, &cut),
             Change::Offset(by) => offset(geometry, by),
+            Change::Sides(by, sides) => {
+                let Geometry::Revolution { profile, colours } = geometry else {
+                    return None;
+                };
+                let sides = &self.sides[sides as usize];
+                let by = |i: usize| if sides.get(i) == Some(&true) { by } else { 0.0 };
+                let profile = offset_profile(profile, by).filter(|_| colours.is_empty())?;
+                Some(Geometry::Revolution {
+                    profile,
+                    colours: Vec::new(),
+                })
+            }
         }
     }
 
@@ -80,6 +104,7 @@ impl Changes {
                 Change::Longer(Cut { around, by })
             }
             Change::Offset(by) => Change::Offset(by * stretched(m)?),
+            Change::Sides(by, sides) => Change::Sides(by * stretched(m)?, sides),
         };
         Some(self.number(change))
     }
@@ -87,7 +112,7 @@ impl Changes {
     /// The change of what something is the complement of, or what is taken from it.
     pub fn turned(&mut self, number: u32) -> u32 {
         match self.get(number) {
-            Change::Longer(_) => number,
+            Change::Longer(_) | Change::Sides(..) => number,
             Change::Offset(by) => self.number(Change::Offset(-by)),
         }
     }
@@ -202,10 +227,7 @@ impl Builder<'_> {
                 Node::Shape(shape) => return Some(&self.scene.shapes[shape as usize].geometry),
                 Node::Paint { child, .. } | Node::Copy { child, .. } => child,
                 Node::Transform { child, matrix } => {
-                    let m = &self.scene.matrices[matrix as usize];
-                    let along =
-                        |row: &[f64; 4]| row[..3].iter().filter(|x| **x != 0.0).count() == 1;
-                    if !m.0.iter().take(3).all(along) {
+                    if !is_along(&self.scene.matrices[matrix as usize]) {
                         return None;
                     }
                     child
@@ -214,6 +236,12 @@ impl Builder<'_> {
             }
         }
     }
+}
+
+/// Whether a matrix leaves the axes along the axes.
+pub fn is_along(m: &Matrix) -> bool {
+    let along = |row: &[f64; 4]| row[..3].iter().filter(|x| **x != 0.0).count() == 1;
+    m.0.iter().take(3).all(along)
 }
 
 /// Whether one box ends along an axis where the other begins, with more than an edge in common.

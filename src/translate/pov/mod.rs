@@ -5,11 +5,11 @@
 //! and no highlights its light is that of the reference ray tracer, except at total internal reflection.
 //!
 //! From the resolved scene to text: [`facts`] about every node, bottom-up; [`build`] with [`descend`],
-//! [`union`], [`difference`], [`grouping`], [`flush`] and [`sets`] says what each object consists of, as
-//! [`piece`]s; [`emit`] orders, names and prints them; [`look`] and [`uv`] know POV-Ray's textures,
-//! [`shape`] with [`poly`], [`profile`], [`triangle`] and [`offset`] its primitives, [`turned`] the triangles with
-//! normals that turn away, [`volumes`] the bounding volumes that may be written; [`camera`] and
-//! [`scenery`] do the rest. [`verdict`] says what becomes of each feature.
+//! [`union`], [`difference`], [`grouping`], [`flush`], [`standing`], [`filling`] and [`sets`] says what each
+//! object consists of, as [`piece`]s; [`emit`] orders, names and prints them; [`look`] and [`uv`] know
+//! POV-Ray's textures, [`shape`] with [`poly`], [`profile`], [`triangle`] and [`offset`] its primitives,
+//! [`turned`] the triangles with normals that turn away, [`volumes`] the bounding volumes that may be
+//! written; [`camera`] and [`scenery`] do the rest. [`verdict`] says what becomes of each feature.
 
 mod aspects;
 mod build;
@@ -18,6 +18,7 @@ mod descend;
 mod difference;
 mod emit;
 mod facts;
+mod filling;
 mod flush;
 mod frame;
 mod grouping;
@@ -124,6 +125,7 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
     let eyes = camera::eyes(scene, &mut builder, options)?;
     if let Some(eye) = eyes.first() {
         builder.turned = turned::turned(scene, &builder.facts, eye);
+        builder.holds_turned = turned::holders(scene, &builder.facts, &builder.turned);
     }
     let mut emitter = Emitter::new(&mut builder, &options.captions);
     let root = emitter.declare(render.root);

@@ -6,6 +6,7 @@ use std::collections::{HashMap, HashSet};
 use super::aspects::DEFAULT;
 use super::build::{Builder, inside_medium};
 use super::flush::Change;
+use super::frame::power_of_two_about;
 use super::grouping::{self, meet, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::standing::Stand;
@@ -27,8 +28,19 @@ pub(super) struct Members {
     pub nodes: Operands,
     pub boxes: Vec<Aabb>,
     seen_into: bool,
+    transparent: bool,
     /// A later medium begins where it ends: POV-Ray has to know its index, even if that is 1.
     bounds_media: bool,
+}
+
+impl Members {
+    /// The operation that joins them.
+    fn kind(&self) -> Group {
+        match self.seen_into && self.nodes.len() > 1 && meet_each_other(&self.boxes) {
+            true => Group::Merge,
+            false => Group::Union,
+        }
+    }
 }
 
 /// Which solids are longer where later ones are clipped by them.
@@ -40,14 +52,17 @@ struct Reaching {
     into: HashSet<(NodeId, NodeId)>,
 }
 
-/// The part of the scene's size that [`Builder::hair`] is.
+/// The part of the scene's size that [`Builder::hair`] is, or less by up to a half.
 const HAIR: f64 = 1.0 / 8192.0;
 
 /// How far apart faces are put that are one.
 pub(super) fn hair(scene: &Scene, bounds: &[NodeBounds]) -> f64 {
     let seen = seen_box(scene, bounds);
     let size = if seen.is_empty() { 0.0 } else { seen.radius() };
-    if size.is_finite() { HAIR * size } else { 0.0 }
+    match size.is_finite() && size > 0.0 {
+        true => power_of_two_about(HAIR * size),
+        false => 0.0,
+    }
 }
 
 impl Builder<'_> {
@@ -66,11 +81,17 @@ impl Builder<'_> {
         let reaching = self.settle(&mut solids);
         let mut groups = self.by_medium(&solids);
         let mut meetings = Vec::new();
+        let mut smaller = vec![None; groups.len()];
         for later in 0..groups.len() {
             for earlier in 0..later {
                 let [a, b] = [earlier, later].map(|i| &groups[i]);
                 if a.seen_into && meet(&a.boxes, &b.boxes) {
-                    let apart = self.have_a_hair(a, b, &reaching);
+                    let has_offset = || {
+                        let nodes = a.nodes.iter().map(|(node, _)| *node);
+                        self.hair > 0.0 && nodes.into_iter().all(|n| self.has_offset(n, -self.hair))
+                    };
+                    let apart = self.have_a_hair(a, b, &reaching)
+                        && *smaller[earlier].get_or_insert_with(has_offset);
                     groups[earlier].bounds_media |= apart;
                     meetings.push((earlier, later, apart));
                 }
@@ -79,18 +100,16 @@ impl Builder<'_> {
         let mut pieces = Vec::new();
         let mut meetings = meetings.into_iter().peekable();
         for i in 0..groups.len() {
-            let (mut clips, mut owned) = (Vec::new(), Vec::new());
+            let (mut clips, mut apart_from) = (Vec::new(), Vec::new());
             while let Some((earlier, _, apart)) = meetings.next_if(|m| m.1 == i) {
-                if apart {
-                    let smaller = self.changes.number(Change::Offset(-self.hair));
-                    owned.extend(self.bare(&groups[earlier], |_| Some(smaller)));
-                } else {
-                    self.overlap(&groups[earlier], &groups[i]);
-                    clips.extend(self.outside_of(&groups[earlier], &reaching));
+                clips.extend(self.outside_of(&groups[earlier], &reaching));
+                match apart {
+                    true => apart_from.push(earlier),
+                    false => self.overlap(&groups[earlier], &groups[i]),
                 }
             }
-            let piece = self.one_medium_union(&mut groups[i], owned);
-            pieces.extend(piece.map(|p| p.with(clips)));
+            let skin = self.skin(&groups, i, &apart_from);
+            pieces.extend(self.one_medium_union(&mut groups[i], clips, skin));
         }
         pieces.extend(self.pieces(&surfaces));
         non_empty(Group::Union, pieces)
@@ -108,8 +127,15 @@ impl Builder<'_> {
             .collect();
         let (mut held, mut loose) = (HashSet::new(), Vec::new());
         for i in 0..solids.len() {
-            let (medium, true) = kinds[i] else { continue };
             let node = solids[i].0;
+            let clear = solids[..i].iter().zip(&kinds).filter(|(_, k)| k.1);
+            let clear: Vec<NodeId> = clear.map(|((earlier, _), _)| *earlier).collect();
+            let plug = self.plug(node, &clear);
+            if plug.flush.is_some() {
+                solids[i].1.flush = plug.flush;
+                held.extend(plug.held.into_iter().map(|o| (node.min(o), node.max(o))));
+            }
+            let (medium, true) = kinds[i] else { continue };
             let (mut before, mut after) = (Vec::new(), Vec::new());
             for (j, (other, _)) in kinds.iter().enumerate().filter(|(j, _)| *j != i) {
                 let same = medium.is_some() && medium == *other;
@@ -131,6 +157,9 @@ impl Builder<'_> {
                 .extend(stand.held.iter().map(|other| (node, *other)));
             if let Some(flush) = note(stand) {
                 reaching.by.insert(node, flush);
+            }
+            if solids[i].1.flush.is_none() {
+                solids[i].1.flush = note(self.filling(node, &before));
             }
             if solids[i].1.flush.is_none() {
                 solids[i].1.flush = note(self.standing(node, &before));
@@ -167,6 +196,10 @@ impl Builder<'_> {
             medium: group.first().and_then(|i| operands[*i].0),
             nodes: group.iter().map(|i| solids[*i]).collect(),
             boxes: group.iter().map(|i| operands[*i].1).collect(),
+            transparent: group.iter().any(|i| {
+                let (node, state) = solids[*i];
+                self.is_transparent(node, state.look)
+            }),
             bounds_media: false,
             seen_into: group.iter().any(|i| {
                 let (node, state) = solids[*i];
@@ -199,14 +232,14 @@ impl Builder<'_> {
         optics.zip(index)
     }
 
-    /// Whether light finds its way from one medium into a later one where they meet.
+    /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
     ///
     /// POV-Ray counts into which objects a ray has gone. Were the face of the later one in the earlier
     /// one left out, rays would be in both beyond that. So it is there, a hair within the earlier one and
     /// unseen. A ray that is in both is in the one that it has entered last, which makes it bend at one
     /// of the two faces alone: as it should where they are so near each other.
     fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &Reaching) -> bool {
-        let (Some(_), Some((optics, index))) = (earlier.medium, later.medium) else {
+        let (Some(_), Some((_, index))) = (earlier.medium, later.medium) else {
             return false;
         };
         let meets_longer = || {
@@ -214,39 +247,57 @@ impl Builder<'_> {
                 (earlier.nodes.iter()).flat_map(|a| later.nodes.iter().map(move |b| (a.0, b.0)));
             pairs.into_iter().any(|pair| reaching.into.contains(&pair))
         };
-        later.seen_into
-            && index != DEFAULT
-            && self.aspects.is_transparent(optics)
-            && self.hair > 0.0
-            && (earlier.nodes.iter()).all(|(node, _)| self.has_offset(*node, -self.hair))
-            && (reaching.into.is_empty() || !meets_longer())
+        later.transparent && index != DEFAULT && (reaching.into.is_empty() || !meets_longer())
     }
 
-    /// Operands of one medium as one object; its inside is one, too. What others own of it is taken from
-    /// it, and the faces of that are not seen.
-    fn one_medium_union(&mut self, group: &mut Members, owned: Vec<Piece>) -> Option<Piece> {
-        let merged = group.seen_into && group.nodes.len() > 1 && meet_each_other(&group.boxes);
-        if !merged && owned.is_empty() && !group.bounds_media {
+    /// The face that a group has within earlier ones, a hair behind theirs.
+    fn skin(&mut self, groups: &[Members], later: usize, earlier: &[usize]) -> Option<Piece> {
+        let smaller = self.changes.number(Change::Offset(-self.hair));
+        let (mut around, mut taken) = (Vec::new(), Vec::new());
+        for &i in earlier {
+            around.extend(self.bare(&groups[i], |_, _| None));
+            taken.extend(self.bare(&groups[i], |_, _| Some(smaller)));
+        }
+        let around = non_empty(Group::Union, around)?;
+        let own = self.bare(&groups[later], |_, state| state.flush);
+        let mut all = vec![non_empty(groups[later].kind(), own)?];
+        all.extend(taken);
+        self.unseen = true;
+        let within = Modifier::Clip {
+            by: std::boxed::Box::new(around),
+            outside: false,
+        };
+        Some(Piece::group(Group::Difference, all).with([Modifier::Unseen, within]))
+    }
+
+    /// Operands of one medium as one object; its inside is one, too. `clips` are what is kept of what
+    /// is seen, `skin` the rest of its surface.
+    fn one_medium_union(
+        &mut self,
+        group: &mut Members,
+        clips: Vec<Modifier>,
+        skin: Option<Piece>,
+    ) -> Option<Piece> {
+        let kind = group.kind();
+        if kind == Group::Union && skin.is_none() && !group.bounds_media {
             let pieces = self.pieces(&group.nodes);
-            return non_empty(Group::Union, pieces);
+            return Some(non_empty(Group::Union, pieces)?.with(clips));
         }
         let index = group.medium.map_or(DEFAULT, |(_, index)| index);
         for (_, state) in &mut group.nodes {
             *state = inside_medium(*state);
         }
         let pieces = self.pieces(&group.nodes);
-        let kind = if merged { Group::Merge } else { Group::Union };
-        let mut all = vec![non_empty(kind, pieces)?];
-        self.unseen |= !owned.is_empty();
-        all.extend(owned.into_iter().map(|p| p.with([Modifier::Unseen])));
-        let piece = Piece::group(Group::Difference, all);
+        let seen = non_empty(kind, pieces)?.with(clips);
+        let all = std::iter::once(seen).chain(skin).collect();
+        let piece = Piece::group(Group::Union, all);
         let says = index != DEFAULT || group.bounds_media;
         Some(piece.with(says.then_some(Modifier::Interior(index))))
     }
 
     /// Keeps of an object what no operand of a group holds.
     fn outside_of(&mut self, group: &Members, reaching: &Reaching) -> Option<Modifier> {
-        let pieces = self.bare(group, |node| reaching.by.get(&node).copied());
+        let pieces = self.bare(group, |node, _| reaching.by.get(&node).copied());
         let by = non_empty(Group::Union, pieces)?;
         Some(Modifier::Clip {
             by: std::boxed::Box::new(by),
@@ -255,9 +306,13 @@ impl Builder<'_> {
     }
 
     /// The bare solids of a group, changed.
-    fn bare(&mut self, group: &Members, change: impl Fn(NodeId) -> Option<u32>) -> Vec<Piece> {
+    fn bare(
+        &mut self,
+        group: &Members,
+        change: impl Fn(NodeId, State) -> Option<u32>,
+    ) -> Vec<Piece> {
         let members: Vec<_> = (group.nodes.iter())
-            .map(|&(node, _)| (node, State::GEOMETRY.flush(change(node))))
+            .map(|&(node, state)| (node, State::GEOMETRY.flush(change(node, state))))
             .collect();
         self.pieces(&members)
     }
@@ -265,9 +320,8 @@ impl Builder<'_> {
     /// Says what two overlapping media cost.
     pub(super) fn overlap(&mut self, earlier: &Members, later: &Members) {
         let index = |g: &Members| g.medium.map(|(_, index)| index);
-        let opaque = |(optics, _)| !self.aspects.is_transparent(optics);
         // What is opaque, or bends no light by itself, is no medium to POV-Ray.
-        if index(later) != Some(DEFAULT) && !later.medium.is_some_and(opaque) {
+        if index(later) != Some(DEFAULT) && later.transparent {
             self.media_are_approximate();
         }
         if earlier.medium.is_some() && earlier.medium == later.medium {
