@@ -33,8 +33,9 @@ both are counted by themselves.
 mitsuba: position, normal and shape of what is seen first, from a Python that has the package mitsuba.
 
 In DIR are then ours.png, theirs.png, difference.png (green: alike, red: differing, grey: silhouettes,
-blue: total reflection with povray, what single precision cannot tell with mitsuba), side-by-side.png, crosscheck.json, and the translation; with _left and _right
-for a pair of cameras. Pictures of mitsuba show normals as colours.
+with povray those that differ; blue: total reflection with povray, what single precision cannot tell with
+mitsuba), side-by-side.png, crosscheck.json, and the translation; with _left and _right for a pair of
+cameras. Pictures of mitsuba show normals as colours.
 
 Examples:
   zpg crosscheck scene.zpg --with povray
