@@ -35,8 +35,8 @@ What single precision cannot tell, and which of two surfaces in one place is see
 the answer is \"no\", too, when that is more than what is seen alike.
 
 In DIR are then ours.png, theirs.png, difference.png (green: alike, red: differing, grey: silhouettes,
-blue: what is counted by itself), side-by-side.png, crosscheck.json, and the translation; with _left
-and _right for a pair of cameras. Pictures of mitsuba show normals as colours.
+with povray those that differ; blue: what is counted by itself), side-by-side.png, crosscheck.json, and
+the translation; with _left and _right for a pair of cameras. Pictures of mitsuba show normals as colours.
 
 Examples:
   zpg crosscheck scene.zpg --with povray

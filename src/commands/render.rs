@@ -10,12 +10,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use super::draft::{Draft, unwritable};
 use super::size::Size;
-use super::terminal::{tell, warn};
+use super::terminal::{progress_bar, tell, warn};
 use super::{Loaded, LookChoice, Status, complain, load_sound, report, usage};
 use crate::diagnostics::{Complaint, Diagnostic};
 use crate::scene::frame::selected_cameras;
@@ -325,6 +324,7 @@ fn settings(args: &Args) -> Result<Settings, Failure> {
         width,
         height,
         crop,
+        wanted: None,
         samples: args.samples,
         tolerance: args.adaptive,
         shift: [0.0; 2],
@@ -446,15 +446,6 @@ fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
         );
     }
     stop
-}
-
-fn progress_bar(rows: u64) -> ProgressBar {
-    // Draws on standard error, and only where that is a terminal.
-    let bar = ProgressBar::with_draw_target(Some(rows), ProgressDrawTarget::stderr_with_hz(10));
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta:>4} left") {
-        bar.set_style(style);
-    }
-    bar
 }
 
 fn write_stats(path: &Path, stats: &Stats) -> Result<(), Failure> {

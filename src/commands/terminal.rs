@@ -3,6 +3,8 @@
 use std::ffi::OsString;
 use std::io::{self, BufWriter, IsTerminal, Write};
 
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
 use super::{Loaded, Status};
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::{self, Look};
@@ -100,6 +102,16 @@ pub fn warn(look: LookChoice, complaint: &Complaint) {
 pub fn tell(line: &str) {
     // Nobody is left to be told when standard error is gone.
     let _ = writeln!(io::stderr(), "{line}");
+}
+
+/// Shows how many rows of a picture are done.
+pub fn progress_bar(rows: u64) -> ProgressBar {
+    // Draws on standard error, and only where that is a terminal.
+    let bar = ProgressBar::with_draw_target(Some(rows), ProgressDrawTarget::stderr_with_hz(10));
+    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta:>4} left") {
+        bar.set_style(style);
+    }
+    bar
 }
 
 /// Prints what was found in a scene for people, on standard error, with a summary; nothing when

@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 
-use super::silhouette::Studied;
-use crate::trace::Film;
+use super::silhouette::{Studied, study};
+use crate::scene::Camera;
 use crate::trace::film::srgb8;
+use crate::trace::{Film, Settings, Tracer, Unsupported};
 
 /// The largest difference of two colours in a channel.
 pub fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
@@ -15,7 +16,7 @@ pub fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
 /// What a pixel counts as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pixel {
-    /// An edge goes through it.
+    /// It differs, and an edge goes through it.
     Silhouette,
     /// It shows light that was totally reflected, where the other program differs by design.
     Apart,
@@ -27,7 +28,6 @@ enum Pixel {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     pub pixels: usize,
-    pub silhouettes: usize,
     /// Off silhouettes, with total reflection: not compared.
     pub total_reflection: usize,
     pub differing: Differing,
@@ -58,9 +58,29 @@ pub struct Difference {
 }
 
 impl Comparison {
-    /// Compares pictures of one size. `most` is the most that a channel of theirs can hold; pixels
-    /// that differ by more than `bar` differ.
-    pub fn new(ours: &Studied, theirs: &Film, most: f32, bar: f64) -> Comparison {
+    /// Takes our picture, of the size of theirs, and compares; gives our picture, too. `most` is the most
+    /// that a channel of theirs can hold; pixels that differ by more than `bar` differ. `progress` is
+    /// told of every finished row.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::render`].
+    pub fn of(
+        (tracer, camera, settings): (&Tracer, &Camera, &Settings),
+        theirs: &Film,
+        most: f32,
+        bar: f64,
+        progress: impl Fn() + Sync,
+    ) -> Result<(Comparison, Film), Unsupported> {
+        let differs =
+            |i: usize, p: [f32; 3]| distance(p.map(|c| c.min(most)), theirs.pixels[i]) > bar;
+        // Half the bar each way: two pictures that are an edge apart differ by all of it.
+        let ours = study(tracer, camera, settings, bar / 2.0, differs, progress)?;
+        let comparison = Comparison::new(&ours, theirs, most, bar);
+        Ok((comparison, ours.picture.film))
+    }
+
+    fn new(ours: &Studied, theirs: &Film, most: f32, bar: f64) -> Comparison {
         let held: Vec<[f32; 3]> = (ours.picture.film.pixels.iter())
             .map(|p| p.map(|c| c.min(most)))
             .collect();
@@ -85,14 +105,11 @@ impl Comparison {
         let off = count(Pixel::Differing);
         Comparison {
             pixels: map.len(),
-            silhouettes: count(Pixel::Silhouette),
             total_reflection: count(Pixel::Apart),
             differing: Differing {
                 off_silhouettes: off,
                 share_off_silhouettes: off as f64 / map.len().max(1) as f64,
-                on_silhouettes: (map.iter())
-                    .filter(|p| p.0 == Pixel::Silhouette && p.1 > bar)
-                    .count(),
+                on_silhouettes: count(Pixel::Silhouette),
             },
             difference: Difference {
                 largest: compared().fold(0.0, f64::max),
@@ -105,7 +122,7 @@ impl Comparison {
     }
 
     /// The differences as a picture of 8-bit RGB, row by row: green up to the bar, red above it, grey
-    /// for silhouettes, blue where there is total reflection; all the brighter the more they differ.
+    /// for silhouettes that differ, blue where there is total reflection; all the brighter the more they differ.
     pub fn picture(&self) -> Vec<u8> {
         let colour = |&(pixel, d): &(Pixel, f64)| {
             let shade = (55.0 + 200.0 * (d / self.bar).min(1.0)) as u8;

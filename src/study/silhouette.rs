@@ -1,6 +1,7 @@
 //! Pixels that an edge goes through: of a shape, a shadow, a pattern, or of any of these seen in
 //! glass. What a single sample there shows is up to rounding.
 
+use super::compare::distance;
 use crate::scene::Camera;
 use crate::trace::{Picture, Settings, Tracer, Unsupported};
 
@@ -11,14 +12,16 @@ const NEAR: f64 = 0.02;
 /// A picture and what is uncertain in it.
 pub struct Studied {
     pub picture: Picture,
-    /// For each pixel, row by row: an edge goes through its middle.
+    /// For each pixel, row by row: it was in question, and an edge goes through its middle.
     pub edges: Vec<bool>,
-    /// For each pixel: some of the light it shows, or shows a hair beside it, was totally reflected.
+    /// For each pixel: some of the light it shows was totally reflected; or of what it shows a hair
+    /// beside it, if it was in question.
     pub total_reflection: Vec<bool>,
 }
 
-/// Takes a picture and four more, moved by a hair; an edge is where they differ by more than `bar` in
-/// a channel, in linear light.
+/// Takes a picture, and of the pixels that are in question four more, moved by a hair; an edge is where
+/// they differ by more than `bar` in a channel, in linear light. `in_question` is asked about the
+/// number and the colour of each pixel, `progress` is told of every row of the whole picture.
 ///
 /// # Errors
 ///
@@ -28,25 +31,27 @@ pub fn study(
     camera: &Camera,
     settings: &Settings,
     bar: f64,
+    in_question: impl Fn(usize, [f32; 3]) -> bool,
+    progress: impl Fn() + Sync,
 ) -> Result<Studied, Unsupported> {
-    let picture = tracer.render(camera, settings, || ())?;
-    let mut edges = vec![false; picture.film.pixels.len()];
+    let picture = tracer.render(camera, settings, progress)?;
+    let pixels = &picture.film.pixels;
+    let wanted = pixels.iter().enumerate().map(|(i, p)| in_question(i, *p));
+    let settings = Settings {
+        wanted: Some(wanted.collect()),
+        ..settings.clone()
+    };
+    let mut edges = vec![false; pixels.len()];
     let mut total_reflection = picture.total_reflection.clone();
-    for (dx, dy) in [(NEAR, NEAR), (-NEAR, NEAR), (NEAR, -NEAR), (-NEAR, -NEAR)] {
-        let shift = [dx, dy];
+    for shift in [[NEAR, NEAR], [-NEAR, NEAR], [NEAR, -NEAR], [-NEAR, -NEAR]] {
         let settings = Settings {
             shift,
             ..settings.clone()
         };
         let moved = tracer.render(camera, &settings, || ())?;
-        for (i, (a, b)) in picture
-            .film
-            .pixels
-            .iter()
-            .zip(&moved.film.pixels)
-            .enumerate()
-        {
-            edges[i] |= super::compare::distance(*a, *b) > bar;
+        let wanted = settings.wanted.iter().flat_map(|w| w.iter()).enumerate();
+        for (i, _) in wanted.filter(|(_, wanted)| **wanted) {
+            edges[i] |= distance(pixels[i], moved.film.pixels[i]) > bar;
             total_reflection[i] |= moved.total_reflection[i];
         }
     }

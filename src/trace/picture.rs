@@ -59,6 +59,9 @@ pub struct Settings {
     pub height: u32,
     /// The part of it that is drawn, within the picture; all of it where there is none.
     pub crop: Option<Crop>,
+    /// For each pixel of the whole picture, row by row, whether it is wanted; the others are black. All
+    /// are where there is none.
+    pub wanted: Option<Arc<[bool]>>,
     /// Per pixel, at least 1.
     pub samples: u32,
     /// Instead: as many samples as bring the estimated error of a pixel, in linear RGB, below this
@@ -81,6 +84,7 @@ impl Default for Settings {
             width: 640,
             height: 480,
             crop: None,
+            wanted: None,
             samples: 1,
             tolerance: None,
             shift: [0.0; 2],
@@ -185,6 +189,8 @@ impl Tracer {
             shift: settings.shift,
             radiance: radiance(self.features(outside)),
             view,
+            wanted: settings.wanted.as_deref(),
+            width,
             stop: settings.stop.as_deref(),
         };
         let crop = settings.crop.unwrap_or(Crop {
@@ -253,10 +259,19 @@ struct Drawing<'t, R: Precision> {
     shift: [f64; 2],
     /// The shading code for what the plan calls for.
     radiance: Radiance<'t, R>,
+    wanted: Option<&'t [bool]>,
+    /// Of the whole picture.
+    width: u32,
     stop: Option<&'t AtomicBool>,
 }
 
 impl<'t, R: Precision> Drawing<'t, R> {
+    fn is_wanted(&self, x: u32, y: u32) -> bool {
+        let at = y as usize * self.width as usize + x as usize;
+        self.wanted
+            .is_none_or(|w| w.get(at).copied().unwrap_or(false))
+    }
+
     /// Draws row by row, in parallel. Once it is to stop, no row is begun any more, and what comes
     /// back is black.
     fn rows<T: Send + Default + Clone>(
@@ -280,7 +295,11 @@ impl<'t, R: Precision> Drawing<'t, R> {
                     }
                     pen.shader.reset();
                     let columns = part.x..part.x + part.width;
-                    let row = columns.map(|x| draw(pen, x, y)).collect();
+                    let draw = |x| match self.is_wanted(x, y) {
+                        true => draw(pen, x, y),
+                        false => T::default(),
+                    };
+                    let row = columns.map(draw).collect();
                     progress();
                     (row, pen.shader.counts())
                 },

@@ -6,7 +6,6 @@ use super::povray;
 use zpg::scene::Scene;
 use zpg::scene::frame::selected_cameras;
 use zpg::study::compare::Comparison;
-use zpg::study::silhouette::study;
 use zpg::trace::{Images, Settings, Tracer};
 use zpg::translate::pov::{self, Options};
 
@@ -37,10 +36,10 @@ pub fn compare(name: &str, scene: &Scene, folder: &Path, size: (u32, u32)) -> Ve
     for (i, camera) in cameras.iter().enumerate() {
         let label = format!("{name}{}", translation.files[i].suffix);
         let theirs = povray::film(&label, &translation, i, size);
-        let ours =
-            study(&tracer, camera, &settings, BAR / 2.0).unwrap_or_else(|e| panic!("{name}: {e}"));
         let most = (1.0 / translation.light_scale) as f32;
-        let comparison = Comparison::new(&ours, &theirs, most, BAR);
+        let look = (&tracer, camera, &settings);
+        let (comparison, _) = Comparison::of(look, &theirs, most, BAR, || ())
+            .unwrap_or_else(|e| panic!("{name}: {e}"));
         let path = povray::folder().join(format!("{label}_difference.png"));
         let rgb = image::ExtendedColorType::Rgb8;
         image::save_buffer(path, &comparison.picture(), size.0, size.1, rgb)

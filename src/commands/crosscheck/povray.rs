@@ -4,10 +4,9 @@ use std::io::{self, Write};
 
 use super::{Args, Compared, Failure, Outcome, Pictures};
 use super::{cameras, each_camera, failed, images, made_folder, program, stem};
-use crate::commands::{Loaded, convert};
+use crate::commands::{Loaded, convert, terminal};
 use crate::study::compare::Comparison;
 use crate::study::povray::{PROGRAM, render};
-use crate::study::silhouette::study;
 use crate::syntax::Captions;
 use crate::trace::film::srgb8;
 use crate::trace::{Film, Settings, Tracer};
@@ -45,12 +44,13 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
         let name = format!("{}{suffix}", plain(&stem(args)));
         let theirs = render(&program, &translation, i, size, &folder, &name)
             .map_err(|e| failed(e, "POV-Ray", HOW, &folder))?;
-        // Half the bar each way: two pictures that are an edge apart differ by all of it.
-        let ours = study(&tracer, &cameras[i], &settings, bar / 2.0)?;
         let most = (1.0 / translation.light_scale) as f32;
-        let comparison = Comparison::new(&ours, &theirs, most, bar);
+        let progress = terminal::progress_bar(size.1.into());
+        let look = (&tracer, &cameras[i], &settings);
+        let (comparison, ours) = Comparison::of(look, &theirs, most, bar, || progress.inc(1))?;
+        progress.finish_and_clear();
         let pictures = Pictures {
-            ours: srgb(&ours.picture.film),
+            ours: srgb(&ours),
             theirs: srgb(&theirs),
             difference: comparison.picture(),
         };
@@ -86,8 +86,8 @@ impl Outcome for Comparison {
         )?;
         writeln!(
             out,
-            "  on silhouettes     {} of {} pixels differ",
-            self.differing.on_silhouettes, self.silhouettes
+            "  on silhouettes     {} pixels differ",
+            self.differing.on_silhouettes
         )?;
         writeln!(
             out,

@@ -6,11 +6,12 @@ use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::descend::{End, Stop};
 use super::difference::Substance;
 use super::facts::{self, Facts};
-use super::flush::{Cuts, lengthened};
+use super::flush::{Change, Changes};
 use super::look::Looks;
 use super::names;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
 use super::sets::Sets;
+use super::union;
 use super::verdict::verdict;
 use super::volumes::{self, Volumes};
 use crate::scene::bounds::{NodeBounds, node_bounds};
@@ -35,14 +36,20 @@ pub(super) struct Builder<'a> {
     pub bounds: Vec<NodeBounds>,
     pub sets: Sets,
     pub looks: Looks,
-    /// What tools that end flush with it are taken from.
-    pub cuts: Cuts,
+    /// How shapes are changed where nobody sees it.
+    pub changes: Changes,
+    /// How far apart faces are that are one: less than can be seen, more than POV-Ray's tolerances.
+    pub hair: f64,
+    /// Something has faces that nobody sees.
+    pub unseen: bool,
     /// Shapes that were made longer.
     pub longer: HashSet<u32>,
     /// Bounding volumes that help.
     pub volumes: Volumes,
     /// Triangles whose normals turn away from the eye somewhere, and whether they are on the far side.
     pub turned: HashMap<u32, bool>,
+    /// For each node whether there are any in it; nothing where there are none at all.
+    pub holds_turned: Vec<bool>,
     pub report: Report,
     /// The entity each node belongs to, 0 where none does.
     pub ids: Vec<u32>,
@@ -60,6 +67,7 @@ impl<'a> Builder<'a> {
         let mut aspects = Aspects::of(scene);
         let facts = facts::facts(scene, &mut aspects, root);
         let bounds = node_bounds(scene);
+        let hair = union::hair(scene, &bounds);
         let volumes = volumes::proved(scene, &bounds);
         let all = bounds.get(root as usize).map_or(Aabb::EMPTY, |b| b.all);
         let cut_open = scene
@@ -75,9 +83,12 @@ impl<'a> Builder<'a> {
             cut_open,
             sets: Sets::of(scene, root),
             looks: Looks::default(),
-            cuts: Cuts::default(),
+            changes: Changes::default(),
+            hair,
+            unseen: false,
             longer: HashSet::new(),
             turned: HashMap::new(),
+            holds_turned: Vec::new(),
             volumes,
             report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
@@ -184,10 +195,9 @@ impl<'a> Builder<'a> {
     fn shape(&mut self, shape: u32, state: State) -> Piece {
         let record = &self.scene.shapes[shape as usize];
         let flush = state.flush.filter(|f| {
-            !self.is_laid_out(state.look)
-                && lengthened(&record.geometry, &self.cuts.get(*f)).is_some()
+            !self.is_laid_out(state.look) && self.changes.changed(*f, &record.geometry).is_some()
         });
-        if flush.is_some() {
+        if let Some(Change::Longer(_) | Change::Sides(..)) = flush.map(|f| self.changes.get(f)) {
             self.longer.insert(shape);
         }
         let piece = Piece::new(Body::Shape(shape, flush), record.id);
@@ -267,7 +277,7 @@ impl<'a> Builder<'a> {
         if members.len() > MANY {
             return;
         }
-        let mut seen: HashMap<_, Option<Substance>> = HashMap::new();
+        let mut seen: HashMap<_, (Option<Substance>, NodeId, bool)> = HashMap::new();
         for &(node, state) in members {
             if self.facts[node as usize].has_surface {
                 continue;
@@ -275,12 +285,21 @@ impl<'a> Builder<'a> {
             let substance = self.substance(node, state);
             let place = self.sets.place(node);
             let parts = self.sets.parts(place);
-            let differs = |known: &Option<Substance>| known.is_none() || *known != substance;
-            if parts.iter().filter_map(|p| seen.get(p)).any(differs) {
+            let differing: HashSet<_> = (parts.iter())
+                .filter_map(|p| seen.get(p))
+                .filter(|known| known.0.is_none() || known.0 != substance)
+                .map(|&(_, owner, clear)| (owner, clear))
+                .collect();
+            // Those that fill a hole are made larger than that.
+            let is_plug = |&(owner, clear): &(NodeId, bool)| {
+                clear && !self.plug(node, &[owner]).held.is_empty()
+            };
+            if !differing.iter().all(is_plug) {
                 self.faces_in_one_place(self.ids[node as usize]);
             }
+            let clear = self.cut_open || self.is_transparent(node, state.look);
             for part in parts {
-                seen.entry(part).or_insert(substance);
+                seen.entry(part).or_insert((substance, node, clear));
             }
         }
     }

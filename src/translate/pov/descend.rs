@@ -130,7 +130,7 @@ impl Builder<'_> {
                     way.push(Modifier::Matrix(self.scene.matrices[matrix as usize]));
                     state.look = self.look_below(state.look, matrix);
                     let m = &self.scene.matrices[matrix as usize];
-                    state.flush = state.flush.and_then(|f| self.cuts.moved_back(f, m));
+                    state.flush = state.flush.and_then(|f| self.changes.moved_back(f, m));
                     node = child;
                 }
                 Node::Paint { child, paint } => {
@@ -148,6 +148,7 @@ impl Builder<'_> {
                         return way.end(End::Everything);
                     }
                     way.inverse = !way.inverse;
+                    state.flush = state.flush.map(|f| self.changes.turned(f));
                     state.part = Part::Solid;
                     node = child;
                 }
@@ -168,7 +169,7 @@ impl Builder<'_> {
                 Node::Intersection(a, b) if solid => {
                     state.part = Part::Solid;
                     if a != b {
-                        self.one_medium(a, &mut state, &mut way);
+                        self.one_medium(node, a, &mut state, &mut way);
                         return way.end(End::Intersection(a, b, state));
                     }
                     node = a;
@@ -220,7 +221,7 @@ impl Builder<'_> {
         }
         if !f.has_solid || state.part == Part::Surface {
             state.medium = Medium::Above;
-        } else if f.index.uniform {
+        } else if f.index.uniform && !self.is_of_several(node, state.look) {
             if f.index.first != DEFAULT && self.is_transparent(node, state.look) {
                 if surface {
                     return false;
@@ -232,15 +233,28 @@ impl Builder<'_> {
         true
     }
 
+    /// Whether a node is of one index and several optics, and its parts can tell by themselves: where
+    /// they meet, each has to be an object of its own.
+    fn is_of_several(&self, node: NodeId, look: Look) -> bool {
+        let open = matches!(look, Look::Own { optics: None, .. });
+        let gives = match self.scene.nodes[node as usize] {
+            Node::Paint { paint, .. } => self.aspects.paint(paint).index.is_some(),
+            _ => false,
+        };
+        open && !gives && !self.facts[node as usize].optics.uniform
+    }
+
     /// One solid has one inside: the first operand's.
-    fn one_medium(&mut self, first: NodeId, state: &mut State, way: &mut Way) {
+    fn one_medium(&mut self, node: NodeId, first: NodeId, state: &mut State, way: &mut Way) {
         if state.medium == Medium::Own {
-            let index = self.facts[first as usize].index.first;
-            if index != DEFAULT && self.is_transparent(first, state.look) {
-                way.push(Modifier::Interior(index));
+            let index = self.facts[first as usize].index;
+            if index.first != DEFAULT && self.is_transparent(node, state.look) {
+                way.push(Modifier::Interior(index.first));
             }
             state.medium = Medium::Above;
-            self.media_are_approximate();
+            if !index.uniform {
+                self.media_are_approximate();
+            }
         }
     }
 
@@ -253,8 +267,11 @@ impl Builder<'_> {
         let f = self.facts[node as usize];
         let texture = texture.or((!f.has_texture).then_some(TextureUse::DEFAULT));
         let optics = optics.or((!f.has_optics).then_some(DEFAULT));
+        // Triangles with normals that turn away have a look for each side.
+        let sides = self.holds_turned.get(node as usize) == Some(&true)
+            && !matches!(self.scene.nodes[node as usize], Node::Shape(_));
         match (texture.or(f.face_texture), optics.or(f.face_optics)) {
-            (Some(t), Some(o)) if !self.aspects.is_laid_on_shapes(t.texture) => (
+            (Some(t), Some(o)) if !sides && !self.aspects.is_laid_on_shapes(t.texture) => (
                 Look::Above {
                     transparent: self.aspects.is_transparent(o),
                 },

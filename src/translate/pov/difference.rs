@@ -4,6 +4,7 @@
 use super::aspects::{DEFAULT, PROFILE, TextureUse};
 use super::build::{Builder, inside_medium};
 use super::descend::{End, Stop};
+use super::flush::Change;
 use super::grouping::{self, meet};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::union::non_empty;
@@ -28,7 +29,7 @@ impl Builder<'_> {
             return None;
         }
         match self.substance(a, state) {
-            Some((look, _)) => self.cut(base, &cutters, look),
+            Some((look, _)) => self.cut(base, &cutters, look, state.flush),
             None => self.cut_by_part(base, &cutters),
         }
     }
@@ -65,11 +66,19 @@ impl Builder<'_> {
         Some((look, index))
     }
 
-    /// The base without the cutters; the cut faces look like `look`.
-    fn cut(&mut self, base: (NodeId, State), cutters: &[NodeId], look: Look) -> Option<Piece> {
+    /// The base without the cutters; the cut faces look like `look`. `change` is that of the whole.
+    fn cut(
+        &mut self,
+        base: (NodeId, State),
+        cutters: &[NodeId],
+        look: Look,
+        change: Option<u32>,
+    ) -> Option<Piece> {
         let of = base.0;
         let base = self.without_what_goes(base, cutters)?;
-        let taken = self.cutters(cutters, look, Some(of));
+        let offset = change.filter(|c| matches!(self.changes.get(*c), Change::Offset(_)));
+        let offset = offset.map(|c| self.changes.turned(c));
+        let taken = self.cutters(cutters, look, Some(of), offset);
         Some(difference(base, taken, &[]))
     }
 
@@ -93,8 +102,14 @@ impl Builder<'_> {
     }
 
     /// The objects to be taken away, with the look of what they are taken from; `base` is that where
-    /// it lies in the same coordinates.
-    fn cutters(&mut self, nodes: &[NodeId], look: Look, base: Option<NodeId>) -> Vec<Piece> {
+    /// it lies in the same coordinates, and `offset` the number of a change of their shapes.
+    fn cutters(
+        &mut self,
+        nodes: &[NodeId],
+        look: Look,
+        base: Option<NodeId>,
+        offset: Option<u32>,
+    ) -> Vec<Piece> {
         let look = match look {
             // The colours of a profile are on its own surface only.
             Look::Own {
@@ -110,7 +125,7 @@ impl Builder<'_> {
             part: Part::Solid,
             look,
             medium: Medium::Above,
-            flush: None,
+            flush: offset,
         };
         let mut out = Vec::new();
         // Nobody looks at the properties that the cutters have themselves: a look that can be said
@@ -129,7 +144,9 @@ impl Builder<'_> {
         };
         let mut tools = self.flat_union(nodes, state.look(look));
         let cut = base.map_or(Aabb::ALL, |base| self.box_of(base));
-        self.overlap_tools(&mut tools, cut);
+        if offset.is_none() {
+            self.overlap_tools(&mut tools, cut);
+        }
         for (node, state) in tools {
             let piece = match base {
                 Some(base) => self.cutter(base, node, state),
@@ -259,7 +276,7 @@ impl Builder<'_> {
             },
             look => look,
         };
-        let taken = moved(self.cutters(cutters, look, None), back);
+        let taken = moved(self.cutters(cutters, look, None, None), back);
         let interior = (transparent && index != DEFAULT).then_some(Modifier::Interior(index));
         Some(difference(base, taken, &others).with(interior))
     }
@@ -286,7 +303,10 @@ impl Builder<'_> {
             ),
             "cutaway_textures",
         );
-        let taken = moved(self.cutters(cutters, State::GEOMETRY.look, None), back);
+        let taken = moved(
+            self.cutters(cutters, State::GEOMETRY.look, None, None),
+            back,
+        );
         let mut members = vec![base];
         members.extend(taken);
         members.extend(others.iter().cloned());

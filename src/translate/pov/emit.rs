@@ -4,7 +4,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::build::Builder;
-use super::flush::lengthened;
+use super::flush::Change;
 use super::piece::{Body, Group, Key, Modifier, Piece, State};
 use super::shape::{Primitive, primitive};
 use super::text::{commented, number, transformation, vector};
@@ -167,10 +167,11 @@ impl<'b, 'a> Emitter<'b, 'a> {
         let (keyword, body) = match &piece.body {
             Body::Shape(shape, flush) => {
                 let geometry = &self.builder.scene.shapes[*shape as usize].geometry;
-                let longer = flush.and_then(|f| lengthened(geometry, &self.builder.cuts.get(f)));
+                let changes = &self.builder.changes;
+                let changed = flush.and_then(|f| changes.changed(f, geometry));
                 let other = match self.builder.turned.get(shape) {
                     Some(true) => triangle::turned(geometry),
-                    _ => longer,
+                    _ => changed,
                 };
                 let geometry = other.as_ref().unwrap_or(geometry);
                 match geometry {
@@ -213,8 +214,12 @@ impl<'b, 'a> Emitter<'b, 'a> {
                             Some(words) => format!("{id}, {words}"),
                             None => id.to_string(),
                         };
-                        if let Body::Shape(_, Some(_)) = member.body {
-                            comment += ": made longer, since it ends flush with something";
+                        if let Body::Shape(_, Some(change)) = member.body {
+                            comment += match self.builder.changes.get(change) {
+                                Change::Longer(_) | Change::Sides(..) => LONGER,
+                                Change::Offset(by) if by < 0.0 => ": a hair smaller",
+                                Change::Offset(_) => ": a hair larger",
+                            };
                         }
                         line = commented(&line, &comment);
                     }
@@ -285,6 +290,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                         )
                     }
                 },
+                Modifier::Unseen => "texture { Unseen }".to_owned(),
                 Modifier::Inverse => "inverse".to_owned(),
                 // Nothing is in it: all is outside.
                 Modifier::Clip { by, outside: true } if self.is_empty(by) => continue,
@@ -307,6 +313,8 @@ impl<'b, 'a> Emitter<'b, 'a> {
         out
     }
 }
+
+const LONGER: &str = ": made longer, since it ends flush with something";
 
 /// A half-space whose boundary is beyond the farthest that POV-Ray looks.
 const EVERYTHING: &str = "<0, 1, 0>, 1e9";

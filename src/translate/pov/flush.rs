@@ -5,6 +5,7 @@
 use std::collections::HashMap;
 
 use super::build::Builder;
+use super::offset::{offset, offset_profile, stretched};
 use super::piece::State;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
 
@@ -24,40 +25,96 @@ pub struct Cut {
     pub by: f64,
 }
 
-/// Boxes around what is cut, by number.
-#[derive(Debug, Default)]
-pub struct Cuts {
-    cuts: Vec<Cut>,
-    numbers: HashMap<[u64; 7], u32>,
+/// How shapes are changed where nobody sees it.
+#[derive(Debug, Clone, Copy)]
+pub enum Change {
+    /// Those that end flush with what is cut are longer than they are.
+    Longer(Cut),
+    /// Their surface lies so far outside of where it is, or inside.
+    Offset(f64),
+    /// Some sides of a profile do, by their number.
+    Sides(f64, u32),
 }
 
-impl Cuts {
-    fn number(&mut self, cut: Cut) -> u32 {
-        let mut key = [0; 7];
-        let Cut { around, by } = &cut;
-        for (k, x) in key
-            .iter_mut()
-            .zip(around.min.iter().chain(&around.max).chain([by]))
-        {
+/// Changes, by number.
+#[derive(Debug, Default)]
+pub struct Changes {
+    changes: Vec<Change>,
+    /// For each side of a profile whether it is moved.
+    sides: Vec<Vec<bool>>,
+    numbers: HashMap<[u64; 8], u32>,
+}
+
+impl Changes {
+    pub fn number(&mut self, change: Change) -> u32 {
+        let (kind, box_around, by) = match change {
+            Change::Longer(Cut { around, by }) => (0, around, by),
+            Change::Offset(by) => (1, Aabb::ALL, by),
+            Change::Sides(by, sides) => (2 + u64::from(sides), Aabb::ALL, by),
+        };
+        let mut key = [kind; 8];
+        let numbers = box_around.min.iter().chain(&box_around.max).chain([&by]);
+        for (k, x) in key.iter_mut().zip(numbers) {
             *k = (x + 0.0).to_bits();
         }
-        let next = self.cuts.len() as u32;
+        let next = self.changes.len() as u32;
         let number = *self.numbers.entry(key).or_insert(next);
         if number == next {
-            self.cuts.push(cut);
+            self.changes.push(change);
         }
         number
     }
 
-    pub fn get(&self, number: u32) -> Cut {
-        self.cuts[number as usize]
+    /// The number of the change that moves some sides of a profile.
+    pub fn of_sides(&mut self, by: f64, sides: Vec<bool>) -> u32 {
+        let next = self.sides.len() as u32;
+        self.sides.push(sides);
+        self.number(Change::Sides(by, next))
     }
 
-    /// The same box in the coordinates that a matrix leads away from, if it is a box there.
+    pub fn get(&self, number: u32) -> Change {
+        self.changes[number as usize]
+    }
+
+    /// The changed shape, if there is anything to change about it.
+    pub fn changed(&self, number: u32, geometry: &Geometry) -> Option<Geometry> {
+        match self.get(number) {
+            Change::Longer(cut) => lengthened(geometry, &cut),
+            Change::Offset(by) => offset(geometry, by),
+            Change::Sides(by, sides) => {
+                let Geometry::Revolution { profile, colours } = geometry else {
+                    return None;
+                };
+                let sides = &self.sides[sides as usize];
+                let by = |i: usize| if sides.get(i) == Some(&true) { by } else { 0.0 };
+                let profile = offset_profile(profile, by).filter(|_| colours.is_empty())?;
+                Some(Geometry::Revolution {
+                    profile,
+                    colours: Vec::new(),
+                })
+            }
+        }
+    }
+
+    /// The same change in the coordinates that a matrix leads away from, if there is one.
     pub fn moved_back(&mut self, number: u32, m: &Matrix) -> Option<u32> {
-        let Cut { around, by } = self.get(number);
-        let around = moved_back(around, m)?;
-        Some(self.number(Cut { around, by }))
+        let change = match self.get(number) {
+            Change::Longer(Cut { around, by }) => {
+                let around = moved_back(around, m)?;
+                Change::Longer(Cut { around, by })
+            }
+            Change::Offset(by) => Change::Offset(by * stretched(m)?),
+            Change::Sides(by, sides) => Change::Sides(by * stretched(m)?, sides),
+        };
+        Some(self.number(change))
+    }
+
+    /// The change of what something is the complement of, or what is taken from it.
+    pub fn turned(&mut self, number: u32) -> u32 {
+        match self.get(number) {
+            Change::Longer(_) | Change::Sides(..) => number,
+            Change::Offset(by) => self.number(Change::Offset(-by)),
+        }
     }
 }
 
@@ -85,7 +142,7 @@ impl Builder<'_> {
                 Node::Shape(shape) => {
                     let geometry = &self.scene.shapes[shape as usize].geometry;
                     if lengthened(geometry, &Cut { around: cut, by }).is_some() {
-                        return Some(self.cuts.number(all));
+                        return Some(self.changes.number(Change::Longer(all)));
                     }
                 }
                 Node::Transform { child, matrix } => {
@@ -170,10 +227,7 @@ impl Builder<'_> {
                 Node::Shape(shape) => return Some(&self.scene.shapes[shape as usize].geometry),
                 Node::Paint { child, .. } | Node::Copy { child, .. } => child,
                 Node::Transform { child, matrix } => {
-                    let m = &self.scene.matrices[matrix as usize];
-                    let along =
-                        |row: &[f64; 4]| row[..3].iter().filter(|x| **x != 0.0).count() == 1;
-                    if !m.0.iter().take(3).all(along) {
+                    if !is_along(&self.scene.matrices[matrix as usize]) {
                         return None;
                     }
                     child
@@ -182,6 +236,12 @@ impl Builder<'_> {
             }
         }
     }
+}
+
+/// Whether a matrix leaves the axes along the axes.
+pub fn is_along(m: &Matrix) -> bool {
+    let along = |row: &[f64; 4]| row[..3].iter().filter(|x| **x != 0.0).count() == 1;
+    m.0.iter().take(3).all(along)
 }
 
 /// Whether one box ends along an axis where the other begins, with more than an edge in common.

@@ -5,11 +5,11 @@
 //! and no highlights its light is that of the reference ray tracer, except at total internal reflection.
 //!
 //! From the resolved scene to text: [`facts`] about every node, bottom-up; [`build`] with [`descend`],
-//! [`union`], [`difference`], [`grouping`], [`flush`] and [`sets`] says what each object consists of, as
-//! [`piece`]s; [`emit`] orders, names and prints them; [`look`] and [`uv`] know POV-Ray's textures,
-//! [`shape`] with [`poly`], [`profile`] and [`triangle`] its primitives, [`turned`] the triangles with
-//! normals that turn away, [`volumes`] the bounding volumes that may be written; [`camera`] and
-//! [`scenery`] do the rest. [`verdict`] says what becomes of each feature.
+//! [`union`], [`difference`], [`grouping`], [`flush`], [`standing`], [`filling`] and [`sets`] says what each
+//! object consists of, as [`piece`]s; [`emit`] orders, names and prints them; [`look`] and [`uv`] know
+//! POV-Ray's textures, [`shape`] with [`poly`], [`profile`], [`triangle`] and [`offset`] its primitives,
+//! [`turned`] the triangles with normals that turn away, [`volumes`] the bounding volumes that may be
+//! written; [`camera`] and [`scenery`] do the rest. [`verdict`] says what becomes of each feature.
 
 mod aspects;
 mod build;
@@ -18,11 +18,13 @@ mod descend;
 mod difference;
 mod emit;
 mod facts;
+mod filling;
 mod flush;
 mod frame;
 mod grouping;
 mod look;
 mod names;
+mod offset;
 mod piece;
 mod poly;
 mod profile;
@@ -105,6 +107,11 @@ pub struct Translation {
     pub report: Report,
 }
 
+/// What faces look like that are only there for POV-Ray to know where a ray leaves an object.
+const UNSEEN: &str = "\
+    // Where one medium ends in another: a hair behind the face that is seen.\n\
+    #declare Unseen = texture { pigment { rgbf 1 } finish { ambient 0 diffuse 0 } };\n";
+
 /// POV-Ray's own limit on `max_trace_level`.
 const MOST_LEVELS: u32 = 256;
 
@@ -118,6 +125,7 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
     let eyes = camera::eyes(scene, &mut builder, options)?;
     if let Some(eye) = eyes.first() {
         builder.turned = turned::turned(scene, &builder.facts, eye);
+        builder.holds_turned = turned::holders(scene, &builder.facts, &builder.turned);
     }
     let mut emitter = Emitter::new(&mut builder, &options.captions);
     let root = emitter.declare(render.root);
@@ -126,6 +134,12 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
     let light_scale = light_scale(&builder, &render, &eyes, options);
 
     let mut looks = String::new();
+    if builder.unseen {
+        looks.push_str(UNSEEN);
+        let note = "faces between them stand a hair apart";
+        let media = "transparent parts that meet or overlap";
+        builder.report.state(media, Fidelity::Exact, note);
+    }
     builder
         .looks
         .write(&mut looks, &builder.aspects, scene, &options.pictures);

@@ -37,8 +37,7 @@ pub struct State {
     pub part: Part,
     pub look: Look,
     pub medium: Medium,
-    /// The number of the box around what it is taken from, where it ends flush with that: outside of
-    /// the box it may be anything.
+    /// The number of the change that is made to its shapes.
     pub flush: Option<u32>,
 }
 
@@ -93,6 +92,8 @@ pub enum Modifier {
     Look(u32),
     /// Number of a look, of the side that the normals are not on, lit from behind.
     Behind(u32),
+    /// All light goes through, and nothing is seen.
+    Unseen,
     /// Number of an index.
     Interior(u32),
     Inverse,
@@ -115,7 +116,7 @@ pub struct Piece {
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
-    /// Index of a shape; it may be longer than that to be taken from what lies in a box.
+    /// Index of a shape, and the number of the change that is made to it.
     Shape(u32, Option<u32>),
     Declared(Key),
     /// All of space.

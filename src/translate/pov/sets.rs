@@ -12,6 +12,13 @@ pub struct Place {
     matrix: u32,
 }
 
+impl Place {
+    /// Whether two solids lie in the same coordinates.
+    pub fn is_placed_as(self, other: Place) -> bool {
+        self.matrix == other.matrix
+    }
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Core {
     /// The first shape record with this geometry.
@@ -131,6 +138,14 @@ impl Sets {
         self.places[node as usize]
     }
 
+    /// The first shape that is the same as a solid, if it is one.
+    pub fn shape(&self, place: Place) -> Option<u32> {
+        match self.cores[place.core as usize] {
+            Core::Shape(shape) => Some(shape),
+            _ => None,
+        }
+    }
+
     /// What a solid is made of.
     fn core(&mut self, place: Place) -> Core {
         let core = self.cores[place.core as usize];
@@ -178,6 +193,19 @@ impl Sets {
             at += 1;
         }
         out
+    }
+
+    /// What is taken from a solid, one thing after the other.
+    pub fn taken(&mut self, mut place: Place) -> HashSet<Place> {
+        let mut taken = HashSet::new();
+        for _ in 0..PATIENCE {
+            let Core::Difference(a, by) = self.core(place) else {
+                break;
+            };
+            self.add(by, &mut taken);
+            place = a;
+        }
+        taken
     }
 
     /// Whether a solid is certainly part of one of others; those were [added](Self::add).

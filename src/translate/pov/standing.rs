@@ -3,15 +3,18 @@
 //! into the other, so that its face is where nobody sees it.
 
 use super::build::Builder;
-use super::flush::{Cut, HAIR};
+use super::flush::{Cut, HAIR, is_along, lengthened};
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Vec3};
 
 /// Solids are made longer by this part of their length, or of what there is room for: far more than
 /// POV-Ray's tolerances.
 const PART: f64 = 1.0 / 16.0;
 
-/// What is made longer may become so many times as wide: profiles go on as they end.
+/// What is made longer may become so many times as wide, unless more is known.
 const WIDER: f64 = 2.0;
+
+/// So many parts of a solid are looked at.
+const PATIENCE: u32 = 256;
 
 /// What a solid may stand on.
 enum Room {
@@ -109,13 +112,47 @@ impl Builder<'_> {
 
     /// How many times as wide a solid becomes at most where it is made longer.
     fn wider(&self, node: NodeId) -> f64 {
-        match self.along_the_axes(node) {
-            Some(Geometry::Box { .. } | Geometry::HalfSpace(_)) => 1.0,
-            // They go on straight.
-            Some(Geometry::Cone { .. }) => 1.0 + PART,
-            Some(Geometry::Revolution { profile, .. }) if profile.len() == 2 => 1.0 + PART,
-            _ => WIDER,
+        let mut todo = vec![node];
+        let mut most = 1.0f64;
+        for _ in 0..PATIENCE {
+            let Some(node) = todo.pop() else {
+                return most;
+            };
+            let wider = match self.along_the_axes(node) {
+                // It goes on straight.
+                Some(Geometry::Cone { .. }) => 1.0 + PART,
+                Some(geometry @ Geometry::Revolution { profile, .. }) => {
+                    1.0 + widened(geometry, profile)
+                }
+                // As wide as before, or not longer at all.
+                Some(_) => 1.0,
+                // Its parts lie within it.
+                None => match self.scene.nodes[node as usize] {
+                    Node::Union(a, b) => {
+                        todo.extend([a, b]);
+                        continue;
+                    }
+                    Node::Paint { child, .. } | Node::Copy { child, .. } => {
+                        todo.push(child);
+                        continue;
+                    }
+                    // What is taken away is not made longer.
+                    Node::Difference(a, _) => {
+                        todo.push(a);
+                        continue;
+                    }
+                    Node::Transform { child, matrix }
+                        if is_along(&self.scene.matrices[matrix as usize]) =>
+                    {
+                        todo.push(child);
+                        continue;
+                    }
+                    _ => WIDER,
+                },
+            };
+            most = most.max(wider);
         }
+        WIDER
     }
 
     /// A node as a part of a cone or cylinder along an axis, if it is one.
@@ -198,6 +235,22 @@ impl Builder<'_> {
             },
             _ => Room::Other(bounds),
         }
+    }
+}
+
+/// By which part of its largest radius a surface of revolution becomes wider where both its ends are
+/// made longer: they go on as the profile ends.
+fn widened(geometry: &Geometry, profile: &[[f64; 2]]) -> f64 {
+    let mut around = Aabb::ALL;
+    let heights = || profile.iter().map(|p| p[1]);
+    around.min[1] = heights().fold(f64::INFINITY, f64::min);
+    around.max[1] = heights().fold(f64::NEG_INFINITY, f64::max);
+    let widest = |profile: &[[f64; 2]]| profile.iter().fold(0.0f64, |m, p| m.max(p[0]));
+    match lengthened(geometry, &Cut { around, by: PART }) {
+        Some(Geometry::Revolution {
+            profile: longer, ..
+        }) => (widest(&longer) / widest(profile) - 1.0).max(0.0),
+        _ => 0.0,
     }
 }
 

@@ -43,6 +43,22 @@ pub fn turned(scene: &Scene, facts: &[Facts], eye: &Eye) -> HashMap<u32, bool> {
     out
 }
 
+/// For each node whether it is made of any such shape; nothing where there are none.
+pub fn holders(scene: &Scene, facts: &[Facts], turned: &HashMap<u32, bool>) -> Vec<bool> {
+    if turned.is_empty() {
+        return Vec::new();
+    }
+    let mut holds = Vec::with_capacity(facts.len());
+    for node in scene.nodes.iter().take(facts.len()) {
+        let holds_any = match node {
+            Node::Shape(shape) => turned.contains_key(shape),
+            other => (other.children().into_iter().flatten()).any(|c| holds[c as usize]),
+        };
+        holds.push(holds_any);
+    }
+    holds
+}
+
 /// The eye, and where it seems to be in the mirrors that planes may be.
 fn mirrored(scene: &Scene, eye: V) -> Vec<V> {
     const MOST: usize = 8;

@@ -5,10 +5,14 @@ use std::collections::{HashMap, HashSet};
 
 use super::aspects::DEFAULT;
 use super::build::{Builder, inside_medium};
+use super::flush::Change;
+use super::frame::power_of_two_about;
 use super::grouping::{self, meet, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::standing::Stand;
-use crate::scene::{Aabb, NodeId};
+use crate::scene::bounds::NodeBounds;
+use crate::scene::frame::seen_box;
+use crate::scene::{Aabb, NodeId, Scene};
 use crate::translate::fidelity::Fidelity;
 
 /// Unions of more solids are not searched for those that stand on each other.
@@ -24,6 +28,41 @@ pub(super) struct Members {
     pub nodes: Operands,
     pub boxes: Vec<Aabb>,
     seen_into: bool,
+    transparent: bool,
+    /// A later medium begins where it ends: POV-Ray has to know its index, even if that is 1.
+    bounds_media: bool,
+}
+
+impl Members {
+    /// The operation that joins them.
+    fn kind(&self) -> Group {
+        match self.seen_into && self.nodes.len() > 1 && meet_each_other(&self.boxes) {
+            true => Group::Merge,
+            false => Group::Union,
+        }
+    }
+}
+
+/// Which solids are longer where later ones are clipped by them.
+#[derive(Default)]
+struct Reaching {
+    /// The numbers of their changes.
+    by: HashMap<NodeId, u32>,
+    /// Each with those that it is made longer into.
+    into: HashSet<(NodeId, NodeId)>,
+}
+
+/// The part of the scene's size that [`Builder::hair`] is, or less by up to a half.
+const HAIR: f64 = 1.0 / 8192.0;
+
+/// How far apart faces are put that are one.
+pub(super) fn hair(scene: &Scene, bounds: &[NodeBounds]) -> f64 {
+    let seen = seen_box(scene, bounds);
+    let size = if seen.is_empty() { 0.0 } else { seen.radius() };
+    match size.is_finite() && size > 0.0 {
+        true => power_of_two_about(HAIR * size),
+        false => 0.0,
+    }
 }
 
 impl Builder<'_> {
@@ -41,17 +80,36 @@ impl Builder<'_> {
         let (mut solids, surfaces) = self.by_part(&members);
         let reaching = self.settle(&mut solids);
         let mut groups = self.by_medium(&solids);
-        let mut pieces = Vec::new();
-        for i in 0..groups.len() {
-            let mut clips = Vec::new();
-            for earlier in 0..i {
-                if groups[earlier].seen_into && meet(&groups[earlier].boxes, &groups[i].boxes) {
-                    self.overlap(&groups[earlier], &groups[i]);
-                    clips.extend(self.outside_of(&groups[earlier], &reaching));
+        let mut meetings = Vec::new();
+        let mut smaller = vec![None; groups.len()];
+        for later in 0..groups.len() {
+            for earlier in 0..later {
+                let [a, b] = [earlier, later].map(|i| &groups[i]);
+                if a.seen_into && meet(&a.boxes, &b.boxes) {
+                    let has_offset = || {
+                        let nodes = a.nodes.iter().map(|(node, _)| *node);
+                        self.hair > 0.0 && nodes.into_iter().all(|n| self.has_offset(n, -self.hair))
+                    };
+                    let apart = self.have_a_hair(a, b, &reaching)
+                        && *smaller[earlier].get_or_insert_with(has_offset);
+                    groups[earlier].bounds_media |= apart;
+                    meetings.push((earlier, later, apart));
                 }
             }
-            let piece = self.one_medium_union(&mut groups[i]);
-            pieces.extend(piece.map(|p| p.with(clips)));
+        }
+        let mut pieces = Vec::new();
+        let mut meetings = meetings.into_iter().peekable();
+        for i in 0..groups.len() {
+            let (mut clips, mut apart_from) = (Vec::new(), Vec::new());
+            while let Some((earlier, _, apart)) = meetings.next_if(|m| m.1 == i) {
+                clips.extend(self.outside_of(&groups[earlier], &reaching));
+                match apart {
+                    true => apart_from.push(earlier),
+                    false => self.overlap(&groups[earlier], &groups[i]),
+                }
+            }
+            let skin = self.skin(&groups, i, &apart_from);
+            pieces.extend(self.one_medium_union(&mut groups[i], clips, skin));
         }
         pieces.extend(self.pieces(&surfaces));
         non_empty(Group::Union, pieces)
@@ -59,8 +117,8 @@ impl Builder<'_> {
 
     /// Makes solids longer that stand on earlier ones and would show the face between, and gives by
     /// which boxes solids are to be longer where later ones are clipped by them.
-    fn settle(&mut self, solids: &mut Operands) -> HashMap<NodeId, u32> {
-        let mut reaching = HashMap::new();
+    fn settle(&mut self, solids: &mut Operands) -> Reaching {
+        let mut reaching = Reaching::default();
         if solids.len() > MANY {
             return reaching;
         }
@@ -69,8 +127,15 @@ impl Builder<'_> {
             .collect();
         let (mut held, mut loose) = (HashSet::new(), Vec::new());
         for i in 0..solids.len() {
-            let (medium, true) = kinds[i] else { continue };
             let node = solids[i].0;
+            let clear = solids[..i].iter().zip(&kinds).filter(|(_, k)| k.1);
+            let clear: Vec<NodeId> = clear.map(|((earlier, _), _)| *earlier).collect();
+            let plug = self.plug(node, &clear);
+            if plug.flush.is_some() {
+                solids[i].1.flush = plug.flush;
+                held.extend(plug.held.into_iter().map(|o| (node.min(o), node.max(o))));
+            }
+            let (medium, true) = kinds[i] else { continue };
             let (mut before, mut after) = (Vec::new(), Vec::new());
             for (j, (other, _)) in kinds.iter().enumerate().filter(|(j, _)| *j != i) {
                 let same = medium.is_some() && medium == *other;
@@ -86,8 +151,15 @@ impl Builder<'_> {
                 loose.extend(stand.loose.into_iter().map(pair));
                 stand.flush
             };
-            if let Some(flush) = note(self.standing(node, &after)) {
-                reaching.insert(node, flush);
+            let stand = self.standing(node, &after);
+            reaching
+                .into
+                .extend(stand.held.iter().map(|other| (node, *other)));
+            if let Some(flush) = note(stand) {
+                reaching.by.insert(node, flush);
+            }
+            if solids[i].1.flush.is_none() {
+                solids[i].1.flush = note(self.filling(node, &before));
             }
             if solids[i].1.flush.is_none() {
                 solids[i].1.flush = note(self.standing(node, &before));
@@ -124,6 +196,11 @@ impl Builder<'_> {
             medium: group.first().and_then(|i| operands[*i].0),
             nodes: group.iter().map(|i| solids[*i]).collect(),
             boxes: group.iter().map(|i| operands[*i].1).collect(),
+            transparent: group.iter().any(|i| {
+                let (node, state) = solids[*i];
+                self.is_transparent(node, state.look)
+            }),
+            bounds_media: false,
             seen_into: group.iter().any(|i| {
                 let (node, state) = solids[*i];
                 self.is_seen_into(node, state)
@@ -155,46 +232,96 @@ impl Builder<'_> {
         optics.zip(index)
     }
 
-    /// Operands of one medium as one object; its inside is one, too.
-    fn one_medium_union(&mut self, group: &mut Members) -> Option<Piece> {
-        let merged = group.seen_into && group.nodes.len() > 1 && meet_each_other(&group.boxes);
-        if !merged {
+    /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
+    ///
+    /// POV-Ray counts into which objects a ray has gone. Were the face of the later one in the earlier
+    /// one left out, rays would be in both beyond that. So it is there, a hair within the earlier one and
+    /// unseen. A ray that is in both is in the one that it has entered last, which makes it bend at one
+    /// of the two faces alone: as it should where they are so near each other.
+    fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &Reaching) -> bool {
+        let (Some(_), Some((_, index))) = (earlier.medium, later.medium) else {
+            return false;
+        };
+        let meets_longer = || {
+            let pairs =
+                (earlier.nodes.iter()).flat_map(|a| later.nodes.iter().map(move |b| (a.0, b.0)));
+            pairs.into_iter().any(|pair| reaching.into.contains(&pair))
+        };
+        later.transparent && index != DEFAULT && (reaching.into.is_empty() || !meets_longer())
+    }
+
+    /// The face that a group has within earlier ones, a hair behind theirs.
+    fn skin(&mut self, groups: &[Members], later: usize, earlier: &[usize]) -> Option<Piece> {
+        let smaller = self.changes.number(Change::Offset(-self.hair));
+        let (mut around, mut taken) = (Vec::new(), Vec::new());
+        for &i in earlier {
+            around.extend(self.bare(&groups[i], |_, _| None));
+            taken.extend(self.bare(&groups[i], |_, _| Some(smaller)));
+        }
+        let around = non_empty(Group::Union, around)?;
+        let own = self.bare(&groups[later], |_, state| state.flush);
+        let mut all = vec![non_empty(groups[later].kind(), own)?];
+        all.extend(taken);
+        self.unseen = true;
+        let within = Modifier::Clip {
+            by: std::boxed::Box::new(around),
+            outside: false,
+        };
+        Some(Piece::group(Group::Difference, all).with([Modifier::Unseen, within]))
+    }
+
+    /// Operands of one medium as one object; its inside is one, too. `clips` are what is kept of what
+    /// is seen, `skin` the rest of its surface.
+    fn one_medium_union(
+        &mut self,
+        group: &mut Members,
+        clips: Vec<Modifier>,
+        skin: Option<Piece>,
+    ) -> Option<Piece> {
+        let kind = group.kind();
+        if kind == Group::Union && skin.is_none() && !group.bounds_media {
             let pieces = self.pieces(&group.nodes);
-            return non_empty(Group::Union, pieces);
+            return Some(non_empty(Group::Union, pieces)?.with(clips));
         }
         let index = group.medium.map_or(DEFAULT, |(_, index)| index);
         for (_, state) in &mut group.nodes {
             *state = inside_medium(*state);
         }
         let pieces = self.pieces(&group.nodes);
-        let piece = non_empty(Group::Merge, pieces)?;
-        Some(piece.with((index != DEFAULT).then_some(Modifier::Interior(index))))
+        let seen = non_empty(kind, pieces)?.with(clips);
+        let all = std::iter::once(seen).chain(skin).collect();
+        let piece = Piece::group(Group::Union, all);
+        let says = index != DEFAULT || group.bounds_media;
+        Some(piece.with(says.then_some(Modifier::Interior(index))))
     }
 
     /// Keeps of an object what no operand of a group holds.
-    fn outside_of(&mut self, group: &Members, reaching: &HashMap<NodeId, u32>) -> Option<Modifier> {
-        let by = self.geometry(group, reaching)?;
+    fn outside_of(&mut self, group: &Members, reaching: &Reaching) -> Option<Modifier> {
+        let pieces = self.bare(group, |node, _| reaching.by.get(&node).copied());
+        let by = non_empty(Group::Union, pieces)?;
         Some(Modifier::Clip {
             by: std::boxed::Box::new(by),
             outside: true,
         })
     }
 
-    /// The bare solid of a group; some of its members reach farther.
-    fn geometry(&mut self, group: &Members, reaching: &HashMap<NodeId, u32>) -> Option<Piece> {
-        let members: Vec<_> = group
-            .nodes
-            .iter()
-            .map(|&(node, _)| (node, State::GEOMETRY.flush(reaching.get(&node).copied())))
+    /// The bare solids of a group, changed.
+    fn bare(
+        &mut self,
+        group: &Members,
+        change: impl Fn(NodeId, State) -> Option<u32>,
+    ) -> Vec<Piece> {
+        let members: Vec<_> = (group.nodes.iter())
+            .map(|&(node, state)| (node, State::GEOMETRY.flush(change(node, state))))
             .collect();
-        let pieces = self.pieces(&members);
-        non_empty(Group::Union, pieces)
+        self.pieces(&members)
     }
 
     /// Says what two overlapping media cost.
     pub(super) fn overlap(&mut self, earlier: &Members, later: &Members) {
         let index = |g: &Members| g.medium.map(|(_, index)| index);
-        if index(earlier) != Some(DEFAULT) || index(later) != Some(DEFAULT) {
+        // What is opaque, or bends no light by itself, is no medium to POV-Ray.
+        if index(later) != Some(DEFAULT) && later.transparent {
             self.media_are_approximate();
         }
         if earlier.medium.is_some() && earlier.medium == later.medium {
