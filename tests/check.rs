@@ -301,6 +301,11 @@ fn wrong_usage_in_both_languages() {
             "chyba: `xml` není hodnota pro `--format <FORMAT>`: možnosti jsou human, short, json,",
         ),
         (
+            &["check", "a.zpg", "--select", "W399"],
+            "error: `W399` is no value of `--select <CODE>`: there is no code `W399`; did you mean",
+            "chyba: `W399` není hodnota pro `--select <CODE>`: kód `W399` neexistuje; mysleli jste",
+        ),
+        (
             &["render", "a.zpg", "--size", "9"],
             "`--size <WxH>`: expected WxH, as in 640x480",
             "`--size <WxH>`: očekává se ŠxV, například 640x480",

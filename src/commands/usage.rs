@@ -9,6 +9,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use super::terminal::{complain, tell};
 use super::{LookChoice, Status};
 use crate::diagnostics::Complaint;
+use crate::lint::levels::UnknownCode;
 
 /// Reads a number of the command line that must satisfy a condition.
 ///
@@ -101,7 +102,8 @@ fn reason(error: &clap::Error) -> Option<Complaint> {
         return Some(Complaint::new("usage-values").with("values", values));
     }
     let source = error.source()?;
-    let ours = source.downcast_ref::<Complaint>().cloned();
+    let unknown = source.downcast_ref().map(UnknownCode::complaint);
+    let ours = unknown.or_else(|| source.downcast_ref::<Complaint>().cloned());
     Some(ours.unwrap_or_else(|| Complaint::quoted(source)))
 }
 

@@ -69,7 +69,7 @@ impl UnknownCode {
     }
 }
 
-/// For usage errors of the command line, which are English.
+/// In English, for whoever knows of no other languages.
 impl fmt::Display for UnknownCode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.complaint().wording(Language::English))

@@ -1,6 +1,6 @@
 //! One record's parameters: their tokens, their values, and what the table says about each.
 
-use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Constraint, Param, ParamKind, RecordType};
 use crate::syntax::{Document, Record};
@@ -86,6 +86,19 @@ impl<'a> Params<'a> {
         out.len() == before
     }
 
+    /// Two parameters exchanged; a guess.
+    fn swapped(&self, i: usize, j: usize) -> Fix {
+        let edit = |at: usize, from: usize| Edit {
+            span: self.span_of(at, 1),
+            text: self.text_of(from).to_owned(),
+        };
+        Fix {
+            title: "fix",
+            applicability: Applicability::Unsafe,
+            edits: vec![edit(i, j), edit(j, i)],
+        }
+    }
+
     fn violation(&self, i: usize, p: &Param) -> Option<Diagnostic> {
         let x = self.number(i);
         let (holds, code, case, [low, high]) = match p.constraint {
@@ -98,10 +111,14 @@ impl<'a> Params<'a> {
             Constraint::AtLeast(a) => (x >= a, Code::E206, "least", [a; 2]),
             Constraint::Axis => ((1.0..=3.0).contains(&x), Code::E205, "", [0.0; 2]),
         };
+        let turned = code == Code::E205 && i > 0 && [1.0, 2.0, 3.0].contains(&self.number(i - 1));
         (!holds).then(|| {
-            Diagnostic::new(code, self.span_of(i, 1))
-                .case(case)
-                .with("parameter", Value::Term(p.doc))
+            let d = Diagnostic::new(code, self.span_of(i, 1));
+            let d = match turned {
+                true => d.case("turned").fix(self.swapped(i - 1, i)),
+                false => d.case(case),
+            };
+            d.with("parameter", Value::Term(p.doc))
                 .with("type", Value::Term(self.ty.title))
                 .with("name", p.name)
                 .with("text", crate::syntax::quote(self.text_of(i)))

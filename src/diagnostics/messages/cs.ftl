@@ -292,8 +292,12 @@ E204-scale = { $type }: { $parameter } nesmí být nula
 E204-product = { $type }: transformace objektu { $id } pak nemají inverzi
     .label = čísla jsou příliš velká nebo příliš malá pro dvojitou přesnost
 
-E205 = { $type }: { $parameter } musí být 1 pro x, 2 pro y, nebo 3 pro z
+E205 = { $type }: osa musí být 1 pro x, 2 pro y, nebo 3 pro z
     .label = `{ $name }` je { $text }
+E205-turned = { E205 }
+    .label = { E205.label }
+    .help = nejdřív se píše úhel, potom osa
+    .fix = prohodit je
 
 E206 = { $type }: { $parameter } musí být mezi { $low } a { $high }
     .label = `{ $name }` je { $text }

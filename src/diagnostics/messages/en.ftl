@@ -283,8 +283,12 @@ E204-scale = { $parameter } of the { $type } cannot be zero
 E204-product = with this { $type }, the transformations of { $id } have no inverse
     .label = numbers became too large or too small for double precision
 
-E205 = { $parameter } of the { $type } must be 1 for x, 2 for y or 3 for z
+E205 = the axis of the { $type } must be 1 for x, 2 for y or 3 for z
     .label = `{ $name }` is { $text }
+E205-turned = { E205 }
+    .label = { E205.label }
+    .help = the angle comes first, then the axis
+    .fix = swap them
 
 E206 = { $parameter } of the { $type } must lie between { $low } and { $high }
     .label = `{ $name }` is { $text }
