@@ -167,24 +167,11 @@ fn light_from_glass_into_glass() {
     let [one, two] = ["0.8", "0.5"];
     let balls = "2 11 -0.7 0 0 1.2\n3 11 0.7 0 0.3 1\n";
     let both = "9 -101 2 3\n";
+    let of = |a: f64, b: f64| format!("{balls}{}{}{both}", glass(2, one, a), glass(3, two, b));
     let scenes = [
-        (
-            "balls",
-            format!(
-                "{balls}{}{}{both}",
-                glass(2, one, 1.03),
-                glass(3, two, 1.05)
-            ),
-        ),
+        ("balls", of(1.03, 1.05)),
         // One index, of two optics; one optics, of two indices, given to all; one that does not bend.
-        (
-            "optics",
-            format!(
-                "{balls}{}{}{both}",
-                glass(2, one, 1.04),
-                glass(3, two, 1.04)
-            ),
-        ),
+        ("optics", of(1.04, 1.04)),
         (
             "painted",
             format!(

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::commands::Loaded;
 use crate::diagnostics::render::Tally;
-use crate::diagnostics::{Applicability, Code, Fix, Severity, fixes};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, fixes};
 
 /// How many bytes are read in all for fixes that turn out to do harm, and how often a scene is read
 /// again for them at the least and at the most.
@@ -86,26 +86,29 @@ fn step(
 
 /// Whether as many errors are left, and more of some warning.
 fn harms(before: &Loaded, after: &Loaded) -> bool {
-    let of = |loaded: &Loaded, severity: Severity| -> BTreeMap<Code, usize> {
-        let mut counts = BTreeMap::new();
-        for d in loaded.diagnostics.iter().filter(|d| d.severity == severity) {
-            *counts.entry(d.code).or_default() += 1;
-        }
-        counts
+    let of = |severity: Severity| {
+        [before, after].map(|loaded| {
+            let all = loaded.diagnostics.iter();
+            counts(all.filter(|d| d.severity == severity))
+        })
     };
-    let (old, new) = (of(before, Severity::Warning), of(after, Severity::Warning));
+    let [errors, errors_left] = of(Severity::Error);
+    let [old, new] = of(Severity::Warning);
     let more = |(code, count): (&Code, &usize)| old.get(code).is_none_or(|old| count > old);
-    of(before, Severity::Error) == of(after, Severity::Error) && new.iter().any(more)
+    errors == errors_left && new.iter().any(more)
+}
+
+fn counts<'a>(all: impl Iterator<Item = &'a Diagnostic>) -> BTreeMap<Code, usize> {
+    let mut counts = BTreeMap::new();
+    all.for_each(|d| *counts.entry(d.code).or_default() += 1);
+    counts
 }
 
 /// How much there is to mend, what weighs most first: malformed tokens, which hide what else is wrong
 /// with their records; then how many errors, warnings, notes and remarks on style there are; and of as
 /// many the codes that come first, which hide those that follow.
 fn weight(loaded: &Loaded) -> Vec<usize> {
-    let mut counts: BTreeMap<Code, usize> = BTreeMap::new();
-    for d in &loaded.diagnostics {
-        *counts.entry(d.code).or_default() += 1;
-    }
+    let counts = counts(loaded.diagnostics.iter());
     let count = |code: &Code| counts.get(code).copied().unwrap_or(0);
     let malformed = [Code::E001, Code::E002, Code::E003, Code::E004, Code::E010];
     let mut tally = Tally::default();
@@ -119,7 +122,6 @@ fn weight(loaded: &Loaded) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostics::Diagnostic;
 
     fn fixed(text: &str, unsafe_too: bool) -> (String, usize) {
         let read = |bytes| Loaded::new("a.zpg", bytes);
@@ -194,8 +196,7 @@ mod tests {
         assert_eq!(loaded.source.text.matches(';').count(), 100);
     }
 
-    /// Where the stone is red glass too, mending it makes a warning of another kind; what else is mended
-    /// beside it does not pay for that.
+    /// A fix brings a warning of another kind; what else is mended beside it does not pay for that.
     #[test]
     fn none_rides_along_that_does_harm() {
         let read = |bytes: Vec<u8>| {

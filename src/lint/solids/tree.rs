@@ -384,6 +384,7 @@ pub fn both(a: Answer, b: Answer) -> Answer {
 mod tests {
     use super::*;
     use crate::diagnostics::SourceFile;
+    use crate::lint::testing::random;
     use crate::scene::bounds::node_bounds;
     use crate::{scene, syntax};
 
@@ -431,13 +432,7 @@ mod tests {
     /// Random trees, all of whose operations and some of whose leaves are asked for.
     #[test]
     fn jumps_come_to_what_single_steps_do() {
-        let mut state = 12345u64;
-        let mut random = move |n: u64| {
-            state = state
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
-            (state >> 33) % n
-        };
+        let mut random = random();
         for _ in 0..300 {
             let count = 2 + random(12);
             let mut text = String::new();

@@ -73,17 +73,12 @@ impl Ways {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lint::testing::random;
 
     /// Random forests, against one step at a time.
     #[test]
     fn ways_meet_where_single_steps_do() {
-        let mut state = 12345u64;
-        let mut random = move |n: u64| {
-            state = state
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
-            (state >> 33) % n
-        };
+        let mut random = random();
         for round in 0..200 {
             // The last place, or one that it is part of, gets the next child.
             let mut parents: Vec<u32> = vec![NONE];

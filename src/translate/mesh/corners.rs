@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::Mesh;
 use super::skin::Skin;
 use crate::scene::Vec3;
-use crate::scene::vector::{cross, sub};
+use crate::scene::vector::{cross, length, sub};
 use crate::trace::graph::Graph;
 
 /// How far from a corner, towards the middle of its triangle, it is looked at: on the triangle's own
@@ -40,7 +40,7 @@ pub fn corners(
         let at = mesh.corners(t);
         let [a, b, c] = at;
         let n = cross(sub(b, a), sub(c, a));
-        let length = n[0].hypot(n[1]).hypot(n[2]);
+        let length = length(n);
         let Some(skin) = skins.get(label as usize).filter(|_| length > 0.0) else {
             return [none; 3];
         };

@@ -5,6 +5,7 @@ use super::build::Builder;
 use super::frame::Frame;
 use super::text::{entity, vector};
 use crate::scene::frame::{Basis, selected_cameras};
+use crate::scene::vector::{cross, dot, length};
 use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3};
 use crate::syntax::Captions;
 use crate::translate::Unsupported;
@@ -147,10 +148,6 @@ fn clip_to_scene(projection: &Matrix, camera: &Camera, basis: &Basis) -> Option<
     projection.after(&view).inverse()
 }
 
-fn dot(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 /// A point of the scene before the division: x, y, z and w.
 type Homogeneous = [f64; 4];
 
@@ -191,7 +188,7 @@ fn projecting(back: &Matrix) -> Option<Lens> {
         let away = |v: Homogeneous| -> Vec3 { std::array::from_fn(|i| v[i] * c[3] - c[i] * v[3]) };
         let sign = forward_sign(back, c[3])?;
         let direction = away(q).map(|v| v * sign);
-        let length = direction[0].hypot(direction[1]).hypot(direction[2]);
+        let length = length(direction);
         Lens {
             parallel,
             location: std::array::from_fn(|i| c[i] / c[3]),
@@ -277,14 +274,6 @@ fn sees_all_behind_near(back: &Matrix, lens: &Lens, scene: Aabb) -> bool {
         })
         .fold(f64::INFINITY, f64::min);
     near.iter().all(|n| (0.0..=nearest).contains(n))
-}
-
-fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }
 
 /// The cameras as text: one, or two behind a switch.

@@ -4,6 +4,7 @@ use super::frame::power_of_two_about;
 use super::profile::Profile;
 use super::text::{number, vector};
 use super::{poly, triangle};
+use crate::scene::vector::length;
 use crate::scene::{Geometry, TriangleNormals};
 
 /// A primitive in the shape's own coordinates: a keyword, and what stands between its braces, one
@@ -90,7 +91,7 @@ fn plane(p: &[f64; 4]) -> Primitive {
     // Squares of the numbers could leave their range.
     let largest = p[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let n = [p[0] / largest, p[1] / largest, p[2] / largest];
-    let length = n[0].hypot(n[1]).hypot(n[2]);
+    let length = length(n);
     // 0 − d: never a negative zero.
     let distance = (0.0 - p[3]) / largest / length;
     let normal = n.map(|x| x / length);

@@ -2,6 +2,7 @@
 
 use super::shape::Primitive;
 use super::text::vector;
+use crate::scene::vector::length;
 use crate::scene::{Geometry, TriangleNormals, Vec3};
 
 /// POV-Ray makes the normals of the corners equally long before it interpolates. Where they are not,
@@ -59,10 +60,6 @@ fn parts(normals: &[Vec3; 3]) -> usize {
     } else {
         PARTS
     }
-}
-
-fn length(n: Vec3) -> f64 {
-    n[0].hypot(n[1]).hypot(n[2])
 }
 
 /// A triangle with its normals on the other side.

@@ -3,6 +3,7 @@
 
 use super::profile::Profile;
 use super::text::number;
+use crate::scene::vector::{cross, dot, length};
 use crate::scene::{Geometry, Vec3};
 
 /// u and v as functions of (x, y, z): of a point, and for a lathe, of what `uv_mapping` makes of it.
@@ -125,18 +126,6 @@ fn weights([a, b, c]: &[Vec3; 3]) -> [String; 2] {
     [weight(cross(ac, n)), weight(cross(n, ab))]
 }
 
-fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn dot(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 /// `(x - c)`.
 fn minus(axis: &str, c: f64) -> String {
     if c == 0.0 {
@@ -201,8 +190,8 @@ fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
 fn plane(p: &[f64; 4]) -> [String; 2] {
     let largest = p[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let p = [p[0] / largest, p[1] / largest, p[2] / largest];
-    let length = p[0].hypot(p[1]).hypot(p[2]);
-    let n = [p[0] / length, p[1] / length, p[2] / length];
+    let far = length(p);
+    let n = p.map(|x| x / far);
     // The language's own bound for planes that lie flat.
     let side = if n[1].abs() > 0.999 {
         // −ẑ × n
@@ -211,8 +200,8 @@ fn plane(p: &[f64; 4]) -> [String; 2] {
         // ŷ × n
         [n[2], 0.0, -n[0]]
     };
-    let length = side[0].hypot(side[1]).hypot(side[2]);
-    let u = side.map(|c| c / length);
+    let long = length(side);
+    let u = side.map(|x| x / long);
     [product(u), product(cross(n, u))]
 }
 

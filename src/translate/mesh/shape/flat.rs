@@ -1,7 +1,7 @@
 //! What has flat faces.
 
 use super::super::soup::Mesh;
-use crate::scene::vector::{cross, dot, sub};
+use crate::scene::vector::{cross, dot, length, sub};
 use crate::scene::{Aabb, Vec3};
 
 /// A box between two corners.
@@ -87,7 +87,7 @@ pub fn surface(face: &[Vec3]) -> Option<Mesh> {
     let [a, b, c] = [face.first()?, face.get(1)?, face.get(2)?];
     let (e, f) = (sub(*b, *a), sub(*c, *a));
     let n = cross(e, f);
-    let length = n[0].hypot(n[1]).hypot(n[2]);
+    let length = length(n);
     let size = dot(e, e).max(dot(f, f)).sqrt();
     // What has no area, but for the rounding of the cross product, shows nothing.
     (length > 1e-12 * size * size).then(|| slab(face, n.map(|x| -x / length * size / 8.0), false))
@@ -107,7 +107,7 @@ pub fn any_normal_to(a: Vec3) -> Vec3 {
 }
 
 fn unit(v: Vec3) -> Vec3 {
-    let length = v[0].hypot(v[1]).hypot(v[2]);
+    let length = length(v);
     if length > 0.0 {
         v.map(|x| x / length)
     } else {

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::super::budget::{Budget, TooMany};
 use super::super::soup::Mesh;
+use crate::scene::vector::length;
 use crate::scene::{Vec3, icosahedron};
 
 /// The circumradius of a facet by its distance from the centre.
@@ -89,7 +90,7 @@ fn pushed_out(points: &[Vec3], weights: &[u32]) -> Vec3 {
 }
 
 fn unit(v: Vec3) -> Vec3 {
-    let length = v[0].hypot(v[1]).hypot(v[2]);
+    let length = length(v);
     v.map(|x| x / length)
 }
 
@@ -137,7 +138,7 @@ mod tests {
             for t in 0..mesh.triangles.len() {
                 let [a, b, c] = mesh.corners(t);
                 let m: Vec3 = std::array::from_fn(|i| (a[i] + b[i] + c[i]) / 3.0);
-                let sunk = 1.0 - m[0].hypot(m[1]).hypot(m[2]);
+                let sunk = 1.0 - length(m);
                 assert!((0.0..=tolerance).contains(&sunk), "{sunk} {tolerance}");
             }
         }
