@@ -159,6 +159,85 @@ fn glass_on_round_glass() {
 
 /// Media that meet or overlap: light goes straight from one into the other, and POV-Ray knows which one
 /// it is in.
+/// Vessels, what fills them, and what lies in them, in any order: the first operand owns the faces that are in
+/// one place.
+#[test]
+fn what_fills_what() {
+    const MEDIA: &str = "80 -201 0.05 0.08 0.87\n80 -203 1.5 1.5 1.5\n81 -201 0.02 0.03 0.95\n\
+                         81 -203 1.33 1.33 1.33\n82 -701 0.9 0.3 0.2\n";
+    let tank = "2 12 -2 0 -1 2 2 1\n3 12 -1.9 0.1 -0.9 1.9 2.1 0.9\n10 -103 2 3\n10 -299 0 80\n\
+                11 12 -1.9 0.1 -0.9 1.9 1.7 0.9\n11 -299 0 81\n\
+                12 12 -1.9 0.1 -0.9 1.9 0.3 0.9\n12 -299 82 0\n";
+    let jar = "2 1 2 1 0 1 2\n3 1 2 0.9 0.1 0.9 2.1\n10 -103 2 3\n10 -299 0 80\n\
+               11 1 2 0.9 0.1 0.9 1.4\n11 -299 0 81\n\
+               12 1 2 0.9 0.1 0.9 0.8\n12 -299 82 0\n";
+    // What fills its lower half, and a stone in the wall.
+    let ball = "2 9 1\n2 -1 0 1 0\n3 9 0.8\n3 -1 0 1 0\n4 4 0 1 0 -1\n10 -103 2 3\n10 -299 0 80\n\
+                11 -102 3 4\n11 -299 0 81\n12 12 -0.2 1.5 -0.2 0.2 2.2 0.2\n12 -299 82 0\n";
+    let plates = "10 12 -2 0 -1 2 0.3 1\n10 -299 0 80\n11 12 -2 0.3 -1 2 0.6 1\n11 -299 0 81\n\
+                  12 12 -1.5 0.6 -1 1 0.9 1\n12 -299 82 0\n";
+    let cases = [
+        (
+            "tank",
+            tank,
+            &["10 11", "11 10", "11 12 10", "12 11 10", "12 10", "11"][..],
+        ),
+        (
+            "jar",
+            jar,
+            &["10 11 12", "10 12 11", "12 11 10", "12 10 11", "11 10"],
+        ),
+        ("ball", ball, &["10 11", "11 10", "12 10 11"]),
+        ("plates", plates, &["10 11 12", "12 11 10", "11 10"]),
+    ];
+    for (name, solids, orders) in cases {
+        for (i, order) in orders.iter().enumerate() {
+            let mut ids = order.split(' ').chain(["7"]);
+            let (mut text, mut last) = (String::new(), ids.next().unwrap().to_owned());
+            for (n, id) in (60..).zip(ids) {
+                text += &format!("{n} -101 {last} {id}\n");
+                last = n.to_string();
+            }
+            let body = format!("{MEDIA}{solids}7 4 0 1 0 0\n7 -701 0.7 0.7 0.6\n{text}");
+            let loaded = lit(&body, last.parse().unwrap());
+            for outcome in compare(
+                &format!("{name}_{i}"),
+                &loaded.scene,
+                Path::new("."),
+                (96, 72),
+            ) {
+                let share = outcome.differing.share_off_silhouettes;
+                assert!(share <= 0.0005, "{name}, {order}: {outcome:?}");
+            }
+        }
+    }
+}
+
+/// Two parts of one medium on the two sides of a face: nothing is to be seen of it. So it is in a scene
+/// where operands of an overlap are painted by themselves.
+#[test]
+fn painted_slices() {
+    for slice in ["12 -0.3 -3 -3 0.3 3 3", "11 0 0 1 1"] {
+        let body = format!(
+            "20 -201 0.1 0.1 0.8\n20 -203 1.05 1.05 1.05\n2 11 0 0 0 1.4\n3 {slice}\n4 -102 2 3\n\
+             11 -701 0.9 0.2 0.1\n12 -701 0.2 0.5 0.9\n4 -299 11 20\n5 -103 2 3\n5 -299 12 20\n6 -101 4 5\n"
+        );
+        agrees("painted", &lit(&body, 6));
+    }
+}
+
+/// Under water the eye is in a medium.
+#[test]
+fn divers() {
+    for water in ["4 0 1 0 -9", "12 -50 -1 -50 50 9 50"] {
+        let body = format!(
+            "2 {water}\n2 -201 0 0.05 0.9\n2 -203 1.33 1.33 1.33\n3 4 0 1 0 0\n3 -701 0.8 0.7 0.4\n\
+             4 11 0 1 0 1\n5 -101 3 4\n6 -101 5 2\n"
+        );
+        agrees("diver", &lit(&body, 6));
+    }
+}
+
 #[test]
 fn light_from_glass_into_glass() {
     let glass = |id: u32, kt: &str, index: f64| {

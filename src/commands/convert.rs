@@ -128,7 +128,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Target::Json => records::json(args, &loaded),
         Target::Zpg => records::zpg(args, &loaded),
     };
-    match made.and_then(|made| spare_images(args, &loaded, made)) {
+    match made.and_then(|made| spare_sources(args, &loaded, made)) {
         Ok(made) => deliver(args, &made, look),
         Err(Refusal::Scene(unsupported)) => refuse(&loaded, &unsupported, look),
         Err(Refusal::Image(found)) => {
@@ -143,8 +143,8 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
 }
 
-/// Refuses a translation that would be written over a picture that the scene names.
-fn spare_images(args: &Args, loaded: &Loaded, made: Made) -> Result<Made, Refusal> {
+/// Refuses a translation that would be written over the scene itself or a picture that it names.
+fn spare_sources(args: &Args, loaded: &Loaded, made: Made) -> Result<Made, Refusal> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
     let images: HashSet<PathBuf> = (loaded.scene.paints.iter())
         .filter_map(|paint| match &paint.texture {
@@ -154,13 +154,21 @@ fn spare_images(args: &Args, loaded: &Loaded, made: Made) -> Result<Made, Refusa
         .collect();
     let written = made.files.iter().filter_map(|(path, _)| path.as_ref());
     // What is not there yet is none of them.
-    let is_image = |p: &&PathBuf| p.canonicalize().is_ok_and(|p| images.contains(&p));
-    match written.chain(&args.report).find(is_image) {
-        Some(path) => Err(Refusal::Wish(
-            Complaint::new("would-overwrite-image").with("path", path.as_path()),
-        )),
-        None => Ok(made),
+    let scene = args.file.canonicalize().ok();
+    for path in written.chain(&args.report) {
+        let Ok(there) = path.canonicalize() else {
+            continue;
+        };
+        let what = match () {
+            () if images.contains(&there) => "would-overwrite-image",
+            () if scene.as_ref() == Some(&there) => "would-overwrite-scene",
+            () => continue,
+        };
+        return Err(Refusal::Wish(
+            Complaint::new(what).with("path", path.as_path()),
+        ));
     }
+    Ok(made)
 }
 
 /// Says what cannot be translated, and where it is written.

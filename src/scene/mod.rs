@@ -228,6 +228,18 @@ pub enum Texture {
     },
 }
 
+/// By which part of a cell the borders between cells are moved down: faces that lie in one are in the cell
+/// above, whatever their points are rounded to. Some millions of roundings.
+pub const CELL_NUDGE: f64 = 1e-9;
+
+impl Texture {
+    /// Which of the two colours of a pattern a place has, given in cells along each coordinate.
+    pub fn cell_colour(colours: &[Rgb; 2], cells: &[f64]) -> Rgb {
+        let sum: f64 = cells.iter().map(|x| (x + CELL_NUDGE).floor()).sum();
+        colours[usize::from(sum.rem_euclid(2.0) >= 1.0)]
+    }
+}
+
 /// Diffuse, mirrored and transmitted parts, each per channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Optics {

@@ -40,7 +40,7 @@ pub(super) fn run<S: AsRef<OsStr>>(
         .output()
         .map_err(|e| match e.kind() {
             io::ErrorKind::NotFound => ProgramError::Missing,
-            _ => ProgramError::Io(e),
+            _ => ProgramError::Failed(e.to_string()),
         })?;
     if output.status.success() {
         return Ok(());

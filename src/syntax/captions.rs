@@ -11,7 +11,8 @@ use super::lexer::{Token, TokenKind};
 ///
 /// An entity's comment stands within one of its records or behind it on its last line; where there is
 /// none, it is the heading before its first record, a comment on lines of its own with no blank line
-/// in between. What stands before all records and a blank line is the title of the scene.
+/// in between. What stands before all records and a blank line is the title of the scene, and so is the only
+/// heading of a scene if it stands before all records.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Captions {
     title: Option<String>,
@@ -36,6 +37,9 @@ struct Walk {
     /// The last record, which a comment on the same line belongs to.
     last: Option<u32>,
     any_record: bool,
+    /// The text of a heading before all records, and how many headings there are.
+    first: Option<u32>,
+    headings: u32,
 }
 
 impl Captions {
@@ -54,6 +58,7 @@ impl Captions {
             at += 1;
         }
         walk.end_of_block();
+        walk.settle_title();
         walk.captions
     }
 
@@ -114,12 +119,18 @@ impl Walk {
                 return;
             }
         };
+        let at_top = !self.any_record;
         self.any_record = true;
         let id = record.id;
         if !self.captions.ids.contains_key(&id) && !self.heading.is_empty() {
             let index = match self.heading_text {
                 Some(index) => index,
-                None => self.keep(self.heading.join(" ")),
+                None => {
+                    let index = self.keep(self.heading.join(" "));
+                    self.headings += 1;
+                    self.first = self.first.or(at_top.then_some(index));
+                    index
+                }
             };
             self.heading_text = Some(index);
             self.captions.ids.insert(id, (index, false));
@@ -145,6 +156,14 @@ impl Walk {
     fn keep(&mut self, text: String) -> u32 {
         self.captions.texts.push(shortened(text));
         self.captions.texts.len() as u32 - 1
+    }
+
+    /// What would be said of everything is said of the scene.
+    fn settle_title(&mut self) {
+        if let (Some(first), 1, None) = (self.first, self.headings, &self.captions.title) {
+            self.captions.title = Some(self.captions.texts[first as usize].clone());
+            self.captions.ids.retain(|_, (_, own)| *own);
+        }
     }
 
     /// A blank line, or another heading.
@@ -208,9 +227,12 @@ mod tests {
     }
 
     #[test]
-    fn a_heading_at_the_top_is_no_title() {
-        let all = captions("0 # balls #\n2 9 1\n");
+    fn a_heading_at_the_top_is_a_title_if_there_is_no_other() {
+        let all = captions("0 # balls #\n2 9 1\n\n# boxes #\n3 12 0 0 0 1 1 1\n");
         assert_eq!((all.title(), all.get(2)), (None, Some("balls")));
+        let all = captions("0 # balls #\n2 9 1 # red #\n\n3 9 2\n");
+        let of = (all.title(), all.get(2), all.get(3));
+        assert_eq!(of, (Some("balls"), Some("red"), None));
     }
 
     #[test]

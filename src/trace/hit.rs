@@ -4,6 +4,7 @@ use super::nearest::Search;
 use super::precision::{Doubt, Precision};
 use super::ray::{Left, Ray};
 use super::shapes::Root;
+use super::shapes::support::Passage;
 use super::spans::{Kind, State};
 use super::vec::Vec3;
 use super::walk::{Leaf, Walker};
@@ -32,6 +33,8 @@ pub struct Hit<R = f64> {
     pub surface: u64,
     /// Bound on the point's distance from the true surface.
     pub skin: R,
+    /// How the ray passes the surface that the face is a part of.
+    pub passage: Option<Passage>,
 }
 
 impl<R: Precision> Hit<R> {
@@ -42,6 +45,7 @@ impl<R: Precision> Hit<R> {
             surface: self.surface,
             entering: self.entering == onwards,
             skin: self.skin,
+            passage: self.passage.map(|p| p.turned(!onwards)),
         });
         ray.outside = !self.inside[onwards as usize];
         ray
@@ -72,6 +76,7 @@ impl<R: Precision> Hit<R> {
             entering: self.entering,
             surface: self.surface,
             skin: skin + normal.abs().dot(point.abs() * S::gamma(2)),
+            passage: self.passage,
         }
     }
 }
@@ -149,7 +154,7 @@ impl<R: Precision> Walker<'_, R> {
         let shape = primitive.shape();
         let local: Vec3 = located.point.cast();
         let mut shading = shape.shading_normal(local, root.face).map(Vec3::cast);
-        self.climb(leaf, |placement| {
+        self.climb(leaf, |_, placement| {
             let out = R::out(self.graph, placement);
             let back = R::back(&self.maps, self.graph, placement);
             error = out.point_error(point, error);
@@ -186,6 +191,7 @@ impl<R: Precision> Walker<'_, R> {
             entering: normal.dot(ray.line.direction) < R::ZERO,
             surface: self.surface(leaf),
             skin,
+            passage: self.passage(leaf, &line, (root.face, located.point)),
         })
     }
 
@@ -206,13 +212,11 @@ impl<R: Precision> Walker<'_, R> {
             let own = (owner == leaf).then(|| shape.colour(local, face));
             return own.flatten().unwrap_or(DEFAULT_COLOUR);
         };
-        let odd =
-            |cells: &[f64]| cells.iter().map(|x| x.floor()).sum::<f64>().rem_euclid(2.0) >= 1.0;
         match &self.graph.textures[painted.texture as usize] {
             Texture::Colour(c) => *c,
             Texture::Checkerboard { n, m, colours } => {
                 let uv = shape.uv(local, face);
-                colours[odd(&[uv[0] * *n as f64, uv[1] * *m as f64]) as usize]
+                Texture::cell_colour(colours, &[uv[0] * *n as f64, uv[1] * *m as f64])
             }
             Texture::Solid { colours, size } => {
                 let mut down = Vec::new();
@@ -226,7 +230,7 @@ impl<R: Precision> Walker<'_, R> {
                 let p = placements.fold(point, |p, m| {
                     self.graph.placements[m as usize].back.point(p)
                 });
-                colours[odd(&(p / *size).0) as usize]
+                Texture::cell_colour(colours, &(p / *size).0)
             }
             Texture::Image { .. } => match &self.graph.bitmaps[painted.texture as usize] {
                 Some(bitmap) => bitmap.colour(shape.uv(local, face)),

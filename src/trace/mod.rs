@@ -33,6 +33,7 @@ pub mod membership;
 pub mod nearest;
 pub mod number;
 mod order;
+mod passage;
 mod picture;
 pub mod plan;
 pub mod precision;

@@ -5,6 +5,7 @@ use super::graph::Target;
 use super::number::Real;
 use super::precision::{Doubt, Precision};
 use super::ray::{Left, Line, Ray};
+use super::shapes::support::Passage;
 use super::shapes::{Root, Roots};
 use super::vec::Vec3;
 use super::walk::{Leaf, Walker};
@@ -34,6 +35,8 @@ pub struct Start<R> {
     error: R,
     /// If it is on a surface: the chain of maps that places it, and how far it may be misplaced.
     chain: Option<(u64, R)>,
+    /// How the ray passes the surface that the face there is a part of.
+    passage: Option<Passage>,
 }
 
 impl<R: Precision> Start<R> {
@@ -42,6 +45,7 @@ impl<R: Precision> Start<R> {
             t,
             error: R::ZERO,
             chain: None,
+            passage: None,
         }
     }
 }
@@ -128,7 +132,7 @@ impl<R: Precision> Walker<'_, R> {
         let mut point: Vec3 = located.point.cast();
         let mut normal: Vec3 = located.normal.cast().unit();
         let mut error = Vec3::ZERO;
-        self.climb(leaf, |placement| {
+        self.climb(leaf, |_, placement| {
             let maps = &self.graph.placements[placement as usize];
             error = maps.out.point_error(point, error);
             point = maps.out.point(point);
@@ -152,6 +156,9 @@ impl<R: Precision> Walker<'_, R> {
         if gap == R::ZERO && self.surface(a.leaf) == self.surface(b.leaf) {
             return Ordering::Equal;
         }
+        if self.in_one_place(a, b) {
+            return Ordering::Equal;
+        }
         let placed = match self.chain(a.leaf) == self.chain(b.leaf) {
             true => R::ZERO,
             false => self.misplaced(a.leaf, a.root) + self.misplaced(b.leaf, b.root),
@@ -168,6 +175,9 @@ impl<R: Precision> Walker<'_, R> {
     fn is_at(&self, leaf: Leaf, line: &Line<R>, root: Root<R>, place: &Start<R>) -> bool {
         if !self.is_near(leaf, line, root, place.t) {
             return false;
+        }
+        if self.goes_on(leaf, line, root, place.passage) {
+            return true;
         }
         let gap = (root.t - place.t).abs();
         let placed = match place.chain {
@@ -213,6 +223,7 @@ impl<R: Precision> Walker<'_, R> {
                     t: root.t,
                     error: self.error(leaf, line, root),
                     chain: Some((self.chain(leaf), self.misplaced(leaf, root))),
+                    passage: left.passage,
                 });
             }
             return behind;
@@ -248,8 +259,8 @@ impl<R: Precision> Walker<'_, R> {
         behind
     }
 
-    /// Behind a ray that starts on another surface: counts on past the crossings that cannot be told
-    /// from the starting point.
+    /// Behind a ray that starts on another shape: counts on past the crossings that are the starting point
+    /// or cannot be told from it.
     ///
     /// A surface at distance h from the starting point, measured along its own normal, is met at
     /// t = h / |n·d|; the starting point itself is known up to the skin.
@@ -266,19 +277,29 @@ impl<R: Precision> Walker<'_, R> {
         let farthest = left.skin / R::ROUNDOFF.sqrt();
         let direction = self.contexts[0].line.direction;
         let length = direction.length();
+        let near = |walker: &Self, root: Root<R>| {
+            root.t.abs() * length <= farthest || walker.is_near(leaf, line, root, R::ZERO)
+        };
+        // What lies in the surface that the ray leaves is met there and nowhere else.
+        let goes_on = |walker: &Self, root| walker.goes_on(leaf, line, root, left.passage);
         let within = |walker: &Self, root: Root<R>| {
-            let t = root.t.abs();
-            (t * length <= farthest || walker.is_near(leaf, line, root, R::ZERO)) && {
-                let steep = walker.world_normal(leaf, line, root).dot(direction).abs();
-                let error = walker.error(leaf, line, root) + walker.misplaced(leaf, root);
-                t * steep <= left.skin + error * steep
-            }
+            let steep = walker.world_normal(leaf, line, root).dot(direction).abs();
+            let error = walker.error(leaf, line, root) + walker.misplaced(leaf, root);
+            root.t.abs() * steep <= left.skin + error * steep
         };
         let mut behind = passed;
-        let mut met = passed > 0 && within(self, roots[passed - 1]);
-        while let Some(&root) = roots.get(behind).filter(|&&root| within(self, root)) {
+        let mut met = passed > 0 && {
+            let root = roots[passed - 1];
+            near(self, root) && !goes_on(self, root) && within(self, root)
+        };
+        while let Some(&root) = roots.get(behind).filter(|&&root| near(self, root)) {
             debug_assert!(root.t.is_finite());
-            met = true;
+            if !goes_on(self, root) {
+                if !within(self, root) {
+                    break;
+                }
+                met = true;
+            }
             behind += 1;
         }
         if met {
@@ -291,7 +312,7 @@ impl<R: Precision> Walker<'_, R> {
     /// The unit normal at a root, outwards, in the scene's space.
     fn world_normal(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> Vec3<R> {
         let mut normal = self.primitive(leaf).intersect().locate(line, root).normal;
-        self.climb(leaf, |placement| {
+        self.climb(leaf, |_, placement| {
             normal = R::back(&self.maps, self.graph, placement).unit_normal(normal);
         });
         normal.unit()

@@ -3,6 +3,7 @@
 use super::affine::Affine;
 use super::number::Real;
 use super::qd::Qd;
+use super::shapes::support::Passage;
 use super::vec::Vec3;
 use super::way::Way;
 
@@ -162,6 +163,9 @@ pub struct Left<R = f64> {
     /// Bound on the distance of the starting point from the true surface. What lies closer to the
     /// starting point than this, along its own normal, cannot be told from it and is behind it.
     pub skin: R,
+    /// How it passes the surface that the face it starts on is a part of; `None` where other shapes have
+    /// no faces in that.
+    pub passage: Option<Passage>,
 }
 
 /// A ray: a line from t = 0 on.
@@ -191,6 +195,7 @@ impl<R: Real> Ray<R> {
                 surface: left.surface,
                 entering: left.entering,
                 skin: S::of_parts(left.skin.parts()),
+                passage: left.passage,
             }),
             outside: self.outside,
         }

@@ -338,8 +338,8 @@ impl<'g, R: Precision> Walker<'g, R> {
         R::DOUBT == Doubt::Merges
     }
 
-    /// Calls `step` with every placement from a part up to the scene.
-    pub fn climb(&self, leaf: Leaf, mut step: impl FnMut(u32)) {
+    /// Calls `step` with every placement from a part up to the scene, and with the part that it places.
+    pub fn climb(&self, leaf: Leaf, mut step: impl FnMut(Leaf, u32)) {
         let Leaf {
             mut part,
             mut context,
@@ -347,7 +347,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         loop {
             let placement = self.part(part).placement;
             if placement != 0 {
-                step(placement);
+                step(Leaf { part, context }, placement);
             }
             if context == 0 {
                 break;

@@ -135,7 +135,7 @@ enum End {
 /// What a line holds.
 enum Content {
     Nothing,
-    Ray(Ray),
+    Ray(Box<Ray>),
     /// Something else: why it is no ray.
     NoRay(Complaint),
 }
@@ -161,7 +161,7 @@ impl Lines<'_> {
             match self.next() {
                 Ok(None) => return (asked, End::File),
                 Ok(Some(Content::Nothing)) => {}
-                Ok(Some(Content::Ray(ray))) => asked.push((self.number, Ok(ray))),
+                Ok(Some(Content::Ray(ray))) => asked.push((self.number, Ok(*ray))),
                 Ok(Some(Content::NoRay(reason))) => asked.push((self.number, Err(reason))),
                 Err(reason) => {
                     let line = self.number;
@@ -193,9 +193,9 @@ impl Lines<'_> {
         if content.is_empty() {
             return Ok(Some(Content::Nothing));
         }
-        Ok(Some(
-            parse(content).map_or_else(Content::NoRay, Content::Ray),
-        ))
+        Ok(Some(parse(content).map_or_else(Content::NoRay, |ray| {
+            Content::Ray(Box::new(ray))
+        })))
     }
 }
 

@@ -98,6 +98,7 @@ zero-direction = směr je nulový vektor
 
 ## Srovnávání
 
+no-program-there = { $path }, zadaný pomocí --program, neexistuje
 no-program = { $program } není nainstalován: získáte ho { $how }
 program-failed = { $program } selhal:
     { $said }
@@ -112,6 +113,7 @@ too-many-triangles = je třeba nejméně { $needed } trojúhelníků a vytvoří
 too-many-joined = vzájemně se překrývá { $solids } těles, mezi nimi tvar { $shape }, a mají příliš mnoho trojúhelníků na to, aby se spojila: zvolte větší --tolerance nebo menší část scény
 mesh-without-name = scéna ze standardního vstupu nemá jméno: místo pro soubor { $format } určete pomocí -o
 would-overwrite-image = { $path } je obrázek, který scéna používá, a byl by přepsán: zvolte jiné jméno pomocí -o
+would-overwrite-scene = { $path } je sama scéna a byla by přepsána: zvolte jiné jméno pomocí -o
 many-files = překlad má více souborů ({ $documents ->
     [one] { $documents } dokument
     [few] { $documents } dokumenty

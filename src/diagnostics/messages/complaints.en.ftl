@@ -95,6 +95,7 @@ zero-direction = the direction is the zero vector
 
 ## Comparing
 
+no-program-there = { $path }, given with --program, is not there
 no-program = { $program } is not installed: get it { $how }
 program-failed = { $program } has failed:
     { $said }
@@ -109,6 +110,7 @@ too-many-triangles = this takes at least { $needed } triangles, and at most { $m
 too-many-joined = { $solids } solids overlap each other, the shape { $shape } among them, and have too many triangles to be joined: choose a larger --tolerance or a smaller part of the scene
 mesh-without-name = a scene from standard input has no name: say with -o where to write the { $format } file
 would-overwrite-image = { $path } is a picture that the scene uses and would be overwritten: choose another name with -o
+would-overwrite-scene = { $path } is the scene itself and would be overwritten: choose another name with -o
 many-files = the translation is more than one file ({ $documents ->
     [one] { $documents } document
    *[other] { $documents } documents

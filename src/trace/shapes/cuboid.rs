@@ -5,6 +5,7 @@ use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
+use crate::trace::shapes::support::Support;
 use crate::trace::vec::Vec3;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +47,13 @@ impl Shape for Cuboid {
             4 => [1.0 - x, y],
             _ => [x, y],
         }
+    }
+
+    fn support(&self, face: u32) -> Option<Support> {
+        let end = [self.min, self.max][(face % 2) as usize];
+        let axis = face as u8 / 2;
+        let at = end[axis as usize];
+        Some(Support::Level { axis, at })
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

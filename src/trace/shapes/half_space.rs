@@ -5,6 +5,7 @@ use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
+use crate::trace::shapes::support::Support;
 use crate::trace::vec::Vec3;
 
 /// ax + by + cz + d ≤ 0.
@@ -43,6 +44,10 @@ impl Shape for HalfSpace {
 
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
         self.face.uv(point, face)
+    }
+
+    fn support(&self, face: u32) -> Option<Support> {
+        self.face.support(face)
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -18,6 +18,7 @@ pub mod quadric;
 mod rectangle;
 mod revolution;
 mod sphere;
+pub mod support;
 mod torus;
 mod triangle;
 
@@ -26,6 +27,7 @@ use super::number::Real;
 use super::ray::Line;
 use super::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
+use support::Support;
 
 /// One crossing of a line with a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -144,6 +146,11 @@ pub trait Shape {
     /// point on its surface, meets it again.
     fn is_convex(&self) -> bool {
         true
+    }
+
+    /// The surface that a face is a part of, of kinds that faces of other shapes may be parts of too.
+    fn support(&self, _face: u32) -> Option<Support> {
+        None
     }
 
     /// Feeds the numbers that make the shape what it is; equal shapes feed equal numbers.

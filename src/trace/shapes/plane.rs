@@ -6,6 +6,7 @@ use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
 use crate::trace::number::Real;
 use crate::trace::ray::{Line, Slack};
+use crate::trace::shapes::support::Support;
 use crate::trace::vec::Vec3;
 
 /// ax + by + cz + d = 0.
@@ -66,6 +67,11 @@ impl Shape for Plane {
 
     fn is_solid(&self) -> bool {
         false
+    }
+
+    fn support(&self, _: u32) -> Option<Support> {
+        let [a, b, c] = self.normal.0;
+        Some(Support::plane([a, b, c, self.d]))
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -5,6 +5,7 @@ use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
+use crate::trace::shapes::support::Support;
 use crate::trace::vec::Vec3;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +42,10 @@ impl Shape for Rectangle {
 
     fn is_solid(&self) -> bool {
         false
+    }
+
+    fn support(&self, _: u32) -> Option<Support> {
+        Some(Support::Level { axis: 2, at: 0.0 })
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

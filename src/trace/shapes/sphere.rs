@@ -6,6 +6,7 @@ use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
+use crate::trace::shapes::support::Support;
 use crate::trace::vec::Vec3;
 use std::f64::consts::{PI, TAU};
 
@@ -37,6 +38,13 @@ impl Shape for Sphere {
         let p = point - self.centre;
         let v = (-p[1] / self.radius).clamp(-1.0, 1.0).acos() / PI;
         [(-p[2]).atan2(p[0]).rem_euclid(TAU) / TAU, v]
+    }
+
+    fn support(&self, _: u32) -> Option<Support> {
+        Some(Support::Sphere {
+            centre: self.centre.0,
+            radius: self.radius,
+        })
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -138,16 +138,12 @@ impl Skin {
         if let Some(colour) = self.plain_colour(graph) {
             return colour;
         }
-        let odd = |cells: &[f64]| {
-            let sum = cells.iter().map(|x| x.floor()).sum::<f64>();
-            usize::from(sum.rem_euclid(2.0) >= 1.0)
-        };
         let texture = self.texture.as_ref();
         let of = texture.map(|t| &graph.textures[t.texture as usize]);
         if let (Some(t), Some(Texture::Solid { colours, size })) = (texture, of) {
             let back = t.matrix.inverse().unwrap_or(Matrix::IDENTITY);
             let p = back.point(point).map(|x| x / size);
-            return colours[odd(&p)];
+            return Texture::cell_colour(colours, &p);
         }
         let Some((primitive, local, face)) = self.locate(graph, point, normal) else {
             return DEFAULT_COLOUR;
@@ -157,7 +153,7 @@ impl Skin {
         match colour {
             Some(Texture::Checkerboard { n, m, colours }) => {
                 let [u, v] = shape.uv(p, face);
-                colours[odd(&[u * f64::from(*n), v * f64::from(*m)])]
+                Texture::cell_colour(colours, &[u * f64::from(*n), v * f64::from(*m)])
             }
             Some(Texture::Image { .. }) => {
                 let bitmap = texture.and_then(|t| graph.bitmaps[t.texture as usize].as_ref());

@@ -43,6 +43,22 @@ impl<'g> Bsdfs<'g> {
         }
     }
 
+    /// The greatest part of a colour.
+    pub fn brightest(&self) -> f64 {
+        let colours = self
+            .graph
+            .textures
+            .iter()
+            .flat_map(|texture| match texture {
+                Texture::Colour(c) => vec![*c],
+                Texture::Checkerboard { colours, .. } | Texture::Solid { colours, .. } => {
+                    colours.to_vec()
+                }
+                Texture::Image { .. } => Vec::new(),
+            });
+        colours.flatten().fold(0.0, f64::max)
+    }
+
     /// A reference to the material of an exact shape with an index around it.
     pub fn exact(&mut self, skin: &Skin, shape: &Exact, around: Option<u32>) -> String {
         let board = skin
@@ -186,7 +202,7 @@ impl Reflectance {
 
     /// As the diffuse reflectance, dimmed per channel where that can be.
     fn xml(&self, k: Rgb) -> String {
-        let by = |c: Rgb| [0, 1, 2].map(|i| c[i] * k[i]);
+        let by = |c: Rgb| [0, 1, 2].map(|i| (c[i] * k[i]).min(1.0));
         match self {
             // Its pictures hang down from v = 0.
             Reflectance::Image(file) => format!(

@@ -161,18 +161,20 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             text.push_str(&shape.xml(&bsdf, shapes.len()));
         }
     }
+    // A value with a dollar sign is a parameter to Mitsuba.
+    let stem = options.stem.replace('$', "_");
     let mut files = Vec::new();
     for mesh in cut.finish(&parts.skins, graph) {
         let skin = &parts.skins[mesh.skin as usize];
-        let bsdf = bsdfs.mesh(skin, mesh.colours, mesh.around, &options.stem);
+        let bsdf = bsdfs.mesh(skin, mesh.colours, mesh.around, &stem);
         shapes.push(mesh.info);
-        let name = format!("{}_{}.ply", options.stem, shapes.len());
+        let name = format!("{stem}_{}.ply", shapes.len());
         text.push_str(&xml::ply(&name, &bsdf, &mesh.info, shapes.len()));
         files.push((name, mesh.bytes));
     }
     for number in &bsdfs.images {
         if let Some(picture) = picture::picture(*number, graph) {
-            files.push((picture::file_name(&options.stem, *number), picture.png));
+            files.push((picture::file_name(&stem, *number), picture.png));
         }
     }
     let names: &[&'static str] = match cameras.len() {
@@ -208,6 +210,10 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     }
     let mut report = Report::of("mitsuba", scene, |f| verdict::verdict(f, extent.tolerance));
     parts.account(&mut report);
+    if bsdfs.brightest() > 1.0 {
+        let fidelity = Fidelity::Approximate("1 instead: Mitsuba knows none".to_owned());
+        report.state("colours above 1", fidelity, "");
+    }
     for _ in 0..clashes {
         let doubt = "which of them is seen is up to rounding and the tolerance".to_owned();
         report.count("surfaces in one place", Fidelity::Approximate(doubt), "");

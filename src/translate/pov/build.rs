@@ -15,8 +15,9 @@ use super::union;
 use super::verdict::verdict;
 use super::volumes::{self, Volumes};
 use crate::scene::bounds::{NodeBounds, node_bounds};
-use crate::scene::{Aabb, NodeId, Scene, View};
+use crate::scene::{Aabb, Node, NodeId, Scene, View};
 use crate::trace::members;
+use crate::trace::vec::Vec3;
 use crate::translate::fidelity::{Fidelity, Report};
 
 /// What the report calls faces that POV-Ray cannot tell apart.
@@ -74,7 +75,7 @@ impl<'a> Builder<'a> {
             .render
             .and_then(|r| r.clip)
             .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all))
-            || camera_is_inside(scene);
+            || camera_is_walled_in(scene, &facts, &aspects);
         Builder {
             scene,
             aspects,
@@ -197,7 +198,9 @@ impl<'a> Builder<'a> {
         let flush = state.flush.filter(|f| {
             !self.is_laid_out(state.look) && self.changes.changed(*f, &record.geometry).is_some()
         });
-        if let Some(Change::Longer(_) | Change::Sides(..)) = flush.map(|f| self.changes.get(f)) {
+        if let Some(Change::Longer(_) | Change::Sides(..) | Change::Both(..)) =
+            flush.map(|f| self.changes.get(f))
+        {
             self.longer.insert(shape);
         }
         let piece = Piece::new(Body::Shape(shape, flush), record.id);
@@ -450,8 +453,11 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// Whether a camera is in one of the scene's solids.
-fn camera_is_inside(scene: &Scene) -> bool {
+/// So many parts of a scene are looked at for one that holds a camera.
+const PARTS: usize = 256;
+
+/// Whether a camera is in a solid that lets no light through: it sees faces that are inside of others.
+fn camera_is_walled_in(scene: &Scene, facts: &[Facts], aspects: &Aspects) -> bool {
     let cameras = match scene.view {
         View::Automatic => vec![],
         View::Mono(i) => vec![i],
@@ -461,7 +467,42 @@ fn camera_is_inside(scene: &Scene) -> bool {
         return false;
     };
     let mut cameras = cameras.iter().filter_map(|i| scene.cameras.get(*i));
-    cameras.any(|c| members(scene, render.root, c.position.into()).is_ok_and(|m| m.in_root))
+    cameras.any(|c| is_walled_in(scene, (facts, aspects), render.root, c.position.into()))
+}
+
+fn is_walled_in(
+    scene: &Scene,
+    (facts, aspects): (&[Facts], &Aspects),
+    root: NodeId,
+    point: Vec3,
+) -> bool {
+    let mut todo = vec![(root, point)];
+    for _ in 0..PARTS {
+        let Some((node, point)) = todo.pop() else {
+            return false;
+        };
+        if !members(scene, node, point).is_ok_and(|m| m.in_root) {
+            continue;
+        }
+        let optics = facts[node as usize].optics;
+        match scene.nodes[node as usize] {
+            _ if optics.uniform => {
+                if !aspects.is_transparent(optics.first) {
+                    return true;
+                }
+            }
+            Node::Union(a, b) => todo.extend([(a, point), (b, point)]),
+            Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, point)),
+            Node::Transform { child, matrix } => {
+                let Some(back) = scene.matrices[matrix as usize].inverse() else {
+                    return true;
+                };
+                todo.push((child, back.point(point.0).into()));
+            }
+            _ => return true,
+        }
+    }
+    true
 }
 
 /// The state of a part whose medium something around it gives.

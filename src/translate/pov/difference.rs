@@ -76,7 +76,10 @@ impl Builder<'_> {
     ) -> Option<Piece> {
         let of = base.0;
         let base = self.without_what_goes(base, cutters)?;
-        let offset = change.filter(|c| matches!(self.changes.get(*c), Change::Offset(_)));
+        let offset = change.filter(|c| match self.changes.get(*c) {
+            Change::Offset(_) | Change::One(..) | Change::Skin(..) => true,
+            Change::Longer(_) | Change::Sides(..) | Change::Both(..) => false,
+        });
         let offset = offset.map(|c| self.changes.turned(c));
         let taken = self.cutters(cutters, look, Some(of), offset);
         Some(difference(base, taken, &[]))

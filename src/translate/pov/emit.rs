@@ -216,9 +216,13 @@ impl<'b, 'a> Emitter<'b, 'a> {
                         };
                         if let Body::Shape(_, Some(change)) = member.body {
                             comment += match self.builder.changes.get(change) {
-                                Change::Longer(_) | Change::Sides(..) => LONGER,
-                                Change::Offset(by) if by < 0.0 => ": a hair smaller",
-                                Change::Offset(_) => ": a hair larger",
+                                Change::Longer(_) | Change::Sides(..) | Change::Both(..) => LONGER,
+                                Change::Offset(by) | Change::One(by, _) if by < 0.0 => {
+                                    ": a hair smaller"
+                                }
+                                Change::Offset(_) | Change::One(..) | Change::Skin(..) => {
+                                    ": a hair larger"
+                                }
                             };
                         }
                         line = commented(&line, &comment);

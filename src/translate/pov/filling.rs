@@ -3,9 +3,22 @@
 
 use super::build::Builder;
 use super::flush::Change;
-use super::offset::sides_within;
+use super::offset::{offset, sides_within};
+use super::sets::Place;
 use super::standing::Stand;
-use crate::scene::{Geometry, NodeId};
+use crate::scene::{Geometry, Matrix, Node, NodeId};
+use std::collections::HashSet;
+
+/// So many nodes of a solid are looked at.
+const PATIENCE: usize = 64;
+
+/// A shape that a solid is made of.
+struct Side {
+    place: Place,
+    shape: u32,
+    /// Whether the solid is inside of it where it has its face.
+    inside: bool,
+}
 
 impl Builder<'_> {
     /// Whether a solid fills a hole that others have in its form: it is then made a hair larger, into what
@@ -30,6 +43,81 @@ impl Builder<'_> {
             stand.flush = Some(self.changes.number(Change::Offset(by)));
         }
         stand
+    }
+
+    /// Whether a solid is made of something that others are made of, too, so that it has faces in one place
+    /// with them; it is then made a hair larger.
+    pub(super) fn twin(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+        let mut stand = Stand::default();
+        let by = 2.0 * self.hair;
+        if !(by > 0.0 && self.has_offset(node, by)) {
+            return stand;
+        }
+        let own = self.box_of(node);
+        let place = self.sets.place(node);
+        let parts: HashSet<Place> = self.sets.parts(place).into_iter().collect();
+        for &other in others {
+            if !self.box_of(other).overlaps(&own) {
+                continue;
+            }
+            let place = self.sets.place(other);
+            if self.sets.parts(place).iter().any(|p| parts.contains(p)) {
+                stand.held.push(other);
+            }
+        }
+        if !stand.held.is_empty() {
+            stand.flush = Some(self.changes.number(Change::Offset(by)));
+        }
+        stand
+    }
+
+    /// Of two solids of one medium that lie on the two sides of one shape: which of them is inside of it, and
+    /// the change that makes it a hair larger there. The face between them is then in neither's way.
+    pub(super) fn neighbours(&mut self, a: NodeId, b: NodeId) -> Option<(NodeId, u32)> {
+        let by = 2.0 * self.hair;
+        if !(by > 0.0 && self.box_of(a).overlaps(&self.box_of(b))) {
+            return None;
+        }
+        let [of_a, of_b] = [a, b].map(|node| self.sides(node));
+        let (own, other) = of_a.iter().find_map(|own| {
+            let other = of_b.iter().find(|o| o.place == own.place)?;
+            (own.inside != other.inside).then_some((own, other))
+        })?;
+        let (node, side) = if own.inside { (a, own) } else { (b, other) };
+        let geometry = &self.scene.shapes[side.shape as usize].geometry;
+        offset(geometry, by)?;
+        Some((node, self.changes.of_one(by, geometry)))
+    }
+
+    /// The shapes that a solid is made of, as far as patience goes.
+    fn sides(&mut self, node: NodeId) -> Vec<Side> {
+        let mut todo = vec![(node, Matrix::IDENTITY, true)];
+        let mut sides = Vec::new();
+        let mut at = 0;
+        while at < todo.len() && todo.len() < PATIENCE {
+            let (node, m, inside) = todo[at];
+            match self.scene.nodes[node as usize] {
+                Node::Shape(shape) => sides.push(Side {
+                    place: self.sets.placed(node, &m),
+                    shape,
+                    inside,
+                }),
+                Node::Transform { child, matrix } => {
+                    let m = m.after(&self.scene.matrices[matrix as usize]);
+                    todo.push((child, m, inside));
+                }
+                Node::Paint { child, .. } | Node::Copy { child, .. } => {
+                    todo.push((child, m, inside));
+                }
+                Node::Complement(a) => todo.push((a, m, !inside)),
+                Node::Union(a, b) | Node::Intersection(a, b) => {
+                    todo.extend([(a, m, inside), (b, m, inside)]);
+                }
+                Node::Difference(a, b) => todo.extend([(a, m, inside), (b, m, !inside)]),
+            }
+            at += 1;
+        }
+        sides
     }
 
     /// Whether a surface of revolution has faces in one place with others on its axis, into which it is

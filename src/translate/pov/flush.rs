@@ -34,6 +34,12 @@ pub enum Change {
     Offset(f64),
     /// Some sides of a profile do, by their number.
     Sides(f64, u32),
+    /// That of the shape with this number does, of all that something is made of.
+    One(f64, u32),
+    /// The surface lies half as far outside, but where it ends with the box well inside.
+    Skin(Aabb, f64),
+    /// One change after the other, by their numbers.
+    Both(u32, u32),
 }
 
 /// Changes, by number.
@@ -42,6 +48,8 @@ pub struct Changes {
     changes: Vec<Change>,
     /// For each side of a profile whether it is moved.
     sides: Vec<Vec<bool>>,
+    /// The shapes of which there are many, by number.
+    shapes: Vec<Geometry>,
     numbers: HashMap<[u64; 8], u32>,
 }
 
@@ -50,7 +58,10 @@ impl Changes {
         let (kind, box_around, by) = match change {
             Change::Longer(Cut { around, by }) => (0, around, by),
             Change::Offset(by) => (1, Aabb::ALL, by),
-            Change::Sides(by, sides) => (2 + u64::from(sides), Aabb::ALL, by),
+            Change::Sides(by, sides) => (4 * u64::from(sides) + 2, Aabb::ALL, by),
+            Change::One(by, shape) => (4 * u64::from(shape) + 3, Aabb::ALL, by),
+            Change::Skin(around, by) => (4, around, by),
+            Change::Both(a, b) => (5, Aabb::new([f64::from(a); 3], [f64::from(b); 3]), 0.0),
         };
         let mut key = [kind; 8];
         let numbers = box_around.min.iter().chain(&box_around.max).chain([&by]);
@@ -72,6 +83,13 @@ impl Changes {
         self.number(Change::Sides(by, next))
     }
 
+    /// The number of the change that moves the surface of one shape.
+    pub fn of_one(&mut self, by: f64, shape: &Geometry) -> u32 {
+        let next = self.shapes.len() as u32;
+        self.shapes.push(shape.clone());
+        self.number(Change::One(by, next))
+    }
+
     pub fn get(&self, number: u32) -> Change {
         self.changes[number as usize]
     }
@@ -81,6 +99,19 @@ impl Changes {
         match self.get(number) {
             Change::Longer(cut) => lengthened(geometry, &cut),
             Change::Offset(by) => offset(geometry, by),
+            Change::Both(a, b) => {
+                let first = self.changed(a, geometry);
+                let second = self.changed(b, first.as_ref().unwrap_or(geometry));
+                second.or(first)
+            }
+            Change::One(by, shape) => match self.shapes[shape as usize] == *geometry {
+                true => offset(geometry, by),
+                false => None,
+            },
+            Change::Skin(around, by) => {
+                let within = with_ends_moved(geometry, around, -4.0 * by);
+                offset(within.as_ref().unwrap_or(geometry), by / 2.0)
+            }
             Change::Sides(by, sides) => {
                 let Geometry::Revolution { profile, colours } = geometry else {
                     return None;
@@ -99,12 +130,24 @@ impl Changes {
     /// The same change in the coordinates that a matrix leads away from, if there is one.
     pub fn moved_back(&mut self, number: u32, m: &Matrix) -> Option<u32> {
         let change = match self.get(number) {
+            Change::Both(a, b) => {
+                return match (self.moved_back(a, m), self.moved_back(b, m)) {
+                    (Some(a), Some(b)) => Some(self.number(Change::Both(a, b))),
+                    (a, b) => a.or(b),
+                };
+            }
             Change::Longer(Cut { around, by }) => {
                 let around = moved_back(around, m)?;
                 Change::Longer(Cut { around, by })
             }
             Change::Offset(by) => Change::Offset(by * stretched(m)?),
             Change::Sides(by, sides) => Change::Sides(by * stretched(m)?, sides),
+            Change::One(by, shape) => Change::One(by * stretched(m)?, shape),
+            Change::Skin(around, by) => {
+                // Without ends that are known there are none that would have to be moved.
+                let around = moved_back(around, m).unwrap_or(Aabb::ALL);
+                Change::Skin(around, by * stretched(m)?)
+            }
         };
         Some(self.number(change))
     }
@@ -114,6 +157,12 @@ impl Changes {
         match self.get(number) {
             Change::Longer(_) | Change::Sides(..) => number,
             Change::Offset(by) => self.number(Change::Offset(-by)),
+            Change::Both(a, b) => {
+                let (a, b) = (self.turned(a), self.turned(b));
+                self.number(Change::Both(a, b))
+            }
+            Change::One(by, shape) => self.number(Change::One(-by, shape)),
+            Change::Skin(_, by) => self.number(Change::Offset(-by / 2.0)),
         }
     }
 }
@@ -342,6 +391,35 @@ pub fn lengthened(geometry: &Geometry, &Cut { around: cut, by }: &Cut) -> Option
         }
         _ => None,
     }
+}
+
+/// The shape with the flat faces that are flush with the box moved outwards by so much.
+fn with_ends_moved(geometry: &Geometry, around: Aabb, by: f64) -> Option<Geometry> {
+    if let Geometry::Box { min, max } = *geometry {
+        // One axis at a time: a change is a part of a length.
+        let mut moved = (min, max);
+        for i in 0..3 {
+            let mut one = Aabb::ALL;
+            (one.min[i], one.max[i]) = (around.min[i], around.max[i]);
+            let by = by / (max[i] - min[i]);
+            if let Some(Geometry::Box { min, max }) = lengthened(geometry, &Cut { around: one, by })
+            {
+                (moved.0[i], moved.1[i]) = (min[i], max[i]);
+            }
+        }
+        let (min, max) = moved;
+        return Some(Geometry::Box { min, max });
+    }
+    let height = match geometry {
+        Geometry::Cone { height, .. } => height.abs(),
+        Geometry::Revolution { profile, .. } => {
+            let ys = || profile.iter().map(|p| p[1]);
+            ys().fold(f64::NEG_INFINITY, f64::max) - ys().fold(f64::INFINITY, f64::min)
+        }
+        _ => return None,
+    };
+    let by = by / height;
+    lengthened(geometry, &Cut { around, by })
 }
 
 /// A profile whose flat ends are moved out where they are flush with the box.

@@ -50,6 +50,24 @@ pub(super) fn in_order<K: Eq + Hash>(operands: &[(Option<K>, Aabb)]) -> Vec<Vec<
 /// An operand is compared with the members of at most this many groups.
 const MANY_GROUPS: usize = 256;
 
+/// The pairs of sets whose boxes may touch, by position: the earlier and the later one, ordered by the later.
+pub(super) fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
+    let hull = |set: &&[Aabb]| set.iter().fold(Aabb::EMPTY, |hull, b| hull.hull(b));
+    let mut hulls: Vec<(usize, Aabb)> = sets.iter().map(hull).enumerate().collect();
+    hulls.retain(|(_, hull)| !hull.is_empty());
+    hulls.sort_by(|a, b| a.1.min[0].total_cmp(&b.1.min[0]));
+    let mut open: Vec<(usize, Aabb)> = Vec::new();
+    let mut pairs = Vec::new();
+    for (i, this) in hulls {
+        open.retain(|(_, o)| o.max[0] >= this.min[0]);
+        let touching = open.iter().filter(|(_, o)| o.overlaps(&this));
+        pairs.extend(touching.map(|&(j, _)| (i.min(j), i.max(j))));
+        open.push((i, this));
+    }
+    pairs.sort_unstable_by_key(|&(earlier, later)| (later, earlier));
+    pairs
+}
+
 /// Whether a box of one set touches one of the other.
 pub(super) fn meet(a: &[Aabb], b: &[Aabb]) -> bool {
     !a.is_empty() && !b.is_empty() && sweep(a, b)
@@ -103,6 +121,19 @@ mod tests {
             cube(0.0, 3.0),
             Aabb::ALL
         ]));
+    }
+
+    #[test]
+    fn pairs_of_what_touches() {
+        let sets = [
+            vec![cube(4.0, 0.0)],
+            vec![cube(0.0, 0.0), cube(9.0, 0.0)],
+            vec![],
+            vec![cube(4.5, 0.5)],
+            vec![cube(0.0, 3.0)],
+        ];
+        let sets: Vec<&[Aabb]> = sets.iter().map(|s| &s[..]).collect();
+        assert_eq!(pairs(&sets), [(0, 1), (0, 3), (1, 3)]);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::profile::Profile;
 use super::text::{matrix, number, rgb};
 use super::uv::{self, Along};
-use crate::scene::{Geometry, Matrix, Optics, Rgb, Scene, Texture};
+use crate::scene::{CELL_NUDGE, Geometry, Matrix, Optics, Rgb, Scene, Texture};
 
 /// A texture with optics; for a texture that is laid on shapes, on a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -228,10 +228,6 @@ struct Pigments<'a> {
     name: &'a str,
 }
 
-/// Moves the edges between cells by so little that it cannot be seen, so that a face lying in such
-/// an edge is not speckled by rounding: in units of a cell, some millions of roundings.
-const NUDGE: &str = "1e-9";
-
 impl Pigments<'_> {
     /// The declarations of the surface coordinates that a pattern on a shape needs.
     fn functions(&self) -> String {
@@ -276,7 +272,7 @@ impl Pigments<'_> {
                 colour(&colours[1])
             )
         };
-        let floor = |what: &str| format!("floor({what} + {NUDGE})");
+        let floor = |what: &str| format!("floor({what} + {CELL_NUDGE:e})");
         let name = self.name;
         match &self.pattern {
             Pattern::Colour(c) => format!("pigment {{ {} }}", colour(c)),

@@ -179,6 +179,13 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
             "",
         );
     }
+    if builder.unseen {
+        builder.report.state(
+            "depth of rays in parts that others surround",
+            Fidelity::Approximate("light that is mirrored there takes two steps more".to_owned()),
+            "",
+        );
+    }
     let flush = lint::coincident_faces(scene, &builder.bounds);
     let is_left = |pair: &[u32; 2]| !pair.iter().any(|shape| builder.longer.contains(shape));
     if let Some([shape, _]) = flush.into_iter().find(is_left) {

@@ -195,6 +195,11 @@ impl Sets {
         out
     }
 
+    /// The solid of a node, moved.
+    pub fn placed(&mut self, node: NodeId, m: &Matrix) -> Place {
+        self.moved(self.place(node), m)
+    }
+
     /// What is taken from a solid, one thing after the other.
     pub fn taken(&mut self, mut place: Place) -> HashSet<Place> {
         let mut taken = HashSet::new();

@@ -3,7 +3,7 @@
 //! into the other, so that its face is where nobody sees it.
 
 use super::build::Builder;
-use super::flush::{Cut, HAIR, is_along, lengthened};
+use super::flush::{Change, Cut, HAIR, is_along, lengthened};
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Vec3};
 
 /// Solids are made longer by this part of their length, or of what there is room for: far more than
@@ -60,6 +60,29 @@ pub(super) struct Stand {
 impl Builder<'_> {
     /// Whether a solid stands on others with a flat face, and on which of them.
     pub(super) fn standing(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+        self.stand(node, others, 0.0)
+    }
+
+    /// The change of a solid that others are clipped by, so that they lose the faces that they have in one
+    /// place with it: where it stands on them, fills them, or ends as they do.
+    pub(super) fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+        let mut stand = self.stand(node, others, 2.0 * self.hair);
+        let filling = self.filling(node, others);
+        stand.held.extend(filling.held);
+        stand.flush = match (filling.flush, stand.flush) {
+            (Some(a), Some(b)) => Some(self.changes.number(Change::Both(a, b))),
+            (a, b) => a.or(b),
+        };
+        if stand.flush.is_none() {
+            let twin = self.twin(node, others);
+            stand.flush = twin.flush;
+            stand.held.extend(twin.held);
+        }
+        stand
+    }
+
+    /// Made longer by so much, too, where it ends as others do, if that is not 0.
+    fn stand(&mut self, node: NodeId, others: &[NodeId], by: f64) -> Stand {
         let mut stand = Stand::default();
         let own = self.box_of(node);
         if own.is_empty() || !own.radius().is_finite() {
@@ -75,9 +98,21 @@ impl Builder<'_> {
             by: PART,
         };
         for &other in others {
+            if !self.box_of(other).overlaps(&own) {
+                continue;
+            }
             let room = self.room(other);
             for axis in 0..3 {
                 for below in [true, false] {
+                    if by > 0.0
+                        && let Some(end) = ends_alike(&own, &self.box_of(other), axis, below)
+                    {
+                        match below {
+                            true => free.around.min[axis] = end,
+                            false => free.around.max[axis] = end,
+                        }
+                        free.by = free.by.min(by / (own.max[axis] - own.min[axis]));
+                    }
                     let Some((end, depth)) = room.under(&own, axis, below) else {
                         continue;
                     };
@@ -95,9 +130,14 @@ impl Builder<'_> {
                     if (self.flush_by(node, Cut { around, by: PART })).is_none() {
                         continue;
                     }
+                    let length = own.max[axis] - own.min[axis];
                     if room.holds(&thing, axis, below) {
-                        let share = depth / (own.max[axis] - own.min[axis]);
-                        cut.by = cut.by.min(PART * share);
+                        cut.by = cut.by.min(PART * depth / length);
+                        free = cut;
+                        stand.held.push(other);
+                    } else if by > 0.0 {
+                        // By so little that nobody sees what it reaches beside the other.
+                        cut.by = cut.by.min(by / length);
                         free = cut;
                         stand.held.push(other);
                     } else {
@@ -236,6 +276,14 @@ impl Builder<'_> {
             _ => Room::Other(bounds),
         }
     }
+}
+
+/// Where two solids that overlap both end along an axis, if they do.
+pub(super) fn ends_alike(own: &Aabb, other: &Aabb, axis: usize, below: bool) -> Option<f64> {
+    let end = |b: &Aabb| if below { b.min[axis] } else { b.max[axis] };
+    let hair = HAIR * end(own).abs().max(own.max[axis] - own.min[axis]);
+    let over = |i: usize| own.min[i].max(other.min[i]) < own.max[i].min(other.max[i]);
+    ((end(own) - end(other)).abs() <= hair && (0..3).all(over)).then(|| end(own))
 }
 
 /// By which part of its largest radius a surface of revolution becomes wider where both its ends are

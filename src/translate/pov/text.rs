@@ -43,22 +43,55 @@ pub fn matrix(m: &Matrix) -> String {
     format!("matrix <{}>", columns.join(", "))
 }
 
-/// A matrix as people would write it where it only scales and moves.
+/// A matrix as people would write it where it only scales, turns about an axis, and moves.
 pub fn transformation(m: &Matrix) -> String {
     let r = &m.0;
-    if (0..3).any(|i| (0..3).any(|j| i != j && r[i][j] != 0.0)) {
-        return matrix(m);
-    }
-    let (scales, way) = ([r[0][0], r[1][1], r[2][2]], [r[0][3], r[1][3], r[2][3]]);
-    let scale = match scales {
-        [x, y, z] if x == y && y == z => number(x),
-        _ => vector(&scales),
+    let way = [r[0][3], r[1][3], r[2][3]];
+    let straight = (0..3).all(|i| (0..3).all(|j| i == j || r[i][j] == 0.0));
+    let (scales, turn) = match straight {
+        true => ([r[0][0], r[1][1], r[2][2]], None),
+        false => match scaled_and_turned(m) {
+            Some((scales, degrees, axis)) => (scales, Some((degrees, axis))),
+            None => return matrix(m),
+        },
     };
-    match (scales == [1.0; 3], way == [0.0; 3]) {
-        (true, _) => format!("translate {}", vector(&way)),
-        (false, true) => format!("scale {scale}"),
-        (false, false) => format!("scale {scale} translate {}", vector(&way)),
+    let mut steps = Vec::new();
+    match scales {
+        s if s == [1.0; 3] => {}
+        [x, y, z] if x == y && y == z => steps.push(format!("scale {}", number(x))),
+        s => steps.push(format!("scale {}", vector(&s))),
     }
+    if let Some((degrees, axis)) = turn {
+        let axis = ["x", "y", "z"][axis];
+        steps.push(format!("rotate {}*{axis}", number(degrees)));
+    }
+    if way != [0.0; 3] || steps.is_empty() {
+        steps.push(format!("translate {}", vector(&way)));
+    }
+    steps.join(" ")
+}
+
+/// The factors, the angle in degrees and the axis of a matrix that scales by short numbers and then turns by
+/// one, but for what that is rounded.
+fn scaled_and_turned(m: &Matrix) -> Option<([f64; 3], f64, usize)> {
+    let r = &m.0;
+    let short = |x: f64| (x * 1e9).round() / 1e9;
+    let column = |j: usize| [0, 1, 2].map(|i| r[i][j]);
+    let scales = [0, 1, 2].map(|j| {
+        let [x, y, z] = column(j);
+        short(x.hypot(y).hypot(z))
+    });
+    (0..3).find_map(|axis| {
+        let [j, k] = [(axis + 1) % 3, (axis + 2) % 3];
+        let degrees = short(r[k][j].atan2(r[j][j]).to_degrees());
+        let [x, y, z] = scales;
+        let meant = Matrix::rotation(degrees, axis).after(&Matrix::scaling(x, y, z));
+        let alike =
+            |i: usize, j: usize| (meant.0[i][j] - r[i][j]).abs() <= 4.0 * f64::EPSILON * scales[j];
+        (0..9)
+            .all(|n| alike(n / 3, n % 3))
+            .then_some((scales, degrees, axis))
+    })
 }
 
 /// What the scene calls an entity: its ID and what a comment says of it.
@@ -94,7 +127,8 @@ mod tests {
     fn matrices_are_transposed() {
         let m = Matrix::translation(1.0, 2.0, 3.0).after(&Matrix::rotation(90.0, 2));
         assert_eq!(matrix(&m), "matrix <0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 2, 3>");
-        assert_eq!(transformation(&m), matrix(&m));
+        let askew = Matrix::rotation(30.0, 0).after(&Matrix::rotation(20.0, 1));
+        assert_eq!(transformation(&askew), matrix(&askew));
     }
 
     #[test]
@@ -105,6 +139,23 @@ mod tests {
         );
         assert_eq!(transformation(&move_), "translate <1, 2, 3>");
         assert_eq!(transformation(&stretch), "scale 2");
+        for (degrees, axis, words) in [
+            (30.0, 1, "rotate 30*y"),
+            (-12.5, 0, "rotate -12.5*x"),
+            (90.0, 2, "rotate 90*z"),
+        ] {
+            let turn = Matrix::rotation(degrees, axis);
+            assert_eq!(transformation(&turn), words);
+            let all = move_.after(&turn).after(&Matrix::scaling(2.0, 0.1, 3.0));
+            let all = transformation(&all);
+            assert_eq!(
+                all,
+                format!("scale <2, 0.1, 3> {words} translate <1, 2, 3>")
+            );
+        }
+        // What is mirrored as well is no turn.
+        let mirrored = Matrix::rotation(30.0, 1).after(&Matrix::scaling(1.0, 1.0, -1.0));
+        assert_eq!(transformation(&mirrored), matrix(&mirrored));
         let both = move_.after(&Matrix::scaling(2.0, 1.0, 1.0));
         assert_eq!(transformation(&both), "scale <2, 1, 1> translate <1, 2, 3>");
     }

@@ -9,7 +9,7 @@ use super::flush::Change;
 use super::frame::power_of_two_about;
 use super::grouping::{self, meet, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
-use super::standing::Stand;
+use super::standing::{Stand, ends_alike};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::frame::seen_box;
 use crate::scene::{Aabb, NodeId, Scene};
@@ -52,6 +52,23 @@ struct Reaching {
     into: HashSet<(NodeId, NodeId)>,
 }
 
+impl Reaching {
+    /// Whether any of a group is made longer.
+    fn any_of(&self, group: &Members) -> bool {
+        group
+            .nodes
+            .iter()
+            .any(|(node, _)| self.by.contains_key(node))
+    }
+
+    /// Whether any of a group is made longer into any of a later one.
+    fn has(&self, earlier: &Members, later: &Members) -> bool {
+        let mut earlier = earlier.nodes.iter().map(|n| n.0);
+        let later = || later.nodes.iter().map(|n| n.0);
+        !self.into.is_empty() && earlier.any(|a| later().any(|b| self.into.contains(&(a, b))))
+    }
+}
+
 /// The part of the scene's size that [`Builder::hair`] is, or less by up to a half.
 const HAIR: f64 = 1.0 / 8192.0;
 
@@ -82,20 +99,27 @@ impl Builder<'_> {
         let mut groups = self.by_medium(&solids);
         let mut meetings = Vec::new();
         let mut smaller = vec![None; groups.len()];
-        for later in 0..groups.len() {
-            for earlier in 0..later {
-                let [a, b] = [earlier, later].map(|i| &groups[i]);
-                if a.seen_into && meet(&a.boxes, &b.boxes) {
-                    let has_offset = || {
-                        let nodes = a.nodes.iter().map(|(node, _)| *node);
-                        self.hair > 0.0 && nodes.into_iter().all(|n| self.has_offset(n, -self.hair))
-                    };
-                    let apart = self.have_a_hair(a, b, &reaching)
-                        && *smaller[earlier].get_or_insert_with(has_offset);
-                    groups[earlier].bounds_media |= apart;
-                    meetings.push((earlier, later, apart));
-                }
+        let mut opaque = Vec::new();
+        let boxes: Vec<&[Aabb]> = groups.iter().map(|g| &g.boxes[..]).collect();
+        for (earlier, later) in grouping::pairs(&boxes) {
+            let [a, b] = [earlier, later].map(|i| &groups[i]);
+            let counts = a.seen_into || (b.seen_into && reaching.any_of(a));
+            if !(counts && meet(&a.boxes, &b.boxes)) {
+                continue;
             }
+            let has_offset = || {
+                let nodes = a.nodes.iter().map(|(node, _)| *node);
+                self.hair > 0.0 && nodes.into_iter().all(|n| self.has_offset(n, -self.hair))
+            };
+            let a_seen_into = a.seen_into;
+            let apart = a_seen_into
+                && self.have_a_hair(a, b, &reaching)
+                && *smaller[earlier].get_or_insert_with(has_offset);
+            groups[earlier].bounds_media |= apart;
+            if !a_seen_into {
+                opaque.push((earlier, later));
+            }
+            meetings.push((earlier, later, apart));
         }
         let mut pieces = Vec::new();
         let mut meetings = meetings.into_iter().peekable();
@@ -105,10 +129,14 @@ impl Builder<'_> {
                 clips.extend(self.outside_of(&groups[earlier], &reaching));
                 match apart {
                     true => apart_from.push(earlier),
-                    false => self.overlap(&groups[earlier], &groups[i]),
+                    false if groups[earlier].seen_into => {
+                        self.overlap(&groups[earlier], &groups[i]);
+                    }
+                    false => {}
                 }
             }
-            let skin = self.skin(&groups, i, &apart_from);
+            let without: Vec<usize> = (opaque.iter().filter(|o| o.1 == i).map(|o| o.0)).collect();
+            let skin = self.skin(&groups, i, (&apart_from, &without), &reaching);
             pieces.extend(self.one_medium_union(&mut groups[i], clips, skin));
         }
         pieces.extend(self.pieces(&surfaces));
@@ -128,41 +156,52 @@ impl Builder<'_> {
         let (mut held, mut loose) = (HashSet::new(), Vec::new());
         for i in 0..solids.len() {
             let node = solids[i].0;
-            let clear = solids[..i].iter().zip(&kinds).filter(|(_, k)| k.1);
-            let clear: Vec<NodeId> = clear.map(|((earlier, _), _)| *earlier).collect();
-            let plug = self.plug(node, &clear);
-            if plug.flush.is_some() {
-                solids[i].1.flush = plug.flush;
-                held.extend(plug.held.into_iter().map(|o| (node.min(o), node.max(o))));
-            }
-            let (medium, true) = kinds[i] else { continue };
-            let (mut before, mut after) = (Vec::new(), Vec::new());
-            for (j, (other, _)) in kinds.iter().enumerate().filter(|(j, _)| *j != i) {
-                let same = medium.is_some() && medium == *other;
-                if j < i {
-                    before.push(solids[j].0);
-                } else if !same {
-                    after.push(solids[j].0);
-                }
-            }
+            let (medium, seen) = kinds[i];
+            // Between what is opaque nobody sees.
+            let counts = |j: &usize| seen || kinds[*j].1;
+            let differs = |j: &usize| medium.is_none() || medium != kinds[*j].0;
+            let nodes = |which: &mut dyn Iterator<Item = usize>| -> Vec<NodeId> {
+                which.map(|j| solids[j].0).collect()
+            };
+            let clear = nodes(&mut (0..i).filter(|j| kinds[*j].1));
+            let before = nodes(&mut (0..i).filter(counts));
+            let after = nodes(&mut (i + 1..solids.len()).filter(counts).filter(differs));
             let mut note = |stand: Stand| {
                 let pair = |other: NodeId| (node.min(other), node.max(other));
                 held.extend(stand.held.into_iter().map(pair));
                 loose.extend(stand.loose.into_iter().map(pair));
                 stand.flush
             };
-            let stand = self.standing(node, &after);
+            let reach = self.reach(node, &after);
             reaching
                 .into
-                .extend(stand.held.iter().map(|other| (node, *other)));
-            if let Some(flush) = note(stand) {
+                .extend(reach.held.iter().map(|other| (node, *other)));
+            if let Some(flush) = note(reach) {
                 reaching.by.insert(node, flush);
+            }
+            let plug = self.plug(node, &clear);
+            if plug.flush.is_some() {
+                solids[i].1.flush = note(plug);
             }
             if solids[i].1.flush.is_none() {
                 solids[i].1.flush = note(self.filling(node, &before));
             }
             if solids[i].1.flush.is_none() {
                 solids[i].1.flush = note(self.standing(node, &before));
+            }
+        }
+        for i in 0..solids.len() {
+            for j in 0..i {
+                if !(kinds[i].1 && kinds[i].0.is_some() && kinds[i].0 == kinds[j].0) {
+                    continue;
+                }
+                let Some((inside, change)) = self.neighbours(solids[j].0, solids[i].0) else {
+                    continue;
+                };
+                let pair = [i, j].map(|k| solids[k].0);
+                held.insert((pair[0].min(pair[1]), pair[0].max(pair[1])));
+                let which = if solids[i].0 == inside { i } else { j };
+                solids[which].1.flush = solids[which].1.flush.or(Some(change));
             }
         }
         // One of the two is enough.
@@ -242,24 +281,45 @@ impl Builder<'_> {
         let (Some(_), Some((_, index))) = (earlier.medium, later.medium) else {
             return false;
         };
-        let meets_longer = || {
-            let pairs =
-                (earlier.nodes.iter()).flat_map(|a| later.nodes.iter().map(move |b| (a.0, b.0)));
-            pairs.into_iter().any(|pair| reaching.into.contains(&pair))
+        let can_grow = || {
+            let mut nodes = later.nodes.iter();
+            nodes.all(|(node, _)| self.has_offset(*node, self.hair / 2.0))
         };
-        later.transparent && index != DEFAULT && (reaching.into.is_empty() || !meets_longer())
+        let grows = reaching.has(earlier, later);
+        later.transparent && index != DEFAULT && (!grows || can_grow())
     }
 
-    /// The face that a group has within earlier ones, a hair behind theirs.
-    fn skin(&mut self, groups: &[Members], later: usize, earlier: &[usize]) -> Option<Piece> {
+    /// The face that a group has within earlier ones, a hair behind theirs, but not within opaque ones.
+    /// Where it lies against theirs it is larger by half of that, and where it ends as they do, smaller.
+    fn skin(
+        &mut self,
+        groups: &[Members],
+        later: usize,
+        (earlier, opaque): (&[usize], &[usize]),
+        reaching: &Reaching,
+    ) -> Option<Piece> {
         let smaller = self.changes.number(Change::Offset(-self.hair));
+        let grows = (earlier.iter()).any(|e| reaching.has(&groups[*e], &groups[later]));
+        let mut changes = HashMap::new();
+        for &(node, _) in &groups[later].nodes {
+            let around = self.ends_within(node, earlier.iter().map(|e| &groups[*e]));
+            if (grows || around != Aabb::ALL) && self.has_offset(node, self.hair / 2.0) {
+                let change = Change::Skin(around, self.hair);
+                changes.insert(node, self.changes.number(change));
+            }
+        }
         let (mut around, mut taken) = (Vec::new(), Vec::new());
         for &i in earlier {
             around.extend(self.bare(&groups[i], |_, _| None));
             taken.extend(self.bare(&groups[i], |_, _| Some(smaller)));
         }
         let around = non_empty(Group::Union, around)?;
-        let own = self.bare(&groups[later], |_, state| state.flush);
+        for &i in opaque {
+            taken.extend(self.longer(&groups[i], reaching));
+        }
+        let own = self.bare(&groups[later], |node, state| {
+            changes.get(&node).copied().or(state.flush)
+        });
         let mut all = vec![non_empty(groups[later].kind(), own)?];
         all.extend(taken);
         self.unseen = true;
@@ -268,6 +328,23 @@ impl Builder<'_> {
             outside: false,
         };
         Some(Piece::group(Group::Difference, all).with([Modifier::Unseen, within]))
+    }
+
+    /// A box with the ends that a solid has where others end.
+    fn ends_within<'a>(&self, node: NodeId, others: impl Iterator<Item = &'a Members>) -> Aabb {
+        let own = self.box_of(node);
+        let mut around = Aabb::ALL;
+        for other in others.flat_map(|group| &group.boxes) {
+            for axis in 0..3 {
+                if let Some(end) = ends_alike(&own, other, axis, true) {
+                    around.min[axis] = end;
+                }
+                if let Some(end) = ends_alike(&own, other, axis, false) {
+                    around.max[axis] = end;
+                }
+            }
+        }
+        around
     }
 
     /// Operands of one medium as one object; its inside is one, too. `clips` are what is kept of what
@@ -297,12 +374,22 @@ impl Builder<'_> {
 
     /// Keeps of an object what no operand of a group holds.
     fn outside_of(&mut self, group: &Members, reaching: &Reaching) -> Option<Modifier> {
-        let pieces = self.bare(group, |node, _| reaching.by.get(&node).copied());
-        let by = non_empty(Group::Union, pieces)?;
+        let by = non_empty(Group::Union, self.longer(group, reaching))?;
         Some(Modifier::Clip {
             by: std::boxed::Box::new(by),
             outside: true,
         })
+    }
+
+    /// The solids of a group, longer as they are where later ones are clipped by them.
+    fn longer(&mut self, group: &Members, reaching: &Reaching) -> Vec<Piece> {
+        let longer = |node: &NodeId| reaching.by.get(node).copied();
+        // What is within something opaque is not seen anyway, but for faces that are in one place with its.
+        let members: Vec<_> = (group.nodes.iter())
+            .map(|(node, _)| (*node, State::GEOMETRY.flush(longer(node))))
+            .filter(|(_, state)| group.seen_into || state.flush.is_some())
+            .collect();
+        self.pieces(&members)
     }
 
     /// The bare solids of a group, changed.

@@ -6,6 +6,7 @@ use crate::scene::Geometry;
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
+use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::vec::Vec3;
 
@@ -72,6 +73,16 @@ impl Shape for Cone {
 
     fn is_convex(&self) -> bool {
         !self.double
+    }
+
+    fn support(&self, face: u32) -> Option<Support> {
+        let base = [self.radius, self.height];
+        Some(Support::turned(match face {
+            SIDE if self.double => return None,
+            SIDE => [[0.0; 2], base],
+            BASE => [[0.0, base[1]], base],
+            _ => [[0.0, -base[1]], [base[0], -base[1]]],
+        }))
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -12,6 +12,7 @@ use crate::scene::Rgb;
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
+use crate::trace::shapes::support::Support;
 use crate::trace::vec::Vec3;
 use layers::Piece;
 use path::{Cut, Path, Ring, normaliser};
@@ -172,6 +173,13 @@ impl Shape for Revolution {
 
     fn is_convex(&self) -> bool {
         false
+    }
+
+    fn support(&self, face: u32) -> Option<Support> {
+        let i = self.segment(face);
+        // The scale is a power of two.
+        let ends = [i, i + 1].map(|i| self.points[i].map(|x| x / self.scale));
+        Some(Support::turned(ends))
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -1,0 +1,134 @@
+//! How rays pass the surfaces that faces are parts of: those of one surface are in one place.
+
+use super::order::Place;
+use super::precision::Precision;
+use super::ray::Line;
+use super::shapes::Root;
+use super::shapes::support::{Passage, Placed, Support};
+use super::vec::Vec3;
+use super::walk::{Leaf, Walker};
+
+impl<R: Precision> Walker<'_, R> {
+    /// How a line passes the support of the face that it crosses at a point, in the space of the leaf's
+    /// shape; `None` where other shapes have no faces in it.
+    pub(super) fn passage(
+        &self,
+        leaf: Leaf,
+        line: &Line<R>,
+        (face, point): (u32, Vec3<R>),
+    ) -> Option<Passage> {
+        let own = self.primitive(leaf).shape().support(face)?;
+        let outwards = own.outwards(point);
+        Some(Passage {
+            placed: self.placed_support(leaf, own),
+            outwards: outwards.map(|n| n.dot(line.direction) > R::ZERO),
+        })
+    }
+
+    /// Where a support in the space of a leaf's shape is.
+    fn placed_support(&self, leaf: Leaf, own: Support) -> Placed {
+        let (mut carried, mut above) = ((own, 0.0), None);
+        self.climb(leaf, |at, placement| {
+            let map = &self.graph.matrices[placement as usize];
+            match carried.0.moved(map, carried.1) {
+                Some(moved) if above.is_none() => carried = moved,
+                _ => above = above.or(Some(self.chain(at))),
+            }
+        });
+        Placed {
+            own,
+            chain: self.chain(leaf),
+            carried: carried.0,
+            off: carried.1,
+            above: above.unwrap_or(0),
+        }
+    }
+
+    /// How a line passes the support of the face that it crosses, there.
+    pub(super) fn passage_at(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> Option<Passage> {
+        let point = self.primitive(leaf).intersect().locate(line, root).point;
+        self.passage(leaf, line, (root.face, point))
+    }
+
+    /// Whether two crossings, which are near each other, are of faces in one surface.
+    pub(super) fn in_one_place(&self, a: &Place<R>, b: &Place<R>) -> bool {
+        let passage = |place: &Place<R>| {
+            let line = self.line(place.leaf);
+            self.passage_at(place.leaf, &line, place.root)
+        };
+        let both = passage(a).zip(passage(b));
+        both.is_some_and(|(a, b)| a.is(&b))
+    }
+
+    /// Whether a crossing near the start of a ray is with the surface that the ray has left, there.
+    pub(super) fn goes_on(
+        &self,
+        leaf: Leaf,
+        line: &Line<R>,
+        root: Root<R>,
+        left: Option<Passage>,
+    ) -> bool {
+        let both = left.zip(left.and_then(|_| self.passage_at(leaf, line, root)));
+        both.is_some_and(|(left, here)| here.is(&left))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::commands::Loaded;
+    use crate::trace::picture::{Numbers, Settings, selected_camera};
+    use crate::trace::{Picture, Tracer};
+
+    fn picture(text: &str, numbers: Numbers) -> Picture {
+        let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+        let tracer = Tracer::new(&loaded.scene).unwrap();
+        let settings = Settings {
+            width: 32,
+            height: 24,
+            depth: 6,
+            numbers,
+            ..Settings::default()
+        };
+        let camera = selected_camera(&loaded.scene, 4.0 / 3.0);
+        tracer.render(&camera, &settings, || ()).unwrap()
+    }
+
+    const OPTICS: &str = "3 -201 0.05 0.08 0.87\n3 -203 1.5 1.5 1.5\n4 -201 0.02 0.03 0.95\n\
+                          4 -203 1.33 1.33 1.33\n50 -402 0.8\n50 -1 3 6 5\n51 -401 0.2\n\
+                          60 -501 1.5 2.6 6 -0.25 -0.32 -1 0 1 0 40\n";
+
+    /// Vessels and what fills them: no ray has to be looked at twice, and all see what they see in
+    /// double-double.
+    #[test]
+    fn what_fills_something_is_known_to() {
+        let tank = "10 12 -2 0 -1 2 2 1\n11 12 -1.9 0.1 -0.9 1.9 2.1 0.9\n12 -103 10 11\n12 -299 0 3\n\
+                    13 12 -1.9 0.1 -0.9 1.9 1.7 0.9\n13 -299 0 4\n";
+        // Up to half of the wall's height, where its radius is 0.7.
+        let glass = "10 1 9 1 0 1 0.08 0.1 0.15 0.1 1.2 0.7 1.6 0.8 2.6 0.75 2.6 0.65 1.62 0.08 1.3\n\
+                     12 -105 10\n12 -299 0 3\n13 1 3 0.08 1.3 0.65 1.62 0.7 2.11\n13 -299 0 4\n";
+        let cup = "10 1 2 1 0 1 2\n11 1 2 0.9 0.1 0.9 2.1\n12 -103 10 11\n12 -299 0 3\n\
+                   13 1 2 0.9 0.1 0.9 1.4\n13 -299 0 4\n";
+        let stone = "10 9 1\n11 9 0.7\n12 -103 10 11\n12 -299 0 3\n12 -1 0 1 0\n13 11 0 1 0 0.7\n13 -299 0 4\n";
+        // 0.1 + 0.7 and 0.5 + 0.3 are 0.8, but not in doubles.
+        let stack = "10 12 -1 0 -1 1 0.5 1\n10 -1 0 0.3 0\n12 -105 10\n12 -299 0 3\n\
+                     13 12 -1 0.1 -1 1 0.5 1\n13 -1 0 0.7 0\n13 -299 0 4\n";
+        let turned = "10 12 -2 0 -1 2 2 1\n11 12 -1.9 0.1 -0.9 1.9 2.1 0.9\n12 -103 10 11\n12 -299 0 3\n\
+                      12 -2 30 2\n13 12 -1.9 0.1 -0.9 1.9 1.7 0.9\n13 -299 0 4\n13 -2 30 2\n";
+        for solids in [tank, glass, cup, stone, stack, turned] {
+            for order in ["12 13", "13 12"] {
+                let floor = "40 4 0 1 0 0\n";
+                let union = format!("30 -101 {order}\n31 -101 30 40\n1 9999 31 0\n");
+                let text = [OPTICS, solids, floor, &union].concat();
+                let [double, fine] = [Numbers::F64, Numbers::Dd].map(|n| picture(&text, n));
+                assert!(
+                    double.counts.uncertain * 100 < double.counts.rays.camera,
+                    "{text}"
+                );
+                let apart =
+                    |(a, b): (&[f32; 3], &[f32; 3])| (0..3).any(|c| (a[c] - b[c]).abs() > 1e-5);
+                let mut pixels = double.film.pixels.iter().zip(&fine.film.pixels);
+                assert!(!pixels.any(apart), "{text}");
+            }
+        }
+    }
+}
