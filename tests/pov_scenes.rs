@@ -229,7 +229,7 @@ fn painted_slices() {
 /// Under water the eye is in a medium.
 #[test]
 fn divers() {
-    for water in ["4 0 1 0 -9", "12 -50 -1 -50 50 9 50"] {
+    for water in ["4 0 1 0 -12", "12 -50 -1 -50 50 12 50"] {
         let body = format!(
             "2 {water}\n2 -201 0 0.05 0.9\n2 -203 1.33 1.33 1.33\n3 4 0 1 0 0\n3 -701 0.8 0.7 0.4\n\
              4 11 0 1 0 1\n5 -101 3 4\n6 -101 5 2\n"

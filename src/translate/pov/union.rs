@@ -7,7 +7,7 @@ use super::aspects::DEFAULT;
 use super::build::{Builder, inside_medium};
 use super::flush::Change;
 use super::frame::power_of_two_about;
-use super::grouping::{self, meet, meet_each_other};
+use super::grouping::{self, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::standing::{Stand, ends_alike};
 use crate::scene::bounds::NodeBounds;
@@ -104,7 +104,7 @@ impl Builder<'_> {
         for (earlier, later) in grouping::pairs(&boxes) {
             let [a, b] = [earlier, later].map(|i| &groups[i]);
             let counts = a.seen_into || (b.seen_into && reaching.any_of(a));
-            if !(counts && meet(&a.boxes, &b.boxes)) {
+            if !counts {
                 continue;
             }
             let has_offset = || {
