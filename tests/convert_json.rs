@@ -100,3 +100,22 @@ fn json_of_programs() {
     let run = zpg(dir.path(), &["convert", "b.json", "--to", "zpg"]);
     assert_eq!(run.status.code(), Some(2));
 }
+
+/// Whatever is asked for, the scene itself is not written over.
+#[test]
+fn the_scene_is_spared() {
+    let dir = tempfile::tempdir().unwrap();
+    let scene = dir.path().join("a.zpg");
+    let text = "2 9 1\n1 9999 2 0\n";
+    for to in ["pov", "json", "zpg", "ply"] {
+        fs::write(&scene, text).unwrap();
+        let run = zpg(
+            dir.path(),
+            &["convert", "a.zpg", "--to", to, "-o", "./a.zpg"],
+        );
+        assert_eq!(run.status.code(), Some(2), "{to}");
+        let said = String::from_utf8_lossy(&run.stderr);
+        assert!(said.contains("is the scene itself"), "{to}: {said}");
+        assert_eq!(fs::read_to_string(&scene).unwrap(), text);
+    }
+}

@@ -486,8 +486,9 @@ fn any() {
 }
 
 /// What a report may call approximate in a scene that agrees off the pixels it shows on.
-const KNOWN: [&str; 6] = [
+const KNOWN: [&str; 7] = [
     "camera far away",
+    "depth of rays in parts that others surround",
     "parallel rays",
     "total internal reflection",
     "triangle with a normal",

@@ -318,22 +318,14 @@ fn images(loaded: &Loaded) -> Result<trace::Images, Failure> {
 }
 
 /// Why a program gave no answer; `name` is what people call it and `how` the ways to get it.
-fn failed(
-    error: ProgramError,
-    args: &Args,
-    (name, how): (&'static str, &'static str),
-    folder: &Path,
-) -> Complaint {
-    match (error, &args.program) {
-        (ProgramError::Missing, Some(path)) => {
-            return Complaint::new("no-program-there").with("path", path.as_path());
-        }
-        (ProgramError::Missing, None) => Complaint::new("no-program").with("how", how),
-        (ProgramError::Io(e), _) => return unwritable(folder, &e),
-        (ProgramError::Failed(said), _) => {
+fn failed(error: ProgramError, name: &'static str, how: &'static str, folder: &Path) -> Complaint {
+    match error {
+        ProgramError::Missing => Complaint::new("no-program").with("how", how),
+        ProgramError::Io(e) => return unwritable(folder, &e),
+        ProgramError::Failed(said) => {
             Complaint::new("program-failed").with("said", said.replace('\n', "\n    "))
         }
-        (ProgramError::Unexpected(what), _) => Complaint::new("program-strange").with("what", what),
+        ProgramError::Unexpected(what) => Complaint::new("program-strange").with("what", what),
     }
     .with("program", name)
 }

@@ -98,7 +98,6 @@ zero-direction = směr je nulový vektor
 
 ## Srovnávání
 
-no-program-there = { $path }, zadaný pomocí --program, neexistuje
 no-program = { $program } není nainstalován: získáte ho { $how }
 program-failed = { $program } selhal:
     { $said }

@@ -95,7 +95,6 @@ zero-direction = the direction is the zero vector
 
 ## Comparing
 
-no-program-there = { $path }, given with --program, is not there
 no-program = { $program } is not installed: get it { $how }
 program-failed = { $program } has failed:
     { $said }

@@ -21,6 +21,9 @@ const MANY: usize = 512;
 /// Operands of an operation.
 type Operands = Vec<(NodeId, State)>;
 
+/// The optics and index of a solid, if it is of one medium, and whether faces inside of it can be seen.
+type Kind = (Option<(u32, u32)>, bool);
+
 /// Operands of a union that are one medium.
 pub(super) struct Members {
     /// Optics and index; `None` where the one operand is of several media by itself.
@@ -99,44 +102,35 @@ impl Builder<'_> {
         let mut groups = self.by_medium(&solids);
         let mut meetings = Vec::new();
         let mut smaller = vec![None; groups.len()];
-        let mut opaque = Vec::new();
         let boxes: Vec<&[Aabb]> = groups.iter().map(|g| &g.boxes[..]).collect();
         for (earlier, later) in grouping::pairs(&boxes) {
             let [a, b] = [earlier, later].map(|i| &groups[i]);
-            let counts = a.seen_into || (b.seen_into && reaching.any_of(a));
-            if !counts {
+            if !(a.seen_into || (b.seen_into && reaching.any_of(a))) {
                 continue;
             }
             let has_offset = || {
                 let nodes = a.nodes.iter().map(|(node, _)| *node);
                 self.hair > 0.0 && nodes.into_iter().all(|n| self.has_offset(n, -self.hair))
             };
-            let a_seen_into = a.seen_into;
-            let apart = a_seen_into
+            let apart = a.seen_into
                 && self.have_a_hair(a, b, &reaching)
                 && *smaller[earlier].get_or_insert_with(has_offset);
             groups[earlier].bounds_media |= apart;
-            if !a_seen_into {
-                opaque.push((earlier, later));
-            }
             meetings.push((earlier, later, apart));
         }
         let mut pieces = Vec::new();
         let mut meetings = meetings.into_iter().peekable();
         for i in 0..groups.len() {
-            let (mut clips, mut apart_from) = (Vec::new(), Vec::new());
+            let (mut clips, mut clear, mut opaque) = (Vec::new(), Vec::new(), Vec::new());
             while let Some((earlier, _, apart)) = meetings.next_if(|m| m.1 == i) {
                 clips.extend(self.outside_of(&groups[earlier], &reaching));
-                match apart {
-                    true => apart_from.push(earlier),
-                    false if groups[earlier].seen_into => {
-                        self.overlap(&groups[earlier], &groups[i]);
-                    }
-                    false => {}
+                match (apart, groups[earlier].seen_into) {
+                    (true, _) => clear.push(earlier),
+                    (false, true) => self.overlap(&groups[earlier], &groups[i]),
+                    (false, false) => opaque.push(earlier),
                 }
             }
-            let without: Vec<usize> = (opaque.iter().filter(|o| o.1 == i).map(|o| o.0)).collect();
-            let skin = self.skin(&groups, i, (&apart_from, &without), &reaching);
+            let skin = self.skin(&groups, i, (&clear, &opaque), &reaching);
             pieces.extend(self.one_medium_union(&mut groups[i], clips, skin));
         }
         pieces.extend(self.pieces(&surfaces));
@@ -150,7 +144,7 @@ impl Builder<'_> {
         if solids.len() > MANY {
             return reaching;
         }
-        let kinds: Vec<_> = (solids.iter())
+        let kinds: Vec<Kind> = (solids.iter())
             .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
             .collect();
         let (mut held, mut loose) = (HashSet::new(), Vec::new());
@@ -190,25 +184,33 @@ impl Builder<'_> {
                 solids[i].1.flush = note(self.standing(node, &before));
             }
         }
-        for i in 0..solids.len() {
-            for j in 0..i {
-                if !(kinds[i].1 && kinds[i].0.is_some() && kinds[i].0 == kinds[j].0) {
-                    continue;
-                }
-                let Some((inside, change)) = self.neighbours(solids[j].0, solids[i].0) else {
-                    continue;
-                };
-                let pair = [i, j].map(|k| solids[k].0);
-                held.insert((pair[0].min(pair[1]), pair[0].max(pair[1])));
-                let which = if solids[i].0 == inside { i } else { j };
-                solids[which].1.flush = solids[which].1.flush.or(Some(change));
-            }
-        }
+        held.extend(self.join_neighbours(solids, &kinds));
         // One of the two is enough.
         if let Some((_, above)) = loose.iter().find(|pair| !held.contains(pair)) {
             self.faces_in_one_place(self.ids[*above as usize]);
         }
         reaching
+    }
+
+    /// Makes of solids of one medium that lie on the two sides of one face one larger; gives the pairs. What each
+    /// is made of stands beside it.
+    fn join_neighbours(&mut self, solids: &mut Operands, kinds: &[Kind]) -> Vec<(NodeId, NodeId)> {
+        let mut joined = Vec::new();
+        for i in 0..solids.len() {
+            for j in 0..i {
+                let (medium, seen) = kinds[i];
+                if !seen || medium.is_none() || medium != kinds[j].0 {
+                    continue;
+                }
+                let (a, b) = (solids[j].0, solids[i].0);
+                if let Some((inside, change)) = self.neighbours(a, b) {
+                    let state = &mut solids[if inside == b { i } else { j }].1;
+                    state.flush = state.flush.or(Some(change));
+                    joined.push((a.min(b), a.max(b)));
+                }
+            }
+        }
+        joined
     }
 
     /// Solids and surfaces apart: a merge has no place for surfaces.
