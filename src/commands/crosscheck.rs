@@ -321,6 +321,7 @@ fn images(loaded: &Loaded) -> Result<trace::Images, Failure> {
 fn failed(error: ProgramError, name: &'static str, how: &'static str, folder: &Path) -> Complaint {
     match error {
         ProgramError::Missing => Complaint::new("no-program").with("how", how),
+        ProgramError::Start(e) => Complaint::new("program-failed").with("said", e.to_string()),
         ProgramError::Io(e) => return unwritable(folder, &e),
         ProgramError::Failed(said) => {
             Complaint::new("program-failed").with("said", said.replace('\n', "\n    "))

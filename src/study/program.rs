@@ -10,7 +10,9 @@ use std::process::{Command, Stdio};
 pub enum ProgramError {
     /// There is no such program.
     Missing,
-    /// It cannot be started, or its files cannot be written or read.
+    /// It cannot be started.
+    Start(io::Error),
+    /// Its files cannot be written or read.
     Io(io::Error),
     /// It has failed; the end of what it says.
     Failed(String),
@@ -40,7 +42,7 @@ pub(super) fn run<S: AsRef<OsStr>>(
         .output()
         .map_err(|e| match e.kind() {
             io::ErrorKind::NotFound => ProgramError::Missing,
-            _ => ProgramError::Failed(e.to_string()),
+            _ => ProgramError::Start(e),
         })?;
     if output.status.success() {
         return Ok(());
