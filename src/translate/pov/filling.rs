@@ -4,7 +4,7 @@
 use super::build::Builder;
 use super::flush::Change;
 use super::offset::{offset, sides_within};
-use super::sets::Place;
+use super::sets::{Place, Sets};
 use super::standing::Stand;
 use crate::scene::{Geometry, Matrix, Node, NodeId};
 use std::collections::HashSet;
@@ -24,44 +24,39 @@ impl Builder<'_> {
     /// Whether a solid fills a hole that others have in its form: it is then made a hair larger, into what
     /// is around the hole, so that the face that it has in one place with theirs is theirs.
     pub(super) fn plug(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+        let place = self.sets.place(node);
+        self.larger(node, others, |sets, other| {
+            sets.taken(other).contains(&place)
+        })
+    }
+
+    /// Whether a solid is made of something that others are made of, too, so that it has faces in one place
+    /// with them; it is then made a hair larger.
+    pub(super) fn twin(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+        let place = self.sets.place(node);
+        let parts: HashSet<Place> = self.sets.parts(place).into_iter().collect();
+        self.larger(node, others, |sets, other| {
+            sets.parts(other).iter().any(|p| parts.contains(p))
+        })
+    }
+
+    /// Makes a solid a hair larger if it can be and lies within reach of others that are meant.
+    fn larger(
+        &mut self,
+        node: NodeId,
+        others: &[NodeId],
+        mut is_meant: impl FnMut(&mut Sets, Place) -> bool,
+    ) -> Stand {
         let mut stand = Stand::default();
         // Well within what is a hair smaller.
         let by = 2.0 * self.hair;
         if !(by > 0.0 && self.has_offset(node, by)) {
             return stand;
         }
-        let place = self.sets.place(node);
-        for &other in others {
-            let whole = self.sets.place(other);
-            if self.box_of(other).overlaps(&self.box_of(node))
-                && self.sets.taken(whole).contains(&place)
-            {
-                stand.held.push(other);
-            }
-        }
-        if !stand.held.is_empty() {
-            stand.flush = Some(self.changes.number(Change::Offset(by)));
-        }
-        stand
-    }
-
-    /// Whether a solid is made of something that others are made of, too, so that it has faces in one place
-    /// with them; it is then made a hair larger.
-    pub(super) fn twin(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
-        let mut stand = Stand::default();
-        let by = 2.0 * self.hair;
-        if !(by > 0.0 && self.has_offset(node, by)) {
-            return stand;
-        }
         let own = self.box_of(node);
-        let place = self.sets.place(node);
-        let parts: HashSet<Place> = self.sets.parts(place).into_iter().collect();
         for &other in others {
-            if !self.box_of(other).overlaps(&own) {
-                continue;
-            }
             let place = self.sets.place(other);
-            if self.sets.parts(place).iter().any(|p| parts.contains(p)) {
+            if self.box_of(other).overlaps(&own) && is_meant(&mut self.sets, place) {
                 stand.held.push(other);
             }
         }

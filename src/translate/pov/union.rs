@@ -300,6 +300,9 @@ impl Builder<'_> {
         (earlier, opaque): (&[usize], &[usize]),
         reaching: &Reaching,
     ) -> Option<Piece> {
+        if earlier.is_empty() {
+            return None;
+        }
         let smaller = self.changes.number(Change::Offset(-self.hair));
         let grows = (earlier.iter()).any(|e| reaching.has(&groups[*e], &groups[later]));
         let mut changes = HashMap::new();
