@@ -43,6 +43,8 @@ pub(super) struct Builder<'a> {
     pub hair: f64,
     /// Something has faces that nobody sees.
     pub unseen: bool,
+    /// Some of them stand between other faces and those who look at them from inside.
+    pub unseen_twice: bool,
     /// Shapes that were made longer.
     pub longer: HashSet<u32>,
     /// Bounding volumes that help.
@@ -87,6 +89,7 @@ impl<'a> Builder<'a> {
             changes: Changes::default(),
             hair,
             unseen: false,
+            unseen_twice: false,
             longer: HashSet::new(),
             turned: HashMap::new(),
             holds_turned: Vec::new(),

@@ -295,6 +295,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     }
                 },
                 Modifier::Unseen => "texture { Unseen }".to_owned(),
+                Modifier::UnseenWithin => "interior_texture { Unseen }".to_owned(),
                 Modifier::Inverse => "inverse".to_owned(),
                 // Nothing is in it: all is outside.
                 Modifier::Clip { by, outside: true } if self.is_empty(by) => continue,

@@ -23,6 +23,21 @@ pub struct Cut {
     pub around: Aabb,
     /// By this part of its length.
     pub by: f64,
+    /// By so much at most.
+    pub most: f64,
+}
+
+impl Cut {
+    /// As long as it may be.
+    pub fn of(around: Aabb, by: f64) -> Cut {
+        let most = f64::INFINITY;
+        Cut { around, by, most }
+    }
+
+    /// How far the end of something of that length is moved out.
+    fn step(&self, length: f64) -> f64 {
+        (self.by * length).clamp(-self.most, self.most)
+    }
 }
 
 /// How shapes are changed where nobody sees it.
@@ -50,22 +65,24 @@ pub struct Changes {
     sides: Vec<Vec<bool>>,
     /// The shapes of which there are many, by number.
     shapes: Vec<Geometry>,
-    numbers: HashMap<[u64; 8], u32>,
+    numbers: HashMap<[u64; 9], u32>,
 }
 
 impl Changes {
     pub fn number(&mut self, change: Change) -> u32 {
-        let (kind, box_around, by) = match change {
-            Change::Longer(Cut { around, by }) => (0, around, by),
-            Change::Offset(by) => (1, Aabb::ALL, by),
-            Change::Sides(by, sides) => (4 * u64::from(sides) + 2, Aabb::ALL, by),
-            Change::One(by, shape) => (4 * u64::from(shape) + 3, Aabb::ALL, by),
-            Change::Skin(around, by) => (4, around, by),
-            Change::Both(a, b) => (5, Aabb::new([f64::from(a); 3], [f64::from(b); 3]), 0.0),
+        let both = |a: u32, b: u32| Aabb::new([f64::from(a); 3], [f64::from(b); 3]);
+        let (kind, which, around, by) = match change {
+            Change::Longer(Cut { around, by, most }) => (0, most.to_bits(), around, by),
+            Change::Offset(by) => (1, 0, Aabb::ALL, by),
+            Change::Sides(by, sides) => (2, u64::from(sides), Aabb::ALL, by),
+            Change::One(by, shape) => (3, u64::from(shape), Aabb::ALL, by),
+            Change::Skin(around, by) => (4, 0, around, by),
+            Change::Both(a, b) => (5, 0, both(a, b), 0.0),
         };
-        let mut key = [kind; 8];
-        let numbers = box_around.min.iter().chain(&box_around.max).chain([&by]);
-        for (k, x) in key.iter_mut().zip(numbers) {
+        let mut key = [kind; 9];
+        key[1] = which;
+        let numbers = around.min.iter().chain(&around.max).chain([&by]);
+        for (k, x) in key[2..].iter_mut().zip(numbers) {
             *k = (x + 0.0).to_bits();
         }
         let next = self.changes.len() as u32;
@@ -136,9 +153,13 @@ impl Changes {
                     (a, b) => a.or(b),
                 };
             }
-            Change::Longer(Cut { around, by }) => {
+            Change::Longer(Cut { around, by, most }) => {
                 let around = moved_back(around, m)?;
-                Change::Longer(Cut { around, by })
+                let most = match most.is_finite() {
+                    true => most * stretched(m)?,
+                    false => most,
+                };
+                Change::Longer(Cut { around, by, most })
             }
             Change::Offset(by) => Change::Offset(by * stretched(m)?),
             Change::Sides(by, sides) => Change::Sides(by * stretched(m)?, sides),
@@ -170,11 +191,11 @@ impl Changes {
 impl Builder<'_> {
     /// The number of the box around what is cut, for a tool that has a shape which ends flush with it.
     pub(super) fn flush(&mut self, tool: NodeId, around: Aabb) -> Option<u32> {
-        self.flush_by(tool, Cut { around, by: HALF })
+        self.flush_by(tool, Cut::of(around, HALF))
     }
 
     pub(super) fn flush_by(&mut self, tool: NodeId, all: Cut) -> Option<u32> {
-        let Cut { around, by } = all;
+        let Cut { around, by, most } = all;
         if around.is_empty()
             || around
                 .min
@@ -190,7 +211,8 @@ impl Builder<'_> {
             match self.scene.nodes[node as usize] {
                 Node::Shape(shape) => {
                     let geometry = &self.scene.shapes[shape as usize].geometry;
-                    if lengthened(geometry, &Cut { around: cut, by }).is_some() {
+                    let around = cut;
+                    if lengthened(geometry, &Cut { around, by, most }).is_some() {
                         return Some(self.changes.number(Change::Longer(all)));
                     }
                 }
@@ -332,7 +354,8 @@ fn outward(at: f64, (low, high): (f64, f64), hair: f64, step: f64) -> Option<f64
 }
 
 /// The shape with its flush faces farther out, if it has any that can be moved.
-pub fn lengthened(geometry: &Geometry, &Cut { around: cut, by }: &Cut) -> Option<Geometry> {
+pub fn lengthened(geometry: &Geometry, longer: &Cut) -> Option<Geometry> {
+    let cut = &longer.around;
     let finite = |a: f64, b: f64| {
         if (a - b).is_finite() {
             (a - b).abs()
@@ -347,7 +370,7 @@ pub fn lengthened(geometry: &Geometry, &Cut { around: cut, by }: &Cut) -> Option
             for i in 0..3 {
                 let size = max[i] - min[i];
                 let hair = HAIR * size.max(finite(cut.max[i], cut.min[i]));
-                let step = by * size;
+                let step = longer.step(size);
                 for end in [&mut low[i], &mut high[i]] {
                     if let Some(by) = outward(*end, (cut.min[i], cut.max[i]), hair, step) {
                         *end += by;
@@ -369,7 +392,7 @@ pub fn lengthened(geometry: &Geometry, &Cut { around: cut, by }: &Cut) -> Option
             let at = -d / n[i];
             let size = finite(cut.max[i], cut.min[i]);
             let hair = HAIR * size.max(at.abs());
-            let step = size.max(1.0) / 2.0;
+            let step = (size.max(1.0) / 2.0).min(longer.most);
             let at = at + outward(at, (cut.min[i], cut.max[i]), hair, step)?;
             Some(Geometry::HalfSpace([*a, *b, *c, -at * n[i]]))
         }
@@ -377,15 +400,15 @@ pub fn lengthened(geometry: &Geometry, &Cut { around: cut, by }: &Cut) -> Option
             let size = height.abs().max(finite(cut.max[1], cut.min[1]));
             let near = |y: f64| (height - y).abs() <= HAIR * size;
             let flush = (*height > 0.0 && near(cut.max[1])) || (*height < 0.0 && near(cut.min[1]));
+            let by = 1.0 + longer.step(height.abs()) / height.abs();
             flush.then_some(Geometry::Cone {
-                height: height + by * height,
-                radius: radius + by * radius,
+                height: by * height,
+                radius: by * radius,
             })
         }
         Geometry::Revolution { profile, colours } if colours.is_empty() => {
-            let longer = longer_profile(profile, &cut, by)?;
             Some(Geometry::Revolution {
-                profile: longer,
+                profile: longer_profile(profile, longer)?,
                 colours: Vec::new(),
             })
         }
@@ -402,8 +425,7 @@ fn with_ends_moved(geometry: &Geometry, around: Aabb, by: f64) -> Option<Geometr
             let mut one = Aabb::ALL;
             (one.min[i], one.max[i]) = (around.min[i], around.max[i]);
             let by = by / (max[i] - min[i]);
-            if let Some(Geometry::Box { min, max }) = lengthened(geometry, &Cut { around: one, by })
-            {
+            if let Some(Geometry::Box { min, max }) = lengthened(geometry, &Cut::of(one, by)) {
                 (moved.0[i], moved.1[i]) = (min[i], max[i]);
             }
         }
@@ -419,16 +441,17 @@ fn with_ends_moved(geometry: &Geometry, around: Aabb, by: f64) -> Option<Geometr
         _ => return None,
     };
     let by = by / height;
-    lengthened(geometry, &Cut { around, by })
+    lengthened(geometry, &Cut::of(around, by))
 }
 
 /// A profile whose flat ends are moved out where they are flush with the box.
-fn longer_profile(profile: &[[f64; 2]], cut: &Aabb, by: f64) -> Option<Vec<[f64; 2]>> {
+fn longer_profile(profile: &[[f64; 2]], longer: &Cut) -> Option<Vec<[f64; 2]>> {
+    let cut = &longer.around;
     let heights = || profile.iter().map(|p| p[1]);
     let low = heights().fold(f64::INFINITY, f64::min);
     let high = heights().fold(f64::NEG_INFINITY, f64::max);
     let hair = HAIR * (high - low);
-    let step = by * (high - low);
+    let step = longer.step(high - low);
     // A ring begins anywhere: only profiles from the axis to the axis, one flat piece at each end.
     if profile.first() == profile.last() || low == high {
         return None;
@@ -492,13 +515,7 @@ mod tests {
     };
 
     fn made_longer(geometry: &Geometry) -> Option<Geometry> {
-        lengthened(
-            geometry,
-            &Cut {
-                around: CUT,
-                by: HALF,
-            },
-        )
+        lengthened(geometry, &Cut::of(CUT, HALF))
     }
 
     #[test]

@@ -12,6 +12,7 @@
 //! written; [`camera`] and [`scenery`] do the rest. [`verdict`] says what becomes of each feature.
 
 mod aspects;
+mod between;
 mod build;
 mod camera;
 mod descend;
@@ -179,7 +180,7 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
             "",
         );
     }
-    if builder.unseen {
+    if builder.unseen_twice {
         builder.report.state(
             "depth of rays in parts that others surround",
             Fidelity::Approximate("light that is mirrored there takes two steps more".to_owned()),

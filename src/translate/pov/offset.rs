@@ -1,6 +1,7 @@
 //! Shapes whose surface lies a little outside or inside of where it is.
 
 use super::build::Builder;
+use super::profile::twice_area;
 use crate::scene::{Geometry, Matrix, Node, NodeId};
 
 /// So many nodes are looked at to find out whether a solid can be made smaller.
@@ -168,14 +169,8 @@ pub fn offset_profile(profile: &[[f64; 2]], by: impl Fn(usize) -> f64) -> Option
     if !(3..=LONG).contains(&n) || crosses_itself(&closed) {
         return None;
     }
-    let twice_area: f64 = (0..n)
-        .map(|i| {
-            let [p, q] = [closed[i], closed[(i + 1) % n]];
-            p[0] * q[1] - q[0] * p[1]
-        })
-        .sum();
     // To the right of the way if that runs counter-clockwise.
-    let side = twice_area.signum();
+    let side = twice_area(&closed).signum();
     let direction = |p: [f64; 2], q: [f64; 2]| {
         let d = [q[0] - p[0], q[1] - p[1]];
         let length = d[0].hypot(d[1]);

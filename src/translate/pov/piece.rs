@@ -94,6 +94,8 @@ pub enum Modifier {
     Behind(u32),
     /// All light goes through, and nothing is seen.
     Unseen,
+    /// All light goes through where it comes from inside; what is seen from outside was said before.
+    UnseenWithin,
     /// Number of an index.
     Interior(u32),
     Inverse,

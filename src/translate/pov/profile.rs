@@ -14,7 +14,8 @@ const PER_LINE: usize = 6;
 
 /// The closed profile of a lathe.
 pub struct Profile {
-    /// From the axis to the axis, or a ring; no point twice in a row.
+    /// From the axis to the axis, or a ring; no point twice in a row. Counter-clockwise, which tells POV-Ray
+    /// the outer side of the lathe from the inner one.
     points: Vec<[f64; 2]>,
     /// For each point of the scene's profile its index in `points`.
     places: Vec<usize>,
@@ -46,6 +47,12 @@ impl Profile {
         for i in 1..profile.len() {
             let [a, b] = [profile[i - 1], profile[i]];
             arc[i] = arc[i - 1] + (b[0] - a[0]).hypot(b[1] - a[1]);
+        }
+        if twice_area(&points) < 0.0 {
+            points.reverse();
+            for place in &mut places {
+                *place = points.len() - 1 - *place;
+            }
         }
         let whole = arc.last().copied().unwrap_or(0.0);
         if whole > 0.0 {
@@ -88,6 +95,10 @@ impl Profile {
         for (place, value) in self.places.iter().zip(values) {
             entries.push((*place as f64 / segments, value.as_str()));
         }
+        // Maps ascend.
+        if self.places.first() > self.places.last() {
+            entries.reverse();
+        }
         pattern(&entries)
     }
 
@@ -105,6 +116,13 @@ impl Profile {
         let values: Vec<String> = colours.iter().map(write).collect();
         self.pattern(&values)
     }
+}
+
+/// Twice the area that a closed polygon runs around, negative where it does so clockwise.
+pub fn twice_area(polygon: &[[f64; 2]]) -> f64 {
+    let n = polygon.len();
+    let sides = (0..n).map(|i| [polygon[i], polygon[(i + 1) % n]]);
+    sides.map(|[p, q]| p[0] * q[1] - q[0] * p[1]).sum()
 }
 
 /// `function { … } color_map { … }` over y, which is kept away from 1 where patterns begin again; a

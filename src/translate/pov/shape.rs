@@ -169,6 +169,14 @@ const GEODESIC: &str = "\
     Geodesic_Facet(D, E, F, N - 1)
   #end
 #end
+// All facets run the same way round: that tells the outer side of the sphere from the inner one.
+#macro Geodesic_Face(A, B, C, N)
+  #if (vdot(vcross(B, C), A) > 0)
+    Geodesic_Facet(A, C, B, N)
+  #else
+    Geodesic_Facet(A, B, C, N)
+  #end
+#end
 // A geodesic sphere of radius 1: an icosahedron whose 20 facets are split N times.
 #macro Geodesic(N)
   #local Phi = (1 + sqrt(5))/2;
@@ -181,16 +189,16 @@ const GEODESIC: &str = "\
       #local X = (mod(I, 2) ? -1 : 1);
       #local Y = (mod(floor(I/2), 2) ? -1 : 1);
       #local Z = (floor(I/4) ? -1 : 1);
-      Geodesic_Facet(<0, S*Y, L*Z>, <S*X, L*Y, 0>, <L*X, 0, S*Z>, N)
+      Geodesic_Face(<0, S*Y, L*Z>, <S*X, L*Y, 0>, <L*X, 0, S*Z>, N)
       #local I = I + 1;
     #end
     #local I = 0;
     #while (I < 4)
       #local P = (mod(I, 2) ? -1 : 1);
       #local Q = (floor(I/2) ? -1 : 1);
-      Geodesic_Facet(<0, S, L*Q>, <0, -S, L*Q>, <L*P, 0, S*Q>, N)
-      Geodesic_Facet(<S, L*Q, 0>, <-S, L*Q, 0>, <0, S*Q, L*P>, N)
-      Geodesic_Facet(<L*Q, 0, S>, <L*Q, 0, -S>, <S*Q, L*P, 0>, N)
+      Geodesic_Face(<0, S, L*Q>, <0, -S, L*Q>, <L*P, 0, S*Q>, N)
+      Geodesic_Face(<S, L*Q, 0>, <-S, L*Q, 0>, <0, S*Q, L*P>, N)
+      Geodesic_Face(<L*Q, 0, S>, <L*Q, 0, -S>, <S*Q, L*P, 0>, N)
       #local I = I + 1;
     #end
     inside_vector <0.31, 0.91, 0.27>

@@ -93,10 +93,7 @@ impl Builder<'_> {
             wider: self.wider(node),
             round: self.frustum(node).map(|f| f.axis),
         };
-        let mut free = Cut {
-            around: Aabb::ALL,
-            by: PART,
-        };
+        let mut free = Cut::of(Aabb::ALL, PART);
         for &other in others {
             if !self.box_of(other).overlaps(&own) {
                 continue;
@@ -111,7 +108,7 @@ impl Builder<'_> {
                             true => free.around.min[axis] = end,
                             false => free.around.max[axis] = end,
                         }
-                        free.by = free.by.min(by / (own.max[axis] - own.min[axis]));
+                        free.most = free.most.min(by);
                     }
                     let Some((end, depth)) = room.under(&own, axis, below) else {
                         continue;
@@ -126,8 +123,7 @@ impl Builder<'_> {
                         true => (end, f64::INFINITY),
                         false => (f64::NEG_INFINITY, end),
                     };
-                    let around = alone;
-                    if (self.flush_by(node, Cut { around, by: PART })).is_none() {
+                    if (self.flush_by(node, Cut::of(alone, PART))).is_none() {
                         continue;
                     }
                     let length = own.max[axis] - own.min[axis];
@@ -137,7 +133,7 @@ impl Builder<'_> {
                         stand.held.push(other);
                     } else if by > 0.0 {
                         // By so little that nobody sees what it reaches beside the other.
-                        cut.by = cut.by.min(by / length);
+                        cut.most = cut.most.min(by);
                         free = cut;
                         stand.held.push(other);
                     } else {
@@ -294,7 +290,7 @@ fn widened(geometry: &Geometry, profile: &[[f64; 2]]) -> f64 {
     around.min[1] = heights().fold(f64::INFINITY, f64::min);
     around.max[1] = heights().fold(f64::NEG_INFINITY, f64::max);
     let widest = |profile: &[[f64; 2]]| profile.iter().fold(0.0f64, |m, p| m.max(p[0]));
-    match lengthened(geometry, &Cut { around, by: PART }) {
+    match lengthened(geometry, &Cut::of(around, PART)) {
         Some(Geometry::Revolution {
             profile: longer, ..
         }) => (widest(&longer) / widest(profile) - 1.0).max(0.0),

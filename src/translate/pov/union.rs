@@ -4,12 +4,12 @@
 use std::collections::{HashMap, HashSet};
 
 use super::aspects::DEFAULT;
+use super::between::clip;
 use super::build::{Builder, inside_medium};
-use super::flush::Change;
 use super::frame::power_of_two_about;
 use super::grouping::{self, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
-use super::standing::{Stand, ends_alike};
+use super::standing::Stand;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::frame::seen_box;
 use crate::scene::{Aabb, NodeId, Scene};
@@ -27,18 +27,18 @@ type Kind = (Option<(u32, u32)>, bool);
 /// Operands of a union that are one medium.
 pub(super) struct Members {
     /// Optics and index; `None` where the one operand is of several media by itself.
-    medium: Option<(u32, u32)>,
+    pub medium: Option<(u32, u32)>,
     pub nodes: Operands,
     pub boxes: Vec<Aabb>,
-    seen_into: bool,
-    transparent: bool,
+    pub seen_into: bool,
+    pub transparent: bool,
     /// A later medium begins where it ends: POV-Ray has to know its index, even if that is 1.
-    bounds_media: bool,
+    pub bounds_media: bool,
 }
 
 impl Members {
     /// The operation that joins them.
-    fn kind(&self) -> Group {
+    pub fn kind(&self) -> Group {
         match self.seen_into && self.nodes.len() > 1 && meet_each_other(&self.boxes) {
             true => Group::Merge,
             false => Group::Union,
@@ -48,7 +48,7 @@ impl Members {
 
 /// Which solids are longer where later ones are clipped by them.
 #[derive(Default)]
-struct Reaching {
+pub(super) struct Reaching {
     /// The numbers of their changes.
     by: HashMap<NodeId, u32>,
     /// Each with those that it is made longer into.
@@ -57,7 +57,7 @@ struct Reaching {
 
 impl Reaching {
     /// Whether any of a group is made longer.
-    fn any_of(&self, group: &Members) -> bool {
+    pub fn any_of(&self, group: &Members) -> bool {
         group
             .nodes
             .iter()
@@ -65,7 +65,7 @@ impl Reaching {
     }
 
     /// Whether any of a group is made longer into any of a later one.
-    fn has(&self, earlier: &Members, later: &Members) -> bool {
+    pub fn has(&self, earlier: &Members, later: &Members) -> bool {
         let mut earlier = earlier.nodes.iter().map(|n| n.0);
         let later = || later.nodes.iter().map(|n| n.0);
         !self.into.is_empty() && earlier.any(|a| later().any(|b| self.into.contains(&(a, b))))
@@ -100,38 +100,23 @@ impl Builder<'_> {
         let (mut solids, surfaces) = self.by_part(&members);
         let reaching = self.settle(&mut solids);
         let mut groups = self.by_medium(&solids);
-        let mut meetings = Vec::new();
-        let mut smaller = vec![None; groups.len()];
-        let boxes: Vec<&[Aabb]> = groups.iter().map(|g| &g.boxes[..]).collect();
-        for (earlier, later) in grouping::pairs(&boxes) {
-            let [a, b] = [earlier, later].map(|i| &groups[i]);
-            if !(a.seen_into || (b.seen_into && reaching.any_of(a))) {
-                continue;
-            }
-            let has_offset = || {
-                let nodes = a.nodes.iter().map(|(node, _)| *node);
-                self.hair > 0.0 && nodes.into_iter().all(|n| self.has_offset(n, -self.hair))
-            };
-            let apart = a.seen_into
-                && self.have_a_hair(a, b, &reaching)
-                && *smaller[earlier].get_or_insert_with(has_offset);
-            groups[earlier].bounds_media |= apart;
-            meetings.push((earlier, later, apart));
-        }
+        let meetings = self.meetings(&mut groups, &reaching);
         let mut pieces = Vec::new();
-        let mut meetings = meetings.into_iter().peekable();
         for i in 0..groups.len() {
-            let (mut clips, mut clear, mut opaque) = (Vec::new(), Vec::new(), Vec::new());
-            while let Some((earlier, _, apart)) = meetings.next_if(|m| m.1 == i) {
-                clips.extend(self.outside_of(&groups[earlier], &reaching));
-                match (apart, groups[earlier].seen_into) {
-                    (true, _) => clear.push(earlier),
-                    (false, true) => self.overlap(&groups[earlier], &groups[i]),
-                    (false, false) => opaque.push(earlier),
+            let mut clips = Vec::new();
+            for meeting in meetings.of_later(i) {
+                let earlier = &groups[meeting.earlier];
+                clips.extend(self.outside_of(earlier, &reaching));
+                if !meeting.apart && earlier.seen_into {
+                    self.overlap(earlier, &groups[i]);
                 }
             }
-            let skin = self.skin(&groups, i, (&clear, &opaque), &reaching);
-            pieces.extend(self.one_medium_union(&mut groups[i], clips, skin));
+            let mut hidden = self.skin(&groups, &meetings, i, &reaching);
+            if let Some((outer, rest)) = self.outer_side(&groups, &meetings, i, &reaching) {
+                hidden.push(outer.with(clips.clone()));
+                clips.push(rest);
+            }
+            pieces.extend(self.one_medium_union(&mut groups[i], clips, hidden));
         }
         pieces.extend(self.pieces(&surfaces));
         non_empty(Group::Union, pieces)
@@ -273,95 +258,16 @@ impl Builder<'_> {
         optics.zip(index)
     }
 
-    /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
-    ///
-    /// POV-Ray counts into which objects a ray has gone. Were the face of the later one in the earlier
-    /// one left out, rays would be in both beyond that. So it is there, a hair within the earlier one and
-    /// unseen. A ray that is in both is in the one that it has entered last, which makes it bend at one
-    /// of the two faces alone: as it should where they are so near each other.
-    fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &Reaching) -> bool {
-        let (Some(_), Some((_, index))) = (earlier.medium, later.medium) else {
-            return false;
-        };
-        let can_grow = || {
-            let mut nodes = later.nodes.iter();
-            nodes.all(|(node, _)| self.has_offset(*node, self.hair / 2.0))
-        };
-        let grows = reaching.has(earlier, later);
-        later.transparent && index != DEFAULT && (!grows || can_grow())
-    }
-
-    /// The face that a group has within earlier ones, a hair behind theirs, but not within opaque ones.
-    /// Where it lies against theirs it is larger by half of that, and where it ends as they do, smaller.
-    fn skin(
-        &mut self,
-        groups: &[Members],
-        later: usize,
-        (earlier, opaque): (&[usize], &[usize]),
-        reaching: &Reaching,
-    ) -> Option<Piece> {
-        if earlier.is_empty() {
-            return None;
-        }
-        let smaller = self.changes.number(Change::Offset(-self.hair));
-        let grows = (earlier.iter()).any(|e| reaching.has(&groups[*e], &groups[later]));
-        let mut changes = HashMap::new();
-        for &(node, _) in &groups[later].nodes {
-            let around = self.ends_within(node, earlier.iter().map(|e| &groups[*e]));
-            if (grows || around != Aabb::ALL) && self.has_offset(node, self.hair / 2.0) {
-                let change = Change::Skin(around, self.hair);
-                changes.insert(node, self.changes.number(change));
-            }
-        }
-        let (mut around, mut taken) = (Vec::new(), Vec::new());
-        for &i in earlier {
-            around.extend(self.bare(&groups[i], |_, _| None));
-            taken.extend(self.bare(&groups[i], |_, _| Some(smaller)));
-        }
-        let around = non_empty(Group::Union, around)?;
-        for &i in opaque {
-            taken.extend(self.longer(&groups[i], reaching));
-        }
-        let own = self.bare(&groups[later], |node, state| {
-            changes.get(&node).copied().or(state.flush)
-        });
-        let mut all = vec![non_empty(groups[later].kind(), own)?];
-        all.extend(taken);
-        self.unseen = true;
-        let within = Modifier::Clip {
-            by: std::boxed::Box::new(around),
-            outside: false,
-        };
-        Some(Piece::group(Group::Difference, all).with([Modifier::Unseen, within]))
-    }
-
-    /// A box with the ends that a solid has where others end.
-    fn ends_within<'a>(&self, node: NodeId, others: impl Iterator<Item = &'a Members>) -> Aabb {
-        let own = self.box_of(node);
-        let mut around = Aabb::ALL;
-        for other in others.flat_map(|group| &group.boxes) {
-            for axis in 0..3 {
-                if let Some(end) = ends_alike(&own, other, axis, true) {
-                    around.min[axis] = end;
-                }
-                if let Some(end) = ends_alike(&own, other, axis, false) {
-                    around.max[axis] = end;
-                }
-            }
-        }
-        around
-    }
-
     /// Operands of one medium as one object; its inside is one, too. `clips` are what is kept of what
-    /// is seen, `skin` the rest of its surface.
+    /// is seen from both sides, `others` the rest of its surface.
     fn one_medium_union(
         &mut self,
         group: &mut Members,
         clips: Vec<Modifier>,
-        skin: Option<Piece>,
+        others: Vec<Piece>,
     ) -> Option<Piece> {
         let kind = group.kind();
-        if kind == Group::Union && skin.is_none() && !group.bounds_media {
+        if kind == Group::Union && others.is_empty() && !group.bounds_media {
             let pieces = self.pieces(&group.nodes);
             return Some(non_empty(Group::Union, pieces)?.with(clips));
         }
@@ -371,7 +277,7 @@ impl Builder<'_> {
         }
         let pieces = self.pieces(&group.nodes);
         let seen = non_empty(kind, pieces)?.with(clips);
-        let all = std::iter::once(seen).chain(skin).collect();
+        let all = std::iter::once(seen).chain(others).collect();
         let piece = Piece::group(Group::Union, all);
         let says = index != DEFAULT || group.bounds_media;
         Some(piece.with(says.then_some(Modifier::Interior(index))))
@@ -380,14 +286,11 @@ impl Builder<'_> {
     /// Keeps of an object what no operand of a group holds.
     fn outside_of(&mut self, group: &Members, reaching: &Reaching) -> Option<Modifier> {
         let by = non_empty(Group::Union, self.longer(group, reaching))?;
-        Some(Modifier::Clip {
-            by: std::boxed::Box::new(by),
-            outside: true,
-        })
+        Some(clip(by, true))
     }
 
     /// The solids of a group, longer as they are where later ones are clipped by them.
-    fn longer(&mut self, group: &Members, reaching: &Reaching) -> Vec<Piece> {
+    pub(super) fn longer(&mut self, group: &Members, reaching: &Reaching) -> Vec<Piece> {
         let longer = |node: &NodeId| reaching.by.get(node).copied();
         // What is within something opaque is not seen anyway, but for faces that are in one place with its.
         let members: Vec<_> = (group.nodes.iter())
@@ -398,7 +301,7 @@ impl Builder<'_> {
     }
 
     /// The bare solids of a group, changed.
-    fn bare(
+    pub(super) fn bare(
         &mut self,
         group: &Members,
         change: impl Fn(NodeId, State) -> Option<u32>,

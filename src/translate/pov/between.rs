@@ -1,0 +1,260 @@
+//! Faces between transparent media, where parts of a union meet or overlap.
+//!
+//! POV-Ray counts into which objects a ray has gone. Were the face of the later part in the earlier one
+//! left out, rays would be in both beyond that. So it is there, a hair within the earlier one: its skin.
+//! A ray that is in both is in the one that it has entered last, which makes it bend at that of the two
+//! faces that it meets first. That one shows what there is to see, and the other nothing: from outside
+//! the face of the earlier part, from inside the skin. Rays then take as many steps as they should.
+
+use std::boxed::Box;
+use std::collections::HashMap;
+
+use super::aspects::DEFAULT;
+use super::build::Builder;
+use super::flush::Change;
+use super::grouping;
+use super::piece::{Group, Modifier, Piece};
+use super::standing::ends_alike;
+use super::union::{Members, Reaching, non_empty};
+use crate::scene::{Aabb, NodeId};
+
+/// A group of a union may have so many parts of its skin that look different.
+const LOOKS: usize = 16;
+
+/// Two groups of a union that touch, by position.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Meeting {
+    pub earlier: usize,
+    later: usize,
+    /// The later one ends a hair within the earlier one.
+    pub apart: bool,
+    /// The number of the look that the skin has from inside.
+    look: Option<u32>,
+}
+
+/// All meetings.
+pub(super) struct Meetings {
+    /// Ordered by the later of the two.
+    all: Vec<Meeting>,
+    /// By the earlier one those whose skin has a look.
+    sided: HashMap<usize, Vec<Meeting>>,
+}
+
+impl Meetings {
+    fn of(all: Vec<Meeting>) -> Meetings {
+        let mut sided: HashMap<_, Vec<_>> = HashMap::new();
+        for meeting in all.iter().filter(|m| m.look.is_some()) {
+            sided.entry(meeting.earlier).or_default().push(*meeting);
+        }
+        Meetings { all, sided }
+    }
+
+    /// Those with the groups that come before one.
+    pub fn of_later(&self, later: usize) -> &[Meeting] {
+        let from = self.all.partition_point(|m| m.later < later);
+        let to = self.all.partition_point(|m| m.later <= later);
+        &self.all[from..to]
+    }
+}
+
+/// Keeps of an object what is inside of another one, or outside.
+pub(super) fn clip(by: Piece, outside: bool) -> Modifier {
+    let by = Box::new(by);
+    Modifier::Clip { by, outside }
+}
+
+impl Builder<'_> {
+    /// Which groups of a union touch, and how the faces between them are seen.
+    pub(super) fn meetings(&mut self, groups: &mut [Members], reaching: &Reaching) -> Meetings {
+        let mut meetings = Vec::new();
+        let mut smaller = vec![None; groups.len()];
+        let mut looks = vec![None; groups.len()];
+        let boxes: Vec<&[Aabb]> = groups.iter().map(|g| &g.boxes[..]).collect();
+        for (earlier, later) in grouping::pairs(&boxes) {
+            let [a, b] = [earlier, later].map(|i| &groups[i]);
+            if !(a.seen_into || (b.seen_into && reaching.any_of(a))) {
+                continue;
+            }
+            let has_offset = || {
+                let nodes = a.nodes.iter().map(|(node, _)| *node);
+                self.hair > 0.0 && nodes.into_iter().all(|n| self.has_offset(n, -self.hair))
+            };
+            let apart = a.seen_into
+                && self.have_a_hair(a, b, reaching)
+                && *smaller[earlier].get_or_insert_with(has_offset);
+            let look = match apart {
+                true => *looks[earlier].get_or_insert_with(|| self.common_look(&groups[earlier])),
+                false => None,
+            };
+            groups[earlier].bounds_media |= apart;
+            meetings.push(Meeting {
+                earlier,
+                later,
+                apart,
+                look,
+            });
+        }
+        for same in meetings.chunk_by_mut(|a, b| a.later == b.later) {
+            let changes = same.windows(2).filter(|w| w[0].look != w[1].look);
+            if changes.count() >= LOOKS {
+                same.iter_mut().for_each(|m| m.look = None);
+            }
+        }
+        Meetings::of(meetings)
+    }
+
+    /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
+    fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &Reaching) -> bool {
+        let (Some(_), Some((_, index))) = (earlier.medium, later.medium) else {
+            return false;
+        };
+        let can_grow = || {
+            let mut nodes = later.nodes.iter();
+            nodes.all(|(node, _)| self.has_offset(*node, self.hair / 2.0))
+        };
+        let grows = reaching.has(earlier, later);
+        later.transparent && index != DEFAULT && (!grows || can_grow())
+    }
+
+    /// The number of the look that all of a group has, if it can be said from outside.
+    fn common_look(&mut self, group: &Members) -> Option<u32> {
+        let mut looks =
+            group
+                .nodes
+                .iter()
+                .map(|&(node, state)| match self.settle_look(node, state.look) {
+                    (_, Some(Modifier::Look(look))) => Some(look),
+                    _ => None,
+                });
+        let first = looks.next()??;
+        looks.all(|look| look == Some(first)).then_some(first)
+    }
+
+    /// The face that a group has within earlier ones, a hair behind theirs, but not within opaque ones.
+    pub(super) fn skin(
+        &mut self,
+        groups: &[Members],
+        meetings: &Meetings,
+        later: usize,
+        reaching: &Reaching,
+    ) -> Vec<Piece> {
+        let clear: Vec<_> = (meetings.of_later(later).iter())
+            .filter(|m| m.apart)
+            .copied()
+            .collect();
+        if clear.is_empty() {
+            return Vec::new();
+        }
+        let smaller = self.changes.number(Change::Offset(-self.hair));
+        let mut taken = Vec::new();
+        for meeting in &clear {
+            taken.extend(self.bare(&groups[meeting.earlier], |_, _| Some(smaller)));
+        }
+        let Some(own) = self.grown(groups, meetings, later, reaching) else {
+            return Vec::new();
+        };
+        self.unseen = true;
+        let mut pieces = Vec::new();
+        let mut before: Vec<Piece> = Vec::new();
+        for alike in clear.chunk_by(|a, b| a.look == b.look) {
+            let mut around = Vec::new();
+            for meeting in alike {
+                around.extend(self.bare(&groups[meeting.earlier], |_, _| None));
+            }
+            let mut modifiers = match alike[0].look {
+                Some(look) => vec![Modifier::Look(look), Modifier::UnseenWithin],
+                None => {
+                    self.unseen_twice = true;
+                    vec![Modifier::Unseen]
+                }
+            };
+            modifiers.extend(non_empty(Group::Union, around.clone()).map(|by| clip(by, false)));
+            modifiers.extend(non_empty(Group::Union, before.clone()).map(|by| clip(by, true)));
+            before.extend(around);
+            let all = std::iter::once(own.clone()).chain(taken.clone()).collect();
+            pieces.push(Piece::group(Group::Difference, all).with(modifiers));
+        }
+        pieces
+    }
+
+    /// The outer side of the face that a group has within later ones, whose skin is its inner side there;
+    /// and what to keep of the rest of it.
+    pub(super) fn outer_side(
+        &mut self,
+        groups: &[Members],
+        meetings: &Meetings,
+        earlier: usize,
+        reaching: &Reaching,
+    ) -> Option<(Piece, Modifier)> {
+        let sided = meetings.sided.get(&earlier)?;
+        // They are all that of the group.
+        let look = sided.first()?.look?;
+        let mut later = Vec::new();
+        for meeting in sided {
+            later.extend(self.grown(groups, meetings, meeting.later, reaching));
+        }
+        let later = non_empty(Group::Union, later)?;
+        let group = &groups[earlier];
+        let own = self.bare(group, |_, state| state.flush);
+        let outer = non_empty(group.kind(), own)?.with([
+            Modifier::Look(look),
+            Modifier::UnseenWithin,
+            clip(later.clone(), false),
+        ]);
+        Some((outer, clip(later, true)))
+    }
+
+    /// A group without the opaque ones before it. Where it lies against those that it ends within it is
+    /// larger by half a hair, and where it ends as they do, smaller.
+    fn grown(
+        &mut self,
+        groups: &[Members],
+        meetings: &Meetings,
+        later: usize,
+        reaching: &Reaching,
+    ) -> Option<Piece> {
+        let of_later = meetings.of_later(later);
+        let clear = || {
+            let clear = of_later.iter().filter(|m| m.apart);
+            clear.map(|m| &groups[m.earlier])
+        };
+        let group = &groups[later];
+        let grows = clear().any(|earlier| reaching.has(earlier, group));
+        let mut changes = HashMap::new();
+        for &(node, _) in &group.nodes {
+            let around = self.ends_within(node, clear());
+            if (grows || around != Aabb::ALL) && self.has_offset(node, self.hair / 2.0) {
+                let change = Change::Skin(around, self.hair);
+                changes.insert(node, self.changes.number(change));
+            }
+        }
+        let own = self.bare(group, |node, state| {
+            changes.get(&node).copied().or(state.flush)
+        });
+        let mut all = vec![non_empty(group.kind(), own)?];
+        for meeting in of_later {
+            let earlier = &groups[meeting.earlier];
+            if !earlier.seen_into {
+                all.extend(self.longer(earlier, reaching));
+            }
+        }
+        Some(Piece::group(Group::Difference, all))
+    }
+
+    /// A box with the ends that a solid has where others end.
+    fn ends_within<'a>(&self, node: NodeId, others: impl Iterator<Item = &'a Members>) -> Aabb {
+        let own = self.box_of(node);
+        let mut around = Aabb::ALL;
+        for other in others.flat_map(|group| &group.boxes) {
+            for axis in 0..3 {
+                if let Some(end) = ends_alike(&own, other, axis, true) {
+                    around.min[axis] = end;
+                }
+                if let Some(end) = ends_alike(&own, other, axis, false) {
+                    around.max[axis] = end;
+                }
+            }
+        }
+        around
+    }
+}
