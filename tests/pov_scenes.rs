@@ -220,6 +220,89 @@ fn what_fills_what() {
     }
 }
 
+/// Flat faces of several parts in one plane: the first part's is seen, and that of a sheet before those of
+/// solids. Of parts of one glass nothing is seen where they meet.
+#[test]
+fn faces_in_one_plane() {
+    const LOOKS: &str = "80 -701 0.9 0.2 0.1\n81 -701 0.1 0.3 0.9\n82 -399 4 4 80 81\n\
+                         83 -201 0.1 0.05 0.8\n83 -203 1.3 1.3 1.3\n84 -201 0.2 0 0.7\n";
+    let floors = ["4 0 1 0 0", "3 0 1 0 0", "12 -3 -1 -3 3 0 3"];
+    let rugs = [
+        "5 -2 -1 2 1\n3 -2 90 1",
+        "6 -2 0 -1 2 0 -1 0 0 2",
+        "12 -2 -0.5 -1 2 0 1",
+    ];
+    for (i, floor) in floors.iter().enumerate() {
+        for (j, rug) in rugs.iter().enumerate() {
+            for (k, order) in ["2 3", "3 2"].iter().enumerate() {
+                let body = format!(
+                    "{LOOKS}2 {floor}\n2 -299 81 0\n3 {rug}\n3 -299 80 0\n4 -101 {order}\n"
+                );
+                agrees(&format!("rug_{i}{j}{k}"), &lit(&body, 4));
+            }
+        }
+    }
+    // Boxes and a round thing that end in planes of a box, all of them turned.
+    let others = [
+        "12 0 0 -1 2.5 1.6 1",
+        "12 0 0 -1.4 2.5 0.8 1.4",
+        "12 -0.6 0 -2.4 0.6 0.8 2.4",
+        "12 -1.4 0.8 -1.4 1.4 1.6 1.4",
+        "1 2 1 0 1 1.8",
+    ];
+    let looks = [
+        ("80 0", "81 0"),
+        ("82 0", "81 0"),
+        ("80 83", "81 83"),
+        ("80 84", "81 84"),
+        ("82 84", "81 84"),
+    ];
+    for (i, other) in others.iter().enumerate() {
+        for (j, (first, second)) in looks.iter().enumerate() {
+            let body = format!(
+                "{LOOKS}2 12 -1.4 0 -1.4 1.4 0.8 1.4\n2 -299 {first}\n3 {other}\n3 -299 {second}\n\
+                 4 -101 2 3\n4 -2 33 2\n"
+            );
+            let name = format!("level_{i}{j}");
+            for outcome in compare(&name, &lit(&body, 4).scene, Path::new("."), (96, 72)) {
+                let share = outcome.differing.share_off_silhouettes;
+                assert!(share <= 0.0005, "{name}: {share}");
+            }
+        }
+    }
+}
+
+/// Sheets within glass, and glass that stands on sheets: light goes straight on through them, as it does
+/// elsewhere, and is not reflected totally.
+#[test]
+fn sheets_among_glass() {
+    const LOOKS: &str = "80 -701 0.9 0.2 0.1\n81 -701 0.2 0.3 0.6\n82 -399 4 4 80 81\n83 -201 0.1 0 0.8\n83 -203 1.5 1.5 1.5\n\
+                         84 -201 0.4 0.1 0.5\n";
+    let glasses = ["9 1.5", "12 -1.3 -1.3 -1.3 1.3 1.3 1.3"];
+    // Steeper than light could leave the glass by; through its wall; of glass itself; opaque, in its face.
+    let sheets = [
+        "5 -0.6 -0.6 0.6 0.6\n3 -2 -60 1\n3 -299 80 84",
+        "6 -2 0 0 2 0.5 0 0 1 0.5\n3 -299 0 84",
+        "5 -0.6 -0.6 0.6 0.6\n3 -2 20 2\n3 -299 0 83",
+        "3 0 1 0.5 0\n3 -299 82 84",
+        "5 -3 -3 3 3\n3 -2 -90 1\n3 -1 0 -1.3 0\n3 -299 80 0",
+    ];
+    for (i, glass) in glasses.iter().enumerate() {
+        for (j, sheet) in sheets.iter().enumerate() {
+            for (k, order) in ["2 3", "3 2"].iter().enumerate() {
+                let body = format!(
+                    "{LOOKS}2 {glass}\n2 -299 0 83\n3 {sheet}\n4 -101 {order}\n4 -1 0 1.3 0\n"
+                );
+                let name = format!("sheet_{i}{j}{k}");
+                for outcome in compare(&name, &lit(&body, 4).scene, Path::new("."), (96, 72)) {
+                    let share = outcome.differing.share_off_silhouettes;
+                    assert!(share <= 0.0005, "{name}: {share}");
+                }
+            }
+        }
+    }
+}
+
 /// Two parts of one medium on the two sides of a face: nothing is to be seen of it. So it is in a scene
 /// where operands of an overlap are painted by themselves.
 #[test]

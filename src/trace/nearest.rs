@@ -71,8 +71,8 @@ struct Best<R> {
 
 impl<R: Precision> Walker<'_, R> {
     /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked
-    /// into; of intersections only their own boundary counts. Among crossings at the same t the
-    /// first operand's wins. A search for any crossing takes the first one found.
+    /// into; of intersections only their own boundary counts. Among crossings at the same t a sheet's
+    /// wins, then the first operand's. A search for any crossing takes the first one found.
     pub fn nearest(&mut self, ray: &Ray<R>, from: R, to: R, search: Search) -> Option<Crossing<R>> {
         self.begin(ray);
         self.entries.clear();
@@ -219,13 +219,30 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
+    /// Whether a crossing with a shape is one of its boundary.
+    fn is_solid(&self, leaf: Leaf) -> bool {
+        match self.part(leaf.part).target {
+            Target::Shape(primitive) => {
+                self.graph.primitives[primitive as usize].shape().is_solid()
+            }
+            Target::Object(_) => true,
+        }
+    }
+
     /// Takes a crossing within the limit if it is nearer than the best.
     fn consider(&mut self, found: Crossing<R>, best: &mut Best<R>) {
         let nearer = match &best.found {
             None => true,
             Some(old) => match self.order(&found.place, &old.place) {
                 Ordering::Less => true,
-                Ordering::Equal => self.precedes(found.place.leaf, old.place.leaf),
+                Ordering::Equal => {
+                    let [new, old] = [found.place.leaf, old.place.leaf];
+                    match (self.is_solid(new), self.is_solid(old)) {
+                        (false, true) => true,
+                        (true, false) => false,
+                        _ => self.precedes(new, old),
+                    }
+                }
                 Ordering::Greater => false,
             },
         };

@@ -100,6 +100,13 @@ impl Aspects {
         self.indices.values[number as usize]
     }
 
+    /// The number of the index that has the larger of two in each channel.
+    pub fn denser(&mut self, a: u32, b: u32) -> u32 {
+        let [a, b] = [a, b].map(|number| self.index(number));
+        let most = std::array::from_fn(|i| a[i].max(b[i]));
+        self.indices.number(&most)
+    }
+
     pub fn frame(&self, number: u32) -> &Matrix {
         &self.frames.values[number as usize]
     }

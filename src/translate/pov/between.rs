@@ -21,6 +21,17 @@ use crate::scene::{Aabb, NodeId};
 /// A group of a union may have so many parts of its skin that look different.
 const LOOKS: usize = 16;
 
+/// What is seen at the faces between two groups.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Seen {
+    /// Nothing: they are one medium, with another one between them in the order.
+    Nothing,
+    /// The look with this number, from inside at the skin.
+    Look(u32),
+    /// What cannot be said of the skin: from inside, too, the face of the earlier one.
+    Face,
+}
+
 /// Two groups of a union that touch, by position.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting {
@@ -28,22 +39,21 @@ pub(super) struct Meeting {
     later: usize,
     /// The later one ends a hair within the earlier one.
     pub apart: bool,
-    /// The number of the look that the skin has from inside.
-    look: Option<u32>,
+    seen: Seen,
 }
 
 /// All meetings.
 pub(super) struct Meetings {
     /// Ordered by the later of the two.
     all: Vec<Meeting>,
-    /// By the earlier one those whose skin has a look.
+    /// By the earlier one those whose faces have two sides.
     sided: HashMap<usize, Vec<Meeting>>,
 }
 
 impl Meetings {
     fn of(all: Vec<Meeting>) -> Meetings {
         let mut sided: HashMap<_, Vec<_>> = HashMap::new();
-        for meeting in all.iter().filter(|m| m.look.is_some()) {
+        for meeting in all.iter().filter(|m| m.apart && m.seen != Seen::Face) {
             sided.entry(meeting.earlier).or_default().push(*meeting);
         }
         Meetings { all, sided }
@@ -61,6 +71,16 @@ impl Meetings {
 pub(super) fn clip(by: Piece, outside: bool) -> Modifier {
     let by = Box::new(by);
     Modifier::Clip { by, outside }
+}
+
+impl Seen {
+    /// What is said of the side of a face from which that is seen.
+    fn one_side(self) -> Vec<Modifier> {
+        match self {
+            Seen::Look(look) => vec![Modifier::Look(look), Modifier::UnseenWithin],
+            Seen::Nothing | Seen::Face => vec![Modifier::Unseen],
+        }
+    }
 }
 
 impl Builder<'_> {
@@ -82,22 +102,26 @@ impl Builder<'_> {
             let apart = a.seen_into
                 && self.have_a_hair(a, b, reaching)
                 && *smaller[earlier].get_or_insert_with(has_offset);
-            let look = match apart {
-                true => *looks[earlier].get_or_insert_with(|| self.common_look(&groups[earlier])),
-                false => None,
+            let seen = if !apart {
+                Seen::Face
+            } else if a.medium == b.medium {
+                Seen::Nothing
+            } else {
+                let look = looks[earlier].get_or_insert_with(|| self.common_look(&groups[earlier]));
+                look.map_or(Seen::Face, Seen::Look)
             };
             groups[earlier].bounds_media |= apart;
             meetings.push(Meeting {
                 earlier,
                 later,
                 apart,
-                look,
+                seen,
             });
         }
         for same in meetings.chunk_by_mut(|a, b| a.later == b.later) {
-            let changes = same.windows(2).filter(|w| w[0].look != w[1].look);
+            let changes = same.windows(2).filter(|w| w[0].seen != w[1].seen);
             if changes.count() >= LOOKS {
-                same.iter_mut().for_each(|m| m.look = None);
+                same.iter_mut().for_each(|m| m.seen = Seen::Face);
             }
         }
         Meetings::of(meetings)
@@ -156,18 +180,13 @@ impl Builder<'_> {
         self.unseen = true;
         let mut pieces = Vec::new();
         let mut before: Vec<Piece> = Vec::new();
-        for alike in clear.chunk_by(|a, b| a.look == b.look) {
+        for alike in clear.chunk_by(|a, b| a.seen == b.seen) {
             let mut around = Vec::new();
             for meeting in alike {
                 around.extend(self.bare(&groups[meeting.earlier], |_, _| None));
             }
-            let mut modifiers = match alike[0].look {
-                Some(look) => vec![Modifier::Look(look), Modifier::UnseenWithin],
-                None => {
-                    self.unseen_twice = true;
-                    vec![Modifier::Unseen]
-                }
-            };
+            self.unseen_twice |= alike[0].seen == Seen::Face;
+            let mut modifiers = alike[0].seen.one_side();
             modifiers.extend(non_empty(Group::Union, around.clone()).map(|by| clip(by, false)));
             modifiers.extend(non_empty(Group::Union, before.clone()).map(|by| clip(by, true)));
             before.extend(around);
@@ -177,31 +196,38 @@ impl Builder<'_> {
         pieces
     }
 
-    /// The outer side of the face that a group has within later ones, whose skin is its inner side there;
+    /// The outer sides of the faces that a group has within later ones, whose skins are its inner sides there;
     /// and what to keep of the rest of it.
-    pub(super) fn outer_side(
+    pub(super) fn outer_sides(
         &mut self,
         groups: &[Members],
         meetings: &Meetings,
         earlier: usize,
         reaching: &Reaching,
-    ) -> Option<(Piece, Modifier)> {
-        let sided = meetings.sided.get(&earlier)?;
-        // They are all that of the group.
-        let look = sided.first()?.look?;
-        let mut later = Vec::new();
-        for meeting in sided {
-            later.extend(self.grown(groups, meetings, meeting.later, reaching));
-        }
-        let later = non_empty(Group::Union, later)?;
+    ) -> (Vec<Piece>, Option<Modifier>) {
+        let Some(sided) = meetings.sided.get(&earlier) else {
+            return (Vec::new(), None);
+        };
         let group = &groups[earlier];
         let own = self.bare(group, |_, state| state.flush);
-        let outer = non_empty(group.kind(), own)?.with([
-            Modifier::Look(look),
-            Modifier::UnseenWithin,
-            clip(later.clone(), false),
-        ]);
-        Some((outer, clip(later, true)))
+        let Some(own) = non_empty(group.kind(), own) else {
+            return (Vec::new(), None);
+        };
+        let mut pieces = Vec::new();
+        let mut before: Vec<Piece> = Vec::new();
+        for alike in sided.chunk_by(|a, b| a.seen == b.seen) {
+            let mut around = Vec::new();
+            for meeting in alike {
+                around.extend(self.grown(groups, meetings, meeting.later, reaching));
+            }
+            let mut modifiers = alike[0].seen.one_side();
+            modifiers.extend(non_empty(Group::Union, around.clone()).map(|by| clip(by, false)));
+            modifiers.extend(non_empty(Group::Union, before.clone()).map(|by| clip(by, true)));
+            before.extend(around);
+            pieces.push(own.clone().with(modifiers));
+        }
+        let rest = non_empty(Group::Union, before).map(|by| clip(by, true));
+        (pieces, rest)
     }
 
     /// A group without the opaque ones before it. Where it lies against those that it ends within it is

@@ -11,6 +11,7 @@ use super::look::Looks;
 use super::names;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
 use super::sets::Sets;
+use super::sheets;
 use super::union;
 use super::verdict::verdict;
 use super::volumes::{self, Volumes};
@@ -53,6 +54,10 @@ pub(super) struct Builder<'a> {
     pub turned: HashMap<u32, bool>,
     /// For each node whether there are any in it; nothing where there are none at all.
     pub holds_turned: Vec<bool>,
+    /// For each node whether a flat surface is in it; nothing where no light goes through solids.
+    pub holds_sheets: Vec<bool>,
+    /// The number of an index as large as that of any solid that light goes through.
+    pub densest: u32,
     pub report: Report,
     /// The entity each node belongs to, 0 where none does.
     pub ids: Vec<u32>,
@@ -78,6 +83,12 @@ impl<'a> Builder<'a> {
             .and_then(|r| r.clip)
             .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all))
             || camera_is_walled_in(scene, &facts, &aspects);
+        let solids = || facts.iter().filter(|f| f.uses > 0 && f.has_solid);
+        let clear = facts.iter().any(|f| f.uses > 0 && f.transparent);
+        let mut densest = DEFAULT;
+        for solid in solids() {
+            densest = aspects.denser(densest, solid.index.first);
+        }
         Builder {
             scene,
             aspects,
@@ -93,6 +104,8 @@ impl<'a> Builder<'a> {
             longer: HashSet::new(),
             turned: HashMap::new(),
             holds_turned: Vec::new(),
+            holds_sheets: sheets::holders(scene, clear),
+            densest,
             volumes,
             report: Report::of("pov", scene, verdict),
             ids: names::node_ids(scene),
@@ -105,7 +118,7 @@ impl<'a> Builder<'a> {
     pub fn definition(&mut self, key: Key) -> Option<Piece> {
         let descent = self.descend(key.node, key.state, Stop::BelowStart);
         let mut piece = match self.body(&descent.end) {
-            Some(piece) => piece.with(descent.modifiers),
+            Some(piece) => self.with_sides(piece.with(descent.modifiers), &descent.end),
             // Nothing, turned inside out, is all of space.
             None if descent.modifiers.contains(&Modifier::Inverse) => {
                 let mut modifiers = descent.modifiers;
@@ -150,9 +163,13 @@ impl<'a> Builder<'a> {
                 Piece::group(Group::Union, members)
             }
             End::Split(node, state) => {
+                let surface = state.part(Part::Surface);
+                let plate = Change::Plate(self.hair / 2.0, self.densest);
+                let clear = self.is_transparent(node, state.look);
+                let plate = clear.then(|| self.changes.number(plate));
                 let parts = [
                     (node, state.part(Part::Solid)),
-                    (node, state.part(Part::Surface)),
+                    (node, surface.flush(surface.flush.or(plate))),
                 ];
                 Piece::group(Group::Union, self.pieces(&parts))
             }
@@ -170,7 +187,7 @@ impl<'a> Builder<'a> {
             End::Shared(shared) => Piece::new(Body::Declared(shared), 0),
             _ => return Some(Piece::new(Body::Declared(Key { node, state }), 0)),
         };
-        let mut piece = piece.with(descent.modifiers);
+        let mut piece = self.with_sides(piece.with(descent.modifiers), &descent.end);
         if let Body::Shape(shape, _) = piece.body
             && self.turned.contains_key(&shape)
         {
@@ -198,8 +215,15 @@ impl<'a> Builder<'a> {
 
     fn shape(&mut self, shape: u32, state: State) -> Piece {
         let record = &self.scene.shapes[shape as usize];
-        let flush = state.flush.filter(|f| {
-            !self.is_laid_out(state.look) && self.changes.changed(*f, &record.geometry).is_some()
+        let geometry = &record.geometry;
+        let flush = match self.is_laid_out(state.look) {
+            // Textures that are laid on shapes would be seen to move with them.
+            true => state.flush.filter(|f| self.changes.is_small(*f)),
+            false => state.flush,
+        };
+        let flush = flush.filter(|f| match geometry.is_solid() {
+            true => self.changes.changed(*f, geometry).is_some(),
+            false => self.changes.plate(*f).is_some() && sheets::is_flat(geometry),
         });
         if let Some(Change::Longer(_) | Change::Sides(..) | Change::Both(..)) =
             flush.map(|f| self.changes.get(f))
@@ -222,6 +246,17 @@ impl<'a> Builder<'a> {
                 piece.with(look.map(Modifier::Look))
             }
             Look::Above { .. } => piece,
+        }
+    }
+
+    /// Whether some of a node may look so.
+    pub fn may_be_laid_out(&self, node: NodeId, look: Look) -> bool {
+        let own = self.facts[node as usize].texture;
+        match look {
+            Look::Own { texture: None, .. } => {
+                !own.uniform || self.aspects.is_laid_on_shapes(own.first.texture)
+            }
+            look => self.is_laid_out(look),
         }
     }
 

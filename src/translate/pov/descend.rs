@@ -267,11 +267,15 @@ impl Builder<'_> {
         let f = self.facts[node as usize];
         let texture = texture.or((!f.has_texture).then_some(TextureUse::DEFAULT));
         let optics = optics.or((!f.has_optics).then_some(DEFAULT));
-        // Triangles with normals that turn away have a look for each side.
-        let sides = self.holds_turned.get(node as usize) == Some(&true)
-            && !matches!(self.scene.nodes[node as usize], Node::Shape(_));
+        // Triangles with normals that turn away have a look for each side, and so have sheets in glass.
+        let holds = |holders: &[bool]| holders.get(node as usize) == Some(&true);
+        let sides = |o: u32| {
+            let sheets = holds(&self.holds_sheets) && self.aspects.is_transparent(o);
+            (sheets || holds(&self.holds_turned))
+                && !matches!(self.scene.nodes[node as usize], Node::Shape(_))
+        };
         match (texture.or(f.face_texture), optics.or(f.face_optics)) {
-            (Some(t), Some(o)) if !sides && !self.aspects.is_laid_on_shapes(t.texture) => (
+            (Some(t), Some(o)) if !sides(o) && !self.aspects.is_laid_on_shapes(t.texture) => (
                 Look::Above {
                     transparent: self.aspects.is_transparent(o),
                 },

@@ -78,7 +78,11 @@ impl Builder<'_> {
         let base = self.without_what_goes(base, cutters)?;
         let offset = change.filter(|c| match self.changes.get(*c) {
             Change::Offset(_) | Change::One(..) | Change::Skin(..) => true,
-            Change::Longer(_) | Change::Sides(..) | Change::Both(..) => false,
+            Change::Longer(_)
+            | Change::Sides(..)
+            | Change::Both(..)
+            | Change::Plate(..)
+            | Change::Planes(_) => false,
         });
         let offset = offset.map(|c| self.changes.turned(c));
         let taken = self.cutters(cutters, look, Some(of), offset);

@@ -7,6 +7,7 @@ use super::build::Builder;
 use super::flush::Change;
 use super::piece::{Body, Group, Key, Modifier, Piece, State};
 use super::shape::{Primitive, primitive};
+use super::sheets;
 use super::text::{commented, number, transformation, vector};
 use super::triangle;
 use crate::scene::{Geometry, Node, NodeId, Rgb, TriangleNormals, Volume};
@@ -188,7 +189,9 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     }
                     _ => {}
                 }
-                let Primitive { keyword, lines } = primitive(geometry);
+                let plate = flush.and_then(|f| changes.plate(f));
+                let plate = plate.and_then(|(by, _)| sheets::plate(geometry, by));
+                let Primitive { keyword, lines } = plate.unwrap_or_else(|| primitive(geometry));
                 (keyword, lines)
             }
             Body::Declared(key) => match self.names.get(key).cloned().flatten() {
@@ -216,13 +219,17 @@ impl<'b, 'a> Emitter<'b, 'a> {
                         };
                         if let Body::Shape(_, Some(change)) = member.body {
                             comment += match self.builder.changes.get(change) {
-                                Change::Longer(_) | Change::Sides(..) | Change::Both(..) => LONGER,
+                                Change::Longer(_)
+                                | Change::Sides(..)
+                                | Change::Both(..)
+                                | Change::Planes(_) => LONGER,
                                 Change::Offset(by) | Change::One(by, _) if by < 0.0 => {
                                     ": a hair smaller"
                                 }
                                 Change::Offset(_) | Change::One(..) | Change::Skin(..) => {
                                     ": a hair larger"
                                 }
+                                Change::Plate(..) => ": a hair thick",
                             };
                         }
                         line = commented(&line, &comment);

@@ -5,8 +5,10 @@
 use std::collections::HashMap;
 
 use super::build::Builder;
+use super::coplanar::Plane;
 use super::offset::{offset, offset_profile, stretched};
 use super::piece::State;
+use crate::scene::vector::{length, sub};
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
 
 /// Faces that are this near, as a part of the numbers, are in one place: what a few roundings may do.
@@ -16,6 +18,11 @@ const PATIENCE: u32 = 4096;
 
 /// The part of its own length that a tool is made longer by, where nothing is in the way.
 const HALF: f64 = 0.5;
+
+/// Normals that are this near are one: what rotations may do.
+const FLAT: f64 = 1e-9;
+/// Planes that are nearer than this part of what they are moved by are one.
+const NEAR: f64 = 1e-3;
 
 /// What a solid may be longer than it is outside of.
 #[derive(Debug, Clone, Copy)]
@@ -53,6 +60,10 @@ pub enum Change {
     One(f64, u32),
     /// The surface lies half as far outside, but where it ends with the box well inside.
     Skin(Aabb, f64),
+    /// Flat faces in some planes, by their number, lie farther out.
+    Planes(u32),
+    /// A flat surface is a plate, so far from it on both sides, with the index of this number.
+    Plate(f64, u32),
     /// One change after the other, by their numbers.
     Both(u32, u32),
 }
@@ -65,6 +76,8 @@ pub struct Changes {
     sides: Vec<Vec<bool>>,
     /// The shapes of which there are many, by number.
     shapes: Vec<Geometry>,
+    /// Planes, and how far out what lies in them is moved.
+    planes: Vec<Vec<(Plane, f64)>>,
     numbers: HashMap<[u64; 9], u32>,
 }
 
@@ -78,6 +91,8 @@ impl Changes {
             Change::One(by, shape) => (3, u64::from(shape), Aabb::ALL, by),
             Change::Skin(around, by) => (4, 0, around, by),
             Change::Both(a, b) => (5, 0, both(a, b), 0.0),
+            Change::Plate(by, index) => (6, u64::from(index), Aabb::ALL, by),
+            Change::Planes(planes) => (7, u64::from(planes), Aabb::ALL, 0.0),
         };
         let mut key = [kind; 9];
         key[1] = which;
@@ -107,6 +122,59 @@ impl Changes {
         self.number(Change::One(by, next))
     }
 
+    /// The number of the change that moves the faces in some planes out.
+    pub fn of_planes(&mut self, planes: Vec<(Plane, f64)>) -> u32 {
+        let known = self.planes.iter().position(|p| *p == planes);
+        let number = known.unwrap_or_else(|| {
+            self.planes.push(planes);
+            self.planes.len() - 1
+        });
+        self.number(Change::Planes(number as u32))
+    }
+
+    /// The number of one change after another, if there is that.
+    pub fn both(&mut self, first: Option<u32>, second: u32) -> u32 {
+        match first {
+            Some(first) => self.number(Change::Both(first, second)),
+            None => second,
+        }
+    }
+
+    /// A change that moves ends so little, instead of one that may move them farther.
+    pub fn small(&mut self, number: u32, by: f64) -> Option<u32> {
+        match self.get(number) {
+            Change::Planes(_) | Change::Plate(..) => Some(number),
+            Change::Longer(cut) => {
+                let most = cut.most.min(by);
+                Some(self.number(Change::Longer(Cut { most, ..cut })))
+            }
+            Change::Both(a, b) => match (self.small(a, by), self.small(b, by)) {
+                (first, Some(b)) => Some(self.both(first, b)),
+                (first, None) => first,
+            },
+            _ => Some(number),
+        }
+    }
+
+    /// Whether no face is moved so far that it can be seen.
+    pub fn is_small(&self, number: u32) -> bool {
+        match self.get(number) {
+            Change::Planes(_) | Change::Plate(..) => true,
+            Change::Longer(cut) => cut.most.is_finite(),
+            Change::Both(a, b) => self.is_small(a) && self.is_small(b),
+            _ => false,
+        }
+    }
+
+    /// How thick a sheet is to one side by a change, and of which index, if it is a plate.
+    pub fn plate(&self, number: u32) -> Option<(f64, u32)> {
+        match self.get(number) {
+            Change::Plate(by, index) => Some((by, index)),
+            Change::Both(a, b) => self.plate(b).or_else(|| self.plate(a)),
+            _ => None,
+        }
+    }
+
     pub fn get(&self, number: u32) -> Change {
         self.changes[number as usize]
     }
@@ -116,6 +184,9 @@ impl Changes {
         match self.get(number) {
             Change::Longer(cut) => lengthened(geometry, &cut),
             Change::Offset(by) => offset(geometry, by),
+            // It is no shape of the language.
+            Change::Plate(..) => None,
+            Change::Planes(planes) => with_planes_moved(geometry, &self.planes[planes as usize]),
             Change::Both(a, b) => {
                 let first = self.changed(a, geometry);
                 let second = self.changed(b, first.as_ref().unwrap_or(geometry));
@@ -162,6 +233,16 @@ impl Changes {
                 Change::Longer(Cut { around, by, most })
             }
             Change::Offset(by) => Change::Offset(by * stretched(m)?),
+            Change::Plate(by, index) => Change::Plate(by * stretched(m)?, index),
+            Change::Planes(planes) => {
+                let planes = self.planes[planes as usize].clone();
+                let moved = planes.into_iter().filter_map(|(plane, by)| {
+                    let (plane, factor) = plane.moved_back(m)?;
+                    Some((plane, by * factor))
+                });
+                let moved = moved.collect();
+                return Some(self.of_planes(moved));
+            }
             Change::Sides(by, sides) => Change::Sides(by * stretched(m)?, sides),
             Change::One(by, shape) => Change::One(by * stretched(m)?, shape),
             Change::Skin(around, by) => {
@@ -176,7 +257,7 @@ impl Changes {
     /// The change of what something is the complement of, or what is taken from it.
     pub fn turned(&mut self, number: u32) -> u32 {
         match self.get(number) {
-            Change::Longer(_) | Change::Sides(..) => number,
+            Change::Longer(_) | Change::Sides(..) | Change::Plate(..) | Change::Planes(_) => number,
             Change::Offset(by) => self.number(Change::Offset(-by)),
             Change::Both(a, b) => {
                 let (a, b) = (self.turned(a), self.turned(b));
@@ -413,6 +494,59 @@ pub fn lengthened(geometry: &Geometry, longer: &Cut) -> Option<Geometry> {
             })
         }
         _ => None,
+    }
+}
+
+/// The shape with its flat faces in some planes farther out, if it has any there.
+fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) -> Option<Geometry> {
+    let mut out: Option<Geometry> = None;
+    for (plane, by) in planes {
+        let now = out.as_ref().unwrap_or(geometry);
+        let near = |a: f64, b: f64| (a - b).abs() <= NEAR * by;
+        if let Geometry::HalfSpace([a, b, c, d]) = now {
+            let n = [*a, *b, *c];
+            let here = Plane::of(n, *d)?;
+            if length(sub(here.n, plane.n)) <= FLAT && near(here.d, plane.d) {
+                let d = d - by * length(n);
+                out = Some(Geometry::HalfSpace([*a, *b, *c, d]));
+            }
+            continue;
+        }
+        // All others have such faces across their axes only.
+        let Some(axis) = (0..3).find(|i| plane.n[*i].abs() > 1.0 - FLAT) else {
+            continue;
+        };
+        let sign = plane.n[axis].signum();
+        let at = -plane.d * sign;
+        let Some(end) = ends(now, axis).into_iter().find(|end| near(*end, at)) else {
+            continue;
+        };
+        let mut around = Aabb::ALL;
+        match sign > 0.0 {
+            true => around.max[axis] = end,
+            false => around.min[axis] = end,
+        }
+        let most = *by;
+        out = lengthened(
+            now,
+            &Cut {
+                around,
+                by: HALF,
+                most,
+            },
+        )
+        .or(out);
+    }
+    out
+}
+
+/// Where a shape has flat faces along an axis.
+fn ends(geometry: &Geometry, axis: usize) -> Vec<f64> {
+    match geometry {
+        Geometry::Box { min, max } => vec![min[axis], max[axis]],
+        Geometry::Cone { height, .. } if axis == 1 => vec![*height],
+        Geometry::Revolution { profile, .. } if axis == 1 => profile.iter().map(|p| p[1]).collect(),
+        _ => Vec::new(),
     }
 }
 

@@ -91,6 +91,11 @@ impl Looks {
         Some(number)
     }
 
+    /// Whether light goes through a look.
+    pub fn is_transparent(&self, aspects: &Aspects, look: u32) -> bool {
+        aspects.is_transparent(self.looks[look as usize].optics)
+    }
+
     /// What a look is called: after the entity that was given it.
     pub fn name(&self, number: u32) -> &str {
         &self.names[number as usize]

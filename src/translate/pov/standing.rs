@@ -3,7 +3,7 @@
 //! into the other, so that its face is where nobody sees it.
 
 use super::build::Builder;
-use super::flush::{Change, Cut, HAIR, is_along, lengthened};
+use super::flush::{Change, Cut, HAIR, lengthened};
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Vec3};
 
 /// Solids are made longer by this part of their length, or of what there is room for: far more than
@@ -154,39 +154,27 @@ impl Builder<'_> {
             let Some(node) = todo.pop() else {
                 return most;
             };
-            let wider = match self.along_the_axes(node) {
-                // It goes on straight.
-                Some(Geometry::Cone { .. }) => 1.0 + PART,
-                Some(geometry @ Geometry::Revolution { profile, .. }) => {
-                    1.0 + widened(geometry, profile)
+            match self.scene.nodes[node as usize] {
+                Node::Shape(shape) => {
+                    let wider = match &self.scene.shapes[shape as usize].geometry {
+                        // It goes on straight.
+                        Geometry::Cone { .. } => 1.0 + PART,
+                        geometry @ Geometry::Revolution { profile, .. } => {
+                            1.0 + widened(geometry, profile)
+                        }
+                        // As wide as before, or not longer at all.
+                        _ => 1.0,
+                    };
+                    most = most.max(wider);
                 }
-                // As wide as before, or not longer at all.
-                Some(_) => 1.0,
-                // Its parts lie within it.
-                None => match self.scene.nodes[node as usize] {
-                    Node::Union(a, b) => {
-                        todo.extend([a, b]);
-                        continue;
-                    }
-                    Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                        todo.push(child);
-                        continue;
-                    }
-                    // What is taken away is not made longer.
-                    Node::Difference(a, _) => {
-                        todo.push(a);
-                        continue;
-                    }
-                    Node::Transform { child, matrix }
-                        if is_along(&self.scene.matrices[matrix as usize]) =>
-                    {
-                        todo.push(child);
-                        continue;
-                    }
-                    _ => WIDER,
-                },
-            };
-            most = most.max(wider);
+                Node::Union(a, b) => todo.extend([a, b]),
+                // What is taken away is not made longer.
+                Node::Difference(a, _) => todo.push(a),
+                Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push(child),
+                // It is longer along an axis of the coordinates only where that is one of its own.
+                Node::Transform { child, .. } => todo.push(child),
+                _ => most = most.max(WIDER),
+            }
         }
         WIDER
     }

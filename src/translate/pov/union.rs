@@ -22,7 +22,7 @@ const MANY: usize = 512;
 type Operands = Vec<(NodeId, State)>;
 
 /// The optics and index of a solid, if it is of one medium, and whether faces inside of it can be seen.
-type Kind = (Option<(u32, u32)>, bool);
+pub(super) type Kind = (Option<(u32, u32)>, bool);
 
 /// Operands of a union that are one medium.
 pub(super) struct Members {
@@ -94,11 +94,15 @@ impl Builder<'_> {
                 && self.is_seen_into(node, state)
         };
         if !members.iter().any(seen_into) {
+            let mut members = members;
+            let kinds = vec![(None, false); members.len()];
+            self.level(&mut members, &kinds);
             let pieces = self.pieces(&members);
             return non_empty(Group::Union, pieces);
         }
-        let (mut solids, surfaces) = self.by_part(&members);
+        let (mut solids, mut surfaces) = self.by_part(&members);
         let reaching = self.settle(&mut solids);
+        self.level_all(&mut solids, &mut surfaces);
         let mut groups = self.by_medium(&solids);
         let meetings = self.meetings(&mut groups, &reaching);
         let mut pieces = Vec::new();
@@ -112,14 +116,30 @@ impl Builder<'_> {
                 }
             }
             let mut hidden = self.skin(&groups, &meetings, i, &reaching);
-            if let Some((outer, rest)) = self.outer_side(&groups, &meetings, i, &reaching) {
-                hidden.push(outer.with(clips.clone()));
-                clips.push(rest);
-            }
+            let (outer, rest) = self.outer_sides(&groups, &meetings, i, &reaching);
+            hidden.extend(outer.into_iter().map(|p| p.with(clips.clone())));
+            clips.extend(rest);
             pieces.extend(self.one_medium_union(&mut groups[i], clips, hidden));
+        }
+        for surface in &mut surfaces {
+            let plate = self.plate(*surface, &groups);
+            surface.1.flush = plate.or(surface.1.flush);
         }
         pieces.extend(self.pieces(&surfaces));
         non_empty(Group::Union, pieces)
+    }
+
+    fn level_all(&mut self, solids: &mut Operands, surfaces: &mut Operands) {
+        let mut parts = solids.clone();
+        parts.extend(surfaces.iter().copied());
+        let kinds: Vec<Kind> = (solids.iter())
+            .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
+            .chain(surfaces.iter().map(|_| (None, false)))
+            .collect();
+        self.level(&mut parts, &kinds);
+        surfaces.copy_from_slice(&parts[solids.len()..]);
+        parts.truncate(solids.len());
+        *solids = parts;
     }
 
     /// Makes solids longer that stand on earlier ones and would show the face between, and gives by
@@ -145,6 +165,7 @@ impl Builder<'_> {
             let clear = nodes(&mut (0..i).filter(|j| kinds[*j].1));
             let before = nodes(&mut (0..i).filter(counts));
             let after = nodes(&mut (i + 1..solids.len()).filter(counts).filter(differs));
+            let alike = nodes(&mut (i + 1..solids.len()).filter(counts).filter(|j| !differs(j)));
             let mut note = |stand: Stand| {
                 let pair = |other: NodeId| (node.min(other), node.max(other));
                 held.extend(stand.held.into_iter().map(pair));
@@ -163,10 +184,17 @@ impl Builder<'_> {
                 solids[i].1.flush = note(plug);
             }
             if solids[i].1.flush.is_none() {
-                solids[i].1.flush = note(self.filling(node, &before));
+                let around = [&before[..], &alike].concat();
+                solids[i].1.flush = note(self.filling(node, &around));
             }
             if solids[i].1.flush.is_none() {
                 solids[i].1.flush = note(self.standing(node, &before));
+            }
+        }
+        for (node, state) in solids.iter_mut() {
+            if self.may_be_laid_out(*node, state.look) {
+                let by = 2.0 * self.hair;
+                state.flush = state.flush.and_then(|f| self.changes.small(f, by));
             }
         }
         held.extend(self.join_neighbours(solids, &kinds));

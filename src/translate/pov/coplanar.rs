@@ -1,0 +1,335 @@
+//! Flat faces of a union's parts that lie in one plane. By right the one of the first part is seen, and that of
+//! a sheet before those of solids; POV-Ray shows now one, now the other, or where parts are joined to one
+//! solid, none. So the faces are put a part of a hair apart, those that are seen farther out.
+
+use std::collections::HashMap;
+
+use super::build::Builder;
+use super::flush::Change;
+use super::piece::{Part, State};
+use super::sheets::is_flat;
+use super::union::Kind;
+use crate::scene::bounds::shape_bounds;
+use crate::scene::vector::{cross, dot, length, sub};
+use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Vec3};
+
+/// Unions of more parts are not searched.
+const MANY: usize = 1024;
+/// So many nodes of a part are looked at.
+const PATIENCE: usize = 64;
+/// So many hairs apart faces are put at most.
+const HIGH: f64 = 16.0;
+/// Planes that are this near, as a part of the numbers, are one: what a few roundings may do.
+const SAME: f64 = 1e-12;
+
+/// A plane n·x + d = 0 whose normal has the length 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    pub n: Vec3,
+    pub d: f64,
+}
+
+impl Plane {
+    pub fn of(n: Vec3, d: f64) -> Option<Plane> {
+        let length = length(n);
+        let plane = Plane {
+            n: n.map(|x| x / length),
+            d: d / length,
+        };
+        (plane.n.iter().all(|x| x.is_finite()) && plane.d.is_finite()).then_some(plane)
+    }
+
+    /// In the coordinates that a matrix leads away from; and by how much lengths across it become longer there.
+    pub fn moved_back(&self, m: &Matrix) -> Option<(Plane, f64)> {
+        let n = std::array::from_fn(|j| (0..3).map(|i| self.n[i] * m.0[i][j]).sum());
+        let d = self.d + (0..3).map(|i| self.n[i] * m.0[i][3]).sum::<f64>();
+        Some((Plane::of(n, d)?, 1.0 / length(n)))
+    }
+
+    /// Whether it is another one, the normal to the same side. Numbers are as large as `size`.
+    pub fn is(&self, other: &Plane, size: f64) -> bool {
+        let size = size.max(self.d.abs());
+        length(sub(self.n, other.n)) <= SAME && (self.d - other.d).abs() <= SAME * size
+    }
+
+    fn turned(&self) -> Plane {
+        Plane {
+            n: self.n.map(|x| -x),
+            d: -self.d,
+        }
+    }
+}
+
+/// A flat face of a part in the union's coordinates.
+struct Face {
+    part: usize,
+    /// Its normal points out of the solid.
+    plane: Plane,
+    /// A box around it.
+    around: Aabb,
+    sheet: bool,
+    /// It is that of a hole, which stays as it is.
+    cut: bool,
+}
+
+/// Which way a part lies from the faces of a shape that it is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Way {
+    /// Inside, as that of the shape.
+    Out,
+    /// Outside: the shape is a hole.
+    In,
+    /// Inside, in a hole of a hole.
+    Back,
+}
+
+impl Way {
+    fn turned(self) -> Way {
+        match self {
+            Way::Out | Way::Back => Way::In,
+            Way::In => Way::Back,
+        }
+    }
+}
+
+impl Face {
+    /// Whether two faces lie in one plane, and at one place there; the normals of solids to the same side,
+    /// or to opposite ones.
+    fn is_level_with(&self, other: &Face, same: bool) -> bool {
+        let ends = [&self.around, &other.around]
+            .into_iter()
+            .flat_map(|b| [b.min, b.max]);
+        let finite = ends.flatten().filter(|x| x.is_finite());
+        let size = finite.fold(0.0f64, |m, x| m.max(x.abs()));
+        // They are flat.
+        let over = |i: usize| {
+            let low = self.around.min[i].max(other.around.min[i]);
+            low - self.around.max[i].min(other.around.max[i]) <= 1e-9 * size
+        };
+        if !(0..3).all(over) {
+            return false;
+        }
+        let alike = self.plane.is(&other.plane, size);
+        let opposed = self.plane.is(&other.plane.turned(), size);
+        match (self.sheet || other.sheet, same) {
+            (true, _) => alike || opposed,
+            (false, true) => alike,
+            (false, false) => opposed,
+        }
+    }
+
+    /// Whether it lies within another one, as far as boxes tell.
+    fn is_within(&self, other: &Face) -> bool {
+        other.around.holds(&self.around)
+    }
+}
+
+impl Builder<'_> {
+    /// Changes parts of a union so that of several faces in one plane the right one is seen. `kinds` are
+    /// what the parts are made of.
+    pub(super) fn level(&mut self, parts: &mut [(NodeId, State)], kinds: &[Kind]) {
+        if parts.len() > MANY || self.hair == 0.0 {
+            return;
+        }
+        let mut faces: Vec<Face> = Vec::new();
+        for (i, &(node, state)) in parts.iter().enumerate() {
+            self.faces(i, (node, state), &mut faces);
+        }
+        // Those that are seen first, first.
+        faces.sort_by_key(|f| (!f.sheet, f.part));
+        let mut heights = vec![0.0; faces.len()];
+        for a in (0..faces.len()).rev() {
+            for b in a + 1..faces.len() {
+                if faces[a].part != faces[b].part {
+                    self.level_pair(&faces, (a, b), &mut heights, (parts, kinds));
+                }
+            }
+        }
+        let mut moved: HashMap<usize, Vec<(Plane, f64)>> = HashMap::new();
+        let mut sheets: HashMap<usize, f64> = HashMap::new();
+        for (face, height) in faces.iter().zip(heights).filter(|(_, h)| *h > 0.0) {
+            if height > HIGH * self.hair {
+                self.faces_in_one_place(self.ids[parts[face.part].0 as usize]);
+            } else if face.sheet {
+                let known = sheets.entry(face.part).or_default();
+                *known = known.max(height);
+            } else {
+                moved
+                    .entry(face.part)
+                    .or_default()
+                    .push((face.plane, height));
+            }
+        }
+        for (i, (_, state)) in parts.iter_mut().enumerate() {
+            let planes = moved
+                .remove(&i)
+                .map(|planes| self.changes.of_planes(planes));
+            let plate = sheets.remove(&i);
+            let plate = plate.map(|by| self.changes.number(Change::Plate(by, self.densest)));
+            for change in [planes, plate].into_iter().flatten() {
+                state.flush = Some(self.changes.both(state.flush, change));
+            }
+        }
+    }
+
+    /// Lifts the first of two faces over the second if they lie in one plane and the first one is to be seen.
+    fn level_pair(
+        &mut self,
+        faces: &[Face],
+        (a, b): (usize, usize),
+        heights: &mut [f64],
+        (parts, kinds): (&[(NodeId, State)], &[Kind]),
+    ) {
+        let (f, g) = (&faces[a], &faces[b]);
+        let [of_f, of_g] = [f.part, g.part].map(|part| kinds[part]);
+        if f.cut && g.cut {
+            return;
+        }
+        let joined = of_f.1 && of_g.1 && of_f.0.is_some() && of_f.0 == of_g.0;
+        if f.sheet || (!of_f.1 && !of_g.1) {
+            let differ = || {
+                let [one, other] = [f.part, g.part].map(|i| self.substance(parts[i].0, parts[i].1));
+                one.is_none() || one.map(|s| s.0) != other.map(|s| s.0)
+            };
+            match f.is_level_with(g, true) && (f.sheet || differ()) {
+                true if f.cut => self.faces_in_one_place(self.ids[parts[f.part].0 as usize]),
+                true => heights[a] = f64::max(heights[a], heights[b] + self.hair / 2.0),
+                false => {}
+            }
+        } else if joined && !g.sheet {
+            // Well within what is a hair smaller.
+            let by = 2.0 * self.hair;
+            if f.is_level_with(g, true) {
+                // Either may be the one that is farther out.
+                let (above, below) = if f.cut { (b, a) } else { (a, b) };
+                heights[above] = f64::max(heights[above], heights[below] + by);
+            } else if f.is_level_with(g, false) {
+                // One of them ends where the other begins.
+                let into = match (f.cut, g.cut) {
+                    (true, _) => b,
+                    (_, true) => a,
+                    _ if g.is_within(f) => b,
+                    _ => a,
+                };
+                heights[into] = f64::max(heights[into], by);
+            }
+        }
+    }
+
+    /// The flat faces of a part, as far as patience goes.
+    fn faces(&self, part: usize, (node, state): (NodeId, State), faces: &mut Vec<Face>) {
+        let mut todo = vec![(node, Matrix::IDENTITY, Way::Out)];
+        for _ in 0..PATIENCE {
+            let Some((node, m, way)) = todo.pop() else {
+                return;
+            };
+            match self.scene.nodes[node as usize] {
+                Node::Shape(shape) => {
+                    let geometry = &self.scene.shapes[shape as usize].geometry;
+                    let left_out = match state.part {
+                        Part::All => false,
+                        Part::Solid => !geometry.is_solid(),
+                        Part::Surface => geometry.is_solid(),
+                    };
+                    if left_out {
+                        continue;
+                    }
+                    let Some(back) = m.inverse() else { continue };
+                    for (plane, around) in flat_faces(geometry, &m) {
+                        faces.extend(plane.moved_back(&back).map(|(plane, _)| Face {
+                            part,
+                            plane: if way == Way::In {
+                                plane.turned()
+                            } else {
+                                plane
+                            },
+                            around,
+                            sheet: !geometry.is_solid(),
+                            cut: way != Way::Out,
+                        }));
+                    }
+                }
+                Node::Transform { child, matrix } => {
+                    let m = m.after(&self.scene.matrices[matrix as usize]);
+                    todo.push((child, m, way));
+                }
+                Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, m, way)),
+                Node::Complement(a) => todo.push((a, m, way.turned())),
+                Node::Union(a, b) | Node::Intersection(a, b) => {
+                    todo.extend([(b, m, way), (a, m, way)]);
+                }
+                Node::Difference(a, b) => todo.extend([(b, m, way.turned()), (a, m, way)]),
+            }
+        }
+    }
+}
+
+/// The planes of the flat faces of a shape in its own coordinates, and boxes around the faces in those that
+/// a matrix leads to.
+fn flat_faces(geometry: &Geometry, m: &Matrix) -> Vec<(Plane, Aabb)> {
+    let axis =
+        |i: usize, sign: f64| -> Vec3 { std::array::from_fn(|k| if k == i { sign } else { 0.0 }) };
+    let face = |min: Vec3, max: Vec3| shape_bounds(&Geometry::Box { min, max }, m);
+    let disc = |y: f64, radius: f64, sign: f64| {
+        let plane = Plane {
+            n: axis(1, sign),
+            d: -sign * y,
+        };
+        (plane, face([-radius, y, -radius], [radius, y, radius]))
+    };
+    match geometry {
+        Geometry::Box { min, max } => {
+            let ends = (0..3).flat_map(|i| [(i, -1.0), (i, 1.0)]);
+            let faces = ends.map(|(i, sign)| {
+                let at = if sign > 0.0 { max[i] } else { min[i] };
+                let (mut low, mut high) = (*min, *max);
+                (low[i], high[i]) = (at, at);
+                (
+                    Plane {
+                        n: axis(i, sign),
+                        d: -sign * at,
+                    },
+                    face(low, high),
+                )
+            });
+            faces.collect()
+        }
+        Geometry::Cone { height, radius } => vec![disc(*height, *radius, height.signum())],
+        Geometry::Revolution { profile, .. } => {
+            let ends = [1.0, -1.0].map(|sign: f64| {
+                let y = profile
+                    .iter()
+                    .fold(f64::NEG_INFINITY, |y, p| y.max(sign * p[1]))
+                    * sign;
+                let level = profile.iter().filter(|p| p[1] == y);
+                disc(y, level.fold(0.0, |r, p| p[0].max(r)), sign)
+            });
+            ends.into()
+        }
+        _ => {
+            let plane = flat_plane(geometry);
+            plane
+                .map(|p| (p, shape_bounds(geometry, m)))
+                .into_iter()
+                .collect()
+        }
+    }
+}
+
+/// The plane that a shape is or that bounds it.
+fn flat_plane(geometry: &Geometry) -> Option<Plane> {
+    match geometry {
+        Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d]) => {
+            Plane::of([*a, *b, *c], *d)
+        }
+        Geometry::Rectangle { .. } => Plane::of([0.0, 0.0, 1.0], 0.0),
+        Geometry::Triangle {
+            vertices: [p, q, r],
+            ..
+        } if is_flat(geometry) => {
+            let n = cross(sub(*q, *p), sub(*r, *p));
+            Plane::of(n, -dot(n, *p))
+        }
+        _ => None,
+    }
+}
