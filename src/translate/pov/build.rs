@@ -287,7 +287,7 @@ impl<'a> Builder<'a> {
         let mut surfaces = HashSet::new();
         let mut solids = HashSet::new();
         while let Some((node, state)) = todo.pop() {
-            let descent = self.descend(node, state, Stop::AtShared);
+            let descent = self.descend(node, state, Stop::AmongParts);
             match (descent.bare_union(), descent.end) {
                 (Some((a, b, state)), _) => todo.extend([(b, state), (a, state)]),
                 (None, End::Nothing) => {}

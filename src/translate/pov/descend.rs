@@ -7,6 +7,9 @@ use super::build::Builder;
 use super::piece::{Key, Look, Medium, Modifier, Part, State};
 use crate::scene::{Node, NodeId};
 
+/// Unions of more parts are left together.
+const FEW: usize = 32;
+
 /// What lies at the end of the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum End {
@@ -31,6 +34,9 @@ pub(super) enum End {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Stop {
     AtShared,
+    /// As `AtShared`, and small unions that light goes through are not given their look as a whole: each
+    /// part has to be seen among those of the union around it.
+    AmongParts,
     /// As `AtShared`, but not at the start: it is what is being declared.
     BelowStart,
     Never,
@@ -109,14 +115,17 @@ impl Builder<'_> {
                 // One name for the one part there is.
                 state.part = Part::All;
             }
-            if !self.settle_medium(node, &mut state, surface, &mut way) {
-                return way.end(End::Split(node, state));
+            let apart = stop == Stop::AmongParts && f.uses <= 1 && way.modifiers.is_empty();
+            if !(apart && self.is_small_clear_union(node, state.look)) {
+                if !self.settle_medium(node, &mut state, surface, &mut way) {
+                    return way.end(End::Split(node, state));
+                }
+                let (look, modifier) = self.settle_look(node, state.look);
+                state.look = look;
+                modifier.into_iter().for_each(|m| way.push(m));
             }
-            let (look, modifier) = self.settle_look(node, state.look);
-            state.look = look;
-            modifier.into_iter().for_each(|m| way.push(m));
             let may_stop = match stop {
-                Stop::AtShared => true,
+                Stop::AtShared | Stop::AmongParts => true,
                 Stop::BelowStart => node != start,
                 Stop::Never => false,
             };
@@ -204,6 +213,25 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// Whether a node is a union of a few parts and light goes through it.
+    fn is_small_clear_union(&self, node: NodeId, look: Look) -> bool {
+        if !matches!(look, Look::Own { .. }) || !self.is_transparent(node, look) {
+            return false;
+        }
+        let mut todo = vec![node];
+        let mut parts = 0;
+        while let Some(node) = todo.pop() {
+            match self.scene.nodes[node as usize] {
+                Node::Union(a, b) => todo.extend([a, b]),
+                _ => parts += 1,
+            }
+            if parts + todo.len() > FEW {
+                return false;
+            }
+        }
+        parts > 1
     }
 
     /// Gives the node's inside its index, where that is the same everywhere. `false` where this

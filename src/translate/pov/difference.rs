@@ -4,7 +4,6 @@
 use super::aspects::{DEFAULT, PROFILE, TextureUse};
 use super::build::{Builder, inside_medium};
 use super::descend::{End, Stop};
-use super::flush::Change;
 use super::grouping::{self, meet};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::union::non_empty;
@@ -76,14 +75,7 @@ impl Builder<'_> {
     ) -> Option<Piece> {
         let of = base.0;
         let base = self.without_what_goes(base, cutters)?;
-        let offset = change.filter(|c| match self.changes.get(*c) {
-            Change::Offset(_) | Change::One(..) | Change::Skin(..) => true,
-            Change::Longer(_)
-            | Change::Sides(..)
-            | Change::Both(..)
-            | Change::Plate(..)
-            | Change::Planes(_) => false,
-        });
+        let offset = change.and_then(|c| self.changes.offset(c));
         let offset = offset.map(|c| self.changes.turned(c));
         let taken = self.cutters(cutters, look, Some(of), offset);
         Some(difference(base, taken, &[]))

@@ -166,6 +166,15 @@ impl Changes {
         }
     }
 
+    /// The part of a change that moves whole surfaces, of what is taken away, too.
+    pub fn offset(&self, number: u32) -> Option<u32> {
+        match self.get(number) {
+            Change::Offset(_) | Change::One(..) | Change::Skin(..) => Some(number),
+            Change::Both(a, b) => self.offset(a).or_else(|| self.offset(b)),
+            Change::Longer(_) | Change::Sides(..) | Change::Plate(..) | Change::Planes(_) => None,
+        }
+    }
+
     /// How thick a sheet is to one side by a change, and of which index, if it is a plate.
     pub fn plate(&self, number: u32) -> Option<(f64, u32)> {
         match self.get(number) {

@@ -153,18 +153,22 @@ impl Builder<'_> {
             .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
             .collect();
         let (mut held, mut loose) = (HashSet::new(), Vec::new());
+        // What is changed about all of them comes after what is changed among them.
+        let whole: Vec<_> = solids.iter_mut().map(|s| s.1.flush.take()).collect();
         for i in 0..solids.len() {
             let node = solids[i].0;
             let (medium, seen) = kinds[i];
             // Between what is opaque nobody sees.
             let counts = |j: &usize| seen || kinds[*j].1;
             let differs = |j: &usize| medium.is_none() || medium != kinds[*j].0;
+            // What comes between parts of one medium may keep them from being joined.
+            let is_beyond = |j: &usize| differs(j) || (i + 1..*j).any(|k| differs(&k));
             let nodes = |which: &mut dyn Iterator<Item = usize>| -> Vec<NodeId> {
                 which.map(|j| solids[j].0).collect()
             };
             let clear = nodes(&mut (0..i).filter(|j| kinds[*j].1));
             let before = nodes(&mut (0..i).filter(counts));
-            let after = nodes(&mut (i + 1..solids.len()).filter(counts).filter(differs));
+            let after = nodes(&mut (i + 1..solids.len()).filter(counts).filter(is_beyond));
             let alike = nodes(&mut (i + 1..solids.len()).filter(counts).filter(|j| !differs(j)));
             let mut note = |stand: Stand| {
                 let pair = |other: NodeId| (node.min(other), node.max(other));
@@ -191,7 +195,10 @@ impl Builder<'_> {
                 solids[i].1.flush = note(self.standing(node, &before));
             }
         }
-        for (node, state) in solids.iter_mut() {
+        for ((node, state), whole) in solids.iter_mut().zip(whole) {
+            if let Some(whole) = whole {
+                state.flush = Some(self.changes.both(state.flush, whole));
+            }
             if self.may_be_laid_out(*node, state.look) {
                 let by = 2.0 * self.hair;
                 state.flush = state.flush.and_then(|f| self.changes.small(f, by));
