@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use super::build::Builder;
 use super::flush::Change;
-use super::piece::{Part, State};
+use super::piece::{Look, Part, State};
 use super::sheets::is_flat;
 use super::union::Kind;
 use crate::scene::bounds::shape_bounds;
@@ -101,10 +101,14 @@ impl Face {
             .flat_map(|b| [b.min, b.max]);
         let finite = ends.flatten().filter(|x| x.is_finite());
         let size = finite.fold(0.0f64, |m, x| m.max(x.abs()));
-        // They are flat.
+        let hair = 1e-9 * size;
+        // Along an axis that they lie across they are as thick as nothing; along others more than an edge
+        // has to be in common.
         let over = |i: usize| {
-            let low = self.around.min[i].max(other.around.min[i]);
-            low - self.around.max[i].min(other.around.max[i]) <= 1e-9 * size
+            let [a, b] = [&self.around, &other.around];
+            let common = a.max[i].min(b.max[i]) - a.min[i].max(b.min[i]);
+            let flat = |b: &Aabb| b.max[i] - b.min[i] <= hair;
+            common > if flat(a) && flat(b) { -hair } else { hair }
         };
         if !(0..3).all(over) {
             return false;
@@ -188,10 +192,10 @@ impl Builder<'_> {
         let joined = of_f.1 && of_g.1 && of_f.0.is_some() && of_f.0 == of_g.0;
         if f.sheet || (!of_f.1 && !of_g.1) {
             let differ = || {
-                let [one, other] = [f.part, g.part].map(|i| self.substance(parts[i].0, parts[i].1));
-                one.is_none() || one.map(|s| s.0) != other.map(|s| s.0)
+                let [one, other] = [f, g].map(|face| self.look_of(parts[face.part], face.sheet));
+                one.is_none() || one != other
             };
-            match f.is_level_with(g, true) && (f.sheet || differ()) {
+            match f.is_level_with(g, true) && differ() {
                 true if f.cut => self.faces_in_one_place(self.ids[parts[f.part].0 as usize]),
                 true => heights[a] = f64::max(heights[a], heights[b] + self.hair / 2.0),
                 false => {}
@@ -213,6 +217,19 @@ impl Builder<'_> {
                 };
                 heights[into] = f64::max(heights[into], by);
             }
+        }
+    }
+
+    /// What all solids of a part look like, or all surfaces, if that is the same for all.
+    fn look_of(&self, (node, state): (NodeId, State), sheet: bool) -> Option<Look> {
+        let facts = &self.facts[node as usize];
+        match state.look {
+            Look::Own { texture, optics } if sheet => Some(Look::Own {
+                texture: Some(texture.or(facts.face_texture)?),
+                optics: Some(optics.or(facts.face_optics)?),
+            }),
+            look if sheet => Some(look),
+            _ => Some(self.substance(node, state)?.0),
         }
     }
 
@@ -307,9 +324,12 @@ fn flat_faces(geometry: &Geometry, m: &Matrix) -> Vec<(Plane, Aabb)> {
             ends.into()
         }
         _ => {
-            let plane = flat_plane(geometry);
-            plane
-                .map(|p| (p, shape_bounds(geometry, m)))
+            let around = match geometry {
+                Geometry::HalfSpace(p) => shape_bounds(&Geometry::Plane(*p), m),
+                _ => shape_bounds(geometry, m),
+            };
+            flat_plane(geometry)
+                .map(|p| (p, around))
                 .into_iter()
                 .collect()
         }
