@@ -54,9 +54,9 @@ pub(super) struct Builder<'a> {
     pub turned: HashMap<u32, bool>,
     /// For each node whether there are any in it; nothing where there are none at all.
     pub holds_turned: Vec<bool>,
-    /// For each node whether a flat surface is in it; nothing where no light goes through solids.
+    /// For each node whether a flat surface is in it; nothing where no light goes through anything.
     pub holds_sheets: Vec<bool>,
-    /// The number of an index as large as that of any solid that light goes through.
+    /// The number of an index as large as that of any solid.
     pub densest: u32,
     pub report: Report,
     /// The entity each node belongs to, 0 where none does.
@@ -83,10 +83,9 @@ impl<'a> Builder<'a> {
             .and_then(|r| r.clip)
             .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all))
             || camera_is_walled_in(scene, &facts, &aspects);
-        let solids = || facts.iter().filter(|f| f.uses > 0 && f.has_solid);
         let clear = facts.iter().any(|f| f.uses > 0 && f.transparent);
         let mut densest = DEFAULT;
-        for solid in solids() {
+        for solid in facts.iter().filter(|f| f.uses > 0 && f.has_solid) {
             densest = aspects.denser(densest, solid.index.first);
         }
         Builder {

@@ -78,6 +78,7 @@ pub struct Changes {
     shapes: Vec<Geometry>,
     /// Planes, and how far out what lies in them is moved.
     planes: Vec<Vec<(Plane, f64)>>,
+    plane_numbers: HashMap<Vec<u64>, u32>,
     numbers: HashMap<[u64; 9], u32>,
 }
 
@@ -124,12 +125,14 @@ impl Changes {
 
     /// The number of the change that moves the faces in some planes out.
     pub fn of_planes(&mut self, planes: Vec<(Plane, f64)>) -> u32 {
-        let known = self.planes.iter().position(|p| *p == planes);
-        let number = known.unwrap_or_else(|| {
+        let bits = |(p, by): &(Plane, f64)| [p.n[0], p.n[1], p.n[2], p.d, *by].map(f64::to_bits);
+        let key = planes.iter().flat_map(bits).collect();
+        let next = self.planes.len() as u32;
+        let number = *self.plane_numbers.entry(key).or_insert(next);
+        if number == next {
             self.planes.push(planes);
-            self.planes.len() - 1
-        });
-        self.number(Change::Planes(number as u32))
+        }
+        self.number(Change::Planes(number))
     }
 
     /// The number of one change after another, if there is that.
@@ -141,18 +144,17 @@ impl Changes {
     }
 
     /// A change that moves ends so little, instead of one that may move them farther.
-    pub fn small(&mut self, number: u32, by: f64) -> Option<u32> {
+    pub fn small(&mut self, number: u32, by: f64) -> u32 {
         match self.get(number) {
-            Change::Planes(_) | Change::Plate(..) => Some(number),
             Change::Longer(cut) => {
                 let most = cut.most.min(by);
-                Some(self.number(Change::Longer(Cut { most, ..cut })))
+                self.number(Change::Longer(Cut { most, ..cut }))
             }
-            Change::Both(a, b) => match (self.small(a, by), self.small(b, by)) {
-                (first, Some(b)) => Some(self.both(first, b)),
-                (first, None) => first,
-            },
-            _ => Some(number),
+            Change::Both(a, b) => {
+                let (a, b) = (self.small(a, by), self.small(b, by));
+                self.number(Change::Both(a, b))
+            }
+            _ => number,
         }
     }
 

@@ -25,7 +25,7 @@ pub fn is_flat(geometry: &Geometry) -> bool {
         || matches!(geometry, Triangle { normals, .. } if *normals == flat)
 }
 
-/// For each node whether any is in it; nothing where no light goes through solids.
+/// For each node whether any is in it; nothing where no light goes through anything.
 pub fn holders(scene: &Scene, clear: bool) -> Vec<bool> {
     let mut holds = vec![false; if clear { scene.nodes.len() } else { 0 }];
     for id in 0..holds.len() {

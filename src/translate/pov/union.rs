@@ -201,7 +201,7 @@ impl Builder<'_> {
             }
             if self.may_be_laid_out(*node, state.look) {
                 let by = 2.0 * self.hair;
-                state.flush = state.flush.and_then(|f| self.changes.small(f, by));
+                state.flush = state.flush.map(|f| self.changes.small(f, by));
             }
         }
         held.extend(self.join_neighbours(solids, &kinds));
