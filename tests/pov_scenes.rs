@@ -326,6 +326,39 @@ fn sheets_among_glass() {
     }
 }
 
+/// Groups of several media that were moved as a whole stand on glass, between other things: faces of their
+/// parts lie in one place with each other and with those of the floor.
+#[test]
+fn moved_groups_on_glass() {
+    const LOOKS: &str = "80 -701 0.9 0.2 0.1\n81 -701 0.2 0.3 0.6\n82 -201 0.1 0 0.7\n82 -203 1.5 1.5 1.5\n\
+                         83 -201 0.05 0 0.8\n83 -203 1.33 1.33 1.33\n84 -201 0.4 0.1 0.5\n\
+                         10 12 -3 -0.3 -3 3 0 3\n10 -299 0 82\n";
+    const TANK: &str = "2 12 -0.7 0 -0.5 0.7 1 0.5\n3 12 -0.6 0.1 -0.4 0.6 1.1 0.4\n4 -103 2 3\n4 -299 0 82\n\
+                        5 12 -0.6 0.1 -0.4 0.6 0.8 0.4\n5 -299 0 83\n";
+    // A ball on the bottom of the tank, of the tank's glass, before it; a cube around a sheet; one around a ball.
+    let cube = "2 12 -0.7 0 -0.5 0.7 1 0.5\n";
+    let groups = [
+        format!("{TANK}6 -101 5 4\n"),
+        format!("{TANK}7 9 0.2\n7 -1 0.1 0.3 0.1\n7 -299 0 82\n8 -101 7 4\n6 -101 8 5\n"),
+        format!("{cube}2 -299 0 82\n3 5 -0.25 0.2 0.25 0.7\n3 -299 81 84\n6 -101 2 3\n"),
+        format!("{cube}2 -299 0 83\n3 9 0.3\n3 -1 0 0.5 0\n3 -299 80 0\n6 -101 3 2\n"),
+    ];
+    let moves = ["6 -1 -0.5 0 0.5\n", "6 -2 35 2\n6 -1 -0.5 0 0.5\n"];
+    // Its box meets that of the floor.
+    let other = "11 9 1\n11 -1 0 0 0.6\n12 9 1\n12 -1 0 0 -0.6\n13 -102 11 12\n13 -1 1.6 0.85 0.7\n13 -299 80 0\n";
+    for (i, group) in groups.iter().enumerate() {
+        for (j, moved) in moves.iter().enumerate() {
+            for (k, order) in ["14 -101 6 13\n15 -101 14 10", "14 -101 10 13\n15 -101 14 6"]
+                .iter()
+                .enumerate()
+            {
+                let body = format!("{LOOKS}{group}{moved}{other}{order}\n");
+                nearly_agrees(&format!("moved_{i}{j}{k}"), &lit(&body, 15));
+            }
+        }
+    }
+}
+
 /// Two parts of one medium on the two sides of a face: nothing is to be seen of it. So it is in a scene
 /// where operands of an overlap are painted by themselves.
 #[test]

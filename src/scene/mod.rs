@@ -37,7 +37,7 @@ pub type Rgb = [f64; 3];
 pub type NodeId = u32;
 
 /// A resolved scene.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Scene {
     pub nodes: Vec<Node>,
     /// The record that made each node, as long as `nodes` and in file order.

@@ -14,7 +14,6 @@ use super::build::Builder;
 use super::flush::Change;
 use super::grouping;
 use super::piece::{Group, Modifier, Piece};
-use super::standing::ends_alike;
 use super::union::{Members, Reaching, non_empty};
 use crate::scene::{Aabb, NodeId};
 
@@ -271,12 +270,12 @@ impl Builder<'_> {
     fn ends_within<'a>(&self, node: NodeId, others: impl Iterator<Item = &'a Members>) -> Aabb {
         let own = self.box_of(node);
         let mut around = Aabb::ALL;
-        for other in others.flat_map(|group| &group.boxes) {
+        for &(other, _) in others.flat_map(|group| &group.nodes) {
             for axis in 0..3 {
-                if let Some(end) = ends_alike(&own, other, axis, true) {
+                if let Some(end) = self.ends_alike(&own, other, axis, true) {
                     around.min[axis] = end;
                 }
-                if let Some(end) = ends_alike(&own, other, axis, false) {
+                if let Some(end) = self.ends_alike(&own, other, axis, false) {
                     around.max[axis] = end;
                 }
             }

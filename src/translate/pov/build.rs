@@ -13,7 +13,6 @@ use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State}
 use super::sets::Sets;
 use super::sheets;
 use super::union;
-use super::verdict::verdict;
 use super::volumes::{self, Volumes};
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, Node, NodeId, Scene, View};
@@ -71,7 +70,7 @@ pub(super) struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    pub fn new(scene: &'a Scene, root: NodeId) -> Builder<'a> {
+    pub fn new(scene: &'a Scene, root: NodeId, report: Report) -> Builder<'a> {
         let mut aspects = Aspects::of(scene);
         let facts = facts::facts(scene, &mut aspects, root);
         let bounds = node_bounds(scene);
@@ -106,7 +105,7 @@ impl<'a> Builder<'a> {
             holds_sheets: sheets::holders(scene, clear),
             densest,
             volumes,
-            report: Report::of("pov", scene, verdict),
+            report,
             ids: names::node_ids(scene),
             dispersive: false,
             refractive: false,

@@ -222,7 +222,8 @@ impl<'b, 'a> Emitter<'b, 'a> {
                                 Change::Longer(_)
                                 | Change::Sides(..)
                                 | Change::Both(..)
-                                | Change::Planes(_) => LONGER,
+                                | Change::Planes(_)
+                                | Change::Within(..) => LONGER,
                                 Change::Offset(by) | Change::One(by, _) if by < 0.0 => {
                                     ": a hair smaller"
                                 }

@@ -66,6 +66,8 @@ pub enum Change {
     Plate(f64, u32),
     /// One change after the other, by their numbers.
     Both(u32, u32),
+    /// A change that is said in the coordinates that a matrix leads away from, both by their numbers.
+    Within(u32, u32),
 }
 
 /// Changes, by number.
@@ -79,21 +81,24 @@ pub struct Changes {
     /// Planes, and how far out what lies in them is moved.
     planes: Vec<Vec<(Plane, f64)>>,
     plane_numbers: HashMap<Vec<u64>, u32>,
+    /// What changes are within.
+    matrices: Vec<Matrix>,
     numbers: HashMap<[u64; 9], u32>,
 }
 
 impl Changes {
     pub fn number(&mut self, change: Change) -> u32 {
-        let both = |a: u32, b: u32| Aabb::new([f64::from(a); 3], [f64::from(b); 3]);
+        let pair = |a: u32, b: u32| u64::from(a) << 32 | u64::from(b);
         let (kind, which, around, by) = match change {
             Change::Longer(Cut { around, by, most }) => (0, most.to_bits(), around, by),
             Change::Offset(by) => (1, 0, Aabb::ALL, by),
             Change::Sides(by, sides) => (2, u64::from(sides), Aabb::ALL, by),
             Change::One(by, shape) => (3, u64::from(shape), Aabb::ALL, by),
             Change::Skin(around, by) => (4, 0, around, by),
-            Change::Both(a, b) => (5, 0, both(a, b), 0.0),
+            Change::Both(a, b) => (5, pair(a, b), Aabb::ALL, 0.0),
             Change::Plate(by, index) => (6, u64::from(index), Aabb::ALL, by),
             Change::Planes(planes) => (7, u64::from(planes), Aabb::ALL, 0.0),
+            Change::Within(matrix, number) => (8, pair(matrix, number), Aabb::ALL, 0.0),
         };
         let mut key = [kind; 9];
         key[1] = which;
@@ -135,6 +140,16 @@ impl Changes {
         self.number(Change::Planes(number))
     }
 
+    /// The number of a change that is said in the coordinates that a matrix leads away from.
+    pub fn within(&mut self, m: &Matrix, number: u32) -> u32 {
+        let known = self.matrices.iter().position(|other| other == m);
+        let matrix = known.unwrap_or_else(|| {
+            self.matrices.push(*m);
+            self.matrices.len() - 1
+        });
+        self.number(Change::Within(matrix as u32, number))
+    }
+
     /// The number of one change after another, if there is that.
     pub fn both(&mut self, first: Option<u32>, second: u32) -> u32 {
         match first {
@@ -154,6 +169,11 @@ impl Changes {
                 let (a, b) = (self.small(a, by), self.small(b, by));
                 self.number(Change::Both(a, b))
             }
+            Change::Within(matrix, inner) => {
+                let factor = stretched(&self.matrices[matrix as usize]);
+                let inner = self.small(inner, factor.map_or(0.0, |f| by * f));
+                self.number(Change::Within(matrix, inner))
+            }
             _ => number,
         }
     }
@@ -164,6 +184,7 @@ impl Changes {
             Change::Planes(_) | Change::Plate(..) => true,
             Change::Longer(cut) => cut.most.is_finite(),
             Change::Both(a, b) => self.is_small(a) && self.is_small(b),
+            Change::Within(_, inner) => self.is_small(inner),
             _ => false,
         }
     }
@@ -173,7 +194,11 @@ impl Changes {
         match self.get(number) {
             Change::Offset(_) | Change::One(..) | Change::Skin(..) => Some(number),
             Change::Both(a, b) => self.offset(a).or_else(|| self.offset(b)),
-            Change::Longer(_) | Change::Sides(..) | Change::Plate(..) | Change::Planes(_) => None,
+            Change::Longer(_)
+            | Change::Sides(..)
+            | Change::Plate(..)
+            | Change::Planes(_)
+            | Change::Within(..) => None,
         }
     }
 
@@ -195,8 +220,8 @@ impl Changes {
         match self.get(number) {
             Change::Longer(cut) => lengthened(geometry, &cut),
             Change::Offset(by) => offset(geometry, by),
-            // It is no shape of the language.
-            Change::Plate(..) => None,
+            // It is no shape of the language, or those coordinates are not the shape's.
+            Change::Plate(..) | Change::Within(..) => None,
             Change::Planes(planes) => with_planes_moved(geometry, &self.planes[planes as usize]),
             Change::Both(a, b) => {
                 let first = self.changed(a, geometry);
@@ -243,6 +268,9 @@ impl Changes {
                 };
                 Change::Longer(Cut { around, by, most })
             }
+            Change::Within(matrix, inner) => {
+                return (self.matrices[matrix as usize] == *m).then_some(inner);
+            }
             Change::Offset(by) => Change::Offset(by * stretched(m)?),
             Change::Plate(by, index) => Change::Plate(by * stretched(m)?, index),
             Change::Planes(planes) => {
@@ -268,7 +296,11 @@ impl Changes {
     /// The change of what something is the complement of, or what is taken from it.
     pub fn turned(&mut self, number: u32) -> u32 {
         match self.get(number) {
-            Change::Longer(_) | Change::Sides(..) | Change::Plate(..) | Change::Planes(_) => number,
+            Change::Longer(_)
+            | Change::Sides(..)
+            | Change::Plate(..)
+            | Change::Planes(_)
+            | Change::Within(..) => number,
             Change::Offset(by) => self.number(Change::Offset(-by)),
             Change::Both(a, b) => {
                 let (a, b) = (self.turned(a), self.turned(b));

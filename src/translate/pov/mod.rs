@@ -4,7 +4,7 @@
 //! [`reach`] sees of it), since POV-Ray's tolerances are absolute. With `assumed_gamma 1`, no attenuation
 //! and no highlights its light is that of the reference ray tracer, except at total internal reflection.
 //!
-//! From the resolved scene to text: [`facts`] about every node, bottom-up; [`build`] with [`descend`],
+//! From the resolved scene to text: [`spread`] takes moved groups apart; [`facts`] about every node, bottom-up; [`build`] with [`descend`],
 //! [`union`], [`difference`], [`grouping`], [`flush`], [`standing`], [`filling`] and [`sets`] says what each
 //! object consists of, as [`piece`]s; [`emit`] orders, names and prints them; [`look`] and [`uv`] know
 //! POV-Ray's textures, [`shape`] with [`poly`], [`profile`], [`triangle`] and [`offset`] its primitives,
@@ -35,6 +35,7 @@ mod scenery;
 mod sets;
 mod shape;
 mod sheets;
+mod spread;
 mod standing;
 mod text;
 mod triangle;
@@ -123,8 +124,11 @@ const MOST_LEVELS: u32 = 256;
 /// # Errors
 /// Something in it has no translation.
 pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupported> {
+    let report = Report::of("pov", scene, verdict::verdict);
+    let spread = spread::spread(scene);
+    let scene = spread.as_ref().unwrap_or(scene);
     let render = scene.render.ok_or_else(Unsupported::nothing)?;
-    let mut builder = Builder::new(scene, render.root);
+    let mut builder = Builder::new(scene, render.root, report);
     let eyes = camera::eyes(scene, &mut builder, options)?;
     if let Some(eye) = eyes.first() {
         builder.turned = turned::turned(scene, &builder.facts, eye);

@@ -18,12 +18,13 @@ pub fn node_ids(scene: &Scene) -> Vec<u32> {
             };
         }
     }
-    for (node, id) in scene.nodes.iter().zip(&mut ids) {
-        if *id == 0 {
-            *id = match *node {
+    for (i, node) in scene.nodes.iter().enumerate() {
+        if ids[i] == 0 {
+            ids[i] = match *node {
                 Node::Shape(shape) => scene.shapes[shape as usize].id,
                 Node::Copy { id, .. } => id,
                 Node::Paint { paint, .. } => scene.paints[paint as usize].owner,
+                Node::Transform { child, .. } => ids[child as usize],
                 _ => 0,
             };
         }

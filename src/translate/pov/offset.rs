@@ -28,7 +28,8 @@ impl Builder<'_> {
             };
             match self.scene.nodes[node as usize] {
                 Node::Shape(shape) => {
-                    if offset(&self.scene.shapes[shape as usize].geometry, by).is_none() {
+                    let geometry = &self.scene.shapes[shape as usize].geometry;
+                    if geometry.is_solid() && offset(geometry, by).is_none() {
                         return false;
                     }
                 }

@@ -3,7 +3,8 @@
 //! into the other, so that its face is where nobody sees it.
 
 use super::build::Builder;
-use super::flush::{Change, Cut, HAIR, lengthened};
+use super::flush::{Change, Cut, HAIR, is_along, lengthened};
+use super::offset::stretched;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Vec3};
 
 /// Solids are made longer by this part of their length, or of what there is room for: far more than
@@ -81,8 +82,40 @@ impl Builder<'_> {
         stand
     }
 
-    /// Made longer by so much, too, where it ends as others do, if that is not 0.
+    /// Made longer by so much, too, where it ends as others do, if that is not 0. What was turned as others
+    /// were is looked at beside them as before that.
     fn stand(&mut self, node: NodeId, others: &[NodeId], by: f64) -> Stand {
+        let turned = self.moved(node).filter(|_| !is_along(&self.core(node).1));
+        let Some((child, m)) = turned else {
+            return self.stand_here(node, others, by);
+        };
+        let (mut alike, mut rest) = (Vec::new(), Vec::new());
+        for &other in others {
+            match self.moved(other).filter(|(_, n)| *n == m) {
+                Some((before, _)) => alike.push((before, other)),
+                None => rest.push(other),
+            }
+        }
+        let mut stand = self.stand_here(node, &rest, by);
+        if let Some(factor) = stretched(&m).filter(|_| !alike.is_empty()) {
+            let before: Vec<_> = alike.iter().map(|pair| pair.0).collect();
+            let within = self.stand(child, &before, by * factor);
+            let now = |which: Vec<NodeId>| {
+                let now = alike.iter().filter(move |pair| which.contains(&pair.0));
+                now.map(|pair| pair.1)
+            };
+            stand.held.extend(now(within.held));
+            stand.loose.extend(now(within.loose));
+            if let Some(flush) = within.flush {
+                let flush = self.changes.within(&m, flush);
+                stand.flush = Some(self.changes.both(stand.flush, flush));
+            }
+        }
+        stand
+    }
+
+    /// The same, by boxes along the axes.
+    fn stand_here(&mut self, node: NodeId, others: &[NodeId], by: f64) -> Stand {
         let mut stand = Stand::default();
         let own = self.box_of(node);
         if own.is_empty() || !own.radius().is_finite() {
@@ -102,7 +135,7 @@ impl Builder<'_> {
             for axis in 0..3 {
                 for below in [true, false] {
                     if by > 0.0
-                        && let Some(end) = ends_alike(&own, &self.box_of(other), axis, below)
+                        && let Some(end) = self.ends_alike(&own, other, axis, below)
                     {
                         match below {
                             true => free.around.min[axis] = end,
@@ -179,6 +212,25 @@ impl Builder<'_> {
         WIDER
     }
 
+    /// Where a solid ends along an axis, given its box, if another one that it overlaps ends there, too.
+    pub(super) fn ends_alike(
+        &self,
+        own: &Aabb,
+        other: NodeId,
+        axis: usize,
+        below: bool,
+    ) -> Option<f64> {
+        use Geometry::{Ellipsoid, Sphere, Torus};
+        if let Node::Shape(shape) = self.scene.nodes[self.core(other).0 as usize]
+            && let Ellipsoid { .. } | Sphere { .. } | Torus { .. } =
+                self.scene.shapes[shape as usize].geometry
+        {
+            // It is there in a point, or along a line.
+            return None;
+        }
+        ends_alike(own, &self.box_of(other), axis, below)
+    }
+
     /// A node as a part of a cone or cylinder along an axis, if it is one.
     fn frustum(&self, node: NodeId) -> Option<Frustum> {
         let (y, radii) = match self.along_the_axes(node)? {
@@ -192,7 +244,7 @@ impl Builder<'_> {
         let bounds = self.box_of(node);
         let size: [f64; 3] = std::array::from_fn(|i| bounds.max[i] - bounds.min[i]);
         // The place of the two ends tells the axis, and which of them is the lower one.
-        let place = self.placement(node);
+        let (_, place) = self.core(node);
         let ends = y.map(|y| place.point([0.0, y, 0.0]));
         let axis = (0..3).find(|i| (ends[1][*i] - ends[0][*i]).abs() > size[*i] / 2.0)?;
         let [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
@@ -213,8 +265,21 @@ impl Builder<'_> {
         })
     }
 
-    /// From the coordinates of a shape to those of a node that is that shape.
-    fn placement(&self, mut node: NodeId) -> Matrix {
+    /// What a node was before it was moved last, and how it was.
+    fn moved(&self, mut node: NodeId) -> Option<(NodeId, Matrix)> {
+        loop {
+            node = match self.scene.nodes[node as usize] {
+                Node::Paint { child, .. } | Node::Copy { child, .. } => child,
+                Node::Transform { child, matrix } => {
+                    return Some((child, self.scene.matrices[matrix as usize]));
+                }
+                _ => return None,
+            }
+        }
+    }
+
+    /// The shape or operation that a node is, and from its coordinates to those of the node.
+    fn core(&self, mut node: NodeId) -> (NodeId, Matrix) {
         let mut all = Matrix::IDENTITY;
         loop {
             node = match self.scene.nodes[node as usize] {
@@ -223,7 +288,7 @@ impl Builder<'_> {
                     all = all.after(&self.scene.matrices[matrix as usize]);
                     child
                 }
-                _ => return all,
+                _ => return (node, all),
             }
         }
     }
@@ -242,20 +307,17 @@ impl Builder<'_> {
         if let Some(frustum) = self.frustum(node) {
             return Room::Round(frustum);
         }
-        let mut at = node;
-        while let Node::Paint { child, .. } | Node::Copy { child, .. } =
-            self.scene.nodes[at as usize]
-        {
-            at = child;
-        }
+        let (at, m) = self.core(node);
+        let moved = |node: NodeId| self.box_of(node).transformed(&m);
         match self.scene.nodes[at as usize] {
+            _ if !is_along(&m) => Room::Other(bounds),
             Node::Complement(b) if self.is_flat(b) => Room::Hollow {
-                inner: self.box_of(b),
+                inner: moved(b),
                 outer: Aabb::ALL,
             },
             Node::Difference(a, b) if self.is_flat(a) && self.is_flat(b) => Room::Hollow {
-                inner: self.box_of(b),
-                outer: self.box_of(a),
+                inner: moved(b),
+                outer: moved(a),
             },
             _ => Room::Other(bounds),
         }
@@ -263,7 +325,7 @@ impl Builder<'_> {
 }
 
 /// Where two solids that overlap both end along an axis, if they do.
-pub(super) fn ends_alike(own: &Aabb, other: &Aabb, axis: usize, below: bool) -> Option<f64> {
+fn ends_alike(own: &Aabb, other: &Aabb, axis: usize, below: bool) -> Option<f64> {
     let end = |b: &Aabb| if below { b.min[axis] } else { b.max[axis] };
     let hair = HAIR * end(own).abs().max(own.max[axis] - own.min[axis]);
     let over = |i: usize| own.min[i].max(other.min[i]) < own.max[i].min(other.max[i]);
