@@ -229,10 +229,10 @@ fn nearest(roots: &Roots) -> Option<Root> {
 }
 
 fn has_colours(graph: &Graph, primitive: u32) -> bool {
-    matches!(
-        graph.primitives[primitive as usize],
-        Primitive::Revolution(_)
-    )
+    match &graph.primitives[primitive as usize] {
+        Primitive::Revolution(shape) => shape.has_colours(),
+        _ => false,
+    }
 }
 
 fn texturing(coat: &Coat, graph: &Graph) -> Option<Box<Texturing>> {

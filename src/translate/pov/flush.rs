@@ -11,8 +11,8 @@ use super::piece::State;
 use crate::scene::vector::{length, sub};
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
 
-/// Faces that are this near, as a part of the numbers, are in one place: what a few roundings may do.
-pub const HAIR: f64 = 32.0 * f64::EPSILON;
+/// Faces that are this near, as a part of the numbers, are in one place: what a few hundred roundings may do.
+pub const HAIR: f64 = 1e-13;
 /// So many nodes of a tool are looked at.
 const PATIENCE: u32 = 4096;
 

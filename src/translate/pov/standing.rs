@@ -74,11 +74,12 @@ impl Builder<'_> {
             (Some(a), Some(b)) => Some(self.changes.number(Change::Both(a, b))),
             (a, b) => a.or(b),
         };
-        if stand.flush.is_none() {
-            let twin = self.twin(node, others);
-            stand.flush = twin.flush;
-            stand.held.extend(twin.held);
-        }
+        let twin = self.twin(node, others);
+        stand.held.extend(twin.held);
+        stand.flush = match twin.flush {
+            Some(twin) => Some(self.changes.both(stand.flush, twin)),
+            None => stand.flush,
+        };
         stand
     }
 

@@ -49,6 +49,11 @@ pub struct Revolution {
 }
 
 impl Revolution {
+    /// Whether its profile has colours of its own.
+    pub fn has_colours(&self) -> bool {
+        !self.colours.is_empty()
+    }
+
     pub fn new(profile: &[[f64; 2]], colours: &[Rgb]) -> Revolution {
         let size = |f: fn(f64, f64) -> f64, from: f64| {
             let all = profile.iter().flatten().map(|x| x.abs());

@@ -6,6 +6,9 @@ use super::turned::Profile;
 
 type Point = [f64; 2];
 
+/// Points that are this near, as a part of their numbers, are one: what a few roundings may do.
+const SAME: f64 = 1e-14;
+
 /// The boundary of what a profile (radius, height) surrounds when it is closed over the axis, or by
 /// itself where its last point is its first.
 pub fn simple(written: &[Point]) -> Vec<Profile> {
@@ -85,7 +88,7 @@ fn meet(e: &[Point; 2], f: &[Point; 2]) -> Vec<(f64, Point)> {
     let [p, q] = *e;
     let d = [q[0] - p[0], q[1] - p[1]];
     let length = d[0] * d[0] + d[1] * d[1];
-    let side = |x: Point| d[0] * (x[1] - p[1]) - d[1] * (x[0] - p[0]);
+    let side = |x: Point| side_of(e, x);
     let share = |x: Point| ((x[0] - p[0]) * d[0] + (x[1] - p[1]) * d[1]) / length;
     let (a, b) = (side(f[0]), side(f[1]));
     let mut out = Vec::new();
@@ -95,7 +98,9 @@ fn meet(e: &[Point; 2], f: &[Point; 2]) -> Vec<(f64, Point)> {
             out.push((share(x), x));
         }
     }
-    if a != 0.0 && b != 0.0 && (a > 0.0) != (b > 0.0) {
+    let apart = |a: f64, b: f64| a != 0.0 && b != 0.0 && (a > 0.0) != (b > 0.0);
+    // Where it only touches the other one, that has to be split.
+    if apart(a, b) && apart(side_of(f, p), side_of(f, q)) {
         // The same numbers whichever edge asks: the first in order is the one that is walked.
         let (first, second) = if bits(e) <= bits(f) { (e, f) } else { (f, e) };
         let at = crossing(first, second);
@@ -109,10 +114,16 @@ fn meet(e: &[Point; 2], f: &[Point; 2]) -> Vec<(f64, Point)> {
     out
 }
 
+/// On which side of an edge a point is: zero on it.
+fn side_of([p, q]: &[Point; 2], x: Point) -> f64 {
+    (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0])
+}
+
 fn bits(e: &[Point; 2]) -> [u64; 4] {
     [e[0][0], e[0][1], e[1][0], e[1][1]].map(f64::to_bits)
 }
 
+/// Where two edges cross: at an end of one of them where it is that but for rounding.
 fn crossing([p, q]: &[Point; 2], [r, s]: &[Point; 2]) -> Option<Point> {
     let d = [q[0] - p[0], q[1] - p[1]];
     let e = [s[0] - r[0], s[1] - r[1]];
@@ -121,7 +132,16 @@ fn crossing([p, q]: &[Point; 2], [r, s]: &[Point; 2]) -> Option<Point> {
     let t = (w[0] * e[1] - w[1] * e[0]) / k;
     let u = (w[0] * d[1] - w[1] * d[0]) / k;
     let within = (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u);
-    within.then(|| [p[0] + t * d[0] + 0.0, p[1] + t * d[1] + 0.0])
+    let at = [p[0] + t * d[0] + 0.0, p[1] + t * d[1] + 0.0];
+    let ends = [p, q, r, s];
+    let size = ends
+        .into_iter()
+        .flatten()
+        .fold(0.0, |m: f64, x| m.max(x.abs()));
+    let near = |x: f64, y: f64| (x - y).abs() <= SAME * size;
+    let mut ends = ends.into_iter().copied();
+    let end = ends.find(|x| near(x[0], at[0]) && near(x[1], at[1]));
+    within.then(|| end.unwrap_or(at))
 }
 
 /// Whether no edge meets another but at the point after it, and no point is there twice.
@@ -349,5 +369,65 @@ mod tests {
         assert!(pieces.iter().all(|p| !p.ring && p.points.len() == 3));
         assert!(simple(&[[1.0, 1.0], [1.0, 1.0]]).is_empty());
         assert!(simple(&[[0.0, 0.0], [0.0, 3.0]]).is_empty());
+    }
+
+    /// Twice the moment of what profiles surround about the axis: its volume when turned, over π.
+    fn volume(pieces: &[Profile]) -> f64 {
+        let of = |p: &Profile| -> f64 {
+            let n = p.points.len();
+            let steps = (0..n).map(|i| (p.points[i], p.points[(i + 1) % n]));
+            steps
+                .map(|(a, b)| (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) / 3.0 * (b[1] - a[1]))
+                .sum()
+        };
+        pieces.iter().map(of).sum()
+    }
+
+    #[test]
+    fn rising_profiles_surround_frusta() {
+        let mut written: Vec<Vec<Point>> = vec![
+            vec![[0.0, -0.847], [0.0, -0.844], [0.613, 0.594], [0.475, 0.901]],
+            vec![
+                [0.419, -0.761],
+                [0.0, -0.51],
+                [0.445, -0.285],
+                [1.15, -0.141],
+            ],
+            vec![
+                [0.0, -0.69],
+                [0.0, -0.465],
+                [0.371, -0.414],
+                [0.0, 0.216],
+                [0.518, 0.978],
+            ],
+        ];
+        let mut state = 1u64;
+        let mut random = |n: u64| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            (state >> 33) % n
+        };
+        for _ in 0..500 {
+            let mut y = -1.0;
+            let points = (0..2 + random(7)).map(|_| {
+                y += (1 + random(300)) as f64 / 1000.0;
+                let radius = random(900).saturating_sub(300) as f64 / 600.0;
+                [radius, y]
+            });
+            written.push(points.collect());
+        }
+        for profile in &written {
+            let frusta: f64 = profile
+                .windows(2)
+                .map(|w| (w[0], w[1]))
+                .map(|(a, b)| (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) / 3.0 * (b[1] - a[1]))
+                .sum();
+            let pieces = simple(profile);
+            assert!(
+                (volume(&pieces) - frusta).abs() < 1e-12,
+                "{profile:?}: {pieces:?}"
+            );
+        }
     }
 }
