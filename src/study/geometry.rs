@@ -66,6 +66,15 @@ const IN_ONE_PLACE: f64 = 64.0 * f64::EPSILON;
 /// By so much of the largest coordinate single precision may mistake a place, after a few operations.
 const ROUNDED: f64 = 4.0 * f32::EPSILON as f64;
 
+/// The cosine of the angle by which the normals of neighbouring pixels differ where a surface is folded, 25.8°.
+/// The normals of a mesh may differ from ours by as much.
+const FOLDED: f64 = 0.9;
+/// The cosine of the angle by which normals may differ on exact shapes: 0.16°, some roundings of single precision.
+const TURNED: f64 = 1.0 - 32.0 * f32::EPSILON as f64;
+
+/// Folds of a mesh may be so many pixels from ours.
+const NEAR: usize = 2;
+
 /// How two sights compare.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
@@ -80,7 +89,7 @@ pub struct Comparison {
     pub in_one_place: usize,
     /// Whose these are, those of the most pixels first.
     pub shared: Vec<Shared>,
-    /// Another shape, or another place than allowed.
+    /// Another shape, or another place or normal than allowed.
     pub wrong: usize,
     /// Of all pixels.
     pub share_wrong: f64,
@@ -262,11 +271,19 @@ impl Sight<'_> {
         if across > allowed || (info.shape, info.object) != (here.shape, here.object) {
             return self.unlike(i, point, Some(info), walkers);
         }
+        let cosine = dot(normal, here.normal).abs();
+        if cosine < if info.exact { TURNED } else { FOLDED } {
+            // A mesh has its folds within the tolerance of where they are.
+            return match !info.exact && self.is_near(i, &here, normal) {
+                true => Pixel::Silhouette,
+                false => Pixel::Wrong,
+            };
+        }
         Pixel::Right {
             exact: info.exact,
             distance: across,
             allowed,
-            angle: dot(normal, here.normal).abs().min(1.0).acos().to_degrees(),
+            angle: cosine.min(1.0).acos().to_degrees(),
         }
     }
 
@@ -392,13 +409,29 @@ impl Sight<'_> {
             || !extent.region.contains(seen.point) && exact != Some(&true)
     }
 
-    /// Whether all pixels around show the same face, and not a fold of it, or where it is cut off.
-    fn is_smooth(&self, i: usize) -> bool {
+    /// Whether a pixel not far from one shows a face of the same shape with such a normal.
+    fn is_near(&self, i: usize, here: &Seen, normal: Vec3) -> bool {
+        self.around(i, NEAR).any(|j| {
+            self.ours[j].is_some_and(|seen| {
+                let same = (seen.shape, seen.object) == (here.shape, here.object);
+                same && dot(seen.normal, normal).abs() > FOLDED
+            })
+        })
+    }
+
+    /// The pixels at most so many columns and rows from one, and itself.
+    fn around(&self, i: usize, by: usize) -> impl Iterator<Item = usize> {
         let (x, y) = (i % self.width, i / self.width);
         let height = self.ours.len() / self.width;
-        let columns = x.saturating_sub(1)..(x + 2).min(self.width);
-        let rows = y.saturating_sub(1)..(y + 2).min(height);
-        rows.flat_map(|y| columns.clone().map(move |x| y * self.width + x))
+        let columns = x.saturating_sub(by)..(x + by + 1).min(self.width);
+        let rows = y.saturating_sub(by)..(y + by + 1).min(height);
+        let width = self.width;
+        rows.flat_map(move |y| columns.clone().map(move |x| y * width + x))
+    }
+
+    /// Whether all pixels around show the same face, and not a fold of it, or where it is cut off.
+    fn is_smooth(&self, i: usize) -> bool {
+        self.around(i, 1)
             .all(|j| match (self.ours[i], self.ours[j]) {
                 (None, None) => true,
                 (Some(a), Some(b)) => {
@@ -407,7 +440,7 @@ impl Sight<'_> {
                     let across = dot(d, a.normal).abs();
                     (a.shape, a.object) == (b.shape, b.object)
                         && !self.is_cut_off(b)
-                        && dot(a.normal, b.normal) > 0.9
+                        && dot(a.normal, b.normal) > FOLDED
                         && across < 0.5 * dot(d, d).sqrt() + 1e-9 * self.size
                 }
                 _ => false,

@@ -74,7 +74,7 @@ impl Outcome for Comparison {
     fn print(&self, _: &Args, out: &mut dyn Write) -> io::Result<()> {
         writeln!(
             out,
-            "  off silhouettes    {} of {} pixels show another shape or place ({:.3} %)",
+            "  off silhouettes    {} of {} pixels show another shape, place or normal ({:.3} %)",
             self.wrong,
             self.pixels - self.silhouettes - self.undecided - self.in_one_place,
             100.0 * self.share_wrong,

@@ -4,7 +4,8 @@
 //! [`reach`] sees of it), since POV-Ray's tolerances are absolute. With `assumed_gamma 1`, no attenuation
 //! and no highlights its light is that of the reference ray tracer, except at total internal reflection.
 //!
-//! From the resolved scene to text: [`spread`] takes moved groups apart; [`facts`] about every node, bottom-up; [`build`] with [`descend`],
+//! From the resolved scene to text: [`cuts`] and [`spread`] say it in another way where that is needed,
+//! by [`rewrite`]; [`facts`] about every node, bottom-up; [`build`] with [`descend`],
 //! [`union`], [`difference`], [`grouping`], [`flush`], [`standing`], [`filling`] and [`sets`] says what each
 //! object consists of, as [`piece`]s; [`emit`] orders, names and prints them; [`look`] and [`uv`] know
 //! POV-Ray's textures, [`shape`] with [`poly`], [`profile`], [`triangle`] and [`offset`] its primitives,
@@ -16,6 +17,7 @@ mod between;
 mod build;
 mod camera;
 mod coplanar;
+mod cuts;
 mod descend;
 mod difference;
 mod emit;
@@ -31,6 +33,7 @@ mod piece;
 mod poly;
 mod profile;
 mod reach;
+mod rewrite;
 mod scenery;
 mod sets;
 mod shape;
@@ -125,6 +128,8 @@ const MOST_LEVELS: u32 = 256;
 /// Something in it has no translation.
 pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupported> {
     let report = Report::of("pov", scene, verdict::verdict);
+    let reordered = cuts::reordered(scene);
+    let scene = reordered.as_ref().unwrap_or(scene);
     let spread = spread::spread(scene);
     let scene = spread.as_ref().unwrap_or(scene);
     let render = scene.render.ok_or_else(Unsupported::nothing)?;

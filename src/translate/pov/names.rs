@@ -24,8 +24,11 @@ pub fn node_ids(scene: &Scene) -> Vec<u32> {
                 Node::Shape(shape) => scene.shapes[shape as usize].id,
                 Node::Copy { id, .. } => id,
                 Node::Paint { paint, .. } => scene.paints[paint as usize].owner,
-                Node::Transform { child, .. } => ids[child as usize],
-                _ => 0,
+                Node::Transform { child, .. }
+                | Node::Complement(child)
+                | Node::Union(child, _)
+                | Node::Intersection(child, _)
+                | Node::Difference(child, _) => ids[child as usize],
             };
         }
     }

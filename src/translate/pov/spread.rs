@@ -2,10 +2,9 @@
 //! written part by part where they touch other glass, since each part has to be seen among those of the
 //! union around it.
 
-use std::collections::HashMap;
-
 use super::aspects::Aspects;
 use super::facts::{Facts, facts};
+use super::rewrite::{Rewrite, Way, below};
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, Node, NodeId, Scene};
 
@@ -18,7 +17,7 @@ const FEW: usize = 32;
 pub fn spread(scene: &Scene) -> Option<Scene> {
     let root = scene.render?.root;
     let (unions, parts) = spine(scene, root)?;
-    if !parts.iter().any(|p| below(scene, *p).1.is_some()) {
+    if !parts.iter().any(|p| union(scene, *p).is_some()) {
         return None;
     }
     let mut aspects = Aspects::of(scene);
@@ -30,34 +29,22 @@ pub fn spread(scene: &Scene) -> Option<Scene> {
         others.any(|other| is_clear(*other) && touch(&bounds, part, *other))
     };
     let mut out = None;
-    let mut new: HashMap<NodeId, NodeId> = HashMap::new();
     for &part in &parts {
         if is_group(scene, &facts, part)
             && touches(part)
             && let Some(members) = members(scene, part)
         {
-            let out = out.get_or_insert_with(|| scene.clone());
-            new.insert(part, joined(out, part, &members));
+            let out = out.get_or_insert_with(|| Rewrite::of(scene));
+            let union = joined(out, part, &members);
+            out.replace(part, union);
         }
     }
     let mut out = out?;
     for union in unions {
-        let Node::Union(a, b) = scene.nodes[union as usize] else {
-            continue;
-        };
-        let now = |node: NodeId| new.get(&node).copied().unwrap_or(node);
-        let (now_a, now_b) = (now(a), now(b));
-        if (now_a, now_b) != (a, b) {
-            let node = push(&mut out, Node::Union(now_a, now_b), union);
-            new.insert(union, node);
-        }
+        let renewed = out.renew(union);
+        out.settle(union, renewed);
     }
-    let now = |node: &mut NodeId| *node = new.get(node).copied().unwrap_or(*node);
-    out.render.iter_mut().for_each(|r| now(&mut r.root));
-    (out.promises.iter_mut()).for_each(|p| now(&mut p.node));
-    let entities = out.entities.iter_mut();
-    entities.filter_map(|e| e.node.as_mut()).for_each(now);
-    Some(out)
+    Some(out.finish())
 }
 
 /// The unions that a scene is, children first, and what they are made of.
@@ -80,39 +67,30 @@ fn spine(scene: &Scene, root: NodeId) -> Option<(Vec<NodeId>, Vec<NodeId>)> {
     Some((unions, parts))
 }
 
-/// What is done to a node, the last first, and the union that it is done to, if it is one.
-fn below(scene: &Scene, mut node: NodeId) -> (Vec<NodeId>, Option<(NodeId, NodeId)>) {
-    let mut way = Vec::new();
-    loop {
-        match scene.nodes[node as usize] {
-            Node::Transform { child, .. } | Node::Paint { child, .. } => {
-                way.push(node);
-                node = child;
-            }
-            // Only the names of its parts are the copy's.
-            Node::Copy { child, .. } => node = child,
-            Node::Union(a, b) => return (way, Some((a, b))),
-            _ => return (way, None),
-        }
+/// What is done to a union, the last first, and its operands; `None` for what is none.
+fn union(scene: &Scene, node: NodeId) -> Option<(Way, NodeId, NodeId)> {
+    let (way, core) = below(scene, node);
+    match scene.nodes[core as usize] {
+        Node::Union(a, b) => Some((way, a, b)),
+        _ => None,
     }
 }
 
 /// Whether light goes through a node, and it is of several media.
 fn is_group(scene: &Scene, facts: &[Facts], node: NodeId) -> bool {
     let of = &facts[node as usize];
-    of.transparent && !(of.optics.uniform && of.index.uniform) && below(scene, node).1.is_some()
+    of.transparent && !(of.optics.uniform && of.index.uniform) && union(scene, node).is_some()
 }
 
 /// The parts of a group that are no unions themselves, each with what is done to it, the last first.
-fn members(scene: &Scene, group: NodeId) -> Option<Vec<(Vec<NodeId>, NodeId)>> {
+fn members(scene: &Scene, group: NodeId) -> Option<Vec<(Way, NodeId)>> {
     let mut todo = vec![(Vec::new(), group)];
     let mut members = Vec::new();
     while let Some((mut way, node)) = todo.pop() {
         if members.len() + todo.len() > FEW {
             return None;
         }
-        let (more, union) = below(scene, node);
-        if let Some((a, b)) = union {
+        if let Some((more, a, b)) = union(scene, node) {
             way.extend(more);
             todo.extend([(way.clone(), b), (way, a)]);
         } else {
@@ -123,34 +101,16 @@ fn members(scene: &Scene, group: NodeId) -> Option<Vec<(Vec<NodeId>, NodeId)>> {
 }
 
 /// A union of members to which is done by itself what was done to their group.
-fn joined(scene: &mut Scene, group: NodeId, members: &[(Vec<NodeId>, NodeId)]) -> NodeId {
+fn joined(out: &mut Rewrite, group: NodeId, members: &[(Way, NodeId)]) -> NodeId {
     let mut union = None;
     for (way, member) in members {
-        let mut node = *member;
-        for done in way.iter().rev() {
-            let next = match scene.nodes[*done as usize] {
-                Node::Transform { matrix, .. } => Node::Transform {
-                    child: node,
-                    matrix,
-                },
-                Node::Paint { paint, .. } => Node::Paint { child: node, paint },
-                other => other,
-            };
-            node = push(scene, next, *done);
-        }
+        let node = out.done(way, *member);
         union = Some(match union {
-            Some(union) => push(scene, Node::Union(union, node), group),
+            Some(union) => out.push(Node::Union(union, node), group),
             None => node,
         });
     }
     union.unwrap_or(group)
-}
-
-/// Adds a node, made by the record that made another one.
-fn push(scene: &mut Scene, node: Node, like: NodeId) -> NodeId {
-    scene.nodes.push(node);
-    scene.origins.push(scene.origins[like as usize]);
-    scene.nodes.len() as NodeId - 1
 }
 
 /// Whether the boxes of two nodes have a point in common but for rounding.

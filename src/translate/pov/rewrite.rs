@@ -1,0 +1,118 @@
+//! Other ways to say what a scene says: nodes that are made of others.
+
+use std::collections::HashMap;
+
+use crate::scene::{Node, NodeId, Scene};
+
+/// So many steps are taken down a chain of transformations, properties and copies.
+const PATIENCE: usize = 64;
+
+/// What is done to a node, the last first.
+pub type Way = Vec<NodeId>;
+
+/// What is done to a node, and what it is done to: a shape or operation as far as patience goes.
+pub fn below(scene: &Scene, mut node: NodeId) -> (Way, NodeId) {
+    let mut way = Vec::new();
+    for _ in 0..PATIENCE {
+        match scene.nodes[node as usize] {
+            Node::Transform { child, .. } | Node::Paint { child, .. } => {
+                way.push(node);
+                node = child;
+            }
+            // Only the names of its parts are the copy's.
+            Node::Copy { child, .. } => node = child,
+            _ => break,
+        }
+    }
+    (way, node)
+}
+
+/// A scene in which some nodes stand for others.
+pub struct Rewrite {
+    pub scene: Scene,
+    new: HashMap<NodeId, NodeId>,
+}
+
+impl Rewrite {
+    pub fn of(scene: &Scene) -> Rewrite {
+        Rewrite {
+            scene: scene.clone(),
+            new: HashMap::new(),
+        }
+    }
+
+    /// Adds a node, made by the record that made another one.
+    pub fn push(&mut self, node: Node, like: NodeId) -> NodeId {
+        self.scene.nodes.push(node);
+        self.scene.origins.push(self.scene.origins[like as usize]);
+        self.scene.nodes.len() as NodeId - 1
+    }
+
+    /// What was done to a node, done to another one.
+    pub fn done(&mut self, way: &[NodeId], mut node: NodeId) -> NodeId {
+        for &step in way.iter().rev() {
+            let next = match self.scene.nodes[step as usize] {
+                Node::Transform { matrix, .. } => Node::Transform {
+                    child: node,
+                    matrix,
+                },
+                Node::Paint { paint, .. } => Node::Paint { child: node, paint },
+                _ => continue,
+            };
+            node = self.push(next, step);
+        }
+        node
+    }
+
+    /// What stands for a node now.
+    pub fn now(&self, node: NodeId) -> NodeId {
+        self.new.get(&node).copied().unwrap_or(node)
+    }
+
+    pub fn replace(&mut self, node: NodeId, by: NodeId) {
+        self.new.insert(node, by);
+    }
+
+    /// The same node, made of what stands for its operands now.
+    pub fn renew(&mut self, node: NodeId) -> Node {
+        let of = |child: NodeId| self.now(child);
+        match self.scene.nodes[node as usize] {
+            shape @ Node::Shape(_) => shape,
+            Node::Union(a, b) => Node::Union(of(a), of(b)),
+            Node::Intersection(a, b) => Node::Intersection(of(a), of(b)),
+            Node::Difference(a, b) => Node::Difference(of(a), of(b)),
+            Node::Complement(a) => Node::Complement(of(a)),
+            Node::Transform { child, matrix } => Node::Transform {
+                child: of(child),
+                matrix,
+            },
+            Node::Paint { child, paint } => Node::Paint {
+                child: of(child),
+                paint,
+            },
+            Node::Copy { child, id } => Node::Copy {
+                child: of(child),
+                id,
+            },
+        }
+    }
+
+    /// Puts a node that was renewed in its place, if anything about it has changed.
+    pub fn settle(&mut self, node: NodeId, renewed: Node) {
+        if renewed != self.scene.nodes[node as usize] {
+            let by = self.push(renewed, node);
+            self.replace(node, by);
+        }
+    }
+
+    /// The scene, in which everything is named after what stands for it.
+    pub fn finish(self) -> Scene {
+        let Rewrite { mut scene, new } = self;
+        let now = |node: &mut NodeId| *node = new.get(node).copied().unwrap_or(*node);
+        scene.render.iter_mut().for_each(|r| now(&mut r.root));
+        (scene.promises.iter_mut()).for_each(|p| now(&mut p.node));
+        let entities = scene.entities.iter_mut();
+        entities.filter_map(|e| e.node.as_mut()).for_each(now);
+        scene
+    }
+}
