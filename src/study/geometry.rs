@@ -69,8 +69,9 @@ const ROUNDED: f64 = 4.0 * f32::EPSILON as f64;
 /// The cosine of the angle by which the normals of neighbouring pixels differ where a surface is folded, 25.8°.
 /// The normals of a mesh may differ from ours by as much.
 const FOLDED: f64 = 0.9;
-/// The cosine of the angle by which normals may differ on exact shapes: 0.16°, some roundings of single precision.
-const TURNED: f64 = 1.0 - 32.0 * f32::EPSILON as f64;
+/// The sine of the angle by which normals may differ on exact shapes, more on what is far: 0.17°, some roundings
+/// of its cosine in single precision.
+const TURNED: f64 = 3e-3;
 
 /// Folds of a mesh may be so many pixels from ours.
 const NEAR: usize = 2;
@@ -272,7 +273,10 @@ impl Sight<'_> {
             return self.unlike(i, point, Some(info), walkers);
         }
         let cosine = dot(normal, here.normal).abs();
-        if cosine < if info.exact { TURNED } else { FOLDED } {
+        // Rounded as places are.
+        let sine = TURNED * f64::max(1.0, here.distance / (FAR * self.size));
+        let exact = (1.0 - sine * sine).max(0.0).sqrt();
+        if cosine < if info.exact { exact } else { exact.min(FOLDED) } {
             // A mesh has its folds within the tolerance of where they are.
             return match !info.exact && self.is_near(i, &here, normal) {
                 true => Pixel::Silhouette,
@@ -564,6 +568,25 @@ mod tests {
             });
             assert_eq!(moved.wrong, wrong, "{towards_us}: {:?}", moved.exact);
         }
+    }
+
+    #[test]
+    fn another_normal_is_wrong() {
+        for (turned, wrong) in [(0.1f32, 0), (0.3, 1), (90.0, 1)] {
+            let (sin, cos) = turned.to_radians().sin_cos();
+            let other = compared(|_, theirs| {
+                let [x, z] = [theirs[MIDDLE + 3], theirs[MIDDLE + 5]];
+                theirs[MIDDLE + 3] = cos * x + sin * z;
+                theirs[MIDDLE + 5] = cos * z - sin * x;
+            });
+            assert_eq!(other.wrong, wrong, "{turned}: {:?}", other.exact);
+        }
+        let all = compared(|_, theirs| {
+            for pixel in theirs.chunks_mut(CHANNELS) {
+                pixel[3..6].copy_from_slice(&[1.0, 0.0, 0.0]);
+            }
+        });
+        assert!(all.wrong > 100);
     }
 
     #[test]

@@ -1,9 +1,14 @@
 //! What triangles show: whose surface they are, and the properties it has.
 
+use crate::scene::vector::{dot, length};
 use crate::scene::{DEFAULT_COLOUR, Matrix, Rgb, Texture, Vec3};
 use crate::trace::graph::{Coat, Graph, Part};
 use crate::trace::ray::Line;
-use crate::trace::shapes::{Primitive, Root, Roots};
+use crate::trace::shapes::{Located, Primitive, Roots};
+
+/// Cosines of angles up to which faces face the same way: that of a triangle and the face that it stands for,
+/// and of triangles that are as large as they may be.
+const ALIKE: [f64; 2] = [0.9, 0.5];
 
 /// A texture, and the matrix from the coordinates it was given in to those at hand.
 #[derive(Debug, Clone, PartialEq)]
@@ -145,12 +150,12 @@ impl Skin {
             let p = back.point(point).map(|x| x / size);
             return Texture::cell_colour(colours, &p);
         }
-        let Some((primitive, local, face)) = self.locate(graph, point, normal) else {
+        let Some((primitive, located, face)) = self.locate(graph, point, normal) else {
             return DEFAULT_COLOUR;
         };
         let shape = graph.primitives[primitive as usize].shape();
-        let (p, colour) = (local.into(), of);
-        match colour {
+        let p = located.point;
+        match of {
             Some(Texture::Checkerboard { n, m, colours }) => {
                 let [u, v] = shape.uv(p, face);
                 Texture::cell_colour(colours, &[u * f64::from(*n), v * f64::from(*m)])
@@ -165,9 +170,9 @@ impl Skin {
 
     /// The surface coordinates of a point on or near the surface, looked for along a normal of its.
     pub fn uv(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<[f64; 2]> {
-        let (primitive, local, face) = self.locate(graph, point, normal)?;
+        let (primitive, located, face) = self.locate(graph, point, normal)?;
         let shape = graph.primitives[primitive as usize].shape();
-        Some(shape.uv(local.into(), face)).filter(|uv| uv.iter().all(|x| x.is_finite()))
+        Some(shape.uv(located.point, face)).filter(|uv| uv.iter().all(|x| x.is_finite()))
     }
 
     /// Which of the surface coordinates go round from 1 to 0.
@@ -189,43 +194,50 @@ impl Skin {
     /// The unit normal that light is reckoned with at a point on or near the surface, on the side of
     /// `normal`, along which it is looked for.
     pub fn shading_normal(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<Vec3> {
-        let primitive = &graph.primitives[self.primitive? as usize];
         let back = self.matrix.inverse()?;
-        let line = Line::new(back.point(point).into(), back.vector(normal).into());
-        let mut roots = Roots::default();
-        primitive.intersect().crossings(&line, &mut roots);
-        let nearest = nearest(&roots)?;
-        let located = primitive.intersect().locate(&line, nearest);
-        let shading = primitive
-            .shape()
-            .shading_normal(located.point, nearest.face);
+        let (primitive, located, face) = self.locate(graph, point, normal)?;
+        let shape = graph.primitives[primitive as usize].shape();
+        let shading = shape.shading_normal(located.point, face);
         let local = shading.unwrap_or(located.normal).0;
         // Normals turn by the transpose of the inverse.
         let n: Vec3 = std::array::from_fn(|i| (0..3).map(|k| back.0[k][i] * local[k]).sum());
-        let length = n[0].hypot(n[1]).hypot(n[2]);
-        let side = n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2];
-        let length = if side < 0.0 { -length } else { length };
+        let length = length(n);
+        let length = if dot(n, normal) < 0.0 {
+            -length
+        } else {
+            length
+        };
         let n = n.map(|x| x / length);
         n.iter().all(|x| x.is_finite()).then_some(n)
     }
 
-    /// The point of the true surface next to one, in the shape's coordinates, and its face.
-    fn locate(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<(u32, Vec3, u32)> {
+    /// The point of the true surface next to one, in the shape's coordinates, and its face: one that faces as
+    /// `normal` does, if there is any. Near an edge another face may be nearer.
+    fn locate(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<(u32, Located<f64>, u32)> {
         let primitive = self.primitive?;
+        let m = &self.matrix.0;
         let back = self.matrix.inverse()?;
         let line = Line::new(back.point(point).into(), back.vector(normal).into());
+        let facing: Vec3 = std::array::from_fn(|i| (0..3).map(|k| m[k][i] * normal[k]).sum());
         let mut roots = Roots::default();
         let shape = graph.primitives[primitive as usize].intersect();
         shape.crossings(&line, &mut roots);
-        let nearest = nearest(&roots)?;
-        let located = shape.locate(&line, nearest);
-        Some((primitive, located.point.0, nearest.face))
+        let mut all = roots.list;
+        all.sort_by(|a, b| a.t.abs().total_cmp(&b.t.abs()));
+        let faces = |located: &Located<f64>| {
+            let n = located.normal.0;
+            (dot(n, facing) / length(n) / length(facing)).abs()
+        };
+        let found = all
+            .iter()
+            .map(|root| (shape.locate(&line, *root), root.face));
+        let found: Vec<_> = found.collect();
+        let alike = ALIKE
+            .iter()
+            .find_map(|cosine| found.iter().find(|f| faces(&f.0) > *cosine));
+        let (located, face) = *alike.or(found.first())?;
+        Some((primitive, located, face))
     }
-}
-
-fn nearest(roots: &Roots) -> Option<Root> {
-    let by_distance = |a: &&Root, b: &&Root| a.t.abs().total_cmp(&b.t.abs());
-    roots.list.iter().min_by(by_distance).copied()
 }
 
 fn has_colours(graph: &Graph, primitive: u32) -> bool {

@@ -168,3 +168,22 @@ fn copies_of_copies_are_refused_in_words() {
     let refused = model(&scene, &tracer.graph, &Options::default()).unwrap_err();
     assert!(refused.to_string().contains("triangles"), "{refused}");
 }
+
+#[test]
+fn corners_have_the_normals_of_their_own_faces() {
+    // The colours of the ring make many triangles of it; points on its rims lie within the circles.
+    let text = "2 2 4 2 0.5 2.6 0.5 2.3 0.9 2 0.5 1 0 0 0 1 1 1 1 1 0.2 0.2 1\n1 9999 2 0";
+    let loaded = crate::commands::Loaded::new("scene", text.as_bytes().to_vec());
+    let tracer = Tracer::new(&loaded.scene).unwrap();
+    let m = made(text, 1e-3);
+    let corners = corners::corners(&m.mesh, &m.skins, &tracer.graph, |_| false);
+    assert!(corners.len() > 1000);
+    for (t, at) in corners.iter().enumerate() {
+        let [a, b, c] = m.mesh.corners(t);
+        let n = cross(sub(b, a), sub(c, a));
+        let n = n.map(|x| x / dot(n, n).sqrt());
+        for corner in at {
+            assert!(dot(corner.normal, n) > 0.99, "{:?} {corner:?}", [a, b, c]);
+        }
+    }
+}
