@@ -80,9 +80,10 @@ const NEAR: usize = 2;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     pub pixels: usize,
-    /// Where a neighbour shows another shape, another face or a fold, or where parts without end are
-    /// cut off in the translation: not compared.
+    /// Where a neighbour shows another shape, another face or a fold: not compared.
     pub silhouettes: usize,
+    /// Where parts without end are cut off in the translation: not compared.
+    pub cut_off: usize,
     /// Where single precision, in which Mitsuba computes, does not tell what is seen from something
     /// else that is nearly there: not compared.
     pub undecided: usize,
@@ -123,6 +124,7 @@ pub struct Differences {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Pixel {
     Silhouette,
+    CutOff,
     Undecided,
     /// Of these two shapes, ours and theirs.
     InOnePlace([u32; 2]),
@@ -184,6 +186,7 @@ pub fn compare(
             .collect(),
         pixels: ours.len(),
         silhouettes: 0,
+        cut_off: 0,
         undecided: 0,
         in_one_place: 0,
         shared: Vec::new(),
@@ -196,6 +199,7 @@ pub fn compare(
     for pixel in &comparison.map {
         match *pixel {
             Pixel::Silhouette => comparison.silhouettes += 1,
+            Pixel::CutOff => comparison.cut_off += 1,
             Pixel::Undecided => comparison.undecided += 1,
             Pixel::InOnePlace(shapes) => {
                 comparison.in_one_place += 1;
@@ -259,6 +263,12 @@ impl Sight<'_> {
     fn pixel(&self, i: usize, walkers: &mut Walkers<f64>) -> Pixel {
         let (point, normal, info) = self.other(i);
         let here = self.ours[i];
+        if self
+            .around(i, 1)
+            .any(|j| self.ours[j].is_some_and(|seen| self.is_cut_off(seen)))
+        {
+            return Pixel::CutOff;
+        }
         if !self.is_smooth(i) {
             return Pixel::Silhouette;
         }
@@ -433,7 +443,7 @@ impl Sight<'_> {
         rows.flat_map(move |y| columns.clone().map(move |x| y * width + x))
     }
 
-    /// Whether all pixels around show the same face, and not a fold of it, or where it is cut off.
+    /// Whether all pixels around show the same face, and not a fold of it.
     fn is_smooth(&self, i: usize) -> bool {
         self.around(i, 1)
             .all(|j| match (self.ours[i], self.ours[j]) {
@@ -443,7 +453,6 @@ impl Sight<'_> {
                     // The neighbour is near the tangent plane.
                     let across = dot(d, a.normal).abs();
                     (a.shape, a.object) == (b.shape, b.object)
-                        && !self.is_cut_off(b)
                         && dot(a.normal, b.normal) > FOLDED
                         && across < 0.5 * dot(d, d).sqrt() + 1e-9 * self.size
                 }
@@ -456,15 +465,15 @@ impl Comparison {
     /// Whether there is an answer: no more is left out than is shown to be right.
     pub fn tells(&self) -> bool {
         let right = self.exact.pixels + self.meshes.pixels;
-        self.undecided + self.in_one_place <= right
+        self.cut_off + self.undecided + self.in_one_place <= right
     }
 
     /// As a picture of 8-bit RGB, row by row: green up to what is allowed, red where it is wrong, blue
-    /// where single precision or nothing decides, grey for silhouettes.
+    /// where single precision or nothing decides or something is cut off, grey for silhouettes.
     pub fn picture(&self) -> Vec<u8> {
         let colour = |pixel: &Pixel| match *pixel {
             Pixel::Silhouette => [60; 3],
-            Pixel::Undecided | Pixel::InOnePlace(_) => [0, 90, 255],
+            Pixel::CutOff | Pixel::Undecided | Pixel::InOnePlace(_) => [0, 90, 255],
             Pixel::Wrong => [255, 0, 0],
             Pixel::Right {
                 distance, allowed, ..

@@ -76,9 +76,21 @@ impl Outcome for Comparison {
             out,
             "  off silhouettes    {} of {} pixels show another shape, place or normal ({:.3} %)",
             self.wrong,
-            self.pixels - self.silhouettes - self.undecided - self.in_one_place,
+            self.pixels - self.silhouettes - self.cut_off - self.undecided - self.in_one_place,
             100.0 * self.share_wrong,
         )?;
+        writeln!(
+            out,
+            "  silhouettes        {} pixels at the edges of shapes and faces, which are not compared",
+            self.silhouettes,
+        )?;
+        if self.cut_off > 0 {
+            writeln!(
+                out,
+                "  left out           {} pixels where parts without end are cut off in the translation",
+                self.cut_off,
+            )?;
+        }
         if self.undecided > 0 {
             writeln!(
                 out,

@@ -12,11 +12,17 @@ use super::shape::{self, DROPPED, tessellate};
 use super::skin::Skin;
 use super::soup::Mesh;
 
+use crate::scene::bounds::shape_bounds;
 use crate::scene::{Aabb, Matrix, Scene};
 use crate::trace::graph::{self, Graph, Part, Target};
 
 /// The fewest triangles of a shape: those of a triangle as a slab.
 const FEWEST: f64 = 8.0;
+
+/// In scenes of so many shapes each keeps its form, however small it is.
+const FEW: usize = 1000;
+/// It is within such a part of its own length.
+const ROUND: f64 = 40.0;
 
 /// A solid with one inside, or a surface.
 #[derive(Debug, Clone)]
@@ -257,7 +263,12 @@ impl<'a> Assembly<'a> {
         let record = &self.scene.shapes[graph.records[primitive as usize] as usize];
         let back = m.inverse().unwrap_or(Matrix::IDENTITY);
         let region = self.regions[object].transformed(&back);
-        let tolerance = self.tolerances[object] / shape::stretch(m);
+        let mut tolerance = self.tolerances[object] / shape::stretch(m);
+        if self.scene.shapes.len() <= FEW {
+            let own = shape_bounds(&record.geometry, &Matrix::IDENTITY);
+            let longest = (0..3).fold(0.0f64, |l, i| l.max(own.max[i] - own.min[i]));
+            tolerance = tolerance.min(longest / ROUND);
+        }
         let solid = tessellate(&record.geometry, tolerance, &region, &mut self.budget)?;
         self.troubles.endless += u64::from(!solid.bounded);
         let label = skins.len() as u32;

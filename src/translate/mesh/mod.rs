@@ -11,6 +11,7 @@ mod carve;
 pub mod corners;
 mod crowds;
 mod csg;
+mod extent;
 pub mod glb;
 mod material;
 pub mod obj;
@@ -30,6 +31,7 @@ mod verdict;
 
 pub use assemble::Piece;
 pub use carve::Medium;
+pub use extent::Extent;
 pub use material::{Coloured, Material};
 pub use skin::Skin;
 pub use soup::Mesh;
@@ -37,8 +39,6 @@ pub use soup::Mesh;
 use std::collections::BTreeMap;
 
 use super::{Fidelity, Report, Unsupported};
-use crate::scene::bounds::node_bounds;
-use crate::scene::frame::seen_box;
 use crate::scene::{Aabb, Matrix, Scene, Vec3};
 use crate::trace::graph::Graph;
 use assemble::{Assembly, Thing, Troubles, crowded};
@@ -62,13 +62,6 @@ pub struct Options {
 /// a picture of 480 rows.
 pub const DEFAULT_TOLERANCE: f64 = 1e-3;
 
-/// How much larger than its bounded parts the region is that things without end are cut to: a floor that
-/// reaches beyond what stands on it.
-const AROUND: f64 = 2.0;
-
-/// Half the side of that region in a scene without bounded parts.
-const NOTHING_BOUNDED: f64 = 5.0;
-
 /// The scene as one mesh.
 #[derive(Debug)]
 pub struct Model {
@@ -79,60 +72,6 @@ pub struct Model {
     pub skins: Vec<Skin>,
     pub extent: Extent,
     troubles: Troubles,
-}
-
-/// Where the mesh is made, and how finely.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extent {
-    /// What lies outside of it is cut off.
-    pub region: Aabb,
-    /// The region is the render record's box.
-    pub boxed: bool,
-    pub tolerance: f64,
-    /// The radius of the sphere around what is seen.
-    pub radius: f64,
-}
-
-impl Extent {
-    /// How long the edges of triangles with a texture are at most.
-    pub fn grain(&self) -> f64 {
-        self.radius / 64.0
-    }
-
-    /// The region and the tolerance for a scene.
-    pub fn of(scene: &Scene, options: &Options) -> Extent {
-        let seen = seen_box(scene, &node_bounds(scene));
-        let boxed = scene.render.is_some_and(|r| r.clip.is_some());
-        let seen = if seen.is_empty() || seen.radius() == 0.0 && !boxed {
-            Aabb::new([-NOTHING_BOUNDED; 3], [NOTHING_BOUNDED; 3])
-        } else {
-            seen
-        };
-        Extent {
-            region: match options.eye {
-                _ if boxed => seen,
-                Some(eye) => around(&seen.hull(&Aabb::new(eye, eye))),
-                None => around(&seen),
-            },
-            boxed,
-            radius: seen.radius(),
-            tolerance: options
-                .tolerance
-                .unwrap_or(DEFAULT_TOLERANCE * seen.radius()),
-        }
-    }
-}
-
-/// Room around what is seen, also where that is flat.
-fn around(seen: &Aabb) -> Aabb {
-    let least = seen.radius() / 4.0;
-    let c = seen.centre();
-    let half: [f64; 3] =
-        std::array::from_fn(|i| (AROUND * (seen.max[i] / 2.0 - seen.min[i] / 2.0)).max(least));
-    Aabb::new(
-        std::array::from_fn(|i| c[i] - half[i]),
-        std::array::from_fn(|i| c[i] + half[i]),
-    )
 }
 
 /// The scene as pieces that are not joined.
@@ -328,7 +267,7 @@ fn account(report: &mut Report, extent: &Extent, troubles: &Troubles) {
     let cut = if extent.boxed {
         "cut to the render box"
     } else {
-        "cut to twice the bounds of what has an end"
+        "cut to twice the bounds of what has an end and of the faces around it"
     };
     for _ in 0..troubles.endless {
         let fidelity = Fidelity::Approximate(cut.to_owned());

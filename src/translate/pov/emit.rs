@@ -34,6 +34,8 @@ pub(super) struct Emitter<'b, 'a> {
     bodies: HashMap<String, String>,
     /// The numbers of splits that geodesic spheres were written with.
     pub geodesics: BTreeSet<u32>,
+    /// All of space was written.
+    pub everywhere: bool,
     /// How many objects of each entity there are.
     times: HashMap<u32, u32>,
 }
@@ -47,6 +49,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
             names: HashMap::new(),
             bodies: HashMap::new(),
             geodesics: BTreeSet::new(),
+            everywhere: false,
             times: HashMap::new(),
         }
     }
@@ -199,7 +202,10 @@ impl<'b, 'a> Emitter<'b, 'a> {
                 // Nothing was in it.
                 None => ("union", Vec::new()),
             },
-            Body::Everything => ("plane", vec![EVERYTHING.to_owned()]),
+            Body::Everything => {
+                self.everywhere = true;
+                ("object", vec!["Everywhere".to_owned()])
+            }
             Body::Group { kind, members } => {
                 let mut lines = Vec::with_capacity(members.len());
                 for (i, member) in members.iter().enumerate() {
@@ -328,9 +334,6 @@ impl<'b, 'a> Emitter<'b, 'a> {
 }
 
 const LONGER: &str = ": made longer, since it ends flush with something";
-
-/// A half-space whose boundary is beyond the farthest that POV-Ray looks.
-const EVERYTHING: &str = "<0, 1, 0>, 1e9";
 
 fn group_keyword(kind: Group) -> &'static str {
     match kind {

@@ -60,6 +60,15 @@ impl Frame {
                 unit = unit.max(power_of_two_about(wanted.min(FAR_FOR_NEAR / reach.far)));
             }
             let overlooked = OVERLOOKED / unit;
+            if reach.near * unit < SIZE * OVERLOOKED {
+                builder.report.state(
+                    "things that are small beside what is far away",
+                    Fidelity::Approximate(format!(
+                        "shadows and mirrored light that begin nearer than {overlooked:.1e} may be overlooked"
+                    )),
+                    "",
+                );
+            }
             if reach.gap < overlooked {
                 builder.report.state(
                     "narrow gaps behind transparent surfaces",

@@ -119,6 +119,11 @@ const UNSEEN: &str = "\
     // Where one medium ends in another: a hair behind the face that is seen.\n\
     #declare Unseen = texture { pigment { rgbf 1 } finish { ambient 0 diffuse 0 } };\n";
 
+/// A half-space whose boundary is beyond the farthest that POV-Ray looks.
+const EVERYWHERE: &str = "\
+    // All of space. What is clipped by it without something else is kept outside of that.\n\
+    #declare Everywhere = plane { <0, 1, 0>, 1e9 };\n";
+
 /// POV-Ray's own limit on `max_trace_level`.
 const MOST_LEVELS: u32 = 256;
 
@@ -141,6 +146,7 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
     }
     let mut emitter = Emitter::new(&mut builder, &options.captions);
     let root = emitter.declare(render.root);
+    let everywhere = emitter.everywhere;
     let (objects, geodesics) = (emitter.text, emitter.geodesics);
     let frame = Frame::of(&mut builder, &eyes);
     let light_scale = light_scale(&builder, &render, &eyes, options);
@@ -165,6 +171,9 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
         out.push('\n');
         out.push_str(&looks);
         out.push('\n');
+        if everywhere {
+            out.push_str(EVERYWHERE);
+        }
         out.push_str(&shape::geodesics(geodesics.iter().copied()));
         out.push_str(&objects);
         out.push_str(&picture(root.as_deref(), &render, &frame, captions));

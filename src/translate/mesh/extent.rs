@@ -1,0 +1,148 @@
+//! How much of a scene without end becomes triangles, and how fine they are.
+
+use super::{DEFAULT_TOLERANCE, Options};
+use crate::scene::bounds::{NodeBounds, node_bounds};
+use crate::scene::frame::seen_box;
+use crate::scene::{Aabb, Geometry, Node, Scene, Vec3};
+
+/// How much larger than its bounded parts the region is that things without end are cut to: a floor that
+/// reaches beyond what stands on it.
+const AROUND: f64 = 2.0;
+
+/// Half the side of that region in a scene without bounded parts.
+const NOTHING_BOUNDED: f64 = 5.0;
+
+/// What encloses a scene, or bounds it, is looked for so many times as far away as the scene is large.
+const FAR: f64 = 100.0;
+
+/// Where the mesh is made, and how finely.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extent {
+    /// What lies outside of it is cut off.
+    pub region: Aabb,
+    /// The region is the render record's box.
+    pub boxed: bool,
+    pub tolerance: f64,
+    /// The radius of the sphere around what is seen.
+    pub radius: f64,
+}
+
+impl Extent {
+    /// How long the edges of triangles with a texture are at most.
+    pub fn grain(&self) -> f64 {
+        self.radius / 64.0
+    }
+
+    /// The region and the tolerance for a scene.
+    pub fn of(scene: &Scene, options: &Options) -> Extent {
+        let bounds = node_bounds(scene);
+        let seen = seen_box(scene, &bounds);
+        let boxed = scene.render.is_some_and(|r| r.clip.is_some());
+        let seen = if seen.is_empty() || seen.radius() == 0.0 && !boxed {
+            Aabb::new([-NOTHING_BOUNDED; 3], [NOTHING_BOUNDED; 3])
+        } else {
+            seen
+        };
+        let all = seen.hull(&faces(scene, &bounds, &seen));
+        Extent {
+            region: match options.eye {
+                _ if boxed => seen,
+                Some(eye) => around(&all.hull(&Aabb::new(eye, eye))),
+                None => around(&all),
+            },
+            boxed,
+            radius: seen.radius(),
+            tolerance: options
+                .tolerance
+                .unwrap_or(DEFAULT_TOLERANCE * seen.radius()),
+        }
+    }
+}
+
+/// Room around what there is, also where that is flat.
+fn around(seen: &Aabb) -> Aabb {
+    let least = seen.radius() / 4.0;
+    let c = seen.centre();
+    let half: [f64; 3] =
+        std::array::from_fn(|i| (AROUND * (seen.max[i] / 2.0 - seen.min[i] / 2.0)).max(least));
+    Aabb::new(
+        std::array::from_fn(|i| c[i] - half[i]),
+        std::array::from_fn(|i| c[i] + half[i]),
+    )
+}
+
+/// A box around the faces of what has no end itself: walls of rooms, skies, the nearest points of planes. What is
+/// farther away than [`FAR`] sizes of what is seen is not looked for.
+fn faces(scene: &Scene, bounds: &[NodeBounds], seen: &Aabb) -> Aabb {
+    let Some(root) = scene.render.map(|r| r.root as usize) else {
+        return Aabb::EMPTY;
+    };
+    let mut boxes: Vec<Aabb> = Vec::with_capacity(root + 1);
+    for (node, bounds) in scene.nodes.iter().zip(bounds).take(root + 1) {
+        let of = |id: u32| boxes[id as usize];
+        let all = match *node {
+            Node::Shape(shape) => match plane_foot(&scene.shapes[shape as usize].geometry) {
+                Some(foot) => Aabb::new(foot, foot),
+                None => bounds.bounded,
+            },
+            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
+                of(a).hull(&of(b))
+            }
+            Node::Complement(a) => of(a),
+            Node::Transform { child, matrix } => {
+                of(child).transformed(&scene.matrices[matrix as usize])
+            }
+            Node::Paint { child, .. } | Node::Copy { child, .. } => of(child),
+        };
+        boxes.push(all.intersection(&bounds.all));
+    }
+    let far = FAR * seen.radius();
+    let c = seen.centre();
+    let near = Aabb::new(c.map(|x| x - far), c.map(|x| x + far));
+    match boxes.pop() {
+        Some(all) if near.holds(&all) => all,
+        _ => Aabb::EMPTY,
+    }
+}
+
+/// The point of a plane that is nearest to the origin.
+fn plane_foot(geometry: &Geometry) -> Option<Vec3> {
+    let (Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d])) = *geometry else {
+        return None;
+    };
+    let n = [a, b, c];
+    let foot = n.map(|x| -d * x / (a * a + b * b + c * c));
+    foot.iter().all(|x| x.is_finite()).then_some(foot)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::commands::Loaded;
+
+    fn region(text: &str) -> Aabb {
+        let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+        assert!(loaded.sound, "{:?}", loaded.diagnostics);
+        Extent::of(&loaded.scene, &Options::default()).region
+    }
+
+    #[test]
+    fn walls_are_in_reach() {
+        // A ball in a room, and before a wall thirty away.
+        let ball = "2 9 1\n";
+        let room = region(&format!(
+            "{ball}3 12 -9 -9 -9 9 9 9\n4 -104 3\n5 -101 2 4\n1 9999 5 0"
+        ));
+        assert!(room.holds(&Aabb::new([-9.0; 3], [9.0; 3])));
+        let wall = region(&format!("{ball}3 3 0 0 2 60\n5 -101 2 3\n1 9999 5 0"));
+        assert!(wall.min[2] < -30.0 && wall.max[2] > 1.0);
+        // What is as far away as a sky is left out.
+        let far = region(&format!("{ball}3 3 0 0 1 1e6\n5 -101 2 3\n1 9999 5 0"));
+        assert_eq!(far, region(&format!("{ball}1 9999 2 0")));
+        // What is taken away has no walls where there is nothing.
+        let cut = region(&format!(
+            "{ball}3 12 -9 -9 -9 9 9 0\n5 -103 2 3\n1 9999 5 0"
+        ));
+        assert!(cut.max[2] < 9.0);
+    }
+}
