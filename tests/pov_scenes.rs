@@ -359,6 +359,47 @@ fn moved_groups_on_glass() {
     }
 }
 
+/// (A ∩ B) − C where A is of several looks, and (A − C) ∩ B where C ends flush with B, in any order and moved.
+#[test]
+fn cuts_of_intersections() {
+    let boxes = "2 12 -1 -1 -1 0.5 1 1\n2 -701 0.1 0.3 0.9\n3 12 -0.5 -0.8 -0.8 1.5 1.2 1.2\n3 -701 0.9 0.3 0.1\n\
+                 4 -101 2 3\n5 11 0 0 0 1.6\n6 11 0.2 0.8 1.2 0.9\n";
+    let pit = "2 9 1.5\n2 -701 0.9 0.4 0.1\n3 12 -0.5 -0.5 -0.5 0.5 1 0.5\n4 -103 2 3\n5 12 -2 -2 -2 2 1 2\n";
+    let scenes = [
+        format!("{boxes}7 -102 4 5\n8 -103 7 6\n"),
+        format!("{boxes}7 -102 4 5\n7 -2 30 2\n7 -1 0 1 0\n8 -103 7 6\n"),
+        format!("{boxes}7 -102 5 4\n8 -103 7 6\n"),
+        format!("{boxes}7 -102 4 5\n9 -103 7 6\n10 11 0.5 1 -0.5 0.6\n8 -103 9 10\n"),
+        format!("{pit}8 -102 4 5\n"),
+        format!("{pit}5 -701 0.9 0.4 0.1\n8 -102 5 4\n"),
+        format!("{pit}4 -2 20 2\n8 -102 4 5\n8 -2 15 1\n"),
+    ];
+    for (i, body) in scenes.iter().enumerate() {
+        agrees(&format!("cut_{i}"), &lit(body, 8));
+    }
+}
+
+/// A bottle that stands on glass, and what fills it up to a level; a pane that ends flush with the wall whose
+/// window it fills, where numbers are rounded.
+#[test]
+fn bottles_and_windows() {
+    let bottle = "70 -201 0.1 0 0.7\n70 -203 1.5 1.5 1.5\n71 -201 0.1 0.1 0.7\n71 -203 1.33 1.33 1.33\n\
+                  72 -701 0.9 0.3 0.1\n2 1 4 0.4 0 0.4 0.9 0.15 1.2 0.15 1.5\n\
+                  3 1 4 0.33 0.07 0.33 0.9 0.1 1.2 0.1 1.6\n4 -103 2 3\n4 -299 0 70\n\
+                  5 1 4 0.33 0.07 0.33 0.9 0.1 1.2 0.1 1.6\n6 4 0 1 0 -0.7\n7 -102 5 6\n7 -299 0 71\n\
+                  9 12 -3 -0.3 -3 3 0 3\n9 -299 0 70\n";
+    let window = "70 -201 0.1 0 0.7\n70 -203 1.7 1.7 1.7\n71 -701 0.9 0.4 0.8\n72 -201 0.1 0.1 0.7\n\
+                  72 -203 1.3 1.3 1.3\n2 12 -0.8 0 -0.1 0.8 1.4 0.1\n3 12 -0.4 0.4 -0.2 0.4 1 0.2\n\
+                  4 -103 2 3\n4 -299 71 0\n7 12 -0.4 0.4 -0.02 0.4 1 0.1\n7 -299 0 70\n\
+                  9 4 0 1 0 -0.3\n9 -299 71 72\n";
+    for (i, things) in [bottle, window].iter().enumerate() {
+        for (j, order) in ["4 7", "7 4"].iter().enumerate() {
+            let body = format!("{things}8 -101 {order}\n8 -1 -0.9 0 0.7\n10 -101 8 9\n");
+            nearly_agrees(&format!("filled_{i}{j}"), &lit(&body, 10));
+        }
+    }
+}
+
 /// Two parts of one medium on the two sides of a face: nothing is to be seen of it. So it is in a scene
 /// where operands of an overlap are painted by themselves.
 #[test]
