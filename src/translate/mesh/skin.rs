@@ -10,6 +10,9 @@ use crate::trace::shapes::{Located, Primitive, Roots};
 /// and of triangles that are as large as they may be.
 const ALIKE: [f64; 2] = [0.9, 0.5];
 
+/// So many faces near a point are looked at.
+const FACES: usize = 8;
+
 /// A texture, and the matrix from the coordinates it was given in to those at hand.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texturing {
@@ -224,6 +227,7 @@ impl Skin {
         shape.crossings(&line, &mut roots);
         let mut all = roots.list;
         all.sort_by(|a, b| a.t.abs().total_cmp(&b.t.abs()));
+        all.truncate(FACES);
         let faces = |located: &Located<f64>| {
             let n = located.normal.0;
             (dot(n, facing) / length(n) / length(facing)).abs()
