@@ -113,6 +113,61 @@ fn long_chains_of_changes() {
     }
 }
 
+/// Two solids of glass that stand on each other and have all their moves in common.
+#[test]
+fn long_chains_of_common_moves() {
+    let mut scene = spheres(2);
+    for (i, index) in [(0, 1.5), (1, 1.3)] {
+        let low = f64::from(2 * i) - 1.0;
+        scene.shapes[i as usize].geometry = Geometry::Box {
+            min: [-1.0, low, -1.0],
+            max: [1.0, low + 2.0, 1.0],
+        };
+        scene.paints.push(Paint {
+            owner: 100 + i as u32,
+            index: Some([index; 3]),
+            ..glass()
+        });
+    }
+    scene.matrices.push(Matrix::rotation(2.0, 0));
+    let mut both = [0, 1];
+    for _ in 0..LONG {
+        for (i, child) in both.iter_mut().enumerate() {
+            *child = push(
+                &mut scene,
+                Node::Transform {
+                    child: *child,
+                    matrix: 0,
+                },
+            );
+            *child = push(
+                &mut scene,
+                Node::Paint {
+                    child: *child,
+                    paint: i as u32,
+                },
+            );
+        }
+    }
+    push(&mut scene, Node::Union(both[0], both[1]));
+    let start = Instant::now();
+    let text = translate(scene);
+    assert!(start.elapsed() < Duration::from_secs(60));
+    assert!(text.len() < 10_000, "{text}");
+}
+
+/// What makes a solid clear.
+fn glass() -> Paint {
+    Paint {
+        optics: Some(Optics {
+            kd: [0.1; 3],
+            ks: [0.0; 3],
+            kt: [0.8; 3],
+        }),
+        ..Paint::default()
+    }
+}
+
 /// Sixty times A := B ∪ m(B), with paints in between.
 fn doubled(paint: impl Fn(u32) -> Option<Paint>, moved: bool) -> String {
     let mut scene = spheres(1);
@@ -154,13 +209,8 @@ fn shared_nodes_are_never_expanded() {
     );
     let glass = |i: u32| Paint {
         owner: 100 + i,
-        optics: Some(Optics {
-            kd: [0.1; 3],
-            ks: [0.0; 3],
-            kt: [0.8; 3],
-        }),
         index: Some([1.5; 3]),
-        ..Paint::default()
+        ..glass()
     };
     assert!(doubled(|i| Some(glass(i)), true).len() < 40_000);
     let solid = |i: u32| Paint {

@@ -6,6 +6,7 @@ use std::collections::HashMap;
 
 use super::build::Builder;
 use super::coplanar::Plane;
+use super::matrices::Matrices;
 use super::offset::{offset, offset_profile, stretched};
 use super::piece::State;
 use crate::scene::vector::{length, sub};
@@ -82,7 +83,7 @@ pub struct Changes {
     planes: Vec<Vec<(Plane, f64)>>,
     plane_numbers: HashMap<Vec<u64>, u32>,
     /// What changes are within.
-    matrices: Vec<Matrix>,
+    matrices: Matrices,
     numbers: HashMap<[u64; 9], u32>,
 }
 
@@ -142,12 +143,8 @@ impl Changes {
 
     /// The number of a change that is said in the coordinates that a matrix leads away from.
     pub fn within(&mut self, m: &Matrix, number: u32) -> u32 {
-        let known = self.matrices.iter().position(|other| other == m);
-        let matrix = known.unwrap_or_else(|| {
-            self.matrices.push(*m);
-            self.matrices.len() - 1
-        });
-        self.number(Change::Within(matrix as u32, number))
+        let matrix = self.matrices.number(m);
+        self.number(Change::Within(matrix, number))
     }
 
     /// The number of one change after another, if there is that.
@@ -170,7 +167,7 @@ impl Changes {
                 self.number(Change::Both(a, b))
             }
             Change::Within(matrix, inner) => {
-                let factor = stretched(&self.matrices[matrix as usize]);
+                let factor = stretched(self.matrices.get(matrix));
                 let inner = self.small(inner, factor.map_or(0.0, |f| by * f));
                 self.number(Change::Within(matrix, inner))
             }
@@ -269,7 +266,7 @@ impl Changes {
                 Change::Longer(Cut { around, by, most })
             }
             Change::Within(matrix, inner) => {
-                return (self.matrices[matrix as usize] == *m).then_some(inner);
+                return (self.matrices.get(matrix) == m).then_some(inner);
             }
             Change::Offset(by) => Change::Offset(by * stretched(m)?),
             Change::Plate(by, index) => Change::Plate(by * stretched(m)?, index),

@@ -27,6 +27,7 @@ mod flush;
 mod frame;
 mod grouping;
 mod look;
+mod matrices;
 mod names;
 mod offset;
 mod piece;

@@ -3,6 +3,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use super::matrices::Matrices;
 use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
 
 /// A solid at a place: what nodes are, whatever they look like.
@@ -35,8 +36,7 @@ pub struct Sets {
     /// For each node.
     places: Vec<Place>,
     cores: Vec<Core>,
-    matrices: Vec<Matrix>,
-    numbers: HashMap<[u64; 16], u32>,
+    matrices: Matrices,
     /// The cores that are round about the y axis.
     round: HashSet<u32>,
 }
@@ -52,11 +52,10 @@ impl Sets {
         let mut sets = Sets {
             places: Vec::with_capacity(root as usize + 1),
             cores: Vec::new(),
-            matrices: Vec::new(),
-            numbers: HashMap::new(),
+            matrices: Matrices::default(),
             round: HashSet::new(),
         };
-        sets.matrix(&Matrix::IDENTITY);
+        sets.matrices.number(&Matrix::IDENTITY);
         let mut known: HashMap<Core, u32> = HashMap::new();
         let mut shapes: HashMap<Vec<u64>, u32> = HashMap::new();
         for node in scene.nodes.iter().take(root as usize + 1) {
@@ -66,7 +65,7 @@ impl Sets {
                 Node::Shape(s) => {
                     let (geometry, m) = standard(&scene.shapes[s as usize].geometry);
                     let core = Core::Shape(*shapes.entry(bits(&geometry)).or_insert(s));
-                    matrix = sets.matrix(&m);
+                    matrix = sets.matrices.number(&m);
                     core
                 }
                 Node::Union(a, b) => Core::Union(of(a), of(b)),
@@ -103,22 +102,8 @@ impl Sets {
         sets
     }
 
-    fn matrix(&mut self, m: &Matrix) -> u32 {
-        let mut key = [0; 16];
-        for (k, x) in key.iter_mut().zip(m.0.iter().flatten()) {
-            // Adding zero makes one of the two zeros.
-            *k = (x + 0.0).to_bits();
-        }
-        let next = self.matrices.len() as u32;
-        let number = *self.numbers.entry(key).or_insert(next);
-        if number == next {
-            self.matrices.push(*m);
-        }
-        number
-    }
-
     fn moved(&mut self, place: Place, m: &Matrix) -> Place {
-        let mut all = m.after(&self.matrices[place.matrix as usize]);
+        let mut all = m.after(self.matrices.get(place.matrix));
         if self.round.contains(&place.core) {
             // Its mirror images are the same.
             for j in [0, 2] {
@@ -129,7 +114,7 @@ impl Sets {
             }
         }
         Place {
-            matrix: self.matrix(&all),
+            matrix: self.matrices.number(&all),
             ..place
         }
     }
@@ -152,7 +137,7 @@ impl Sets {
         if place.matrix == HERE {
             return core;
         }
-        let m = self.matrices[place.matrix as usize];
+        let m = *self.matrices.get(place.matrix);
         let mut moved = |p: Place| self.moved(p, &m);
         match core {
             Core::Shape(s) => Core::Shape(s),

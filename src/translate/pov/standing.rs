@@ -14,6 +14,9 @@ const PART: f64 = 1.0 / 16.0;
 /// What is made longer may become so many times as wide, unless more is known.
 const WIDER: f64 = 2.0;
 
+/// So many moves that solids have in common are looked behind.
+const MOVES: usize = 16;
+
 /// So many parts of a solid are looked at.
 const PATIENCE: u32 = 256;
 
@@ -86,41 +89,59 @@ impl Builder<'_> {
     /// Made longer by so much, too, where it ends as others do, if that is not 0. What was turned as others
     /// were is looked at beside them as before that.
     fn stand(&mut self, node: NodeId, others: &[NodeId], by: f64) -> Stand {
-        let turned = self.moved(node).filter(|_| !is_along(&self.core(node).1));
-        let Some((child, m)) = turned else {
-            return self.stand_here(node, others, by);
-        };
-        let (mut alike, mut rest) = (Vec::new(), Vec::new());
-        for &other in others {
-            match self.moved(other).filter(|(_, n)| *n == m) {
-                Some((before, _)) => alike.push((before, other)),
-                None => rest.push(other),
+        let mut stand = Stand::default();
+        let (mut node, mut by) = (node, by);
+        // Each with what it was before the moves that all of them have in common.
+        let mut others: Vec<_> = others.iter().map(|other| (*other, *other)).collect();
+        // The moves, the last first, with the change before each.
+        let mut moves: Vec<(Matrix, Option<u32>)> = Vec::new();
+        loop {
+            let turned = (self.last_move(node))
+                .filter(|_| moves.len() < MOVES && !is_along(&self.core(node).1))
+                .and_then(|(child, m)| Some((child, m, stretched(&m)?)));
+            let (mut alike, mut rest) = (Vec::new(), Vec::new());
+            for (other, named) in others {
+                let before = self.last_move(other);
+                match before.filter(|(_, n)| turned.is_some_and(|(_, m, _)| *n == m)) {
+                    Some((before, _)) => alike.push((before, named)),
+                    None => rest.push((other, named)),
+                }
+            }
+            let flush = self.stand_here(node, &rest, by, &mut stand);
+            match turned.filter(|_| !alike.is_empty()) {
+                Some((child, m, factor)) => {
+                    moves.push((m, flush));
+                    (node, by, others) = (child, by * factor, alike);
+                }
+                None => {
+                    stand.flush = flush;
+                    break;
+                }
             }
         }
-        let mut stand = self.stand_here(node, &rest, by);
-        if let Some(factor) = stretched(&m).filter(|_| !alike.is_empty()) {
-            let before: Vec<_> = alike.iter().map(|pair| pair.0).collect();
-            let within = self.stand(child, &before, by * factor);
-            let now = |which: Vec<NodeId>| {
-                let now = alike.iter().filter(move |pair| which.contains(&pair.0));
-                now.map(|pair| pair.1)
+        for (m, before) in moves.into_iter().rev() {
+            stand.flush = match stand.flush {
+                Some(within) => {
+                    let within = self.changes.within(&m, within);
+                    Some(self.changes.both(before, within))
+                }
+                None => before,
             };
-            stand.held.extend(now(within.held));
-            stand.loose.extend(now(within.loose));
-            if let Some(flush) = within.flush {
-                let flush = self.changes.within(&m, flush);
-                stand.flush = Some(self.changes.both(stand.flush, flush));
-            }
         }
         stand
     }
 
-    /// The same, by boxes along the axes.
-    fn stand_here(&mut self, node: NodeId, others: &[NodeId], by: f64) -> Stand {
-        let mut stand = Stand::default();
+    /// The same, by boxes along the axes. The others have the names behind them.
+    fn stand_here(
+        &mut self,
+        node: NodeId,
+        others: &[(NodeId, NodeId)],
+        by: f64,
+        stand: &mut Stand,
+    ) -> Option<u32> {
         let own = self.box_of(node);
         if own.is_empty() || !own.radius().is_finite() {
-            return stand;
+            return None;
         }
         let thing = Standing {
             bounds: own,
@@ -128,7 +149,7 @@ impl Builder<'_> {
             round: self.frustum(node).map(|f| f.axis),
         };
         let mut free = Cut::of(Aabb::ALL, PART);
-        for &other in others {
+        for &(other, named) in others {
             if !self.box_of(other).overlaps(&own) {
                 continue;
             }
@@ -164,20 +185,19 @@ impl Builder<'_> {
                     if room.holds(&thing, axis, below) {
                         cut.by = cut.by.min(PART * depth / length);
                         free = cut;
-                        stand.held.push(other);
+                        stand.held.push(named);
                     } else if by > 0.0 {
                         // By so little that nobody sees what it reaches beside the other.
                         cut.most = cut.most.min(by);
                         free = cut;
-                        stand.held.push(other);
+                        stand.held.push(named);
                     } else {
-                        stand.loose.push(other);
+                        stand.loose.push(named);
                     }
                 }
             }
         }
-        stand.flush = self.flush_by(node, free);
-        stand
+        self.flush_by(node, free)
     }
 
     /// How many times as wide a solid becomes at most where it is made longer.
@@ -222,14 +242,16 @@ impl Builder<'_> {
         below: bool,
     ) -> Option<f64> {
         use Geometry::{Ellipsoid, Sphere, Torus};
-        if let Node::Shape(shape) = self.scene.nodes[self.core(other).0 as usize]
-            && let Ellipsoid { .. } | Sphere { .. } | Torus { .. } =
-                self.scene.shapes[shape as usize].geometry
-        {
-            // It is there in a point, or along a line.
-            return None;
-        }
-        ends_alike(own, &self.box_of(other), axis, below)
+        let end = ends_alike(own, &self.box_of(other), axis, below)?;
+        // What is round is there in a point, or along a line.
+        let is_round = match self.scene.nodes[self.core(other).0 as usize] {
+            Node::Shape(shape) => matches!(
+                self.scene.shapes[shape as usize].geometry,
+                Ellipsoid { .. } | Sphere { .. } | Torus { .. }
+            ),
+            _ => false,
+        };
+        (!is_round).then_some(end)
     }
 
     /// A node as a part of a cone or cylinder along an axis, if it is one.
@@ -267,7 +289,7 @@ impl Builder<'_> {
     }
 
     /// What a node was before it was moved last, and how it was.
-    fn moved(&self, mut node: NodeId) -> Option<(NodeId, Matrix)> {
+    fn last_move(&self, mut node: NodeId) -> Option<(NodeId, Matrix)> {
         loop {
             node = match self.scene.nodes[node as usize] {
                 Node::Paint { child, .. } | Node::Copy { child, .. } => child,
