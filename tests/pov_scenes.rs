@@ -359,6 +359,65 @@ fn moved_groups_on_glass() {
     }
 }
 
+/// A glass with a drink, ground, water that both stand in; seen through a camera above it.
+const CUP: &str = "70 -701 0.65 0.13 0.64\n71 -701 0.18 0.9 0.4\n72 -201 0.07 0 0.88\n72 -203 1.1 1.1 1.1\n\
+                   73 -201 0 0.05 0.81\n73 -203 1.05 1.05 1.05\n74 -201 0 0.05 0.81\n74 -203 1.06 1.06 1.06\n\
+                   2 1 5 0.4 0 0.5 1.2 0.45 1.2 0.35 0.1 0 0.1\n2 -299 0 72\n\
+                   3 1 3 0 0.1 0.35 0.1 0.4 0.65\n3 -299 0 73\n4 4 0 1 0 0\n4 -299 70 0\n\
+                   5 4 0 1 0 -0.3\n6 -101 2 3\n";
+
+fn cup(body: &str, size: f64) -> Loaded {
+    let [x, y, z] = [0.8, 1.39, 1.73].map(|x| size * x);
+    let text = format!(
+        "{CUP}{body}90 -402 0.8\n90 -1 -0.5 6.7 5.38\n91 -401 0.2\n\
+         92 -501 {x} {y} {z} -0.8 -1.09 -1.73 0 1 0 40\n1 9999 9 70\n"
+    );
+    let loaded = Loaded::new("cup", text.into_bytes());
+    assert!(loaded.sound, "{:?}", loaded.diagnostics);
+    loaded
+}
+
+/// Where two parts lie against each other there is nothing of a later one between them, although it would be
+/// within both.
+#[test]
+fn glasses_in_water() {
+    let bodies = [
+        // The water is of the drink's medium, of the glass's, of its own; with ground between or without.
+        "5 -299 71 73\n7 -101 6 4\n9 -101 7 5\n",
+        "5 -299 71 72\n7 -101 6 4\n9 -101 7 5\n",
+        "5 -299 71 74\n7 -101 6 4\n9 -101 7 5\n",
+        "5 -299 71 74\n9 -101 6 5\n",
+        // A ball of something opaque in the water.
+        "5 -299 71 73\n8 9 0.2\n8 -1 -0.8 0.3 0\n7 -101 6 8\n9 -101 7 5\n",
+        // A cube that stands on the ground, and a glass that is lowered into both.
+        "8 12 -0.5 0 -0.5 0.5 1 0.5\n8 -2 25 2\n8 -1 0.3 0 -0.3\n8 -299 0 73\n2 -1 0 -0.05 0\n7 -101 4 8\n\
+         9 -101 7 2\n",
+    ];
+    for (i, body) in bodies.iter().enumerate() {
+        agrees(&format!("glass_in_water_{i}"), &cup(body, 1.0));
+    }
+}
+
+/// How far apart faces are put follows what is near, not how large everything is, and how groups are scaled.
+#[test]
+fn large_floors_and_small_groups() {
+    let floor = |s: u32| {
+        format!("10 5 -{s} -{s} {s} {s}\n10 -2 -90 1\n10 -1 0 -0.5 0\n10 -299 71 0\n9 -101 8 10\n")
+    };
+    let water = "5 -299 71 74\n7 -101 6 4\n8 -101 7 5\n";
+    for s in [50, 1000] {
+        agrees(
+            &format!("floor_{s}"),
+            &cup(&format!("{water}{}", floor(s)), 1.0),
+        );
+    }
+    let ball = "10 9 0.5\n10 -1 -3 0 -3\n9 -101 10 8\n";
+    for (i, more) in [ball, "9 -101 8 8\n"].iter().enumerate() {
+        let body = format!("{water}8 -3 0.01 0.01 0.01\n{more}");
+        agrees(&format!("small_{i}"), &cup(&body, 0.01));
+    }
+}
+
 /// (A ∩ B) − C where A is of several looks, and (A − C) ∩ B where C ends flush with B, in any order and moved.
 #[test]
 fn cuts_of_intersections() {

@@ -13,6 +13,7 @@ use super::aspects::DEFAULT;
 use super::build::Builder;
 use super::flush::Change;
 use super::grouping;
+use super::neighbours::Neighbours;
 use super::piece::{Group, Modifier, Piece};
 use super::union::{Members, Reaching, non_empty};
 use crate::scene::{Aabb, NodeId};
@@ -47,15 +48,26 @@ pub(super) struct Meetings {
     all: Vec<Meeting>,
     /// By the earlier one those whose faces have two sides.
     sided: HashMap<usize, Vec<Meeting>>,
+    pub neighbours: Neighbours,
 }
 
 impl Meetings {
-    fn of(all: Vec<Meeting>) -> Meetings {
+    fn of(all: Vec<Meeting>, neighbours: Neighbours) -> Meetings {
         let mut sided: HashMap<_, Vec<_>> = HashMap::new();
         for meeting in all.iter().filter(|m| m.apart && m.seen != Seen::Face) {
             sided.entry(meeting.earlier).or_default().push(*meeting);
         }
-        Meetings { all, sided }
+        Meetings {
+            all,
+            sided,
+            neighbours,
+        }
+    }
+
+    /// The groups within which one ends, so that it is a hair behind their faces.
+    pub fn around(&self, later: usize) -> impl Iterator<Item = usize> {
+        let apart = self.of_later(later).iter().filter(|m| m.apart);
+        apart.map(|m| m.earlier)
     }
 
     /// Those with the groups that come before one.
@@ -89,7 +101,9 @@ impl Builder<'_> {
         let mut smaller = vec![None; groups.len()];
         let mut looks = vec![None; groups.len()];
         let boxes: Vec<&[Aabb]> = groups.iter().map(|g| &g.boxes[..]).collect();
-        for (earlier, later) in grouping::pairs(&boxes) {
+        let pairs = grouping::pairs(&boxes);
+        let neighbours = Neighbours::of(groups, &pairs, reaching);
+        for (earlier, later) in pairs {
             let [a, b] = [earlier, later].map(|i| &groups[i]);
             if !(a.seen_into || (b.seen_into && reaching.any_of(a))) {
                 continue;
@@ -123,7 +137,7 @@ impl Builder<'_> {
                 same.iter_mut().for_each(|m| m.seen = Seen::Face);
             }
         }
-        Meetings::of(meetings)
+        Meetings::of(meetings, neighbours)
     }
 
     /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
@@ -238,11 +252,7 @@ impl Builder<'_> {
         later: usize,
         reaching: &Reaching,
     ) -> Option<Piece> {
-        let of_later = meetings.of_later(later);
-        let clear = || {
-            let clear = of_later.iter().filter(|m| m.apart);
-            clear.map(|m| &groups[m.earlier])
-        };
+        let clear = || meetings.around(later).map(|earlier| &groups[earlier]);
         let group = &groups[later];
         let grows = clear().any(|earlier| reaching.has(earlier, group));
         let mut changes = HashMap::new();
@@ -257,12 +267,13 @@ impl Builder<'_> {
             changes.get(&node).copied().or(state.flush)
         });
         let mut all = vec![non_empty(group.kind(), own)?];
-        for meeting in of_later {
+        for meeting in meetings.of_later(later) {
             let earlier = &groups[meeting.earlier];
             if !earlier.seen_into {
                 all.extend(self.longer(earlier, reaching));
             }
         }
+        all.extend(self.owned_by_neighbours(groups, meetings, later, reaching));
         Some(Piece::group(Group::Difference, all))
     }
 

@@ -7,12 +7,13 @@ use super::descend::{End, Stop};
 use super::difference::Substance;
 use super::facts::{self, Facts};
 use super::flush::{Change, Changes};
+use super::frame::power_of_two_about;
 use super::look::Looks;
 use super::names;
+use super::offset::stretched;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
 use super::sets::Sets;
 use super::sheets;
-use super::union;
 use super::volumes::{self, Volumes};
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, Node, NodeId, Scene, View};
@@ -39,8 +40,13 @@ pub(super) struct Builder<'a> {
     pub looks: Looks,
     /// How shapes are changed where nobody sees it.
     pub changes: Changes,
-    /// How far apart faces are that are one: less than can be seen, more than POV-Ray's tolerances.
+    /// How far apart faces are that are one, in the coordinates of what is written at the moment: see
+    /// [`Frame::hair`](super::frame::Frame::hair).
     pub hair: f64,
+    /// The same in the scene's coordinates.
+    pub hair_of_scene: f64,
+    /// For each node how many times as long the scene is in the coordinates that it is placed in.
+    stretches: Vec<f64>,
     /// Something has faces that nobody sees.
     pub unseen: bool,
     /// Some of them stand between other faces and those who look at them from inside.
@@ -74,7 +80,6 @@ impl<'a> Builder<'a> {
         let mut aspects = Aspects::of(scene);
         let facts = facts::facts(scene, &mut aspects, root);
         let bounds = node_bounds(scene);
-        let hair = union::hair(scene, &bounds);
         let volumes = volumes::proved(scene, &bounds);
         let all = bounds.get(root as usize).map_or(Aabb::EMPTY, |b| b.all);
         let cut_open = scene
@@ -96,7 +101,9 @@ impl<'a> Builder<'a> {
             sets: Sets::of(scene, root),
             looks: Looks::default(),
             changes: Changes::default(),
-            hair,
+            hair: 0.0,
+            hair_of_scene: 0.0,
+            stretches: stretches(scene, root),
             unseen: false,
             unseen_twice: false,
             longer: HashSet::new(),
@@ -131,6 +138,14 @@ impl<'a> Builder<'a> {
 
     /// What is at the end of a descent, if anything is left of it.
     fn body(&mut self, end: &End) -> Option<Piece> {
+        if let End::Union(part, ..)
+        | End::Intersection(part, ..)
+        | End::Difference(part, ..)
+        | End::CrossedSurfaces(part, ..)
+        | End::Split(part, _) = *end
+        {
+            self.hair = self.hair_of_scene * self.stretches[part as usize];
+        }
         Some(match *end {
             End::Nothing => return None,
             End::Everything => Piece::new(Body::Everything, 0),
@@ -544,4 +559,30 @@ fn is_walled_in(
 /// The state of a part whose medium something around it gives.
 pub(super) fn inside_medium(state: State) -> State {
     state.medium(Medium::Above)
+}
+
+/// For each node by how much all lengths grow from the scene's coordinates to those that the node is placed
+/// in, as a power of two; where it is in several places, the most.
+fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
+    let mut out = vec![0.0; root as usize + 1];
+    out[root as usize] = 1.0;
+    for id in (0..=root as usize).rev() {
+        let own: f64 = out[id];
+        let below = match scene.nodes[id] {
+            Node::Transform { matrix, .. } => {
+                let factor = stretched(&scene.matrices[matrix as usize]).unwrap_or(1.0);
+                Some(own * factor).filter(|f| f.is_finite()).unwrap_or(own)
+            }
+            _ => own,
+        };
+        for child in scene.nodes[id].children().into_iter().flatten() {
+            out[child as usize] = below.max(out[child as usize]);
+        }
+    }
+    // What is a power of two but for rounding stays that.
+    let about = |factor: f64| match factor > 0.0 {
+        true => power_of_two_about(1.9 * factor),
+        false => 0.0,
+    };
+    out.into_iter().map(about).collect()
 }

@@ -15,6 +15,9 @@ use crate::translate::fidelity::Fidelity;
 /// limits, 1e7, far away.
 const SIZE: f64 = 32.0;
 
+/// How far apart faces are put that are one: a few times POV-Ray's tolerances.
+const HAIR: f64 = 1.0 / 512.0;
+
 /// Shadow rays overlook what is closer than this.
 const OVERLOOKED: f64 = 1e-3;
 
@@ -86,6 +89,12 @@ impl Frame {
             false => [0.0; 3],
         };
         Frame { centre, unit }
+    }
+
+    /// How far apart faces are put in the scene's coordinates that are one: less than can be seen, more than
+    /// POV-Ray's tolerances.
+    pub fn hair(&self) -> f64 {
+        HAIR / self.unit
     }
 
     /// The declarations that [`modifiers`](Self::modifiers) needs.

@@ -5,12 +5,12 @@
 //! and no highlights its light is that of the reference ray tracer, except at total internal reflection.
 //!
 //! From the resolved scene to text: [`cuts`] and [`spread`] say it in another way where that is needed,
-//! by [`rewrite`]; [`facts`] about every node, bottom-up; [`build`] with [`descend`],
-//! [`union`], [`difference`], [`grouping`], [`flush`], [`standing`], [`filling`] and [`sets`] says what each
-//! object consists of, as [`piece`]s; [`emit`] orders, names and prints them; [`look`] and [`uv`] know
-//! POV-Ray's textures, [`shape`] with [`poly`], [`profile`], [`triangle`] and [`offset`] its primitives,
-//! [`turned`] the triangles with normals that turn away, [`volumes`] the bounding volumes that may be
-//! written; [`camera`] and [`scenery`] do the rest. [`verdict`] says what becomes of each feature.
+//! by [`rewrite`]; [`facts`] about every node, bottom-up; [`build`] with [`descend`], [`union`],
+//! [`between`], [`neighbours`], [`difference`], [`grouping`], [`flush`], [`standing`], [`filling`] and [`sets`]
+//! says what each object consists of, as [`piece`]s; [`emit`] orders, names and prints them; [`look`] and
+//! [`uv`] know POV-Ray's textures, [`shape`] with [`poly`], [`profile`], [`triangle`] and [`offset`] its
+//! primitives, [`turned`] the triangles with normals that turn away, [`volumes`] the bounding volumes that may
+//! be written; [`camera`] and [`scenery`] do the rest. [`verdict`] says what becomes of each feature.
 
 mod aspects;
 mod between;
@@ -29,6 +29,7 @@ mod grouping;
 mod look;
 mod matrices;
 mod names;
+mod neighbours;
 mod offset;
 mod piece;
 mod poly;
@@ -145,11 +146,12 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
         builder.turned = turned::turned(scene, &builder.facts, eye);
         builder.holds_turned = turned::holders(scene, &builder.facts, &builder.turned);
     }
+    let frame = Frame::of(&mut builder, &eyes);
+    builder.hair_of_scene = frame.hair();
     let mut emitter = Emitter::new(&mut builder, &options.captions);
     let root = emitter.declare(render.root);
     let everywhere = emitter.everywhere;
     let (objects, geodesics) = (emitter.text, emitter.geodesics);
-    let frame = Frame::of(&mut builder, &eyes);
     let light_scale = light_scale(&builder, &render, &eyes, options);
 
     let mut looks = String::new();

@@ -45,11 +45,12 @@ pub fn reach(scene: &Scene, eyes: &[Eye], whole: Aabb) -> Option<Reach> {
     if bends(scene) {
         // What mirrors show may be anywhere.
         for eye in eyes {
-            let away = (0..3).map(|i| {
-                let at = eye.camera.position[i];
-                (whole.max[i] - at).abs().max((whole.min[i] - at).abs())
-            });
-            sight.far = away.fold(sight.far, f64::max);
+            let ends = [whole.min, whole.max];
+            let away = ends
+                .iter()
+                .flat_map(|end| (0..3).map(|i| (end[i] - eye.camera.position[i]).abs()));
+            // Of what has no end there is no farthest point.
+            sight.far = away.filter(|x| x.is_finite()).fold(sight.far, f64::max);
         }
     }
     let Sight {

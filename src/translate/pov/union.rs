@@ -6,13 +6,10 @@ use std::collections::{HashMap, HashSet};
 use super::aspects::DEFAULT;
 use super::between::clip;
 use super::build::{Builder, inside_medium};
-use super::frame::power_of_two_about;
 use super::grouping::{self, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::standing::Stand;
-use crate::scene::bounds::NodeBounds;
-use crate::scene::frame::seen_box;
-use crate::scene::{Aabb, NodeId, Scene};
+use crate::scene::{Aabb, NodeId};
 use crate::translate::fidelity::Fidelity;
 
 /// Unions of more solids are not searched for those that stand on each other.
@@ -53,6 +50,8 @@ pub(super) struct Reaching {
     by: HashMap<NodeId, u32>,
     /// Each with those that it is made longer into.
     into: HashSet<(NodeId, NodeId)>,
+    /// Solids that have faces in one place, the earlier of the two first.
+    pub contacts: Vec<(NodeId, NodeId)>,
 }
 
 impl Reaching {
@@ -64,24 +63,16 @@ impl Reaching {
             .any(|(node, _)| self.by.contains_key(node))
     }
 
+    /// The change of a solid where later ones are clipped by it.
+    pub fn of(&self, node: NodeId) -> Option<u32> {
+        self.by.get(&node).copied()
+    }
+
     /// Whether any of a group is made longer into any of a later one.
     pub fn has(&self, earlier: &Members, later: &Members) -> bool {
         let mut earlier = earlier.nodes.iter().map(|n| n.0);
         let later = || later.nodes.iter().map(|n| n.0);
         !self.into.is_empty() && earlier.any(|a| later().any(|b| self.into.contains(&(a, b))))
-    }
-}
-
-/// The part of the scene's size that [`Builder::hair`] is, or less by up to a half.
-const HAIR: f64 = 1.0 / 8192.0;
-
-/// How far apart faces are put that are one.
-pub(super) fn hair(scene: &Scene, bounds: &[NodeBounds]) -> f64 {
-    let seen = seen_box(scene, bounds);
-    let size = if seen.is_empty() { 0.0 } else { seen.radius() };
-    match size.is_finite() && size > 0.0 {
-        true => power_of_two_about(HAIR * size),
-        false => 0.0,
     }
 }
 
@@ -170,13 +161,15 @@ impl Builder<'_> {
             let before = nodes(&mut (0..i).filter(counts));
             let after = nodes(&mut (i + 1..solids.len()).filter(counts).filter(is_beyond));
             let alike = nodes(&mut (i + 1..solids.len()).filter(counts).filter(|j| !differs(j)));
+            let reach = self.reach(node, &after);
+            let contacts = &mut reaching.contacts;
+            contacts.extend(reach.held.iter().map(|other| (node, *other)));
             let mut note = |stand: Stand| {
                 let pair = |other: NodeId| (node.min(other), node.max(other));
                 held.extend(stand.held.into_iter().map(pair));
                 loose.extend(stand.loose.into_iter().map(pair));
                 stand.flush
             };
-            let reach = self.reach(node, &after);
             reaching
                 .into
                 .extend(reach.held.iter().map(|other| (node, *other)));
@@ -184,6 +177,7 @@ impl Builder<'_> {
                 reaching.by.insert(node, flush);
             }
             let plug = self.plug(node, &clear);
+            contacts.extend(plug.held.iter().map(|other| (*other, node)));
             if plug.flush.is_some() {
                 solids[i].1.flush = note(plug);
             }
@@ -192,7 +186,9 @@ impl Builder<'_> {
                 solids[i].1.flush = note(self.filling(node, &around));
             }
             if solids[i].1.flush.is_none() {
-                solids[i].1.flush = note(self.standing(node, &before));
+                let standing = self.standing(node, &before);
+                contacts.extend(standing.held.iter().map(|other| (*other, node)));
+                solids[i].1.flush = note(standing);
             }
         }
         for ((node, state), whole) in solids.iter_mut().zip(whole) {
@@ -326,10 +322,9 @@ impl Builder<'_> {
 
     /// The solids of a group, longer as they are where later ones are clipped by them.
     pub(super) fn longer(&mut self, group: &Members, reaching: &Reaching) -> Vec<Piece> {
-        let longer = |node: &NodeId| reaching.by.get(node).copied();
         // What is within something opaque is not seen anyway, but for faces that are in one place with its.
         let members: Vec<_> = (group.nodes.iter())
-            .map(|(node, _)| (*node, State::GEOMETRY.flush(longer(node))))
+            .map(|(node, _)| (*node, State::GEOMETRY.flush(reaching.of(*node))))
             .filter(|(_, state)| group.seen_into || state.flush.is_some())
             .collect();
         self.pieces(&members)
