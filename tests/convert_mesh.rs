@@ -1,5 +1,6 @@
 //! `zpg convert` to meshes: the command, and the files it writes.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -188,11 +189,11 @@ fn obj_uses_what_its_library_defines() {
         .lines()
         .filter_map(|l| l.strip_prefix("newmtl "))
         .collect();
-    let used: Vec<&str> = text
+    let used: BTreeSet<&str> = text
         .lines()
         .filter_map(|l| l.strip_prefix("usemtl "))
         .collect();
-    assert_eq!(defined, used);
+    assert_eq!(BTreeSet::from_iter(defined.iter().copied()), used);
     // Glass, red, the white triangle, and the vase with colours of its points.
     assert_eq!(defined.len(), 4);
     assert!(library.contains("Kd 0.9 0.2 0.1\n") && library.contains("Ni 1.5\n"));
@@ -204,6 +205,87 @@ fn obj_uses_what_its_library_defines() {
             // No picture, and a normal.
             assert!(number().is_err());
             assert!((1..=normals).contains(&number().unwrap()), "{face}");
+        }
+    }
+}
+
+/// Objects are called after the entities that their properties come from: a red ball, and a red box with a hole.
+#[test]
+fn obj_and_glb_have_the_names_of_the_scene() {
+    let folder = folder();
+    let scene = "\
+2 11  0 1 0  1 # the moon #
+2 -701  1 0 0
+3 12  5 0 0  7 2 2
+3 -701  1 0 0
+4 12  6 1 -1  8 1.5 3
+5 -103  3 4
+6 -101  5 2
+1 9999  6 0
+";
+    fs::write(folder.path().join("moon.zpg"), scene).unwrap();
+    for format in ["obj", "glb"] {
+        let output = zpg(folder.path(), &["convert", "moon.zpg", "--to", format], "");
+        assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+    }
+    let text = fs::read_to_string(folder.path().join("moon.obj")).unwrap();
+    let (points, objects) = text.split_once("# sphere, the moon\no Object_2\n").unwrap();
+    let (moon, block) = objects.split_once("# box\no Object_3\n").unwrap();
+    let points: Vec<&str> = points
+        .lines()
+        .filter_map(|l| l.strip_prefix("v "))
+        .collect();
+    for (faces, held) in [(moon, -1.0..=1.0), (block, 5.0..=7.0)] {
+        let mut lines = faces.lines();
+        // They look alike.
+        assert_eq!(lines.next(), Some("usemtl material_0"));
+        for corner in lines.flat_map(|l| l.strip_prefix("f ").unwrap().split(' ')) {
+            let point: usize = corner.split('/').next().unwrap().parse().unwrap();
+            let x = points[point - 1].split(' ').next().unwrap();
+            assert!(held.contains(&x.parse::<f64>().unwrap()), "{x}");
+        }
+    }
+    let bytes = fs::read(folder.path().join("moon.glb")).unwrap();
+    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
+    let json: serde_json::Value = serde_json::from_slice(&bytes[20..20 + word(12)]).unwrap();
+    assert_eq!(json["scenes"][0]["nodes"], serde_json::json!([0, 1]));
+    for (i, (name, comment, low, high)) in [
+        (
+            "Object_2",
+            "sphere, the moon",
+            [-1.0, 0.0, -1.0],
+            [1.0, 2.0, 1.0],
+        ),
+        ("Object_3", "box", [5.0, 0.0, 0.0], [7.0, 2.0, 2.0]),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert_eq!(json["nodes"][i]["name"], name);
+        let mesh = &json["meshes"][json["nodes"][i]["mesh"].as_u64().unwrap() as usize];
+        assert_eq!(mesh["name"], comment);
+        let primitive = &mesh["primitives"][0];
+        let accessor =
+            |name: &serde_json::Value| &json["accessors"][name.as_u64().unwrap() as usize];
+        let places = accessor(&primitive["attributes"]["POSITION"]);
+        for (bound, expected) in [("min", low), ("max", high)] {
+            for k in 0..3 {
+                let off = places[bound][k].as_f64().unwrap() - expected[k];
+                assert!(off.abs() < 0.01, "{name}: {places}");
+            }
+        }
+        // Every triangle is in the box of its object: the indices count from its own first vertex.
+        let start = |accessor: &serde_json::Value| {
+            let view = accessor["bufferView"].as_u64().unwrap() as usize;
+            let offset = |of: &serde_json::Value| of["byteOffset"].as_u64().unwrap() as usize;
+            28 + word(12) + offset(&json["bufferViews"][view]) + offset(accessor)
+        };
+        let indices = accessor(&primitive["indices"]);
+        for k in 0..indices["count"].as_u64().unwrap() as usize {
+            let vertex = word(start(indices) + 4 * k);
+            assert!(vertex < places["count"].as_u64().unwrap() as usize);
+            let x = f32::from_bits(word(start(places) + 12 * vertex) as u32);
+            assert!((low[0]..=high[0]).contains(&f64::from(x)), "{name}: {x}");
         }
     }
 }

@@ -6,6 +6,7 @@ pub mod fidelity;
 pub mod json;
 pub mod mesh;
 pub mod mitsuba;
+pub mod names;
 pub mod pov;
 
 pub use feature::{Effect, Feature};

@@ -7,10 +7,12 @@ use super::{Args, Made, Refusal};
 use crate::commands::Loaded;
 use crate::commands::loaded::STDIN;
 use crate::diagnostics::Complaint;
+use crate::syntax::Captions;
 use crate::trace::{self, Images, Tracer};
 use crate::translate::Unsupported;
 use crate::translate::mesh::picture::file_name;
 use crate::translate::mesh::{self, Coloured, glb, obj, ply};
+use crate::translate::names::Names;
 
 /// The kinds of files there are for meshes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,9 +46,11 @@ pub fn make(args: &Args, format: Format, loaded: &Loaded) -> Result<Made, Refusa
     };
     let model = mesh::model(&loaded.scene, &tracer.graph, &options)?;
     let coloured = Coloured::new(&model, &tracer.graph, options.pictured);
+    let captions = Captions::of(&loaded.document, &loaded.source.text);
+    let names = Names::new(&loaded.scene, &captions);
     let files = match format {
         Format::Ply => vec![(Some(path), ply::write(&coloured))],
-        Format::Glb => vec![(Some(path), glb::write(&coloured))],
+        Format::Glb => vec![(Some(path), glb::write(&coloured, &names))],
         Format::Obj => {
             let name = |p: &Path| {
                 p.file_name()
@@ -61,8 +65,9 @@ pub fn make(args: &Args, format: Format, loaded: &Loaded) -> Result<Made, Refusa
                 .to_string_lossy()
                 .into_owned();
             let picture = |number: u32| path.with_file_name(file_name(&stem, number));
-            let (text, materials) =
-                obj::write(&coloured, &name(&library), |number| name(&picture(number)));
+            let (text, materials) = obj::write(&coloured, &names, &name(&library), |number| {
+                name(&picture(number))
+            });
             let mut files = vec![
                 (Some(path.clone()), text.into_bytes()),
                 (Some(library), materials.into_bytes()),

@@ -1,12 +1,14 @@
 //! glTF 2.0, binary.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use serde_json::{Value, json};
 
-use super::material::{Coloured, Material};
+use super::material::{Coloured, Material, Vertex};
 use super::picture::Picture;
 use crate::scene::{DEFAULT_COLOUR, Vec3};
+use crate::translate::names::Names;
 
 const FLOAT: u32 = 5126;
 const UNSIGNED_INT: u32 = 5125;
@@ -16,82 +18,106 @@ const NEAREST: u32 = 9728;
 const LINEAR: u32 = 9729;
 const REPEAT: u32 = 10497;
 
-/// The bytes of the file.
-pub fn write(coloured: &Coloured) -> Vec<u8> {
+/// The bytes of the file: a node for each object, called after the scene's.
+pub fn write(coloured: &Coloured, names: &Names) -> Vec<u8> {
     let mesh = &coloured.model.mesh;
     if mesh.is_empty() {
         return container(&json!({ "asset": asset() }), &[]);
     }
     let mut file = Parts::default();
     let vertices = &coloured.vertices;
-    let points = vertices.iter().map(|v| mesh.points[v.point as usize]);
-    let places = file.attribute("VEC3", points.clone());
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    for p in points {
-        for (i, x) in p.map(|x| x as f32).into_iter().enumerate() {
-            (low[i], high[i]) = (low[i].min(x), high[i].max(x));
-        }
-    }
-    file.accessors[places]["min"] = json!(low);
-    file.accessors[places]["max"] = json!(high);
-    let normals = file.attribute("VEC3", vertices.iter().map(|v| rounded_unit(v.normal)));
+    let place = |v: &Vertex| mesh.points[v.point as usize];
+    let places = file.attribute(vertices.iter().map(place));
+    let normals = file.attribute(vertices.iter().map(|v| rounded_unit(v.normal)));
     let materials = &coloured.materials;
     let colours = materials.iter().any(|m| m.colour.is_none()).then(|| {
         let colours = vertices.iter().map(|v| v.colour.map(|x| x.clamp(0.0, 1.0)));
-        file.attribute("VEC3", colours)
+        file.attribute(colours)
     });
     let pictured = materials.iter().any(|m| m.picture.is_some()).then(|| {
         // Their t goes down.
-        file.attribute("VEC2", vertices.iter().map(|v| [v.uv[0], -v.uv[1]]))
+        file.attribute(vertices.iter().map(|v| [v.uv[0], -v.uv[1]]))
     });
     let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
     for (number, picture) in &coloured.pictures.all {
         numbers.insert(*number, file.picture(picture));
     }
-    let view = file.views.len();
-    let start = file.binary.len();
-    let (mut primitives, mut described) = (Vec::new(), Vec::new());
     let mut extensions = Extensions::default();
-    for material in materials {
-        let offset = file.binary.len() - start;
-        for &t in &material.triangles {
-            for i in coloured.triangles[t as usize] {
-                file.binary.extend_from_slice(&i.to_le_bytes());
-            }
-        }
-        let mut attributes = json!({ "POSITION": places, "NORMAL": normals });
-        if let (None, Some(colours)) = (material.colour, colours) {
-            attributes["COLOR_0"] = json!(colours);
-        }
-        if let (Some(_), Some(pictured)) = (material.picture, pictured) {
-            attributes["TEXCOORD_0"] = json!(pictured);
-        }
-        primitives.push(json!({
-            "attributes": attributes,
-            "indices": file.accessors.len(),
-            "material": described.len(),
-        }));
-        file.accessors.push(json!({
-            "bufferView": view, "byteOffset": offset, "componentType": UNSIGNED_INT,
-            "count": 3 * material.triangles.len(), "type": "SCALAR",
-        }));
-        let of_surface =
-            material.triangles.first().map(|&t| t as usize) >= Some(coloured.model.solid);
-        let mut look = appearance(material, of_surface, &mut extensions);
+    let describe = |material: &Material| {
+        let mut look = appearance(material, &mut extensions);
         if let Some(texture) = material.picture.and_then(|p| numbers.get(&p)) {
             look["pbrMetallicRoughness"]["baseColorTexture"] = json!({ "index": texture });
         }
-        described.push(look);
+        look
+    };
+    let described: Vec<Value> = materials.iter().map(describe).collect();
+    let view = file.views.len();
+    let start = file.binary.len();
+    let (mut nodes, mut meshes) = (Vec::new(), Vec::new());
+    for object in &coloured.objects {
+        let of = &object.vertices;
+        let places = file.part(&places, of);
+        let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+        for v in &vertices[of.start as usize..of.end as usize] {
+            for (i, x) in place(v).map(|x| x as f32).into_iter().enumerate() {
+                (low[i], high[i]) = (low[i].min(x), high[i].max(x));
+            }
+        }
+        file.accessors[places]["min"] = json!(low);
+        file.accessors[places]["max"] = json!(high);
+        let normals = file.part(&normals, of);
+        let uses = |quality: fn(&Material) -> bool| {
+            let mut all = object.triangles.keys();
+            all.any(|m| quality(&materials[*m]))
+        };
+        let colours = colours.as_ref().filter(|_| uses(|m| m.colour.is_none()));
+        let colours = colours.map(|c| file.part(c, of));
+        let pictured = pictured.as_ref().filter(|_| uses(|m| m.picture.is_some()));
+        let pictured = pictured.map(|p| file.part(p, of));
+        let mut primitives = Vec::new();
+        for (number, triangles) in &object.triangles {
+            let material = &materials[*number];
+            let offset = file.binary.len() - start;
+            for &t in triangles {
+                for i in coloured.triangles[t as usize] {
+                    let i = i - of.start;
+                    file.binary.extend_from_slice(&i.to_le_bytes());
+                }
+            }
+            let mut attributes = json!({ "POSITION": places, "NORMAL": normals });
+            if let (None, Some(colours)) = (material.colour, colours) {
+                attributes["COLOR_0"] = json!(colours);
+            }
+            if let (Some(_), Some(pictured)) = (material.picture, pictured) {
+                attributes["TEXCOORD_0"] = json!(pictured);
+            }
+            primitives.push(json!({
+                "attributes": attributes,
+                "indices": file.accessors.len(),
+                "material": number,
+            }));
+            file.accessors.push(json!({
+                "bufferView": view, "byteOffset": offset, "componentType": UNSIGNED_INT,
+                "count": 3 * triangles.len(), "type": "SCALAR",
+            }));
+        }
+        nodes.push(json!({ "name": object.name(), "mesh": meshes.len() }));
+        let mut mesh = json!({ "primitives": primitives });
+        if let Some(comment) = names.comment(object.id) {
+            mesh["name"] = json!(comment);
+        }
+        meshes.push(mesh);
     }
     file.views.push(json!({
         "buffer": 0, "byteOffset": start, "byteLength": file.binary.len() - start, "target": ELEMENTS,
     }));
+    let all: Vec<usize> = (0..nodes.len()).collect();
     let mut out = json!({
         "asset": asset(),
         "scene": 0,
-        "scenes": [{ "nodes": [0] }],
-        "nodes": [{ "mesh": 0 }],
-        "meshes": [{ "primitives": primitives }],
+        "scenes": [{ "nodes": all }],
+        "nodes": nodes,
+        "meshes": meshes,
         "materials": described,
         "accessors": file.accessors,
         "bufferViews": file.views,
@@ -122,27 +148,34 @@ struct Parts {
     textures: Vec<Value>,
 }
 
+/// Numbers of all vertices: where they are, and how many each has.
+struct Attribute {
+    view: usize,
+    width: usize,
+}
+
 impl Parts {
-    /// Numbers of all vertices; gives the accessor's number.
-    fn attribute<const N: usize>(
-        &mut self,
-        kind: &str,
-        numbers: impl Iterator<Item = [f64; N]>,
-    ) -> usize {
+    fn attribute<const N: usize>(&mut self, numbers: impl Iterator<Item = [f64; N]>) -> Attribute {
         let start = self.binary.len();
-        let mut count = 0;
-        for vector in numbers {
-            for x in vector {
-                self.binary.extend_from_slice(&(x as f32).to_le_bytes());
-            }
-            count += 1;
+        for x in numbers.flatten() {
+            self.binary.extend_from_slice(&(x as f32).to_le_bytes());
         }
-        self.accessors.push(json!({
-            "bufferView": self.views.len(), "componentType": FLOAT, "count": count, "type": kind,
-        }));
         self.views.push(json!({
             "buffer": 0, "byteOffset": start, "byteLength": self.binary.len() - start,
-            "target": ATTRIBUTES,
+            "byteStride": 4 * N, "target": ATTRIBUTES,
+        }));
+        Attribute {
+            view: self.views.len() - 1,
+            width: N,
+        }
+    }
+
+    /// Those of some vertices; gives the accessor's number.
+    fn part(&mut self, attribute: &Attribute, of: &Range<u32>) -> usize {
+        let Attribute { view, width } = attribute;
+        self.accessors.push(json!({
+            "bufferView": view, "byteOffset": 4 * width * of.start as usize, "componentType": FLOAT,
+            "count": of.len(), "type": format!("VEC{width}"),
         }));
         self.accessors.len() - 1
     }
@@ -190,7 +223,7 @@ impl Extensions {
 }
 
 /// A mirror is a smooth metal, glass is transmission; what is between is mixed by their shares.
-fn appearance(material: &Material, of_surface: bool, extensions: &mut Extensions) -> Value {
+fn appearance(material: &Material, extensions: &mut Extensions) -> Value {
     let o = &material.optics;
     let mean = |k: [f64; 3]| k.iter().sum::<f64>() / 3.0;
     let (kd, ks, kt) = (mean(o.kd), mean(o.ks), mean(o.kt));
@@ -207,7 +240,7 @@ fn appearance(material: &Material, of_surface: bool, extensions: &mut Extensions
             "metallicFactor": share(ks),
             "roughnessFactor": 1.0 - share(ks + kt),
         },
-        "doubleSided": of_surface,
+        "doubleSided": material.surface,
     });
     if kt > 0.0 {
         extensions.transmission = true;

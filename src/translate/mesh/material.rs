@@ -1,12 +1,13 @@
-//! Triangles sorted by what they are made of.
+//! Triangles sorted by the objects that they belong to, and by what they are made of.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::ops::Range;
 
 use super::Model;
 use super::corners::corners;
 use super::picture::Pictures;
 use crate::scene::vector::{cross, sub};
-use crate::scene::{Optics, Rgb, Texture, Vec3};
+use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
 
 /// What some triangles have in common.
@@ -19,9 +20,33 @@ pub struct Material {
     pub colour: Option<Rgb>,
     /// The number of the picture that is laid on; then the colour is white.
     pub picture: Option<u32>,
-    /// Indices of triangles of the mesh.
-    pub triangles: Vec<u32>,
+    /// It is seen from both sides, on a surface without an inside.
+    pub surface: bool,
 }
+
+/// Triangles that have their properties from one entity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Object {
+    /// The entity; 0 where there is none, and where there are too many.
+    pub id: u32,
+    /// Its vertices; no others have them.
+    pub vertices: Range<u32>,
+    /// By the number of the material: indices of triangles of the mesh.
+    pub triangles: BTreeMap<usize, Vec<u32>>,
+}
+
+impl Object {
+    /// What it is called.
+    pub fn name(&self) -> String {
+        match self.id {
+            0 => "Scene".to_owned(),
+            id => format!("Object_{id}"),
+        }
+    }
+}
+
+/// More objects are one: programs take long to read very many.
+const MOST_OBJECTS: usize = 1000;
 
 /// A point as files know it: where normals, colours or surface coordinates differ there are several in
 /// one place.
@@ -46,6 +71,8 @@ pub struct Coloured<'m> {
     /// Every triangle's colour, linear.
     pub faces: Vec<Rgb>,
     pub materials: Vec<Material>,
+    /// In the order of their IDs.
+    pub objects: Vec<Object>,
     pub pictures: Pictures,
 }
 
@@ -63,14 +90,25 @@ impl<'m> Coloured<'m> {
         let mut out = Coloured {
             model,
             vertices: Vec::with_capacity(mesh.points.len()),
-            triangles: Vec::with_capacity(mesh.triangles.len()),
-            faces: Vec::with_capacity(mesh.triangles.len()),
+            triangles: vec![[0; 3]; mesh.triangles.len()],
+            faces: vec![DEFAULT_COLOUR; mesh.triangles.len()],
             materials: Vec::new(),
+            objects: Vec::new(),
             pictures,
         };
         let mut numbers: HashMap<MaterialKey, usize> = HashMap::new();
         let mut known: HashMap<VertexKey, u32> = HashMap::new();
-        for (t, &label) in mesh.labels.iter().enumerate() {
+        for (t, id) in by_object(model) {
+            if out.objects.last().is_none_or(|o| o.id != id) {
+                known.clear();
+                let start = out.vertices.len() as u32;
+                out.objects.push(Object {
+                    id,
+                    vertices: start..start,
+                    triangles: BTreeMap::new(),
+                });
+            }
+            let label = mesh.labels[t];
             let skin = &model.skins[label as usize];
             let [a, b, c] = mesh.corners(t);
             let normal = cross(sub(b, a), sub(c, a));
@@ -81,7 +119,7 @@ impl<'m> Coloured<'m> {
             };
             let middle: Vec3 = std::array::from_fn(|i| (a[i] + b[i] + c[i]) / 3.0);
             let colour = plain.unwrap_or_else(|| skin.colour(graph, middle, normal));
-            out.faces.push(colour);
+            out.faces[t] = colour;
             let smooth = plain.is_none() && is_smooth(skin, graph);
             let scale = picture.map_or([1.0; 2], |p| out.pictures.all[&p].scale);
             let mut triangle = [0; 3];
@@ -101,12 +139,14 @@ impl<'m> Coloured<'m> {
                     out.vertices.len() as u32 - 1
                 });
             }
-            out.triangles.push(triangle);
+            out.triangles[t] = triangle;
+            let surface = t >= model.solid;
             let key = (
                 skin.optics.unwrap_or(0),
                 skin.index.unwrap_or(0),
                 (!smooth).then(|| colour.map(f64::to_bits)),
                 picture,
+                surface,
             );
             let number = *numbers.entry(key).or_insert_with(|| {
                 out.materials.push(Material {
@@ -114,18 +154,35 @@ impl<'m> Coloured<'m> {
                     index: graph.indices[key.1 as usize],
                     colour: (!smooth).then_some(colour),
                     picture,
-                    triangles: Vec::new(),
+                    surface,
                 });
                 out.materials.len() - 1
             });
-            out.materials[number].triangles.push(t as u32);
+            if let Some(object) = out.objects.last_mut() {
+                object.vertices.end = out.vertices.len() as u32;
+                object.triangles.entry(number).or_default().push(t as u32);
+            }
         }
         out
     }
 }
 
-/// Optics, index, colour and picture.
-type MaterialKey = (u32, u32, Option<[u64; 3]>, Option<u32>);
+/// The mesh's triangles with the IDs of their objects, in the order of these.
+fn by_object(model: &Model) -> Vec<(usize, u32)> {
+    let object = |label: &u32| model.skins[*label as usize].object();
+    let labels = &model.mesh.labels;
+    let different: BTreeSet<u32> = labels.iter().map(object).collect();
+    let of = |label| match different.len() {
+        0..=MOST_OBJECTS => object(label),
+        _ => 0,
+    };
+    let mut out: Vec<(usize, u32)> = labels.iter().map(of).enumerate().collect();
+    out.sort_by_key(|(_, id)| *id);
+    out
+}
+
+/// Optics, index, colour, picture, and whether it is a surface.
+type MaterialKey = (u32, u32, Option<[u64; 3]>, Option<u32>, bool);
 type VertexKey = (u32, [i64; 3], [u64; 3], [i64; 2]);
 
 impl Vertex {

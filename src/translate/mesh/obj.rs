@@ -5,12 +5,14 @@ use std::fmt::Write as _;
 
 use super::material::Coloured;
 use crate::scene::{DEFAULT_COLOUR, Rgb};
+use crate::translate::names::Names;
 
 /// The text of the mesh, and that of its materials, which is to be found under the name `library`; its
-/// pictures have the names that `picture` gives them. Points are shared by all faces around them: what
+/// pictures have the names that `picture` gives them. Objects are called after the scene's. Points are shared by all faces around them: what
 /// is closed stays so.
 pub fn write(
     coloured: &Coloured,
+    names: &Names,
     library: &str,
     picture: impl Fn(u32) -> String,
 ) -> (String, String) {
@@ -80,18 +82,27 @@ pub fn write(
         if let Some(number) = material.picture {
             let _ = writeln!(library, "map_Kd {}", picture(number));
         }
-        let _ = writeln!(out, "usemtl material_{i}");
-        for &t in &material.triangles {
-            out.push('f');
-            for v in coloured.triangles[t as usize] {
-                let point = coloured.vertices[v as usize].point + 1;
-                let [normal, place] = numbers[v as usize];
-                let _ = match material.picture {
-                    Some(_) => write!(out, " {point}/{place}/{normal}"),
-                    None => write!(out, " {point}//{normal}"),
-                };
+    }
+    for object in &coloured.objects {
+        if let Some(comment) = names.comment(object.id) {
+            let _ = writeln!(out, "# {comment}");
+        }
+        let _ = writeln!(out, "o {}", object.name());
+        for (i, triangles) in &object.triangles {
+            let pictured = coloured.materials[*i].picture.is_some();
+            let _ = writeln!(out, "usemtl material_{i}");
+            for &t in triangles {
+                out.push('f');
+                for v in coloured.triangles[t as usize] {
+                    let point = coloured.vertices[v as usize].point + 1;
+                    let [normal, place] = numbers[v as usize];
+                    let _ = match pictured {
+                        true => write!(out, " {point}/{place}/{normal}"),
+                        false => write!(out, " {point}//{normal}"),
+                    };
+                }
+                out.push('\n');
             }
-            out.push('\n');
         }
     }
     (out, library)

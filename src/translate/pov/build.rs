@@ -9,7 +9,6 @@ use super::facts::{self, Facts};
 use super::flush::{Change, Changes};
 use super::frame::power_of_two_about;
 use super::look::Looks;
-use super::names;
 use super::offset::stretched;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
 use super::sets::Sets;
@@ -20,6 +19,7 @@ use crate::scene::{Aabb, Node, NodeId, Scene, View};
 use crate::trace::members;
 use crate::trace::vec::Vec3;
 use crate::translate::fidelity::{Fidelity, Report};
+use crate::translate::names;
 
 /// What the report calls faces that POV-Ray cannot tell apart.
 const FACES: &str = "faces in one place";

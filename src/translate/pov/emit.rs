@@ -10,10 +10,10 @@ use super::shape::{Primitive, primitive};
 use super::sheets;
 use super::text::{commented, number, transformation, vector};
 use super::triangle;
-use crate::scene::{Geometry, Node, NodeId, Rgb, TriangleNormals, Volume};
+use crate::scene::{Geometry, NodeId, Rgb, TriangleNormals, Volume};
 use crate::syntax::Captions;
-use crate::syntax::table::RecordType;
 use crate::translate::fidelity::Fidelity;
+use crate::translate::names;
 
 /// What there is to do: look what a key needs, or write it, once that is written.
 enum Step {
@@ -84,7 +84,8 @@ impl<'b, 'a> Emitter<'b, 'a> {
                         continue;
                     }
                     let name = self.name(piece.id);
-                    let comment = self.comment(key.node, piece.id);
+                    let scene = self.builder.scene;
+                    let comment = names::comment(scene, self.captions, key.node, piece.id);
                     let text = format!("#declare {name} = {body}");
                     self.bodies.insert(body, name.clone());
                     self.text += &match comment {
@@ -136,34 +137,6 @@ impl<'b, 'a> Emitter<'b, 'a> {
             (id, 1) => format!("Object_{id}"),
             (id, n) => format!("Object_{id}_{n}"),
         }
-    }
-
-    /// What the scene calls the object: its type of record and what a comment says of it.
-    fn comment(&self, node: NodeId, id: u32) -> Option<String> {
-        let mut at = node;
-        let scene = self.builder.scene;
-        // Only the state that the entity is in matters here, not the ones it went through: a few
-        // steps tell.
-        for _ in 0..64 {
-            let code = match scene.nodes[at as usize] {
-                Node::Transform { child, .. } | Node::Paint { child, .. } => {
-                    at = child;
-                    continue;
-                }
-                Node::Shape(shape) => i64::from(scene.shapes[shape as usize].ty.code),
-                Node::Union(..) => -101,
-                Node::Intersection(..) => -102,
-                Node::Difference(..) => -103,
-                Node::Complement(_) => -104,
-                Node::Copy { .. } => -105,
-            };
-            let title = RecordType::by_code(code).filter(|_| id != 0)?.title;
-            return Some(match self.captions.get(id) {
-                Some(words) => format!("{title}, {words}"),
-                None => title.to_owned(),
-            });
-        }
-        None
     }
 
     /// A piece as text. Groups nest a few levels deep at most.

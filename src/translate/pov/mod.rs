@@ -28,7 +28,6 @@ mod frame;
 mod grouping;
 mod look;
 mod matrices;
-mod names;
 mod neighbours;
 mod offset;
 mod piece;

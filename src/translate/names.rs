@@ -1,0 +1,90 @@
+//! What the objects of a translation are called: they have the IDs of the scene, and what it says of them
+//! stands beside them.
+
+use std::collections::HashMap;
+
+use crate::scene::{Entity, Node, NodeId, Scene};
+use crate::syntax::Captions;
+use crate::syntax::table::RecordType;
+
+/// The entities of a scene by their IDs.
+pub struct Names<'a> {
+    scene: &'a Scene,
+    captions: &'a Captions,
+    nodes: HashMap<u32, NodeId>,
+}
+
+impl<'a> Names<'a> {
+    pub fn new(scene: &'a Scene, captions: &'a Captions) -> Names<'a> {
+        let node = |e: &Entity| Some((e.id, e.node?));
+        Names {
+            scene,
+            captions,
+            nodes: scene.entities.iter().filter_map(node).collect(),
+        }
+    }
+
+    /// An entity's type of record and what a comment says of it; nothing for an ID of no object.
+    pub fn comment(&self, id: u32) -> Option<String> {
+        comment(self.scene, self.captions, *self.nodes.get(&id)?, id)
+    }
+}
+
+/// The type of record that defined an entity, one of whose nodes is given, and what a comment says of it.
+pub fn comment(scene: &Scene, captions: &Captions, node: NodeId, id: u32) -> Option<String> {
+    let mut at = node;
+    // Only the state that the entity is in matters here, not the ones it went through: a few
+    // steps tell.
+    for _ in 0..64 {
+        let code = match scene.nodes[at as usize] {
+            Node::Transform { child, .. } | Node::Paint { child, .. } => {
+                at = child;
+                continue;
+            }
+            Node::Shape(shape) => i64::from(scene.shapes[shape as usize].ty.code),
+            Node::Union(..) => -101,
+            Node::Intersection(..) => -102,
+            Node::Difference(..) => -103,
+            Node::Complement(_) => -104,
+            Node::Copy { .. } => -105,
+        };
+        let title = RecordType::by_code(code).filter(|_| id != 0)?.title;
+        return Some(match captions.get(id) {
+            Some(words) => format!("{title}, {words}"),
+            None => title.to_owned(),
+        });
+    }
+    None
+}
+
+/// For every node the ID of its entity, 0 where none can be told. An entity's node stands on top of
+/// a chain of transformations and properties over the shape or operation that defined it; the whole
+/// chain is the entity's, in its earlier states.
+pub fn node_ids(scene: &Scene) -> Vec<u32> {
+    let mut ids = vec![0; scene.nodes.len()];
+    for entity in &scene.entities {
+        let mut next = entity.node;
+        while let Some(node) = next.filter(|n| ids[*n as usize] == 0) {
+            ids[node as usize] = entity.id;
+            next = match scene.nodes[node as usize] {
+                Node::Transform { child, .. } | Node::Paint { child, .. } => Some(child),
+                _ => None,
+            };
+        }
+    }
+    for (i, node) in scene.nodes.iter().enumerate() {
+        if ids[i] == 0 {
+            ids[i] = match *node {
+                Node::Shape(shape) => scene.shapes[shape as usize].id,
+                Node::Copy { id, .. } => id,
+                Node::Paint { paint, .. } => scene.paints[paint as usize].owner,
+                Node::Transform { child, .. }
+                | Node::Complement(child)
+                | Node::Union(child, _)
+                | Node::Intersection(child, _)
+                | Node::Difference(child, _) => ids[child as usize],
+            };
+        }
+    }
+    ids
+}
