@@ -81,7 +81,10 @@ fn json_of_programs() {
     let run = zpg(dir.path(), &["convert", "a.json", "--to", "pov"]);
     assert!(String::from_utf8_lossy(&run.stdout).contains("sphere {"));
     for (json, says) in [
-        ("{", "error: cannot read a.json: EOF while parsing"),
+        (
+            "{",
+            "error: cannot read a.json: line 1, column 1: this is no JSON: it ends too early",
+        ),
         (
             r#"{"version": 1, "nodes": [{"type": "sphere", "radius": -1}], "render": {"root": 0}}"#,
             "error: a.json: nodes[0]: the radius of the sphere at the origin must be positive",
@@ -97,6 +100,15 @@ fn json_of_programs() {
         let said = String::from_utf8_lossy(&run.stderr).into_owned();
         assert!(said.starts_with(says), "{said}");
     }
+    write(r#"{"version": 1, "nodes": [{"type": "sphere", "radius": "a"}]}"#);
+    let run = zpg(
+        dir.path(),
+        &["convert", "a.json", "--to", "zpg", "--lang", "cs"],
+    );
+    assert_eq!(
+        String::from_utf8_lossy(&run.stderr),
+        "chyba: a.json nelze přečíst: nodes[0].radius (řádek 1, sloupec 59): očekává se číslo, uvedeno je: `\"a\"`\n"
+    );
     let run = zpg(dir.path(), &["convert", "b.json", "--to", "zpg"]);
     assert_eq!(run.status.code(), Some(2));
 }

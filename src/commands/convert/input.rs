@@ -36,7 +36,7 @@ fn load_json(path: &Path, draws: bool, look: LookChoice) -> Result<Loaded, Statu
     let text = String::from_utf8_lossy(&bytes);
     let model = match json::read(&text) {
         Ok(model) => model,
-        Err(e) => return fail(unreadable(path, Complaint::quoted(e)), Status::Negative),
+        Err(e) => return fail(unreadable(path, e.complaint()), Status::Negative),
     };
     let records = json::spell(&model);
     let mut loaded = Loaded::new(path.to_string_lossy(), records.text.into_bytes());

@@ -124,6 +124,37 @@ many-files = překlad má více souborů ({ $documents ->
 }): určete pomocí -o, kam je zapsat, například -o scena.xml
 at-part = { $path }: { $part }: { $why }
 
+## Scény jako JSON
+
+json-at-place = { $place } (řádek { $line }, sloupec { $column }): { $why }
+json-at = řádek { $line }, sloupec { $column }: { $why }
+json-place = { $place }: { $why }
+json-ends = není to JSON: text končí příliš brzy, něco není uzavřeno
+json-syntax = není to JSON: { $what }
+json-missing = chybí `{ $field }`: doplňte je
+json-twice = `{ $field }` je uvedeno dvakrát: jedno vynechte
+json-no-field = `{ $field }` zde být nemůže, jen { $known }
+json-no-kind = druh `{ $kind }` neexistuje, jen { $known }
+json-too-many = seznam je příliš dlouhý
+json-out-of-range = číslo je příliš velké
+json-expected = očekává se { $wanted }, uvedeno je: { $found }
+json-number = číslo
+json-whole-number = celé číslo od 0 do 4294967295
+json-string = text v uvozovkách
+json-list = seznam
+json-list-of = seznam o délce { $length }
+json-shorter-list = kratší seznam
+json-object = objekt ve složených závorkách
+json-version = verze { $found } není známa, jen verze { $known }
+json-not-before = odkazuje na uzel { $node }, který před ním nestojí
+json-no-node = uzel { $node } neexistuje
+json-no-camera = kamera { $camera } neexistuje
+json-id-range = ID je od 2 do { $max }, ne { $id }
+json-id-taken = ID { $id } je již použito
+json-colours = barva má být u každého bodu profilu, nebo u žádného
+json-normals = trojúhelník nemá žádnou normálu, má jednu nebo tři
+json-image-name = tak se soubor s obrázkem jmenovat nemůže
+
 ## Použití
 
 usage = Použití: { $usage }

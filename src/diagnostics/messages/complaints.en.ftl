@@ -119,6 +119,37 @@ many-files = the translation is more than one file ({ $documents ->
 }): say with -o where to write it, as in -o scene.xml
 at-part = { $path }: { $part }: { $why }
 
+## Scenes as JSON
+
+json-at-place = { $place } (line { $line }, column { $column }): { $why }
+json-at = line { $line }, column { $column }: { $why }
+json-place = { $place }: { $why }
+json-ends = this is no JSON: it ends too early, something is not closed
+json-syntax = this is no JSON: { $what }
+json-missing = `{ $field }` is missing: add it
+json-twice = `{ $field }` is there twice: leave one of them out
+json-no-field = there is no `{ $field }` here, only { $known }
+json-no-kind = there is no kind `{ $kind }`, only { $known }
+json-too-many = the list is too long
+json-out-of-range = the number is too large
+json-expected = expected { $wanted }, found { $found }
+json-number = a number
+json-whole-number = a whole number from 0 to 4294967295
+json-string = a text in quotation marks
+json-list = a list
+json-list-of = a list of { $length }
+json-shorter-list = a shorter list
+json-object = an object in braces
+json-version = version { $found } is not known, only version { $known }
+json-not-before = it names node { $node }, which does not stand before it
+json-no-node = there is no node { $node }
+json-no-camera = there is no camera { $camera }
+json-id-range = an ID is from 2 to { $max }, not { $id }
+json-id-taken = the ID { $id } is taken
+json-colours = there must be a colour for each point of the profile, or none
+json-normals = a triangle has no normal, one, or three
+json-image-name = this cannot be the name of an image file
+
 ## Usage
 
 usage = Usage: { $usage }

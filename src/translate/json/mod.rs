@@ -7,11 +7,13 @@
 pub mod model;
 mod read;
 mod spell;
+mod unreadable;
 mod verdict;
 mod write;
 
-pub use read::{Unreadable, read};
+pub use read::read;
 pub use spell::{Place, Records, spell};
+pub use unreadable::Unreadable;
 pub use verdict::verdict;
 pub use write::write;
 

@@ -1,30 +1,11 @@
 //! JSON as a model of a scene, with all that types cannot say made sure of.
 
 use std::collections::HashSet;
-use std::fmt;
 
 use super::model::{self, Node, Scene};
 use super::spell::{ID_MAX, Place};
-
-/// Why a text is no scene in JSON.
-#[derive(Debug)]
-pub enum Unreadable {
-    /// It is no JSON, or not of the form that the schema has; with line and column.
-    Form(serde_json::Error),
-    /// Something refers to what is not there, or cannot be what it is.
-    Content { at: Place, why: String },
-}
-
-impl fmt::Display for Unreadable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Unreadable::Form(e) => e.fmt(f),
-            Unreadable::Content { at, why } => write!(f, "{at}: {why}"),
-        }
-    }
-}
-
-impl std::error::Error for Unreadable {}
+use super::unreadable::Unreadable;
+use crate::diagnostics::Complaint;
 
 /// Reads a scene.
 ///
@@ -32,20 +13,24 @@ impl std::error::Error for Unreadable {}
 ///
 /// What is wrong with it, and where.
 pub fn read(text: &str) -> Result<Scene, Unreadable> {
-    let scene: Scene = serde_json::from_str(text).map_err(Unreadable::Form)?;
-    check(&scene).map_err(|(at, why)| Unreadable::Content { at, why })?;
+    // Some programs put a byte order mark in front.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut parser = serde_json::Deserializer::from_str(text);
+    let scene: Scene = serde_path_to_error::deserialize(&mut parser)
+        .map_err(|e| Unreadable::form(text, &e.path().to_string(), e.inner()))?;
+    parser.end().map_err(|e| Unreadable::form(text, ".", &e))?;
+    check(&scene).map_err(|(at, why)| Unreadable::content(at, why))?;
     Ok(scene)
 }
 
-type Complaint = (Place, String);
+/// What is wrong, and where.
+type Fault = (Place, Complaint);
 
-fn check(scene: &Scene) -> Result<(), Complaint> {
+fn check(scene: &Scene) -> Result<(), Fault> {
     if scene.version != model::VERSION {
-        let why = format!(
-            "version {} is not known, only version {}",
-            scene.version,
-            model::VERSION
-        );
+        let why = Complaint::new("json-version")
+            .with("found", scene.version.to_string())
+            .with("known", model::VERSION.to_string());
         return Err((Place::Head, why));
     }
     check_ids(scene)?;
@@ -53,15 +38,18 @@ fn check(scene: &Scene) -> Result<(), Complaint> {
         let at = Place::Node(i as u32);
         for child in item.node.children().into_iter().flatten() {
             if child as usize >= i {
-                let why = format!("it names node {child}, which does not stand before it");
+                let why = Complaint::new("json-not-before").with("node", child.to_string());
                 return Err((at, why));
             }
         }
-        check_node(&item.node).map_err(|why| (at, why.to_owned()))?;
+        check_node(&item.node).map_err(|why| (at, Complaint::new(why)))?;
     }
     let node = |at: Place, n: u32| match scene.nodes.get(n as usize) {
         Some(_) => Ok(()),
-        None => Err((at, format!("there is no node {n}"))),
+        None => {
+            let why = Complaint::new("json-no-node").with("node", n.to_string());
+            Err((at, why))
+        }
     };
     for (i, bound) in scene.bounds.iter().enumerate() {
         node(Place::Bound(i as u32), bound.node)?;
@@ -76,13 +64,14 @@ fn check(scene: &Scene) -> Result<(), Complaint> {
     };
     for camera in cameras {
         if camera as usize >= scene.cameras.len() {
-            return Err((Place::View, format!("there is no camera {camera}")));
+            let why = Complaint::new("json-no-camera").with("camera", camera.to_string());
+            return Err((Place::View, why));
         }
     }
     Ok(())
 }
 
-fn check_ids(scene: &Scene) -> Result<(), Complaint> {
+fn check_ids(scene: &Scene) -> Result<(), Fault> {
     let nodes = scene.nodes.iter().map(|n| n.id);
     let ambient = scene.ambient_lights.iter().map(|l| l.id);
     let points = scene.point_lights.iter().map(|l| l.id);
@@ -96,10 +85,14 @@ fn check_ids(scene: &Scene) -> Result<(), Complaint> {
     for (at, id) in all {
         let Some(id) = id else { continue };
         if !(2..=ID_MAX).contains(&id) {
-            return Err((at, format!("an ID is from 2 to {ID_MAX}, not {id}")));
+            let why = Complaint::new("json-id-range")
+                .with("max", ID_MAX.to_string())
+                .with("id", id.to_string());
+            return Err((at, why));
         }
         if !seen.insert(id) {
-            return Err((at, format!("the ID {id} is taken")));
+            let why = Complaint::new("json-id-taken").with("id", id.to_string());
+            return Err((at, why));
         }
     }
     Ok(())
@@ -110,16 +103,16 @@ fn check_node(node: &Node) -> Result<(), &'static str> {
         Node::SurfaceOfRevolution { profile, colours }
             if !colours.is_empty() && colours.len() != profile.len() =>
         {
-            Err("there must be a colour for each point of the profile, or none")
+            Err("json-colours")
         }
         Node::Triangle { normals, .. } if ![0, 1, 3].contains(&normals.len()) => {
-            Err("a triangle has no normal, one, or three")
+            Err("json-normals")
         }
         Node::Paint {
             texture: Some(model::Texture::Image(file)),
             ..
         } if file.is_empty() || file.contains(|c: char| c == '"' || c.is_control()) => {
-            Err("this cannot be the name of an image file")
+            Err("json-image-name")
         }
         _ => Ok(()),
     }

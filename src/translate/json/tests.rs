@@ -90,20 +90,92 @@ fn mistakes_are_named_by_their_place() {
     let scene = |nodes: &str, more: &str| format!(r#"{{"version": 1, "nodes": [{nodes}]{more}}}"#);
     let ball = r#"{"type": "sphere", "radius": 1}"#;
     for (json, says) in [
-        (String::from("{"), "EOF while parsing"),
+        (
+            String::from("{"),
+            "line 1: this is no JSON: it ends too early",
+        ),
+        (
+            String::from("{\"version\": 1,\n\"nodes\": [],}"),
+            "line 2: this is no JSON: ",
+        ),
+        (
+            scene("", "") + "x",
+            "line 1: this is no JSON: trailing characters",
+        ),
+        (
+            scene(r#"{"type": "copy", "of": 1}"#, "")[1..].to_owned(),
+            "this is no JSON: ",
+        ),
         (
             String::from(r#"{"version": 2, "nodes": []}"#),
             "version: version 2 is not known",
         ),
-        (scene(r#"{"type": "ball"}"#, ""), "unknown variant `ball`"),
+        (
+            scene(r#"{"type": "ball"}"#, ""),
+            "nodes[0].type (line 1): there is no kind `ball`, only `surface-of-revolution`, ",
+        ),
         (
             scene(r#"{"type": "sphere", "radius": 1, "colour": 3}"#, ""),
-            "unknown field `colour`",
+            "nodes[0].colour (line 1): there is no `colour` here, only `centre`, `radius`",
         ),
-        (scene(r#"{"type": "sphere"}"#, ""), "missing field `radius`"),
+        (
+            scene(&format!("{ball},\n{{\"type\": \"sphere\"}}"), ""),
+            "nodes[1] (line 2): `radius` is missing: add it",
+        ),
+        (
+            scene(r#"{"type": "torus", "minor": 1}"#, ""),
+            "nodes[0] (line 1): `major` is missing: add it",
+        ),
+        (
+            scene(r#"{"type": "sphere", "radius": "1"}"#, ""),
+            "nodes[0].radius (line 1): expected a number, found `\"1\"`",
+        ),
+        (
+            scene(r#"{"type": "sphere", "radius": 1, "centre": [0, 1]}"#, ""),
+            "nodes[0].centre (line 1): expected a list of 3, found a list of 2",
+        ),
+        (
+            scene(
+                r#"{"type": "paint", "of": 0, "texture": {"color": [0, 1, 1]}}"#,
+                "",
+            ),
+            "nodes[0].texture (line 1): there is no kind `color`, only `colour`, ",
+        ),
+        (
+            scene(r#"{"type": "copy", "of": -1}"#, ""),
+            "nodes[0].of (line 1): expected a whole number from 0 to 4294967295, found `-1`",
+        ),
+        (
+            scene(r#"{"type": 3}"#, ""),
+            "nodes[0].type (line 1): expected a text in quotation marks, found `3`",
+        ),
+        (
+            scene("3", ""),
+            "nodes[0] (line 1): expected an object in braces, found `3`",
+        ),
+        (
+            scene("", r#", "cameras": [{"position": [0, 0, 1, 1]}]"#),
+            "cameras[0].position (line 1): the list is too long",
+        ),
+        (
+            scene("", r#", "cameras": {}"#),
+            "cameras (line 1): expected a list, found an object in braces",
+        ),
+        (
+            scene("", r#", "render": {"root": 0, "root": 1}"#),
+            "render (line 1): `root` is there twice: leave one of them out",
+        ),
+        (
+            scene("", r#", "view": "mono""#),
+            "view.mono (line 1): expected an object in braces, found a text in quotation marks",
+        ),
+        (
+            String::from("[]"),
+            "line 1: expected an object in braces, found a list of 0",
+        ),
         (
             scene(r#"{"type": "sphere", "radius": 1e999}"#, ""),
-            "number out of range",
+            "nodes[0].radius (line 1): the number is too large",
         ),
         (
             scene(r#"{"type": "copy", "of": 0}"#, ""),
@@ -122,9 +194,27 @@ fn mistakes_are_named_by_their_place() {
             "view: there is no camera 0",
         ),
     ] {
+        // Columns are those of where the parser was, at the mistake or right behind it.
         let found = read(&json).unwrap_err().to_string();
+        let mut parts: Vec<&str> = found.split(", column ").collect();
+        for part in parts.iter_mut().skip(1) {
+            *part = part.trim_start_matches(|c: char| c.is_ascii_digit());
+        }
+        let found = parts.concat();
         assert!(found.contains(says), "{json}: {found}");
     }
+    let json = scene("", r#", "render": {"root": "a"}"#);
+    let end = json.find("\"a\"").unwrap() + 3;
+    let says = format!("render.root (line 1, column {end}): expected a whole number");
+    let found = read(&json).unwrap_err().to_string();
+    assert!(found.starts_with(&says), "{found}");
+}
+
+#[test]
+fn a_byte_order_mark_is_let_pass() {
+    let json = r#"{"version": 1, "nodes": [{"type": "sphere", "radius": 1}]}"#;
+    let scene = read(json).unwrap();
+    assert_eq!(read(&format!("\u{feff}{json}")).unwrap(), scene);
 }
 
 #[test]
