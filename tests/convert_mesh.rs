@@ -87,6 +87,13 @@ fn tolerances_that_cannot_be() {
         errors(&output)
     );
     assert!(!folder.path().join("thing.ply").exists());
+    // More than there are numbers for.
+    let beyond = ["convert", "thing.zpg", "--to", "ply", "--tolerance=1e-300"];
+    let output = zpg(folder.path(), &beyond, "");
+    assert_eq!(output.status.code(), Some(1));
+    let said = errors(&output);
+    assert!(said.contains("too small for the triangles"), "{said}");
+    assert!(!said.contains("inf"), "{said}");
 }
 
 /// What a reader that knows nothing of us finds in the file.

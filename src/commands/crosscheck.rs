@@ -317,10 +317,18 @@ fn images(loaded: &Loaded) -> Result<trace::Images, Failure> {
     trace::Images::load(&loaded.scene, folder).map_err(Failure::Image)
 }
 
-/// Why a program gave no answer; `name` is what people call it and `how` the ways to get it.
-fn failed(error: ProgramError, name: &'static str, how: &'static str, folder: &Path) -> Complaint {
+/// Why a program gave no answer; `name` is what people call it, `how` the ways to get it, and `path` what was
+/// tried.
+fn failed(
+    error: ProgramError,
+    (name, how): (&'static str, &'static str),
+    path: &Path,
+    folder: &Path,
+) -> Complaint {
     match error {
-        ProgramError::Missing => Complaint::new("no-program").with("how", how),
+        ProgramError::Missing => Complaint::new("no-program")
+            .with("how", how)
+            .with("path", path),
         ProgramError::Start(e) => Complaint::new("program-failed").with("said", e.to_string()),
         ProgramError::Io(e) => return unwritable(folder, &e),
         ProgramError::Failed(said) => {

@@ -41,7 +41,7 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
     let made = write(scene, &tracer, &options)?;
     let folder = made_folder(args)?;
     let program = program(args, PROGRAM);
-    let fail = |e| failed(e, "Mitsuba", HOW, &folder);
+    let fail = |e| failed(e, ("Mitsuba", HOW), &program, &folder);
     let suffixes = made.documents.iter().map(|d| d.0);
     each_camera(args, &folder, suffixes, |i, suffix| {
         let name = format!("{}{suffix}", stem(args));

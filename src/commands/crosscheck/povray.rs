@@ -43,7 +43,7 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
     each_camera(args, &folder, suffixes, |i, suffix| {
         let name = format!("{}{suffix}", plain(&stem(args)));
         let theirs = render(&program, &translation, i, size, &folder, &name)
-            .map_err(|e| failed(e, "POV-Ray", HOW, &folder))?;
+            .map_err(|e| failed(e, ("POV-Ray", HOW), &program, &folder))?;
         let most = (1.0 / translation.light_scale) as f32;
         let progress = terminal::progress_bar(size.1.into());
         let look = (&tracer, &cameras[i], &settings);

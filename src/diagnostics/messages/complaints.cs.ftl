@@ -98,7 +98,7 @@ zero-direction = směr je nulový vektor
 
 ## Srovnávání
 
-no-program = { $program } není nainstalován: získáte ho { $how }
+no-program = { $program } není nainstalován, zkoušeno bylo `{ $path }`: získáte ho { $how }
 program-failed = { $program } selhal:
     { $said }
 program-strange = { $program }: { $what }
@@ -109,6 +109,7 @@ camera-nowhere = kamera { $id } nikam nehledí
 camera-of-no-lens = projekční matice kamery { $id } nemá paprsky, které by POV-Ray mohl sledovat: nevycházejí z jednoho bodu ani nejsou rovnoběžné
 camera-of-no-squares = kamera { $id } nemá při { $width }x{ $height } čtvercové pixely a takovou kameru Mitsuba nemá: zvolte --size, pro kterou je její matice určena
 too-many-triangles = je třeba nejméně { $needed } trojúhelníků a vytvoří se jich nejvýše { $most }: zvolte větší --tolerance nebo menší část scény
+too-many-to-count = --tolerance je příliš malá na to, aby se trojúhelníky spočetly, a vytvoří se jich nejvýše { $most }: zvolte větší
 too-many-joined = vzájemně se překrývá { $solids } těles, mezi nimi tvar { $shape }, a mají příliš mnoho trojúhelníků na to, aby se spojila: zvolte větší --tolerance nebo menší část scény
 mesh-without-name = scéna ze standardního vstupu nemá jméno: místo pro soubor { $format } určete pomocí -o
 would-overwrite-image = { $path } je obrázek, který scéna používá, a byl by přepsán: zvolte jiné jméno pomocí -o

@@ -95,7 +95,7 @@ zero-direction = the direction is the zero vector
 
 ## Comparing
 
-no-program = { $program } is not installed: get it { $how }
+no-program = { $program } is not installed, `{ $path }` was tried: get it { $how }
 program-failed = { $program } has failed:
     { $said }
 program-strange = { $program }: { $what }
@@ -106,6 +106,7 @@ camera-nowhere = camera { $id } looks nowhere
 camera-of-no-lens = the projection matrix of camera { $id } has no rays that POV-Ray could follow: they neither come from one point nor are they parallel
 camera-of-no-squares = camera { $id } has pixels that are not squares at { $width }x{ $height }, and Mitsuba has no such camera: choose the --size that its matrix is meant for
 too-many-triangles = this takes at least { $needed } triangles, and at most { $most } are made: choose a larger --tolerance or a smaller part of the scene
+too-many-to-count = the --tolerance is too small for the triangles to be counted, and at most { $most } are made: choose a larger one
 too-many-joined = { $solids } solids overlap each other, the shape { $shape } among them, and have too many triangles to be joined: choose a larger --tolerance or a smaller part of the scene
 mesh-without-name = a scene from standard input has no name: say with -o where to write the { $format } file
 would-overwrite-image = { $path } is a picture that the scene uses and would be overwritten: choose another name with -o

@@ -50,6 +50,9 @@ impl TooMany {
     /// In words: what to do about it, too.
     pub fn complaint(&self) -> Complaint {
         match self {
+            TooMany::Made(needed) if !needed.is_finite() => {
+                Complaint::new("too-many-to-count").with("most", MOST_TRIANGLES.to_string())
+            }
             TooMany::Made(needed) => Complaint::new("too-many-triangles")
                 .with("needed", format!("{needed:.3e}"))
                 .with("most", MOST_TRIANGLES.to_string()),
