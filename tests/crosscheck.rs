@@ -162,6 +162,42 @@ fn geometry_agrees_with_mitsuba() {
     );
 }
 
+/// A matrix for pictures that are half as wide again as they are high.
+#[test]
+fn pixels_that_are_no_squares() {
+    let look = |matrix: &str, size: &str| {
+        let camera = "2 9 1\n9 -501 0 0 8 0 0 -1 0 1 0 40\n1 9999 2 0\n9 -99 ";
+        let dir = folder(&format!("{camera}{matrix}\n"));
+        let [(_, _), (with, python)] = programs();
+        let args = ["crosscheck", "a.zpg", "--with", with, "--program", &python];
+        let run = zpg(dir.path(), &[&args[..], &["--size", size]].concat());
+        let to = ["convert", "a.zpg", "--to", "mitsuba", "-o", "a.xml"];
+        let converted = zpg(dir.path(), &[&to[..], &["--size", size]].concat());
+        (
+            run.status.code(),
+            text(&run.stderr),
+            text(&converted.stderr),
+        )
+    };
+    let square = "1.2 0 0.2 0  0 1.8 0.05 0  0 0 -1.02 -2.02  0 0 -1 0";
+    let (status, said, report) = look(square, "32x25");
+    assert_eq!(status, Some(1), "{said}");
+    assert!(said.contains("not squares at 32x25, "), "{said}");
+    // 25 rows have no whole number of pixels; 24 have.
+    assert!(said.contains("choose --size 36x24"), "{said}");
+    assert!(report.contains("pixels are made square: choose --size 36x24"));
+    for size in ["36x24", "39x26"] {
+        let (status, said, report) = look(square, size);
+        assert_eq!(status, Some(0), "{said}");
+        assert!(!report.contains("made square"), "{report}");
+    }
+    let skewed = "1.2 0.3 0.2 0  0 1.8 0.05 0  0 0 -1.02 -2.02  0 0 -1 0";
+    let (status, said, report) = look(skewed, "32x24");
+    assert_eq!(status, Some(1));
+    assert!(said.contains("no other --size helps"), "{said}");
+    assert!(report.contains("no --size helps"), "{report}");
+}
+
 #[test]
 fn what_is_missing_is_said() {
     let dir = folder(SCENE);

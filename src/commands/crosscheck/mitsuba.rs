@@ -10,7 +10,7 @@ use crate::study::mitsuba::{PROGRAM, render};
 use crate::study::program::ProgramError;
 use crate::trace::Tracer;
 use crate::translate::Unsupported;
-use crate::translate::mitsuba::{Integrator, Options, is_exact, write};
+use crate::translate::mitsuba::{Integrator, Options, is_exact, square_size, write};
 
 const HOW: &str = "with `pip install mitsuba numpy`, and name that Python with --program";
 
@@ -31,11 +31,16 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
     };
     let cameras = cameras(scene, args.size);
     if let Some(camera) = cameras.iter().find(|c| !is_exact(c, size)) {
-        let mut unsupported = Unsupported::camera(camera, "camera-of-no-squares");
-        let (width, height) = (size.0.to_string(), size.1.to_string());
+        let text = |(width, height): (u32, u32)| format!("{width}x{height}");
+        let squares = square_size(&cameras, size);
+        let message = match squares {
+            Some(_) => "camera-of-no-squares",
+            None => "camera-of-never-squares",
+        };
+        let mut unsupported = Unsupported::camera(camera, message);
         unsupported.message = (unsupported.message)
-            .with("width", width)
-            .with("height", height);
+            .with("size", text(size))
+            .with("other", squares.map_or(String::new(), text));
         return Err(unsupported.into());
     }
     let made = write(scene, &tracer, &options)?;

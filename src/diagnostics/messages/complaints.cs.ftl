@@ -107,7 +107,8 @@ program-strange = { $program }: { $what }
 
 camera-nowhere = kamera { $id } nikam nehledí
 camera-of-no-lens = projekční matice kamery { $id } nemá paprsky, které by POV-Ray mohl sledovat: nevycházejí z jednoho bodu ani nejsou rovnoběžné
-camera-of-no-squares = kamera { $id } nemá při { $width }x{ $height } čtvercové pixely a takovou kameru Mitsuba nemá: zvolte --size, pro kterou je její matice určena
+camera-of-no-squares = kamera { $id } nemá při { $size } čtvercové pixely a takovou kameru Mitsuba nemá: zvolte --size { $other }
+camera-of-never-squares = kamera { $id } nemá při { $size } čtvercové pixely, takovou kameru Mitsuba nemá a žádná jiná --size nepomůže
 too-many-triangles = je třeba nejméně { $needed } trojúhelníků a vytvoří se jich nejvýše { $most }: zvolte větší --tolerance nebo menší část scény
 too-many-to-count = --tolerance je příliš malá na to, aby se trojúhelníky spočetly, a vytvoří se jich nejvýše { $most }: zvolte větší
 too-many-joined = vzájemně se překrývá { $solids } těles, mezi nimi tvar { $shape }, a mají příliš mnoho trojúhelníků na to, aby se spojila: zvolte větší --tolerance nebo menší část scény

@@ -104,7 +104,8 @@ program-strange = { $program }: { $what }
 
 camera-nowhere = camera { $id } looks nowhere
 camera-of-no-lens = the projection matrix of camera { $id } has no rays that POV-Ray could follow: they neither come from one point nor are they parallel
-camera-of-no-squares = camera { $id } has pixels that are not squares at { $width }x{ $height }, and Mitsuba has no such camera: choose the --size that its matrix is meant for
+camera-of-no-squares = camera { $id } has pixels that are not squares at { $size }, and Mitsuba has no such camera: choose --size { $other }
+camera-of-never-squares = camera { $id } has pixels that are not squares at { $size }, Mitsuba has no such camera, and no other --size helps
 too-many-triangles = this takes at least { $needed } triangles, and at most { $most } are made: choose a larger --tolerance or a smaller part of the scene
 too-many-to-count = the --tolerance is too small for the triangles to be counted, and at most { $most } are made: choose a larger one
 too-many-joined = { $solids } solids overlap each other, the shape { $shape } among them, and have too many triangles to be joined: choose a larger --tolerance or a smaller part of the scene

@@ -21,7 +21,7 @@ use crate::scene::{Aabb, Camera, Scene};
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
 pub use frame::Frame;
-pub use scenery::is_exact;
+pub use scenery::{is_exact, square_size};
 
 /// What Mitsuba is to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -220,8 +220,13 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     }
     for camera in &cameras {
         if !scenery::is_exact(camera, options.size) {
-            let why = "pixels are made square: choose the --size that the matrix is meant for";
-            let fidelity = Fidelity::Approximate(why.to_owned());
+            let why = match square_size(&cameras, options.size) {
+                Some((width, height)) => {
+                    format!("pixels are made square: choose --size {width}x{height}")
+                }
+                None => "pixels are made square, and no --size helps".to_owned(),
+            };
+            let fidelity = Fidelity::Approximate(why);
             report.count(
                 "cameras whose pixels are not squares",
                 fidelity,

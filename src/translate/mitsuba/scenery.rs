@@ -151,6 +151,23 @@ pub fn is_exact(camera: &Camera, (width, height): (u32, u32)) -> bool {
         || !matches!(Lens::of(camera, width, height), Some(Lens::Pinhole(p)) if !p.is_exact())
 }
 
+/// Longer sides of pictures are not proposed.
+const LONGEST: u32 = 4096;
+
+/// The size next in height to the one given at which the pixels of all cameras are squares, if there is one.
+pub fn square_size(cameras: &[Camera], (width, height): (u32, u32)) -> Option<(u32, u32)> {
+    let of_no_squares = cameras.iter().find(|c| !is_exact(c, (width, height)))?;
+    let Some(Lens::Pinhole(pinhole)) = Lens::of(of_no_squares, width, height) else {
+        return None;
+    };
+    let aspect = pinhole.pixel? * f64::from(width) / f64::from(height);
+    (1..=LONGEST)
+        .map(|h| ((aspect * f64::from(h)).round() as u32, h))
+        .filter(|size| (1..=LONGEST).contains(&size.0))
+        .filter(|size| cameras.iter().all(|c| is_exact(c, *size)))
+        .min_by_key(|size| size.1.abs_diff(height))
+}
+
 /// What surrounds the scene.
 struct Environment {
     light: [f64; 3],
