@@ -203,6 +203,30 @@ fn surfaces_in_one_place_are_named() {
 }
 
 /// Walls that go through each other, with their tops at one height, and a picture in the face of one.
+/// Two balls as they are and one with a hole, of which the tool leaves a wall; a box and a floor that are cut, and
+/// others that are not.
+#[test]
+fn shapes_are_counted_by_what_they_became() {
+    let text = "2 9 1\n3 9 1\n3 -1 5 0 0\n4 9 1\n4 -1 10 0 0\n5 12 9 -0.5 -5 11 0.5 5\n6 -103 4 5\n\
+         7 12 20 0 0 21 1 1\n8 4 0 1 0 5\n9 5 0 0 1 1\n9 -1 30 0 0\n\
+         15 -701 1 0 0\n9 -399 4 4 15 15\n6 -399 4 4 15 15\n\
+         10 -101 2 3\n14 -101 10 6\n11 -101 14 7\n12 -101 11 8\n13 -101 12 9\n1 9999 13 0\n";
+    let loaded = Loaded::new("scene", text.into());
+    let (_, output) = translated("counted", &loaded, Path::new("."), Integrator::Path);
+    let report = output.report.to_string();
+    let line = |start: &str| {
+        let line = report.lines().find(|l| l[13..].starts_with(start));
+        line.unwrap_or_else(|| panic!("{start}: {report}"))
+            .to_owned()
+    };
+    let sphere = line("sphere at the origin");
+    assert!(sphere.starts_with("approximate") && sphere.ends_with(" ×3: 2 spheres, 1 mesh"));
+    assert_eq!(line("box"), "exact        box ×2: 1 cube, 1 mesh");
+    assert_eq!(line("rectangle"), "exact        rectangle: rectangle");
+    assert!(line("half-space").ends_with("size): rectangles"));
+    assert!(line("checkerboard").ends_with(": checkerboard, on 1 exact shape and 2 meshes"));
+}
+
 #[test]
 fn surfaces_in_one_place_are_counted_by_themselves() {
     let text = "2 12 -2 0 -2 2 1 -1\n3 12 1 0 -2 2 1 2\n4 12 -2 0 1 2 1 2\n5 5 -1.5 0.2 0.5 0.8\n\

@@ -1,6 +1,7 @@
 //! The account that every translation gives of itself: feature by feature, whether the target shows
 //! what the scene says.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -22,28 +23,28 @@ pub enum Fidelity {
 pub struct Verdict {
     pub fidelity: Fidelity,
     /// How the feature is expressed, where that is worth saying.
-    pub note: &'static str,
+    pub note: Cow<'static, str>,
 }
 
 impl Verdict {
-    pub fn exact(note: &'static str) -> Verdict {
+    pub fn exact(note: impl Into<Cow<'static, str>>) -> Verdict {
         Verdict {
             fidelity: Fidelity::Exact,
-            note,
+            note: note.into(),
         }
     }
 
-    pub fn approximate(bound: &str, note: &'static str) -> Verdict {
+    pub fn approximate(bound: &str, note: impl Into<Cow<'static, str>>) -> Verdict {
         Verdict {
             fidelity: Fidelity::Approximate(bound.to_owned()),
-            note,
+            note: note.into(),
         }
     }
 
-    pub fn dropped(note: &'static str) -> Verdict {
+    pub fn dropped(note: impl Into<Cow<'static, str>>) -> Verdict {
         Verdict {
             fidelity: Fidelity::Dropped,
-            note,
+            note: note.into(),
         }
     }
 }
@@ -86,7 +87,7 @@ impl Report {
         for (feature, uses) in used(scene) {
             let verdict = verdict(feature).unwrap_or_else(|| Verdict::dropped(""));
             report
-                .add(feature.name(), verdict.fidelity, verdict.note)
+                .add(feature.name(), verdict.fidelity, &verdict.note)
                 .uses = uses;
         }
         report

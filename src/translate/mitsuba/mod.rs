@@ -11,6 +11,7 @@ mod lens;
 mod meshes;
 mod scenery;
 mod verdict;
+mod written;
 mod xml;
 
 use super::mesh::{self, picture};
@@ -22,6 +23,7 @@ use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
 pub use frame::Frame;
 pub use scenery::{is_exact, square_size};
+use written::Written;
 
 /// What Mitsuba is to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -142,6 +144,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let mut bsdfs = Bsdfs::new(graph);
     let (mut shapes, mut text) = (Vec::new(), String::new());
     let mut cut = meshes::Collector::default();
+    let mut written = Written::new(scene, graph);
     for piece in &parts.pieces {
         let skin = &parts.skins[piece.inside as usize];
         let own = piece
@@ -151,6 +154,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             cut.add(piece, &parts.skins, graph, parts.extent.grain());
             continue;
         };
+        written.note(skin, true);
         for shape in own {
             let bsdf = bsdfs.exact(skin, &shape, piece.around);
             shapes.push(ShapeInfo {
@@ -166,6 +170,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let mut files = Vec::new();
     for mesh in cut.finish(&parts.skins, graph) {
         let skin = &parts.skins[mesh.skin as usize];
+        written.note(skin, false);
         let bsdf = bsdfs.mesh(skin, mesh.colours, mesh.around, &stem);
         shapes.push(mesh.info);
         let name = format!("{stem}_{}.ply", shapes.len());
@@ -208,7 +213,9 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             ),
         ));
     }
-    let mut report = Report::of("mitsuba", scene, |f| verdict::verdict(f, extent.tolerance));
+    let mut report = Report::of("mitsuba", scene, |f| {
+        verdict::verdict(f, extent.tolerance, &written)
+    });
     parts.account(&mut report);
     if bsdfs.brightest() > 1.0 {
         let fidelity = Fidelity::Approximate("1 instead: Mitsuba knows none".to_owned());

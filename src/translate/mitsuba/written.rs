@@ -1,0 +1,48 @@
+//! What shapes were written as: as Mitsuba's own, or as meshes.
+
+use std::collections::{BTreeSet, HashMap};
+
+use crate::scene::{Scene, Texture};
+use crate::trace::graph::Graph;
+use crate::translate::mesh::Skin;
+
+/// The records of shapes that were written, by their types and those of textures on them.
+pub struct Written<'a> {
+    graph: &'a Graph,
+    /// The type of each shape, by its ID.
+    types: HashMap<u32, i32>,
+    exact: BTreeSet<(i32, u32)>,
+    meshes: BTreeSet<(i32, u32)>,
+}
+
+impl<'a> Written<'a> {
+    pub fn new(scene: &Scene, graph: &'a Graph) -> Written<'a> {
+        Written {
+            graph,
+            types: scene.shapes.iter().map(|s| (s.id, s.ty.code)).collect(),
+            exact: BTreeSet::new(),
+            meshes: BTreeSet::new(),
+        }
+    }
+
+    /// Notes that a surface was written.
+    pub fn note(&mut self, skin: &Skin, exact: bool) {
+        let texture = skin.texture.as_ref();
+        let laid = texture.and_then(|t| match &self.graph.textures[t.texture as usize] {
+            Texture::Checkerboard { .. } => Some(-399),
+            _ => None,
+        });
+        let list = match exact {
+            true => &mut self.exact,
+            false => &mut self.meshes,
+        };
+        for code in self.types.get(&skin.shape).copied().into_iter().chain(laid) {
+            list.insert((code, skin.shape));
+        }
+    }
+
+    /// How many of a type are Mitsuba's own, and how many are meshes; some may be both.
+    pub fn counts(&self, code: i32) -> [usize; 2] {
+        [&self.exact, &self.meshes].map(|list| list.iter().filter(|(c, _)| *c == code).count())
+    }
+}
