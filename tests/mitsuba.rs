@@ -265,6 +265,48 @@ fn indices_by_channel_are_parameters() {
     assert!(pixels.iter().all(|x| x.is_finite()));
 }
 
+/// A picture of four colours on Mitsuba's own shapes: as written, mirrored, and around a ball, of which half is seen.
+#[test]
+fn pictures_on_exact_shapes_are_the_right_way_round() {
+    let folder = tempfile::tempdir().unwrap();
+    let [red, green, blue, yellow] = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 0]];
+    let picture = image::RgbImage::from_fn(40, 20, |x, y| {
+        image::Rgb([[red, green], [blue, yellow]][usize::from(y > 9)][usize::from(x > 19)])
+    });
+    picture.save(folder.path().join("four.png")).unwrap();
+    let text = "2 5 -4 0.5 -1 2.5\n2 -301 four.png\n3 5 -4 0.5 -1 2.5\n3 -301 four.png\n\
+         3 -3 -1 1 1\n4 11 0 -2 0 1.3\n4 -301 four.png\n5 -101 2 3\n6 -101 5 4\n\
+         7 -501 0 0 10 0 0 -1 0 1 0 45\n8 -401 1\n1 9999 6 0\n";
+    let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+    let (_, output) = translated("four", &loaded, folder.path(), Integrator::Path);
+    assert!(output.shapes.iter().all(|s| s.exact), "{:?}", output.shapes);
+    let pixels = mitsuba::render("four", &output, 16);
+    let colour = |x: f64, y: f64| {
+        let by = f64::from(SIZE.1) / 2.0 / (10.0 * 22.5f64.to_radians().tan());
+        let column = (f64::from(SIZE.0) / 2.0 + x * by) as usize;
+        let row = (f64::from(SIZE.1) / 2.0 - y * by) as usize;
+        let at = 3 * (row * SIZE.0 as usize + column);
+        [0, 1, 2].map(|k| if pixels[at + k] > 0.3 { 255 } else { 0 })
+    };
+    for (x, y, expected) in [
+        (-3.25, 2.0, red),
+        (-1.75, 2.0, green),
+        (-3.25, 1.0, blue),
+        (-1.75, 1.0, yellow),
+        (3.25, 2.0, red),
+        (1.75, 2.0, green),
+        (3.25, 1.0, blue),
+        (1.75, 1.0, yellow),
+        // From in front its u is ½ to 1, and v goes upwards.
+        (-0.5, -1.4, green),
+        (0.5, -1.4, green),
+        (-0.5, -2.6, yellow),
+        (0.5, -2.6, yellow),
+    ] {
+        assert_eq!(colour(x, y), expected, "at {x}, {y}");
+    }
+}
+
 #[test]
 fn the_gallery_is_rendered() {
     for path in scenes_in("gallery") {

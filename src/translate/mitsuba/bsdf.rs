@@ -60,15 +60,10 @@ impl<'g> Bsdfs<'g> {
     }
 
     /// A reference to the material of an exact shape with an index around it.
-    pub fn exact(&mut self, skin: &Skin, shape: &Exact, around: Option<u32>) -> String {
-        let board = skin
-            .texture
-            .as_ref()
-            .map(|t| &self.graph.textures[t.texture as usize]);
-        let colour = match (skin.plain_colour(self.graph), board, shape.uv) {
-            (None, Some(Texture::Checkerboard { n, m, colours }), Some(uv)) => {
-                Reflectance::Board(*colours, to_board([*n, *m], uv))
-            }
+    pub fn exact(&mut self, skin: &Skin, shape: &Exact, around: Option<u32>, stem: &str) -> String {
+        let plain = skin.plain_colour(self.graph);
+        let colour = match (plain, &skin.texture, shape.uv) {
+            (None, Some(t), Some(uv)) => self.picture(t.texture, uv, stem),
             (plain, ..) => Reflectance::Plain(plain.unwrap_or(DEFAULT_COLOUR)),
         };
         self.reference(skin, &colour, around)
@@ -88,17 +83,25 @@ impl<'g> Bsdfs<'g> {
             }
             Colours::OfFaces => Reflectance::Attribute("face_color"),
             Colours::OfPoints => Reflectance::Attribute("vertex_color"),
-            Colours::Pictured(number) => match &self.graph.textures[number as usize] {
-                Texture::Checkerboard { n, m, colours } => {
-                    Reflectance::Board(*colours, to_board([*n, *m], [[1.0; 2], [0.0; 2]]))
-                }
-                _ => {
-                    self.images.insert(number);
-                    Reflectance::Image(file_name(stem, number))
-                }
-            },
+            Colours::Pictured(number) => self.picture(number, [[1.0; 2], [0.0; 2]], stem),
         };
         self.reference(skin, &colour, around)
+    }
+
+    /// A texture over surface coordinates that have to be scaled and moved to be ours.
+    fn picture(&mut self, number: u32, uv: [[f64; 2]; 2], stem: &str) -> Reflectance {
+        match &self.graph.textures[number as usize] {
+            // Mitsuba's has two cells each way.
+            Texture::Checkerboard { n, m, colours } => {
+                let cells = [n, m].map(|n| f64::from(*n) / 2.0);
+                Reflectance::Board(*colours, to_uv(cells, uv))
+            }
+            _ => {
+                self.images.insert(number);
+                // Its pictures hang down from v = 0.
+                Reflectance::Image(file_name(stem, number), to_uv([1.0, -1.0], uv))
+            }
+        }
     }
 
     /// What makes a picture of each channel of a document whose indices differ by channel: how to ask
@@ -156,11 +159,9 @@ impl<'g> Bsdfs<'g> {
     }
 }
 
-/// The transformation of surface coordinates for a board of n × m cells, from those that have to be
-/// scaled and moved to be ours.
-fn to_board(cells: [u32; 2], [[su, sv], [tu, tv]]: [[f64; 2]; 2]) -> String {
-    // Mitsuba's has two cells each way, and repeats.
-    let [x, y] = cells.map(|n| f64::from(n) / 2.0);
+/// The transformation of surface coordinates for what repeats so often in each of ours, from those that
+/// have to be scaled and moved to be ours.
+fn to_uv([x, y]: [f64; 2], [[su, sv], [tu, tv]]: [[f64; 2]; 2]) -> String {
     let whole = |b: f64| b.rem_euclid(1.0);
     let [ax, ay, bx, by] = [su * x, sv * y, whole(tu * x), whole(tv * y)].map(number);
     format!(
@@ -178,8 +179,8 @@ fn parameter(index: u32) -> String {
 }
 
 enum Reflectance {
-    /// A file.
-    Image(String),
+    /// A file, and the transformation of surface coordinates.
+    Image(String, String),
     Plain(Rgb),
     Attribute(&'static str),
     /// Two colours, and the transformation of surface coordinates.
@@ -192,7 +193,7 @@ impl Reflectance {
         let matt = |reflectance: &str| format!("<bsdf type=\"diffuse\">{reflectance}</bsdf>");
         match self {
             // A picture has no factor: some of it is black instead.
-            Reflectance::Image(_) if k != [1.0; 3] => {
+            Reflectance::Image(..) if k != [1.0; 3] => {
                 let black = matt(&rgb("reflectance", [0.0; 3]));
                 blend(mean(k), &black, &matt(&self.xml(k)))
             }
@@ -204,9 +205,8 @@ impl Reflectance {
     fn xml(&self, k: Rgb) -> String {
         let by = |c: Rgb| [0, 1, 2].map(|i| (c[i] * k[i]).min(1.0));
         match self {
-            // Its pictures hang down from v = 0.
-            Reflectance::Image(file) => format!(
-                "<texture name=\"reflectance\" type=\"bitmap\"><string name=\"filename\" value=\"{}\"/><transform name=\"to_uv\"><scale x=\"1\" y=\"-1\"/></transform></texture>",
+            Reflectance::Image(file, to_uv) => format!(
+                "<texture name=\"reflectance\" type=\"bitmap\"><string name=\"filename\" value=\"{}\"/>{to_uv}</texture>",
                 escaped(file)
             ),
             Reflectance::Plain(c) => rgb("reflectance", by(*c)),

@@ -1,9 +1,9 @@
 //! Shapes that Mitsuba has itself.
 
 use super::xml;
-use crate::scene::{Geometry, Matrix, Scene, Texture, Vec3};
+use crate::scene::{Geometry, Matrix, Scene, Vec3};
 use crate::trace::graph::Graph;
-use crate::translate::mesh::{Skin, shape::flat};
+use crate::translate::mesh::{Skin, picture::is_pictured, shape::flat};
 
 /// A shape of Mitsuba's.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,10 +99,6 @@ pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, view: &Reach) -> Option
         _ => return None,
     };
     let plain = skin.plain_colour(graph).is_some();
-    let board = skin.texture.as_ref().is_some_and(|t| {
-        let texture = &graph.textures[t.texture as usize];
-        matches!(texture, Texture::Checkerboard { .. })
-    });
     let exact = |(kind, body, uv)| Exact {
         kind,
         body,
@@ -110,7 +106,7 @@ pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, view: &Reach) -> Option
         uv,
     };
     let out: Vec<Exact> = made.into_iter().map(exact).collect();
-    (plain || board && out.iter().all(|e| e.uv.is_some())).then_some(out)
+    (plain || is_pictured(skin, graph) && out.iter().all(|e| e.uv.is_some())).then_some(out)
 }
 
 /// A plane, and the directions of its surface coordinates.

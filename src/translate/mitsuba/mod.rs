@@ -141,6 +141,8 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         far: reach,
     };
 
+    // A value with a dollar sign is a parameter to Mitsuba.
+    let stem = options.stem.replace('$', "_");
     let mut bsdfs = Bsdfs::new(graph);
     let (mut shapes, mut text) = (Vec::new(), String::new());
     let mut cut = meshes::Collector::default();
@@ -156,7 +158,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         };
         written.note(skin, true);
         for shape in own {
-            let bsdf = bsdfs.exact(skin, &shape, piece.around);
+            let bsdf = bsdfs.exact(skin, &shape, piece.around, &stem);
             shapes.push(ShapeInfo {
                 shape: skin.shape,
                 object: skin.object(),
@@ -165,8 +167,6 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             text.push_str(&shape.xml(&bsdf, shapes.len()));
         }
     }
-    // A value with a dollar sign is a parameter to Mitsuba.
-    let stem = options.stem.replace('$', "_");
     let mut files = Vec::new();
     for mesh in cut.finish(&parts.skins, graph) {
         let skin = &parts.skins[mesh.skin as usize];

@@ -30,6 +30,7 @@ impl<'a> Written<'a> {
         let texture = skin.texture.as_ref();
         let laid = texture.and_then(|t| match &self.graph.textures[t.texture as usize] {
             Texture::Checkerboard { .. } => Some(-399),
+            Texture::Image { .. } => Some(-301),
             _ => None,
         });
         let list = match exact {
