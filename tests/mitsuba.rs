@@ -6,6 +6,7 @@ use crate::lint_generated::scenes;
 use crate::support::mitsuba;
 use zpg::commands::Loaded;
 use zpg::study::geometry::{self, Comparison};
+use zpg::syntax::Captions;
 use zpg::trace::{Images, Tracer, selected_camera};
 use zpg::translate::mitsuba::{Integrator, Options, Output, write};
 
@@ -26,6 +27,7 @@ fn translated(
         tolerance: None,
         integrator,
         stem: name.to_owned(),
+        captions: Captions::of(&loaded.document, &loaded.source.text),
     };
     let output = write(scene, &tracer, &options).unwrap();
     (tracer, output)
@@ -305,6 +307,35 @@ fn pictures_on_exact_shapes_are_the_right_way_round() {
     ] {
         assert_eq!(colour(x, y), expected, "at {x}, {y}");
     }
+}
+
+/// Whatever the comments of the scene say, Mitsuba reads the file.
+#[test]
+fn shapes_have_the_comments_of_the_scene() {
+    let text = "0 # a scene #\n\n2 9 1 # the -- \"moon\" <&> $x ☾ --> #\n3 12 2 0 0 3 1 1\n\
+         4 9 0.5\n4 -1 2 0 0\n5 -103 3 4 # a bitten box - #\n5 -701 1 0 0\n6 -101 2 5\n1 9999 6 0\n";
+    let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+    let (_, output) = translated("comments", &loaded, Path::new("."), Integrator::Path);
+    let lines: Vec<&str> = output.documents[0].1.lines().map(str::trim).collect();
+    let before = |shape: &str| {
+        let at = lines.iter().position(|l| l.contains(shape)).unwrap();
+        lines[at - 1]
+    };
+    assert_eq!(
+        before("<shape type=\"sphere\" id=\"Object_2_"),
+        "<!-- 2: sphere at the origin, the - - \"moon\" <&> $x ☾ - -> -->"
+    );
+    let bitten = "; in 5: difference, a bitten box - -->";
+    assert_eq!(before("id=\"Object_3_"), format!("<!-- 3: box{bitten}"));
+    assert_eq!(
+        before("id=\"Object_4_"),
+        format!("<!-- 4: sphere at the origin{bitten}")
+    );
+    assert!(
+        mitsuba::render("comments", &output, 1)
+            .iter()
+            .any(|x| *x > 0.0)
+    );
 }
 
 #[test]

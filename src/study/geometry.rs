@@ -507,6 +507,7 @@ fn shade(x: f64) -> u8 {
 mod tests {
     use super::*;
     use crate::commands::Loaded;
+    use crate::syntax::Captions;
     use crate::trace::selected_camera;
     use crate::translate::mitsuba::{self, Integrator};
 
@@ -536,6 +537,7 @@ mod tests {
             tolerance: None,
             integrator: Integrator::Aov,
             stem: "scene".to_owned(),
+            captions: Captions::default(),
         };
         let made = mitsuba::write(&loaded.scene, &tracer, &options).unwrap();
         let camera = selected_camera(&loaded.scene, 4.0 / 3.0);

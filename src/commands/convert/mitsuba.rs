@@ -6,6 +6,7 @@ use super::mesh::tracer;
 use super::{Args, Made, Refusal, suffixed};
 use crate::commands::Loaded;
 use crate::diagnostics::{Complaint, Value};
+use crate::syntax::Captions;
 use crate::translate::mitsuba::{self, Integrator, Options, Output};
 
 /// Translates the scene.
@@ -18,6 +19,7 @@ pub fn make(args: &Args, loaded: &Loaded) -> Result<Made, Refusal> {
         tolerance: args.tolerance,
         integrator: Integrator::Path,
         stem: stem.unwrap_or_default().to_string_lossy().into_owned(),
+        captions: Captions::of(&loaded.document, &loaded.source.text),
     };
     let made = mitsuba::write(&loaded.scene, &tracer, &options)?;
     if args.output.is_none() && made.documents.len() + made.meshes.len() > 1 {

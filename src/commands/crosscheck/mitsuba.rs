@@ -8,6 +8,7 @@ use crate::commands::Loaded;
 use crate::study::geometry::{self, Comparison, Differences, Shared, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
 use crate::study::program::ProgramError;
+use crate::syntax::Captions;
 use crate::trace::Tracer;
 use crate::translate::Unsupported;
 use crate::translate::mitsuba::{Integrator, Options, is_exact, square_size, write};
@@ -28,6 +29,7 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
         tolerance: args.tolerance,
         integrator: Integrator::Aov,
         stem: stem(args),
+        captions: Captions::of(&loaded.document, &loaded.source.text),
     };
     let cameras = cameras(scene, args.size);
     if let Some(camera) = cameras.iter().find(|c| !is_exact(c, size)) {

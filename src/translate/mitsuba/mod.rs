@@ -15,10 +15,12 @@ mod written;
 mod xml;
 
 use super::mesh::{self, picture};
+use super::names::Names;
 use super::{Fidelity, Report, Unsupported};
 use crate::scene::bounds::node_bounds;
 use crate::scene::frame::selected_cameras;
 use crate::scene::{Aabb, Camera, Scene};
+use crate::syntax::Captions;
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
 pub use frame::Frame;
@@ -48,6 +50,20 @@ pub struct Options {
     pub integrator: Integrator,
     /// What the names of meshes begin with.
     pub stem: String,
+    /// What the scene says of its objects, which stands beside them.
+    pub captions: Captions,
+}
+
+/// Which entities a shape is of: its own, and the one that its properties come from.
+fn described(names: &Names, shape: u32, object: u32) -> String {
+    let of = |id| names.comment(id).map(|words| format!("{id}: {words}"));
+    let own = of(shape);
+    let other = of(object).filter(|_| object != shape);
+    let all: Vec<String> = own.into_iter().chain(other).collect();
+    match all.is_empty() {
+        true => String::new(),
+        false => xml::comment(&all.join("; in ")),
+    }
 }
 
 /// One shape of the translation.
@@ -147,6 +163,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let (mut shapes, mut text) = (Vec::new(), String::new());
     let mut cut = meshes::Collector::default();
     let mut written = Written::new(scene, graph);
+    let names = Names::new(scene, &options.captions);
     for piece in &parts.pieces {
         let skin = &parts.skins[piece.inside as usize];
         let own = piece
@@ -157,6 +174,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             continue;
         };
         written.note(skin, true);
+        text.push_str(&described(&names, skin.shape, skin.object()));
         for shape in own {
             let bsdf = bsdfs.exact(skin, &shape, piece.around, &stem);
             shapes.push(ShapeInfo {
@@ -174,6 +192,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         let bsdf = bsdfs.mesh(skin, mesh.colours, mesh.around, &stem);
         shapes.push(mesh.info);
         let name = format!("{stem}_{}.ply", shapes.len());
+        text.push_str(&described(&names, mesh.info.shape, mesh.info.object));
         text.push_str(&xml::ply(&name, &bsdf, &mesh.info, shapes.len()));
         files.push((name, mesh.bytes));
     }

@@ -41,6 +41,18 @@ pub fn ply(file: &str, bsdf: &str, info: &ShapeInfo, number: usize) -> String {
     )
 }
 
+/// A line for readers, in which there are no two hyphens side by side.
+pub fn comment(text: &str) -> String {
+    let mut out = String::from("  <!-- ");
+    for c in text.chars() {
+        if c == '-' && out.ends_with('-') {
+            out.push(' ');
+        }
+        out.push(c);
+    }
+    out + " -->\n"
+}
+
 /// Text between quotes.
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -54,4 +66,16 @@ pub fn escaped(text: &str) -> String {
         }
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hyphens_are_kept_apart() {
+        assert_eq!(comment("a-b"), "  <!-- a-b -->\n");
+        assert_eq!(comment("a -- b---"), "  <!-- a - - b- - - -->\n");
+        assert_eq!(comment("-->"), "  <!-- - -> -->\n");
+    }
 }
