@@ -98,7 +98,7 @@ zero-direction = směr je nulový vektor
 
 ## Srovnávání
 
-no-program = { $program } není nainstalován, zkoušeno bylo `{ $path }`: získáte ho { $how }
+no-program = { $program } není nainstalován: získáte ho { $how } (zkoušeno bylo `{ $path }`)
 program-failed = { $program } selhal:
     { $said }
 program-strange = { $program }: { $what }

@@ -95,7 +95,7 @@ zero-direction = the direction is the zero vector
 
 ## Comparing
 
-no-program = { $program } is not installed, `{ $path }` was tried: get it { $how }
+no-program = { $program } is not installed: get it { $how } (`{ $path }` was tried)
 program-failed = { $program } has failed:
     { $said }
 program-strange = { $program }: { $what }
