@@ -346,12 +346,15 @@ fn moved_groups_on_glass() {
     let moves = ["6 -1 -0.5 0 0.5\n", "6 -2 35 2\n6 -1 -0.5 0 0.5\n"];
     // Its box meets that of the floor.
     let other = "11 9 1\n11 -1 0 0 0.6\n12 9 1\n12 -1 0 0 -0.6\n13 -102 11 12\n13 -1 1.6 0.85 0.7\n13 -299 80 0\n";
+    let orders = [
+        "14 -101 6 13\n15 -101 14 10",
+        "14 -101 10 13\n15 -101 14 6",
+        // All of it is moved once more.
+        "14 -101 10 13\n15 -101 14 6\n15 -2 20 2",
+    ];
     for (i, group) in groups.iter().enumerate() {
         for (j, moved) in moves.iter().enumerate() {
-            for (k, order) in ["14 -101 6 13\n15 -101 14 10", "14 -101 10 13\n15 -101 14 6"]
-                .iter()
-                .enumerate()
-            {
+            for (k, order) in orders.iter().enumerate() {
                 let body = format!("{LOOKS}{group}{moved}{other}{order}\n");
                 nearly_agrees(&format!("moved_{i}{j}{k}"), &lit(&body, 15));
             }

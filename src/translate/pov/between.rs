@@ -11,7 +11,7 @@ use std::collections::HashMap;
 
 use super::aspects::DEFAULT;
 use super::build::Builder;
-use super::flush::Change;
+use super::changes::Change;
 use super::grouping;
 use super::neighbours::Neighbours;
 use super::piece::{Group, Modifier, Piece};

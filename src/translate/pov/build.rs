@@ -3,10 +3,10 @@
 use std::collections::{HashMap, HashSet};
 
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
+use super::changes::{Change, Changes};
 use super::descend::{End, Stop};
 use super::difference::Substance;
 use super::facts::{self, Facts};
-use super::flush::{Change, Changes};
 use super::frame::power_of_two_about;
 use super::look::Looks;
 use super::offset::stretched;

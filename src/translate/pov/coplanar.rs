@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 
 use super::build::Builder;
-use super::flush::Change;
+use super::changes::Change;
 use super::piece::{Look, Part, State};
 use super::sheets::is_flat;
 use super::union::Kind;

@@ -4,7 +4,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::build::Builder;
-use super::flush::Change;
+use super::changes::Change;
 use super::piece::{Body, Group, Key, Modifier, Piece, State};
 use super::shape::{Primitive, primitive};
 use super::sheets;

@@ -2,7 +2,7 @@
 //! place there; the filling is made a hair larger, so that its own is where nobody sees it.
 
 use super::build::Builder;
-use super::flush::Change;
+use super::changes::Change;
 use super::offset::{offset, sides_within};
 use super::sets::{Place, Sets};
 use super::standing::Stand;

@@ -7,8 +7,9 @@
 //! From the resolved scene to text: [`cuts`] and [`spread`] say it in another way where that is needed,
 //! by [`rewrite`]; [`facts`] about every node, bottom-up; [`build`] with [`descend`], [`union`],
 //! [`between`], [`neighbours`], [`difference`], [`grouping`], [`flush`], [`standing`], [`filling`] and [`sets`]
-//! says what each object consists of, as [`piece`]s; [`emit`] orders, names and prints them; [`look`] and
-//! [`uv`] know POV-Ray's textures, [`shape`] with [`poly`], [`profile`], [`triangle`] and [`offset`] its
+//! says what each object consists of, as [`piece`]s, with [`changes`] where nobody sees them ([`lengthen`],
+//! [`offset`]); [`emit`] orders, names and prints them; [`look`] and
+//! [`uv`] know POV-Ray's textures, [`shape`] with [`poly`], [`profile`] and [`triangle`] its
 //! primitives, [`turned`] the triangles with normals that turn away, [`volumes`] the bounding volumes that may
 //! be written; [`camera`] and [`scenery`] do the rest. [`verdict`] says what becomes of each feature.
 
@@ -16,6 +17,7 @@ mod aspects;
 mod between;
 mod build;
 mod camera;
+mod changes;
 mod coplanar;
 mod cuts;
 mod descend;
@@ -26,6 +28,7 @@ mod filling;
 mod flush;
 mod frame;
 mod grouping;
+mod lengthen;
 mod look;
 mod matrices;
 mod neighbours;

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::between::Meetings;
 use super::build::Builder;
-use super::flush::Change;
+use super::changes::Change;
 use super::piece::{Group, Piece, State};
 use super::union::{Members, Reaching};
 use crate::scene::{Aabb, NodeId};

@@ -8,8 +8,8 @@
 
 use super::aspects::DEFAULT;
 use super::build::Builder;
+use super::changes::Change;
 use super::descend::End;
-use super::flush::Change;
 use super::piece::{Body, Look, Modifier, Piece, State};
 use super::shape::{Primitive, primitive};
 use super::text::vector;

@@ -2,13 +2,15 @@
 //! written part by part where they touch other glass, since each part has to be seen among those of the
 //! union around it.
 
+use std::collections::HashMap;
+
 use super::aspects::Aspects;
 use super::facts::{Facts, facts};
 use super::rewrite::{Rewrite, Way, below};
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, Node, NodeId, Scene};
 
-/// Scenes of more parts are left as they are.
+/// Unions of more parts are left as they are.
 const MANY: usize = 512;
 /// Groups of more parts, too.
 const FEW: usize = 32;
@@ -16,55 +18,76 @@ const FEW: usize = 32;
 /// The same scene with such groups spread, if there are any.
 pub fn spread(scene: &Scene) -> Option<Scene> {
     let root = scene.render?.root;
-    let (unions, parts) = spine(scene, root)?;
-    if !parts.iter().any(|p| union(scene, *p).is_some()) {
+    let mut unions = wholes(scene, root);
+    unions.retain(|parts| parts.iter().any(|part| union(scene, *part).is_some()));
+    if unions.is_empty() {
         return None;
     }
     let mut aspects = Aspects::of(scene);
     let facts = facts(scene, &mut aspects, root);
     let bounds = node_bounds(scene);
     let is_clear = |node: NodeId| facts[node as usize].transparent;
-    let touches = |part: NodeId| {
-        let mut others = parts.iter().filter(|other| **other != part);
-        others.any(|other| is_clear(*other) && touch(&bounds, part, *other))
-    };
-    let mut out = None;
-    for &part in &parts {
-        if is_group(scene, &facts, part)
-            && touches(part)
-            && let Some(members) = members(scene, part)
-        {
-            let out = out.get_or_insert_with(|| Rewrite::of(scene));
-            let union = joined(out, part, &members);
-            out.replace(part, union);
+    let mut groups = HashMap::new();
+    for parts in unions {
+        for &part in &parts {
+            let mut others = parts.iter().filter(|other| **other != part);
+            if is_group(scene, &facts, part)
+                && others.any(|other| is_clear(*other) && touch(&bounds, part, *other))
+                && let Some(members) = members(scene, part)
+            {
+                groups.insert(part, members);
+            }
         }
     }
-    let mut out = out?;
-    for union in unions {
-        let renewed = out.renew(union);
-        out.settle(union, renewed);
+    if groups.is_empty() {
+        return None;
+    }
+    let mut out = Rewrite::of(scene);
+    for node in 0..=root {
+        if let Some(members) = groups.get(&node) {
+            let union = joined(&mut out, node, members);
+            out.replace(node, union);
+        } else if facts[node as usize].uses > 0 {
+            let renewed = out.renew(node);
+            out.settle(node, renewed);
+        }
     }
     Some(out.finish())
 }
 
-/// The unions that a scene is, children first, and what they are made of.
-fn spine(scene: &Scene, root: NodeId) -> Option<(Vec<NodeId>, Vec<NodeId>)> {
-    let (mut unions, mut parts) = (Vec::new(), Vec::new());
-    let mut todo = vec![root];
+/// The parts of all unions that are no parts of unions themselves, but of those of very many.
+fn wholes(scene: &Scene, root: NodeId) -> Vec<Vec<NodeId>> {
+    let mut is_part = vec![false; root as usize + 1];
+    let mut wholes = Vec::new();
+    for node in (0..=root).rev() {
+        if let Node::Union(a, b) = scene.nodes[node as usize] {
+            if !is_part[node as usize] {
+                wholes.extend(parts(scene, node));
+            }
+            is_part[a as usize] = true;
+            is_part[b as usize] = true;
+        }
+    }
+    wholes
+}
+
+/// What a union is made of, that of the unions among its operands, too.
+fn parts(scene: &Scene, union: NodeId) -> Option<Vec<NodeId>> {
+    let mut parts = Vec::new();
+    let mut todo = vec![union];
+    let mut unions = 0;
     while let Some(node) = todo.pop() {
         if let Node::Union(a, b) = scene.nodes[node as usize] {
-            unions.push(node);
+            unions += 1;
             todo.extend([a, b]);
         } else {
             parts.push(node);
         }
-        if parts.len() + unions.len() > 2 * MANY {
+        if parts.len() + unions > 2 * MANY {
             return None;
         }
     }
-    unions.sort_unstable();
-    unions.dedup();
-    Some((unions, parts))
+    Some(parts)
 }
 
 /// What is done to a union, the last first, and its operands; `None` for what is none.
@@ -104,7 +127,7 @@ fn members(scene: &Scene, group: NodeId) -> Option<Vec<(Way, NodeId)>> {
 fn joined(out: &mut Rewrite, group: NodeId, members: &[(Way, NodeId)]) -> NodeId {
     let mut union = None;
     for (way, member) in members {
-        let node = out.done(way, *member);
+        let node = out.done(way, out.now(*member));
         union = Some(match union {
             Some(union) => out.push(Node::Union(union, node), group),
             None => node,

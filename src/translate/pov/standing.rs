@@ -3,7 +3,9 @@
 //! into the other, so that its face is where nobody sees it.
 
 use super::build::Builder;
-use super::flush::{Change, Cut, HAIR, is_along, lengthened};
+use super::changes::Change;
+use super::flush::is_along;
+use super::lengthen::{Cut, HAIR, lengthened};
 use super::offset::stretched;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Vec3};
 
