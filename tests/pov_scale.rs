@@ -156,6 +156,36 @@ fn long_chains_of_common_moves() {
     assert!(text.len() < 10_000, "{text}");
 }
 
+/// Balls of glass of forty kinds, each of which overlaps some of every kind.
+#[test]
+fn crowds_of_many_media() {
+    let mut scene = spheres(30_000);
+    for i in 0..30_000u32 {
+        if let Geometry::Sphere { centre, .. } = &mut scene.shapes[i as usize].geometry {
+            *centre = [i % 31, i / 31 % 31, i / 961].map(|x| 0.9 * f64::from(x));
+        }
+    }
+    for i in 0..40u32 {
+        scene.paints.push(Paint {
+            owner: 100_000 + i,
+            index: Some([1.1 + f64::from(i) / 100.0; 3]),
+            ..glass()
+        });
+    }
+    let mut all = None;
+    for child in 0..30_000u32 {
+        // No neighbours alike.
+        let paint = child * 7 % 40;
+        let painted = push(&mut scene, Node::Paint { child, paint });
+        all = Some(match all {
+            Some(all) => push(&mut scene, Node::Union(all, painted)),
+            None => painted,
+        });
+    }
+    let text = translate(scene);
+    assert_eq!(text.matches("sphere {").count(), 30_000);
+}
+
 /// What makes a solid clear.
 fn glass() -> Paint {
     Paint {

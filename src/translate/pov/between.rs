@@ -17,9 +17,14 @@ use super::neighbours::Neighbours;
 use super::piece::{Group, Modifier, Piece};
 use super::union::{Members, Reaching, non_empty};
 use crate::scene::{Aabb, NodeId};
+use crate::translate::fidelity::Fidelity;
 
 /// A group of a union may have so many parts of its skin that look different.
 const LOOKS: usize = 16;
+
+/// Groups that touch are written again for each other. With more parts than this in all of these together,
+/// nobody could read or render them: groups are then written as they are.
+const MANY: usize = 1 << 18;
 
 /// What is seen at the faces between two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -130,6 +135,14 @@ impl Builder<'_> {
                 apart,
                 seen,
             });
+        }
+        let parts = |m: &Meeting| groups[m.earlier].nodes.len() + groups[m.later].nodes.len();
+        if meetings.iter().map(parts).sum::<usize>() > MANY {
+            meetings.clear();
+            let plain =
+                Fidelity::Approximate("light goes through the faces within them, too".to_owned());
+            let crowds = "crowds of overlapping parts of many media";
+            self.report.state(crowds, plain, "written as they are");
         }
         for same in meetings.chunk_by_mut(|a, b| a.later == b.later) {
             let changes = same.windows(2).filter(|w| w[0].seen != w[1].seen);
