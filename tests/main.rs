@@ -28,6 +28,7 @@ mod messages;
 mod mitsuba;
 mod mutations;
 mod plan;
+mod pov_contacts;
 mod pov_render;
 mod pov_scale;
 mod pov_scenes;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::lint_generated::scenes;
 use crate::support;
-use support::compare::compare;
+use support::compare::{agrees, compare, nearly_agrees};
 use zpg::commands::Loaded;
 use zpg::translate::{Fidelity, pov};
 
@@ -79,20 +79,6 @@ fn lit(body: &str, root: u32) -> Loaded {
     loaded
 }
 
-fn agrees(name: &str, loaded: &Loaded) {
-    for outcome in compare(name, &loaded.scene, Path::new("."), (96, 72)) {
-        assert_eq!(outcome.differing.off_silhouettes, 0, "{name}");
-    }
-}
-
-/// As the bar for scenes has it.
-fn nearly_agrees(name: &str, loaded: &Loaded) {
-    for outcome in compare(name, &loaded.scene, Path::new("."), (96, 72)) {
-        let share = outcome.differing.share_off_silhouettes;
-        assert!(share <= 0.0005, "{name}: {share}");
-    }
-}
-
 /// A floor without end, in which glass of every kind stands: it goes on beyond the glass's bounds.
 #[test]
 fn floors_under_glass() {
@@ -165,8 +151,6 @@ fn glass_on_round_glass() {
     assert!(!report.contains("faces in one place"), "{report}");
 }
 
-/// Media that meet or overlap: light goes straight from one into the other, and POV-Ray knows which one
-/// it is in.
 /// Vessels, what fills them, and what lies in them, in any order: the first operand owns the faces that are in
 /// one place.
 #[test]
@@ -487,6 +471,8 @@ fn divers() {
     }
 }
 
+/// Media that meet or overlap: light goes straight from one into the other, and POV-Ray knows which one
+/// it is in.
 #[test]
 fn light_from_glass_into_glass() {
     let glass = |id: u32, kt: &str, index: f64| {

@@ -64,6 +64,14 @@ impl Aabb {
         !self.intersection(other).is_empty()
     }
 
+    /// Whether the two have a point in common but for what a few roundings may have moved them apart.
+    pub fn touches(&self, other: &Aabb) -> bool {
+        let ends = [self, other].into_iter().flat_map(|b| [b.min, b.max]);
+        let finite = ends.flatten().filter(|x| x.is_finite());
+        let hair = 1e-9 * finite.fold(0.0f64, |m, x| m.max(x.abs()));
+        (0..3).all(|i| self.min[i] <= other.max[i] + hair && other.min[i] <= self.max[i] + hair)
+    }
+
     pub fn contains(&self, p: Vec3) -> bool {
         (0..3).all(|i| self.min[i] <= p[i] && p[i] <= self.max[i])
     }

@@ -9,7 +9,6 @@
 use std::boxed::Box;
 use std::collections::HashMap;
 
-use super::aspects::DEFAULT;
 use super::build::Builder;
 use super::changes::Change;
 use super::grouping;
@@ -155,15 +154,15 @@ impl Builder<'_> {
 
     /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
     fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &Reaching) -> bool {
-        let (Some(_), Some((_, index))) = (earlier.medium, later.medium) else {
-            return false;
-        };
+        let has_media = earlier.medium.is_some() && later.medium.is_some();
+        let are_clear = earlier.transparent && later.transparent;
+        // Of opaque ones of one medium nothing is seen where they meet.
+        let counts = are_clear || (later.seen_into && earlier.medium == later.medium);
         let can_grow = || {
             let mut nodes = later.nodes.iter();
             nodes.all(|(node, _)| self.has_offset(*node, self.hair / 2.0))
         };
-        let grows = reaching.has(earlier, later);
-        later.transparent && index != DEFAULT && (!grows || can_grow())
+        has_media && counts && (!reaching.has(earlier, later) || can_grow())
     }
 
     /// The number of the look that all of a group has, if it can be said from outside.
@@ -199,6 +198,7 @@ impl Builder<'_> {
         let mut taken = Vec::new();
         for meeting in &clear {
             taken.extend(self.bare(&groups[meeting.earlier], |_, _| Some(smaller)));
+            taken.extend(self.joints(&meetings.neighbours, meeting.earlier));
         }
         let Some(own) = self.grown(groups, meetings, later, reaching) else {
             return Vec::new();
@@ -244,7 +244,20 @@ impl Builder<'_> {
         for alike in sided.chunk_by(|a, b| a.seen == b.seen) {
             let mut around = Vec::new();
             for meeting in alike {
-                around.extend(self.grown(groups, meetings, meeting.later, reaching));
+                let Some(later) = self.grown(groups, meetings, meeting.later, reaching) else {
+                    continue;
+                };
+                // Where a third one comes between them and has no skin there it has that face as it is.
+                let between = meetings.of_later(meeting.later).iter();
+                let mut all = vec![later];
+                for third in between.filter(|m| m.earlier > earlier) {
+                    let group = &groups[third.earlier];
+                    let has_skin = sided.iter().any(|m| m.later == third.earlier);
+                    if !has_skin && (third.apart || group.transparent) {
+                        all.extend(self.bare(group, |_, _| None));
+                    }
+                }
+                around.push(Piece::group(Group::Difference, all));
             }
             let mut modifiers = alike[0].seen.one_side();
             modifiers.extend(non_empty(Group::Union, around.clone()).map(|by| clip(by, false)));
@@ -282,7 +295,7 @@ impl Builder<'_> {
         let mut all = vec![non_empty(group.kind(), own)?];
         for meeting in meetings.of_later(later) {
             let earlier = &groups[meeting.earlier];
-            if !earlier.seen_into {
+            if !earlier.transparent && !meeting.apart {
                 all.extend(self.longer(earlier, reaching));
             }
         }
@@ -290,17 +303,21 @@ impl Builder<'_> {
         Some(Piece::group(Group::Difference, all))
     }
 
-    /// A box with the ends that a solid has where others end.
+    /// A box with the ends that a solid has where others end, but not where it stands on one of them.
     fn ends_within<'a>(&self, node: NodeId, others: impl Iterator<Item = &'a Members>) -> Aabb {
         let own = self.box_of(node);
+        let others: Vec<NodeId> = others.flat_map(|g| g.nodes.iter().map(|n| n.0)).collect();
         let mut around = Aabb::ALL;
-        for &(other, _) in others.flat_map(|group| &group.nodes) {
-            for axis in 0..3 {
-                if let Some(end) = self.ends_alike(&own, other, axis, true) {
-                    around.min[axis] = end;
+        for axis in 0..3 {
+            for below in [true, false] {
+                let end = (others.iter()).find_map(|o| self.ends_alike(&own, *o, axis, below));
+                let Some(end) = end else { continue };
+                if (others.iter()).any(|o| self.stands_on(&own, *o, axis, below)) {
+                    continue;
                 }
-                if let Some(end) = self.ends_alike(&own, other, axis, false) {
-                    around.max[axis] = end;
+                match below {
+                    true => around.min[axis] = end,
+                    false => around.max[axis] = end,
                 }
             }
         }

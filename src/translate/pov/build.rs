@@ -13,6 +13,7 @@ use super::offset::stretched;
 use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
 use super::sets::Sets;
 use super::sheets;
+use super::spread;
 use super::volumes::{self, Volumes};
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Aabb, Node, NodeId, Scene, View};
@@ -61,6 +62,8 @@ pub(super) struct Builder<'a> {
     pub holds_turned: Vec<bool>,
     /// For each node whether a flat surface is in it; nothing where no light goes through anything.
     pub holds_sheets: Vec<bool>,
+    /// Opaque unions that touch what light goes through.
+    pub beside_clear: HashSet<NodeId>,
     /// The number of an index as large as that of any solid.
     pub densest: u32,
     pub report: Report,
@@ -88,6 +91,10 @@ impl<'a> Builder<'a> {
             .is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all))
             || camera_is_walled_in(scene, &facts, &aspects);
         let clear = facts.iter().any(|f| f.uses > 0 && f.transparent);
+        let beside_clear = match clear {
+            true => spread::beside_clear(scene, &facts, &bounds, root),
+            false => HashSet::new(),
+        };
         let mut densest = DEFAULT;
         for solid in facts.iter().filter(|f| f.uses > 0 && f.has_solid) {
             densest = aspects.denser(densest, solid.index.first);
@@ -110,6 +117,7 @@ impl<'a> Builder<'a> {
             turned: HashMap::new(),
             holds_turned: Vec::new(),
             holds_sheets: sheets::holders(scene, clear),
+            beside_clear,
             densest,
             volumes,
             report,

@@ -130,10 +130,15 @@ impl Face {
 
 impl Builder<'_> {
     /// Changes parts of a union so that of several faces in one plane the right one is seen. `kinds` are
-    /// what the parts are made of.
-    pub(super) fn level(&mut self, parts: &mut [(NodeId, State)], kinds: &[Kind]) {
+    /// what the parts are made of. Gives those of one medium that lie against each other.
+    pub(super) fn level(
+        &mut self,
+        parts: &mut [(NodeId, State)],
+        kinds: &[Kind],
+    ) -> Vec<(NodeId, NodeId)> {
+        let mut contacts = Vec::new();
         if parts.len() > MANY || self.hair == 0.0 {
-            return;
+            return contacts;
         }
         let mut faces: Vec<Face> = Vec::new();
         for (i, &(node, state)) in parts.iter().enumerate() {
@@ -144,8 +149,12 @@ impl Builder<'_> {
         let mut heights = vec![0.0; faces.len()];
         for a in (0..faces.len()).rev() {
             for b in a + 1..faces.len() {
-                if faces[a].part != faces[b].part {
-                    self.level_pair(&faces, (a, b), &mut heights, (parts, kinds));
+                let pair = [a, b].map(|face: usize| faces[face].part);
+                if pair[0] != pair[1]
+                    && self.level_pair(&faces, (a, b), &mut heights, (parts, kinds))
+                {
+                    let [a, b] = pair.map(|part| parts[part].0);
+                    contacts.push((a.min(b), a.max(b)));
                 }
             }
         }
@@ -174,20 +183,22 @@ impl Builder<'_> {
                 state.flush = Some(self.changes.both(state.flush, change));
             }
         }
+        contacts
     }
 
     /// Lifts the first of two faces over the second if they lie in one plane and the first one is to be seen.
+    /// Says whether they are of one medium and lie against each other.
     fn level_pair(
         &mut self,
         faces: &[Face],
         (a, b): (usize, usize),
         heights: &mut [f64],
         (parts, kinds): (&[(NodeId, State)], &[Kind]),
-    ) {
+    ) -> bool {
         let (f, g) = (&faces[a], &faces[b]);
         let [of_f, of_g] = [f.part, g.part].map(|part| kinds[part]);
         if f.cut && g.cut {
-            return;
+            return false;
         }
         let joined = of_f.1 && of_g.1 && of_f.0.is_some() && of_f.0 == of_g.0;
         if f.sheet || (!of_f.1 && !of_g.1) {
@@ -216,8 +227,10 @@ impl Builder<'_> {
                     _ => a,
                 };
                 heights[into] = f64::max(heights[into], by);
+                return true;
             }
         }
+        false
     }
 
     /// What all solids of a part look like, or all surfaces, if that is the same for all.

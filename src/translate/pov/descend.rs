@@ -34,8 +34,8 @@ pub(super) enum End {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Stop {
     AtShared,
-    /// As `AtShared`, and small unions that light goes through are not given their look as a whole: each
-    /// part has to be seen among those of the union around it.
+    /// As `AtShared`, and small unions that light goes through, or that touch what it goes through, are not
+    /// given their look as a whole: each part has to be seen among those of the union around it.
     AmongParts,
     /// As `AtShared`, but not at the start: it is what is being declared.
     BelowStart,
@@ -116,7 +116,7 @@ impl Builder<'_> {
                 state.part = Part::All;
             }
             let apart = stop == Stop::AmongParts && f.uses <= 1 && way.modifiers.is_empty();
-            if !(apart && self.is_small_clear_union(node, state.look)) {
+            if !(apart && self.is_union_of_parts(node, state.look)) {
                 if !self.settle_medium(node, &mut state, surface, &mut way) {
                     return way.end(End::Split(node, state));
                 }
@@ -215,9 +215,10 @@ impl Builder<'_> {
         }
     }
 
-    /// Whether a node is a union of a few parts and light goes through it.
-    fn is_small_clear_union(&self, node: NodeId, look: Look) -> bool {
-        if !matches!(look, Look::Own { .. }) || !self.is_transparent(node, look) {
+    /// Whether a node is a union of a few parts, and light goes through it or through what it touches.
+    fn is_union_of_parts(&self, node: NodeId, look: Look) -> bool {
+        let counts = self.is_transparent(node, look) || self.beside_clear.contains(&node);
+        if !matches!(look, Look::Own { .. }) || !counts {
             return false;
         }
         let mut todo = vec![node];

@@ -159,7 +159,15 @@ impl Builder<'_> {
     /// A − (A′ ∩ X) is A − X where A is in A′, and A − (B − A) is A: their common faces would be
     /// speckled.
     fn cutter(&mut self, base: NodeId, node: NodeId, state: State) -> Option<Piece> {
-        let state = state.flush(state.flush.or(self.flush(node, self.box_of(base))));
+        let longer = self.flush(node, self.box_of(base));
+        let change = match state.flush {
+            // Where it ends flush with the base it is longer even if it is a hair smaller.
+            Some(change) if self.changes.offset(change).is_some() => {
+                Some(self.changes.both(longer, change))
+            }
+            change => change.or(longer),
+        };
+        let state = state.flush(change);
         let (whole, tool) = (self.sets.place(base), self.sets.place(node));
         if self.sets.is_apart(whole, tool) {
             return None;

@@ -14,7 +14,7 @@ use crate::scene::{Aabb, NodeId};
 pub(super) struct Neighbours {
     /// By two groups, the earlier one first, those of their solids that lie against each other.
     contacts: BTreeMap<(usize, usize), Vec<(NodeId, NodeId)>>,
-    /// For each group the earlier ones that it touches and nobody sees into.
+    /// For each group the opaque ones before it that it touches.
     walls: HashMap<usize, Vec<usize>>,
     /// The pairs of groups that touch, with the earlier one first, of which the later one is a wall.
     walled: HashSet<(usize, usize)>,
@@ -39,10 +39,10 @@ impl Neighbours {
         let mut walls: HashMap<_, Vec<_>> = HashMap::new();
         let mut walled = HashSet::new();
         for &(earlier, later) in pairs {
-            if !groups[earlier].seen_into {
+            if !groups[earlier].transparent {
                 walls.entry(later).or_default().push(earlier);
             }
-            if !groups[later].seen_into {
+            if !groups[later].transparent {
                 walled.insert((earlier, later));
             }
         }
@@ -101,6 +101,14 @@ impl Builder<'_> {
             }
         }
         pieces
+    }
+
+    /// The layers along the faces where solids of one group lie against each other: what is a hair smaller than
+    /// each of them leaves these out.
+    pub(super) fn joints(&mut self, neighbours: &Neighbours, group: usize) -> Vec<Piece> {
+        let contacts = neighbours.contacts.get(&(group, group));
+        let pairs = contacts.into_iter().flatten();
+        pairs.filter_map(|(a, b)| self.contact(*a, *b)).collect()
     }
 
     /// The layer along the faces that two solids have in one place: farther to both sides than the faces that

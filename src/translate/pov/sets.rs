@@ -4,6 +4,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::matrices::Matrices;
+use crate::scene::vector::{cross, dot, length};
 use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
 
 /// A solid at a place: what nodes are, whatever they look like.
@@ -47,6 +48,9 @@ const HERE: u32 = 0;
 /// So many steps are taken to find out whether a solid is within others.
 const PATIENCE: u32 = 64;
 
+/// Numbers that are this near, as a part of them, are the same: a power of two about 1e-13.
+const SAME: f64 = 1.0 / (1u64 << 43) as f64;
+
 impl Sets {
     pub fn of(scene: &Scene, root: NodeId) -> Sets {
         let mut sets = Sets {
@@ -65,7 +69,11 @@ impl Sets {
                 Node::Shape(s) => {
                     let (geometry, m) = standard(&scene.shapes[s as usize].geometry);
                     let core = Core::Shape(*shapes.entry(bits(&geometry)).or_insert(s));
-                    matrix = sets.matrices.number(&m);
+                    let m = match is_round(&geometry) {
+                        true => unturned(&m),
+                        false => m,
+                    };
+                    matrix = sets.matrices.number(&rounded(&m));
                     core
                 }
                 Node::Union(a, b) => Core::Union(of(a), of(b)),
@@ -105,16 +113,10 @@ impl Sets {
     fn moved(&mut self, place: Place, m: &Matrix) -> Place {
         let mut all = m.after(self.matrices.get(place.matrix));
         if self.round.contains(&place.core) {
-            // Its mirror images are the same.
-            for j in [0, 2] {
-                let first = (0..3).map(|i| all.0[i][j]).find(|x| *x != 0.0);
-                if first.is_some_and(|x| x < 0.0) {
-                    (0..3).for_each(|i| all.0[i][j] = -all.0[i][j]);
-                }
-            }
+            all = unturned(&all);
         }
         Place {
-            matrix: self.matrices.number(&all),
+            matrix: self.matrices.number(&rounded(&all)),
             ..place
         }
     }
@@ -258,6 +260,55 @@ impl Sets {
         }
         inside.iter().any(|p| self.is_within(*p, &outside))
     }
+}
+
+/// The placement of something that is round about the y axis, without turns about that and mirror images,
+/// which change nothing about it.
+fn unturned(m: &Matrix) -> Matrix {
+    let column = |j: usize| -> Vec3 { std::array::from_fn(|i| m.0[i][j]) };
+    let [a, axis, c] = [0, 1, 2].map(column);
+    let mut out = *m;
+    let mut set = |j: usize, v: Vec3| (0..3).for_each(|i| out.0[i][j] = v[i]);
+    let (wide, deep, high) = (length(a), length(c), length(axis));
+    let near = |x: f64, y: f64| x.abs() <= SAME * y;
+    let upright = near(dot(a, c), wide * deep)
+        && near(dot(a, axis), wide * high)
+        && near(dot(c, axis), deep * high);
+    if upright && near(wide - deep, wide) {
+        // The coordinate axis that it is farthest from, but for its part along it.
+        let up = axis.map(|x| x / high);
+        let least = up.iter().fold(1.0f64, |m, x| m.min(x.abs()));
+        let k = up.iter().position(|x| x.abs() <= least + 1e-6).unwrap_or(0);
+        let across: Vec3 = std::array::from_fn(|i| f64::from(u8::from(i == k)) - up[k] * up[i]);
+        let across = across.map(|x| x / length(across));
+        set(0, across.map(|x| x * wide));
+        set(2, cross(across, up).map(|x| x * wide));
+    } else {
+        for (j, v) in [(0, a), (2, c)] {
+            if v.into_iter().find(|x| *x != 0.0).is_some_and(|x| x < 0.0) {
+                set(j, v.map(|x| -x));
+            }
+        }
+    }
+    out
+}
+
+/// A matrix without the last digits, which are what roundings leave of a placement.
+fn rounded(m: &Matrix) -> Matrix {
+    let largest = |from: usize, to: usize| {
+        let rows = m.0.iter().take(3).flat_map(|row| &row[from..to]);
+        rows.fold(0.0f64, |most, x| most.max(x.abs()))
+    };
+    let mut out = *m;
+    for (from, to, most) in [(0, 3, largest(0, 3)), (3, 4, largest(0, 4))] {
+        let unit = 2f64.powi(most.log2().ceil() as i32) * SAME;
+        if unit.is_normal() {
+            for row in out.0.iter_mut().take(3) {
+                (row[from..to].iter_mut()).for_each(|x| *x = (*x / unit).round() * unit);
+            }
+        }
+    }
+    out
 }
 
 /// A ball as the unit ball, a box as the unit cube, in its place: there are several records for them.

@@ -1,8 +1,8 @@
-//! Groups of several media that were moved or given properties as a whole, such as a glass with its wine:
-//! written part by part where they touch other glass, since each part has to be seen among those of the
-//! union around it.
+//! Groups of several media, or of opaque parts, that were moved or given properties as a whole, such as a glass
+//! with its wine: written part by part where they touch other glass, since each part has to be seen among those of
+//! the union around it.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::aspects::Aspects;
 use super::facts::{Facts, facts};
@@ -18,7 +18,7 @@ const FEW: usize = 32;
 /// The same scene with such groups spread, if there are any.
 pub fn spread(scene: &Scene) -> Option<Scene> {
     let root = scene.render?.root;
-    let mut unions = wholes(scene, root);
+    let mut unions: Vec<_> = wholes(scene, root).into_iter().map(|w| w.parts).collect();
     unions.retain(|parts| parts.iter().any(|part| union(scene, *part).is_some()));
     if unions.is_empty() {
         return None;
@@ -27,12 +27,13 @@ pub fn spread(scene: &Scene) -> Option<Scene> {
     let facts = facts(scene, &mut aspects, root);
     let bounds = node_bounds(scene);
     let is_clear = |node: NodeId| facts[node as usize].transparent;
+    let box_of = |node: NodeId| bounds[node as usize].all;
     let mut groups = HashMap::new();
     for parts in unions {
         for &part in &parts {
             let mut others = parts.iter().filter(|other| **other != part);
             if is_group(scene, &facts, part)
-                && others.any(|other| is_clear(*other) && touch(&bounds, part, *other))
+                && others.any(|other| is_clear(*other) && box_of(part).touches(&box_of(*other)))
                 && let Some(members) = members(scene, part)
             {
                 groups.insert(part, members);
@@ -55,14 +56,44 @@ pub fn spread(scene: &Scene) -> Option<Scene> {
     Some(out.finish())
 }
 
-/// The parts of all unions that are no parts of unions themselves, but of those of very many.
-fn wholes(scene: &Scene, root: NodeId) -> Vec<Vec<NodeId>> {
+/// Opaque unions that touch something that light goes through in the union around them.
+pub fn beside_clear(
+    scene: &Scene,
+    facts: &[Facts],
+    bounds: &[NodeBounds],
+    root: NodeId,
+) -> HashSet<NodeId> {
+    let is_clear = |node: &NodeId| facts[*node as usize].transparent;
+    let box_of = |node: NodeId| bounds[node as usize].all;
+    let mut beside = HashSet::new();
+    for whole in wholes(scene, root) {
+        let clear: Vec<Aabb> = (whole.parts.iter().copied())
+            .filter(is_clear)
+            .map(box_of)
+            .collect();
+        let opaque = whole.unions.into_iter().filter(|union| !is_clear(union));
+        beside.extend(opaque.filter(|u| clear.iter().any(|c| c.touches(&box_of(*u)))));
+    }
+    beside
+}
+
+/// A union that is no part of another one.
+#[derive(Default)]
+struct Whole {
+    /// The unions that it is made of, itself as well.
+    unions: Vec<NodeId>,
+    /// What these are made of and are no unions.
+    parts: Vec<NodeId>,
+}
+
+/// All unions that are no parts of unions themselves, but those of very many.
+fn wholes(scene: &Scene, root: NodeId) -> Vec<Whole> {
     let mut is_part = vec![false; root as usize + 1];
     let mut wholes = Vec::new();
     for node in (0..=root).rev() {
         if let Node::Union(a, b) = scene.nodes[node as usize] {
             if !is_part[node as usize] {
-                wholes.extend(parts(scene, node));
+                wholes.extend(whole(scene, node));
             }
             is_part[a as usize] = true;
             is_part[b as usize] = true;
@@ -72,22 +103,21 @@ fn wholes(scene: &Scene, root: NodeId) -> Vec<Vec<NodeId>> {
 }
 
 /// What a union is made of, that of the unions among its operands, too.
-fn parts(scene: &Scene, union: NodeId) -> Option<Vec<NodeId>> {
-    let mut parts = Vec::new();
+fn whole(scene: &Scene, union: NodeId) -> Option<Whole> {
+    let mut whole = Whole::default();
     let mut todo = vec![union];
-    let mut unions = 0;
     while let Some(node) = todo.pop() {
         if let Node::Union(a, b) = scene.nodes[node as usize] {
-            unions += 1;
+            whole.unions.push(node);
             todo.extend([a, b]);
         } else {
-            parts.push(node);
+            whole.parts.push(node);
         }
-        if parts.len() + unions > 2 * MANY {
+        if whole.parts.len() + whole.unions.len() > 2 * MANY {
             return None;
         }
     }
-    Some(parts)
+    Some(whole)
 }
 
 /// What is done to a union, the last first, and its operands; `None` for what is none.
@@ -99,10 +129,11 @@ fn union(scene: &Scene, node: NodeId) -> Option<(Way, NodeId, NodeId)> {
     }
 }
 
-/// Whether light goes through a node, and it is of several media.
+/// Whether a node is a union of several media, or an opaque one.
 fn is_group(scene: &Scene, facts: &[Facts], node: NodeId) -> bool {
     let of = &facts[node as usize];
-    of.transparent && !(of.optics.uniform && of.index.uniform) && union(scene, node).is_some()
+    let is_one = of.transparent && of.optics.uniform && of.index.uniform;
+    !is_one && union(scene, node).is_some()
 }
 
 /// The parts of a group that are no unions themselves, each with what is done to it, the last first.
@@ -134,13 +165,4 @@ fn joined(out: &mut Rewrite, group: NodeId, members: &[(Way, NodeId)]) -> NodeId
         });
     }
     union.unwrap_or(group)
-}
-
-/// Whether the boxes of two nodes have a point in common but for rounding.
-fn touch(bounds: &[NodeBounds], a: NodeId, b: NodeId) -> bool {
-    let [a, b] = [a, b].map(|node| bounds[node as usize].all);
-    let ends = [a, b].into_iter().flat_map(|b: Aabb| [b.min, b.max]);
-    let finite = ends.flatten().filter(|x| x.is_finite());
-    let hair = 1e-9 * finite.fold(0.0f64, |m, x| m.max(x.abs()));
-    (0..3).all(|i| a.min[i] <= b.max[i] + hair && b.min[i] <= a.max[i] + hair)
 }

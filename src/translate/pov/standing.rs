@@ -155,7 +155,7 @@ impl Builder<'_> {
             if !self.box_of(other).overlaps(&own) {
                 continue;
             }
-            let room = self.room(other);
+            let rooms = self.rooms(other);
             for axis in 0..3 {
                 for below in [true, false] {
                     if by > 0.0
@@ -167,7 +167,8 @@ impl Builder<'_> {
                         }
                         free.most = free.most.min(by);
                     }
-                    let Some((end, depth)) = room.under(&own, axis, below) else {
+                    let under = |room| Some((room, Room::under(room, &own, axis, below)?));
+                    let Some((room, (end, depth))) = rooms.iter().find_map(under) else {
                         continue;
                     };
                     let mut cut = free;
@@ -200,6 +201,11 @@ impl Builder<'_> {
             }
         }
         self.flush_by(node, free)
+    }
+
+    /// Whether something with that box stands on a solid with its end along an axis.
+    pub(super) fn stands_on(&self, own: &Aabb, on: NodeId, axis: usize, below: bool) -> bool {
+        (self.rooms(on).iter()).any(|room| room.under(own, axis, below).is_some())
     }
 
     /// How many times as wide a solid becomes at most where it is made longer.
@@ -324,28 +330,27 @@ impl Builder<'_> {
             .is_some_and(|g| matches!(g, Geometry::Box { .. } | Geometry::HalfSpace(_)))
     }
 
-    fn room(&self, node: NodeId) -> Room {
+    /// What there is to stand on of a solid; within what is hollow before outside of it.
+    fn rooms(&self, node: NodeId) -> Vec<Room> {
         let bounds = self.box_of(node);
         if self.is_flat(node) {
-            return Room::Full(bounds);
+            return vec![Room::Full(bounds)];
         }
         if let Some(frustum) = self.frustum(node) {
-            return Room::Round(frustum);
+            return vec![Room::Round(frustum)];
         }
         let (at, m) = self.core(node);
         let moved = |node: NodeId| self.box_of(node).transformed(&m);
-        match self.scene.nodes[at as usize] {
-            _ if !is_along(&m) => Room::Other(bounds),
-            Node::Complement(b) if self.is_flat(b) => Room::Hollow {
-                inner: moved(b),
-                outer: Aabb::ALL,
-            },
-            Node::Difference(a, b) if self.is_flat(a) && self.is_flat(b) => Room::Hollow {
-                inner: moved(b),
-                outer: moved(a),
-            },
-            _ => Room::Other(bounds),
-        }
+        let hollow = match self.scene.nodes[at as usize] {
+            _ if !is_along(&m) => None,
+            Node::Complement(b) if self.is_flat(b) => Some((moved(b), Aabb::ALL)),
+            Node::Difference(a, b) if self.is_flat(a) && self.is_flat(b) => {
+                Some((moved(b), moved(a)))
+            }
+            _ => None,
+        };
+        let hollow = hollow.map(|(inner, outer)| Room::Hollow { inner, outer });
+        hollow.into_iter().chain([Room::Other(bounds)]).collect()
     }
 }
 

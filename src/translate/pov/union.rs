@@ -1,7 +1,7 @@
 //! Unions. Opaque ones are plain: what lies inside is never seen. In transparent ones the faces
 //! inside have to go, except where two media meet; there the first medium owns the overlap.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use super::aspects::DEFAULT;
 use super::between::clip;
@@ -92,9 +92,10 @@ impl Builder<'_> {
             return non_empty(Group::Union, pieces);
         }
         let (mut solids, mut surfaces) = self.by_part(&members);
-        let reaching = self.settle(&mut solids);
-        self.level_all(&mut solids, &mut surfaces);
-        let mut groups = self.by_medium(&solids);
+        let (kinds, mut reaching) = self.settled(&mut solids);
+        let level = self.level_all(&mut solids, &mut surfaces, &kinds);
+        reaching.contacts.extend(level);
+        let mut groups = self.by_medium(&solids, &kinds);
         let meetings = self.meetings(&mut groups, &reaching);
         let mut pieces = Vec::new();
         for i in 0..groups.len() {
@@ -102,7 +103,7 @@ impl Builder<'_> {
             for meeting in meetings.of_later(i) {
                 let earlier = &groups[meeting.earlier];
                 clips.extend(self.outside_of(earlier, &reaching));
-                if !meeting.apart && earlier.seen_into {
+                if !meeting.apart && earlier.transparent {
                     self.overlap(earlier, &groups[i]);
                 }
             }
@@ -120,29 +121,63 @@ impl Builder<'_> {
         non_empty(Group::Union, pieces)
     }
 
-    fn level_all(&mut self, solids: &mut Operands, surfaces: &mut Operands) {
+    fn level_all(
+        &mut self,
+        solids: &mut Operands,
+        surfaces: &mut Operands,
+        kinds: &[Kind],
+    ) -> Vec<(NodeId, NodeId)> {
         let mut parts = solids.clone();
         parts.extend(surfaces.iter().copied());
-        let kinds: Vec<Kind> = (solids.iter())
-            .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
-            .chain(surfaces.iter().map(|_| (None, false)))
-            .collect();
-        self.level(&mut parts, &kinds);
+        let mut kinds = kinds.to_vec();
+        kinds.resize(parts.len(), (None, false));
+        let contacts = self.level(&mut parts, &kinds);
         surfaces.copy_from_slice(&parts[solids.len()..]);
         parts.truncate(solids.len());
         *solids = parts;
+        contacts
+    }
+
+    /// What solids are made of, and how they are settled.
+    fn settled(&mut self, solids: &mut Operands) -> (Vec<Kind>, Reaching) {
+        let mut kinds: Vec<Kind> = (solids.iter())
+            .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
+            .collect();
+        if solids.len() > MANY {
+            return (kinds, Reaching::default());
+        }
+        for i in self.opened(solids, &kinds) {
+            kinds[i].1 = true;
+        }
+        let reaching = self.settle(solids, &kinds);
+        (kinds, reaching)
+    }
+
+    /// The opaque ones among solids that are seen into where earlier ones that light goes through have the
+    /// face, since they overlap or lie against them, if there are faces of others to be seen in them; and
+    /// those of their medium there.
+    fn opened(&self, solids: &Operands, kinds: &[Kind]) -> BTreeSet<usize> {
+        let boxes: Vec<Aabb> = solids.iter().map(|(node, _)| self.box_of(*node)).collect();
+        let touch = |i: usize, j: usize| boxes[i].touches(&boxes[j]);
+        let mut opened = BTreeSet::new();
+        for i in (0..solids.len()).filter(|i| !kinds[*i].1) {
+            if !(0..i).any(|j| kinds[j].1 && touch(i, j)) {
+                continue;
+            }
+            let alike = |j: &usize| kinds[i].0.is_some() && kinds[i].0 == kinds[*j].0;
+            let before: Vec<usize> = (0..i).filter(|j| alike(j) && touch(i, *j)).collect();
+            if !before.is_empty() || (i + 1..solids.len()).any(|j| touch(i, j)) {
+                opened.insert(i);
+                opened.extend(before);
+            }
+        }
+        opened
     }
 
     /// Makes solids longer that stand on earlier ones and would show the face between, and gives by
     /// which boxes solids are to be longer where later ones are clipped by them.
-    fn settle(&mut self, solids: &mut Operands) -> Reaching {
+    fn settle(&mut self, solids: &mut Operands, kinds: &[Kind]) -> Reaching {
         let mut reaching = Reaching::default();
-        if solids.len() > MANY {
-            return reaching;
-        }
-        let kinds: Vec<Kind> = (solids.iter())
-            .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
-            .collect();
         let (mut held, mut loose) = (HashSet::new(), Vec::new());
         // What is changed about all of them comes after what is changed among them.
         let whole: Vec<_> = solids.iter_mut().map(|s| s.1.flush.take()).collect();
@@ -183,12 +218,13 @@ impl Builder<'_> {
             }
             if solids[i].1.flush.is_none() {
                 let around = [&before[..], &alike].concat();
-                solids[i].1.flush = note(self.filling(node, &around));
-            }
-            if solids[i].1.flush.is_none() {
+                let filling = note(self.filling(node, &around));
                 let standing = self.standing(node, &before);
                 contacts.extend(standing.held.iter().map(|other| (*other, node)));
-                solids[i].1.flush = note(standing);
+                solids[i].1.flush = match note(standing) {
+                    Some(standing) => Some(self.changes.both(filling, standing)),
+                    None => filling,
+                };
             }
         }
         for ((node, state), whole) in solids.iter_mut().zip(whole) {
@@ -200,7 +236,9 @@ impl Builder<'_> {
                 state.flush = state.flush.map(|f| self.changes.small(f, by));
             }
         }
-        held.extend(self.join_neighbours(solids, &kinds));
+        let joined = self.join_neighbours(solids, kinds);
+        reaching.contacts.extend(joined.iter().copied());
+        held.extend(joined);
         // One of the two is enough.
         if let Some((_, above)) = loose.iter().find(|pair| !held.contains(pair)) {
             self.faces_in_one_place(self.ids[*above as usize]);
@@ -244,10 +282,11 @@ impl Builder<'_> {
         (solids, surfaces)
     }
 
-    fn by_medium(&self, solids: &[(NodeId, State)]) -> Vec<Members> {
+    fn by_medium(&self, solids: &[(NodeId, State)], kinds: &[Kind]) -> Vec<Members> {
         let operands: Vec<_> = solids
             .iter()
-            .map(|&(node, state)| (self.medium(node, state), self.box_of(node)))
+            .zip(kinds)
+            .map(|(&(node, _), kind)| (kind.0, self.box_of(node)))
             .collect();
         let members = |group: &Vec<usize>| Members {
             medium: group.first().and_then(|i| operands[*i].0),
@@ -258,10 +297,7 @@ impl Builder<'_> {
                 self.is_transparent(node, state.look)
             }),
             bounds_media: false,
-            seen_into: group.iter().any(|i| {
-                let (node, state) = solids[*i];
-                self.is_seen_into(node, state)
-            }),
+            seen_into: group.iter().any(|i| kinds[*i].1),
         };
         grouping::in_order(&operands).iter().map(members).collect()
     }
