@@ -157,7 +157,7 @@ pub fn compare(
     }
     let Output { extent, frame, .. } = translation;
     let all = extent
-        .region
+        .cut
         .hull(&Aabb::new(camera.position, camera.position));
     let largest = |corners: [Vec3; 2]| {
         let coordinates = corners.as_flattened().iter();
@@ -420,7 +420,7 @@ impl Sight<'_> {
         let exact = self.exact.get(&(seen.shape, seen.object));
         let d = sub(seen.point, extent.region.centre());
         dot(d, d).sqrt() > HORIZON * reach
-            || !extent.region.contains(seen.point) && exact != Some(&true)
+            || !extent.cut.contains(seen.point) && exact != Some(&true)
     }
 
     /// Whether a pixel not far from one shows a face of the same shape with such a normal.

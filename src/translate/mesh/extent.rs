@@ -1,13 +1,17 @@
 //! How much of a scene without end becomes triangles, and how fine they are.
 
 use super::{DEFAULT_TOLERANCE, Options};
-use crate::scene::bounds::{NodeBounds, node_bounds};
+use crate::scene::bounds::{NodeBounds, node_bounds, shape_bounds};
 use crate::scene::frame::seen_box;
-use crate::scene::{Aabb, Geometry, Node, Scene, Vec3};
+use crate::scene::{Aabb, Geometry, Matrix, Node, Scene, Texture, Vec3};
 
 /// How much larger than its bounded parts the region is that things without end are cut to: a floor that
 /// reaches beyond what stands on it.
 const AROUND: f64 = 2.0;
+
+/// How many times as far parts without end go on where that costs nothing, since they are flat, and a camera looks
+/// along them.
+const FLAT: f64 = 16.0;
 
 /// Half the side of that region in a scene without bounded parts.
 const NOTHING_BOUNDED: f64 = 5.0;
@@ -18,8 +22,10 @@ const FAR: f64 = 100.0;
 /// Where the mesh is made, and how finely.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
-    /// What lies outside of it is cut off.
+    /// Holds what has an end, with room around.
     pub region: Aabb,
+    /// What lies outside of it is cut off: the region, or more.
+    pub cut: Aabb,
     /// The region is the render record's box.
     pub boxed: bool,
     pub tolerance: f64,
@@ -44,11 +50,16 @@ impl Extent {
             seen
         };
         let all = seen.hull(&faces(scene, &bounds, &seen));
+        let region = match options.eye {
+            _ if boxed => seen,
+            Some(eye) => around(&all.hull(&Aabb::new(eye, eye))),
+            None => around(&all),
+        };
         Extent {
-            region: match options.eye {
-                _ if boxed => seen,
-                Some(eye) => around(&all.hull(&Aabb::new(eye, eye))),
-                None => around(&all),
+            region,
+            cut: match options.eye {
+                Some(_) if !boxed && is_flat(scene) => grown(&region, FLAT),
+                _ => region,
             },
             boxed,
             radius: seen.radius(),
@@ -57,6 +68,22 @@ impl Extent {
                 .unwrap_or(DEFAULT_TOLERANCE * seen.radius()),
         }
     }
+}
+
+/// A box about the same centre, so many times as large.
+fn grown(b: &Aabb, by: f64) -> Aabb {
+    let c = b.centre();
+    let end = |corner: Vec3| std::array::from_fn(|i| c[i] + by * (corner[i] - c[i]));
+    Aabb::new(end(b.min), end(b.max))
+}
+
+/// Whether all that has no end is flat, and of few triangles: textures in space make small ones.
+fn is_flat(scene: &Scene) -> bool {
+    let is_solid = |t: &Texture| matches!(t, Texture::Solid { .. });
+    let mut textures = scene.paints.iter().filter_map(|p| p.texture.as_ref());
+    let flat = |g: &Geometry| matches!(g, Geometry::Plane(_) | Geometry::HalfSpace(_));
+    let ends = |g: &Geometry| shape_bounds(g, &Matrix::IDENTITY).radius().is_finite();
+    !textures.any(is_solid) && (scene.shapes.iter()).all(|s| flat(&s.geometry) || ends(&s.geometry))
 }
 
 /// Room around what there is, also where that is flat.
@@ -124,6 +151,33 @@ mod tests {
         let loaded = Loaded::new("scene", text.as_bytes().to_vec());
         assert!(loaded.sound, "{:?}", loaded.diagnostics);
         Extent::of(&loaded.scene, &Options::default()).region
+    }
+
+    #[test]
+    fn flat_things_go_on_before_a_camera() {
+        let seen = |text: &str| {
+            let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+            assert!(loaded.sound, "{:?}", loaded.diagnostics);
+            let eye = Some([0.0, 1.0, 3.0]);
+            let extent = Extent::of(
+                &loaded.scene,
+                &Options {
+                    eye,
+                    ..Options::default()
+                },
+            );
+            extent.cut.radius() / extent.region.radius()
+        };
+        let water = "2 9 1\n3 4 0 1 0 0\n4 -103 3 2\n1 9999 4 0";
+        assert!((seen(water) - FLAT).abs() < 1e-9);
+        // Something curved without end would take many triangles, and so would a texture in space.
+        let curved = "2 18 1\n3 4 0 1 0 0\n4 -103 3 2\n1 9999 4 0";
+        assert_eq!(seen(curved), 1.0);
+        let marble =
+            "5 -701 1 1 1\n6 -302 5 5 0.5\n2 9 1\n3 4 0 1 0 0\n3 -299 6 0\n4 -103 3 2\n1 9999 4 0";
+        assert_eq!(seen(marble), 1.0);
+        let boxed = "2 9 1\n3 4 0 1 0 0\n4 -103 3 2\n1 9999 4 0 -1 -1 -1 1 1 1";
+        assert_eq!(seen(boxed), 1.0);
     }
 
     #[test]

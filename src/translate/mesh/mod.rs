@@ -171,6 +171,7 @@ impl Parts {
         }
         let by = shape::stretch(m);
         self.extent.region = self.extent.region.transformed(m);
+        self.extent.cut = self.extent.cut.transformed(m);
         self.extent.tolerance *= by;
         self.extent.radius *= by;
     }
@@ -238,9 +239,9 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, U
 
 /// The scene as pieces that are not joined yet.
 fn pieces(scene: &Scene, graph: &Graph, extent: &Extent) -> Result<(Thing, Troubles), Unsupported> {
-    let mut assembly = Assembly::new(scene, graph, &extent.region, extent.tolerance);
+    let mut assembly = Assembly::new(scene, graph, &extent.cut, extent.tolerance);
     let thing = assembly
-        .pieces(&extent.region, extent.boxed)
+        .pieces(&extent.cut, extent.boxed)
         .map_err(|e| refusal(&e))?;
     Ok((thing, assembly.troubles))
 }
@@ -266,8 +267,10 @@ pub fn report(target: &'static str, scene: &Scene, model: &Model) -> Report {
 fn account(report: &mut Report, extent: &Extent, troubles: &Troubles) {
     let cut = if extent.boxed {
         "cut to the render box"
-    } else {
+    } else if extent.cut == extent.region {
         "cut to twice the bounds of what has an end and of the faces around it"
+    } else {
+        "cut to 32 times the bounds of what has an end and of the faces around it"
     };
     for _ in 0..troubles.endless {
         let fidelity = Fidelity::Approximate(cut.to_owned());
