@@ -224,7 +224,7 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, U
         })
         .collect();
     for part in [&mut mesh, &mut surfaces] {
-        part.refine(|label| textured[label as usize], extent.grain());
+        part.refine(|label| textured[label as usize], |_| extent.grain());
     }
     let solid = mesh.triangles.len();
     mesh.append(&surfaces);

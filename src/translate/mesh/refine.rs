@@ -3,15 +3,21 @@
 use std::collections::HashMap;
 
 use super::soup::Mesh;
+use crate::scene::Vec3;
 use crate::scene::vector::{dot, sub};
 
 /// At this many triangles no more are made.
 const MOST: usize = 1 << 22;
 
+/// The middle between two points.
+fn middle(p: Vec3, q: Vec3) -> Vec3 {
+    std::array::from_fn(|i| p[i] / 2.0 + q[i] / 2.0)
+}
+
 impl Mesh {
-    /// Halves the edges of wanted triangles until none is longer; what was closed stays closed, and
-    /// the surface where it is.
-    pub fn refine(&mut self, wanted: impl Fn(u32) -> bool, longest: f64) {
+    /// Halves the edges of wanted triangles until none is longer than it may be where its middle is; what was
+    /// closed stays closed, and the surface where it is.
+    pub fn refine(&mut self, wanted: impl Fn(u32) -> bool, longest: impl Fn(Vec3) -> f64) {
         loop {
             let mut middles: HashMap<(u32, u32), u32> = HashMap::new();
             for (t, &label) in self.triangles.iter().zip(&self.labels) {
@@ -21,6 +27,7 @@ impl Mesh {
                 for [a, b] in [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]] {
                     let [p, q] = [a, b].map(|i| self.points[i as usize]);
                     let d = sub(q, p);
+                    let longest = longest(middle(p, q));
                     if dot(d, d) > longest * longest {
                         middles.entry((a.min(b), a.max(b))).or_insert(0);
                     }
@@ -34,7 +41,7 @@ impl Mesh {
             edges.sort_unstable();
             for (a, b) in edges {
                 let [p, q] = [a, b].map(|i| self.points[i as usize]);
-                let middle = self.point(std::array::from_fn(|i| p[i] / 2.0 + q[i] / 2.0));
+                let middle = self.point(middle(p, q));
                 middles.insert((a, b), middle);
             }
             self.split(&middles);
@@ -74,11 +81,27 @@ mod tests {
     use super::super::shape::flat::cuboid;
 
     #[test]
+    fn what_is_near_is_finer() {
+        let mut mesh = cuboid([-1000.0, -1.0, -1000.0], [1000.0, 0.0, 1000.0]);
+        let far = |p: [f64; 3]| p[0].hypot(p[1]).hypot(p[2]).max(1.0);
+        mesh.refine(|_| true, far);
+        assert!(mesh.is_closed());
+        assert!((mesh.volume() - 4e6).abs() < 1e-3);
+        assert!(mesh.triangles.len() < 4000);
+        for t in 0..mesh.triangles.len() {
+            let [a, b, _] = mesh.corners(t);
+            let d: [f64; 3] = std::array::from_fn(|i| b[i] - a[i]);
+            let middle = std::array::from_fn(|i| (a[i] + b[i]) / 2.0);
+            assert!(d[0].hypot(d[1]).hypot(d[2]) <= far(middle));
+        }
+    }
+
+    #[test]
     fn a_box_stays_a_box() {
         let mut mesh = cuboid([0.0; 3], [1.0, 2.0, 3.0]);
         // The top alone, and what is next to it.
         mesh.labels[6..8].fill(1);
-        mesh.refine(|l| l == 1, 0.3);
+        mesh.refine(|l| l == 1, |_| 0.3);
         assert!(mesh.is_closed());
         assert!((mesh.volume() - 6.0).abs() < 1e-12);
         let top: Vec<usize> = (0..mesh.triangles.len())

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::ShapeInfo;
 use super::bsdf::Colours;
-use crate::scene::vector::{cross, sub};
+use crate::scene::vector::{cross, length, sub};
 use crate::scene::{Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
 use crate::translate::mesh::corners::{Corner, corners};
@@ -43,8 +43,11 @@ pub struct File {
 }
 
 impl Collector {
-    /// Adds what is seen of a piece, with edges no longer than `grain` where it has a texture. Where the render box cuts it, it is open.
-    pub fn add(&mut self, piece: &Piece, skins: &[Skin], graph: &Graph, grain: f64) {
+    /// Adds what is seen of a piece, with edges no longer than `grain` where it has a texture, and elsewhere no longer
+    /// than that or than they are from the eye: single precision mistakes places on large triangles. Where the render box cuts it,
+    /// it is open.
+    pub fn add(&mut self, piece: &Piece, skins: &[Skin], graph: &Graph, grain: f64, eye: Vec3) {
+        let far = |p: Vec3| length(sub(p, eye)).max(grain);
         let mut labels: Vec<u32> = piece.mesh.labels.clone();
         labels.sort_unstable();
         labels.dedup();
@@ -56,8 +59,9 @@ impl Collector {
                 continue;
             }
             let mut part = piece.mesh.only(|l| l == label);
+            part.refine(|_| true, far);
             if skin.plain_colour(graph).is_none() && !is_pictured(skin, graph) {
-                part.refine(|_| true, grain);
+                part.refine(|_| true, |_| grain);
             }
             self.meshes
                 .entry(key(skin, piece.around, graph))

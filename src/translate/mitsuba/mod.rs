@@ -151,6 +151,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         parts.place(&frame.matrix());
     }
     let there: Vec<Camera> = cameras.iter().map(|c| frame.camera(c)).collect();
+    let eye = there.first().map_or([0.0; 3], |c| c.position);
     let reach = scenery::reach(&parts.extent.region, &there);
     let seen = exact::Reach {
         centre: parts.extent.region.centre(),
@@ -170,7 +171,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             .whole
             .then(|| exact::shapes(scene, graph, skin, &seen));
         let Some(own) = own.flatten() else {
-            cut.add(piece, &parts.skins, graph, parts.extent.grain());
+            cut.add(piece, &parts.skins, graph, parts.extent.grain(), eye);
             continue;
         };
         written.note(skin, true);
