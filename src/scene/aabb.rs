@@ -14,6 +14,10 @@ pub struct Aabb {
 /// and the error of the point itself, with room to spare.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
+/// Boxes that are this near, as a part of their coordinates, touch: far more than roundings move anything, far less
+/// than anybody means.
+const NEAR: f64 = 1e-9;
+
 impl Aabb {
     pub const EMPTY: Aabb = Aabb {
         min: [f64::INFINITY; 3],
@@ -68,7 +72,7 @@ impl Aabb {
     pub fn touches(&self, other: &Aabb) -> bool {
         let ends = [self, other].into_iter().flat_map(|b| [b.min, b.max]);
         let finite = ends.flatten().filter(|x| x.is_finite());
-        let hair = 1e-9 * finite.fold(0.0f64, |m, x| m.max(x.abs()));
+        let hair = NEAR * finite.fold(0.0f64, |m, x| m.max(x.abs()));
         (0..3).all(|i| self.min[i] <= other.max[i] + hair && other.min[i] <= self.max[i] + hair)
     }
 

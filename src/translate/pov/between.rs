@@ -9,6 +9,7 @@
 use std::boxed::Box;
 use std::collections::HashMap;
 
+use super::aspects::DEFAULT;
 use super::build::Builder;
 use super::changes::Change;
 use super::grouping;
@@ -155,7 +156,9 @@ impl Builder<'_> {
     /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
     fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &Reaching) -> bool {
         let has_media = earlier.medium.is_some() && later.medium.is_some();
-        let are_clear = earlier.transparent && later.transparent;
+        // Where nothing bends light, which of them a ray is in makes no difference.
+        let bends = self.densest != DEFAULT;
+        let are_clear = bends && earlier.transparent && later.transparent;
         // Of opaque ones of one medium nothing is seen where they meet.
         let counts = are_clear || (later.seen_into && earlier.medium == later.medium);
         let can_grow = || {

@@ -10,6 +10,9 @@ use super::rewrite::{Rewrite, Way, below};
 use crate::scene::bounds::node_bounds;
 use crate::scene::{Aabb, Node, NodeId, Scene};
 
+/// Ends that are this near, as a part of the coordinates, may be flush; either order is right where they are not.
+const NEAR: f64 = 1e-9;
+
 /// So many cuts of an operand are looked at.
 const FEW: usize = 64;
 
@@ -161,7 +164,7 @@ impl Order {
                 own = own.transformed(&scene.matrices[matrix as usize]);
             }
         }
-        let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a.abs().max(b.abs());
+        let near = |a: f64, b: f64| (a - b).abs() <= NEAR * a.abs().max(b.abs());
         let same = |i: usize| near(own.min[i], other.min[i]) || near(own.max[i], other.max[i]);
         own.overlaps(other) && (0..3).any(same)
     }

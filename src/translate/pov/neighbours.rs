@@ -70,7 +70,12 @@ impl Builder<'_> {
         let hull = |group: &Members| group.boxes.iter().fold(Aabb::EMPTY, |h, b| h.hull(b));
         let own = hull(&groups[later]);
         let mut pieces = Vec::new();
-        for &wall in walls {
+        // Those that are seen into were taken away as a whole.
+        let is_taken = |wall: usize| {
+            let mut met = meetings.of_later(later).iter();
+            groups[wall].seen_into && met.any(|m| m.earlier == wall && !m.apart)
+        };
+        for &wall in walls.iter().filter(|w| !is_taken(**w)) {
             let touched = around
                 .iter()
                 .filter(|e| neighbours.walled.contains(&(**e, wall)));
@@ -96,7 +101,9 @@ impl Builder<'_> {
                     .into_iter()
                     .flatten()
                 {
-                    pieces.extend(self.contact(a, b));
+                    if self.box_of(a).touches(&own) && self.box_of(b).touches(&own) {
+                        pieces.extend(self.contact(a, b));
+                    }
                 }
             }
         }
