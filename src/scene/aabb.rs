@@ -142,6 +142,17 @@ mod tests {
     use super::*;
 
     #[test]
+    fn boxes_side_by_side_touch() {
+        let a = Aabb::new([0.0; 3], [0.3; 3]);
+        // 0.1 + 0.2 is a rounding beyond 0.3.
+        let b = Aabb::new([0.1 + 0.2, 0.0, 0.0], [1.0; 3]);
+        assert!(!a.overlaps(&b) && a.touches(&b) && b.touches(&a));
+        assert!(!a.touches(&Aabb::new([0.3 + 1e-6, 0.0, 0.0], [1.0; 3])));
+        let ground = Aabb::new([f64::NEG_INFINITY; 3], [f64::INFINITY, 0.0, f64::INFINITY]);
+        assert!(ground.touches(&a) && !ground.touches(&Aabb::EMPTY));
+    }
+
+    #[test]
     fn infinite_sides_stay_where_they_can() {
         let below = Aabb::new([f64::NEG_INFINITY; 3], [f64::INFINITY, 2.0, f64::INFINITY]);
         let moved = below.transformed(&Matrix::translation(5.0, 1.0, 0.0));

@@ -39,6 +39,16 @@ impl Extent {
         self.radius / 64.0
     }
 
+    /// Where parts without end are cut off, in words.
+    pub fn cut_off(&self) -> String {
+        let times = match () {
+            () if self.boxed => return "cut to the render box".to_owned(),
+            () if self.cut == self.region => AROUND,
+            () => AROUND * FLAT,
+        };
+        format!("cut to {times} times the bounds of what has an end and of the faces around it")
+    }
+
     /// The region and the tolerance for a scene.
     pub fn of(scene: &Scene, options: &Options) -> Extent {
         let bounds = node_bounds(scene);

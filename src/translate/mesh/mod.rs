@@ -265,15 +265,8 @@ pub fn report(target: &'static str, scene: &Scene, model: &Model) -> Report {
 
 /// What became of this scene in particular.
 fn account(report: &mut Report, extent: &Extent, troubles: &Troubles) {
-    let cut = if extent.boxed {
-        "cut to the render box"
-    } else if extent.cut == extent.region {
-        "cut to twice the bounds of what has an end and of the faces around it"
-    } else {
-        "cut to 32 times the bounds of what has an end and of the faces around it"
-    };
     for _ in 0..troubles.endless {
-        let fidelity = Fidelity::Approximate(cut.to_owned());
+        let fidelity = Fidelity::Approximate(extent.cut_off());
         report.count("parts without end", fidelity, "");
     }
     for _ in 0..troubles.uncut {

@@ -44,8 +44,8 @@ pub struct File {
 
 impl Collector {
     /// Adds what is seen of a piece, with edges no longer than `grain` where it has a texture, and elsewhere no longer
-    /// than that or than they are from the eye: single precision mistakes places on large triangles. Where the render box cuts it,
-    /// it is open.
+    /// than that or than they are from the eye: single precision mistakes places on large triangles. Where the
+    /// render box cuts it, it is open.
     pub fn add(&mut self, piece: &Piece, skins: &[Skin], graph: &Graph, grain: f64, eye: Vec3) {
         let far = |p: Vec3| length(sub(p, eye)).max(grain);
         let mut labels: Vec<u32> = piece.mesh.labels.clone();
