@@ -157,7 +157,7 @@ pub fn compare(
     }
     let Output { extent, frame, .. } = translation;
     let all = extent
-        .cut
+        .region
         .hull(&Aabb::new(camera.position, camera.position));
     let largest = |corners: [Vec3; 2]| {
         let coordinates = corners.as_flattened().iter();
