@@ -11,9 +11,9 @@ use std::ops::{Add, Mul};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::sync::Once;
 
+use super::flush::{self, aligned};
 use super::soup::Mesh;
-use crate::scene::vector::{cross, dot, sub};
-use crate::scene::{Matrix, Vec3};
+use crate::scene::Matrix;
 
 /// What two solids make.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,113 +60,36 @@ pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed>
     let (of_a, of_b) = (a.volume(), b.volume());
     let size = a.bounds().radius().max(b.bounds().radius());
     let (a, b, back) = &aligned(a, b, size);
+    let finished = |mut mesh: Mesh| {
+        mesh.drop_thin(THINNEST * size);
+        if let Some(back) = back {
+            mesh.transform(back);
+        }
+        mesh
+    };
+    let attempt =
+        |b: &Mesh| attempt(a, b, operation).filter(|mesh| plausible(mesh, of_a, of_b, operation));
+    if let Some((moved, planes)) = flush::apart(a, b, size, operation)
+        && let Some(mut mesh) = attempt(&moved)
+    {
+        flush::put_back(&mut mesh, &planes, size);
+        return Ok(finished(mesh));
+    }
     // Faces in one place are what fails, if anything. By the size of the operands: each time more beyond
     // what points are rounded, and at last still a hundred-thousandth of the default tolerance.
-    const NUDGES: [f64; 4] = [0.0, 1e-11, -1e-9, 1e-8];
+    const NUDGES: [f64; 3] = [1e-11, -1e-9, 1e-8];
+    if let Some(mesh) = attempt(b) {
+        return Ok(finished(mesh));
+    }
     for nudge in NUDGES {
-        let moved;
-        let b = if nudge == 0.0 {
-            b
-        } else {
-            let mut other = b.clone();
-            let by = nudge * size;
-            other.transform(&Matrix::translation(by, 0.618 * by, -0.382 * by));
-            moved = other;
-            &moved
-        };
-        if let Some(mut mesh) = attempt(a, b, operation)
-            && plausible(&mesh, of_a, of_b, operation)
-        {
-            mesh.drop_thin(THINNEST * size);
-            if let Some(back) = back {
-                mesh.transform(back);
-            }
-            return Ok(mesh);
+        let mut other = b.clone();
+        let by = nudge * size;
+        other.transform(&Matrix::translation(by, 0.618 * by, -0.382 * by));
+        if let Some(mesh) = attempt(&other) {
+            return Ok(finished(mesh));
         }
     }
     Err(Failed)
-}
-
-/// Coordinates that are nearer to each other than this, by the size of the operands, are the same: they
-/// differ by what rotations were rounded, some tens of roundings.
-const ROUNDED: f64 = 1e-14;
-
-/// The two with the first one's faces along the axes, so that faces of both in one plane are in one
-/// plane of the numbers too; and the way back, if they were turned.
-fn aligned(a: &Mesh, b: &Mesh, size: f64) -> (Mesh, Mesh, Option<Matrix>) {
-    let (mut a, mut b) = (a.clone(), b.clone());
-    let turned = axes(&a);
-    if let Some(turned) = &turned {
-        let mut to = Matrix::IDENTITY;
-        let mut back = Matrix::IDENTITY;
-        for (i, axis) in turned.iter().enumerate() {
-            for (k, x) in axis.iter().enumerate() {
-                (to.0[i][k], back.0[k][i]) = (*x, *x);
-            }
-        }
-        a.transform(&to);
-        b.transform(&to);
-        snap(&mut a, &mut b, ROUNDED * size);
-        return (a, b, Some(back));
-    }
-    snap(&mut a, &mut b, ROUNDED * size);
-    (a, b, None)
-}
-
-/// The directions of a mesh's largest faces, at right angles; `None` where they are the axes, or there
-/// are no two such faces.
-fn axes(mesh: &Mesh) -> Option<[Vec3; 3]> {
-    let normal = |t: usize| {
-        let [a, b, c] = mesh.corners(t);
-        let n = cross(sub(b, a), sub(c, a));
-        (dot(n, n).sqrt(), n)
-    };
-    let largest = |wanted: &dyn Fn(f64, Vec3) -> bool| {
-        let mut best = (0.0, [0.0; 3]);
-        for t in 0..mesh.triangles.len() {
-            let (area, n) = normal(t);
-            if area > best.0 && wanted(area, n) {
-                best = (area, n);
-            }
-        }
-        (best.0 > 0.0).then(|| best.1.map(|x| x / best.0))
-    };
-    // At right angles, and along an axis, but for some roundings: of the sine, and of the cosine.
-    let first = largest(&|_, _| true)?;
-    let second = largest(&|area, n| dot(n, first).abs() < 1e-12 * area)?;
-    let along = |n: Vec3| n.iter().any(|x| x.abs() > 1.0 - 1e-15);
-    if along(first) && along(second) {
-        return None;
-    }
-    // At right angles as far as numbers go.
-    let k = dot(first, second);
-    let second = sub(second, first.map(|x| k * x));
-    let length = dot(second, second).sqrt();
-    let second = second.map(|x| x / length);
-    Some([first, second, cross(first, second)])
-}
-
-/// Makes coordinates that are within `least` of each other the same, axis by axis.
-fn snap(a: &mut Mesh, b: &mut Mesh, least: f64) {
-    for axis in 0..3 {
-        let points = a.points.iter().chain(&b.points);
-        let mut places: Vec<f64> = points.map(|p| p[axis]).collect();
-        places.sort_unstable_by(f64::total_cmp);
-        let mut from = f64::NEG_INFINITY;
-        places.retain(|&x| {
-            let new = x - from > least;
-            if new {
-                from = x;
-            }
-            new
-        });
-        for p in a.points.iter_mut().chain(&mut b.points) {
-            let next = places.partition_point(|&x| x <= p[axis]);
-            if let Some(&place) = next.checked_sub(1).and_then(|i| places.get(i)) {
-                p[axis] = place;
-            }
-        }
-    }
 }
 
 fn attempt(a: &Mesh, b: &Mesh, operation: Operation) -> Option<Mesh> {
@@ -272,6 +195,7 @@ fn plausible(mesh: &Mesh, a: f64, b: f64, operation: Operation) -> bool {
 mod tests {
     use super::super::shape::flat::cuboid;
     use super::*;
+    use crate::scene::vector::{cross, dot, sub};
 
     #[test]
     fn panics_are_answers() {
@@ -302,6 +226,27 @@ mod tests {
                 })
                 .sum();
             assert!((area - (0.49 + 4.0 * 0.35)).abs() < 1e-9, "{area}");
+        }
+    }
+
+    #[test]
+    fn a_hollow_is_open_where_what_closes_it_is_cut_off() {
+        for (angle, axis) in [(0.0, 0), (30.0, 0), (30.0, 1), (77.7, 2)] {
+            let mut block = cuboid([-1.4; 3], [1.4; 3]);
+            block.transform(&Matrix::rotation(angle, axis));
+            let mut hollow = cuboid([-0.5, -0.5, -0.5], [0.5, 1.0, 0.5]);
+            hollow.label_all(7);
+            let left = combine(&block, &hollow, Operation::Difference).unwrap();
+            let half = cuboid([-2.0, -2.0, -2.0], [2.0, 1.0, 2.0]);
+            let made = combine(&left, &half, Operation::Intersection).unwrap();
+            // Nothing lies across the opening.
+            let lids = (0..made.triangles.len()).filter(|&t| {
+                let corners = made.corners(t);
+                let middle = [0, 2].map(|i| corners.iter().map(|p| p[i]).sum::<f64>() / 3.0);
+                corners.iter().all(|p| (p[1] - 1.0).abs() < 1e-9)
+                    && middle.iter().all(|x| x.abs() < 0.5)
+            });
+            assert_eq!(lids.count(), 0, "{angle} {axis}");
         }
     }
 

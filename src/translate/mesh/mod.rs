@@ -12,6 +12,7 @@ pub mod corners;
 mod crowds;
 mod csg;
 mod extent;
+mod flush;
 pub mod glb;
 mod material;
 pub mod obj;

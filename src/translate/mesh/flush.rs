@@ -1,0 +1,224 @@
+//! Faces of two meshes that lie in one plane: in one plane of the numbers too, and then a hair apart.
+//!
+//! A library that has to say which of them is in front goes by the normals of the corners, which are those
+//! of all faces around them: beside a notch they may say one thing at one corner and another at the next.
+
+use super::csg::Operation;
+use super::soup::Mesh;
+use crate::scene::vector::{cross, dot, sub};
+use crate::scene::{Matrix, Vec3};
+
+/// Coordinates that are nearer to each other than this, by the size of the operands, are the same: they
+/// differ by what rotations were rounded, some tens of roundings.
+const ROUNDED: f64 = 1e-14;
+
+/// Normals of length 1, and offsets by the size of the operands, that are nearer than this are the same:
+/// the normals of narrow triangles are rounded by more.
+const SAME: f64 = 1e-13;
+
+/// The two with the faces that lie in one plane along the axes, so that they are in one plane of the
+/// numbers too; and the way back, if they were turned.
+pub fn aligned(a: &Mesh, b: &Mesh, size: f64) -> (Mesh, Mesh, Option<Matrix>) {
+    let turned = axes(a, b, size);
+    let (mut a, mut b) = (a.clone(), b.clone());
+    let mut way_back = None;
+    if let Some(turned) = &turned {
+        let mut to = Matrix::IDENTITY;
+        let mut back = Matrix::IDENTITY;
+        for (i, axis) in turned.iter().enumerate() {
+            for (k, x) in axis.iter().enumerate() {
+                (to.0[i][k], back.0[k][i]) = (*x, *x);
+            }
+        }
+        a.transform(&to);
+        b.transform(&to);
+        way_back = Some(back);
+    }
+    snap(&mut a, &mut b, ROUNDED * size);
+    (a, b, way_back)
+}
+
+/// The directions of the largest faces of `a` that lie in the plane of a face of `b`, at right angles, the
+/// second that of any face where only one is shared; `None` where they are the axes, or there are no such
+/// faces.
+fn axes(a: &Mesh, b: &Mesh, size: f64) -> Option<[Vec3; 3]> {
+    let mut planes: Vec<Plane> = planes_of(a, size).map(|(_, p)| p).collect();
+    planes.sort_by(|p, q| q.area.total_cmp(&p.area));
+    let others = sorted(b, size);
+    let shared = |p: &&Plane| [**p, p.reversed()].iter().any(|p| p.is_among(&others));
+    let first = planes.iter().find(shared)?.normal;
+    let mut upright = planes.iter().filter(|p| dot(p.normal, first).abs() < SAME);
+    let second = upright.clone().find(shared).or_else(|| upright.next());
+    let second = second.map_or_else(|| across(first), |p| p.normal);
+    let along = |n: Vec3| n.iter().any(|x| x.abs() > 1.0 - 1e-15);
+    if along(first) && along(second) {
+        return None;
+    }
+    // At right angles as far as numbers go.
+    let k = dot(first, second);
+    let second = sub(second, first.map(|x| k * x));
+    let length = dot(second, second).sqrt();
+    let second = second.map(|x| x / length);
+    Some([first, second, cross(first, second)])
+}
+
+/// A direction at right angles to another one: an axis if there is one.
+fn across(n: Vec3) -> Vec3 {
+    let least = (0..3).min_by(|&i, &k| n[i].abs().total_cmp(&n[k].abs()));
+    let mut axis = [0.0; 3];
+    axis[least.unwrap_or(0)] = 1.0;
+    let at = cross(n, axis);
+    let length = dot(at, at).sqrt();
+    at.map(|x| x / length)
+}
+
+/// The plane of a triangle.
+#[derive(Debug, Clone, Copy)]
+pub struct Plane {
+    /// Of length 1.
+    normal: Vec3,
+    /// How far from the origin it is along the normal, by the size of the operands.
+    offset: f64,
+    area: f64,
+}
+
+/// The planes of all triangles that have one, with the triangle's number.
+fn planes_of(mesh: &Mesh, size: f64) -> impl Iterator<Item = (usize, Plane)> {
+    (0..mesh.triangles.len()).filter_map(move |t| {
+        let [a, b, c] = mesh.corners(t);
+        let n = cross(sub(b, a), sub(c, a));
+        let area = dot(n, n).sqrt();
+        let normal = n.map(|x| x / area);
+        let offset = dot(normal, a) / size;
+        let plane = Plane {
+            normal,
+            offset,
+            area,
+        };
+        offset.is_finite().then_some((t, plane))
+    })
+}
+
+impl Plane {
+    /// One number, much the same for planes that are.
+    fn key(&self) -> f64 {
+        dot(self.normal, [0.618, 0.277, 0.151]) + 0.414 * self.offset
+    }
+
+    fn same(&self, other: &Plane) -> bool {
+        let near = |x: f64, y: f64| (x - y).abs() < SAME;
+        near(self.offset, other.offset) && (0..3).all(|i| near(self.normal[i], other.normal[i]))
+    }
+
+    fn reversed(&self) -> Plane {
+        Plane {
+            normal: self.normal.map(|x| -x),
+            offset: -self.offset,
+            area: self.area,
+        }
+    }
+
+    /// Whether one of these, in the order of their keys, is the same.
+    fn is_among(&self, planes: &[Plane]) -> bool {
+        // The parts of the key add up to less than two.
+        let key = self.key();
+        let from = planes.partition_point(|p| p.key() < key - 2.0 * SAME);
+        let near = planes[from..]
+            .iter()
+            .take_while(|p| p.key() < key + 2.0 * SAME);
+        near.into_iter().any(|p| self.same(p))
+    }
+}
+
+/// Makes coordinates that are within `least` of each other the same, axis by axis.
+fn snap(a: &mut Mesh, b: &mut Mesh, least: f64) {
+    for axis in 0..3 {
+        let points = a.points.iter().chain(&b.points);
+        let mut places: Vec<f64> = points.map(|p| p[axis]).collect();
+        places.sort_unstable_by(f64::total_cmp);
+        let mut from = f64::NEG_INFINITY;
+        places.retain(|&x| {
+            let new = x - from > least;
+            if new {
+                from = x;
+            }
+            new
+        });
+        for p in a.points.iter_mut().chain(&mut b.points) {
+            let next = places.partition_point(|&x| x <= p[axis]);
+            if let Some(&place) = next.checked_sub(1).and_then(|i| places.get(i)) {
+                p[axis] = place;
+            }
+        }
+    }
+}
+
+/// Planes further apart than these are not moved: faces in so many belong to round things.
+const MOST: usize = 16;
+
+/// By how much faces are moved, by the size of the operands: far more than points are rounded, and a
+/// millionth of the default tolerance.
+const HAIR: f64 = 1e-11;
+
+/// `b` with its faces in planes of faces of `a` a hair further on or back, so that what is meant by the
+/// operation is left: nothing between things that touch if they are joined, nothing of what they share if it
+/// is a face, and no skin where a tool ends where the solid does. And the planes, which are to be
+/// [put back](put_back). `None` if there is nothing to move.
+pub fn apart(a: &Mesh, b: &Mesh, size: f64, operation: Operation) -> Option<(Mesh, Vec<Plane>)> {
+    let (of_a, of_b) = (sorted(a, size), sorted(b, size));
+    let wanted = |p: &Plane| {
+        let (alike, against) = (p.is_among(&of_a), p.reversed().is_among(&of_a));
+        let right = match operation {
+            Operation::Difference => alike && !against,
+            Operation::Intersection => against,
+            Operation::Union => against && !alike,
+        };
+        right && !p.reversed().is_among(&of_b)
+    };
+    let planes: Vec<Plane> = of_b.iter().copied().filter(wanted).collect();
+    if planes.is_empty() || planes.len() > MOST {
+        return None;
+    }
+    let by = match operation {
+        Operation::Intersection => -HAIR * size,
+        _ => HAIR * size,
+    };
+    let mut on = vec![[false; MOST]; b.points.len()];
+    for (t, plane) in planes_of(b, size) {
+        let Some(k) = planes.iter().position(|p| p.same(&plane)) else {
+            continue;
+        };
+        for corner in b.triangles[t] {
+            on[corner as usize][k] = true;
+        }
+    }
+    let mut moved = b.clone();
+    for (point, on) in moved.points.iter_mut().zip(on) {
+        for (plane, _) in planes.iter().zip(on).filter(|(_, on)| *on) {
+            for (x, n) in point.iter_mut().zip(plane.normal) {
+                *x += by * n;
+            }
+        }
+    }
+    Some((moved, planes))
+}
+
+/// Brings what was moved by [`apart`] back.
+pub fn put_back(mesh: &mut Mesh, planes: &[Plane], size: f64) {
+    for point in &mut mesh.points {
+        for plane in planes {
+            let off = dot(plane.normal, *point) - plane.offset * size;
+            if off.abs() < 2.0 * HAIR * size {
+                *point = sub(*point, plane.normal.map(|n| off * n));
+            }
+        }
+    }
+}
+
+/// The planes of a mesh, each once, in the order of their keys.
+fn sorted(mesh: &Mesh, size: f64) -> Vec<Plane> {
+    let mut planes: Vec<Plane> = planes_of(mesh, size).map(|(_, p)| p).collect();
+    planes.sort_by(|p, q| p.key().total_cmp(&q.key()));
+    planes.dedup_by(|p, q| p.same(q));
+    planes
+}
