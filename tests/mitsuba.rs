@@ -177,6 +177,24 @@ fn a_pit_is_open_where_the_solid_is_cut_off() {
     }
 }
 
+/// A bite out of two solids that overlap: where it is in both, it looks as it does in the first.
+#[test]
+fn a_bite_out_of_two_is_seen_in_the_first() {
+    let pair = "2 12 -1 -1 -1 0.5 1 1\n2 -701 0.2 0.5 0.9\n\
+                3 12 -0.5 -0.8 -0.8 1.5 1.2 1.2\n3 -701 0.9 0.3 0.1\n";
+    for (name, order) in [("one", "2 3"), ("other", "3 2")] {
+        let text = format!(
+            "{pair}4 -101 {order}\n5 11 0.2 0.8 1.2 0.9\n6 -103 4 5\n\
+             9 -501 0 2 6 0 -0.3 -1 0 1 0 40\n1 9999 6 0\n"
+        );
+        let loaded = Loaded::new("scene", text.into_bytes());
+        let seen = compare(&format!("bite_{name}"), &loaded, Path::new("."));
+        println!("{name}: {}", figures(&seen));
+        assert_eq!(seen.wrong, 0, "{name}: {}", figures(&seen));
+        assert!(seen.meshes.pixels > 500, "{name}: {}", figures(&seen));
+    }
+}
+
 /// Who owns what where media meet, and what is on the other side of a boundary.
 #[test]
 fn media_have_their_neighbours() {

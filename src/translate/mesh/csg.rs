@@ -11,7 +11,7 @@ use std::ops::{Add, Mul};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::sync::Once;
 
-use super::flush::{self, aligned};
+use super::flush::{self, Aligned, aligned};
 use super::soup::Mesh;
 use crate::scene::Matrix;
 
@@ -59,8 +59,11 @@ impl Mul<f64> for Tag {
 pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed> {
     let (of_a, of_b) = (a.volume(), b.volume());
     let size = a.bounds().radius().max(b.bounds().radius());
-    let (a, b, back) = &aligned(a, b, size);
+    let Aligned { a, b, shared, back } = &aligned(a, b, size);
     let finished = |mut mesh: Mesh| {
+        if *shared && operation != Operation::Difference {
+            flush::first_seen(&mut mesh, a, size);
+        }
         mesh.drop_thin(THINNEST * size);
         if let Some(back) = back {
             mesh.transform(back);
@@ -69,7 +72,8 @@ pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed>
     };
     let attempt =
         |b: &Mesh| attempt(a, b, operation).filter(|mesh| plausible(mesh, of_a, of_b, operation));
-    if let Some((moved, planes)) = flush::apart(a, b, size, operation)
+    if *shared
+        && let Some((moved, planes)) = flush::apart(a, b, size, operation)
         && let Some(mut mesh) = attempt(&moved)
     {
         flush::put_back(&mut mesh, &planes, size);

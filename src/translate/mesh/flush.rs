@@ -4,6 +4,7 @@
 //! of all faces around them: beside a notch they may say one thing at one corner and another at the next.
 
 use super::csg::Operation;
+use super::shape::DROPPED;
 use super::soup::Mesh;
 use crate::scene::vector::{cross, dot, sub};
 use crate::scene::{Matrix, Vec3};
@@ -16,44 +17,67 @@ const ROUNDED: f64 = 1e-14;
 /// the normals of narrow triangles are rounded by more.
 const SAME: f64 = 1e-13;
 
-/// The two with the faces that lie in one plane along the axes, so that they are in one plane of the
-/// numbers too; and the way back, if they were turned.
-pub fn aligned(a: &Mesh, b: &Mesh, size: f64) -> (Mesh, Mesh, Option<Matrix>) {
-    let turned = axes(a, b, size);
+/// As near are a triangle and what is left of it when its sides were cut, even where that is narrow.
+const CUT: f64 = 1e-9;
+
+/// Two meshes whose faces in one plane are in one plane of the numbers.
+pub struct Aligned {
+    pub a: Mesh,
+    pub b: Mesh,
+    /// There are such faces.
+    pub shared: bool,
+    /// From where they are now to where they were, if they were turned.
+    pub back: Option<Matrix>,
+}
+
+/// Turns the two so that faces that lie in one plane are along the axes, and makes coordinates the same that
+/// differ by roundings.
+pub fn aligned(a: &Mesh, b: &Mesh, size: f64) -> Aligned {
     let (mut a, mut b) = (a.clone(), b.clone());
-    let mut way_back = None;
-    if let Some(turned) = &turned {
+    let axes = axes(&a, &b, size);
+    let mut back = None;
+    if let Some(axes) = axes.filter(|axes| !axes.iter().all(is_along)) {
         let mut to = Matrix::IDENTITY;
-        let mut back = Matrix::IDENTITY;
-        for (i, axis) in turned.iter().enumerate() {
+        let mut from = Matrix::IDENTITY;
+        for (i, axis) in axes.iter().enumerate() {
             for (k, x) in axis.iter().enumerate() {
-                (to.0[i][k], back.0[k][i]) = (*x, *x);
+                (to.0[i][k], from.0[k][i]) = (*x, *x);
             }
         }
         a.transform(&to);
         b.transform(&to);
-        way_back = Some(back);
+        back = Some(from);
     }
     snap(&mut a, &mut b, ROUNDED * size);
-    (a, b, way_back)
+    Aligned {
+        a,
+        b,
+        shared: axes.is_some(),
+        back,
+    }
+}
+
+/// Whether a direction is along an axis, but for some roundings.
+fn is_along(n: &Vec3) -> bool {
+    n.iter().any(|x| x.abs() > 1.0 - 1e-15)
 }
 
 /// The directions of the largest faces of `a` that lie in the plane of a face of `b`, at right angles, the
-/// second that of any face where only one is shared; `None` where they are the axes, or there are no such
-/// faces.
+/// second that of any face where only one is shared; `None` where none is.
 fn axes(a: &Mesh, b: &Mesh, size: f64) -> Option<[Vec3; 3]> {
-    let mut planes: Vec<Plane> = planes_of(a, size).map(|(_, p)| p).collect();
-    planes.sort_by(|p, q| q.area.total_cmp(&p.area));
     let others = sorted(b, size);
-    let shared = |p: &&Plane| [**p, p.reversed()].iter().any(|p| p.is_among(&others));
-    let first = planes.iter().find(shared)?.normal;
-    let mut upright = planes.iter().filter(|p| dot(p.normal, first).abs() < SAME);
-    let second = upright.clone().find(shared).or_else(|| upright.next());
-    let second = second.map_or_else(|| across(first), |p| p.normal);
-    let along = |n: Vec3| n.iter().any(|x| x.abs() > 1.0 - 1e-15);
-    if along(first) && along(second) {
-        return None;
-    }
+    let shared = |p: &Plane| [*p, p.reversed()].iter().any(|p| p.is_among(&others));
+    let largest = |wanted: &dyn Fn(&Plane) -> bool| {
+        let planes = planes_of(a, size).map(|(_, p)| p).filter(wanted);
+        planes
+            .max_by(|p, q| p.area.total_cmp(&q.area))
+            .map(|p| p.normal)
+    };
+    let first = largest(&shared)?;
+    let upright = |p: &Plane| dot(p.normal, first).abs() < SAME;
+    let second = largest(&|p| upright(p) && shared(p))
+        .or_else(|| largest(&upright))
+        .unwrap_or_else(|| across(first));
     // At right angles as far as numbers go.
     let k = dot(first, second);
     let second = sub(second, first.map(|x| k * x));
@@ -80,6 +104,8 @@ pub struct Plane {
     /// How far from the origin it is along the normal, by the size of the operands.
     offset: f64,
     area: f64,
+    /// One number, much the same for planes that are.
+    key: f64,
 }
 
 /// The planes of all triangles that have one, with the triangle's number.
@@ -94,19 +120,20 @@ fn planes_of(mesh: &Mesh, size: f64) -> impl Iterator<Item = (usize, Plane)> {
             normal,
             offset,
             area,
+            // The parts of it add up to less than two.
+            key: dot(normal, [0.618, 0.277, 0.151]) + 0.414 * offset,
         };
         offset.is_finite().then_some((t, plane))
     })
 }
 
 impl Plane {
-    /// One number, much the same for planes that are.
-    fn key(&self) -> f64 {
-        dot(self.normal, [0.618, 0.277, 0.151]) + 0.414 * self.offset
+    fn same(&self, other: &Plane) -> bool {
+        self.near(other, SAME)
     }
 
-    fn same(&self, other: &Plane) -> bool {
-        let near = |x: f64, y: f64| (x - y).abs() < SAME;
+    fn near(&self, other: &Plane, within: f64) -> bool {
+        let near = |x: f64, y: f64| (x - y).abs() < within;
         near(self.offset, other.offset) && (0..3).all(|i| near(self.normal[i], other.normal[i]))
     }
 
@@ -115,17 +142,17 @@ impl Plane {
             normal: self.normal.map(|x| -x),
             offset: -self.offset,
             area: self.area,
+            key: -self.key,
         }
     }
 
     /// Whether one of these, in the order of their keys, is the same.
     fn is_among(&self, planes: &[Plane]) -> bool {
-        // The parts of the key add up to less than two.
-        let key = self.key();
-        let from = planes.partition_point(|p| p.key() < key - 2.0 * SAME);
+        let key = self.key;
+        let from = planes.partition_point(|p| p.key < key - 2.0 * SAME);
         let near = planes[from..]
             .iter()
-            .take_while(|p| p.key() < key + 2.0 * SAME);
+            .take_while(|p| p.key < key + 2.0 * SAME);
         near.into_iter().any(|p| self.same(p))
     }
 }
@@ -215,10 +242,48 @@ pub fn put_back(mesh: &mut Mesh, planes: &[Plane], size: f64) {
     }
 }
 
+/// Gives triangles that lie in those of `a` the labels of these: of faces in one place the first one's is
+/// seen. What has been dropped stays so.
+pub fn first_seen(mesh: &mut Mesh, a: &Mesh, size: f64) {
+    let mut planes: Vec<(usize, Plane)> = planes_of(a, size)
+        .filter(|(t, _)| a.labels[*t] != DROPPED)
+        .collect();
+    planes.sort_unstable_by(|(_, p), (_, q)| p.key.total_cmp(&q.key));
+    let looks: Vec<(usize, Plane)> = planes_of(mesh, size).collect();
+    for (t, plane) in looks {
+        if mesh.labels[t] == DROPPED {
+            continue;
+        }
+        let middle = centre(&mesh.corners(t));
+        let key = plane.key;
+        let from = planes.partition_point(|(_, p)| p.key < key - 2.0 * CUT);
+        let near = planes[from..]
+            .iter()
+            .take_while(|(_, p)| p.key < key + 2.0 * CUT);
+        let mut there = near.filter(|(i, p)| p.near(&plane, CUT) && holds(a, *i, p, middle));
+        if let Some((i, _)) = there.next() {
+            mesh.labels[t] = a.labels[*i];
+        }
+    }
+}
+
+fn centre(corners: &[Vec3; 3]) -> Vec3 {
+    std::array::from_fn(|i| corners.iter().map(|p| p[i] / 3.0).sum())
+}
+
+/// Whether a point in the plane of a triangle is in it.
+fn holds(mesh: &Mesh, t: usize, plane: &Plane, point: Vec3) -> bool {
+    let corners = mesh.corners(t);
+    (0..3).all(|i| {
+        let (from, to) = (corners[i], corners[(i + 1) % 3]);
+        dot(cross(sub(to, from), sub(point, from)), plane.normal) >= 0.0
+    })
+}
+
 /// The planes of a mesh, each once, in the order of their keys.
 fn sorted(mesh: &Mesh, size: f64) -> Vec<Plane> {
     let mut planes: Vec<Plane> = planes_of(mesh, size).map(|(_, p)| p).collect();
-    planes.sort_by(|p, q| p.key().total_cmp(&q.key()));
+    planes.sort_unstable_by(|p, q| p.key.total_cmp(&q.key));
     planes.dedup_by(|p, q| p.same(q));
     planes
 }
