@@ -149,3 +149,29 @@ fn three_in_one_place() {
                 103 -1 0.5 0 -0.5\n105 1 2 0.75 0 0.75 0.75\n105 -299 12 21\n105 -1 0.5 0.25 -0.25\n";
     agrees("three", &parts(body, &[102, 103, 105], [-1.04, 1.37, 5.45]));
 }
+
+/// A dome on a plate that is thinner than it: made longer for the plate, it does not come out below.
+#[test]
+fn domes_on_thin_plates() {
+    let plate = "101 12 -1 -0.12 -0.8 1 0 0.8\n101 -299 14 21\n";
+    let dome = "103 9 0.5\n104 4 0 -1 0 0\n105 -102 103 104\n105 -299 12 22\n";
+    for (name, place) in [
+        ("straight", ""),
+        ("turned", "105 -2 90 2\n105 -1 -0.2 0 0\n"),
+        ("flat", "105 -3 1.2 0.5 1\n"),
+        ("very_flat", "105 -3 1.2 0.08 1\n"),
+    ] {
+        let body = format!("{plate}{dome}{place}");
+        agrees(&format!("dome_{name}"), &parts(&body, &[101, 105], EYE));
+    }
+}
+
+/// Two opaque boxes of different looks that end in one plane, only the first of them beside glass.
+#[test]
+fn level_tops_beside_glass() {
+    let body = "101 1 2 0.75 0 0.75 0.5\n101 -299 11 20\n101 -1 -0.5 0 -0.75\n\
+                102 12 -0.375 0 -0.5 0.375 0.75 0.5\n102 -299 11 23\n102 -2 30 2\n102 -1 0.75 0 0\n\
+                103 12 -0.375 0 -0.25 0.375 0.75 0.25\n103 -299 14 23\n103 -2 30 2\n103 -1 0.75 0 0.25\n";
+    let eye = [-1.23, 2.07, 5.04];
+    agrees("level", &parts(body, &[101, 102, 103], eye));
+}

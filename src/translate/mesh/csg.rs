@@ -62,7 +62,7 @@ pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed>
     let Aligned { a, b, shared, back } = &aligned(a, b, size);
     let finished = |mut mesh: Mesh| {
         if *shared && operation != Operation::Difference {
-            flush::first_seen(&mut mesh, a, size);
+            flush::first_seen(&mut mesh, a, b, size);
         }
         mesh.drop_thin(THINNEST * size);
         if let Some(back) = back {

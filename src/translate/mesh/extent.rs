@@ -41,10 +41,12 @@ impl Extent {
 
     /// Where parts without end are cut off, in words.
     pub fn cut_off(&self) -> String {
-        let times = match () {
-            () if self.boxed => return "cut to the render box".to_owned(),
-            () if self.cut == self.region => AROUND,
-            () => AROUND * FLAT,
+        if self.boxed {
+            return "cut to the render box".to_owned();
+        }
+        let times = match self.cut == self.region {
+            true => AROUND,
+            false => AROUND * FLAT,
         };
         format!("cut to {times} times the bounds of what has an end and of the faces around it")
     }

@@ -150,10 +150,10 @@ impl Plane {
     fn is_among(&self, planes: &[Plane]) -> bool {
         let key = self.key;
         let from = planes.partition_point(|p| p.key < key - 2.0 * SAME);
-        let near = planes[from..]
+        let mut near = planes[from..]
             .iter()
             .take_while(|p| p.key < key + 2.0 * SAME);
-        near.into_iter().any(|p| self.same(p))
+        near.any(|p| self.same(p))
     }
 }
 
@@ -180,25 +180,29 @@ fn snap(a: &mut Mesh, b: &mut Mesh, least: f64) {
     }
 }
 
-/// Planes further apart than these are not moved: faces in so many belong to round things.
+/// More planes than this are not moved: they belong to round things.
 const MOST: usize = 16;
 
 /// By how much faces are moved, by the size of the operands: far more than points are rounded, and a
-/// millionth of the default tolerance.
+/// hundred-millionth of the default tolerance.
 const HAIR: f64 = 1e-11;
 
 /// `b` with its faces in planes of faces of `a` a hair further on or back, so that what is meant by the
-/// operation is left: nothing between things that touch if they are joined, nothing of what they share if it
-/// is a face, and no skin where a tool ends where the solid does. And the planes, which are to be
-/// [put back](put_back). `None` if there is nothing to move.
+/// operation is left: nothing of what the two have in common if that is a face, and no skin where a tool ends
+/// where the solid does. And the planes, which are to be [put back](put_back). `None` if there is nothing to
+/// move.
 pub fn apart(a: &Mesh, b: &Mesh, size: f64, operation: Operation) -> Option<(Mesh, Vec<Plane>)> {
+    let by = match operation {
+        Operation::Union => return None,
+        Operation::Intersection => -HAIR * size,
+        Operation::Difference => HAIR * size,
+    };
     let (of_a, of_b) = (sorted(a, size), sorted(b, size));
     let wanted = |p: &Plane| {
         let (alike, against) = (p.is_among(&of_a), p.reversed().is_among(&of_a));
-        let right = match operation {
-            Operation::Difference => alike && !against,
-            Operation::Intersection => against,
-            Operation::Union => against && !alike,
+        let right = match by < 0.0 {
+            true => against,
+            false => alike && !against,
         };
         right && !p.reversed().is_among(&of_b)
     };
@@ -206,10 +210,6 @@ pub fn apart(a: &Mesh, b: &Mesh, size: f64, operation: Operation) -> Option<(Mes
     if planes.is_empty() || planes.len() > MOST {
         return None;
     }
-    let by = match operation {
-        Operation::Intersection => -HAIR * size,
-        _ => HAIR * size,
-    };
     let mut on = vec![[false; MOST]; b.points.len()];
     for (t, plane) in planes_of(b, size) {
         let Some(k) = planes.iter().position(|p| p.same(&plane)) else {
@@ -242,27 +242,38 @@ pub fn put_back(mesh: &mut Mesh, planes: &[Plane], size: f64) {
     }
 }
 
-/// Gives triangles that lie in those of `a` the labels of these: of faces in one place the first one's is
-/// seen. What has been dropped stays so.
-pub fn first_seen(mesh: &mut Mesh, a: &Mesh, size: f64) {
+/// So many times triangles are compared with others in their planes at most.
+const PATIENCE: usize = 4_000_000;
+
+/// Gives triangles of what was made of `a` and `b` the labels of those of `a` that they lie in: of faces in one
+/// place the first one's is seen. What has been dropped stays so, and what is beyond patience.
+pub fn first_seen(mesh: &mut Mesh, a: &Mesh, b: &Mesh, size: f64) {
+    let both = a.bounds().intersection(&b.bounds());
+    let slack = CUT * size;
+    let is_shared =
+        |p: Vec3| (0..3).all(|i| both.min[i] - slack <= p[i] && p[i] <= both.max[i] + slack);
     let mut planes: Vec<(usize, Plane)> = planes_of(a, size)
         .filter(|(t, _)| a.labels[*t] != DROPPED)
         .collect();
     planes.sort_unstable_by(|(_, p), (_, q)| p.key.total_cmp(&q.key));
-    let looks: Vec<(usize, Plane)> = planes_of(mesh, size).collect();
-    for (t, plane) in looks {
-        if mesh.labels[t] == DROPPED {
+    let made: Vec<(usize, Plane)> = planes_of(mesh, size).collect();
+    let mut compared = 0;
+    for (t, plane) in made {
+        let middle = centre(&mesh.corners(t));
+        if mesh.labels[t] == DROPPED || !is_shared(middle) {
             continue;
         }
-        let middle = centre(&mesh.corners(t));
         let key = plane.key;
         let from = planes.partition_point(|(_, p)| p.key < key - 2.0 * CUT);
         let near = planes[from..]
             .iter()
             .take_while(|(_, p)| p.key < key + 2.0 * CUT);
-        let mut there = near.filter(|(i, p)| p.near(&plane, CUT) && holds(a, *i, p, middle));
-        if let Some((i, _)) = there.next() {
+        let mut near = near.inspect(|_| compared += 1);
+        if let Some((i, _)) = near.find(|(i, p)| p.near(&plane, CUT) && holds(a, *i, p, middle)) {
             mesh.labels[t] = a.labels[*i];
+        }
+        if compared > PATIENCE {
+            return;
         }
     }
 }

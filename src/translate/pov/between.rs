@@ -242,6 +242,7 @@ impl Builder<'_> {
         let Some(own) = non_empty(group.kind(), own) else {
             return (Vec::new(), None);
         };
+        let parts: Vec<NodeId> = group.nodes.iter().map(|n| n.0).collect();
         let mut pieces = Vec::new();
         let mut before: Vec<Piece> = Vec::new();
         for alike in sided.chunk_by(|a, b| a.seen == b.seen) {
@@ -257,7 +258,7 @@ impl Builder<'_> {
                     let group = &groups[third.earlier];
                     let has_skin = sided.iter().any(|m| m.later == third.earlier);
                     if !has_skin && (third.apart || group.transparent) {
-                        all.extend(self.bare(group, |_, _| None));
+                        all.extend(self.longer_into(group, &parts));
                     }
                 }
                 around.push(Piece::group(Group::Difference, all));
@@ -270,6 +271,15 @@ impl Builder<'_> {
         }
         let rest = non_empty(Group::Union, before).map(|by| clip(by, true));
         (pieces, rest)
+    }
+
+    /// A group's solids, longer where they have faces in one place with others that they are to be taken from.
+    fn longer_into(&mut self, group: &Members, others: &[NodeId]) -> Vec<Piece> {
+        let mut changes = HashMap::new();
+        for &(node, _) in &group.nodes {
+            changes.insert(node, self.reach(node, others).flush);
+        }
+        self.bare(group, |node, _| changes[&node])
     }
 
     /// A group without the opaque ones before it. Where it lies against those that it ends within it is

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::coplanar::Plane;
-use super::lengthen::{Cut, lengthened, with_ends_moved, with_planes_moved};
+use super::lengthen::{Cut, HAIR, lengthened, with_ends_moved, with_planes_moved};
 use super::matrices::Matrices;
 use super::offset::{offset, offset_profile, stretched};
 use crate::scene::{Aabb, Geometry, Matrix};
@@ -220,7 +220,7 @@ impl Changes {
             Change::Longer(Cut { around, by, most }) => {
                 let around = moved_back(around, m)?;
                 let most = match most.is_finite() {
-                    true => most * stretched(m)?,
+                    true => most * stretched(m).unwrap_or_else(|| shortest(m)),
                     false => most,
                 };
                 Change::Longer(Cut { around, by, most })
@@ -281,10 +281,24 @@ pub fn moved_back(b: Aabb, m: &Matrix) -> Option<Aabb> {
         let (Some(j), None) = (along.next(), along.next()) else {
             continue;
         };
-        let ends = [b.min[j], b.max[j]].map(|x| row[j] * x + row[3]);
+        let ends = [b.min[j], b.max[j]].map(|x| {
+            let end = row[j] * x + row[3];
+            // What is left of larger numbers is what they were rounded.
+            if end.abs() <= HAIR * row[3].abs() {
+                0.0
+            } else {
+                end
+            }
+        });
         (out.min[i], out.max[i]) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
     }
     (out != Aabb::ALL).then_some(out)
+}
+
+/// What a length of 1 is at least in the coordinates that a matrix leads away from.
+fn shortest(m: &Matrix) -> f64 {
+    let rows = m.0.iter().take(3).flat_map(|row| &row[..3]);
+    1.0 / rows.map(|x| x * x).sum::<f64>().sqrt()
 }
 
 #[cfg(test)]
@@ -295,6 +309,15 @@ mod tests {
         min: [-1.0, 0.0, -1.0],
         max: [1.0, 2.0, 1.0],
     };
+
+    #[test]
+    fn ends_through_the_origin_go_back_there() {
+        // As boxes are rounded, that of a dome whose flat face goes through the origin of its own coordinates.
+        let low = 0.5f64.next_down().next_down();
+        let b = Aabb::new([-1.0, low, -1.0], [1.0, 2.0, 1.0]);
+        let b = moved_back(b, &Matrix::translation(0.0, 0.5, 0.5)).unwrap();
+        assert_eq!((b.min[1], b.max[1]), (0.0, 1.5));
+    }
 
     #[test]
     fn ends_stay_where_the_axes_do() {

@@ -187,6 +187,8 @@ impl Builder<'_> {
                     let length = own.max[axis] - own.min[axis];
                     if room.holds(&thing, axis, below) {
                         cut.by = cut.by.min(PART * depth / length);
+                        // Half-spaces have no length.
+                        cut.most = cut.most.min(PART * depth);
                         free = cut;
                         stand.held.push(named);
                     } else if by > 0.0 {

@@ -155,7 +155,7 @@ impl Builder<'_> {
 
     /// The opaque ones among solids that are seen into where earlier ones that light goes through have the
     /// face, since they overlap or lie against them, if there are faces of others to be seen in them; and
-    /// those of their medium there.
+    /// those of their medium there, with which they are one.
     fn opened(&self, solids: &Operands, kinds: &[Kind]) -> BTreeSet<usize> {
         let boxes: Vec<Aabb> = solids.iter().map(|(node, _)| self.box_of(*node)).collect();
         let touch = |i: usize, j: usize| boxes[i].touches(&boxes[j]);
@@ -165,10 +165,10 @@ impl Builder<'_> {
                 continue;
             }
             let alike = |j: &usize| kinds[i].0.is_some() && kinds[i].0 == kinds[*j].0;
-            let before: Vec<usize> = (0..i).filter(|j| alike(j) && touch(i, *j)).collect();
-            if !before.is_empty() || (i + 1..solids.len()).any(|j| touch(i, j)) {
+            let others = (0..solids.len()).filter(|j| *j != i && touch(i, *j));
+            if others.clone().any(|j| j > i || alike(&j)) {
                 opened.insert(i);
-                opened.extend(before);
+                opened.extend(others.filter(alike));
             }
         }
         opened
