@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::campaign::rng::Rng;
 use crate::lint_generated::scenes;
+use crate::support::seeds;
 use zpg::commands::Loaded;
 use zpg::scene::Scene;
 use zpg::trace::vec::Vec3;
@@ -158,12 +159,8 @@ fn the_gallery_is_closed_and_in_its_place() {
 #[test]
 fn random_scenes_are_closed_and_in_their_place() {
     // More of them on request: MESH_SEEDS=0..1000.
-    let range = std::env::var("MESH_SEEDS").ok().and_then(|s| {
-        let (a, b) = s.split_once("..")?;
-        Some(a.parse().ok()?..b.parse().ok()?)
-    });
     let (mut failed, mut reported, mut n) = (Vec::new(), 0, 0);
-    for seed in range.unwrap_or(0..24u64) {
+    for seed in seeds("MESH_SEEDS", 0..24) {
         let loaded = Loaded::new("scene", scenes::scene(seed).into_bytes());
         let tracer = tracer(&loaded.scene, Path::new("."));
         let model = model(&loaded.scene, &tracer.graph, &Options::default()).unwrap();

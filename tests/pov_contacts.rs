@@ -1,7 +1,12 @@
 //! Scenes with round numbers in POV-Ray and in our tracer: things of glass and others that stand on one another,
 //! overlap, fill each other and end in the same planes.
 
-use crate::support::compare::agrees;
+mod things;
+
+use std::path::Path;
+
+use crate::support::compare::{agrees, compare};
+use crate::support::{povray, seeds};
 use zpg::commands::Loaded;
 
 /// Glass of three kinds, two opaque materials, one that light goes through straight on.
@@ -174,4 +179,30 @@ fn level_tops_beside_glass() {
                 103 12 -0.375 0 -0.25 0.375 0.75 0.25\n103 -299 14 23\n103 -2 30 2\n103 -1 0.75 0 0.25\n";
     let eye = [-1.23, 2.07, 5.04];
     agrees("level", &parts(body, &[101, 102, 103], eye));
+}
+
+/// Things of all sorts on a grid keep to the bar. `CONTACT_SEEDS=0..200` chooses others; benches/README.md says
+/// what came of these.
+#[test]
+fn things_on_a_grid() {
+    let mut bad = Vec::new();
+    for seed in seeds("CONTACT_SEEDS", 0..6) {
+        let text = things::scene(seed, LOOKS);
+        let loaded = Loaded::new("things", text.clone().into_bytes());
+        assert!(loaded.sound, "{seed}: {:?}", loaded.diagnostics);
+        let name = format!("grid_{seed}");
+        let path = povray::folder().join(format!("{name}.zpg"));
+        std::fs::write(path, &text).unwrap();
+        for outcome in compare(&name, &loaded.scene, Path::new("."), (96, 72)) {
+            let share = 100.0 * outcome.differing.share_off_silhouettes;
+            println!(
+                "{name:>8}: {share:6.3} % wrong, {} total reflection",
+                outcome.total_reflection
+            );
+            if share > 0.05 {
+                bad.push(name.clone());
+            }
+        }
+    }
+    assert!(bad.is_empty(), "{bad:?}");
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::lint_generated::scenes;
 use crate::support;
 use support::compare::{agrees, compare, nearly_agrees};
+use support::seeds;
 use zpg::commands::Loaded;
 use zpg::translate::{Fidelity, pov};
 
@@ -734,11 +735,10 @@ const KNOWN: [&str; 7] = [
 /// Random scenes agree where the report says that all is exact. `POV_SEEDS=1..60` chooses others.
 #[test]
 fn random() {
-    let seeds = std::env::var("POV_SEEDS").unwrap_or("1..16".to_owned());
-    let (from, to) = seeds.split_once("..").unwrap();
+    let range = seeds("POV_SEEDS", 1..16);
     let (mut bad, mut exact) = (Vec::new(), 0);
     // In the last ones a solid is met with what it was taken from or with itself, or with nothing.
-    for seed in (from.parse::<u64>().unwrap()..to.parse().unwrap()).chain([189, 267, 291]) {
+    for seed in range.chain([189, 267, 291]) {
         let text = scenes::scene(seed);
         let loaded = Loaded::new("scene.zpg", text.clone().into());
         assert!(loaded.sound, "{:?}", loaded.diagnostics);

@@ -159,6 +159,15 @@ impl Changes {
         }
     }
 
+    /// By how much a solid is larger all around.
+    pub fn larger_by(&self, number: u32) -> f64 {
+        match self.get(number) {
+            Change::Offset(by) => by.max(0.0),
+            Change::Both(a, b) => self.larger_by(a).max(self.larger_by(b)),
+            _ => 0.0,
+        }
+    }
+
     /// How thick a sheet is to one side by a change, and of which index, if it is a plate.
     pub fn plate(&self, number: u32) -> Option<(f64, u32)> {
         match self.get(number) {

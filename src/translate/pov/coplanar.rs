@@ -52,6 +52,14 @@ impl Plane {
         length(sub(self.n, other.n)) <= SAME && (self.d - other.d).abs() <= SAME * size
     }
 
+    /// So far out.
+    fn moved(&self, by: f64) -> Plane {
+        Plane {
+            d: self.d - by,
+            ..*self
+        }
+    }
+
     fn turned(&self) -> Plane {
         Plane {
             n: self.n.map(|x| -x),
@@ -146,7 +154,14 @@ impl Builder<'_> {
         }
         // Those that are seen first, first.
         faces.sort_by_key(|f| (!f.sheet, f.part));
-        let mut heights = vec![0.0; faces.len()];
+        // Some parts are larger as a whole.
+        let larger: Vec<f64> = (faces.iter())
+            .map(|face| match parts[face.part].1.flush {
+                Some(flush) if !face.cut => self.changes.larger_by(flush),
+                _ => 0.0,
+            })
+            .collect();
+        let mut heights = larger.clone();
         for a in (0..faces.len()).rev() {
             for b in a + 1..faces.len() {
                 let pair = [a, b].map(|face: usize| faces[face].part);
@@ -160,7 +175,10 @@ impl Builder<'_> {
         }
         let mut moved: HashMap<usize, Vec<(Plane, f64)>> = HashMap::new();
         let mut sheets: HashMap<usize, f64> = HashMap::new();
-        for (face, height) in faces.iter().zip(heights).filter(|(_, h)| *h > 0.0) {
+        for ((face, height), larger) in faces.iter().zip(heights).zip(larger) {
+            if height <= larger {
+                continue;
+            }
             if height > HIGH * self.hair {
                 self.faces_in_one_place(self.ids[parts[face.part].0 as usize]);
             } else if face.sheet {
@@ -170,7 +188,7 @@ impl Builder<'_> {
                 moved
                     .entry(face.part)
                     .or_default()
-                    .push((face.plane, height));
+                    .push((face.plane.moved(larger), height - larger));
             }
         }
         for (i, (_, state)) in parts.iter_mut().enumerate() {
