@@ -35,6 +35,7 @@ mod pov_scenes;
 mod pov_shapes;
 mod pre_commit;
 mod probe;
+mod projections;
 mod random_lines;
 mod recovery;
 mod render_output;
@@ -42,6 +43,7 @@ mod robustness;
 mod sarif;
 mod shapes_doubt;
 mod shapes_quadrics;
+mod surfaces;
 mod trace_pictures;
 mod trace_solids;
 

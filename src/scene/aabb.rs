@@ -1,5 +1,6 @@
 //! Axis-aligned boxes whose sides may be infinitely far away.
 
+use super::vector::length;
 use super::{Matrix, Vec3};
 
 /// The points between `min` and `max`, faces included. A box with `min` above `max` in some
@@ -93,7 +94,7 @@ impl Aabb {
     /// Half the diagonal of a finite box that is not empty: the radius of the sphere around it.
     pub fn radius(&self) -> f64 {
         let half: Vec3 = std::array::from_fn(|i| self.max[i] / 2.0 - self.min[i] / 2.0);
-        half[0].hypot(half[1]).hypot(half[2])
+        length(half)
     }
 
     /// A box around the image under an affine matrix: interval arithmetic, row by row, rounded

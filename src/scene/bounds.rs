@@ -1,5 +1,6 @@
 //! Where the nodes of a scene can be: boxes that are never too small.
 
+use super::vector::length;
 use super::{Aabb, Geometry, Matrix, Node, Scene, Vec3};
 
 /// The bounds of a node, in its own coordinates.
@@ -138,7 +139,7 @@ impl Hull<'_> {
     /// the image of its centre.
     fn ellipsoid(&mut self, centre: Vec3, axes: Vec3) {
         self.add(centre, |r| {
-            (r[0] * axes[0]).hypot(r[1] * axes[1]).hypot(r[2] * axes[2])
+            length([r[0] * axes[0], r[1] * axes[1], r[2] * axes[2]])
         });
     }
 
@@ -150,7 +151,7 @@ impl Hull<'_> {
     /// The Minkowski sum of a circle about the y axis and a ball.
     fn torus(&mut self, major: f64, minor: f64) {
         self.add([0.0; 3], |r| {
-            major * r[0].hypot(r[2]) + minor * r[0].hypot(r[1]).hypot(r[2])
+            major * libm::hypot(r[0], r[2]) + minor * length([r[0], r[1], r[2]])
         });
     }
 

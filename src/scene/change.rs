@@ -19,8 +19,7 @@ impl Resolver<'_> {
                 }
             }
             -99 => {
-                let m = Matrix::from_rows(&p.numbers(0));
-                let m = geometry::invertible(p, m, &mut self.out);
+                let m = geometry::projection(p, &mut self.out);
                 if let (Some(m), Some(State::Camera(c))) = (m, self.entities.get_mut(&p.id)) {
                     c.projection = Some(m);
                 }

@@ -91,8 +91,7 @@ impl Resolver<'_> {
             -301 | -302 | -399 => self.texture(p).map(|t| State::Texture(Box::new(t))),
             -701 => Some(State::Colour(p.numbers(0))),
             -99 => {
-                let m = Matrix::from_rows(&p.numbers(0));
-                let m = geometry::invertible(p, m, &mut self.out)?;
+                let m = geometry::projection(p, &mut self.out)?;
                 Some(State::Camera(Box::new(super::camera::projecting(p.id, m))))
             }
             _ => None,

@@ -35,8 +35,8 @@ pub fn automatic_camera(scene: &Scene, bounds: &[NodeBounds], aspect: f64) -> Ca
     };
     let radius = if radius > 0.0 { radius } else { 1.0 };
     let vertical = (AUTOMATIC_FOVY / 2.0).to_radians();
-    let horizontal = (vertical.tan() * aspect).atan();
-    let distance = MARGIN * radius / vertical.min(horizontal).sin();
+    let horizontal = libm::atan(libm::tan(vertical) * aspect);
+    let distance = MARGIN * radius / libm::sin(vertical.min(horizontal));
     Camera {
         id: 0,
         position: [centre[0], centre[1], centre[2] + distance],
@@ -89,6 +89,11 @@ impl Basis {
             right,
             up: cross(right, forward),
         })
+    }
+
+    /// A vector of the camera's space (right, up, backwards) in the scene's.
+    pub fn turned(&self, v: Vec3) -> Vec3 {
+        std::array::from_fn(|i| self.right[i] * v[0] + self.up[i] * v[1] - self.forward[i] * v[2])
     }
 }
 

@@ -1,6 +1,7 @@
 //! Shape records as geometry, with the checks that concern several parameters at once.
 
 use super::record::Params;
+use super::sight::{Blind, Sight};
 use super::{Geometry, Matrix, TriangleNormals};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 
@@ -169,11 +170,32 @@ pub fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     invertible(p, m, out)
 }
 
+/// The matrix of a -99 record: E204 unless it can be inverted, E207 unless it has a ray for every
+/// point of the picture.
+pub fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+    let m = Matrix::from_rows(&p.numbers(0));
+    match Sight::of(&m) {
+        Ok(_) => Some(m),
+        Err(Blind::Singular) => {
+            singular(p, out);
+            None
+        }
+        Err(Blind::InPart) => {
+            out.push(Diagnostic::new(Code::E207, p.span_of(0, 16)).case("projection"));
+            None
+        }
+    }
+}
+
 /// E204 unless the matrix can be inverted.
-pub fn invertible(p: &Params, m: Matrix, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+fn invertible(p: &Params, m: Matrix, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     if m.inverse().is_some() {
         return Some(m);
     }
-    out.push(Diagnostic::new(Code::E204, p.span_of(0, 16)).with("type", Value::Term(p.ty.title)));
+    singular(p, out);
     None
+}
+
+fn singular(p: &Params, out: &mut Vec<Diagnostic>) {
+    out.push(Diagnostic::new(Code::E204, p.span_of(0, 16)).with("type", Value::Term(p.ty.title)));
 }

@@ -1,5 +1,7 @@
 //! 4×4 matrices that act on column vectors.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 /// A 4×4 matrix, row by row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Matrix(pub [[f64; 4]; 4]);
@@ -157,14 +159,29 @@ impl Matrix {
 }
 
 /// Sine and cosine of an angle in degrees, exact at multiples of 90°.
+///
+/// Whole turns, and then quarter turns, are taken off without rounding, so that angles that are the
+/// same, such as 80° and −280°, have the same sines to the bit, and those of an angle and its negative
+/// differ in their signs alone.
 fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
     let turn = degrees % 360.0;
-    match turn {
-        0.0 => (0.0, 1.0),
-        90.0 | -270.0 => (1.0, 0.0),
-        180.0 | -180.0 => (0.0, -1.0),
-        270.0 | -90.0 => (-1.0, 0.0),
-        _ => turn.to_radians().sin_cos(),
+    let mut quarters = (turn / 90.0).round();
+    let mut rest = turn - 90.0 * quarters;
+    // 45° is taken for 90° − 45°, whether it comes as 45° or as −315°.
+    if rest >= 45.0 {
+        (quarters, rest) = (quarters + 1.0, rest - 90.0);
+    } else if rest < -45.0 {
+        (quarters, rest) = (quarters - 1.0, rest + 90.0);
+    }
+    let (sin, cos) = match rest {
+        -45.0 => (-FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+        _ => libm::sincos(rest.to_radians()),
+    };
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
     }
 }
 
@@ -186,6 +203,52 @@ mod tests {
         assert_eq!(
             Matrix::rotation(90.0, 2).point([1.0, 0.0, 0.0]),
             [0.0, 1.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn the_same_angle_is_the_same_matrix() {
+        let bits = |degrees: f64, axis| {
+            Matrix::rotation(degrees, axis)
+                .0
+                .map(|r| r.map(f64::to_bits))
+        };
+        let mut seed = 7u64;
+        let mut angles: Vec<f64> = (-720..=720).map(f64::from).collect();
+        angles.extend((0..2000).map(|_| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            // Multiples of 2⁻³² that are the same after whole turns, exactly.
+            (seed >> 32) as f64 / (1u64 << 23) as f64 - 256.0
+        }));
+        angles.extend([
+            45.0,
+            -45.0,
+            135.0,
+            45.0f64.next_down(),
+            45.0 + 64.0 * f64::EPSILON,
+        ]);
+        for angle in angles {
+            for turns in [-720.0, -360.0, 360.0, 1080.0] {
+                let other = angle + turns;
+                if other - turns == angle && other - angle == turns {
+                    for axis in 0..3 {
+                        assert_eq!(bits(angle, axis), bits(other, axis), "{angle} {other}");
+                    }
+                }
+            }
+            let there = Matrix::rotation(angle, 0).0;
+            let back = Matrix::rotation(-angle, 0).0;
+            for (i, j) in [(1, 1), (1, 2), (2, 1), (2, 2)] {
+                assert_eq!(there[i][j], back[j][i], "{angle}");
+            }
+            // Against the platform's functions, within their rounding and that of the radians.
+            let (sin, cos) = (angle % 360.0).to_radians().sin_cos();
+            assert!((there[2][1] - sin).abs() < 4e-15 && (there[1][1] - cos).abs() < 4e-15);
+        }
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        assert_eq!(
+            Matrix::rotation(-315.0, 2).point([1.0, 0.0, 0.0]),
+            [half, half, 0.0]
         );
     }
 

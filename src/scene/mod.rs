@@ -21,6 +21,7 @@ mod proposals;
 pub(crate) mod record;
 mod references;
 mod resolve;
+pub mod sight;
 pub mod vector;
 
 pub use aabb::Aabb;

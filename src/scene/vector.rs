@@ -25,7 +25,7 @@ pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
 
 /// The length, however large or small the components.
 pub fn length(a: Vec3) -> f64 {
-    a[0].hypot(a[1]).hypot(a[2])
+    libm::hypot(libm::hypot(a[0], a[1]), a[2])
 }
 
 /// The direction of a vector, whatever its length; `None` where it has none.

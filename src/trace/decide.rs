@@ -36,6 +36,9 @@ trait Question {
 
     /// An answer in another kind of number.
     fn cast<R: Precision>(answer: Self::Answer<Dd>) -> Self::Answer<R>;
+
+    /// The answer about what two rays are both in.
+    fn common<R: Precision>(answers: [Self::Answer<R>; 2]) -> Self::Answer<R>;
 }
 
 impl<'t, R: Precision> Walkers<'t, R> {
@@ -99,9 +102,38 @@ impl<'t, R: Precision> Walkers<'t, R> {
     }
 }
 
-/// The final answer. Where some surface cannot be told from the one that the ray has left, it is
-/// asked once more: the crossing with the latter is a better place to start than the rounded origin.
+/// The final answer. Where the ray lies in a flat face, it is within what is on both sides of the face:
+/// a line that lies in a surface does not cross it, and between two boxes face to face is no gap.
 fn settled<Q: Question, R: Precision>(
+    question: &Q,
+    tracer: &Tracer,
+    walker: &mut Walker<R>,
+    ray: &Ray<R>,
+) -> Q::Answer<R> {
+    let answer = asked_closely(question, tracer, walker, ray);
+    let Some(along) = walker.verdict.along else {
+        return answer;
+    };
+    // Far above what double-double rounds, and far below what doubles can tell.
+    let shift =
+        along.normal.cast::<R>() * (R::of(along.reach) * R::ROUNDOFF.sqrt() * R::of(BESIDE));
+    let answers = [shift, -shift].map(|shift| {
+        let mut beside = *ray;
+        beside.line.origin = ray.line.origin + shift;
+        asked_closely(question, tracer, walker, &beside)
+    });
+    walker.verdict.uncertain = true;
+    Q::common(answers)
+}
+
+/// How far beside a face a ray is asked about that lies in it, in parts of the root of the unit
+/// roundoff, 2⁻⁵¹ for double-double.
+const BESIDE: f64 = 1.0 / (1u64 << 24) as f64;
+
+/// The answer of numbers that are final. Where some surface cannot be told from the one that the ray
+/// has left, it is asked once more: the crossing with the latter is a better place to start than the
+/// rounded origin.
+fn asked_closely<Q: Question, R: Precision>(
     question: &Q,
     tracer: &Tracer,
     walker: &mut Walker<R>,
@@ -185,6 +217,12 @@ impl<const GLASS: bool> Question for FirstHit<GLASS> {
     fn cast<R: Precision>(answer: Option<Hit<Dd>>) -> Option<Hit<R>> {
         answer.map(|hit| hit.cast())
     }
+
+    /// The later of the two: before that the ray is not in both.
+    fn common<R: Precision>([a, b]: [Option<Hit<R>>; 2]) -> Option<Hit<R>> {
+        let (a, b) = (a?, b?);
+        Some(if b.t > a.t { b } else { a })
+    }
 }
 
 /// Whether the origin is in a solid.
@@ -200,6 +238,10 @@ impl Question for Holds {
 
     fn cast<R: Precision>(answer: bool) -> bool {
         answer
+    }
+
+    fn common<R: Precision>([a, b]: [bool; 2]) -> bool {
+        a && b
     }
 }
 
@@ -220,6 +262,10 @@ impl Question for Meets {
 
     fn cast<R: Precision>(answer: Probe<Dd>) -> Probe<R> {
         answer.cast()
+    }
+
+    fn common<R: Precision>([a, b]: [Probe<R>; 2]) -> Probe<R> {
+        a.common(b)
     }
 }
 
@@ -261,5 +307,10 @@ impl<const GLASS: bool> Question for Visibility<GLASS> {
 
     fn cast<R: Precision>(answer: Vec3) -> Vec3 {
         answer
+    }
+
+    /// Light that gets by on either side gets by.
+    fn common<R: Precision>([a, b]: [Vec3; 2]) -> Vec3 {
+        a.zip(b, f64::max)
     }
 }

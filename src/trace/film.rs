@@ -2,6 +2,7 @@
 
 use crate::scene::Rgb;
 use std::io::{self, Write};
+use std::sync::LazyLock;
 
 /// A picture of linear RGB, row by row from the top.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,15 +22,35 @@ pub fn developed(colour: Rgb) -> [f32; 3] {
     })
 }
 
-/// The sRGB transfer function (IEC 61966-2-1), to 8 bits, with what is out of range clipped.
-pub fn srgb8(linear: f32) -> u8 {
-    let x = f64::from(linear).clamp(0.0, 1.0);
+/// The sRGB transfer function (IEC 61966-2-1) of a number from 0 to 1, to 8 bits.
+fn encoded(x: f64) -> u8 {
     let y = if x <= 0.003_130_8 {
         12.92 * x
     } else {
-        1.055 * x.powf(1.0 / 2.4) - 0.055
+        1.055 * libm::pow(x, 1.0 / 2.4) - 0.055
     };
     (y * 255.0).round() as u8
+}
+
+/// The least numbers that are encoded as 1, 2, … 255.
+static STEPS: LazyLock<[f32; 255]> = LazyLock::new(|| {
+    std::array::from_fn(|i| {
+        // Numbers that are not negative are in the order of their bits.
+        let (mut below, mut least) = (0, 1f32.to_bits());
+        while least - below > 1 {
+            let middle = below + (least - below) / 2;
+            match usize::from(encoded(f64::from(f32::from_bits(middle)))) > i {
+                true => least = middle,
+                false => below = middle,
+            }
+        }
+        f32::from_bits(least)
+    })
+});
+
+/// The sRGB transfer function (IEC 61966-2-1), to 8 bits, with what is out of range clipped.
+pub fn srgb8(linear: f32) -> u8 {
+    STEPS.partition_point(|&step| step <= linear) as u8
 }
 
 /// A PNG of 8-bit sRGB, from rows of red, green and blue from the top.

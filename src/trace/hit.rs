@@ -2,7 +2,7 @@
 
 use super::nearest::Search;
 use super::precision::{Doubt, Precision};
-use super::ray::{Left, Ray};
+use super::ray::{Left, Line, Ray};
 use super::shapes::Root;
 use super::shapes::support::Passage;
 use super::spans::{Kind, State};
@@ -79,6 +79,45 @@ impl<R: Precision> Hit<R> {
             passage: self.passage,
         }
     }
+}
+
+/// A shading normal in the scene's space, made a unit vector on the side of the geometric normal. One
+/// that lies in the surface is of no side, and the geometric one stands for it; so it does where there
+/// are no numbers for it.
+///
+/// A stretch may take the two to different sides of each other, so that only the scene's space tells.
+fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
+    /// The cosine up to which a normal may lie in the surface and be off because it was transformed.
+    const ROUNDED: f64 = 16.0 * f64::EPSILON;
+    let shading = shading.unit();
+    let cosine = shading.dot(normal);
+    if !shading.is_finite() || !shading.any() || cosine.abs() <= R::of(ROUNDED) {
+        normal
+    } else if cosine > R::ZERO {
+        shading
+    } else {
+        -shading
+    }
+}
+
+/// The sizes of the terms of a line's point at t: |oᵢ| + |t dᵢ|.
+fn terms<R: Precision>(line: &Line<R>, t: R) -> Vec3<R> {
+    line.origin.abs() + (line.direction * t).abs()
+}
+
+/// The point of a line at t, where a point found on the surface is farther from it than it is rounded.
+///
+/// A shape moves the point onto its surface in its own space, which takes away what is rounded across
+/// the surface. A map that stretches turns what is rounded along the one axis there into more than
+/// the line's own point is rounded by.
+fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec3<R>> {
+    /// In units of the last place.
+    const MOST: f64 = 4.0;
+    let on_line = line.at(t);
+    let most = terms(line, t) * (R::of(2.0 * MOST) * R::ROUNDOFF);
+    let off = (point - on_line).abs();
+    let strays = (0..3).any(|i| off[i] > most[i]);
+    (strays && on_line.is_finite()).then_some(on_line)
 }
 
 impl<R: Precision> Walker<'_, R> {
@@ -169,12 +208,15 @@ impl<R: Precision> Walker<'_, R> {
         });
         let normal = normal.unit();
         // The corner of the error box that is farthest along the normal.
-        let skin = normal.abs().dot(error);
+        let mut skin = normal.abs().dot(error);
+        if let Some(on_line) = strayed(point, &ray.line, root.t) {
+            point = on_line;
+            skin = self.skin_on_line(ray, leaf, &line, root, normal);
+        }
         if !(point.is_finite() && skin.is_finite() && normal.is_finite() && normal.any()) {
             return None;
         }
-        let shading = shading.filter(|n| n.is_finite() && n.any());
-        let shading = shading.map_or(normal, Vec3::unit);
+        let shading = shading.map_or(normal, |n| beside(n, normal));
         let optics = self.graph.optics[self.optics(owner) as usize];
         let colour = self.colour(owner, leaf, point.cast(), local, root.face);
         debug_assert!(root.t.is_finite() && shading.is_finite());
@@ -193,6 +235,25 @@ impl<R: Precision> Walker<'_, R> {
             skin,
             passage: self.passage(leaf, &line, (root.face, located.point)),
         })
+    }
+
+    /// A bound on how far the point of the ray at a crossing is from the true surface, whose unit normal
+    /// there is given: what the point is rounded by, and what its t may be off.
+    #[cold]
+    fn skin_on_line(
+        &self,
+        ray: &Ray<R>,
+        leaf: Leaf,
+        line: &Line<R>,
+        root: Root<R>,
+        normal: Vec3<R>,
+    ) -> R {
+        let rounded = terms(&ray.line, root.t) * R::gamma(3);
+        let mut off = self.error(leaf, line, root);
+        if R::DOUBT == Doubt::Merges {
+            off += self.misplaced(leaf, root);
+        }
+        normal.abs().dot(rounded) + off * normal.dot(ray.line.direction).abs()
     }
 
     /// Surface coordinates of a crossing of the shape `leaf`; `None` where there are no numbers for
@@ -237,5 +298,24 @@ impl<R: Precision> Walker<'_, R> {
                 None => DEFAULT_COLOUR,
             },
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shading_normals_are_on_the_geometric_side() {
+        let up = Vec3::new(0.0, 0.0, 1.0);
+        let at = |x, y, z| beside(Vec3::new(x, y, z), up);
+        assert_eq!(at(0.0, 0.0, 4.0), up);
+        assert_eq!(at(3.0, 0.0, -4.0), Vec3::new(-0.6, 0.0, 0.8));
+        // Of no side, of no direction, and none at all.
+        assert_eq!(at(1.0, 0.0, 1e-16), up);
+        assert_eq!(at(0.0, 0.0, 0.0), up);
+        assert_eq!(at(f64::NAN, 0.0, 1.0), up);
+        // Flat, but of a side.
+        assert!(at(1.0, 0.0, -1e-14).dot(up) > 0.0 && at(1.0, 0.0, -1e-14)[0] == -1.0);
     }
 }

@@ -111,7 +111,7 @@ fn linear(encoded: f64) -> f64 {
     if encoded <= 0.04045 {
         encoded / 12.92
     } else {
-        ((encoded + 0.055) / 1.055).powf(2.4)
+        libm::pow((encoded + 0.055) / 1.055, 2.4)
     }
 }
 

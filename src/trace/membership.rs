@@ -4,28 +4,18 @@
 //! what lies below a node keep the walk away from occurrences that are elsewhere, and what a shared
 //! node has once answered for a point is not asked again.
 
-use super::dd::Dd;
-use super::ray::Line;
-use super::shapes::{Primitive, Roots};
+use super::affine::Affine;
+use super::shapes::Primitive;
 use super::vec::Vec3;
 use crate::diagnostics::{Complaint, Language, Span};
 use crate::scene::bounds::{NodeBounds, node_bounds};
-use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
+use crate::scene::{Aabb, Node, NodeId, Scene};
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 
 /// Answers beyond this many, besides a few for every node of the scene, are not sought: the point
 /// is then in the bounds of millions of occurrences of shared objects.
 const STEPS_MAX: usize = 1 << 22;
-
-/// The direction in which boundaries are counted, in the space of each shape. Any will do for a
-/// point off the boundary. A point on a face is found there unless the line runs along the face or
-/// touches it only: this one is not parallel to any face that is written with a few digits.
-pub(super) const DIRECTION: Vec3 = Vec3([
-    std::f64::consts::FRAC_1_SQRT_2,
-    std::f64::consts::FRAC_1_PI,
-    std::f64::consts::LN_2,
-]);
 
 /// The solids that hold a point.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -76,7 +66,6 @@ pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, U
         values: Vec::new(),
         tasks: Vec::new(),
         inside: BTreeSet::new(),
-        roots: Roots::default(),
     };
     let in_root = walk.run(root, point)?;
     Ok(Membership {
@@ -150,13 +139,12 @@ struct Walk<'a> {
     scene: &'a Scene,
     reach: Vec<Aabb>,
     ids: HashMap<NodeId, u32>,
-    inverses: HashMap<u32, Matrix>,
+    inverses: HashMap<u32, Affine>,
     primitives: HashMap<u32, Primitive>,
     answers: HashMap<Question, bool>,
     values: Vec<bool>,
     tasks: Vec<Task>,
     inside: BTreeSet<u32>,
-    roots: Roots,
 }
 
 impl Walk<'_> {
@@ -199,7 +187,7 @@ impl Walk<'_> {
                 }
                 Node::Shape(shape) => {
                     let id = super::compile::outermost(copy, scene.shapes[shape as usize].id);
-                    let holds = self.shape_holds(shape, point)?;
+                    let holds = self.shape_holds(shape, point);
                     self.answer(id, holds);
                     return Ok(());
                 }
@@ -259,13 +247,13 @@ impl Walk<'_> {
         let inverse = match self.inverses.get(&matrix) {
             Some(m) => *m,
             None => {
-                let inverse = self.scene.matrices[matrix as usize].inverse();
+                let inverse = Affine::new(&self.scene.matrices[matrix as usize]).inverse();
                 let inverse = inverse.ok_or_else(|| self.refusal("no-inverse"))?;
                 self.inverses.insert(matrix, inverse);
                 inverse
             }
         };
-        let point = Vec3(inverse.point(point.0));
+        let point = inverse.point(point);
         if point.is_finite() {
             Ok(point)
         } else {
@@ -273,27 +261,12 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether a point of its space is in a shape: from the number of boundaries on one side of it,
-    /// and on the boundary itself.
-    fn shape_holds(&mut self, shape: u32, point: Vec3) -> Result<bool, Unanswered> {
+    /// Whether a point of its space is in a shape, or on its boundary.
+    fn shape_holds(&mut self, shape: u32, point: Vec3) -> bool {
         let record = &self.scene.shapes[shape as usize];
-        if !record.geometry.is_solid() {
-            return Ok(false);
-        }
         let primitives = self.primitives.entry(shape);
         let primitive = primitives.or_insert_with(|| Primitive::new(&record.geometry));
-        self.roots.clear();
-        let line = Line::new(point, DIRECTION);
-        primitive.intersect().crossings(&line, &mut self.roots);
-        if self.roots.uncertain {
-            let mut exact = Roots::<Dd>::default();
-            primitive.intersect().crossings(&line.cast(), &mut exact);
-            self.roots = exact.cast();
-        }
-        let passed = self.roots.list.partition_point(|r| r.t <= 0.0);
-        let behind = self.roots.inside != (passed % 2 == 1);
-        let on_boundary = passed > 0 && self.roots.list[passed - 1].t == 0.0;
-        Ok(behind || on_boundary)
+        primitive.shape().holds(point)
     }
 
     fn refusal(&self, reason: &'static str) -> Unanswered {

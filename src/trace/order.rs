@@ -108,7 +108,7 @@ impl<R: Precision> Walker<'_, R> {
     /// the speed at which the ray goes through it. Twice, for where the surface bends away: it does
     /// so by less than that as long as the shape does not doubt that it is met. A place beyond the
     /// numbers has none: the ray ends there, and it is as far on as its t says.
-    fn error(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> R {
+    pub(super) fn error(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> R {
         let located = self.primitive(leaf).intersect().locate(line, root);
         let point = line.at(root.t);
         if !(point.is_finite() && located.point.is_finite()) {
@@ -126,7 +126,7 @@ impl<R: Precision> Walker<'_, R> {
     /// How far, in t, a leaf's surface may be from where the scene's numbers put it: the maps it is
     /// placed by are doubles, rounded where records were combined into one. Surfaces that are placed
     /// by one chain of maps are off together; between others nothing thinner than this is meant.
-    fn misplaced(&self, leaf: Leaf, root: Root<R>) -> R {
+    pub(super) fn misplaced(&self, leaf: Leaf, root: Root<R>) -> R {
         let line = self.line(leaf);
         let located = self.primitive(leaf).intersect().locate(&line, root);
         let mut point: Vec3 = located.point.cast();

@@ -52,6 +52,58 @@ impl<R: Precision> Probe<R> {
     }
 }
 
+impl<R: Precision> Probe<R> {
+    /// What two rays that run side by side, closer than doubles can tell, are both in.
+    pub(super) fn common(self, other: Probe<R>) -> Probe<R> {
+        let mut inside = [self.inside_at_origin, other.inside_at_origin];
+        let mut rest = [self.crossings, other.crossings].map(|c| c.into_iter().peekable());
+        let mut common = Probe {
+            inside_at_origin: inside == [true; 2],
+            crossings: Vec::new(),
+        };
+        // Of one place are crossings that doubles cannot tell apart.
+        let apart = |a: &Crossing<R>, b: &Crossing<R>| {
+            let (s, t) = (a.hit.t, b.hit.t);
+            (s - t).abs() > R::of(4.0 * f64::EPSILON) * s.abs().max(t.abs())
+        };
+        loop {
+            let [a, b] = &mut rest;
+            let both = match (a.peek(), b.peek()) {
+                (None, None) => break,
+                (Some(a), Some(b)) => !apart(a, b),
+                _ => false,
+            };
+            let first = match (a.peek(), b.peek()) {
+                (Some(a), Some(b)) => usize::from(b.hit.t < a.hit.t),
+                (None, _) => 1,
+                _ => 0,
+            };
+            let before = inside == [true; 2];
+            let mut found = None;
+            for i in (0..2).filter(|&i| both || i == first) {
+                let crossing = rest[i].next();
+                if let Some(crossing) = &crossing {
+                    inside[i] = crossing.hit.inside[1];
+                }
+                found = found.or(crossing);
+            }
+            let after = inside == [true; 2];
+            let Some(crossing) = found else { break };
+            // A sheet, or the boundary between two media, is there if it is on both sides.
+            if before != after {
+                let entering = Some(after);
+                common.crossings.push(Crossing {
+                    entering,
+                    ..crossing
+                });
+            } else if both && (crossing.entering.is_none() || before) {
+                common.crossings.push(crossing);
+            }
+        }
+        common
+    }
+}
+
 impl Tracer {
     /// What a ray meets in the region that is drawn: all crossings with t > 0, ascending, as if
     /// every surface let it through. The region itself is no surface. `walker` is its own, without
@@ -128,7 +180,10 @@ fn crossing<R: Precision>(
         hit.entering != turned
     };
     Some(Crossing {
-        hit,
+        hit: Hit {
+            inside: [before, event.state.inside],
+            ..hit
+        },
         normal: if turned { -hit.normal } else { hit.normal },
         uv,
         entering: solid.then_some(entering),

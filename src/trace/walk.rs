@@ -2,7 +2,6 @@
 
 use super::compile::outermost;
 use super::graph::{Coat, Graph, Operation, Part, Target};
-use super::membership::DIRECTION;
 use super::nearest::{Entry, Search};
 use super::number::Real;
 use super::order::{Scale, Start};
@@ -79,6 +78,17 @@ pub struct Verdict<R = f64> {
     pub skin_met: bool,
     /// Where the ray crosses the surface that it has left, if it does; in double-double only.
     pub start: Option<Start<R>>,
+    /// A flat face that the ray lies in.
+    pub along: Option<Along>,
+}
+
+/// A flat face that a ray lies in.
+#[derive(Debug, Clone, Copy)]
+pub struct Along {
+    /// Unit, in the scene's space.
+    pub normal: Vec3,
+    /// No number that it was found with is larger.
+    pub reach: f64,
 }
 
 /// Mixes a number into a key (the finaliser of splitmix64; Steele, Lea and Flood, 2014).
@@ -104,6 +114,7 @@ impl<R> Default for Verdict<R> {
             uncertain: false,
             skin_met: false,
             start: None,
+            along: None,
         }
     }
 }
@@ -116,11 +127,7 @@ fn lost_inside<R: Precision>(shape: &Primitive, line: &Line<R>) -> bool {
     if line.direction.any() || !line.direction.is_finite() || !line.origin.is_finite() {
         return false;
     }
-    let mut roots = Roots::default();
-    let anywhere = Line::new(line.origin, DIRECTION.cast());
-    shape.intersect().crossings(&anywhere, &mut roots);
-    let passed = roots.list.partition_point(|r| r.t <= R::ZERO);
-    shape.shape().is_solid() && roots.inside != (passed % 2 == 1)
+    shape.shape().holds(line.origin.cast())
 }
 
 impl<'g, R: Precision> Walker<'g, R> {
@@ -319,6 +326,9 @@ impl<'g, R: Precision> Walker<'g, R> {
         );
         self.counts.shape += 1;
         self.verdict.uncertain |= roots.uncertain;
+        if let Some(normal) = roots.along {
+            self.lies_along(leaf, &line, primitive, normal);
+        }
         let behind = match &roots.list[..] {
             [] => 0,
             _ => {
@@ -329,6 +339,23 @@ impl<'g, R: Precision> Walker<'g, R> {
         };
         self.roots = roots;
         behind
+    }
+
+    /// Notes that the ray lies in a flat face of a leaf's shape; the first one will do.
+    #[cold]
+    fn lies_along(&mut self, leaf: Leaf, line: &Line<R>, primitive: u32, mut normal: Vec3) {
+        self.climb(leaf, |_, placement| {
+            let back = &self.graph.placements[placement as usize].back;
+            normal = back.unit_normal(normal);
+        });
+        let origin = self.contexts[0].line.origin.abs().max_component();
+        let local =
+            line.origin.abs().max_component() + R::of(self.graph.extents[primitive as usize]);
+        let reach = origin.max(local).to_f64();
+        self.verdict.along.get_or_insert(Along {
+            normal: normal.unit(),
+            reach,
+        });
     }
 
     /// Notes a decision that is too close, and says whether to take what cannot be told apart for

@@ -310,6 +310,9 @@ E206-count = { $type }: počet bodů profilu nemůže být { $value }
 
 E207 = směr pohledu kamery a vektor „nahoru“ (up-vector) jsou rovnoběžné
     .label = mají určovat svislou rovinu obrazu
+E207-projection = pro část obrázku nemá tato projekční matice žádný paprsek
+    .label = není tam vidět nic, co je před kamerou
+    .help = kamera hledí proti ose z: poslední řádek perspektivy bývá 0 0 -1 0
 
 E208 = { $type }: { $parameter } nesmí být záporná
     .label = `{ $name }` je { $text }

@@ -301,6 +301,9 @@ E206-count = { $type-a } needs at least 2 points, not { $value }
 
 E207 = the camera's view direction and up vector are parallel
     .label = they must span the vertical plane of the picture
+E207-projection = this projection matrix has no ray for a part of the picture
+    .label = nothing in front of the camera is seen there
+    .help = the camera looks along −z: the last row of a perspective is usually 0 0 -1 0
 
 E208 = { $parameter } of the { $type } cannot be negative
     .label = `{ $name }` is { $text }

@@ -32,6 +32,7 @@ pub(super) fn decide_closer<R: Real>(
     decide(&line.closer(), &mut closer);
     roots.inside = closer.inside;
     roots.uncertain = closer.uncertain;
+    roots.along = closer.along;
     roots.list.clear();
     for Root { t, face } in closer.list {
         let t = R::of_parts(t.parts());

@@ -49,6 +49,10 @@ impl Shape for Cuboid {
         }
     }
 
+    fn holds(&self, point: Vec3) -> bool {
+        !self.flat && (0..3).all(|i| (self.min[i]..=self.max[i]).contains(&point[i]))
+    }
+
     fn support(&self, face: u32) -> Option<Support> {
         let end = [self.min, self.max][(face % 2) as usize];
         let axis = face as u8 / 2;
@@ -63,8 +67,7 @@ impl Shape for Cuboid {
 }
 
 impl<R: Real> Intersect<R> for Cuboid {
-    /// The box is closed: a line in the plane of a face does not cross that face, but it enters and
-    /// leaves the box through others. Thus boxes that lie face to face leave no gap between them.
+    /// A line in a face does not cross the box: see [`Roots::along`].
     ///
     /// Each t is rounded twice, t = (m − o)/d, so that near and far are off by at most γ₂ of
     /// themselves, and by 1/|d| of the drift for the greatest such factor of an axis. If they are
@@ -77,6 +80,7 @@ impl<R: Real> Intersect<R> for Cuboid {
         let mut near = (-R::INFINITY, 0);
         let mut far = (R::INFINITY, 0);
         let (mut beside, mut certain) = (false, true);
+        let mut within = false;
         let (min, max) = (self.min.cast::<R>(), self.max.cast::<R>());
         for i in 0..3 {
             let (o, d) = (line.origin[i], line.direction[i]);
@@ -85,6 +89,7 @@ impl<R: Real> Intersect<R> for Cuboid {
                 if drift == R::ZERO && beside {
                     return;
                 }
+                within |= o == min[i] || o == max[i];
                 certain &= drift == R::ZERO;
                 continue;
             }
@@ -116,6 +121,15 @@ impl<R: Real> Intersect<R> for Cuboid {
             );
             roots.uncertain = maybe != surely;
             meets = surely || (meets && maybe && !is_final::<R>());
+            if is_final::<R>() && maybe && !surely {
+                roots.along = self.along(line, drift);
+            }
+        }
+        if meets && within && drift == R::ZERO {
+            roots.along = self.along(line, drift);
+            // Only where decisions are final it is asked what lies against the face.
+            roots.uncertain = !is_final::<R>();
+            return;
         }
         if meets {
             roots.chord(near, far);
@@ -157,6 +171,26 @@ impl Cuboid {
     fn drift<R: Real>(&self, line: &Line<R>) -> R {
         let reach = R::of(self.reach);
         line.drift(reach) + parameter_error::<R>() * reach
+    }
+
+    /// The normal of the face that the line lies in, if it does; of two, one between theirs.
+    #[cold]
+    fn along<R: Real>(&self, line: &Line<R>, drift: R) -> Option<Vec3> {
+        // Any weights will do that are not equal: between two faces at right angles lies no third.
+        const WEIGHTS: [f64; 3] = [1.0, 0.75, 0.5];
+        let mut normal = Vec3::ZERO;
+        for i in 0..3 {
+            let beside = |side: f64| (line.origin[i] - R::of(side)).abs() <= drift;
+            if line.direction[i].abs() <= line.slack.direction {
+                let sides = [beside(self.min[i]), beside(self.max[i])];
+                normal[i] = match sides {
+                    [true, _] => -WEIGHTS[i],
+                    [_, true] => WEIGHTS[i],
+                    _ => 0.0,
+                };
+            }
+        }
+        normal.any().then_some(normal)
     }
 
     /// Whether the line as it is meets the box moved outwards by `by` on every side, or inwards, and

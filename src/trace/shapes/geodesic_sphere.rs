@@ -275,8 +275,17 @@ impl Shape for GeodesicSphere {
     /// Those of the sphere in the point's direction.
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         let p = point.unit();
-        let v = (-p[1]).clamp(-1.0, 1.0).acos() / PI;
-        [(-p[2]).atan2(p[0]).rem_euclid(TAU) / TAU, v]
+        let v = libm::acos((-p[1]).clamp(-1.0, 1.0)) / PI;
+        [libm::atan2(-p[2], p[0]).rem_euclid(TAU) / TAU, v]
+    }
+
+    /// The line through the centre and the point passes through facets, never along them.
+    fn holds(&self, point: Vec3) -> bool {
+        let line = Line::<Dd>::new(point.cast(), point.unit().cast());
+        let mut roots = Roots::default();
+        self.crossings(&line, &mut roots);
+        let span = (roots.list.first(), roots.list.last());
+        !point.any() || matches!(span, (Some(a), Some(b)) if a.t <= Dd::ZERO && Dd::ZERO <= b.t)
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -1,5 +1,6 @@
 //! The half-space.
 
+use super::inside::at_most_zero;
 use super::plane::{Plane, Way};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
@@ -46,6 +47,11 @@ impl Shape for HalfSpace {
         self.face.uv(point, face)
     }
 
+    fn holds(&self, point: Vec3) -> bool {
+        let face = &self.face;
+        at_most_zero(face.value(point), || face.value(point))
+    }
+
     fn support(&self, face: u32) -> Option<Support> {
         self.face.support(face)
     }
@@ -64,9 +70,10 @@ impl<R: Real> Intersect<R> for HalfSpace {
                 roots.inside = outwards;
                 roots.push(t, 0);
             }
-            Way::Along { behind, close } => {
-                roots.inside = behind;
+            Way::Along { side, close } => {
+                roots.inside = side.is_lt();
                 roots.uncertain |= close;
+                roots.along = side.is_eq().then(|| self.face.normal());
             }
         }
     }

@@ -13,6 +13,7 @@ mod doubt;
 mod facet;
 mod geodesic_sphere;
 mod half_space;
+mod inside;
 mod plane;
 pub mod quadric;
 mod rectangle;
@@ -47,6 +48,9 @@ pub struct Roots<R = f64> {
     /// A decision was closer than the rounding errors behind it: how many crossings there are, or
     /// their order, may be wrong.
     pub uncertain: bool,
+    /// The normal of a flat face that the line lies in. Such a line does not cross the solid; but
+    /// where another solid's face lies against this one, the line may be within the two together.
+    pub along: Option<Vec3>,
     pub list: Vec<Root<R>>,
 }
 
@@ -54,6 +58,7 @@ impl<R: Real> Roots<R> {
     pub fn clear(&mut self) {
         self.inside = false;
         self.uncertain = false;
+        self.along = None;
         self.list.clear();
     }
 
@@ -66,6 +71,7 @@ impl<R: Real> Roots<R> {
         Roots {
             inside: self.inside,
             uncertain: self.uncertain,
+            along: self.along,
             list: self.list.iter().map(cast).collect(),
         }
     }
@@ -127,7 +133,7 @@ pub trait Shape {
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2];
 
     /// The normal that light is reckoned with, where it differs from the geometric one: of any
-    /// length but zero, on the geometric normal's side.
+    /// length, on either side.
     fn shading_normal(&self, _point: Vec3, _face: u32) -> Option<Vec3> {
         None
     }
@@ -140,6 +146,12 @@ pub trait Shape {
     /// Whether it has an inside.
     fn is_solid(&self) -> bool {
         true
+    }
+
+    /// Whether a point of finite coordinates is in the solid or on its boundary, decided exactly on the
+    /// shape's numbers.
+    fn holds(&self, _point: Vec3) -> bool {
+        false
     }
 
     /// Whether no straight line between two points outside that starts away from the shape, from a

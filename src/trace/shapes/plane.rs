@@ -1,6 +1,7 @@
 //! The plane, a surface without inside.
 
 use super::doubt::{fits, is_final, parameter_error};
+use super::inside::Scalar;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
@@ -8,6 +9,7 @@ use crate::trace::number::Real;
 use crate::trace::ray::{Line, Slack};
 use crate::trace::shapes::support::Support;
 use crate::trace::vec::Vec3;
+use std::cmp::Ordering;
 
 /// ax + by + cz + d = 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +24,13 @@ impl Plane {
             normal: Vec3::new(a, b, c),
             d,
         }
+    }
+
+    /// ax + by + cz + d at a point.
+    pub(super) fn value<N: Scalar>(&self, point: Vec3) -> N {
+        (0..3).fold(N::of(self.d), |sum, i| {
+            sum + N::of(self.normal[i]) * N::of(point[i])
+        })
     }
 
     /// (a, b, c), of any length.
@@ -85,9 +94,9 @@ impl Shape for Plane {
 pub(super) enum Way<R> {
     /// It crosses the plane at t, maybe to the side that the normal points to.
     Across { t: R, outwards: bool },
-    /// It is parallel to the plane: in it or behind it, or in front; `close` if rounding may have
+    /// It is parallel to the plane: behind it (less), in it or in front; `close` if rounding may have
     /// decided which.
-    Along { behind: bool, close: bool },
+    Along { side: Ordering, close: bool },
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -229,13 +238,15 @@ fn judge<R: Real>(
             uncertain: !crosses,
         };
     }
-    // The plane is part of what is behind it.
     let touch = if is_final::<R>() { off } else { R::ZERO };
-    let sided = value.value.abs() > off || (value.zero && off == R::ZERO);
+    let side = match value.value.abs() <= touch {
+        true => Ordering::Equal,
+        false => value.value.partial_cmp(&R::ZERO).unwrap_or(Ordering::Equal),
+    };
     Meeting {
         way: Way::Along {
-            behind: value.value <= touch,
-            close: !sided,
+            side,
+            close: value.value.abs() <= off || value.value.is_nan(),
         },
         uncertain: !parallel,
     }

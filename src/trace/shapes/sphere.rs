@@ -1,6 +1,7 @@
 //! The sphere.
 
 use super::doubt::{fits, is_final, least, parameter_error};
+use super::inside::{Scalar, at_most_zero};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
@@ -28,6 +29,15 @@ impl Sphere {
     }
 }
 
+impl Sphere {
+    fn power_of<N: Scalar>(&self, point: Vec3) -> N {
+        let radius = N::of(self.radius);
+        (0..3).fold(-radius.square(), |sum, i| {
+            sum + (N::of(point[i]) - N::of(self.centre[i])).square()
+        })
+    }
+}
+
 impl Shape for Sphere {
     fn bounds(&self) -> Bounds {
         let r = Vec3::ONE * self.radius;
@@ -36,8 +46,13 @@ impl Shape for Sphere {
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         let p = point - self.centre;
-        let v = (-p[1] / self.radius).clamp(-1.0, 1.0).acos() / PI;
-        [(-p[2]).atan2(p[0]).rem_euclid(TAU) / TAU, v]
+        let v = libm::acos((-p[1] / self.radius).clamp(-1.0, 1.0)) / PI;
+        [libm::atan2(-p[2], p[0]).rem_euclid(TAU) / TAU, v]
+    }
+
+    /// |p − c|² − r².
+    fn holds(&self, point: Vec3) -> bool {
+        at_most_zero(self.power_of(point), || self.power_of(point))
     }
 
     fn support(&self, _: u32) -> Option<Support> {

@@ -179,7 +179,7 @@ fn in_one_line(a: &[[f64; 2]; 2], b: &[[f64; 2]; 2], off: f64) -> bool {
     let step = |[p, q]: &[[f64; 2]; 2]| [q[0] - p[0], q[1] - p[1]];
     let length = |ends| {
         let [w, h] = step(ends);
-        w.hypot(h)
+        libm::hypot(w, h)
     };
     let (long, short) = if length(a) < length(b) {
         (b, a)

@@ -13,6 +13,7 @@
 
 use super::closer::decide_closer;
 use super::doubt::is_final;
+use super::inside::{Scalar, at_most_zero};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
@@ -139,6 +140,18 @@ impl Torus {
     }
 }
 
+impl Torus {
+    /// (x² + y² + z² + R² − r²)² − 4R²(x² + z²): at most zero in the tube and, by the even-odd rule, not
+    /// in the lemon.
+    fn quartic_at<N: Scalar>(&self, point: Vec3) -> N {
+        let [x, y, z] = point.0.map(|c| N::of(c).square());
+        let [major, minor] = [self.major, self.minor].map(|r| N::of(r).square());
+        let across = x + z;
+        let sum = across.clone() + y + major.clone() - minor;
+        sum.square() - N::of(4.0) * major * across
+    }
+}
+
 impl Shape for Torus {
     fn bounds(&self) -> Bounds {
         let reach = self.major + self.minor;
@@ -148,10 +161,17 @@ impl Shape for Torus {
 
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
         let [x, y, z] = point.0;
-        let rho = x.hypot(z);
+        let rho = libm::hypot(x, z);
         let across = if face == LEMON { -rho } else { rho };
         let turn = |angle: f64| angle.rem_euclid(TAU) / TAU;
-        [turn((-z).atan2(x)), turn(y.atan2(across - self.major))]
+        [
+            turn(libm::atan2(-z, x)),
+            turn(libm::atan2(y, across - self.major)),
+        ]
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        at_most_zero(self.quartic_at(point), || self.quartic_at(point))
     }
 
     fn is_convex(&self) -> bool {
@@ -267,7 +287,7 @@ impl<R: Real> Flatness<'_, R> {
         if bending <= curvature * R::of(0.25) {
             (slope + e).square() / (R::of(0.75) * curvature)
         } else {
-            R::of(9.0) * e * R::of((e / leading).to_f64().cbrt())
+            R::of(9.0) * e * R::of(libm::cbrt((e / leading).to_f64()))
         }
     }
 }

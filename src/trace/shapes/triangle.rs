@@ -1,10 +1,11 @@
 //! The triangle, a surface without inside.
 
-use super::facet::{Facet, Passage, Shear, drift_across, lift, narrow};
+use super::facet::{Facet, Shear, drift_across, lift, narrow};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::scene::TriangleNormals;
 use crate::trace::bounds::Bounds;
 use crate::trace::dd::Dd;
+use crate::trace::exponent::{exponent, shifted};
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
 use crate::trace::vec::Vec3;
@@ -61,7 +62,7 @@ impl Triangle {
         const COMFORTABLE: std::ops::Range<f64> = 1.0 / 4294967296.0..4294967296.0;
         if widest > 0.0 && widest.is_finite() && !COMFORTABLE.contains(&widest) {
             // In two steps, as the factor of a subnormal number is itself out of range.
-            let half = R::of((-widest.log2() / 2.0).round().exp2());
+            let half = shifted(R::ONE, -exponent(widest) / 2);
             for c in &mut corners {
                 c.x = c.x * half * half;
                 c.y = c.y * half * half;
@@ -82,10 +83,6 @@ impl Triangle {
             noise: noise * scale * scale,
             pace: shear.pace,
         }
-    }
-
-    fn passage<R: Real>(&self, line: &Line<R>) -> Option<Passage<R>> {
-        self.view(line).facet.passage()
     }
 
     /// The barycentric weights of the vertices at a point of the triangle.
@@ -146,28 +143,18 @@ impl Shape for Triangle {
         [u, v]
     }
 
-    /// One that has no length, or lies in the triangle's plane, is of no side.
     fn shading_normal(&self, point: Vec3, _: u32) -> Option<Vec3> {
-        let n = match &self.normals {
-            TriangleNormals::Flat => return None,
-            TriangleNormals::One(n) => Vec3::from(*n),
+        match &self.normals {
+            TriangleNormals::Flat => None,
+            TriangleNormals::One(n) => Some(Vec3::from(*n)),
             TriangleNormals::PerVertex(n) => {
                 let n = n.map(Vec3::from);
                 let size = n
                     .iter()
                     .fold(0.0, |m: f64, n| m.max(n.abs().max_component()));
                 let w = self.weights(point);
-                (0..3).fold(Vec3::ZERO, |sum, i| sum + n[i] / size * w[i])
+                Some((0..3).fold(Vec3::ZERO, |sum, i| sum + n[i] / size * w[i]))
             }
-        };
-        let n = n.unit();
-        let side = n.dot(Vec3(self.normal?.0.map(narrow)));
-        if side > 0.0 {
-            Some(n)
-        } else if side < 0.0 {
-            Some(-n)
-        } else {
-            None
         }
     }
 
@@ -204,26 +191,20 @@ impl<R: Real> Intersect<R> for Triangle {
         }
     }
 
-    /// The weighted mean of the vertices: off the plane by at most γ₇ Σ|wᵢ vᵢ|, however far away
-    /// the line began (pbrt-v4, section 6.8.5).
-    fn locate(&self, line: &Line<R>, _: Root<R>) -> Located<R> {
-        let weights = match self.passage(line) {
-            Some(passage) => passage.weights,
-            None => [R::ONE / R::of(3.0); 3],
-        };
-        let (mut point, mut size) = (Vec3::ZERO, Vec3::ZERO);
-        for (v, w) in self.vertices.iter().zip(weights) {
-            let part = lift::<R>(*v) * w;
-            point = point + part;
-            size = size + part.abs();
-        }
+    /// The point of the line, moved along the normal into the plane, where it stays also if the line
+    /// runs nearly along the triangle. Off by the rounding of its distance from the first vertex's
+    /// plane, γ₆ Σ|nᵢ|(|pᵢ| + |aᵢ|) with that of the normal, and by its own.
+    fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let normal = match self.normal {
             Some(n) => Vec3(n.0.map(narrow)),
             None => Vec3::new(R::ZERO, R::ZERO, R::ONE),
         };
+        let (p, a) = (line.at(root.t), lift::<R>(self.vertices[0]));
+        let point = p - normal * normal.dot(p - a);
+        let noise = R::gamma(6) * normal.abs().dot(p.abs() + a.abs());
         Located {
             point,
-            error: size * R::gamma(7),
+            error: normal.abs() * noise + point.abs() * R::ROUNDOFF,
             normal,
         }
     }

@@ -1,6 +1,8 @@
 //! What Mitsuba's cameras can be of those with a projection matrix.
 
-use crate::scene::vector::{cross, dot, length, sub};
+use crate::scene::frame::Basis;
+use crate::scene::sight::Sight;
+use crate::scene::vector::{add, cross, dot, length, sub};
 use crate::scene::{Camera, Matrix, Vec3};
 use crate::trace::camera::View;
 
@@ -42,18 +44,14 @@ impl Pinhole {
 }
 
 impl Lens {
-    /// Of a camera with a projection matrix; `None` where its rays cannot be told.
+    /// Of a camera with a projection matrix; `None` where its rays neither come from one point nor are
+    /// parallel.
     pub fn of(camera: &Camera, width: u32, height: u32) -> Option<Lens> {
+        let sight = Sight::of(camera.projection.as_ref()?).ok()?;
         let view = View::new(camera, width, height)?;
-        let back = view.unprojection()?;
         let (w, h) = (f64::from(width), f64::from(height));
         let middle = view.ray(w / 2.0, h / 2.0)?;
-        let seen = middle.line.direction.unit().0;
-        // What the lines through all points of the picture have in common.
-        let common: [f64; 4] = std::array::from_fn(|i| back.0[i][2]);
-        let size = common.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        // Zero, but for the roundings of the matrix's inverse: the rays are parallel.
-        if common[3].abs() <= 1e-12 * size {
+        if sight.is_parallel() {
             let right = view.ray(w, h / 2.0)?.line.origin.0;
             let top = view.ray(w / 2.0, 0.0)?.line.origin.0;
             let start = middle.line.origin.0;
@@ -61,22 +59,12 @@ impl Lens {
                 start,
                 sub(right, start),
                 sub(top, start),
-                seen,
+                middle.line.direction.unit().0,
             ]));
         }
-        let position: Vec3 = std::array::from_fn(|i| common[i] / common[3]);
-        // The near plane's point of (x, y), from that point: weighted, and so linear in x and y.
-        let column = |c: [f64; 4]| -> Vec3 {
-            let at = |i: usize| (0..4).map(|j| back.0[i][j] * c[j]).sum::<f64>();
-            let weight = at(3);
-            std::array::from_fn(|i| at(i) - position[i] * weight)
-        };
-        let along_x = column([1.0, 0.0, 0.0, 0.0]);
-        let along_y = column([0.0, 1.0, 0.0, 0.0]);
-        let centre = column([0.0, 0.0, -1.0, 1.0]);
-        // Weights may be negative.
-        let sign = if dot(centre, seen) < 0.0 { -1.0 } else { 1.0 };
-        let [along_x, along_y, centre] = [along_x, along_y, centre].map(|v| v.map(|x| sign * x));
+        let basis = Basis::of(camera)?;
+        let position = add(camera.position, basis.turned(sight.eye()?), 1.0);
+        let [centre, along_x, along_y] = sight.direction().map(|v| basis.turned(v));
         let (width_there, height_there) = (length(along_x), length(along_y));
         let right = along_x.map(|x| x / width_there);
         let up = along_y.map(|x| x / height_there);

@@ -5,8 +5,9 @@ use super::build::Builder;
 use super::frame::Frame;
 use super::text::{entity, vector};
 use crate::scene::frame::{Basis, selected_cameras};
-use crate::scene::vector::{cross, dot, length};
-use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3};
+use crate::scene::sight::Sight;
+use crate::scene::vector::{add, cross, dot, length, sub, unit};
+use crate::scene::{Aabb, Camera, Scene, Vec3};
 use crate::syntax::Captions;
 use crate::translate::Unsupported;
 use crate::translate::fidelity::Fidelity;
@@ -66,11 +67,11 @@ pub fn eyes(
                 None => pinhole(&camera, &basis, options.aspect()),
             },
             Some(p) => {
-                let back = clip_to_scene(p, &camera, &basis);
-                let lens = (back.and_then(|m| projecting(&m)))
+                let sight = Sight::of(p).map_err(|_| fault("camera-of-no-lens"))?;
+                let lens = projecting(&sight, &camera, &basis)
                     .ok_or_else(|| fault("camera-of-no-lens"))?;
-                if let Some(back) = back
-                    && !sees_all_behind_near(&back, &lens, builder.box_of_root())
+                if !lens.parallel
+                    && !sees_all_behind_near(&sight, &camera, &basis, builder.box_of_root())
                 {
                     builder.report.state(
                         "near plane of the projection matrix",
@@ -136,65 +137,30 @@ fn from_far(camera: &Camera, basis: &Basis, aspect: f64, scene: Aabb) -> Option<
     Some((lens, 0.5 * radius / (distance - radius)))
 }
 
-/// From the clip cube to the scene.
-fn clip_to_scene(projection: &Matrix, camera: &Camera, basis: &Basis) -> Option<Matrix> {
-    let row = |v: Vec3| [v[0], v[1], v[2], -dot(v, camera.position)];
-    let view = Matrix([
-        row(basis.right),
-        row(basis.up),
-        row(basis.forward.map(|c| -c)),
-        [0.0, 0.0, 0.0, 1.0],
-    ]);
-    projection.after(&view).inverse()
-}
-
-/// A point of the scene before the division: x, y, z and w.
-type Homogeneous = [f64; 4];
-
-fn column(m: &Matrix, j: usize) -> Homogeneous {
-    std::array::from_fn(|i| m.0[i][j])
-}
-
-fn at(m: &Matrix, clip: [f64; 4]) -> Homogeneous {
-    std::array::from_fn(|i| (0..4).map(|j| m.0[i][j] * clip[j]).sum())
-}
-
-/// The lens of a matrix from clip coordinates to the scene.
-///
-/// All lines of sight (x, y, ·, 1) meet in the image of (0, 0, 1, 0): a pinhole, or a direction. With
-/// C for it and q for the image of (x, y, 0, 1), the line's direction is q·C_w − C·q_w, linear in x
-/// and y.
-fn projecting(back: &Matrix) -> Option<Lens> {
-    let c = column(back, 2);
-    let size = |v: Homogeneous| v[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    let [x, y, q] = [0, 1, 3].map(|j| column(back, j));
-    // Where the scene's coordinates are of the size of q, C is a direction if its w is but rounding.
-    // Zero, but for the roundings of the matrix's inverse; so below.
-    let parallel = c[3].abs() * size(q) <= 1e-12 * size(c) * q[3].abs();
-    let lens = if parallel {
-        if (x[3].abs() + y[3].abs()) > 1e-12 * q[3].abs() {
-            return None;
-        }
-        let near = at(back, [0.0, 0.0, -1.0, 1.0]);
-        let by_w = |v: Homogeneous| -> Vec3 { std::array::from_fn(|i| v[i] / q[3]) };
+/// The lens of a projection matrix; `None` where its rays neither come from one point nor are parallel.
+fn projecting(sight: &Sight, camera: &Camera, basis: &Basis) -> Option<Lens> {
+    let place = |p: Vec3| add(camera.position, basis.turned(p), 1.0);
+    let [direction, along_x, along_y] = sight.direction().map(|v| basis.turned(v));
+    let lens = if sight.is_parallel() {
+        let [middle, right, top] =
+            [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[x, y]| sight.ray(x, y));
+        let middle = middle?.0;
+        let across = |edge: Vec3| basis.turned(sub(edge, middle)).map(|c| 2.0 * c);
         Lens {
-            parallel,
-            location: by_w(near),
-            direction: by_w(c),
-            right: by_w(x).map(|v| 2.0 * v),
-            up: by_w(y).map(|v| 2.0 * v),
+            parallel: true,
+            location: place(middle),
+            direction: unit(direction)?,
+            right: across(right?.0),
+            up: across(top?.0),
         }
     } else {
-        let away = |v: Homogeneous| -> Vec3 { std::array::from_fn(|i| v[i] * c[3] - c[i] * v[3]) };
-        let sign = forward_sign(back, c[3])?;
-        let direction = away(q).map(|v| v * sign);
         let length = length(direction);
         Lens {
-            parallel,
-            location: std::array::from_fn(|i| c[i] / c[3]),
-            direction: direction.map(|v| v / length),
-            right: away(x).map(|v| 2.0 * sign * v / length),
-            up: away(y).map(|v| 2.0 * sign * v / length),
+            parallel: false,
+            location: place(sight.eye()?),
+            direction: direction.map(|c| c / length),
+            right: along_x.map(|c| 2.0 * c / length),
+            up: along_y.map(|c| 2.0 * c / length),
         }
     };
     let finite = [lens.location, lens.direction, lens.right, lens.up]
@@ -234,46 +200,35 @@ fn clean(v: Vec3) -> Vec3 {
 /// The corners of the picture.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
-/// Whether the way from the near to the far plane is that of q·C_w − C·q_w, or the opposite: the same
-/// all over the picture, else `None`.
-fn forward_sign(back: &Matrix, w: f64) -> Option<f64> {
-    let sign = |[x, y]: [f64; 2]| {
-        let [near, far] = [-1.0, 1.0].map(|z| at(back, [x, y, z, 1.0])[3]);
-        ((1.0 / far - 1.0 / near) / w).signum()
-    };
-    let first = sign(CORNERS[0]);
-    (!first.is_nan() && CORNERS.iter().all(|c| sign(*c) == first)).then_some(first)
-}
-
-/// Whether nothing of the scene lies between a pinhole and the near plane; parallel rays begin there
-/// anyway.
-fn sees_all_behind_near(back: &Matrix, lens: &Lens, scene: Aabb) -> bool {
-    if lens.parallel || scene.is_empty() {
+/// Whether nothing of the scene lies between the eye and where rays start.
+fn sees_all_behind_near(sight: &Sight, camera: &Camera, basis: &Basis, scene: Aabb) -> bool {
+    let Some(eye) = sight.eye() else {
         return true;
-    }
-    // Depths along the normal of the picture plane, in units of the direction's.
-    let normal = cross(lens.right, lens.up);
-    let pace = dot(normal, lens.direction);
-    let depth = |p: Vec3| {
-        let way = std::array::from_fn(|i| p[i] - lens.location[i]);
-        dot(normal, way) / pace
     };
-    let near = CORNERS.map(|[x, y]| {
-        let p = at(back, [x, y, -1.0, 1.0]);
-        depth(std::array::from_fn(|i| p[i] / p[3]))
+    // Depths from the eye along the normal of the picture plane, in units of the direction's.
+    let [direction, along_x, along_y] = sight.direction();
+    let normal = cross(along_x, along_y);
+    let pace = dot(normal, direction);
+    let depth = |way: Vec3, normal: Vec3| dot(normal, way) / pace;
+    let starts = CORNERS.map(|[x, y]| match sight.ray(x, y) {
+        Some((start, _)) => depth(sub(start, eye), normal),
+        None => f64::NAN,
     });
-    let nearest = (0..8)
-        .map(|corner: usize| {
-            depth(std::array::from_fn(|i| {
-                if corner >> i & 1 == 0 {
-                    scene.min[i]
-                } else {
-                    scene.max[i]
-                }
-            }))
+    let eye = add(camera.position, basis.turned(eye), 1.0);
+    let normal = basis.turned(normal);
+    let corner = |k: usize| {
+        std::array::from_fn(|i| {
+            if k >> i & 1 == 0 {
+                scene.min[i]
+            } else {
+                scene.max[i]
+            }
         })
+    };
+    let nearest = (0..8)
+        .map(|k| depth(sub(corner(k), eye), normal))
         .fold(f64::INFINITY, f64::min);
-    near.iter().all(|n| (0.0..=nearest).contains(n))
+    scene.is_empty() || starts.iter().all(|s| (0.0..=nearest).contains(s))
 }
 
 /// The cameras as text: one, or two behind a switch.
@@ -309,6 +264,7 @@ pub fn cameras(eyes: &[Eye], frame: &Frame, captions: &Captions) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Matrix;
 
     /// A lens must have the rays of the reference tracer.
     #[test]
@@ -335,7 +291,7 @@ mod tests {
                 projection: Some(projection),
             };
             let basis = Basis::of(&camera).unwrap();
-            let lens = projecting(&clip_to_scene(&projection, &camera, &basis).unwrap()).unwrap();
+            let lens = projecting(&Sight::of(&projection).unwrap(), &camera, &basis).unwrap();
             assert_eq!(lens.parallel, is_parallel);
             let view = crate::trace::camera::View::new(&camera, 40, 30).unwrap();
             for [x, y] in [[0.5, 0.5], [20.0, 15.0], [33.0, 2.0]] {

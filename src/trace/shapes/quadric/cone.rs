@@ -6,6 +6,7 @@ use crate::scene::Geometry;
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
+use crate::trace::shapes::doubt::is_final;
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 use crate::trace::vec::Vec3;
@@ -62,7 +63,7 @@ impl Shape for Cone {
 
     fn uv(&self, p: Vec3, face: u32) -> [f64; 2] {
         let v = if face != SIDE {
-            p[0].hypot(p[2]) / self.radius
+            libm::hypot(p[0], p[2]) / self.radius
         } else if self.double {
             0.5 * (p[1] / self.height) + 0.5
         } else {
@@ -73,6 +74,16 @@ impl Shape for Cone {
 
     fn is_convex(&self) -> bool {
         !self.double
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        let height = if self.height < 0.0 {
+            -point[1]
+        } else {
+            point[1]
+        };
+        let least = if self.double { -self.height.abs() } else { 0.0 };
+        (least..=self.height.abs()).contains(&height) && self.form.holds(point)
     }
 
     fn support(&self, face: u32) -> Option<Support> {
@@ -115,6 +126,7 @@ impl Cone {
         let rising = half * chord.direction[1];
         let height = half * chord.origin[1];
         let disc = if half > R::ZERO { BASE } else { OPPOSITE };
+        let mut close = true;
         let mut below = |end: Bounded<R>| {
             if !end.value.is_finite() {
                 return false;
@@ -128,11 +140,19 @@ impl Cone {
                     + chord.turned[1] * (end.value.abs() + end.error),
             };
             roots.uncertain |= left.is_doubtful();
+            close &= left.is_zero();
             left.value > R::ZERO && !left.is_zero()
         };
         let at = (chord.w - height) / rising;
         let ends = match (below(from), below(to)) {
-            (false, false) => return,
+            (false, false) => {
+                // Both ends are on the disc, so that the line lies in it.
+                if close {
+                    roots.along = Some(Vec3::new(0.0, 1.0, 0.0));
+                    roots.uncertain |= !is_final::<R>();
+                }
+                return;
+            }
             (true, true) => [(from.value, SIDE), (to.value, SIDE)],
             (true, false) => [(from.value, SIDE), (at, disc)],
             (false, true) => [(at, disc), (to.value, SIDE)],

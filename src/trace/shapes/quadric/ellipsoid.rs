@@ -38,8 +38,12 @@ impl Shape for Ellipsoid {
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         // The sphere's, at the same place: y over its own semi-axis, the angle as it is.
-        let v = (-point[1] / self.semi_axes[1]).clamp(-1.0, 1.0).acos() / PI;
+        let v = libm::acos((-point[1] / self.semi_axes[1]).clamp(-1.0, 1.0)) / PI;
         [turn(point), v]
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        self.form.holds(point)
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

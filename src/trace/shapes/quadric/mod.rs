@@ -88,7 +88,7 @@ fn bounds_of(geometry: &Geometry) -> Bounds {
 
 /// The angle about the y axis, as a share of a full turn.
 fn turn(p: Vec3) -> f64 {
-    (-p[2]).atan2(p[0]).rem_euclid(TAU) / TAU
+    libm::atan2(-p[2], p[0]).rem_euclid(TAU) / TAU
 }
 
 impl Shape for Quadric {
@@ -110,6 +110,10 @@ impl Shape for Quadric {
 
     fn is_convex(&self) -> bool {
         self.convex
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        self.form.holds(point)
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

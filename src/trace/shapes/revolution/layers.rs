@@ -85,8 +85,12 @@ fn lines(points: &[[f64; 2]]) -> Vec<Vec<u32>> {
         } else {
             (w, h)
         };
-        let long = w.hypot(h);
-        all.push((h.atan2(w), p[0] * (h / long) - p[1] * (w / long), i as u32));
+        let long = libm::hypot(w, h);
+        all.push((
+            libm::atan2(h, w),
+            p[0] * (h / long) - p[1] * (w / long),
+            i as u32,
+        ));
     }
     let mut found = Vec::new();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -7,6 +7,7 @@ mod tests;
 mod tree;
 
 use super::closer::{decide_closer, is_last};
+use super::inside::{Exact, Rounded, Scalar, at_most_zero};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::scene::Rgb;
 use crate::trace::bounds::Bounds;
@@ -76,7 +77,7 @@ impl Revolution {
         for (i, p) in profile.iter().enumerate() {
             if let Some(q) = i.checked_sub(1).map(|i| profile[i]) {
                 let [dx, dy] = [0, 1].map(|k| p[k] * scale - q[k] * scale);
-                length += dx.hypot(dy);
+                length += libm::hypot(dx, dy);
             }
             arc.push(length);
         }
@@ -136,13 +137,27 @@ impl Revolution {
         let p = point * self.scale;
         match (face & !FLIPPED) as usize {
             i if i + 1 < n => {
-                let radius = p[0].hypot(p[2]);
+                let radius = libm::hypot(p[0], p[2]);
                 (i, self.share(self.segment(face), radius, p[1]))
             }
             i if i + 1 == n => (0, 0.0),
             _ => (n - 1, 0.0),
         }
     }
+}
+
+/// ρ² of a point.
+fn across<N: Scalar>(p: Vec3) -> N {
+    N::of(p[0]).square() + N::of(p[2]).square()
+}
+
+/// Negative where a point at a height between those of a piece's ends, which differ, is nearer to the
+/// axis than the piece; zero where it is on the piece.
+fn before<N: Scalar>([low, high]: [[f64; 2]; 2], p: Vec3) -> N {
+    let [a, b, c, d, y] = [low[0], low[1], high[0], high[1], p[1]].map(N::of);
+    let rise = d - b.clone();
+    let reach = a.clone() * rise.clone() + (y - b) * (c - a);
+    across::<N>(p) * rise.square() - reach.square()
 }
 
 impl Shape for Revolution {
@@ -158,7 +173,7 @@ impl Shape for Revolution {
     /// u as on the sphere, v the arc length along the profile, as a share of all of it: 0 on the
     /// whole disc at the first point and 1 on the one at the last.
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
-        let u = (-point[2]).atan2(point[0]).rem_euclid(TAU) / TAU;
+        let u = libm::atan2(-point[2], point[0]).rem_euclid(TAU) / TAU;
         let (i, share) = self.place(point, face);
         let length = self.arc.last().copied().unwrap_or(0.0);
         if length == 0.0 {
@@ -174,6 +189,37 @@ impl Shape for Revolution {
         let a = self.colours.get(i)?;
         let b = self.colours.get(i + 1).unwrap_or(a);
         Some([0, 1, 2].map(|k| a[k] * (1.0 - share) + b[k] * share))
+    }
+
+    /// By the even-odd rule, along the half-plane of the point straight outwards from it. A piece from
+    /// (a, b) to (c, d) with b ≤ y < d is met at the radius a + (y − b)(c − a) / (d − b).
+    fn holds(&self, point: Vec3) -> bool {
+        let p = point * self.scale;
+        let mut inside = false;
+        for piece in &self.pieces {
+            let mut ends = [piece.from, piece.to].map(|i| self.points[i as usize]);
+            if ends[0][1] > ends[1][1] {
+                ends.swap(0, 1);
+            }
+            let [low, high] = ends;
+            if !(low[1]..=high[1]).contains(&p[1]) {
+                continue;
+            }
+            if low[1] == high[1] {
+                let beyond =
+                    |end: [f64; 2]| across::<Exact>(p).cmp(&Scalar::square(Exact::of(end[0])));
+                if beyond(low) != beyond(high) || beyond(low).is_eq() {
+                    return true;
+                }
+                continue;
+            }
+            let further = at_most_zero(before(ends, p), || before(ends, p));
+            if further && at_most_zero(-before::<Rounded>(ends, p), || -before::<Exact>(ends, p)) {
+                return true;
+            }
+            inside ^= further && p[1] < high[1];
+        }
+        inside
     }
 
     fn is_convex(&self) -> bool {
@@ -391,6 +437,7 @@ impl Revolution {
             let above = self.closely(&path, &mut roots.uncertain);
             let below = self.closely(&path.seams_below(), &mut roots.uncertain);
             roots.list = common(&above, &below);
+            roots.along = Some(Vec3::new(0.0, 1.0, 0.0));
         }
         turn_outwards(&mut roots.list);
     }

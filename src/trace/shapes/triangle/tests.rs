@@ -156,20 +156,17 @@ fn weights_are_surface_coordinates() {
 }
 
 #[test]
-fn shading_normals_are_on_the_geometric_side() {
+fn shading_normals_are_interpolated() {
     let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let at = |normals, x, y| {
         Triangle::new(corners, normals)
             .shading_normal(Vec3::new(x, y, 0.0), 0)
-            .map(|n| n.0)
+            .map(|n| n.unit().0)
     };
-    // The geometric normal is +z.
     assert_eq!(at(TriangleNormals::Flat, 0.2, 0.2), None);
     let one = |n| at(TriangleNormals::One(n), 0.2, 0.2);
     assert_eq!(one([0.0, 0.0, 4.0]), Some([0.0, 0.0, 1.0]));
-    assert_eq!(one([3.0, 0.0, -4.0]), Some([-0.6, 0.0, 0.8]));
-    assert_eq!(one([1.0, 0.0, 0.0]), None);
-    assert_eq!(one([0.0; 3]), None);
+    assert_eq!(one([3.0, 0.0, -4.0]), Some([0.6, 0.0, -0.8]));
     assert_eq!(one([0.0, 0.0, 1e308]), Some([0.0, 0.0, 1.0]));
     let up = [0.0, 0.0, 1.0];
     let each = TriangleNormals::PerVertex([up, [1.0, 0.0, 1.0], [1e-200, 1.0, 1.0]]);
@@ -178,9 +175,5 @@ fn shading_normals_are_on_the_geometric_side() {
     assert_eq!(at(each, 0.5, 0.0), Some(half.0));
     // They cancel in the middle.
     let opposite = TriangleNormals::PerVertex([up, [0.0, 0.0, -1.0], up]);
-    assert_eq!(at(opposite, 0.5, 0.0), None);
-    assert_eq!(
-        at(TriangleNormals::PerVertex([[0.0; 3]; 3]), 0.5, 0.0),
-        None
-    );
+    assert_eq!(at(opposite, 0.5, 0.0), Some([0.0; 3]));
 }
