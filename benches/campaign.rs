@@ -2,12 +2,15 @@
 //! bar on standard error. `benches/README.md` says what the columns mean.
 //!
 //! `cargo bench --bench campaign -- [RAYS [SEED [SHAPE…]]]`: so many rays in all, 10⁷ unless said
-//! otherwise, through the shapes whose names contain one of the words.
+//! otherwise, through the shapes whose names contain one of the words. With `--renew` instead of shapes
+//! the bars for errors are written anew, from what was measured.
 
 #[path = "../tests/campaign/mod.rs"]
 mod campaign;
 
 use campaign::KINDS;
+use campaign::bars::{self, Bars};
+use std::fmt::Write;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -26,17 +29,21 @@ fn main() -> ExitCode {
         return ExitCode::FAILURE;
     };
     let words = arguments.get(2..).unwrap_or_default();
+    let renew = words == ["--renew"];
     let chosen: Vec<usize> = (0..KINDS.len())
-        .filter(|&k| words.is_empty() || words.iter().any(|w| KINDS[k].contains(w.as_str())))
+        .filter(|&k| {
+            words.is_empty() || renew || words.iter().any(|w| KINDS[k].contains(w.as_str()))
+        })
         .collect();
     let mut kinds = Vec::new();
     for &kind in &chosen {
         let start = Instant::now();
-        kinds.push(campaign::run(
-            kind,
-            rays as usize / chosen.len().max(1),
-            seed,
-        ));
+        let bars = match renew {
+            true => Bars::NONE,
+            false => Bars::of_kind(KINDS[kind]),
+        };
+        let rays = rays as usize / chosen.len().max(1);
+        kinds.push(campaign::run(kind, rays, seed, &bars));
         eprintln!("{}: {:.0} s", KINDS[kind], start.elapsed().as_secs_f64());
     }
     print!("{}", campaign::table(&kinds));
@@ -44,9 +51,37 @@ fn main() -> ExitCode {
     for failure in &failures {
         eprintln!("{failure}");
     }
+    if renew && failures.is_empty() && std::fs::write(bars::PATH, renewed(&kinds)).is_err() {
+        eprintln!("cannot write {}", bars::PATH);
+        return ExitCode::FAILURE;
+    }
     if failures.is_empty() {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
     }
+}
+
+/// By how much a bar exceeds what was measured.
+const SLACK: f64 = 1.5;
+
+/// The file with the bars that follow from these results.
+fn renewed(kinds: &[campaign::Kind]) -> String {
+    let mut text = String::from("shape\tf64\tdd\n");
+    for kind in kinds {
+        let worst = |precision: &str| {
+            let rows = kind.rows.iter().filter(|r| r.precision == precision);
+            rows.fold(0.0f64, |worst, row| worst.max(row.worst)) * SLACK
+        };
+        let up = |x: f64| (x * 100.0).ceil() / 100.0;
+        writeln!(
+            text,
+            "{}\t{:.2}\t{:.2}",
+            kind.name,
+            up(worst("f64")),
+            up(worst("dd"))
+        )
+        .expect("a string takes everything");
+    }
+    text
 }

@@ -130,6 +130,9 @@ fn cameras_and_places_of_all_kinds() {
     // From x = −0.2 to 0.6 and y = −0.4 to 0.2 at distance 0.5, for pictures of 4 : 3.
     let frustum = "7 -99 1.25 0 0.5 0 0 1.6666666666666667 -0.33333333333333331 0 \
         0 0 -1.0100502512562815 -1.0050251256281406 0 0 -1 0\n7 -2 10 2\n7 -1 0.5 0.3 6\n";
+    // The far plane at infinity; the same with reversed depth.
+    let depth = "-1.0100502512562815 -1.0050251256281406";
+    let [infinite, reversed] = ["-1 -1", "1 1"].map(|to| frustum.replace(depth, to));
     let plain = "7 -501 2 1.5 8 -0.2 -0.2 -1 0 1 0 40\n";
     let far = "6 -1 3e7 -2e7 1e7\n7 -1 3e7 -2e7 1e7\n";
     let large = "6 -3 1e9 1e9 1e9\n7 -1 -2 -1.5 -8\n7 -1 2e9 1.5e9 8e9\n";
@@ -138,6 +141,8 @@ fn cameras_and_places_of_all_kinds() {
         ("frustum", frustum, ""),
         ("far", plain, far),
         ("far_frustum", frustum, far),
+        ("infinite_frustum", &infinite, ""),
+        ("reversed_frustum", &reversed, ""),
         ("large", plain, large),
         ("small", plain, small),
     ] {

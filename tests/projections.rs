@@ -4,6 +4,7 @@
 
 use crate::campaign::rng::Rng;
 use crate::exact::algebra::{Q, q, to_f64};
+use std::process::Command;
 use zpg::commands::Loaded;
 use zpg::diagnostics::Code;
 use zpg::scene::sight::{Blind, Sight};
@@ -349,4 +350,44 @@ fn matrices_without_rays_are_reported() {
         found("2 0 0 0  0 2 0 0  0 0 -0.1 -0.30000000000000004  0 0 -1 -3"),
         []
     );
+}
+
+/// The real POV-Ray sees the same through translations of matrices with a far plane at infinity and of
+/// reversed depth; what lies before the near plane is reported as seen.
+#[test]
+fn povray_sees_what_infinite_and_reversed_matrices_see() {
+    let folder = tempfile::tempdir().unwrap();
+    for (depth, near) in [
+        ("-1 -0.2", "exact"),
+        ("-0.9999999999999999 -0.2", "exact"),
+        ("1 0.2", "exact"),
+        ("0 0.1", "exact"),
+        ("-1 -1e9", "near plane"),
+    ] {
+        let scene = format!(
+            "20 9 1\n21 12 -2 -2 -1 2 -1 1\n22 -101 20 21\n10 -99 2 0 0.1 0  0 2 -0.2 0  0 0 {depth}  0 0 -1 0\n\
+             10 -2 10 2\n10 -1 1 0.2 5\n12 -402 1\n12 -1 3 4 5\n1 9999 22 0\n"
+        );
+        std::fs::write(folder.path().join("a.zpg"), scene).unwrap();
+        let run = |args: &[&str]| {
+            Command::new(env!("CARGO_BIN_EXE_zpg"))
+                .current_dir(folder.path())
+                .args(args)
+                .output()
+                .unwrap()
+        };
+        let converted = run(&["convert", "a.zpg", "--to", "pov", "-o", "a.pov"]);
+        let report = String::from_utf8_lossy(&converted.stderr).into_owned();
+        assert_eq!(
+            report.contains("near plane"),
+            near == "near plane",
+            "{depth}: {report}"
+        );
+        if near == "exact" {
+            let run = run(&["crosscheck", "a.zpg", "--with", "povray", "--size", "96x72"]);
+            let said = String::from_utf8_lossy(&run.stdout).into_owned()
+                + &String::from_utf8_lossy(&run.stderr);
+            assert!(said.contains("agrees"), "{depth}: {said}");
+        }
+    }
 }

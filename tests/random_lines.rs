@@ -17,7 +17,8 @@ const SEED: u64 = 20;
 fn threads_change_nothing() {
     let result = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let kind = pool.unwrap().install(|| campaign::run(0, 400, SEED));
+        let bars = campaign::Bars::NONE;
+        let kind = pool.unwrap().install(|| campaign::run(0, 400, SEED, &bars));
         kind.rows.map(|r| {
             let counts = [
                 r.rays,
@@ -35,11 +36,12 @@ fn threads_change_nothing() {
 
 /// One kind of shape must meet the bars in f64, with dd for what that cannot decide, and in dd: the
 /// right number of crossings wherever moving the line by half a unit in the last place does not
-/// change it, and every crossing within 64 ε of the surface.
+/// change it, and every crossing as near to the surface as the ratchet says.
 fn meets_the_bars(name: &str) {
     let kind = campaign::KINDS.iter().position(|k| *k == name);
     let kind = kind.expect("a kind of shape");
-    let result = campaign::run(kind, RAYS, SEED);
+    let bars = campaign::Bars::of_kind(name);
+    let result = campaign::run(kind, RAYS, SEED, &bars);
     let failures = result.failures();
     assert!(
         failures.is_empty(),

@@ -40,12 +40,12 @@ impl CostMap {
     /// An 8-bit PNG in the colours of “inferno”, whose steps look even: from black, for no test at
     /// all, to light yellow, for `max` tests. The place on the scale is log(1 + tests) / log(1 + max).
     pub fn write_png(&self, out: impl Write, max: u32) -> io::Result<()> {
-        let scale = f64::from(max.max(1)).ln_1p();
+        let scale = libm::log1p(f64::from(max.max(1)));
         let bytes: Vec<u8> = self
             .tests
             .iter()
             .flat_map(|&n| {
-                let place = (f64::from(n).ln_1p() / scale).min(1.0);
+                let place = (libm::log1p(f64::from(n)) / scale).min(1.0);
                 colorous::INFERNO.eval_continuous(place).into_array()
             })
             .collect();

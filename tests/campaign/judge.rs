@@ -1,5 +1,6 @@
 //! What the kernel says against what is true.
 
+use super::bars::Bars;
 use super::exact::{Exact, Point, along, dot, point};
 use super::kernel::{self, Number};
 use super::lines::Case;
@@ -10,9 +11,9 @@ use zpg::scene::Geometry;
 use zpg::trace::dd::Dd;
 use zpg::trace::shapes::{Primitive, Roots};
 
-/// How large the distance of a crossing from the surface may be, in ε times the larger of the
-/// origin's distance and the shape's size.
-pub const BAR: f64 = 64.0;
+/// Where sides are looked for between crossings, these are taken to be no farther from the surface than
+/// this, in the unit of [`Row::worst`].
+const MOST: f64 = 64.0;
 
 /// How many failures of a row are described.
 const DESCRIBED: usize = 12;
@@ -36,7 +37,8 @@ pub struct Row {
     /// Lines as in pictures, and those of them that it could not decide.
     pub plain: u64,
     pub plain_uncertain: u64,
-    /// The largest distance of a crossing from the surface, in the unit of [`BAR`].
+    /// The largest distance of a crossing from the surface, in ε times the larger of the origin's
+    /// distance and the shape's size.
     pub worst: f64,
     /// Per line, one a batch.
     pub nanoseconds: Vec<f64>,
@@ -151,8 +153,9 @@ impl Lines {
 }
 
 /// Traces and judges lines through one shape: by f32 with everything rounded to it, by f64 with
-/// what it cannot decide decided by dd, and by dd.
-pub fn batch(target: &Target, cases: &[Case]) -> [Row; 3] {
+/// what it cannot decide decided by dd, and by dd. A crossing may be as far from the surface as the
+/// bars say, in the unit of [`Row::worst`].
+pub fn batch(target: &Target, cases: &[Case], bars: &Bars) -> [Row; 3] {
     let [mut single, mut double, mut dd] = empty();
     let primitive = kernel::primitive(&target.geometry);
     let doubles = traced::<f64>(&primitive, cases, &mut double);
@@ -160,7 +163,7 @@ pub fn batch(target: &Target, cases: &[Case]) -> [Row; 3] {
     let truth = Truth::new(&target.geometry);
     for (i, case) in cases.iter().enumerate() {
         let lines = Lines::new(case);
-        let judge = Judge::new(target, &truth, case, &lines);
+        let judge = Judge::new(target, &truth, case, &lines, bars);
         double.doubt(case, doubles[i].uncertain);
         dd.doubt(case, dds[i].uncertain);
         judge.judge::<Dd, Dd>(&dds[i], &mut dd);
@@ -179,7 +182,7 @@ pub fn batch(target: &Target, cases: &[Case]) -> [Row; 3] {
     for (case, roots) in cases.iter().zip(&singles) {
         let lines = Lines::new(case);
         single.doubt(case, roots.uncertain);
-        Judge::new(&target, &truth, case, &lines).judge::<f32, f32>(roots, &mut single);
+        Judge::new(&target, &truth, case, &lines, bars).judge::<f32, f32>(roots, &mut single);
     }
     [single, double, dd]
 }
@@ -253,6 +256,7 @@ struct Judge<'a> {
     truth: &'a Truth,
     case: &'a Case,
     lines: &'a Lines,
+    bars: &'a Bars,
     o: Point,
     d: Point,
     answer: Answer,
@@ -263,7 +267,13 @@ struct Judge<'a> {
 }
 
 impl<'a> Judge<'a> {
-    fn new(target: &'a Target, truth: &'a Truth, case: &'a Case, lines: &'a Lines) -> Judge<'a> {
+    fn new(
+        target: &'a Target,
+        truth: &'a Truth,
+        case: &'a Case,
+        lines: &'a Lines,
+        bars: &'a Bars,
+    ) -> Judge<'a> {
         let (o, d) = lines.inner(&lines.origin, &lines.direction);
         let mut scale = norm(&o).max(length(target.centre) + target.size);
         if let Some(rows) = &case.map {
@@ -279,6 +289,7 @@ impl<'a> Judge<'a> {
             truth,
             case,
             lines,
+            bars,
             o,
             d,
             scale,
@@ -319,12 +330,13 @@ impl<'a> Judge<'a> {
             worst = worst.max(error);
         }
         row.worst = row.worst.max(worst);
-        let good = worst <= BAR;
+        let bar = self.bars.of(R::NAME);
+        let good = worst <= bar;
         if !good {
             let what = format!("{worst:.1} ε away from the surface");
             row.fail(self.describe(&what, roots));
         }
-        let tolerance = BAR * R::EPSILON * reach;
+        let tolerance = bar.min(MOST) * R::EPSILON * reach;
         if right
             && self.truth.is_solid()
             && !alternates(self.truth, (&self.o, &self.d), &t, roots.inside, tolerance)

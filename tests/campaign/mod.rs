@@ -4,6 +4,7 @@
 //! [`shapes`] and [`lines`] make the cases, [`kernel`] is what is tested, [`truth`] what is right,
 //! [`judge`] compares, and this file adds up. Everything follows from one seed.
 
+pub mod bars;
 pub mod exact;
 mod facets;
 mod judge;
@@ -16,6 +17,7 @@ mod shapes;
 pub mod truth;
 mod turned;
 
+pub use bars::Bars;
 pub use judge::Row;
 pub use shapes::KINDS;
 
@@ -46,7 +48,7 @@ impl Kind {
 }
 
 /// Traces `rays` lines, or a few more, through shapes of one kind.
-pub fn run(kind: usize, rays: usize, seed: u64) -> Kind {
+pub fn run(kind: usize, rays: usize, seed: u64, bars: &Bars) -> Kind {
     let batches = rays.div_ceil(BATCH) as u64;
     let rows = (0..batches)
         .into_par_iter()
@@ -54,7 +56,7 @@ pub fn run(kind: usize, rays: usize, seed: u64) -> Kind {
             let mut rng = rng::Rng::new(seed ^ (kind as u64) << 48 ^ batch << 8);
             let target = shapes::Target::new(kind, &mut rng);
             let cases: Vec<_> = (0..BATCH).map(|_| lines::case(&target, &mut rng)).collect();
-            judge::batch(&target, &cases)
+            judge::batch(&target, &cases, bars)
         })
         .reduce(judge::empty, |a, b| {
             let mut b = b.into_iter();
