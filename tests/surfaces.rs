@@ -204,7 +204,7 @@ fn holds(scene: &Scene, point: [f64; 3]) -> bool {
 #[test]
 fn solids_hold_their_boundary() {
     let mut rng = Rng::new(31);
-    let (mut asked, mut outside) = (0, 0);
+    let (mut asked, mut outside, mut stretched_too) = (0, 0, 0);
     for round in 0..40 * 18 {
         let (record, points) = boundary(&mut rng, round % 18);
         let plain = scene(&format!("2 {record}\n1 9999 2 0\n"));
@@ -224,6 +224,17 @@ fn solids_hold_their_boundary() {
                 holds(&moved, turned),
                 "{record}, moved by {x} {y} {z}: {p:?} {turned:?}"
             );
+            // Stretched by a number that is no power of two: what is exactly there is on the boundary.
+            for by in [3.0, 0.7, -1.1] {
+                let there = p.map(|x| x * by);
+                if (0..3).all(|i| q(p[i]) * q(by) == q(there[i])) {
+                    let stretched = scene(&format!(
+                        "2 {record}\n2 -3 {by:?} {by:?} {by:?}\n1 9999 2 0\n"
+                    ));
+                    assert!(holds(&stretched, there), "{record} {by}: {p:?}");
+                    stretched_too += 1;
+                }
+            }
             // Some of the nearest places are outside: the point is on the boundary, not within.
             let near = |i: usize, up: bool| {
                 let mut p = p;
@@ -241,8 +252,8 @@ fn solids_hold_their_boundary() {
         }
     }
     assert!(
-        asked > 2000 && outside * 10 > asked * 9,
-        "{asked} {outside}"
+        asked > 2000 && outside * 10 > asked * 9 && stretched_too > 2000,
+        "{asked} {outside} {stretched_too}"
     );
 }
 

@@ -22,6 +22,7 @@ pub(crate) mod record;
 mod references;
 mod resolve;
 pub mod sight;
+pub mod sign;
 pub mod vector;
 
 pub use aabb::Aabb;

@@ -13,11 +13,8 @@
 //!
 //! Everything that decides is computed exactly, in big numbers.
 
+use super::sign::{Exact, Scalar};
 use super::{Matrix, Vec3};
-use dashu_float::FBig;
-use dashu_float::round::mode::HalfEven;
-
-type Exact = FBig<HalfEven, 2>;
 
 /// Coefficients of 1, x and y, for picture coordinates from −1 to 1, x to the right and y up.
 type Linear<const N: usize> = [[f64; N]; 3];
@@ -48,7 +45,7 @@ impl Sight {
     ///
     /// A matrix that is singular, or that has no ray for some point of the picture.
     pub fn of(matrix: &Matrix) -> Result<Sight, Blind> {
-        let rows = matrix.0.map(|row| row.map(exact));
+        let rows = matrix.0.map(|row| row.map(Exact::of));
         let determinant = dot(&generalized_cross(&rows[0], &rows[1], &rows[2]), &rows[3]);
         if determinant == Exact::ZERO {
             return Err(Blind::Singular);
@@ -80,7 +77,7 @@ impl Sight {
         ];
         let in_front = |x: f64, y: f64| {
             let [one, of_x, of_y] = [0, 1, 2].map(|i| start[i][3].clone());
-            one + of_x * exact(x) + of_y * exact(y) > Exact::ZERO
+            one + of_x * Exact::of(x) + of_y * Exact::of(y) > Exact::ZERO
         };
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
         if !corners.iter().all(|[x, y]| in_front(*x, *y)) {
@@ -132,15 +129,6 @@ impl Sight {
         let [middle, of_x, of_y] = self.start;
         let even = of_x[3].abs() + of_y[3].abs() <= ROUNDED * middle[3];
         even && self.eye[3].abs() * size(middle) <= ROUNDED * size(self.eye) * middle[3]
-    }
-}
-
-/// A finite double as a number that no sum and no product rounds.
-fn exact(x: f64) -> Exact {
-    const UNLIMITED: usize = 0;
-    match Exact::try_from(x) {
-        Ok(x) => x.with_precision(UNLIMITED).value(),
-        Err(_) => Exact::ZERO,
     }
 }
 

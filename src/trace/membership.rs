@@ -4,12 +4,15 @@
 //! what lies below a node keep the walk away from occurrences that are elsewhere, and what a shared
 //! node has once answered for a point is not asked again.
 
-use super::affine::Affine;
 use super::shapes::Primitive;
 use super::vec::Vec3;
 use crate::diagnostics::{Complaint, Language, Span};
 use crate::scene::bounds::{NodeBounds, node_bounds};
-use crate::scene::{Aabb, Node, NodeId, Scene};
+use crate::scene::sign::{Exact, Scalar};
+use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
+use dashu_float::Context;
+use dashu_float::round::mode::HalfEven;
+use std::array;
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 
@@ -139,7 +142,7 @@ struct Walk<'a> {
     scene: &'a Scene,
     reach: Vec<Aabb>,
     ids: HashMap<NodeId, u32>,
-    inverses: HashMap<u32, Affine>,
+    inverses: HashMap<u32, Inverse>,
     primitives: HashMap<u32, Primitive>,
     answers: HashMap<Question, bool>,
     values: Vec<bool>,
@@ -244,21 +247,16 @@ impl Walk<'_> {
 
     /// A point above a transformation in the space below it.
     fn back(&mut self, matrix: u32, point: Vec3) -> Result<Vec3, Unanswered> {
-        let inverse = match self.inverses.get(&matrix) {
-            Some(m) => *m,
-            None => {
-                let inverse = Affine::new(&self.scene.matrices[matrix as usize]).inverse();
-                let inverse = inverse.ok_or_else(|| self.refusal("no-inverse"))?;
-                self.inverses.insert(matrix, inverse);
-                inverse
-            }
-        };
-        let point = inverse.point(point);
-        if point.is_finite() {
-            Ok(point)
+        let matrices = &self.scene.matrices;
+        let inverse = (self.inverses.entry(matrix))
+            .or_insert_with(|| Inverse::of(&matrices[matrix as usize]));
+        let singular = inverse.determinant == Exact::ZERO;
+        let reason = if singular {
+            "no-inverse"
         } else {
-            Err(self.refusal("point-out-of-range"))
-        }
+            "point-out-of-range"
+        };
+        inverse.image(point).ok_or_else(|| self.refusal(reason))
     }
 
     /// Whether a point of its space is in a shape, or on its boundary.
@@ -274,5 +272,47 @@ impl Walk<'_> {
             reason,
             span: self.scene.render.map(|r| r.span).unwrap_or_default(),
         }
+    }
+}
+
+/// The inverse of an affine map, exactly: the adjugate of its linear part over the determinant.
+struct Inverse {
+    adjugate: [[Exact; 3]; 3],
+    determinant: Exact,
+    offset: [Exact; 3],
+}
+
+impl Inverse {
+    fn of(m: &Matrix) -> Inverse {
+        let at = |i: usize, j: usize| Exact::of(m.0[i % 3][j % 3]);
+        let cofactor = |i: usize, j: usize| {
+            at(i + 1, j + 1) * at(i + 2, j + 2) - at(i + 1, j + 2) * at(i + 2, j + 1)
+        };
+        let adjugate = array::from_fn(|i| array::from_fn(|j| cofactor(j, i)));
+        let first: &[Exact; 3] = &adjugate[0];
+        let terms = (0..3).map(|j| first[j].clone() * at(j, 0));
+        Inverse {
+            determinant: terms.fold(Exact::ZERO, |sum, term| sum + term),
+            adjugate,
+            offset: array::from_fn(|i| Exact::of(m.0[i][3])),
+        }
+    }
+
+    /// The image of a point, rounded once; `None` where that is out of range.
+    fn image(&self, point: Vec3) -> Option<Vec3> {
+        const DIGITS: usize = f64::MANTISSA_DIGITS as usize;
+        if self.determinant == Exact::ZERO {
+            return None;
+        }
+        let from: [Exact; 3] = array::from_fn(|i| Exact::of(point[i]) - self.offset[i].clone());
+        let quotient = |row: &[Exact; 3]| {
+            let terms = row.iter().zip(&from).map(|(a, b)| a * b);
+            let sum = terms.fold(Exact::ZERO, |sum, term| sum + term);
+            let by = self.determinant.repr();
+            let rounded = Context::<HalfEven>::new(DIGITS).div(sum.repr(), by);
+            rounded.map_or(f64::NAN, |x| x.value().to_f64().value())
+        };
+        let image = Vec3(self.adjugate.each_ref().map(quotient));
+        image.is_finite().then_some(image)
     }
 }

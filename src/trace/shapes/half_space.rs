@@ -1,8 +1,8 @@
 //! The half-space.
 
-use super::inside::at_most_zero;
 use super::plane::{Plane, Way};
 use super::{Intersect, Located, Root, Roots, Shape};
+use crate::scene::sign::at_most_zero;
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;

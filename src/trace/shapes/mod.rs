@@ -13,7 +13,6 @@ mod doubt;
 mod facet;
 mod geodesic_sphere;
 mod half_space;
-mod inside;
 mod plane;
 pub mod quadric;
 mod rectangle;

@@ -1,8 +1,8 @@
 //! The plane, a surface without inside.
 
 use super::doubt::{fits, is_final, parameter_error};
-use super::inside::Scalar;
 use super::{Intersect, Located, Root, Roots, Shape};
+use crate::scene::sign::Scalar;
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
 use crate::trace::number::Real;

@@ -1,8 +1,8 @@
 //! The sphere.
 
 use super::doubt::{fits, is_final, least, parameter_error};
-use super::inside::{Scalar, at_most_zero};
 use super::{Intersect, Located, Root, Roots, Shape};
+use crate::scene::sign::{Scalar, at_most_zero};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
 use crate::trace::number::Real;

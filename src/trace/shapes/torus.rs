@@ -13,8 +13,8 @@
 
 use super::closer::decide_closer;
 use super::doubt::is_final;
-use super::inside::{Scalar, at_most_zero};
 use super::{Intersect, Located, Root, Roots, Shape};
+use crate::scene::sign::{Scalar, at_most_zero};
 use crate::trace::bounds::Bounds;
 use crate::trace::exponent::{exponent, shifted, shifted_vector};
 use crate::trace::number::Real;

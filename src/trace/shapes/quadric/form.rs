@@ -1,11 +1,11 @@
 //! A polynomial of second degree, its value and its gradient.
 
+use crate::scene::sign::{Scalar, at_most_zero};
 use crate::trace::dd::Dd;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;
 use crate::trace::shapes::Located;
 use crate::trace::shapes::doubt::is_final;
-use crate::trace::shapes::inside::{Scalar, at_most_zero};
 use crate::trace::vec::Vec3;
 
 /// F(x) = Σ squareᵢ xᵢ² + mixed·(xy, xz, yz) + linear·x + constant, where xᵢ is a coordinate divided

@@ -7,9 +7,9 @@ mod tests;
 mod tree;
 
 use super::closer::{decide_closer, is_last};
-use super::inside::{Exact, Rounded, Scalar, at_most_zero};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::scene::Rgb;
+use crate::scene::sign::{Exact, Rounded, Scalar, at_most_zero};
 use crate::trace::bounds::Bounds;
 use crate::trace::number::Real;
 use crate::trace::ray::Line;

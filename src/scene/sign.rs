@@ -8,7 +8,7 @@ use dashu_float::round::mode::HalfEven;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// What polynomials are made of.
-pub(super) trait Scalar:
+pub trait Scalar:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// A finite double, as it is.
@@ -20,7 +20,7 @@ pub(super) trait Scalar:
 }
 
 /// A number that no operation rounds.
-pub(super) type Exact = FBig<HalfEven, 2>;
+pub type Exact = FBig<HalfEven, 2>;
 
 impl Scalar for Exact {
     fn of(x: f64) -> Exact {
@@ -34,7 +34,7 @@ impl Scalar for Exact {
 
 /// A double, and how far at most it is from what is meant.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rounded {
+pub struct Rounded {
     value: f64,
     error: f64,
 }
@@ -92,7 +92,7 @@ impl Mul for Rounded {
 }
 
 /// Whether a number is at most zero, where the doubles do not say it: exactly.
-pub(super) fn at_most_zero(rounded: Rounded, exact: impl FnOnce() -> Exact) -> bool {
+pub fn at_most_zero(rounded: Rounded, exact: impl FnOnce() -> Exact) -> bool {
     // Written so that what is not a number decides nothing.
     if rounded.value > rounded.error {
         false
