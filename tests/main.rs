@@ -28,6 +28,7 @@ mod messages;
 mod metamorphic;
 mod mitsuba;
 mod mutations;
+mod never_worse;
 mod plan;
 mod portable;
 mod pov_contacts;

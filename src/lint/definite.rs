@@ -1,9 +1,11 @@
-//! What a quadratic form can be, proved: xᵀQx with x = (x, y, z, 1), by eliminating one variable
-//! after the other in arithmetic that bounds its own rounding.
+//! What a quadratic form can be: xᵀQx with x = (x, y, z, 1), exactly, by eliminating one variable
+//! after the other.
 
-use std::ops::{Mul, Sub};
+use dashu_int::IBig;
 
-/// What is certain about the set xᵀQx ≤ 0.
+use crate::scene::exact::{sign, whole};
+
+/// What the set xᵀQx ≤ 0 is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// The form is positive everywhere: no point at all.
@@ -14,164 +16,72 @@ pub enum Verdict {
     Flat(u32),
     /// All 16 numbers cancel: the form is zero everywhere.
     Zero,
-    /// It has an inside and an outside, or that could not be told.
+    /// It has an inside and an outside.
     Other,
 }
 
-/// An interval that holds the true value; a point where no rounding has happened.
-#[derive(Debug, Clone, Copy)]
-struct Bounds {
-    low: f64,
-    high: f64,
-}
+type Form = [[IBig; 4]; 4];
 
-/// Products smaller than this may have lost their error term to underflow.
-const SAFE_PRODUCT: f64 = 1e-280;
-
-impl Bounds {
-    fn exactly(x: f64) -> Bounds {
-        Bounds { low: x, high: x }
-    }
-
-    fn is_zero(self) -> bool {
-        self.low == 0.0 && self.high == 0.0
-    }
-
-    /// The hull of results that were rounded to nearest, each with its rounding error.
-    fn hull(results: &[(f64, f64)]) -> Bounds {
-        let mut out = Bounds {
-            low: f64::INFINITY,
-            high: f64::NEG_INFINITY,
-        };
-        for &(x, error) in results {
-            // An error that is not a number comes of overflow: nothing is known then.
-            let (low, high) = match error {
-                0.0 => (x, x),
-                e if e.is_finite() => (x.next_down(), x.next_up()),
-                _ => (f64::NEG_INFINITY, f64::INFINITY),
-            };
-            out.low = out.low.min(low);
-            out.high = out.high.max(high);
-        }
-        out
-    }
-
-    /// self / other for an `other` above zero.
-    fn over(self, other: Bounds) -> Bounds {
-        let quotient = |a: f64, b: f64| {
-            let q = a / b;
-            (q, lost(a != 0.0, q * b, q.mul_add(-b, a)))
-        };
-        Bounds::hull(&[
-            quotient(self.low, other.low),
-            quotient(self.low, other.high),
-            quotient(self.high, other.low),
-            quotient(self.high, other.high),
-        ])
-    }
-}
-
-/// The error of a product that came out as `p`: not trusted where it can have underflowed.
-fn lost(nonzero: bool, p: f64, error: f64) -> f64 {
-    if nonzero && p.abs() < SAFE_PRODUCT {
-        return f64::MIN_POSITIVE;
-    }
-    error
-}
-
-impl Mul for Bounds {
-    type Output = Bounds;
-    fn mul(self, other: Bounds) -> Bounds {
-        let product = |a: f64, b: f64| {
-            let p = a * b;
-            (p, lost(a != 0.0 && b != 0.0, p, a.mul_add(b, -p)))
-        };
-        Bounds::hull(&[
-            product(self.low, other.low),
-            product(self.low, other.high),
-            product(self.high, other.low),
-            product(self.high, other.high),
-        ])
-    }
-}
-
-impl Sub for Bounds {
-    type Output = Bounds;
-    fn sub(self, other: Bounds) -> Bounds {
-        // a − b = s + e exactly (Knuth).
-        let difference = |a: f64, b: f64| {
-            let s = a - b;
-            let back = s - a;
-            (s, (a - (s - back)) - (b + back))
-        };
-        Bounds::hull(&[
-            difference(self.low, other.high),
-            difference(self.high, other.low),
-        ])
-    }
-}
-
-/// What is certain about the quadric with these 16 numbers, row by row.
+/// What the quadric with these 16 numbers, row by row, is.
 pub fn judge(q: &[f64; 16]) -> Verdict {
-    // Divided by a power of two, which is exact, so that products neither overflow nor vanish.
-    let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    if largest == 0.0 {
+    let diagonal = [0, 5, 10, 15].map(|i| q[i]);
+    // Most have an inside and an outside: along one axis it goes up, along another one down.
+    if diagonal.iter().any(|&x| x > 0.0) && diagonal.iter().any(|&x| x < 0.0) {
+        return Verdict::Other;
+    }
+    // The symmetric part, twice.
+    let q = whole(*q);
+    let form: Form =
+        std::array::from_fn(|i| std::array::from_fn(|j| &q[4 * i + j] + &q[4 * j + i]));
+    if form.iter().flatten().all(IBig::is_zero) {
         return Verdict::Zero;
     }
-    let down = 2f64.powi(-largest.log2().floor().clamp(-1000.0, 1000.0) as i32);
-    let mut form = [[Bounds::exactly(0.0); 4]; 4];
-    for (i, row) in form.iter_mut().enumerate() {
-        for (j, x) in row.iter_mut().enumerate() {
-            let (a, b) = (q[4 * i + j] * down, -q[4 * j + i] * down);
-            *x = (Bounds::exactly(a) - Bounds::exactly(b)) * Bounds::exactly(0.5);
-        }
-    }
-    if form.iter().flatten().all(|x| x.is_zero()) {
-        return Verdict::Zero;
-    }
-    let negative = form.map(|row| row.map(|x| Bounds::exactly(0.0) - x));
-    match (lowest(form), lowest(negative)) {
-        (Some((least, _)), _) if least.low > 0.0 => Verdict::Empty,
-        (_, Some((least, _))) if least.low > 0.0 => Verdict::Full,
-        (Some((least, rank @ 1..)), _) if least.is_zero() => Verdict::Flat(3 - rank),
-        // Zero on a flat, negative elsewhere: the flat has the object on both sides.
-        (_, Some((least, 1..))) if least.is_zero() => Verdict::Full,
+    let below = diagonal.iter().any(|&x| x < 0.0);
+    let form = if below {
+        form.map(|row| row.map(|x| -x))
+    } else {
+        form
+    };
+    match (lowest(form), below) {
+        (Some((1, _)), false) => Verdict::Empty,
+        (Some((0, rank)), false) => Verdict::Flat(3 - rank),
+        // Where it is zero on a flat, that has the object on both sides.
+        (Some((0.., _)), true) => Verdict::Full,
         _ => Verdict::Other,
     }
 }
 
-/// The least value of a form that is convex for certain, and the rank of its square part; `None`
-/// where that cannot be told.
-fn lowest(mut s: [[Bounds; 4]; 4]) -> Option<(Bounds, u32)> {
+/// The sign of the least value of a form that is convex, and the rank of its square part; `None` for
+/// forms that have no least value.
+fn lowest(mut s: Form) -> Option<(i32, u32)> {
     let mut left = vec![0usize, 1, 2];
     let mut rank = 0;
-    while !left.is_empty() {
-        let best = left
-            .iter()
-            .copied()
-            .max_by(|&i, &j| s[i][i].low.total_cmp(&s[j][j].low))?;
-        if s[best][best].low > 0.0 {
-            // Completing the square in this variable.
-            left.retain(|&i| i != best);
-            rank += 1;
-            let others: Vec<usize> = left.iter().copied().chain([3]).collect();
-            for &i in &others {
-                for &j in &others {
-                    s[i][j] = s[i][j] - (s[best][i] * s[best][j]).over(s[best][best]);
-                }
+    // Every number is a minor of the form: it has the product of the squares completed so far as a
+    // factor, all of which are positive (Bareiss 1968).
+    let mut before = IBig::ONE;
+    while let Some(at) = left.iter().position(|&i| sign(&s[i][i]) > 0) {
+        // Completing the square in this variable.
+        let pivot = left.swap_remove(at);
+        rank += 1;
+        let others: Vec<usize> = left.iter().copied().chain([3]).collect();
+        let by = s[pivot].clone();
+        for &i in &others {
+            for &j in &others {
+                s[i][j] = (&by[pivot] * &s[i][j] - &by[i] * &by[j]) / &before;
             }
-        } else {
-            // The rest must not depend on any variable that is left.
-            let constant = |i: usize| left.iter().chain(&[3]).all(|&j| s[i][j].is_zero());
-            return left.iter().all(|&i| constant(i)).then_some((s[3][3], rank));
         }
+        before = by[pivot].clone();
     }
-    Some((s[3][3], rank))
+    // The rest must not depend on any variable that is left.
+    let constant = |&i: &usize| left.iter().chain(&[3]).all(|&j| s[i][j].is_zero());
+    left.iter().all(constant).then(|| (sign(&s[3][3]), rank))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dashu_ratio::RBig;
+    use proptest::prelude::*;
 
     fn diagonal(d: [f64; 4]) -> [f64; 16] {
         let mut q = [0.0; 16];
@@ -210,10 +120,21 @@ mod tests {
         assert_eq!(judge(&moved(-4.0)), Verdict::Full);
         assert_eq!(judge(&moved((-4.0f64).next_down())), Verdict::Full);
         assert_eq!(judge(&moved((-4.0f64).next_up())), Verdict::Other);
-        // −(x − 0.1)²: 0.1·0.1 is rounded, so that nothing is known.
-        let mut odd = diagonal([-1.0, 0.0, 0.0, -(0.1 * 0.1)]);
-        (odd[3], odd[12]) = (0.1, 0.1);
-        assert_eq!(judge(&odd), Verdict::Other);
+        // −(x − 0.1)²: 0.1·0.1 is rounded, downwards or upwards.
+        let odd = |square: f64| {
+            let mut q = diagonal([-1.0, 0.0, 0.0, -square]);
+            (q[3], q[12]) = (0.1, 0.1);
+            q
+        };
+        let square: f64 = 0.1 * 0.1;
+        let [low, high] = match 0.1f64.mul_add(0.1, -square) < 0.0 {
+            true => [square.next_down(), square],
+            false => [square, square.next_up()],
+        };
+        assert_eq!(
+            [low, high].map(|s| judge(&odd(s))),
+            [Verdict::Other, Verdict::Full]
+        );
         // −x² + y, −x² + z²: surfaces.
         let mut bowl = diagonal([-1.0, 0.0, 0.0, 0.0]);
         (bowl[7], bowl[13]) = (0.5, 0.5);
@@ -222,14 +143,20 @@ mod tests {
     }
 
     #[test]
-    fn at_the_edge_it_is_silent_or_right() {
+    fn at_the_edge_it_is_right() {
         // (x − 0.1)² + e: 0.1 is no double, so that the square's constant is not the square of 0.1.
         let moved = |e: f64| {
             let mut q = diagonal([1.0, 0.0, 0.0, 0.1 * 0.1 + e]);
             (q[3], q[12]) = (-0.1, -0.1);
             q
         };
-        assert_eq!(judge(&moved(0.0)), Verdict::Other);
+        let rounded_up = 0.1f64.mul_add(0.1, -(0.1 * 0.1)) < 0.0;
+        let as_it_is = if rounded_up {
+            Verdict::Empty
+        } else {
+            Verdict::Other
+        };
+        assert_eq!(judge(&moved(0.0)), as_it_is);
         assert_eq!(judge(&moved(1e-16)), Verdict::Empty);
         assert_eq!(judge(&moved(-1e-16)), Verdict::Other);
         // (x − 2)² exactly, a plane; and with an asymmetric matrix of the same symmetric part.
@@ -255,5 +182,98 @@ mod tests {
         let mut q = diagonal([1.0, 0.0, 0.0, 0.0]);
         q[3] = 2e-200;
         assert_eq!(judge(&q), Verdict::Other);
+    }
+
+    /// What a form is by its minors (Sylvester's criterion: nowhere negative where no principal minor
+    /// is), in fractions.
+    fn by_minors(q: &[f64; 16]) -> Verdict {
+        let exact = |x: f64| RBig::try_from(x).unwrap();
+        let entry = |i: usize, j: usize| exact(q[4 * i + j]) + exact(q[4 * j + i]);
+        let form: Vec<Vec<RBig>> = (0..4)
+            .map(|i| (0..4).map(|j| entry(i, j)).collect())
+            .collect();
+        let minor = |rows: usize, columns: usize, turned: bool| {
+            let of = |set: usize| (0..4).filter(move |i| set >> i & 1 == 1);
+            let row = |i: usize| of(columns).map(|j| form[i][j].clone()).collect();
+            let minor: Vec<Vec<RBig>> = of(rows).map(row).collect();
+            let odd = turned && minor.len() % 2 == 1;
+            let x = determinant(&minor);
+            if odd { -x } else { x }
+        };
+        let rank = |variables: usize| {
+            let sets = || (1..16usize).filter(move |set| set & !variables == 0);
+            let zero = |a: usize, b: usize| minor(a, b, false) == RBig::ZERO;
+            let pairs = sets().flat_map(|a| sets().map(move |b| (a, b)));
+            let same = pairs.filter(|(a, b)| a.count_ones() == b.count_ones());
+            let full = same.filter(|&(a, b)| !zero(a, b));
+            full.map(|(a, _)| a.count_ones()).max().unwrap_or(0)
+        };
+        let nowhere = |turned: bool| (1..16).all(|set| minor(set, set, turned) >= RBig::ZERO);
+        match (nowhere(false), nowhere(true)) {
+            (true, true) => Verdict::Zero,
+            (false, true) => Verdict::Full,
+            // It is zero where its gradient is: at a point of space unless the last coordinate of all
+            // of these is zero.
+            (true, false) if rank(15) > rank(7) => Verdict::Empty,
+            (true, false) => Verdict::Flat(3 - rank(7)),
+            (false, false) => Verdict::Other,
+        }
+    }
+
+    fn determinant(m: &[Vec<RBig>]) -> RBig {
+        if m.is_empty() {
+            return RBig::ONE;
+        }
+        (0..m.len()).fold(RBig::ZERO, |sum, j| {
+            let rest: Vec<Vec<RBig>> = (m[1..].iter())
+                .map(|row| [&row[..j], &row[j + 1..]].concat())
+                .collect();
+            let term = &m[0][j] * determinant(&rest);
+            if j % 2 == 0 { sum + term } else { sum - term }
+        })
+    }
+
+    /// AᵀDA: a form that is what the signs of D are, seen obliquely; some of it is then rounded.
+    fn oblique() -> impl Strategy<Value = [f64; 16]> {
+        let plain = prop::collection::vec((-3..4i32).prop_map(f64::from), 16);
+        let entries = prop_oneof![plain, prop::collection::vec(-1.0..1.0f64, 16)];
+        let square = prop::sample::select(vec![1.0, 1.0, 1.0, 0.0, 0.5, 1e-9, -1e-9, -1.0]);
+        let squares = prop::collection::vec(square, 4);
+        let nudge = (
+            0..16usize,
+            prop::sample::select(vec![0.0, 0.0, 1e-16, -1e-16, -1e-3]),
+        );
+        let all = (entries, squares, any::<bool>(), nudge);
+        all.prop_map(|(a, d, turned, (at, nudge))| {
+            let mut q: [f64; 16] = std::array::from_fn(|k| {
+                let (i, j) = (k / 4, k % 4);
+                (0..4).map(|r| d[r] * a[4 * r + i] * a[4 * r + j]).sum()
+            });
+            q[at] += nudge;
+            if turned { q.map(|x| -x) } else { q }
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #[test]
+        fn oblique_forms(q in oblique()) {
+            prop_assert_eq!(judge(&q), by_minors(&q));
+        }
+    }
+
+    /// Of these random forms there are many of each kind.
+    #[test]
+    fn oblique_forms_are_of_all_kinds() {
+        use proptest::strategy::ValueTree;
+        let mut runner = proptest::test_runner::TestRunner::deterministic();
+        let mut kinds = std::collections::BTreeMap::new();
+        for _ in 0..1000 {
+            let q = oblique().new_tree(&mut runner).unwrap().current();
+            *kinds.entry(format!("{:?}", judge(&q))).or_insert(0) += 1;
+        }
+        for kind in ["Empty", "Full", "Flat(0)", "Flat(1)", "Other"] {
+            assert!(kinds.get(kind).is_some_and(|&n| n > 0), "{kinds:?}");
+        }
     }
 }

@@ -152,4 +152,4 @@ pub fn run(context: &Context, out: &mut Vec<Diagnostic>) {
 }
 
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;

@@ -2,7 +2,7 @@
 
 use super::record::Params;
 use super::vector::{cross, unit};
-use super::{Camera, Matrix, Vec3, geometry};
+use super::{Camera, Matrix, Vec3, exact, geometry};
 use crate::diagnostics::{Code, Diagnostic};
 
 /// The camera of a -501 record.
@@ -19,7 +19,11 @@ pub fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {
     geometry::non_zero(p, 3, "view direction", out)?;
     geometry::non_zero(p, 6, "up vector", out)?;
     if parallel(camera.direction, camera.up) {
-        out.push(Diagnostic::new(Code::E207, p.span_of(3, 6)));
+        let case = match exact::parallel(camera.direction, camera.up) {
+            true => "",
+            false => "nearly",
+        };
+        out.push(Diagnostic::new(Code::E207, p.span_of(3, 6)).case(case));
         return None;
     }
     sound.then_some(camera)

@@ -83,6 +83,7 @@ impl Resolver<'_> {
             },
         };
         if let State::Object(node) = *state {
+            self.taken[node as usize] = true;
             self.scene.promises.push(Promise {
                 id: p.id,
                 node,
@@ -137,8 +138,23 @@ impl Resolver<'_> {
         set(&mut paint);
         self.scene.paints.push(paint);
         let paint = self.scene.paints.len() as u32 - 1;
-        let node = self.node(Node::Paint { child, paint });
-        self.entities.insert(id, State::Object(node));
+        let painted = self.node(Node::Paint { child, paint });
+        if child != node {
+            let from = match self.taken[node as usize] {
+                true => Some(node),
+                false => self.scene.steps.get(&node).map(|s| s.from),
+            };
+            let matrix = None;
+            let step = from.map(|from| (painted, Step { from, matrix }));
+            self.scene.steps.extend(step);
+        }
+        self.entities.insert(id, State::Object(painted));
+    }
+
+    /// The index of one more matrix.
+    fn matrix(&mut self, m: Matrix) -> u32 {
+        self.scene.matrices.push(m);
+        self.scene.matrices.len() as u32 - 1
     }
 
     fn transform(&mut self, p: &Params, state: &State, m: &Matrix) {
@@ -151,10 +167,20 @@ impl Resolver<'_> {
                     }
                     _ => (*node, *m),
                 };
-                matrix.inverse().map(|_| {
-                    self.scene.matrices.push(matrix);
-                    let matrix = self.scene.matrices.len() as u32 - 1;
-                    State::Object(self.node(Node::Transform { child, matrix }))
+                let inverse = matrix.inverse().filter(|_| !matrix.is_singular());
+                inverse.map(|_| {
+                    let matrix = self.matrix(matrix);
+                    let moved = self.node(Node::Transform { child, matrix });
+                    let goes_on = self.taken[*node as usize] || self.scene.steps.contains_key(node);
+                    if child != *node && goes_on {
+                        let matrix = Some(self.matrix(*m));
+                        let step = Step {
+                            from: *node,
+                            matrix,
+                        };
+                        self.scene.steps.insert(moved, step);
+                    }
+                    State::Object(moved)
                 })
             }
             State::PointLight(light) => {

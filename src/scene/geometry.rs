@@ -177,7 +177,7 @@ pub fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     match Sight::of(&m) {
         Ok(_) => Some(m),
         Err(Blind::Singular) => {
-            singular(p, out);
+            singular(p, "", out);
             None
         }
         Err(Blind::InPart) => {
@@ -189,13 +189,18 @@ pub fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
 
 /// E204 unless the matrix can be inverted.
 fn invertible(p: &Params, m: Matrix, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
-    if m.inverse().is_some() {
-        return Some(m);
+    match (m.is_singular(), m.inverse()) {
+        (false, Some(_)) => return Some(m),
+        (true, _) => singular(p, "", out),
+        (false, None) => singular(p, "rounded", out),
     }
-    singular(p, out);
     None
 }
 
-fn singular(p: &Params, out: &mut Vec<Diagnostic>) {
-    out.push(Diagnostic::new(Code::E204, p.span_of(0, 16)).with("type", Value::Term(p.ty.title)));
+fn singular(p: &Params, case: &'static str, out: &mut Vec<Diagnostic>) {
+    out.push(
+        Diagnostic::new(Code::E204, p.span_of(0, 16))
+            .case(case)
+            .with("type", Value::Term(p.ty.title)),
+    );
 }

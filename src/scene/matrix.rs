@@ -2,6 +2,10 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
+use dashu_int::IBig;
+
+use super::exact;
+
 /// A 4×4 matrix, row by row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Matrix(pub [[f64; 4]; 4]);
@@ -88,6 +92,44 @@ impl Matrix {
         m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
             - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
             + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
+    }
+
+    /// The sign of the determinant of the upper left 3×3 block, exactly: 1, -1 or 0.
+    pub fn orientation(&self) -> i32 {
+        let m = &self.0;
+        let row = |i: usize| [m[i][0], m[i][1], m[i][2]];
+        let sizes = Matrix(m.map(|r| r.map(f64::abs)));
+        // Of the products' sizes, no more than a few roundings are lost, unless these underflow.
+        let (x, bound) = (
+            self.determinant3(),
+            16.0 * f64::EPSILON * sizes.permanent3(),
+        );
+        match x.abs() > bound && bound > 1e-280 && bound.is_finite() {
+            true => {
+                if x > 0.0 {
+                    1
+                } else {
+                    -1
+                }
+            }
+            false => exact::sign(&exact::determinant([row(0), row(1), row(2)])),
+        }
+    }
+
+    /// The determinant of the upper left 3×3 block with all its products added up.
+    fn permanent3(&self) -> f64 {
+        let m = &self.0;
+        m[0][0] * (m[1][1] * m[2][2] + m[1][2] * m[2][1])
+            + m[0][1] * (m[1][0] * m[2][2] + m[1][2] * m[2][0])
+            + m[0][2] * (m[1][0] * m[2][1] + m[1][1] * m[2][0])
+    }
+
+    /// Whether it has no inverse, decided exactly.
+    pub fn is_singular(&self) -> bool {
+        match self.0[3] == [0.0, 0.0, 0.0, 1.0] {
+            true => self.orientation() == 0,
+            false => exact::determinant(self.0) == IBig::ZERO,
+        }
     }
 
     /// By how much it scales if it does no more than turn, mirror, scale and move.

@@ -12,6 +12,7 @@ mod camera;
 mod change;
 mod define;
 mod entity;
+pub mod exact;
 pub mod frame;
 mod geometry;
 pub mod icosahedron;
@@ -28,6 +29,8 @@ pub mod vector;
 pub use aabb::Aabb;
 pub use matrix::Matrix;
 pub use resolve::resolve;
+
+use rustc_hash::FxHashMap;
 
 use crate::diagnostics::Span;
 use crate::syntax::table::{Kind, RecordType};
@@ -60,6 +63,16 @@ pub struct Scene {
     pub operations: Vec<OperationRecord>,
     /// Every entity, in the order of definition.
     pub entities: Vec<Entity>,
+    /// Of transformations and paints that go on from one which others need as it is: how they do so.
+    pub steps: FxHashMap<NodeId, Step>,
+}
+
+/// How an object in the arena came of an earlier state of the same one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Step {
+    pub from: NodeId,
+    /// Of a transformation what it does after the earlier one; index into [`Scene::matrices`].
+    pub matrix: Option<u32>,
 }
 
 /// An object in the arena.

@@ -28,6 +28,7 @@ pub fn resolve(
         folder: source.folder(),
         scene: Scene::default(),
         entities: FxHashMap::with_capacity_and_hasher(document.items.len(), Default::default()),
+        taken: Vec::new(),
         references: References::new(document),
         render: None,
         has_render: false,
@@ -56,6 +57,8 @@ pub(super) struct Resolver<'a> {
     pub(super) folder: Option<&'a Path>,
     pub(super) scene: Scene,
     pub(super) entities: FxHashMap<u32, State>,
+    /// Of each node whether something needs it as it is.
+    pub(super) taken: Vec<bool>,
     pub(super) references: References,
     /// The render record, once its references can be followed.
     render: Option<Record>,
@@ -315,7 +318,14 @@ impl<'a> Resolver<'a> {
     }
 
     pub(super) fn node(&mut self, node: Node) -> NodeId {
+        // What changes an object goes on from it; everything else needs it as it is.
+        if !matches!(node, Node::Transform { .. } | Node::Paint { .. }) {
+            for child in node.children().into_iter().flatten() {
+                self.taken[child as usize] = true;
+            }
+        }
         self.scene.nodes.push(node);
+        self.taken.push(false);
         self.scene.nodes.len() as NodeId - 1
     }
 }

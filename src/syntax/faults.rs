@@ -208,7 +208,11 @@ fn likeliest(
     } else {
         0
     };
-    match with_id {
+    // One that is spelled as a real is an ID all the same: what else is wrong with the record is said, and
+    // what refers to it, refers to it.
+    let spelled = integral(stream, start).is_some_and(|id| id > 0);
+    let of_record = with_id.0;
+    let (verdict, price) = match with_id {
         (Verdict::Damaged { ty }, _) => {
             // A mere sign or word is likelier to stand in front of the ID than in its place.
             let extra = matches!(id.kind, TokenKind::Word | TokenKind::Invalid);
@@ -226,6 +230,11 @@ fn likeliest(
                 FAULT + 200 + price.min(200) + bad + void,
             )
         }
+    };
+    match of_record {
+        Verdict::CutOff { .. } => (verdict, price),
+        of_record if spelled => (of_record, price),
+        _ => (verdict, price),
     }
 }
 
@@ -500,9 +509,10 @@ impl Piece {
         let mut broken = Broken {
             first: sig(self.start).token,
             last: sig(self.end - 1).token,
-            id: (sig(self.start).int)
-                .filter(|&id| id > 0)
-                .map(|id| id as u32),
+            id: (sig(self.start).int.map(i64::from))
+                .or_else(|| integral(stream, self.start))
+                .and_then(|id| u32::try_from(id).ok())
+                .filter(|&id| id > 0),
             ty: None,
             fault: super::ast::Fault::Form,
         };
@@ -511,15 +521,10 @@ impl Piece {
                 token: sig(self.start).token,
             },
             Verdict::Whole(r) => Item::Record(reader::whole(stream, self.start, &r)),
-            Verdict::Damaged { ty } | Verdict::Count { ty, .. } | Verdict::BadCount { ty } => {
-                broken.ty = Some(ty);
-                Item::Broken(broken)
-            }
-            Verdict::Reals { ty } => {
-                broken.id = broken.id.or_else(|| {
-                    let id = integral(stream, self.start)?;
-                    u32::try_from(id).ok()
-                });
+            Verdict::Damaged { ty }
+            | Verdict::Reals { ty }
+            | Verdict::Count { ty, .. }
+            | Verdict::BadCount { ty } => {
                 broken.ty = Some(ty);
                 Item::Broken(broken)
             }
@@ -540,7 +545,7 @@ impl Piece {
             }
             Verdict::BadId { ty } => {
                 let spoiled = spoiled(stream, self.start).and_then(|id| u32::try_from(id).ok());
-                broken.id = spoiled.filter(|&id| id > 0);
+                broken.id = spoiled.or(broken.id).filter(|&id| id > 0);
                 broken.ty = ty;
                 if broken.id.is_none() {
                     broken.fault = super::ast::Fault::LostId;

@@ -104,16 +104,16 @@ impl Reporter<'_, '_> {
 
     fn broken(&self, piece: &Piece, out: &mut Vec<Diagnostic>) {
         let (start, end) = (piece.start, piece.end);
+        let is_record = !matches!(
+            piece.verdict,
+            Verdict::BadId { .. } | Verdict::LostId { .. } | Verdict::CutOff { .. }
+        );
+        if is_record && self.stream.sigs[start].kind == TokenKind::Real {
+            out.push(self.not_an_integer(start, "an ID"));
+        }
         match piece.verdict {
             Verdict::Void | Verdict::Whole(_) | Verdict::CutOff { .. } => {}
-            Verdict::Damaged { ty } => {
-                self.real_type(start, out);
-                self.params(ty, start + 2, end, out);
-            }
-            Verdict::Reals { ty } => {
-                if self.stream.sigs[start].int.is_none() {
-                    out.push(self.not_an_integer(start, "an ID"));
-                }
+            Verdict::Damaged { ty } | Verdict::Reals { ty } => {
                 self.real_type(start, out);
                 self.params(ty, start + 2, end, out);
             }

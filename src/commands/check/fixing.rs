@@ -1,11 +1,11 @@
 //! Applying fixes until none is left.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use std::ops::Range;
 
+use super::worse::{harms, has_new_errors, weight};
 use crate::commands::Loaded;
-use crate::diagnostics::render::Tally;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, fixes};
+use crate::diagnostics::{Applicability, Fix, fixes};
 
 /// How many bytes are read in all for fixes that turn out to do harm, and how often a scene is read
 /// again for them at the least and at the most.
@@ -15,7 +15,7 @@ const REFUSED: Range<usize> = 16..1000;
 /// Applies fixes as long as that makes a scene check better, and counts them. `again` reads the scene
 /// from other bytes. Fixes that were tried and refused are offered no more.
 ///
-/// Each step has fewer malformed tokens, or as many and fewer errors, and so on: it comes to an end.
+/// Each step has fewer errors, or as many and fewer malformed tokens, and so on: it comes to an end.
 pub fn to_fixed_point(
     mut loaded: Loaded,
     unsafe_too: bool,
@@ -70,7 +70,8 @@ fn step(
             let fixed = again(loaded.source.encode(&text));
             let now = weight(&fixed);
             let before = best.as_ref().map_or(loaded, |b| &b.0);
-            if now < lightest && (stretch.len() == 1 || !harms(before, &fixed)) {
+            let harms = stretch.len() > 1 && harms(before, &fixed);
+            if now < lightest && !harms && !has_new_errors(before, &fixed) {
                 (best, lightest, chosen) = (Some((fixed, count)), now, tried);
                 continue;
             }
@@ -84,44 +85,10 @@ fn step(
     best
 }
 
-/// Whether as many errors are left, and more of some warning.
-fn harms(before: &Loaded, after: &Loaded) -> bool {
-    let of = |severity: Severity| {
-        [before, after].map(|loaded| {
-            let all = loaded.diagnostics.iter();
-            counts(all.filter(|d| d.severity == severity))
-        })
-    };
-    let [errors, errors_left] = of(Severity::Error);
-    let [old, new] = of(Severity::Warning);
-    let more = |(code, count): (&Code, &usize)| old.get(code).is_none_or(|old| count > old);
-    errors == errors_left && new.iter().any(more)
-}
-
-fn counts<'a>(all: impl Iterator<Item = &'a Diagnostic>) -> BTreeMap<Code, usize> {
-    let mut counts = BTreeMap::new();
-    all.for_each(|d| *counts.entry(d.code).or_default() += 1);
-    counts
-}
-
-/// How much there is to mend, what weighs most first: malformed tokens, which hide what else is wrong
-/// with their records; then how many errors, warnings, notes and remarks on style there are; and of as
-/// many the codes that come first, which hide those that follow.
-fn weight(loaded: &Loaded) -> Vec<usize> {
-    let counts = counts(loaded.diagnostics.iter());
-    let count = |code: &Code| counts.get(code).copied().unwrap_or(0);
-    let malformed = [Code::E001, Code::E002, Code::E003, Code::E004, Code::E010];
-    let mut tally = Tally::default();
-    tally.add(&loaded.diagnostics);
-    let mut weight = vec![malformed.iter().map(count).sum()];
-    weight.extend([tally.errors, tally.warnings, tally.notes, tally.style]);
-    weight.extend(Code::ALL.iter().map(count));
-    weight
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnostics::{Code, Diagnostic};
 
     fn fixed(text: &str, unsafe_too: bool) -> (String, usize) {
         let read = |bytes| Loaded::new("a.zpg", bytes);
@@ -148,11 +115,29 @@ mod tests {
             (text.as_str(), count),
             ("10 12 0.5 0 0 1 1 1\n1 9999 10 0\n", 2)
         );
-        // One hides two others, one of which has no fix.
-        let (text, count) = fixed("9 -501 0 0 9 0 0 0 0 0 0 4,5\n2 9 1\n1 9999 2 0\n", false);
+        // One hides two others: there would be more errors than before.
+        let hidden = "9 -501 0 0 9,5 0 0 0 0 1 0 200\n2 9 1\n1 9999 2 0\n";
+        assert_eq!(fixed(hidden, true), (hidden.to_owned(), 0));
+    }
+
+    /// No error comes up on a line that nobody changed, whatever is mended elsewhere.
+    #[test]
+    fn no_error_where_there_was_none() {
+        let read = |bytes: Vec<u8>| {
+            let text = String::from_utf8(bytes.clone()).unwrap();
+            let mut loaded = Loaded::new("a.zpg", bytes);
+            if text.contains("0.5") {
+                let at = text.find("3 9 1").unwrap() as u32;
+                let span = crate::diagnostics::Span::new(at, at + 1);
+                loaded.diagnostics.push(Diagnostic::new(Code::E102, span));
+            }
+            loaded
+        };
+        let text = "2 11 0,5 0,25 0 1\n3 9 1\n4 -101 2 3\n1 9999 4 0\n";
+        let (loaded, count) = to_fixed_point(read(text.into()), false, read);
         assert_eq!(
-            (text.lines().next(), count),
-            (Some("9 -501 0 0 9 0 0 0 0 0 0 4.5"), 1)
+            (loaded.source.text, count),
+            (text.replace("0,25", "0.25"), 1)
         );
     }
 

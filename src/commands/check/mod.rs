@@ -4,6 +4,7 @@ mod fixing;
 mod report;
 mod statistics;
 mod watch;
+mod worse;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -285,6 +285,8 @@ E203 = { $type }: { $vector } je nulový vektor
 
 E204 = { $type } je singulární: nemá inverzi
     .label = zobrazuje prostor na něco plochého
+E204-rounded = { $type } nemá v dvojité přesnosti inverzi
+    .label = matice je příliš blízko takové, která zobrazuje prostor na něco plochého, nebo má příliš velká či malá čísla
 E204-row = poslední řádek matice rotace musí být 0 0 0 1
     .label = tento řádek
 E204-scale = { $type }: { $parameter } nesmí být nula
@@ -313,6 +315,9 @@ E207 = směr pohledu kamery a vektor „nahoru“ (up-vector) jsou rovnoběžné
 E207-projection = pro část obrázku nemá tato projekční matice žádný paprsek
     .label = není tam vidět nic, co je před kamerou
     .help = kamera hledí proti ose z: poslední řádek perspektivy bývá 0 0 -1 0
+
+E207-nearly = směr pohledu kamery a vektor „nahoru“ (up-vector) jsou až na zaokrouhlení rovnoběžné
+    .label = { E207.label }
 
 E208 = { $type }: { $parameter } nesmí být záporná
     .label = `{ $name }` je { $text }
@@ -407,6 +412,9 @@ W305-rectangle = { $type } { $id } má nulovou plochu: { $pairs }
 W305-triangle = { $type } { $id } má nulovou plochu: jeho tři vrcholy leží na přímce
     .label = vrcholy
     .note = { nothing-drawn }
+W305-triangle-nearly = { $type } { $id } má až na zaokrouhlení čísel nulovou plochu: jeho tři vrcholy leží na přímce
+    .label = vrcholy
+    .note = co se z něj zobrazí, závisí na tomto zaokrouhlení
 W305-cone = { $type } { $id } má nulový objem: jeho výška je 0
     .label = h
     .note = { no-inside }
@@ -425,6 +433,10 @@ W305-axis = { $type } { $id } má nulový objem: všechny body jeho profilu lež
 W305-profile = { $type } { $id } má nulový objem: jeho profil neohraničuje žádnou plochu
     .label = profil
     .note = { no-inside }
+
+W305-profile-nearly = { $type } { $id } má až na zaokrouhlení čísel nulový objem: jeho profil neohraničuje žádnou plochu
+    .label = profil
+    .note = co se z něj zobrazí, závisí na tomto zaokrouhlení
 
 W306 = kvadrice { $id } nevyhovuje žádný bod
     .label = tato matice

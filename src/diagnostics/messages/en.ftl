@@ -276,6 +276,8 @@ E203 = the { $vector } of the { $type } is the zero vector
 
 E204 = this { $type } is singular: it has no inverse
     .label = it maps space onto something flat
+E204-rounded = this { $type } has no inverse in double precision
+    .label = it is too close to one that maps space onto something flat, or its numbers are too large or too small
 E204-row = the last row of a rotation matrix must be 0 0 0 1
     .label = this row
 E204-scale = { $parameter } of the { $type } cannot be zero
@@ -304,6 +306,9 @@ E207 = the camera's view direction and up vector are parallel
 E207-projection = this projection matrix has no ray for a part of the picture
     .label = nothing in front of the camera is seen there
     .help = the camera looks along −z: the last row of a perspective is usually 0 0 -1 0
+
+E207-nearly = the camera's view direction and up vector are parallel up to the rounding of doubles
+    .label = { E207.label }
 
 E208 = { $parameter } of the { $type } cannot be negative
     .label = `{ $name }` is { $text }
@@ -395,6 +400,9 @@ W305-rectangle = the { $type } { $id } has no area: { $pairs }
 W305-triangle = the { $type } { $id } has no area: its three corners lie on one line
     .label = the corners
     .note = { nothing-drawn }
+W305-triangle-nearly = the { $type } { $id } has no area up to the rounding of its numbers: its three corners lie on one line
+    .label = the corners
+    .note = what is drawn of it depends on that rounding
 W305-cone = the { $type } { $id } has no volume: its height is 0
     .label = h
     .note = { no-inside }
@@ -413,6 +421,10 @@ W305-axis = the { $type } { $id } has no volume: all points of its profile lie o
 W305-profile = the { $type } { $id } has no volume: its profile surrounds no area
     .label = the profile
     .note = { no-inside }
+
+W305-profile-nearly = the { $type } { $id } has no volume up to the rounding of its numbers: its profile surrounds no area
+    .label = the profile
+    .note = what is drawn of it depends on that rounding
 
 W306 = no point satisfies the quadric { $id }
     .label = this matrix

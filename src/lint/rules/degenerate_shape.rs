@@ -3,13 +3,9 @@
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::lint::definite::{Verdict, judge};
+use crate::scene::exact;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Shape};
-
-/// A determinant of differences of numbers that were rounded to doubles is off by half an ulp for
-/// each number, and as much for the difference, the product and the sum: below 4 ε of its terms.
-/// What is smaller is zero for all that the written numbers say.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for shape in &context.scene.shapes {
@@ -25,10 +21,10 @@ fn is_degenerate(shape: &Shape) -> bool {
     match &shape.geometry {
         Geometry::Box { min, max } => (0..3).any(|i| min[i] == max[i]),
         Geometry::Rectangle { min, max } => (0..2).any(|i| min[i] == max[i]),
-        Geometry::Triangle { vertices, .. } => is_needle(vertices),
+        Geometry::Triangle { vertices, .. } => in_line(vertices).is_some(),
         Geometry::Cone { height, .. } => *height == 0.0,
         Geometry::Quadric(q) => matches!(judge(q), Verdict::Flat(_)),
-        Geometry::Revolution { profile, .. } => is_flat(profile),
+        Geometry::Revolution { profile, .. } => in_line(&closed(profile)).is_some(),
         _ => false,
     }
 }
@@ -62,7 +58,10 @@ fn finding(shape: &Shape, p: &Params) -> Diagnostic {
                 .with("upper", name(first + half))
                 .label(p.span_of(first + half, 1), "other")
         }
-        Geometry::Triangle { .. } => new("triangle", 0, 9),
+        Geometry::Triangle { vertices, .. } => match in_line(vertices) {
+            Some(Line::Exact) => new("triangle", 0, 9),
+            _ => new("triangle-nearly", 0, 9),
+        },
         Geometry::Cone { .. } => new("cone", 0, 1),
         Geometry::Quadric(q) => match judge(q) {
             Verdict::Flat(0) => new("point", 0, 16),
@@ -71,65 +70,74 @@ fn finding(shape: &Shape, p: &Params) -> Diagnostic {
         },
         Geometry::Revolution { profile, .. } => match profile.iter().all(|q| q[0] == 0.0) {
             true => new("axis", 1, 2 * p.count),
-            false => new("profile", 1, 2 * p.count),
+            false => match in_line(&closed(profile)) {
+                Some(Line::Exact) => new("profile", 1, 2 * p.count),
+                _ => new("profile-nearly", 1, 2 * p.count),
+            },
         },
         _ => new("", 0, p.len()),
     }
 }
 
-/// a·d − b·c, or exactly zero where that is all that its rounding allows to be said.
-fn determinant(a: f64, b: f64, c: f64, d: f64, rounding: f64) -> f64 {
-    let x = a * d - b * c;
-    if x.abs() <= rounding { 0.0 } else { x }
+/// How points lie in one line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Line {
+    Exact,
+    /// For all that the written numbers say: within what these were rounded by to be doubles.
+    Rounded,
 }
 
-/// Whether the corners of a triangle lie on one line.
-fn is_needle(v: &[[f64; 3]; 3]) -> bool {
-    // Scaled by the longest coordinate difference's power of two, lest squares overflow.
-    let largest = v.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
-    if largest == 0.0 {
-        return true;
-    }
-    let v = v.map(|p| p.map(|x| x / largest));
-    let (a, b): ([f64; 3], [f64; 3]) = (
-        std::array::from_fn(|i| v[1][i] - v[0][i]),
-        std::array::from_fn(|i| v[2][i] - v[0][i]),
-    );
-    let size: [f64; 3] = std::array::from_fn(|i| v.iter().fold(0.0f64, |m, p| m.max(p[i].abs())));
-    (0..3).all(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        let terms = size[j] * (a[k].abs() + b[k].abs()) + size[k] * (a[j].abs() + b[j].abs());
-        determinant(a[j], a[k], b[j], b[k], ROUNDING * terms) == 0.0
-    })
-}
-
-/// Whether all points of a profile, closed as the language closes it, lie on one line.
-fn is_flat(profile: &[[f64; 2]]) -> bool {
-    let (Some(&first), Some(&last)) = (profile.first(), profile.last()) else {
-        return true;
-    };
-    let ends = [[0.0, first[1]], [0.0, last[1]]];
-    let closing: &[[f64; 2]] = if first == last { &[] } else { &ends };
-    let points = || profile.iter().chain(closing);
-    let largest = points().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
-    if largest == 0.0 {
-        return true;
-    }
-    let scaled = || points().map(|p| p.map(|x| x / largest));
-    // The direction to the point furthest from the first one is the best known.
-    let from = first.map(|x| x / largest);
-    let away = |p: [f64; 2]| [p[0] - from[0], p[1] - from[1]];
-    let length = |d: [f64; 2]| d[0].hypot(d[1]);
-    let far = scaled()
-        .map(away)
-        .max_by(|a, b| length(*a).total_cmp(&length(*b)))
-        .unwrap_or([0.0; 2]);
-    scaled().all(|p| {
+/// Whether points lie in one line.
+fn in_line<const N: usize>(points: &[[f64; N]]) -> Option<Line> {
+    let first = points.first()?;
+    let away = |p: &[f64; N]| -> [f64; N] { std::array::from_fn(|i| p[i] - first[i]) };
+    // Coordinates of one size each: a line stays one.
+    let size: [f64; N] = std::array::from_fn(|i| {
+        let largest = points.iter().fold(0.0f64, |m, p| m.max(p[i].abs()));
+        if largest > 0.0 { largest } else { 1.0 }
+    });
+    let length = |p: &[f64; N]| -> f64 {
         let d = away(p);
-        let size = [0, 1].map(|i| p[i].abs().max(from[i].abs()));
-        let terms = size[0] * (d[1].abs() + far[1].abs()) + size[1] * (d[0].abs() + far[0].abs());
-        determinant(far[0], far[1], d[0], d[1], ROUNDING * terms) == 0.0
+        (0..N).map(|i| (d[i] / size[i]).abs()).fold(0.0, f64::max)
+    };
+    // The direction to the point furthest from the first one is the best known.
+    let far = (points.iter()).max_by(|a, b| length(a).total_cmp(&length(b)))?;
+    if !points
+        .iter()
+        .all(|p| nearly_in_line([first, far, p], &size))
+    {
+        return None;
+    }
+    Some(match exact::collinear(points.iter().copied()) {
+        true => Line::Exact,
+        false => Line::Rounded,
     })
+}
+
+/// Whether the determinants of three points' differences are no larger than what rounds them: half an
+/// ulp for each number, each difference and each product.
+fn nearly_in_line<const N: usize>(points: [&[f64; N]; 3], size: &[f64; N]) -> bool {
+    let [p, a, b] = points.map(|p| -> [f64; N] { std::array::from_fn(|i| p[i] / size[i]) });
+    let way = |to: &[f64; N], i: usize| to[i] - p[i];
+    let rounded = |to: &[f64; N], i: usize| to[i].abs() + p[i].abs() + way(to, i).abs();
+    let cross = |i: usize, j: usize| {
+        let ([ai, aj], [bi, bj]) = ([i, j].map(|k| way(&a, k)), [i, j].map(|k| way(&b, k)));
+        let terms = rounded(&a, i) * bj.abs()
+            + rounded(&b, j) * ai.abs()
+            + rounded(&a, j) * bi.abs()
+            + rounded(&b, i) * aj.abs();
+        (ai * bj - aj * bi).abs() <= f64::EPSILON * terms
+    };
+    (0..N).all(|i| (i + 1..N).all(|j| cross(i, j)))
+}
+
+/// The points of a profile, closed as the language closes it.
+fn closed(profile: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let ends = match (profile.first(), profile.last()) {
+        (Some(first), Some(last)) if first != last => vec![[0.0, first[1]], [0.0, last[1]]],
+        _ => Vec::new(),
+    };
+    profile.iter().copied().chain(ends).collect()
 }
 
 #[cfg(test)]
@@ -170,6 +178,24 @@ mod tests {
             "W305 1:5",
             "2 6 0 0 0 1e-300 0 0 0 1e-300 0",
         );
+    }
+
+    /// What is said is so: exactly, or up to the rounding of the numbers.
+    #[test]
+    fn what_is_rounded_is_said_to_be() {
+        let said = |text: &str| messages(text).join("");
+        assert!(!said("2 6 0.1 0.1 0.2  0.2 0.2 0.4  0.4 0.4 0.8").contains("rounding"));
+        assert!(said("2 6 0.1 0.1 0.3  0.2 0.2 0.6  0.3 0.3 0.9").contains("rounding"));
+        assert!(said("2 1 3 0.1 0.3  0.3 0.9  0.2 0.6").is_empty());
+        assert!(said("2 1 4 0.1 0.3  0.3 0.9  0.2 0.6  0.1 0.3").contains("rounding"));
+        // However small or far apart, it has an area.
+        for real in [
+            "1e300 0 0  0 1e-300 0  0 0 0",
+            "0 0 0  1 1 0  1e-300 2e-300 0",
+        ] {
+            let all = found(&format!("2 6 {real}"));
+            assert!(!all.iter().any(|f| f.starts_with("W305")), "{real}");
+        }
     }
 
     #[test]

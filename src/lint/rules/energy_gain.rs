@@ -31,25 +31,70 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
             ("blue", "sum-in-blue"),
         ],
     };
-    let mut finding: Option<Diagnostic> = None;
+    let mut gains = Vec::new();
     for ((k, t), &(channel, phrase)) in values.chunks(3).zip(tokens.chunks(3)).zip(channels) {
         let sum: f64 = k.iter().sum();
         let in_range = k.iter().all(|x| (0.0..=1.0).contains(x));
         if in_range && sum > 1.0 + ROUNDING {
-            let span = t[0].span().to(t[2].span());
-            finding = Some(match finding {
-                None => Diagnostic::new(Code::W302, span)
-                    .case(channel)
-                    .with("sum", short(sum)),
-                Some(d) => d.label(span, phrase).with(channel, short(sum)),
-            });
+            gains.push((sum, t[0].span().to(t[2].span()), channel, phrase));
         }
     }
-    out.extend(finding);
+    // The finding is about the worst one, the first of equal ones; the others are labelled.
+    gains.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let Some(((sum, span, channel, _), others)) = gains.split_first() else {
+        return;
+    };
+    let worst = Diagnostic::new(Code::W302, *span)
+        .case(channel)
+        .with("sum", short(*sum));
+    out.push(
+        others
+            .iter()
+            .fold(worst, |d, &(sum, span, channel, phrase)| {
+                d.label(span, phrase).with(channel, short(sum))
+            }),
+    );
 }
 
-/// A sum of decimals without the rounding of its last digits.
+/// A sum of decimals without the rounding of its last digits, in as many as show that it is above 1.
 fn short(x: f64) -> String {
-    let text = format!("{x:.6}");
+    let texts = [6, 9, 12, 15].map(|digits| format!("{x:.digits$}"));
+    let above = texts.iter().find(|t| t.parse().is_ok_and(|x: f64| x > 1.0));
+    let text = above.unwrap_or(&texts[0]);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lint::testing::{found, messages, random};
+
+    #[test]
+    fn the_worst_channel_is_named() {
+        let scene = "2 -202 .5 .5 .5 1 1 1 0 0 0\n";
+        assert_eq!(found(scene)[0], "W302 1:17");
+        assert!(messages(scene)[0].ends_with("kd + ks + kt = 3 in green"));
+        // Any three sums.
+        let mut random = random();
+        for _ in 0..200 {
+            let k: Vec<u64> = (0..9).map(|_| random(11)).collect();
+            let sums: Vec<u64> = k.chunks(3).map(|c| c.iter().sum()).collect();
+            let worst = (0..3).rev().max_by_key(|&i| sums[i]).unwrap();
+            let shares: Vec<String> = k.iter().map(|k| format!("{}", *k as f64 / 10.0)).collect();
+            let all = messages(&format!("2 -202 {}\n", shares.join(" ")));
+            let said = all.iter().find(|m| m.contains("more light than it gets"));
+            assert_eq!(said.is_some(), sums[worst] > 10, "{shares:?}");
+            // Of equal ones it may be any.
+            let names = ["red", "green", "blue"].into_iter().zip(&sums);
+            let mut worst = names.filter(|n| *n.1 == sums[worst]).map(|n| n.0);
+            let ends = |m: &String| worst.any(|name| m.ends_with(&format!(" in {name}")));
+            assert!(said.is_none_or(ends), "{said:?} {shares:?}");
+        }
+    }
+
+    #[test]
+    fn the_sum_that_is_told_is_above_one() {
+        let scene = |x: &str| format!("2 -201 {x} .5 0\n");
+        assert!(messages(&scene("0.5000000001"))[0].ends_with("kd + ks + kt = 1.0000000001"));
+        assert!(found(&scene("0.5")).is_empty());
+    }
 }

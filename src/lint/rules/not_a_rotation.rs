@@ -28,7 +28,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
     let m = Matrix::from_rows(&p.numbers(0));
     // The resolver has reported these.
-    if m.0[3] != [0.0, 0.0, 0.0, 1.0] || m.inverse().is_none() {
+    if m.0[3] != [0.0, 0.0, 0.0, 1.0] || m.is_singular() || m.inverse().is_none() {
         return;
     }
     let linear: Matrix3 = std::array::from_fn(|i| std::array::from_fn(|j| m.0[i][j]));
@@ -38,7 +38,7 @@ fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
             d.max((n[k / 3][k % 3] - linear[k / 3][k % 3]).abs())
         })
     };
-    let mirrors = m.determinant3() < 0.0;
+    let mirrors = m.orientation() < 0;
     let distance = nearest.as_ref().map_or(f64::INFINITY, moved);
     if distance <= TOLERANCE && !mirrors {
         return;

@@ -2,7 +2,8 @@
 //!
 //! Records change objects, nodes never change: a node that transforms or paints another is written as
 //! a change of the object that is the other so far, if nothing else needs that as it is, and as the
-//! change of a copy if something does.
+//! change of a copy if something does. Of scenes that were records before nothing is copied: all that
+//! needs a state stands before the change of it.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt::{self, Write};
@@ -177,7 +178,8 @@ impl<'a> Speller<'a> {
         match &item.node {
             Node::Transform { of, matrix } => {
                 let id = self.changeable(*of);
-                self.transform(id, matrix);
+                let before = &self.scene.nodes[*of as usize].node;
+                self.transform(id, matrix, matches!(before, Node::Transform { .. }));
                 id
             }
             Node::Paint {
@@ -233,21 +235,24 @@ impl<'a> Speller<'a> {
         copy
     }
 
-    fn transform(&mut self, id: u32, matrix: &[f64; 16]) {
+    /// Writes a transformation, to the bit: what comes after another one in one record.
+    fn transform(&mut self, id: u32, matrix: &[f64; 16], after_another: bool) {
         let m = Matrix::from_rows(matrix);
-        let diagonal = [m.0[0][0], m.0[1][1], m.0[2][2]];
-        let step = [m.0[0][3], m.0[1][3], m.0[2][3]];
-        let mut stretch = Matrix::scaling(diagonal[0], diagonal[1], diagonal[2]);
-        (0..3).for_each(|i| stretch.0[i][3] = step[i]);
-        if m != stretch {
-            self.any_matrix |= !m.is_rotation(TURN);
-            return self.record(id, -4, &reals(&[*matrix]));
-        }
-        if diagonal != [1.0; 3] {
-            self.record(id, -3, &reals(&[diagonal]));
-        }
-        if step != [0.0; 3] {
+        let bits = |m: &Matrix| m.0.map(|row| row.map(f64::to_bits));
+        let is = |other: &Matrix| bits(other) == bits(&m);
+        let [factors, step] = [[0, 5, 10], [3, 7, 11]].map(|places| places.map(|i| matrix[i]));
+        let stretch = Matrix::scaling(factors[0], factors[1], factors[2]);
+        let moved = Matrix::translation(step[0], step[1], step[2]);
+        if is(&moved) {
             self.record(id, -1, &reals(&[step]));
+        } else if is(&stretch) {
+            self.record(id, -3, &reals(&[factors]));
+        } else if is(&moved.after(&stretch)) && !after_another {
+            self.record(id, -3, &reals(&[factors]));
+            self.record(id, -1, &reals(&[step]));
+        } else {
+            self.any_matrix |= !m.is_rotation(TURN);
+            self.record(id, -4, &reals(&[*matrix]));
         }
     }
 

@@ -1,13 +1,18 @@
 //! A resolved scene as a model of JSON.
 
 use super::model::{self, Item, Node};
-use crate::scene::{self, Geometry, Matrix, NodeId, Scene, Texture, TriangleNormals, Volume};
+use crate::scene::{
+    self, Geometry, Matrix, NodeId, Promise, Scene, Texture, TriangleNormals, Volume,
+};
 
 /// The scene with all that its records still stand for at the end of the file: states of objects that
 /// nothing names any more are left out.
 pub fn write(scene: &Scene) -> model::Scene {
     let numbers = numbers(scene);
     let node = |n: NodeId| numbers[n as usize].unwrap_or_default();
+    // In the order of what they are about, as they are written as records.
+    let mut promises: Vec<&Promise> = scene.promises.iter().collect();
+    promises.sort_by_key(|p| p.node);
     let items = (0..scene.nodes.len()).filter(|&i| numbers[i].is_some());
     model::Scene {
         version: model::VERSION,
@@ -50,7 +55,7 @@ pub fn write(scene: &Scene) -> model::Scene {
             background: r.background,
             clip: r.clip.map(|(min, max)| model::Region { min, max }),
         }),
-        bounds: (scene.promises.iter())
+        bounds: (promises.into_iter())
             .map(|p| model::Bound {
                 node: node(p.node),
                 volume: match p.volume {
@@ -73,7 +78,12 @@ fn numbers(scene: &Scene) -> Vec<Option<u32>> {
     // Children stand before their parents.
     for i in (0..used.len()).rev() {
         if used[i] {
-            for child in scene.nodes[i].children().into_iter().flatten() {
+            let from = scene
+                .steps
+                .get(&(i as NodeId))
+                .map(|s| [Some(s.from), None]);
+            let children = from.unwrap_or_else(|| scene.nodes[i].children());
+            for child in children.into_iter().flatten() {
                 used[child as usize] = true;
             }
         }
@@ -91,6 +101,9 @@ fn numbers(scene: &Scene) -> Vec<Option<u32>> {
 fn item(scene: &Scene, i: usize, node: impl Fn(NodeId) -> u32) -> Item {
     use scene::Node as N;
     let pair = |a, b| [node(a), node(b)];
+    // What goes on from a state that others need is a change of that, as its record is.
+    let step = scene.steps.get(&(i as NodeId));
+    let of = |child| node(step.map_or(child, |s| s.from));
     let made = match scene.nodes[i] {
         N::Shape(s) => shape(&scene.shapes[s as usize].geometry),
         N::Union(a, b) => Node::Union {
@@ -105,13 +118,13 @@ fn item(scene: &Scene, i: usize, node: impl Fn(NodeId) -> u32) -> Item {
         N::Complement(child) => Node::Complement { of: node(child) },
         N::Copy { child, .. } => Node::Copy { of: node(child) },
         N::Transform { child, matrix } => Node::Transform {
-            of: node(child),
-            matrix: rows(&scene.matrices[matrix as usize]),
+            of: of(child),
+            matrix: rows(&scene.matrices[step.and_then(|s| s.matrix).unwrap_or(matrix) as usize]),
         },
         N::Paint { child, paint } => {
             let paint = &scene.paints[paint as usize];
             Node::Paint {
-                of: node(child),
+                of: of(child),
                 texture: paint.texture.as_ref().map(texture),
                 optics: (paint.optics).map(|o| model::Optics {
                     kd: o.kd,
