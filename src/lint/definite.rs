@@ -22,6 +22,17 @@ pub enum Verdict {
 
 type Form = [[IBig; 4]; 4];
 
+/// The symmetric part of a matrix, twice, with each number times one power of two.
+fn form(q: &[f64; 16]) -> Form {
+    let q = whole(*q);
+    std::array::from_fn(|i| std::array::from_fn(|j| &q[4 * i + j] + &q[4 * j + i]))
+}
+
+/// Whether xᵀQx ≤ 0 is an ellipsoid, a point or nothing: its square part is positive definite.
+pub fn is_ellipsoid(q: &[f64; 16]) -> bool {
+    matches!(lowest(form(q)), Some((_, 3)))
+}
+
 /// What the quadric with these 16 numbers, row by row, is.
 pub fn judge(q: &[f64; 16]) -> Verdict {
     let diagonal = [0, 5, 10, 15].map(|i| q[i]);
@@ -29,10 +40,7 @@ pub fn judge(q: &[f64; 16]) -> Verdict {
     if diagonal.iter().any(|&x| x > 0.0) && diagonal.iter().any(|&x| x < 0.0) {
         return Verdict::Other;
     }
-    // The symmetric part, twice.
-    let q = whole(*q);
-    let form: Form =
-        std::array::from_fn(|i| std::array::from_fn(|j| &q[4 * i + j] + &q[4 * j + i]));
+    let form = form(q);
     if form.iter().flatten().all(IBig::is_zero) {
         return Verdict::Zero;
     }

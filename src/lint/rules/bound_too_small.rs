@@ -4,20 +4,31 @@
 use std::cell::Cell;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::lint::solids::field::{Field, Slope};
+use crate::lint::solids::inside::Inside;
+use crate::lint::solids::meeting::lowest;
 use crate::lint::solids::reach::{
-    Bare, DIRECTIONS, Met, Outline, RAYS, Search, WRITTEN, beyond, farthest_leaf, size, tracer,
+    Bare, DIRECTIONS, Met, Outline, RAYS, Search, WRITTEN, beyond, farthest_leaf, regions, size,
+    tracer,
 };
 use crate::lint::solids::{near, tree::Tree};
 use crate::lint::{Context, spelled};
 use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
-use crate::scene::{Aabb, NodeId, Promise, Scene, Volume};
+use crate::scene::vector::{sub, unit};
+use crate::scene::{Aabb, Matrix, NodeId, Promise, Scene, Vec3, Volume};
 
 /// Nodes gone through for all bounding volumes of a file together.
 const NODES: usize = 700_000;
 
 /// Rays for one of them at least, as long as there are any: enough to look at one box.
 const RAYS_EACH: usize = 75;
+
+/// What the closer look may cost where nothing has been met, for one volume and for all together: some
+/// tenths of a second. Objects of more nodes are not looked at.
+const CLOSE: usize = 60_000;
+const CLOSE_ALL: usize = 6_000_000;
+const CLOSE_NODES: usize = 128;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -27,6 +38,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let bounds = context.bounds();
     let mut rays = RAYS;
     let mut nodes = NODES;
+    let mut close = CLOSE_ALL;
     let directions = Cell::new(DIRECTIONS);
     let mut bare = Bare::new(scene);
     for (i, promise) in scene.promises.iter().enumerate() {
@@ -40,7 +52,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let still = scene.promises.len() - i;
         let mut share = (rays / still).max(RAYS_EACH).min(rays);
         rays -= share;
-        let (met, reach) = search(part, promise, &whole, &mut share, &directions);
+        let copy = (part.nodes.len() <= CLOSE_NODES).then(|| part.clone());
+        let (mut met, reach) = search(part, promise, &whole, &mut share, &directions);
+        if met.is_none()
+            && let Some(part) = &copy
+            && !(reach <= radius(&promise.volume))
+        {
+            met = closely(part, &promise.volume, &whole, &mut close);
+        }
         rays += share;
         let Some(met) = met else { continue };
         let Some(p) = context.params(promise.span) else {
@@ -117,6 +136,80 @@ fn search(
         rays,
     };
     (search.outside(volume, aims, |_| true), reach)
+}
+
+/// The radius of a sphere.
+fn radius(volume: &Volume) -> f64 {
+    match *volume {
+        Volume::Box { .. } => f64::NEG_INFINITY,
+        Volume::Sphere { radius, .. } => radius * (1.0 + WRITTEN),
+    }
+}
+
+/// How far a point is from being outside of a volume by more than some slack.
+fn within(volume: &Volume, p: Vec3, slack: f64) -> Slope {
+    let distance = slack - beyond(volume, p);
+    let up = match *volume {
+        Volume::Sphere { centre, .. } => unit(sub(centre, p)).unwrap_or([1.0, 0.0, 0.0]),
+        Volume::Box { min, max } => {
+            let out = |i: usize| (p[i] - max[i]).max(min[i] - p[i]);
+            let most = (0..3).fold(0, |m, i| if out(i) > out(m) { i } else { m });
+            let up = if p[most] - max[most] > min[most] - p[most] {
+                -1.0
+            } else {
+                1.0
+            };
+            std::array::from_fn(|i| if i == most { up } else { 0.0 })
+        }
+    };
+    Slope { distance, up }
+}
+
+/// A point of the surface outside of a volume, looked for where the object is furthest out: on edges that
+/// operations have made, which no ray hits by chance.
+fn closely(part: &Scene, volume: &Volume, whole: &Aabb, left: &mut usize) -> Option<Met> {
+    /// How often the way out of the object is doubled, and its last step halved.
+    const DOUBLINGS: usize = 40;
+    const HALVINGS: usize = 60;
+    let bounds = node_bounds(part);
+    let root = part.nodes.len() as NodeId - 1;
+    let mut object = Field::new(part, root, &Matrix::IDENTITY)?;
+    let mut inside = Inside::new(part, &bounds);
+    let slack = WRITTEN * size(volume);
+    let place = match whole.is_finite() {
+        true => *whole,
+        false => whole.intersection(&around(volume)),
+    };
+    let regions = regions(volume, &place);
+    let share = CLOSE.min(*left) / object.cost.max(1) / regions.len().max(1);
+    let mut holds = |p: Vec3| inside.node(root, p) == Some(true);
+    let found = regions.iter().find_map(|region| {
+        let mut points = share;
+        let slopes = |p| [object.at(p), within(volume, p, slack)];
+        let is_out = |p| beyond(volume, p) > slack && holds(p);
+        let found = lowest(region, slack, &mut points, slopes, is_out);
+        *left = left.saturating_sub((share - points) * object.cost);
+        found
+    });
+    let p = found?;
+    // From there on outwards, up to where the object ends.
+    let way = within(volume, p, slack).up.map(|x| -x * size(volume));
+    let at = |t: f64| -> Vec3 { std::array::from_fn(|i| p[i] + t * way[i]) };
+    let steps = (0..DOUBLINGS).map(|k| WRITTEN * 2f64.powi(k as i32));
+    let mut off = steps.into_iter().find(|&t| !holds(at(t)))?;
+    let mut on = 0.0;
+    for _ in 0..HALVINGS {
+        let middle = (on + off) / 2.0;
+        match holds(at(middle)) {
+            true => on = middle,
+            false => off = middle,
+        }
+    }
+    let shape = 0;
+    Some(Met {
+        point: at(on),
+        shape,
+    })
 }
 
 /// Whether a volume certainly holds a box, up to what may be the rounding of its numbers.

@@ -7,6 +7,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::lint::parts::parts;
 use crate::lint::properties::{ASPECTS, Properties, sets};
+use crate::lint::solids::proofs::{Proofs, Reason};
 use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Geometry, Node, NodeId, Scene, Texture};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -18,6 +19,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let seen = seen(scene);
     let parts = parts(scene);
     let owners: FxHashSet<u32> = scene.paints.iter().map(|p| p.owner).collect();
+    let mut proofs = Proofs::new(scene, context.bounds());
     let mut mixed: Vec<(NodeId, [bool; 3])> = Vec::new();
     for (i, node) in scene.nodes.iter().enumerate() {
         let Node::Intersection(a, b) = *node else {
@@ -33,7 +35,16 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let tool = [a, b].iter().any(|&c| is_complement(scene, c));
         // Who assigns anything to the result has thought of what it looks like.
         if !surface && !tool && differ.contains(&true) && !owners.contains(&scene.origins[i].id) {
-            mixed.push((i as NodeId, differ));
+            // Of what holds all of the other one no face is left; of what is apart, of neither.
+            let within =
+                |x, y, proofs: &mut Proofs| matches!(proofs.covered(x, y), Some(Reason::Within));
+            let nothing = |proofs: &mut Proofs| {
+                let whole = |n| [(n, false)];
+                proofs.nothing(&whole(a), &whole(b), Some((a, b))).is_some()
+            };
+            if !within(a, b, &mut proofs) && !within(b, a, &mut proofs) && !nothing(&mut proofs) {
+                mixed.push((i as NodeId, differ));
+            }
         }
     }
     if !mixed.is_empty() {
@@ -258,6 +269,11 @@ mod tests {
             "2 -701 1 0 0\n4 -102 2 3\n5 12 -1 -1 -1 1 1 1\n6 -101 4 5\n6 -701 0 1 0\n1 9999 6 0",
             // A tool is not seen.
             "2 -701 1 0 0\n4 -102 2 3\n5 12 -1 -1 -1 1 1 1\n6 -103 5 4\n1 9999 6 0",
+            // Nothing is left of one of them, or of both.
+            "2 -701 1 0 0\n5 12 -3 -3 -3 3 3 3\n4 -102 2 5",
+            "2 -701 1 0 0\n5 12 -1.1 -1.1 -1.1 1.1 1.1 1.1\n5 -2 45 1\n4 -102 5 2",
+            "2 -701 1 0 0\n5 4 0 1 0 -1.1\n4 -102 5 2",
+            "2 -701 1 0 0\n3 -1 2 0 0\n4 -102 3 2",
             // It was painted later.
             "4 -102 2 3\n2 -701 1 0 0\n5 -101 2 4",
         ] {

@@ -1,5 +1,6 @@
 //! Convex hulls of shapes, from outside: a few points whose hull holds all of a shape.
 
+use crate::lint::definite::is_ellipsoid;
 use crate::scene::{Geometry, Vec3};
 
 /// Corners of the polygon around a circle.
@@ -56,6 +57,7 @@ pub fn is_convex(geometry: &Geometry) -> bool {
         | Geometry::Cone { .. }
         | Geometry::ParabolicCylinder { .. } => true,
         Geometry::Revolution { profile, .. } => is_convex_profile(profile),
+        Geometry::Quadric(q) => is_ellipsoid(q),
         _ => false,
     }
 }

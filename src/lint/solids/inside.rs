@@ -1,8 +1,10 @@
 //! Whether a point is in an object: an answer only where it is certain enough to build on.
 
 use super::distance;
+use super::facet::facet;
 use super::tree::{both, either};
 use crate::scene::bounds::NodeBounds;
+use crate::scene::vector::{cross, dot, sub, unit};
 use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
 
 /// Steps of all tests together: nodes visited and profile points compared. A second has room for
@@ -141,14 +143,14 @@ fn in_shape(geometry: &Geometry, p: Vec3) -> Option<bool> {
             semi_axes: [a, b, c],
         } => square(x, *a) + square(y, *b) + square(z, *c) <= 1.0,
         Geometry::Box { min, max } => (0..3).all(|i| min[i] <= p[i] && p[i] <= max[i]),
-        Geometry::GeodesicSphere { radius, .. } => {
+        Geometry::GeodesicSphere { radius, splits } => {
             // The least of all, the icosahedron, holds a ball of 0.79 of its circumscribed one.
             const HELD: f64 = 0.79;
             let away = x.hypot(y).hypot(z);
             match away {
                 a if a > *radius => false,
                 a if a <= HELD * radius => true,
-                _ => return None,
+                _ => return in_facet(facet(p, *splits), p.map(|x| x / radius)),
             }
         }
         Geometry::Torus { major, minor } => {
@@ -160,15 +162,15 @@ fn in_shape(geometry: &Geometry, p: Vec3) -> Option<bool> {
         }
         Geometry::Quadric(q) => {
             let v = [x, y, z, 1.0];
-            let value: f64 = (0..16).map(|k| q[k] * v[k / 4] * v[k % 4]).sum();
-            value <= 0.0
+            let terms: [f64; 16] = std::array::from_fn(|k| q[k] * v[k / 4] * v[k % 4]);
+            return at_most_zero(&terms);
         }
         Geometry::Cone { height, radius } => {
             let share = y / height;
             (0.0..=1.0).contains(&share) && x.hypot(z) <= radius * share
         }
         Geometry::DoubleCone { height, radius } => {
-            let share = y.abs() / height;
+            let share = (y / height).abs();
             share <= 1.0 && x.hypot(z) <= radius * share
         }
         Geometry::ParabolicCylinder { a } => square(x, *a) <= y,
@@ -179,6 +181,25 @@ fn in_shape(geometry: &Geometry, p: Vec3) -> Option<bool> {
         }
         Geometry::HyperbolicParaboloid { a, b } => square(x, *a) - square(z, *b) <= y,
     })
+}
+
+/// Whether a sum is at most zero; `None` where rounding may be all that there is of it.
+fn at_most_zero(terms: &[f64; 16]) -> Option<bool> {
+    // Two roundings in a term, one for each sum.
+    const ROUNDED: f64 = 18.0 * f64::EPSILON;
+    let value: f64 = terms.iter().sum();
+    let size: f64 = terms.iter().map(|t| t.abs()).sum();
+    (value == 0.0 || value.abs() > ROUNDED * size).then_some(value <= 0.0)
+}
+
+/// Whether a point that is seen from the middle through a facet lies below it, both of the sphere of radius
+/// 1.
+fn in_facet([a, b, c]: [Vec3; 3], p: Vec3) -> Option<bool> {
+    /// More than the corners are rounded by, after any number of splits.
+    const ROUNDED: f64 = 1e-13;
+    let n = unit(cross(sub(b, a), sub(c, a)))?;
+    let out = (dot(n, p) - dot(n, a)) * dot(n, a).signum();
+    (out.abs() > ROUNDED).then_some(out < 0.0)
 }
 
 /// The even-odd rule for a profile closed over the axis: how many of its pieces are further out at
@@ -227,7 +248,8 @@ mod tests {
             radius: 1.0,
             splits: 0,
         };
-        assert_eq!(inside(&geodesic, [0.0, 0.9, 0.0]), None);
-        assert_eq!(inside(&geodesic, [0.0, 0.7, 0.0]), Some(true));
+        // An edge's middle is 0.85065 away.
+        assert_eq!(inside(&geodesic, [0.0, 0.86, 0.0]), Some(false));
+        assert_eq!(inside(&geodesic, [0.0, 0.85, 0.0]), Some(true));
     }
 }

@@ -1,9 +1,12 @@
 //! What rules about geometry share: the scene with every shape in its place, and tests of points.
 
 pub mod boxes;
+pub mod facet;
+pub mod field;
 pub mod hull;
 pub mod inside;
 pub mod leaf;
+pub mod meeting;
 pub mod points;
 pub mod proofs;
 pub mod reach;

@@ -330,6 +330,9 @@ impl<'a> Proofs<'a> {
                 return Some(Reason::Within);
             }
         }
+        if self.between_faces(&p, &q) {
+            return Some(Reason::Within);
+        }
         let boxed = corners_of(self.all(x), &q).map_or(Vec::new(), Vec::from);
         // The corners of the shape itself, or of something that holds it closely.
         let own = self.hull_of(&p, &q).unwrap_or_default();
@@ -340,6 +343,41 @@ impl<'a> Proofs<'a> {
                 !corners.is_empty() && each.all(|&c| self.inside.shape(geometry, c) == Some(true))
             })
             .then_some(Reason::Within)
+    }
+
+    /// Whether a shape lies between the faces of another, where these are all planes.
+    fn between_faces(&self, p: &Placed, q: &Placed) -> bool {
+        let (Some(g), Some(h)) = (self.geometry(p), self.geometry(q)) else {
+            return false;
+        };
+        let Some(back) = q.matrix.inverse() else {
+            return false;
+        };
+        // A coordinate of the other one's own space is the product with a vector, and a number.
+        let row = |i: usize| -> (Vec3, f64) {
+            let r = back.0[i];
+            ([r[0], r[1], r[2]], r[3])
+        };
+        let b = self.all(p.node);
+        let place = far(&b.min).max(far(&b.max));
+        let reaches = |(normal, offset): (Vec3, f64)| {
+            let (low, high) = extent(g, &p.matrix, normal)?;
+            let size = length(normal) * place + offset.abs();
+            Some((low + offset - CLEAR * size, high + offset + CLEAR * size))
+        };
+        match h {
+            Geometry::Box { min, max } => (0..3)
+                .all(|i| reaches(row(i)).is_some_and(|(low, high)| min[i] < low && high < max[i])),
+            Geometry::HalfSpace([a, b, c, d]) => {
+                let rows = [row(0), row(1), row(2)];
+                let factors = [a, b, c];
+                let normal =
+                    std::array::from_fn(|k| (0..3).map(|i| factors[i] * rows[i].0[k]).sum());
+                let offset = (0..3).map(|i| factors[i] * rows[i].1).sum::<f64>() + d;
+                reaches((normal, offset)).is_some_and(|(_, high)| high < 0.0)
+            }
+            _ => false,
+        }
     }
 
     /// The corners of something that holds all of a shape, with room for rounding, in the coordinates

@@ -142,7 +142,7 @@ pub fn size(volume: &Volume) -> f64 {
 
 /// The parts of a finite box that may be outside of a volume: what lies beyond each of the sides of
 /// a box, or all of it.
-fn regions(volume: &Volume, bounds: &Aabb) -> Vec<Aabb> {
+pub fn regions(volume: &Volume, bounds: &Aabb) -> Vec<Aabb> {
     let Volume::Box { min, max } = volume else {
         return vec![*bounds];
     };

@@ -15,6 +15,7 @@ mod extent;
 mod flush;
 pub mod glb;
 mod material;
+mod needles;
 pub mod obj;
 mod operate;
 pub mod picture;
@@ -226,6 +227,7 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, U
         .collect();
     for part in [&mut mesh, &mut surfaces] {
         part.refine(|label| textured[label as usize], |_| extent.grain());
+        part.drop_needles();
     }
     let solid = mesh.triangles.len();
     mesh.append(&surfaces);

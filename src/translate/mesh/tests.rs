@@ -3,7 +3,7 @@ use crate::scene::vector::{cross, dot, sub};
 use crate::trace::Tracer;
 
 /// The model of a scene.
-fn made(text: &str, tolerance: f64) -> Model {
+pub(super) fn made(text: &str, tolerance: f64) -> Model {
     let source = crate::diagnostics::SourceFile::new("scene", text.as_bytes().to_vec());
     let (document, mut found) = crate::syntax::parse(&source.text);
     let scene = crate::scene::resolve(&document, &source, &mut found);

@@ -48,7 +48,9 @@ impl Collector {
     /// render box cuts it, it is open.
     pub fn add(&mut self, piece: &Piece, skins: &[Skin], graph: &Graph, grain: f64, eye: Vec3) {
         let far = |p: Vec3| length(sub(p, eye)).max(grain);
-        let mut labels: Vec<u32> = piece.mesh.labels.clone();
+        let mut mesh = piece.mesh.clone();
+        mesh.drop_needles();
+        let mut labels: Vec<u32> = mesh.labels.clone();
         labels.sort_unstable();
         labels.dedup();
         for label in labels {
@@ -58,11 +60,12 @@ impl Collector {
             if skin.primitive.is_none() {
                 continue;
             }
-            let mut part = piece.mesh.only(|l| l == label);
+            let mut part = mesh.only(|l| l == label);
             part.refine(|_| true, far);
             if skin.plain_colour(graph).is_none() && !is_pictured(skin, graph) {
                 part.refine(|_| true, |_| grain);
             }
+            part.drop_needles();
             self.meshes
                 .entry(key(skin, piece.around, graph))
                 .or_default()
@@ -125,9 +128,6 @@ fn bytes(mesh: &Mesh, colours: Colours, skins: &[Skin], graph: &Graph) -> Vec<u8
         let skin = &skins[mesh.labels[t] as usize];
         let [a, b, c] = mesh.corners(t);
         let n = cross(sub(b, a), sub(c, a));
-        if n == [0.0; 3] {
-            continue;
-        }
         let mut numbered = [0; 3];
         for (k, place) in [a, b, c].into_iter().enumerate() {
             let corner = corners[t][k];

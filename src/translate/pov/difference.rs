@@ -242,6 +242,12 @@ impl Builder<'_> {
                 Fidelity::Approximate("faces between the parts may show twice".to_owned()),
                 "",
             );
+        } else if self.cut_open {
+            self.report.count(
+                "cut faces through overlapping parts that are seen from within",
+                Fidelity::Approximate("faces between the parts show".to_owned()),
+                "",
+            );
         }
         let bare: Vec<_> = earlier
             .nodes

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::properties::Properties;
-use crate::lint::solids::{near, operation_of, roots};
+use crate::lint::solids::{operation_of, roots};
 use crate::lint::{Context, live_nodes};
 use crate::scene::record::Params;
 use crate::scene::{Node, OperationRecord, Optics};
@@ -61,11 +61,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 fn finding(unions: &Unions, p: &Params, record: &OperationRecord, found: &Found) -> Diagnostic {
     let [one, two] = found.parts.map(|i| &unions.parts[i as usize]);
-    let size = (0..3).fold(f64::INFINITY, |m, i| {
-        let both = one.bounds.intersection(&two.bounds);
-        m.min(both.max[i] - both.min[i])
-    });
-    let [x, y, z] = found.witness.map(|x| near(x, size));
+    let [x, y, z] = found.witness.clone();
     Diagnostic::new(Code::W307, p.span_of(0, 2))
         .case(if found.open { "open" } else { "" })
         .with("id", record.id.to_string())

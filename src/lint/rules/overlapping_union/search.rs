@@ -5,9 +5,13 @@ use rustc_hash::FxHashSet;
 use super::medium::texture;
 use super::unions::{Part, Unions};
 use crate::lint::solids::boxes::Boxes;
+use crate::lint::solids::field::Field;
 use crate::lint::solids::inside::Inside;
+use crate::lint::solids::meeting::lowest;
+use crate::lint::solids::near;
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Aabb, Matrix, NodeId, Scene, Vec3};
+use crate::scene::vector::length;
+use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene, Vec3};
 
 /// Boxes looked at and points tried, for all parts together: some tenths of a second.
 const STEPS: usize = 10_000_000;
@@ -19,14 +23,23 @@ const POINTS: u32 = 24;
 /// is meant to touch, and written with six or seven digits.
 const DEPTH: f64 = 1e-6;
 
+/// What the closer look at pairs of which no point was found may cost, for one pair and for all together:
+/// some tenths of a second.
+const CLOSE: usize = 40_000;
+const CLOSE_ALL: usize = 6_000_000;
+
+/// How many pairs are remembered for a closer look, and of how many both may be without end.
+const PAIRS: usize = 100_000;
+const ENDLESS: usize = 2_000;
+
 /// Two parts that overlap.
 pub(super) struct Found {
     /// The union of both.
     pub(super) union: NodeId,
     /// Indices of the parts, in the order of the operands.
     pub(super) parts: [u32; 2],
-    /// A point of both, in the coordinates of the scene.
-    pub(super) witness: Vec3,
+    /// A point of both, in the coordinates of the scene: with as many digits as it takes to be in both.
+    pub(super) witness: [String; 3],
     /// Whether they are opaque, and cut open at the point.
     pub(super) open: bool,
 }
@@ -38,7 +51,13 @@ pub(super) struct Search<'a> {
     left: usize,
     /// Unions that have been spoken of.
     done: FxHashSet<NodeId>,
+    bounds: &'a [NodeBounds],
+    /// What is left for closer looks.
+    close: usize,
 }
+
+/// Two parts to be looked at, and whether both are opaque.
+type Pair = ([u32; 2], bool);
 
 impl<'a> Search<'a> {
     pub(super) fn new(
@@ -52,6 +71,8 @@ impl<'a> Search<'a> {
             inside: Inside::new(scene, bounds),
             left: STEPS,
             done: FxHashSet::default(),
+            bounds,
+            close: CLOSE_ALL,
         }
     }
 
@@ -65,7 +86,8 @@ impl<'a> Search<'a> {
         let parts = unions.parts.iter().enumerate();
         let boxes = Boxes::new(parts.map(|(i, p)| (i as u32, p.bounds)));
         let mut found = Vec::new();
-        for (i, part) in unions.parts.iter().enumerate() {
+        let mut rest: Vec<Pair> = Vec::new();
+        'parts: for (i, part) in unions.parts.iter().enumerate() {
             if !concerns(part) {
                 continue;
             }
@@ -73,7 +95,7 @@ impl<'a> Search<'a> {
             let mut near = Vec::new();
             let steps = match part.bounds.is_finite() {
                 true => boxes.near(&part.bounds, &mut near),
-                // Two without end: no place to look at.
+                // Two without end: later.
                 false => boxes.near_finite(&part.bounds, &mut near),
             };
             match self.left.checked_sub(steps + near.len() + 1) {
@@ -82,29 +104,48 @@ impl<'a> Search<'a> {
             }
             near.retain(|&j| unions.parts[j as usize].bounds.overlaps(&part.bounds));
             for j in near {
-                let other = &unions.parts[j as usize];
-                // Each pair once.
-                let opaque = !transmits(part) && !transmits(other);
-                let turn = match (transmits(part), transmits(other)) {
-                    (true, true) => i < j || !other.bounds.is_finite(),
-                    (false, false) => i < j && part.opened && other.opened,
-                    (one, _) => one,
-                };
-                let differ = match opaque {
-                    true => self.look_different(part, other),
-                    false => part.medium != other.medium,
-                };
-                if !turn || !differ {
+                let Some(pair) = self.differ(i, j) else {
                     continue;
-                }
+                };
                 let Some(left) = self.left.checked_sub(POINTS as usize) else {
-                    return found;
+                    break 'parts;
                 };
                 self.left = left;
-                found.extend(self.pair([i.min(j), i.max(j)], opaque));
+                match self.pair(pair) {
+                    Some(one) => found.push(one),
+                    None if rest.len() < PAIRS => rest.push(pair),
+                    None => {}
+                }
             }
         }
+        let endless = |i: &u32| !unions.parts[*i as usize].bounds.is_finite();
+        let endless: Vec<u32> = (0..unions.parts.len() as u32).filter(endless).collect();
+        let pairs = (endless.iter()).flat_map(|&i| endless.iter().map(move |&j| (i, j)));
+        let pairs = pairs.filter(|(i, j)| i < j).take(ENDLESS);
+        rest.extend(pairs.filter_map(|(i, j)| self.differ(i, j).or_else(|| self.differ(j, i))));
+        for pair in rest {
+            found.extend(self.closely(pair));
+        }
         found
+    }
+
+    /// A pair of parts, if the order of these shows and it is the first one's turn.
+    fn differ(&self, i: u32, j: u32) -> Option<Pair> {
+        let unions = self.unions;
+        let transmits = |p: &Part| unions.media[p.medium as usize].transmits();
+        let (part, other) = (&unions.parts[i as usize], &unions.parts[j as usize]);
+        // Each pair once.
+        let opaque = !transmits(part) && !transmits(other);
+        let turn = match (transmits(part), transmits(other)) {
+            (true, true) => i < j || part.bounds.is_finite() && !other.bounds.is_finite(),
+            (false, false) => i < j && part.opened && other.opened,
+            (one, _) => one,
+        };
+        let differ = match opaque {
+            true => self.look_different(part, other),
+            false => part.medium != other.medium,
+        };
+        (turn && differ).then_some(([i.min(j), i.max(j)], opaque))
     }
 
     /// Whether two opaque parts differ in colour or in optical property, as far as that is known.
@@ -118,13 +159,16 @@ impl<'a> Search<'a> {
         optics(one) != optics(two) || a != b
     }
 
-    fn pair(&mut self, pair: [u32; 2], opaque: bool) -> Option<Found> {
-        let parts = pair.map(|i| &self.unions.parts[i as usize]);
+    /// The union of two parts, if nothing has been said of it.
+    fn union(&self, parts: [&Part; 2]) -> Option<NodeId> {
         let place = self.unions.ways.join(parts[0].union, parts[1].union)?;
         let union = self.unions.places[place as usize];
-        if self.done.contains(&union) {
-            return None;
-        }
+        (!self.done.contains(&union)).then_some(union)
+    }
+
+    fn pair(&mut self, (pair, opaque): Pair) -> Option<Found> {
+        let parts = pair.map(|i| &self.unions.parts[i as usize]);
+        let union = self.union(parts)?;
         let both = parts[0].bounds.intersection(&parts[1].bounds);
         let longest = |b: &Aabb| (0..3).fold(0.0f64, |m, i| m.max(b.max[i] - b.min[i]));
         let depth = DEPTH * longest(&parts[0].bounds).min(longest(&parts[1].bounds));
@@ -153,16 +197,145 @@ impl<'a> Search<'a> {
                 true => self.opened(both_parts, p, depth, &mut halves),
             };
             if let Some(witness) = witness {
-                self.done.insert(union);
-                return Some(Found {
+                return Some(self.found(
                     union,
-                    parts: pair,
+                    (pair, opaque),
+                    both_parts,
                     witness,
-                    open: opaque,
-                });
+                    (&both, depth),
+                ));
             }
         }
         None
+    }
+
+    fn found(
+        &mut self,
+        union: NodeId,
+        (parts, open): Pair,
+        both_parts: [(&Part, &Matrix); 2],
+        witness: Vec3,
+        (within, depth): (&Aabb, f64),
+    ) -> Found {
+        /// What overlaps by less than a millionth is not spoken of.
+        const FINER: usize = 7;
+        self.done.insert(union);
+        let sides = (0..3).map(|i| within.max[i] - within.min[i]);
+        let size = sides.fold(f64::INFINITY, f64::min);
+        let told = |k: usize| witness.map(|x| near(x, size / 10f64.powi(k as i32)));
+        let holds = |k: &usize| {
+            let number = |x: String| x.parse().unwrap_or(f64::NAN);
+            self.deep(both_parts, told(*k).map(number), depth, !open)
+        };
+        Found {
+            union,
+            parts,
+            witness: told((0..FINER).find(holds).unwrap_or(FINER)),
+            open,
+        }
+    }
+
+    /// A point of two parts that overlap by little, or are both without end.
+    fn closely(&mut self, (pair, opaque): Pair) -> Option<Found> {
+        let parts = pair.map(|i| &self.unions.parts[i as usize]);
+        let union = self.union(parts).filter(|_| !opaque)?;
+        let mut within = parts[0].bounds.intersection(&parts[1].bounds);
+        if parts.iter().all(|p| !p.bounds.is_finite()) {
+            let [a, b] = parts.map(|p| self.anchor(p));
+            within = within.intersection(&a.hull(&b));
+        }
+        if let Some((min, max)) = self.scene.render.and_then(|r| r.clip) {
+            within = within.intersection(&Aabb::new(min, max));
+        }
+        if within.is_empty() || !within.is_finite() {
+            return None;
+        }
+        let size = |b: &Aabb| {
+            let b = if b.is_finite() { b } else { &within };
+            (0..3).fold(0.0f64, |m, i| m.max(b.max[i] - b.min[i]))
+        };
+        let depth = DEPTH * size(&parts[0].bounds).min(size(&parts[1].bounds));
+        if (0..3).any(|i| within.max[i] - within.min[i] <= depth) {
+            return None;
+        }
+        let [Some(a), Some(b)] = parts.map(|p| p.matrix.inverse()) else {
+            return None;
+        };
+        let both_parts = [(parts[0], &a), (parts[1], &b)];
+        let [mut one, mut two] = [
+            Field::new(self.scene, parts[0].node, &parts[0].matrix)?,
+            Field::new(self.scene, parts[1].node, &parts[1].matrix)?,
+        ];
+        // What is left of both, where something cuts.
+        let cut = parts[0].cut;
+        let mut left = cut.and_then(|root| Field::new(self.scene, root, &Matrix::IDENTITY));
+        let cost = one.cost + two.cost + left.as_ref().map_or(0, |f| f.cost);
+        let share = CLOSE.min(self.close) / cost.max(1);
+        let mut points = share;
+        let slopes = |p: Vec3| {
+            let [a, b] = [one.at(p), two.at(p)];
+            let Some(c) = left.as_mut().map(|left| left.at(p)) else {
+                return [a, b];
+            };
+            // The lowest of the three does not count.
+            match a.distance < b.distance {
+                true => [a.both(c), b],
+                false => [a, b.both(c)],
+            }
+        };
+        let deep = |p: Vec3| self.deep(both_parts, p, depth, true);
+        let witness = lowest(&within, depth, &mut points, slopes, deep);
+        self.close = self.close.saturating_sub(cost * (share - points));
+        Some(self.found(
+            union,
+            (pair, opaque),
+            both_parts,
+            witness?,
+            (&within, depth),
+        ))
+    }
+
+    /// Where something without end is at home: around its own origin, by several times its size.
+    fn anchor(&self, part: &Part) -> Aabb {
+        const TIMES: f64 = 4.0;
+        let bounded = self.bounds[part.node as usize].bounded;
+        if !bounded.is_empty() {
+            return bounded.transformed(&part.matrix);
+        }
+        let scene = self.scene;
+        let (mut node, mut matrix) = (part.node, part.matrix);
+        let geometry = loop {
+            match scene.nodes[node as usize] {
+                Node::Shape(s) => break Some(&scene.shapes[s as usize].geometry),
+                Node::Transform { child, matrix: m } => {
+                    matrix = matrix.after(&scene.matrices[m as usize]);
+                    node = child;
+                }
+                Node::Paint { child, .. } | Node::Copy { child, .. } => node = child,
+                _ => break None,
+            }
+        };
+        let (middle, size) = match geometry {
+            Some(&Geometry::HalfSpace([a, b, c, d])) => {
+                let square = a * a + b * b + c * c;
+                let foot = [a, b, c].map(|x| -d * x / square);
+                (foot, 1.0f64.max(length(foot)))
+            }
+            Some(Geometry::Quadric(q)) => {
+                let largest = |of: &[usize]| of.iter().fold(0.0f64, |m, &k| m.max(q[k].abs()));
+                let square = largest(&[0, 1, 2, 4, 5, 6, 8, 9, 10]).max(f64::MIN_POSITIVE);
+                let linear = largest(&[3, 7, 11, 12, 13, 14]) / square;
+                ([0.0; 3], linear + (largest(&[15]) / square).sqrt() + 1.0)
+            }
+            Some(&Geometry::ParabolicCylinder { a }) => ([0.0; 3], a.max(1.0)),
+            Some(&Geometry::HyperbolicCylinder { a, b })
+            | Some(&Geometry::HyperbolicParaboloid { a, b }) => ([0.0; 3], a.max(b)),
+            Some(&Geometry::Hyperboloid { a, b, c, .. }) => ([0.0; 3], a.max(b).max(c)),
+            _ => ([0.0; 3], 1.0),
+        };
+        let reach = TIMES * size;
+        let around = Aabb::new(middle.map(|x| x - reach), middle.map(|x| x + reach));
+        around.transformed(&matrix)
     }
 
     /// A point of both parts at which something cuts, between one more point of both and the ones

@@ -1,0 +1,155 @@
+//! A search for a point at which something is below zero, where it is lowest first.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use super::field::Slope;
+use crate::scene::vector::{dot, length};
+use crate::scene::{Aabb, Vec3};
+
+/// A part of the region.
+struct Cell {
+    /// What is looked at first: the lowest.
+    key: f64,
+    centre: Vec3,
+    half: Vec3,
+}
+
+impl PartialEq for Cell {
+    fn eq(&self, other: &Cell) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Cell {}
+
+impl PartialOrd for Cell {
+    fn partial_cmp(&self, other: &Cell) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Cell {
+    fn cmp(&self, other: &Cell) -> Ordering {
+        other.key.total_cmp(&self.key)
+    }
+}
+
+/// Fields are rough: a cell is left out only where its middle is further from all that is below zero than
+/// its corners by this factor.
+const SLACK: f64 = 1.5;
+
+/// How much what may be in a cell counts against what is known of its middle.
+const HOPE: f64 = 0.5;
+
+/// From how many of the first cells, and of how many later ones from one, a way down is looked for; and
+/// its steps at most.
+const FIRST: usize = 24;
+const LATER: usize = 8;
+const STEPS: usize = 12;
+
+/// A point of a region, which ends, that is accepted: one of a few where both slopes are below zero by more
+/// than `least`. Cells are halved until they are smaller than that, or no more points are left.
+pub fn lowest(
+    region: &Aabb,
+    least: f64,
+    points: &mut usize,
+    slopes: impl FnMut(Vec3) -> [Slope; 2],
+    accept: impl FnMut(Vec3) -> bool,
+) -> Option<Vec3> {
+    let centre = region.centre();
+    let half: Vec3 = std::array::from_fn(|i| region.max[i] - centre[i]);
+    let mut search = Search {
+        region,
+        least,
+        points,
+        slopes,
+        accept,
+        cells: BinaryHeap::new(),
+    };
+    let mut found = search.look(centre, half)?;
+    let mut count = 0;
+    while found.is_none() {
+        let cell = search.cells.pop()?;
+        count += 1;
+        if count <= FIRST || count % LATER == 0 {
+            found = search.descend(&cell)?;
+        }
+        let longest = (0..3).fold(0, |i, j| if cell.half[j] > cell.half[i] { j } else { i });
+        let mut half = cell.half;
+        half[longest] /= 2.0;
+        for side in [-1.0, 1.0] {
+            let mut centre = cell.centre;
+            centre[longest] += side * half[longest];
+            if found.is_none() {
+                found = search.look(centre, half)?;
+            }
+        }
+    }
+    found
+}
+
+struct Search<'a, S, A> {
+    region: &'a Aabb,
+    least: f64,
+    points: &'a mut usize,
+    slopes: S,
+    accept: A,
+    cells: BinaryHeap<Cell>,
+}
+
+impl<S: FnMut(Vec3) -> [Slope; 2], A: FnMut(Vec3) -> bool> Search<'_, S, A> {
+    /// The slopes at a point, and the point if it is what is looked for; `None` when no points are left.
+    fn at(&mut self, p: Vec3) -> Option<([Slope; 2], Option<Vec3>)> {
+        *self.points = self.points.checked_sub(1)?;
+        let slopes = (self.slopes)(p);
+        let low = slopes.iter().all(|s| s.distance < -self.least);
+        let found = (low && (self.accept)(p)).then_some(p);
+        Some((slopes, found))
+    }
+
+    /// Looks at a cell's middle, and keeps it if there may be more in it.
+    fn look(&mut self, centre: Vec3, half: Vec3) -> Option<Option<Vec3>> {
+        let ([a, b], found) = self.at(centre)?;
+        let value = a.distance.max(b.distance);
+        let reach = length(half);
+        if value < SLACK * reach && reach > self.least {
+            self.cells.push(Cell {
+                key: value - HOPE * reach,
+                centre,
+                half,
+            });
+        }
+        Some(found)
+    }
+
+    /// From a cell's middle down along both slopes: to where their tangent planes are as deep as they are high.
+    fn descend(&mut self, cell: &Cell) -> Option<Option<Vec3>> {
+        let trust = 4.0 * length(cell.half);
+        let mut p = cell.centre;
+        for _ in 0..STEPS {
+            let ([a, b], found) = self.at(p)?;
+            if found.is_some() {
+                return Some(found);
+            }
+            let deep = 2.0 * self.least + 0.25 * (a.distance + b.distance).abs();
+            let (x, y) = (a.distance + deep, b.distance + deep);
+            let c = dot(a.up, b.up);
+            let area = 1.0 - c * c;
+            // The shortest step that takes both down by this much.
+            let (s, t) = match area > 1e-9 {
+                true => ((x - c * y) / area, (y - c * x) / area),
+                false => (x / 2.0, y / 2.0),
+            };
+            let step: Vec3 = std::array::from_fn(|i| s * a.up[i] + t * b.up[i]);
+            let length = length(step);
+            let by = if length > trust { trust / length } else { 1.0 };
+            let next: Vec3 = std::array::from_fn(|i| p[i] - by * step[i]);
+            if !self.region.contains(next) || next == p {
+                break;
+            }
+            p = next;
+        }
+        Some(None)
+    }
+}

@@ -1,0 +1,368 @@
+//! Triangles without area, as files have them: coordinates are written in single precision. They are taken out
+//! so that what was closed stays closed: an edge without length is collapsed, one that passes through a
+//! corner is flipped into the triangle behind it, and where neither can be a point is moved by what single
+//! precision rounds.
+
+use std::collections::HashMap;
+
+use super::soup::Mesh;
+use crate::scene::vector::{cross, length, sub};
+use crate::scene::{Vec3, exact};
+
+/// So often is each triangle looked at, in the worst case.
+const ROUNDS: usize = 16;
+
+/// A point as it is written.
+pub fn written(p: Vec3) -> Vec3 {
+    p.map(|x| f64::from(x as f32))
+}
+
+/// Whether a triangle as it is written has no area, exactly or in single precision.
+pub fn is_needle(corners: [Vec3; 3]) -> bool {
+    let p = corners.map(written);
+    let away = |i: usize, j: usize| length(sub(p[i], p[j]));
+    let longest = away(0, 1).max(away(1, 2)).max(away(2, 0));
+    // Where products underflow, single precision says nothing of a shape.
+    const TINY: f64 = 1e-15;
+    let single = |i: usize| {
+        let way = |j: usize| [0, 1, 2].map(|k| p[j % 3][k] as f32 - p[i][k] as f32);
+        let (a, b) = (way(i + 1), way(i + 2));
+        let part = |j: usize, k: usize| a[j] * b[k] - a[k] * b[j];
+        part(1, 2) == 0.0 && part(2, 0) == 0.0 && part(0, 1) == 0.0
+    };
+    if longest > TINY && (0..3).any(single) {
+        return true;
+    }
+    let (u, v) = (sub(p[1], p[0]), sub(p[2], p[0]));
+    // What is far above the rounding of doubles is not zero.
+    length(cross(u, v)) <= 1e-12 * length(u) * length(v) && exact::collinear(p)
+}
+
+impl Mesh {
+    /// Takes out triangles without area.
+    pub fn drop_needles(&mut self) {
+        let all = 0..self.triangles.len();
+        let mut todo: Vec<usize> = all.filter(|&t| is_needle(self.corners(t))).collect();
+        if todo.is_empty() {
+            return;
+        }
+        let mut net = Net::new(self);
+        for _ in 0..ROUNDS {
+            for t in std::mem::take(&mut todo) {
+                if net.is_there(t) && is_needle(net.corners(t)) {
+                    net.mend(t, &mut todo);
+                }
+            }
+            if todo.is_empty() {
+                break;
+            }
+        }
+        net.finish();
+    }
+}
+
+/// A mesh with what lies around its edges and points.
+struct Net<'a> {
+    mesh: &'a mut Mesh,
+    gone: Vec<bool>,
+    /// The triangle that passes an edge this way.
+    edges: HashMap<[u32; 2], usize>,
+    around: HashMap<u32, Vec<usize>>,
+}
+
+fn edges_of([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+impl<'a> Net<'a> {
+    fn new(mesh: &'a mut Mesh) -> Net<'a> {
+        let mut net = Net {
+            gone: vec![false; mesh.triangles.len()],
+            edges: HashMap::new(),
+            around: HashMap::new(),
+            mesh,
+        };
+        for t in 0..net.gone.len() {
+            net.join(t);
+        }
+        net
+    }
+
+    fn is_there(&self, t: usize) -> bool {
+        !self.gone[t]
+    }
+
+    fn corners(&self, t: usize) -> [Vec3; 3] {
+        self.mesh.corners(t)
+    }
+
+    fn join(&mut self, t: usize) {
+        let corners = self.mesh.triangles[t];
+        for edge in edges_of(corners) {
+            self.edges.insert(edge, t);
+        }
+        for i in corners {
+            self.around.entry(i).or_default().push(t);
+        }
+    }
+
+    fn part(&mut self, t: usize) {
+        let corners = self.mesh.triangles[t];
+        for edge in edges_of(corners) {
+            if self.edges.get(&edge) == Some(&t) {
+                self.edges.remove(&edge);
+            }
+        }
+        for i in corners {
+            if let Some(all) = self.around.get_mut(&i) {
+                all.retain(|&other| other != t);
+            }
+        }
+    }
+
+    fn drop(&mut self, t: usize) {
+        self.part(t);
+        self.gone[t] = true;
+    }
+
+    fn replace(&mut self, t: usize, corners: [u32; 3], label: u32) {
+        self.part(t);
+        self.mesh.triangles[t] = corners;
+        self.mesh.labels[t] = label;
+        self.join(t);
+    }
+
+    fn place(&self, i: u32) -> Vec3 {
+        written(self.mesh.points[i as usize])
+    }
+
+    /// Takes out a triangle without area, and says which others are to be looked at again.
+    fn mend(&mut self, t: usize, todo: &mut Vec<usize>) {
+        let corners = self.mesh.triangles[t];
+        let short = |[a, b]: [u32; 2]| length(sub(self.place(a), self.place(b)));
+        let mut edges = edges_of(corners);
+        edges.sort_by(|a, b| short(*a).total_cmp(&short(*b)));
+        let [shortest, _, longest] = edges;
+        if short(shortest) == 0.0 && self.collapse(shortest) || self.flip(t, longest, todo) {
+            return;
+        }
+        self.nudge(t, longest);
+    }
+
+    /// Makes two points one, where no other triangles would come to lie on each other.
+    fn collapse(&mut self, [kept, lost]: [u32; 2]) -> bool {
+        let beside = |i: u32| -> Vec<u32> {
+            let all = self.around[&i].iter().flat_map(|&t| self.mesh.triangles[t]);
+            let mut all: Vec<u32> = all.filter(|&j| j != i).collect();
+            all.sort_unstable();
+            all.dedup();
+            all
+        };
+        let (one, other) = (beside(kept), beside(lost));
+        let common = one
+            .iter()
+            .filter(|i| other.binary_search(i).is_ok())
+            .count();
+        let between: Vec<usize> = (self.around[&lost].iter().copied())
+            .filter(|&t| self.mesh.triangles[t].contains(&kept))
+            .collect();
+        if common != between.len() || self.around[&lost].len() + self.around[&kept].len() < 6 {
+            return false;
+        }
+        between.into_iter().for_each(|t| self.drop(t));
+        for t in self.around[&lost].clone() {
+            let corners = self.mesh.triangles[t].map(|i| if i == lost { kept } else { i });
+            self.replace(t, corners, self.mesh.labels[t]);
+        }
+        true
+    }
+
+    /// Turns the longest edge, on which the third corner lies, to the far corner of the triangle behind it.
+    fn flip(&mut self, t: usize, [a, b]: [u32; 2], todo: &mut Vec<usize>) -> bool {
+        let Some(&behind) = self.edges.get(&[b, a]) else {
+            // The border of a surface: it goes through the corner from now on.
+            self.drop(t);
+            return true;
+        };
+        let third = |t: usize| {
+            self.mesh.triangles[t]
+                .into_iter()
+                .find(|&i| i != a && i != b)
+        };
+        let (Some(c), Some(d)) = (third(t), third(behind)) else {
+            return false;
+        };
+        if c == d || self.edges.contains_key(&[c, d]) || self.edges.contains_key(&[d, c]) {
+            return false;
+        }
+        let made = [[a, d, c], [d, b, c]];
+        let needles = made.map(|t| is_needle(t.map(|i| self.mesh.points[i as usize])));
+        if needles == [true; 2] {
+            return false;
+        }
+        let label = self.mesh.labels[behind];
+        for (t, (corners, needle)) in [t, behind].into_iter().zip(made.into_iter().zip(needles)) {
+            self.replace(t, corners, label);
+            if needle {
+                todo.push(t);
+            }
+        }
+        true
+    }
+
+    /// Moves the corner that lies on the longest edge by a little of single precision.
+    fn nudge(&mut self, t: usize, longest: [u32; 2]) {
+        let on_it = self.mesh.triangles[t]
+            .into_iter()
+            .find(|i| !longest.contains(i));
+        let Some(c) = on_it else { return };
+        let old = self.mesh.points[c as usize];
+        for step in 0..5 {
+            for k in 0..6 {
+                let mut x = old[k / 2] as f32;
+                for _ in 0..1 << step {
+                    x = if k % 2 == 0 {
+                        x.next_up()
+                    } else {
+                        x.next_down()
+                    };
+                }
+                self.mesh.points[c as usize][k / 2] = f64::from(x);
+                if !(self.around[&c].iter()).any(|&t| is_needle(self.mesh.corners(t))) {
+                    return;
+                }
+                self.mesh.points[c as usize] = old;
+            }
+        }
+    }
+
+    fn finish(self) {
+        let Net { mesh, gone, .. } = self;
+        // Told apart by their number.
+        let labels = std::mem::take(&mut mesh.labels);
+        mesh.labels = gone.iter().map(|&g| u32::from(g)).collect();
+        let mut left = mesh.only(|gone| gone == 0);
+        let labels = labels.into_iter().zip(gone).filter(|l| !l.1);
+        left.labels = labels.map(|l| l.0).collect();
+        *mesh = left;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::made;
+    use super::*;
+    use dashu_ratio::RBig;
+
+    /// Whether it has no area: in fractions.
+    fn is_flat(corners: [Vec3; 3]) -> bool {
+        let exact = |x: f64| RBig::try_from(f64::from(x as f32)).unwrap();
+        let [a, b, c] = corners.map(|p| p.map(exact));
+        let cross = |i: usize, j: usize| {
+            (&b[i] - &a[i]) * (&c[j] - &a[j]) == (&b[j] - &a[j]) * (&c[i] - &a[i])
+        };
+        cross(0, 1) && cross(1, 2) && cross(2, 0)
+    }
+
+    #[test]
+    fn needles_and_caps() {
+        let flat = |z: f64| is_needle([[0.0; 3], [1.0, 1.0, 0.0], [3.0, 3.0, z]]);
+        assert!(flat(0.0) && flat(1e-60) && !flat(1e-6));
+        assert!(is_needle([
+            [1.0, 0.0, 0.0],
+            [1.0 + 1e-9, 0.0, 0.0],
+            [0.0, 1.0, 0.0]
+        ]));
+        assert!(!is_needle([
+            [1e-20, 0.0, 0.0],
+            [0.0, 1e-20, 0.0],
+            [0.0, 0.0, 1e-20]
+        ]));
+    }
+
+    /// A tetrahedron with a point on an edge, and one with an edge without length.
+    #[test]
+    fn a_closed_mesh_stays_closed() {
+        let apex = |second: Vec3| {
+            let mut mesh = Mesh {
+                points: vec![
+                    [0.0; 3],
+                    [2.0, 0.0, 0.0],
+                    [0.0, 2.0, 0.0],
+                    [0.0, 0.0, 2.0],
+                    second,
+                ],
+                ..Mesh::default()
+            };
+            // The base is fanned from the first point; 4 is on the edge from 0 to 1, or in 1.
+            for t in [
+                [0, 2, 1],
+                [0, 1, 4],
+                [0, 4, 3],
+                [4, 1, 3],
+                [1, 2, 3],
+                [2, 0, 3],
+            ] {
+                mesh.triangle(t);
+            }
+            assert!(mesh.is_closed());
+            let volume = mesh.volume();
+            mesh.drop_needles();
+            assert!(mesh.is_closed(), "{mesh:?}");
+            assert!((mesh.volume() - volume).abs() < 1e-6);
+            assert!(!(0..mesh.triangles.len()).any(|t| is_flat(mesh.corners(t))));
+        };
+        apex([1.0, 0.0, 0.0]);
+        apex([2.0, 0.0, 0.0]);
+        apex([2.0, 0.0, 1e-12]);
+    }
+
+    /// Solids on a grid, whose faces lie in each other, one after the other.
+    fn scene(random: &mut impl FnMut(u64) -> u64) -> String {
+        let mut text = String::new();
+        let count = 2 + random(4);
+        for id in 2..2 + count {
+            let [x, y, z] = [0; 3].map(|_| random(4) as f64 / 2.0 - 1.0);
+            text += &match random(6) {
+                0..=2 => {
+                    let [a, b, c] = [0; 3].map(|_| (1 + random(3)) as f64 / 2.0);
+                    format!("{id} 12 {x} {y} {z} {} {} {}\n", x + a, y + b, z + c)
+                }
+                3 => format!("{id} 1 2 0.5 0 0.5 1\n{id} -1 {x} {y} {z}\n"),
+                4 => format!("{id} 16 1 0.5\n{id} -1 {x} {y} {z}\n"),
+                _ => format!("{id} 11 {x} {y} {z} 0.5\n"),
+            };
+            if random(3) == 0 {
+                text += &format!("{id} -2 {} {}\n", 15 * random(24), 1 + random(3));
+            }
+        }
+        let mut last = 2;
+        for id in 3..2 + count {
+            text += &format!("{} -10{} {last} {id}\n", id + 100, 1 + random(3));
+            last = id + 100;
+        }
+        if random(2) == 0 {
+            text += &format!("{last} -2 {} 1\n{last} -3 1 0.7 1.3\n", 10 * random(9));
+        }
+        text + &format!("1 9999 {last} 0\n")
+    }
+
+    #[test]
+    fn scenes_with_faces_in_each_other_have_none() {
+        let mut random = crate::lint::testing::random();
+        let mut count = 0;
+        for _ in 0..120 {
+            let text = scene(&mut random);
+            let model = made(&text, 1e-2);
+            let mesh = &model.mesh;
+            assert!(mesh.is_closed(), "{text}");
+            let flat = (0..mesh.triangles.len()).filter(|&t| {
+                let corners = mesh.corners(t);
+                is_flat(corners) || is_needle(corners)
+            });
+            assert_eq!(flat.count(), 0, "{text}");
+            count += usize::from(!mesh.is_empty());
+        }
+        assert!(count > 60, "{count}");
+    }
+}
