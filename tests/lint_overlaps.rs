@@ -157,10 +157,9 @@ fn turned(from: Vec3, to: Vec3) -> Matrix {
     };
     let (f, t) = (axis(from), axis(to));
     let mut m = Matrix::IDENTITY;
-    for i in 0..3 {
-        for j in 0..3 {
-            m.0[i][j] = (0..3).map(|k| t[k][i] * f[k][j]).sum();
-        }
+    for k in 0..9 {
+        let (i, j) = (k / 3, k % 3);
+        m.0[i][j] = t.iter().zip(&f).map(|(t, f)| t[i] * f[j]).sum();
     }
     m
 }

@@ -56,7 +56,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let (mut met, reach) = search(part, promise, &whole, &mut share, &directions);
         if met.is_none()
             && let Some(part) = &copy
-            && !(reach <= radius(&promise.volume))
+            && reach > radius(&promise.volume)
         {
             met = closely(part, &promise.volume, &whole, &mut close);
         }

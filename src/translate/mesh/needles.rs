@@ -317,23 +317,33 @@ mod tests {
         apex([2.0, 0.0, 1e-12]);
     }
 
-    /// Solids on a grid, whose faces lie in each other, one after the other.
+    /// Solids that end at a few heights, turned about the way up: their faces lie in each other, and edges
+    /// go through corners.
     fn scene(random: &mut impl FnMut(u64) -> u64) -> String {
         let mut text = String::new();
         let count = 2 + random(4);
         for id in 2..2 + count {
-            let [x, y, z] = [0; 3].map(|_| random(4) as f64 / 2.0 - 1.0);
-            text += &match random(6) {
-                0..=2 => {
-                    let [a, b, c] = [0; 3].map(|_| (1 + random(3)) as f64 / 2.0);
-                    format!("{id} 12 {x} {y} {z} {} {} {}\n", x + a, y + b, z + c)
-                }
-                3 => format!("{id} 1 2 0.5 0 0.5 1\n{id} -1 {x} {y} {z}\n"),
-                4 => format!("{id} 16 1 0.5\n{id} -1 {x} {y} {z}\n"),
-                _ => format!("{id} 11 {x} {y} {z} 0.5\n"),
+            let low = random(4);
+            let high = low + 1 + random(4 - low);
+            let [low, high] = [low, high].map(|h| h as f64 / 2.0 - 1.0);
+            let [x, z] = [0; 2].map(|_| random(5) as f64 / 4.0 - 0.5);
+            let [w, d] = [0; 2].map(|_| (1 + random(4)) as f64 / 4.0);
+            let place = format!("{id} -1 {x} 0 {z}\n");
+            text += &match random(5) {
+                0 | 1 => format!(
+                    "{id} 12 {} {low} {} {} {high} {}\n",
+                    x - w,
+                    z - d,
+                    x + w,
+                    z + d
+                ),
+                2 => format!("{id} 1 2 {w} {low} {w} {high}\n{place}"),
+                3 => format!("{id} 1 4 0 {low} {w} {low} {d} {high} 0 {high}\n{place}"),
+                _ => format!("{id} 16 {} {w}\n{id} -1 {x} {low} {z}\n", high - low),
             };
-            if random(3) == 0 {
-                text += &format!("{id} -2 {} {}\n", 15 * random(24), 1 + random(3));
+            if random(5) < 3 {
+                let angle = [15, 30, 45, 37, 60, 90][random(6) as usize];
+                text += &format!("{id} -2 {angle} 2\n");
             }
         }
         let mut last = 2;
@@ -342,7 +352,11 @@ mod tests {
             last = id + 100;
         }
         if random(2) == 0 {
-            text += &format!("{last} -2 {} 1\n{last} -3 1 0.7 1.3\n", 10 * random(9));
+            let angle = [30, 45, 90, 20][random(4) as usize];
+            text += &format!("{last} -2 {angle} {}\n", 1 + random(3));
+        }
+        if random(3) == 0 {
+            text += &format!("{last} -3 1 0.7 1.3\n");
         }
         text + &format!("1 9999 {last} 0\n")
     }
@@ -351,7 +365,7 @@ mod tests {
     fn scenes_with_faces_in_each_other_have_none() {
         let mut random = crate::lint::testing::random();
         let mut count = 0;
-        for _ in 0..120 {
+        for _ in 0..150 {
             let text = scene(&mut random);
             let model = made(&text, 1e-2);
             let mesh = &model.mesh;
