@@ -6,6 +6,7 @@
 //! - [`syntax`]: bytes to tokens to a typed tree. `syntax/table.rs` is *the* table of record types.
 //! - [`mod@format`]: the pretty-printer; it needs the syntax alone.
 //! - [`scene`]: the tree read as a program of assignments: nodes in an arena, lights, cameras.
+//! - [`solids`]: what is true of solids without a ray.
 //! - [`trace`]: the reference ray tracer.
 //! - [`lint`]: rules over the tree and the scene, one file a rule; those about geometry prove what they
 //!   say with the tracer's means.
@@ -20,6 +21,7 @@ pub mod diagnostics;
 pub mod format;
 pub mod lint;
 pub mod scene;
+pub mod solids;
 pub mod study;
 pub mod syntax;
 pub mod trace;

@@ -2,7 +2,6 @@
 //! broken: the parser or the resolver has done so.
 
 mod allow;
-mod definite;
 pub mod levels;
 mod parts;
 mod properties;

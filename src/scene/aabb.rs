@@ -71,10 +71,17 @@ impl Aabb {
 
     /// Whether the two have a point in common but for what a few roundings may have moved them apart.
     pub fn touches(&self, other: &Aabb) -> bool {
-        let ends = [self, other].into_iter().flat_map(|b| [b.min, b.max]);
-        let finite = ends.flatten().filter(|x| x.is_finite());
-        let hair = NEAR * finite.fold(0.0f64, |m, x| m.max(x.abs()));
+        let hair = NEAR * self.far().max(other.far());
         (0..3).all(|i| self.min[i] <= other.max[i] + hair && other.min[i] <= self.max[i] + hair)
+    }
+
+    /// The largest of its finite coordinates, in size.
+    pub fn far(&self) -> f64 {
+        let finite = [self.min, self.max]
+            .into_iter()
+            .flatten()
+            .filter(|x| x.is_finite());
+        finite.fold(0.0, |m, x| m.max(x.abs()))
     }
 
     pub fn contains(&self, p: Vec3) -> bool {

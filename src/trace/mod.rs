@@ -15,6 +15,7 @@
 pub mod adaptive;
 pub mod affine;
 pub mod bounds;
+pub mod boxes;
 pub mod bvh;
 pub mod camera;
 mod compile;

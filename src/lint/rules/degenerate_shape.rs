@@ -2,10 +2,10 @@
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
-use crate::lint::definite::{Verdict, judge};
 use crate::scene::exact;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Shape};
+use crate::solids::definite::{Verdict, judge};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for shape in &context.scene.shapes {

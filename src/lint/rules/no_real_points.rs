@@ -1,9 +1,9 @@
 //! W306: a quadric with no surface: no real point satisfies it, or every one does.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
-use crate::lint::definite::{Verdict, judge};
 use crate::lint::{Context, spelled};
 use crate::scene::Geometry;
+use crate::solids::definite::{Verdict, judge};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for shape in &context.scene.shapes {

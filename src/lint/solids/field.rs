@@ -1,10 +1,10 @@
 //! How far a point is from the boundary of a solid, roughly and rather too little: below zero inside,
 //! above zero outside.
 
-use super::facet::facet;
-use super::inside::in_profile;
 use crate::scene::vector::{cross, dot, length, sub};
 use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
+use crate::solids::facet::facet;
+use crate::solids::point::in_profile;
 
 /// Solids of more shapes, and profiles of more points, are not looked at.
 const SHAPES_MAX: usize = 32;

@@ -1,9 +1,6 @@
 //! What rules about geometry share: the scene with every shape in its place, and tests of points.
 
-pub mod boxes;
-pub mod facet;
 pub mod field;
-pub mod hull;
 pub mod inside;
 pub mod leaf;
 pub mod meeting;
@@ -14,8 +11,8 @@ pub mod tips;
 pub mod tree;
 pub mod ways;
 
-use crate::diagnostics::Span;
-use crate::scene::{Node, NodeId, OperationRecord, Scene, Vec3};
+use crate::scene::{NodeId, Scene};
+pub use crate::solids::{Named, distance, named, operation_of};
 
 /// What is drawn; without a render record all objects that are part of no other.
 pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
@@ -54,67 +51,4 @@ pub fn near(x: f64, size: f64) -> String {
     } else {
         text.into()
     }
-}
-
-/// How far two points are from each other.
-pub fn distance(p: Vec3, q: Vec3) -> f64 {
-    let [x, y, z]: Vec3 = std::array::from_fn(|i| p[i] - q[i]);
-    let square = x * x + y * y + z * z;
-    // `hypot` is slow, and needed only where the squares overflow, or lose digits as subnormals.
-    match (1e-200..1e200).contains(&square) {
-        true => square.sqrt(),
-        false => x.hypot(y).hypot(z),
-    }
-}
-
-/// What people call a node, and where it is written.
-#[derive(Debug, Clone, Copy)]
-pub struct Named {
-    /// The name of its kind, a term.
-    pub title: &'static str,
-    /// The ID by which it is written where it occurs: its own or that of a copy.
-    pub id: u32,
-    pub span: Span,
-}
-
-/// The shape or operation that a node is a state of; `None` for complements.
-pub fn named(scene: &Scene, mut node: NodeId) -> Option<Named> {
-    let mut copy = None;
-    loop {
-        node = match scene.nodes[node as usize] {
-            Node::Transform { child, .. } | Node::Paint { child, .. } => child,
-            Node::Copy { child, id } => {
-                copy = copy.or(Some(id));
-                child
-            }
-            Node::Shape(s) => {
-                let shape = &scene.shapes[s as usize];
-                return Some(Named {
-                    title: shape.ty.title,
-                    id: copy.unwrap_or(shape.id),
-                    span: shape.span,
-                });
-            }
-            Node::Complement(_) => return None,
-            operation => {
-                let title = match operation {
-                    Node::Union(..) => "union",
-                    Node::Intersection(..) => "intersection",
-                    _ => "difference",
-                };
-                let record = operation_of(scene, node)?;
-                return Some(Named {
-                    title,
-                    id: copy.unwrap_or(record.id),
-                    span: record.span,
-                });
-            }
-        }
-    }
-}
-
-/// The record that made the node of an operation.
-pub fn operation_of(scene: &Scene, node: NodeId) -> Option<&OperationRecord> {
-    let at = (scene.operations).binary_search_by_key(&node, |o| o.node);
-    scene.operations.get(at.ok()?)
 }

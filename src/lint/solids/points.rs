@@ -2,11 +2,11 @@
 
 use rustc_hash::FxHashMap;
 
-use super::boxes::Boxes;
 use super::inside::Inside;
 use super::tree::{Answer, Tree};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Matrix, Scene, Vec3};
+use crate::trace::boxes::Boxes;
 
 /// Boxes looked at, for all points together: some tenths of a second.
 const STEPS: usize = 12_000_000;

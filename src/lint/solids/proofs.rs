@@ -2,13 +2,12 @@
 //! half-spaces, planes between them, and by being the same.
 
 use super::distance;
-use super::hull::{hull, is_convex};
-use super::inside::Inside;
 use super::reach::ball;
 use super::tips::extent;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::vector::{cross, length, unit};
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene, Vec3};
+use crate::solids::within::{CLEAR, Standing, far};
 
 /// How many of a list are kept, the first ones: what a chain begins with is what is cut.
 pub const KEPT: usize = 4;
@@ -19,10 +18,6 @@ const PARTS: usize = 64;
 
 /// Parts of larger unions, for all proofs together: some hundredths of a second.
 const MORE: usize = 100_000;
-
-/// What must lie apart or within by this share of its size and place: more than the rounding of any
-/// test of a point, and of the matrices before it.
-const CLEAR: f64 = 1e-9;
 
 /// Something in the coordinates of the operation, or its complement.
 pub type Literal = (NodeId, bool);
@@ -91,7 +86,6 @@ pub enum Reason {
 pub struct Proofs<'a> {
     scene: &'a Scene,
     bounds: &'a [NodeBounds],
-    inside: Inside<'a>,
     /// Whether a surface without inside is a part, to which the laws of sets do not apply.
     sheets: Vec<bool>,
     left: usize,
@@ -110,7 +104,6 @@ impl<'a> Proofs<'a> {
         Proofs {
             scene,
             bounds,
-            inside: Inside::new(scene, bounds),
             sheets,
             left: MORE,
         }
@@ -303,7 +296,7 @@ impl<'a> Proofs<'a> {
     }
 
     /// Whether nothing of x is left without y.
-    pub fn covered(&mut self, x: NodeId, y: NodeId) -> Option<Reason> {
+    pub fn covered(&self, x: NodeId, y: NodeId) -> Option<Reason> {
         let (p, q) = (placed(self.scene, x), placed(self.scene, y));
         let solid = !self.sheets[x as usize] && !self.sheets[y as usize];
         if solid && p.matrix == q.matrix {
@@ -318,31 +311,9 @@ impl<'a> Proofs<'a> {
                 return Some(Reason::Same);
             }
         }
-        let scene = self.scene;
-        let geometry = &scene.shapes[q.shape? as usize].geometry;
-        // What holds the corners of a box has a box around it that holds the box.
-        if !is_convex(geometry) || !self.all(y).holds(self.all(x)) {
-            return None;
-        }
-        if let (Some((c, r)), Some((d, s))) = (self.ball(&p), self.ball(&q)) {
-            let clear = CLEAR * (r + s + far(&c) + far(&d));
-            if distance(c, d) + r < s - clear {
-                return Some(Reason::Within);
-            }
-        }
-        if self.between_faces(&p, &q) {
-            return Some(Reason::Within);
-        }
-        let boxed = corners_of(self.all(x), &q).map_or(Vec::new(), Vec::from);
-        // The corners of the shape itself, or of something that holds it closely.
-        let own = self.hull_of(&p, &q).unwrap_or_default();
-        [boxed, own]
-            .iter()
-            .any(|corners| {
-                let mut each = corners.iter();
-                !corners.is_empty() && each.all(|&c| self.inside.shape(geometry, c) == Some(true))
-            })
-            .then_some(Reason::Within)
+        let outer = Standing::new(self.geometry(&q)?, q.matrix)?;
+        let shape = self.geometry(&p).map(|g| (g, &p.matrix));
+        (outer.holds(self.all(x), shape) || self.between_faces(&p, &q)).then_some(Reason::Within)
     }
 
     /// Whether a shape lies between the faces of another, where these are all planes.
@@ -379,25 +350,6 @@ impl<'a> Proofs<'a> {
             _ => false,
         }
     }
-
-    /// The corners of something that holds all of a shape, with room for rounding, in the coordinates
-    /// of another.
-    fn hull_of(&self, p: &Placed, to: &Placed) -> Option<Vec<Vec3>> {
-        let corners = hull(self.geometry(p)?)?;
-        let back = to.matrix.inverse()?.after(&p.matrix);
-        let b = self.all(p.node);
-        let clear = CLEAR * (b.radius() + far(&b.min).max(far(&b.max)));
-        let count = corners.len() as f64;
-        let middle: Vec3 =
-            std::array::from_fn(|i| corners.iter().map(|c| c[i]).sum::<f64>() / count);
-        let wider = |c: &Vec3| {
-            let away: Vec3 = std::array::from_fn(|i| c[i] - middle[i]);
-            let reach = length(p.matrix.vector(away));
-            let by = 1.0 + if reach > 0.0 { clear / reach } else { 0.0 };
-            back.point(std::array::from_fn(|i| middle[i] + by * away[i]))
-        };
-        Some(corners.iter().map(wider).collect())
-    }
 }
 
 /// The corners of something somewhat larger than a box, in the coordinates of a shape.
@@ -413,11 +365,6 @@ fn corners_of(b: &Aabb, to: &Placed) -> Option<[Vec3; 8]> {
             _ => b.max[i] + clear,
         }))
     }))
-}
-
-/// The largest of a point's coordinates.
-fn far(p: &Vec3) -> f64 {
-    p.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
 /// What something is, below its transformations and properties.

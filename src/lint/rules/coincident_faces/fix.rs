@@ -3,11 +3,11 @@
 use super::face::Part;
 use super::search::Side;
 use crate::diagnostics::{Applicability, Edit, Fix};
-use crate::lint::solids::inside::in_profile;
 use crate::lint::spelled;
 use crate::scene::Geometry;
 use crate::scene::record::Params;
 use crate::scene::vector::length;
+use crate::solids::point::in_profile;
 
 /// How much longer a tool becomes: too little to be seen, and a million times what counts as flush.
 const HAIR: f64 = 1e-3;

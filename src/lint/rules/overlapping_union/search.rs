@@ -4,7 +4,6 @@ use rustc_hash::FxHashSet;
 
 use super::medium::texture;
 use super::unions::{Part, Unions};
-use crate::lint::solids::boxes::Boxes;
 use crate::lint::solids::field::Field;
 use crate::lint::solids::inside::Inside;
 use crate::lint::solids::meeting::lowest;
@@ -12,6 +11,7 @@ use crate::lint::solids::near;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::vector::length;
 use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene, Vec3};
+use crate::trace::boxes::Boxes;
 
 /// Boxes looked at and points tried, for all parts together: some tenths of a second.
 const STEPS: usize = 10_000_000;

@@ -1,9 +1,9 @@
 //! Boxes to be looked up by where they are.
 
+use super::bounds::Bounds;
+use super::bvh::Bvh;
+use super::vec::Vec3;
 use crate::scene::Aabb;
-use crate::trace::bounds::Bounds;
-use crate::trace::bvh::Bvh;
-use crate::trace::vec::Vec3;
 
 /// Numbered boxes: a hierarchy of those that end, and the others. Empty ones are nowhere.
 pub struct Boxes {

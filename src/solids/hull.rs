@@ -1,7 +1,7 @@
 //! Convex hulls of shapes, from outside: a few points whose hull holds all of a shape.
 
-use crate::lint::definite::is_ellipsoid;
 use crate::scene::{Geometry, Vec3};
+use crate::solids::definite::is_ellipsoid;
 
 /// Corners of the polygon around a circle.
 const CORNERS: usize = 64;
@@ -13,13 +13,7 @@ const PROFILE_MAX: usize = 64;
 /// have some, polygons around circles. `None` where balls and boxes serve as well.
 pub fn hull(geometry: &Geometry) -> Option<Vec<Vec3>> {
     let mut out = Vec::new();
-    let mut rim = |radius: f64, y: f64| {
-        let radius = radius / (std::f64::consts::PI / CORNERS as f64).cos();
-        out.extend((0..CORNERS).map(|i| {
-            let angle = i as f64 * (std::f64::consts::TAU / CORNERS as f64);
-            [radius * angle.cos(), y, radius * angle.sin()]
-        }));
-    };
+    let mut rim = |radius: f64, y: f64| out.extend(circle(radius, y));
     match geometry {
         Geometry::Box { min, max } => {
             let corner =
@@ -44,6 +38,28 @@ pub fn hull(geometry: &Geometry) -> Option<Vec<Vec3>> {
         _ => return None,
     }
     Some(out)
+}
+
+/// Points between which all of the ball of radius 1 at the origin lies.
+pub fn ball_hull() -> Vec<Vec3> {
+    /// Corners of the polygon around a half circle from pole to pole.
+    const HALF: usize = 12;
+    let step = std::f64::consts::PI / HALF as f64;
+    let reach = 1.0 / (step / 2.0).cos();
+    let rims = (0..HALF).flat_map(|i| {
+        let (x, y) = (step * (i as f64 + 0.5)).sin_cos();
+        circle(reach * x, reach * y)
+    });
+    rims.collect()
+}
+
+/// The corners of a polygon around a circle about the y axis.
+fn circle(radius: f64, y: f64) -> impl Iterator<Item = Vec3> {
+    let radius = radius / (std::f64::consts::PI / CORNERS as f64).cos();
+    (0..CORNERS).map(move |i| {
+        let angle = i as f64 * (std::f64::consts::TAU / CORNERS as f64);
+        [radius * angle.cos(), y, radius * angle.sin()]
+    })
 }
 
 /// Whether a shape is a solid that holds every point between two of its points.
