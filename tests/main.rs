@@ -51,6 +51,7 @@ mod shapes_quadrics;
 mod surfaces;
 mod trace_pictures;
 mod trace_solids;
+mod unseen;
 
 /// A file that is not listed above would never run.
 #[test]

@@ -8,15 +8,18 @@ use serde::Serialize;
 
 use super::terminal::unprintable;
 use super::{LookChoice, Status, complain, load_sound};
-use crate::diagnostics::SourceFile;
+use crate::diagnostics::{Complaint, Language, SourceFile, Value};
 use crate::trace::Unsupported;
+use crate::trace::plan::unseen::{Unseen, Why};
 use crate::trace::plan::{Decision, Plan};
 
 /// Tell which effects a scene calls for, and why
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
-An effect counts where it can be seen: properties painted over, the tools of differences and objects
-that the render record does not reach turn nothing on. Code for an effect that is off does not run.
+An effect counts where it can be seen: properties painted over, the tools of differences, objects that
+the render record does not reach and parts that no ray can see turn nothing on. Code for an effect that
+is off does not run. A part is not seen if it lies outside of the box of the render record, or strictly
+inside an opaque solid that nothing opens.
 
 Examples:
   zpg plan scene.zpg
@@ -35,9 +38,18 @@ pub struct Args {
 struct Answer<'a> {
     effects: Vec<Effect>,
     unreached: &'a [u32],
+    unseen: Vec<Part>,
     shapes: &'a BTreeMap<&'static str, u32>,
     operations: &'a BTreeMap<&'static str, u32>,
     medium_depth: u32,
+}
+
+/// A part that no ray can see.
+#[derive(Serialize)]
+struct Part {
+    id: u32,
+    line: u32,
+    why: String,
 }
 
 #[derive(Serialize)]
@@ -53,6 +65,22 @@ struct Because {
     id: u32,
     line: u32,
     text: &'static str,
+}
+
+impl Part {
+    fn new(part: &Unseen, source: &SourceFile, language: Language) -> Part {
+        let why = match part.why {
+            Why::Outside => Complaint::new("unseen-outside"),
+            Why::Inside(kind, id) => Complaint::new("unseen-inside")
+                .with("type", Value::Term(kind))
+                .with("id", id.to_string()),
+        };
+        Part {
+            id: part.id,
+            line: source.position(part.span.start).line,
+            why: why.wording(language),
+        }
+    }
 }
 
 impl Effect {
@@ -76,14 +104,17 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
-    let Some(plan) = Plan::new(&loaded.scene) else {
+    let Some(plan) = Plan::of_picture(&loaded.scene) else {
         complain(look, &Unsupported::nothing().complaint());
         return Status::Negative;
     };
     let decisions = plan.effects.iter();
+    let parts = plan.unseen.iter();
+    let part = |p| Part::new(p, &loaded.source, look.language());
     let answer = Answer {
         effects: decisions.map(|d| Effect::new(d, &loaded.source)).collect(),
         unreached: &plan.unreached,
+        unseen: parts.map(part).collect(),
         shapes: &plan.shapes,
         operations: &plan.operations,
         medium_depth: plan.medium_depth,
@@ -105,6 +136,9 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Ok(()) => Status::Clean,
     }
 }
+
+/// So many IDs are printed, and so many parts; JSON has all.
+const SHOWN: usize = 20;
 
 /// The answer for people: what is on with its reasons, what is off, what there is.
 fn print(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
@@ -129,8 +163,6 @@ fn print(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         writeln!(out, "{what:<20} {list}")?;
     }
     writeln!(out, "{:<20} {}", "media at once", answer.medium_depth)?;
-    /// So many IDs are printed; JSON has all.
-    const SHOWN: usize = 20;
     let ids: Vec<String> = answer
         .unreached
         .iter()
@@ -142,5 +174,16 @@ fn print(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         n if n > SHOWN => format!("{} and {} more", ids.join(", "), n - SHOWN),
         _ => ids.join(", "),
     };
-    writeln!(out, "{:<20} {list}", "not drawn")
+    writeln!(out, "{:<20} {list}", "not drawn")?;
+    for part in answer.unseen.iter().take(SHOWN) {
+        writeln!(
+            out,
+            "{:<20} line {}: {}, {}",
+            "not seen", part.line, part.id, part.why
+        )?;
+    }
+    if let Some(more @ 1..) = answer.unseen.len().checked_sub(SHOWN) {
+        writeln!(out, "{:<20} and {more} more", "not seen")?;
+    }
+    Ok(())
 }

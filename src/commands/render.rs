@@ -253,7 +253,12 @@ fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(),
         ..Seconds::default()
     };
     let start = Instant::now();
-    let plan = Plan::new(scene).ok_or_else(Unsupported::nothing)?;
+    // What rounding may show in single precision is drawn there.
+    let plan = match args.precision {
+        Numbers::F32 => Plan::new(scene),
+        Numbers::F64 | Numbers::Dd => Plan::of_picture(scene),
+    };
+    let plan = plan.ok_or_else(Unsupported::nothing)?;
     seconds.plan = start.elapsed().as_secs_f64();
     let start = Instant::now();
     let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))

@@ -12,17 +12,24 @@
 
 use super::graph::{Coat, Graph, Part, Target};
 use super::intern::Interner;
+use super::plan::unseen::LeftOut;
 use super::shapes::Primitive;
 use super::{Images, Unsupported};
 use crate::scene::{Matrix, Node, NodeId, Scene, Texture};
 use std::collections::HashMap;
 
-/// Builds the graph of what is reachable from `root`.
-pub fn compile(scene: &Scene, images: &Images, root: NodeId) -> Result<Graph, Unsupported> {
+/// Builds the graph of what is reachable from `root`, past what is left out.
+pub fn compile(
+    scene: &Scene,
+    images: &Images,
+    root: NodeId,
+    left_out: &LeftOut,
+) -> Result<Graph, Unsupported> {
     let mut graph = Graph::default();
     let mut compiler = Compiler {
         scene,
         images,
+        left_out,
         uses: count_uses(scene, root),
         interner: Interner::new(&mut graph),
         graph,
@@ -100,6 +107,8 @@ pub(super) enum Kind {
 pub(super) struct Compiler<'a> {
     scene: &'a Scene,
     images: &'a Images,
+    /// What is left out counts among the uses all the same: what is left is placed as it was.
+    left_out: &'a LeftOut,
     uses: Vec<u32>,
     pub graph: Graph,
     pub interner: Interner,
@@ -130,7 +139,9 @@ impl Compiler<'_> {
             first: Vec::new(),
             cuts: Vec::new(),
         });
-        self.draft_union(0, top)?;
+        if !self.left_out.all() {
+            self.draft_union(0, top)?;
+        }
         while let Some((object, place)) = self.pending.pop() {
             match self.kind(&place) {
                 Kind::Union => self.draft_union(object, place)?,
@@ -316,7 +327,9 @@ impl Compiler<'_> {
             let open = at_top || !place.shared;
             at_top = false;
             match self.operands(&place) {
-                Some([a, b]) if open && self.kind(&place) == Kind::Union => stack.extend([b, a]),
+                Some([a, b]) if open && self.kind(&place) == Kind::Union => {
+                    stack.extend(self.left_out.kept(place.node, [a, b]).rev());
+                }
                 _ => parts.push(self.part(&place)?),
             }
         }

@@ -155,7 +155,7 @@ impl Tracer {
     /// As there.
     pub fn planned(scene: &Scene, images: &Images, plan: Plan) -> Result<Tracer, Unsupported> {
         let render = scene.render.ok_or_else(Unsupported::nothing)?;
-        let graph = compile::compile(scene, images, render.root)?;
+        let graph = compile::compile(scene, images, render.root, &plan.left_out)?;
         let ambient = scene
             .ambient_lights
             .iter()

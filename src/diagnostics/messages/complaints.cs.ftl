@@ -73,6 +73,8 @@ no-threads = vlákna nelze spustit: { $reason }
 ctrl-c-leaves = po Ctrl-C mohou zůstat dočasné soubory: { $reason }
 heatmap-scale = mapa nákladů: testy průsečíků na pixel, od 0 (černá) do { $max } (světle žlutá), ve stupnici log(1 + n)
 unknown-format = formát souboru { $path } není poznat: jméno má končit na .png, .exr nebo .pfm
+unseen-outside = mimo kvádr renderovacího záznamu
+unseen-inside = uvnitř neprůhledného tělesa { $id } ({ $type })
 map-is-png = mapa nákladů je obrázek PNG: jméno má končit na .png, ne { $path }
 
 no-such-camera = scéna nemá kameru { $id }

@@ -70,6 +70,8 @@ no-threads = cannot start threads: { $reason }
 ctrl-c-leaves = Ctrl-C may leave temporary files: { $reason }
 heatmap-scale = heatmap: intersection tests per pixel, from 0 (black) to { $max } (light yellow), on the scale log(1 + n)
 unknown-format = cannot tell the format of { $path }: expected a name that ends in .png, .exr or .pfm
+unseen-outside = outside of the box of the render record
+unseen-inside = inside of the opaque { $type } { $id }
 map-is-png = a heatmap is a PNG picture: expected a name that ends in .png, not { $path }
 
 no-such-camera = the scene has no camera { $id }

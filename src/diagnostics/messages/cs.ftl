@@ -535,6 +535,20 @@ W312-outside = nic nebude vidět: celý objekt { $id } leží mimo kvádr render
     .label = { $name }, stěna kvádru
     .note = co leží mimo kvádr, není vidět žádným paprskem
 
+W312-part = { $type } { $id } nebude vidět: leží celé mimo kvádr renderovacího záznamu, { $axis } je všude { $where ->
+        [above] nejméně
+       *[below] nejvýše
+    } { $reach }{ $others ->
+        [0] {""}
+        [one] ; mimo leží ještě { $others } další část
+        [few] ; mimo leží ještě { $others } další části
+       *[other] ; mimo leží ještě { $others } dalších částí
+    }
+    .label = { $name }, stěna kvádru
+    .shape = toto se nevykreslí
+    .note = { W312-outside.note }
+    .help = zvětšete kvádr, nebo vynechte, co se nevykreslí
+
 W313 = { $operand } { $operand-id } { $what ->
     [whole] je plocha bez vnitřku: průnik { $id } z ní
    *[part] obsahuje plochu bez vnitřku: průnik { $id } z ní

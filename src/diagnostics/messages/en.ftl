@@ -521,6 +521,19 @@ W312-outside = nothing will be seen: all of the object { $id } lies outside of t
     .label = { $name }, the side of the box
     .note = what lies outside of the box is invisible, for all rays
 
+W312-part = nothing will be seen of the { $type } { $id }: all of it lies outside of the box of the render record, its { $axis } is { $where ->
+        [above] at least
+       *[below] at most
+    } { $reach } everywhere{ $others ->
+        [0] {""}
+        [one] ; { $others } other part lies outside too
+       *[other] ; { $others } other parts lie outside too
+    }
+    .label = { $name }, the side of the box
+    .shape = this is not drawn
+    .note = { W312-outside.note }
+    .help = make the box larger, or take out what is not drawn
+
 W313 = the { $operand } { $operand-id } { $what ->
     [whole] is a surface: of it,
    *[part] has a surface in it: of that,

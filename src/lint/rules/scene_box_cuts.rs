@@ -1,7 +1,8 @@
 //! W312: the box of the render record cuts what is drawn.
 //!
 //! Planes, half-spaces, quadrics and everything else without end are what the box is for: they are
-//! passed over. A point of something that ends, outside of the box, and one inside are the proof.
+//! passed over. A point of something that ends, outside of the box, and one inside are the proof. Of
+//! what lies wholly outside it says that it is not drawn.
 
 use std::cell::Cell;
 
@@ -9,11 +10,13 @@ use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
+use crate::lint::solids::leaf::Leaf;
 use crate::lint::solids::reach::{
     Bare, DIRECTIONS, Outline, RAYS, Search, WRITTEN, beyond, size, tracer,
 };
 use crate::lint::solids::{near, tree::Tree};
-use crate::scene::{Aabb, Volume};
+use crate::scene::record::Params;
+use crate::scene::{Aabb, Scene, Volume};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -29,15 +32,12 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let clip = Aabb::new(min, max);
     let span = p.span_of(2, 6);
     if let Some((axis, above)) = apart(&whole.all, &clip) {
-        let (side, reach) = match above {
-            true => (5 + axis, whole.all.min[axis]),
-            false => (2 + axis, whole.all.max[axis]),
-        };
+        let (side, reach) = beyond_side(&whole.all, axis, above);
         out.push(
             Diagnostic::new(Code::W312, p.span_of(side, 1))
                 .case("outside")
                 .with("id", render.root_id.to_string())
-                .with("axis", ["x", "y", "z"][axis])
+                .with("axis", AXES[axis])
                 .with("reach", near(reach, clip.radius()))
                 .with("name", p.param(side).map_or("", |q| q.name))
                 .with("where", if above { "above" } else { "below" }),
@@ -52,10 +52,17 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if inside(&whole.bounded) {
         return;
     }
-    let tree = Tree::new(scene, bounds, &[render.root]);
+    let mut tree = Tree::new(scene, bounds, &[render.root]);
+    let (unseen, seen): (Vec<Leaf>, Vec<Leaf>) = tree
+        .leaves
+        .into_iter()
+        .partition(|l| apart(&l.bounds, &clip).is_some());
+    tree.leaves = seen;
+    out.extend(not_drawn(scene, &p, &tree, &unseen, &clip));
     let finite = |b: &Aabb| b.is_finite() && !b.is_empty();
     let (ends, endless): (Vec<_>, Vec<_>) = (tree.leaves.iter()).partition(|l| finite(&l.bounds));
-    let endless: FxHashSet<u32> = endless.iter().map(|l| l.id).collect();
+    // Rays may meet these outside of the box, and they do not reach out of it.
+    let aside: FxHashSet<u32> = endless.into_iter().chain(&unseen).map(|l| l.id).collect();
     let aims = || -> Vec<Aabb> {
         let within = ends.iter().map(|l| l.bounds.intersection(&whole.bounded));
         within.filter(|b| !b.is_empty()).collect()
@@ -83,7 +90,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 tracer: &tracer,
                 rays: &mut { RAYS },
             };
-            let counts = |id| !endless.contains(&id);
+            let counts = |id| !aside.contains(&id);
             let met = known.or_else(|| search.outside(&volume, aims(), counts));
             met.filter(|_| within.is_some() || search.inside(&volume, aims()).is_some())
         }
@@ -106,6 +113,46 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("z", z)
             .label(shape.span, "shape"),
     );
+}
+
+/// What is said of shapes that end and lie wholly outside of the box: one finding for all of them, about
+/// the first. What is taken away from something is not drawn anyway.
+fn not_drawn(
+    scene: &Scene,
+    p: &Params,
+    tree: &Tree,
+    unseen: &[Leaf],
+    clip: &Aabb,
+) -> Option<Diagnostic> {
+    let counts = |l: &&Leaf| l.bounds.is_finite() && !tree.places[l.place as usize].turned;
+    let mut all = unseen.iter().filter(counts);
+    let leaf = all.next()?;
+    let (axis, above) = apart(&leaf.bounds, clip)?;
+    let shape = &scene.shapes[leaf.shape? as usize];
+    let (side, reach) = beyond_side(&leaf.bounds, axis, above);
+    Some(
+        Diagnostic::new(Code::W312, p.span_of(side, 1))
+            .case("part")
+            .with("type", Value::Term(shape.ty.title))
+            .with("id", leaf.id.to_string())
+            .with("axis", AXES[axis])
+            .with("reach", near(reach, clip.radius()))
+            .with("name", p.param(side).map_or("", |q| q.name))
+            .with("where", if above { "above" } else { "below" })
+            .with("others", Value::Count(all.count() as u64))
+            .label(shape.span, "shape"),
+    )
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The side of the box of the render record, as the index of its parameter, beyond which all of another
+/// box lies, and where that begins.
+fn beyond_side(b: &Aabb, axis: usize, above: bool) -> (usize, f64) {
+    match above {
+        true => (5 + axis, b.min[axis]),
+        false => (2 + axis, b.max[axis]),
+    }
 }
 
 /// An axis along which a box lies wholly beyond another one, and whether it lies above. The first is
@@ -180,6 +227,41 @@ mod tests {
         assert_eq!(found(&scene), ["W312 2:23"]);
         let surface = boxed("2 5 -1 -1 1 1\n2 -1 -9 0 0", "-2 -2 -2 2 2 2");
         assert_eq!(found(&surface).len(), 1);
+    }
+
+    #[test]
+    fn one_part_is_outside() {
+        let region = "-2 -2 -2 2 2 2";
+        let three = "3 9 1\n4 11 0 5 0 1\n5 12 1 1 -9 1.5 1.5 -8\n6 -101 3 4\n2 -101 6 5";
+        let scene = boxed(three, region);
+        assert_eq!(
+            messages(&scene),
+            [
+                "nothing will be seen of the sphere 4: all of it lies outside of the box of the render record, its y is at least 4 everywhere; 1 other part lies outside too"
+            ]
+        );
+        assert_eq!(found(&scene), ["W312 6:23"]);
+        // It touches the box: that may be seen.
+        let touching = boxed("3 9 1\n4 12 2 0 0 3 1 1\n2 -101 3 4", region);
+        let all = messages(&touching);
+        assert!(
+            all[0].contains("the box 4 reaches out of it at (3, 1, 0)"),
+            "{all:?}"
+        );
+        assert_eq!(all.len(), 1);
+        // One lies outside, another one is cut.
+        let both = boxed("3 11 0 1.5 0 1\n4 11 0 5 0 1\n2 -101 3 4", region);
+        let all = messages(&both);
+        assert_eq!(all.len(), 2);
+        assert!(all.iter().any(|m| m.contains("of the sphere 4")));
+        assert!(
+            all.iter()
+                .any(|m| m.contains("the sphere 3 reaches out of it at (0, 2.5, 0)"))
+        );
+        // A tool is not drawn anyway, and a plane has no end.
+        let tool = boxed("3 9 1\n4 11 0 5 0 1\n2 -103 3 4", region);
+        assert!(found(&tool).is_empty());
+        assert!(found(&boxed("3 9 1\n4 3 0 1 0 -5\n2 -101 3 4", region)).is_empty());
     }
 
     #[test]

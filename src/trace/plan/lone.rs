@@ -1,5 +1,6 @@
 //! Scenes of one convex shape, in which nothing can be in the way of anything.
 
+use super::unseen::LeftOut;
 use crate::scene::{Matrix, Node, NodeId, Scene, Shape, View};
 use crate::trace::ray::Line;
 use crate::trace::shapes::{Primitive, Roots};
@@ -7,8 +8,8 @@ use crate::trace::vec::Vec3;
 use std::collections::HashMap;
 
 /// Whether the scene is one convex shape and no camera is in it.
-pub fn lone_convex(scene: &Scene, root: NodeId) -> bool {
-    let Some((shape, matrix)) = lone(scene, root) else {
+pub fn lone_convex(scene: &Scene, root: NodeId, left_out: &LeftOut) -> bool {
+    let Some((shape, matrix)) = lone(scene, root, left_out) else {
         return false;
     };
     let primitive = Primitive::new(&shape.geometry);
@@ -41,7 +42,10 @@ pub fn lone_convex(scene: &Scene, root: NodeId) -> bool {
 }
 
 /// The only shape there is, and how it is placed; a union of equal ones, placed equally, is one.
-fn lone(scene: &Scene, root: NodeId) -> Option<(&Shape, Matrix)> {
+fn lone<'s>(scene: &'s Scene, root: NodeId, left_out: &LeftOut) -> Option<(&'s Shape, Matrix)> {
+    if left_out.all() {
+        return None;
+    }
     let mut found: Option<(&Shape, Matrix)> = None;
     // Where shared nodes have been met, so that each is met once.
     let mut seen: HashMap<NodeId, Matrix> = HashMap::new();
@@ -62,7 +66,9 @@ fn lone(scene: &Scene, root: NodeId) -> Option<(&Shape, Matrix)> {
                     _ => found = Some((shape, matrix)),
                 }
             }
-            Node::Union(a, b) => stack.extend([(b, matrix), (a, matrix)]),
+            Node::Union(a, b) => {
+                stack.extend(left_out.kept(node, [a, b]).map(|operand| (operand, matrix)));
+            }
             Node::Transform { child, matrix: m } => {
                 stack.push((child, matrix.after(&scene.matrices[m as usize])));
             }

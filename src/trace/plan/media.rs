@@ -1,5 +1,6 @@
 //! How many media a ray can be in at most.
 
+use super::unseen::LeftOut;
 use crate::scene::{Aabb, Node, NodeId, Scene, bounds};
 
 /// An upper bound on the number of transparent solids that hold one point.
@@ -9,7 +10,7 @@ use crate::scene::{Aabb, Node, NodeId, Scene, bounds};
 /// scene has complements, which turn these operations into one another, every operation counts
 /// both. Each node keeps two numbers, with its own optics and as if all of it were transparent,
 /// because a paint above may make it so.
-pub fn depth(scene: &Scene, root: NodeId, complements: bool) -> u32 {
+pub fn depth(scene: &Scene, root: NodeId, complements: bool, left_out: &LeftOut) -> u32 {
     let boxes = match complements {
         false => bounds::node_bounds(scene),
         true => Vec::new(),
@@ -20,7 +21,7 @@ pub fn depth(scene: &Scene, root: NodeId, complements: bool) -> u32 {
     };
     // Own optics, all transparent.
     let mut depths: Vec<[u32; 2]> = Vec::with_capacity(root as usize + 1);
-    for node in scene.nodes.iter().take(root as usize + 1) {
+    for (here, node) in (0..).zip(&scene.nodes[..=root as usize]) {
         let of = |n: NodeId| depths[n as usize];
         let both = |a: NodeId, b: NodeId, f: fn(u32, u32) -> u32| {
             let (a, b) = (of(a), of(b));
@@ -28,8 +29,15 @@ pub fn depth(scene: &Scene, root: NodeId, complements: bool) -> u32 {
         };
         depths.push(match *node {
             Node::Shape(s) => [0, u32::from(scene.shapes[s as usize].geometry.is_solid())],
-            Node::Union(a, b) if apart(a, b) => both(a, b, u32::max),
-            Node::Union(a, b) => both(a, b, u32::saturating_add),
+            Node::Union(a, b) => {
+                let kept: Vec<NodeId> = left_out.kept(here, [a, b]).collect();
+                match kept[..] {
+                    [a, b] if apart(a, b) => both(a, b, u32::max),
+                    [a, b] => both(a, b, u32::saturating_add),
+                    [one] => of(one),
+                    _ => [0, 0],
+                }
+            }
             Node::Intersection(a, b) | Node::Difference(a, b) if complements => {
                 both(a, b, u32::saturating_add)
             }

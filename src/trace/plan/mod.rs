@@ -8,11 +8,13 @@ mod lone;
 mod media;
 mod notes;
 mod reach;
+pub mod unseen;
 
 use crate::diagnostics::Span;
-use crate::scene::{Geometry, Node, NodeId, Rgb, Scene, View, bounds};
+use crate::scene::{Geometry, Node, NodeId, Rgb, Scene, View};
 use reach::Reach;
 use std::collections::{BTreeMap, HashMap};
+use unseen::{Found, LeftOut, Unseen};
 
 /// So many of the entities that turn an effect on are named.
 pub const MAX_SOURCES: usize = 16;
@@ -66,6 +68,10 @@ pub struct Plan {
     pub effects: Vec<Decision>,
     /// IDs of the objects that are not part of what is drawn, ascending.
     pub unreached: Vec<u32>,
+    /// Parts of what is drawn that ask for nothing, since no ray can see them.
+    pub unseen: Vec<Unseen>,
+    /// The same, as operands that are left out.
+    pub left_out: LeftOut,
     /// Reached shape records, by name.
     pub shapes: BTreeMap<&'static str, u32>,
     /// Reached operations, by name.
@@ -99,26 +105,50 @@ impl Sources {
 }
 
 impl Plan {
-    /// `None` where there is no render record.
+    /// Of all that is drawn, whether a picture shows it or not: for questions about single rays, which
+    /// may start anywhere. `None` where there is no render record.
     pub fn new(scene: &Scene) -> Option<Plan> {
+        let root = scene.render?.root;
+        Plan::of(scene, Found::all(scene, root))
+    }
+
+    /// Of a picture: parts that no ray of a camera can see are left out. `None` where there is no render
+    /// record.
+    pub fn of_picture(scene: &Scene) -> Option<Plan> {
+        let root = scene.render?.root;
+        Plan::of(scene, unseen::find(scene, root))
+    }
+
+    fn of(scene: &Scene, found: Found) -> Option<Plan> {
         let render = scene.render.as_ref()?;
-        let reach = Reach::new(scene, render.root);
+        let Found {
+            unseen,
+            left_out,
+            cut: clipped,
+        } = found;
+        let everything = Reach::new(scene, render.root, &LeftOut::default());
         let mut plan = Plan {
             effects: Vec::new(),
             unreached: Vec::new(),
             shapes: BTreeMap::new(),
             operations: BTreeMap::new(),
             medium_depth: 0,
-            lone_convex: lone::lone_convex(scene, render.root),
+            lone_convex: lone::lone_convex(scene, render.root, &left_out),
+            unseen,
+            left_out,
         };
-        plan.count(scene, &reach, render.root);
-        let owners = plan.owners(scene, &reach);
+        plan.count(scene, &everything, render.root);
+        let owners = plan.owners(scene, &everything);
+        let reach = match plan.unseen.is_empty() {
+            true => everything,
+            false => Reach::new(scene, render.root, &plan.left_out),
+        };
         let ids = |nodes: &[NodeId]| {
             Sources::of(nodes.iter().map(|n| owners.get(n).copied().unwrap_or(0)))
         };
         if reach.glass.some() {
             let complements = !reach.complements.is_empty();
-            plan.medium_depth = media::depth(scene, render.root, complements);
+            plan.medium_depth = media::depth(scene, render.root, complements, &plan.left_out);
         }
 
         let lit = |power: Rgb, intensity: f64| power.iter().any(|c| c * intensity != 0.0);
@@ -127,10 +157,6 @@ impl Plan {
         let points = (scene.point_lights.iter()).filter(|l| lit(l.colour, l.intensity));
         let points = Sources::of(points.map(|l| l.id));
         let dark = scene.ambient_lights.is_empty() && scene.point_lights.is_empty();
-        let clipped = render.clip.is_some_and(|(min, max)| {
-            let all = bounds::node_bounds(scene)[render.root as usize].all;
-            (0..3).any(|i| min[i] > all.min[i] || max[i] < all.max[i])
-        });
 
         let diffuse = reach.diffuse.some() && (dark || points.some());
         let glass = reach.glass.some();

@@ -3,6 +3,7 @@
 //! One pass from the root to the leaves. A node is visited once with the set of all ways in which
 //! it occurs, so shared subtrees stay shared however often they are used.
 
+use super::unseen::LeftOut;
 use super::{MAX_SOURCES, Sources};
 use crate::scene::{DEFAULT_INDEX, Geometry, Node, NodeId, Optics, Scene, Texture};
 
@@ -88,8 +89,8 @@ fn any(k: [f64; 3]) -> bool {
 }
 
 impl Reach {
-    /// Walks down from `root`.
-    pub fn new(scene: &Scene, root: NodeId) -> Reach {
+    /// Walks down from `root`, past what is left out.
+    pub fn new(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Reach {
         let solids = solids(scene, root);
         let mut reach = Reach {
             ways: vec![0; root as usize + 1],
@@ -101,12 +102,14 @@ impl Reach {
             indexed: false,
             negated: false,
         };
-        reach.ways[root as usize] = top.bit();
+        if !left_out.all() {
+            reach.ways[root as usize] = top.bit();
+        }
         // Children stand before their parents.
         for node in (0..=root).rev() {
             let ways = reach.ways[node as usize];
             if ways != 0 {
-                reach.visit(scene, node, ways, &solids);
+                reach.visit(scene, node, ways, &solids, left_out);
             }
         }
         reach
@@ -121,12 +124,20 @@ impl Reach {
         self.ways[node as usize] |= ways;
     }
 
-    fn visit(&mut self, scene: &Scene, node: NodeId, ways: Ways, solids: &[bool]) {
+    fn visit(
+        &mut self,
+        scene: &Scene,
+        node: NodeId,
+        ways: Ways,
+        solids: &[bool],
+        left_out: &LeftOut,
+    ) {
         match scene.nodes[node as usize] {
             Node::Shape(shape) => self.shape(scene, shape, ways),
             Node::Union(a, b) => {
-                self.add(a, ways);
-                self.add(b, ways);
+                for operand in left_out.kept(node, [a, b]) {
+                    self.add(operand, ways);
+                }
             }
             Node::Intersection(a, b) => {
                 self.cut(node);

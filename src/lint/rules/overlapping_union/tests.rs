@@ -54,9 +54,9 @@ fn the_fix_keeps_the_comment() {
 
 #[test]
 fn the_fix_leaves_out_what_is_empty() {
-    let within = two(MATT, GLASS).replace("3 11 1.5 0 0 1", "3 11 0.1 0 0 0.5");
+    let within = two(GLASS, MATT).replace("3 11 1.5 0 0 1", "3 11 0.1 0 0 0.5");
     let after = fixed(&within);
-    assert!(after.contains("\n5 -102 2 3\n5 -201 0.5 0 0\n6 -103 2 3\n4 -101 5 6 # both #\n"));
+    assert!(after.contains("\n5 -102 2 3\n5 -201 0 0 1\n6 -103 2 3\n4 -101 5 6 # both #\n"));
     assert_eq!(testing::found(&after), Vec::<String>::new());
     // What has never been given a property has none of its own to repeat.
     let plain = two(MATT, GLASS).replace("2 -201 0.5 0 0\n", "");
@@ -165,4 +165,31 @@ fn chains_of_unions() {
     }
     scene += &format!("1 9999 {chain} 0\n");
     assert_eq!(found(&scene), expected);
+}
+
+#[test]
+fn what_nobody_sees_depends_on_no_order() {
+    let inside = |radius: &str, more: &str| {
+        format!(
+            "2 11 0 0 0 {radius}\n2 {GLASS}\n3 11 0 0 0 1\n4 -101 2 3\n{more}\n1 9999 5 0 -9 -9 -9 9 9 9\n"
+        )
+    };
+    let alone = "5 -101 4 4";
+    assert!(found(&inside("0.5", "5 -105 4")).is_empty());
+    // It touches the opaque ball from within, or reaches out of it.
+    assert_eq!(found(&inside("1", "5 -105 4")).len(), 1);
+    assert_eq!(found(&inside("1.5", "5 -105 4")).len(), 1);
+    // Something opens the ball: a cut, other glass, or the ball is not opaque itself.
+    assert_eq!(
+        found(&inside("0.5", "6 12 0 0 0 2 2 2\n5 -103 4 6")).len(),
+        1
+    );
+    let glass = "6 11 1 0 0 0.25\n6 -201 0 0 1\n5 -101 6 4";
+    assert!(!found(&inside("0.5", glass)).is_empty());
+    assert_eq!(found(&inside("0.5", "5 -105 4\n5 -201 0 0 1")).len(), 0);
+    // What occurs twice is not looked into.
+    assert!(!found(&inside("0.5", alone)).is_empty());
+    // Without a picture nothing is known about who sees it.
+    let unrendered = inside("0.5", "5 -105 4").replace("1 9999", "0 #");
+    assert_eq!(found(&format!("{}#", unrendered.trim_end())).len(), 1);
 }

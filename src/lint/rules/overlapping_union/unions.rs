@@ -7,6 +7,7 @@ use crate::lint::solids::ways::{NONE, Ways};
 use crate::lint::solids::{Named, named};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
+use crate::trace::plan::unseen::{self, LeftOut};
 
 /// Nodes gone through more often than once, in scenes that share parts.
 const REPEATED: usize = 200_000;
@@ -51,7 +52,13 @@ pub(super) struct Unions {
 
 impl Unions {
     /// Everything that is a part of a union and whose properties show.
+    ///
+    /// What cannot be seen is left out: nothing in the picture depends on it.
     pub(super) fn new(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Unions {
+        let left_out = match scene.render {
+            Some(render) => unseen::find(scene, render.root).left_out,
+            None => LeftOut::default(),
+        };
         let mut all = Unions {
             places: Vec::new(),
             ways: Ways::default(),
@@ -103,7 +110,7 @@ impl Unions {
                     let union = all.places.len() as u32;
                     all.places.push(task.node);
                     parents.push(task.union);
-                    for node in [b, a] {
+                    for node in left_out.kept(task.node, [a, b]).rev() {
                         let copy = None;
                         todo.push(Task {
                             node,

@@ -1,0 +1,224 @@
+//! Parts that lie strictly inside a solid which lets no light through.
+//!
+//! Such a solid hides what is in it only if no ray gets in. The first operand of a union owns a point,
+//! and its surface is the one that is seen: a ray can pass into an opaque solid from within glass that
+//! reaches into it or touches it, and from there into any solid that the opaque one touches. So opaque
+//! solids that touch stand and fall together. A group of them is closed if
+//!
+//! - no ray of a camera starts in one of them, and the region that is drawn cuts none of them open;
+//! - whatever else touches one of them lies strictly inside one of them, or is an opaque surface.
+//!
+//! Any ray that comes from outside then meets, where it first enters the group, the surface of one of
+//! its solids and nothing else: it ends there. Boxes say what touches. Only convex shapes are known to
+//! hold anything. The work is bounded: of very many opaque shapes the largest are looked at, and
+//! groups that go on for too long count as open.
+
+use super::members::Member;
+use super::starts::Starts;
+use crate::scene::{Aabb, Scene};
+use crate::solids::hull::is_convex;
+use crate::solids::within::{CLEAR, Standing};
+use crate::trace::boxes::Boxes;
+use rustc_hash::FxHashMap;
+
+/// So many opaque shapes are asked what they hold, the largest.
+const MAX_HOLDERS: usize = 4096;
+
+/// Boxes compared, in each of the two searches: some hundredths of a second.
+const MAX_STEPS: usize = 4_000_000;
+
+/// Parts asked whether they lie in a shape, for all parts together.
+const MAX_PROOFS: usize = 200_000;
+
+pub struct Hidden<'a, F: Fn(&Member) -> bool> {
+    scene: &'a Scene,
+    all: &'a [Member],
+    starts: &'a Starts,
+    /// Whether the region that is drawn cuts nothing off.
+    whole: F,
+    /// Of each part that lies strictly inside another one, that one.
+    holders: FxHashMap<u32, u32>,
+    steps: usize,
+}
+
+impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
+    /// Of the parts `left` those that are hidden, ascending, each with a part that it lies in.
+    pub fn find(
+        scene: &'a Scene,
+        all: &'a [Member],
+        left: &[u32],
+        starts: &'a Starts,
+        whole: F,
+    ) -> Vec<(u32, u32)> {
+        let mut hidden = Hidden {
+            scene,
+            all,
+            starts,
+            whole,
+            holders: FxHashMap::default(),
+            steps: MAX_STEPS,
+        };
+        hidden.hold(left);
+        if hidden.holders.is_empty() {
+            return Vec::new();
+        }
+        let closed = hidden.closed(left);
+        let mut out: Vec<(u32, u32)> = hidden.holders.into_iter().collect();
+        out.retain(|(_, holder)| closed.get(holder) == Some(&true));
+        out.sort_unstable();
+        out
+    }
+
+    fn standing(&self, i: u32) -> Option<Standing<'a>> {
+        let member = &self.all[i as usize];
+        Standing::new(member.geometry(self.scene)?, member.matrix)
+    }
+
+    /// Finds what lies strictly inside of what.
+    fn hold(&mut self, left: &[u32]) {
+        let scene = self.scene;
+        let opaque = |&i: &u32| {
+            let member = &self.all[i as usize];
+            let geometry = member.geometry(scene);
+            !member.clear && geometry.is_some_and(is_convex) && !member.bounds.is_empty()
+        };
+        let sized = |&i: &u32| match &self.all[i as usize].bounds {
+            b if b.is_finite() => (b.radius(), i),
+            _ => (f64::INFINITY, i),
+        };
+        let mut holders: Vec<(f64, u32)> = left.iter().filter(|i| opaque(i)).map(sized).collect();
+        holders.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        holders.truncate(MAX_HOLDERS);
+        // Made when first needed; `None` for what cannot hide anything.
+        let mut standing: Vec<Option<Option<Standing>>> = holders.iter().map(|_| None).collect();
+        let numbered = (0u32..).zip(&holders);
+        let boxes = Boxes::new(numbered.map(|(k, h)| (k, self.all[h.1 as usize].bounds)));
+        let (mut near, mut proofs) = (Vec::new(), MAX_PROOFS);
+        for &i in left {
+            let member = &self.all[i as usize];
+            if !member.bounds.is_finite() || member.bounds.is_empty() {
+                continue;
+            }
+            let centre = member.bounds.centre();
+            near.clear();
+            let steps = boxes.near(&Aabb::new(centre, centre), &mut near) + near.len();
+            match self.steps.checked_sub(steps) {
+                Some(rest) => self.steps = rest,
+                None => return,
+            }
+            near.retain(|&k| {
+                let holder = holders[k as usize].1;
+                holder != i && self.all[holder as usize].bounds.holds(&member.bounds)
+            });
+            // The largest first.
+            near.sort_unstable();
+            let shape = member.geometry(scene).map(|g| (g, &member.matrix));
+            for &k in &near {
+                let holder = holders[k as usize].1;
+                let known = &mut standing[k as usize];
+                if known.is_none() {
+                    *known = Some(self.standing(holder).filter(|s| self.is_dark(holder, s)));
+                }
+                let Some(Some(standing)) = known else {
+                    continue;
+                };
+                match proofs.checked_sub(1) {
+                    Some(rest) => proofs = rest,
+                    None => return,
+                }
+                if standing.holds(&member.bounds, shape) {
+                    self.holders.insert(i, holder);
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Whether neither a camera nor a lamp stands in an opaque shape, and nothing cuts it open.
+    fn is_dark(&self, i: u32, standing: &Standing) -> bool {
+        let member = &self.all[i as usize];
+        (self.whole)(member)
+            && self.starts.are_clear_of(&member.bounds, Some(standing))
+            && (self.scene.point_lights.iter()).all(|l| standing.is_clear_of(l.position))
+    }
+
+    /// Of the parts that hold something, and of all that are opaque and connected with them, whether
+    /// no ray gets in.
+    fn closed(&mut self, left: &[u32]) -> FxHashMap<u32, bool> {
+        self.steps = MAX_STEPS;
+        let boxes = Boxes::new(left.iter().map(|&i| (i, self.all[i as usize].bounds)));
+        let mut first: Vec<u32> = self.holders.values().copied().collect();
+        first.sort_unstable();
+        first.dedup();
+        let mut groups: FxHashMap<u32, usize> = FxHashMap::default();
+        let mut closed: Vec<bool> = Vec::new();
+        for i in first {
+            if groups.contains_key(&i) {
+                continue;
+            }
+            let group = closed.len();
+            groups.insert(i, group);
+            let mut todo = vec![i];
+            let mut is_closed = true;
+            while let (true, Some(i)) = (is_closed, todo.pop()) {
+                let Some(others) = self.around(i, &boxes) else {
+                    is_closed = false;
+                    break;
+                };
+                for other in others {
+                    match groups.get(&other) {
+                        None => {
+                            groups.insert(other, group);
+                            todo.push(other);
+                        }
+                        // Of an open group not all parts have been looked at.
+                        Some(&known) => is_closed &= known == group,
+                    }
+                }
+            }
+            closed.push(is_closed);
+        }
+        groups
+            .into_iter()
+            .map(|(i, group)| (i, closed[group]))
+            .collect()
+    }
+
+    /// The opaque solids that touch one; `None` where a ray may get into that, or no steps are left.
+    fn around(&mut self, i: u32, boxes: &Boxes) -> Option<Vec<u32>> {
+        let member = &self.all[i as usize];
+        let standing = self.standing(i);
+        let open =
+            !(self.whole)(member) || !self.starts.are_clear_of(&member.bounds, standing.as_ref());
+        let mut near = Vec::new();
+        let steps = boxes.near(&grown(&member.bounds), &mut near) + near.len();
+        self.steps = self.steps.saturating_sub(steps);
+        if open || self.steps == 0 {
+            return None;
+        }
+        let mut out = Vec::new();
+        for other in near {
+            let thing = &self.all[other as usize];
+            if other == i
+                || self.holders.get(&other) == Some(&i)
+                || !thing.bounds.touches(&member.bounds)
+            {
+                continue;
+            }
+            match (thing.clear, thing.sheet) {
+                (false, false) => out.push(other),
+                (false, true) => {}
+                // What holds it touches this one too.
+                (true, _) if self.holders.contains_key(&other) => {}
+                (true, _) => return None,
+            }
+        }
+        Some(out)
+    }
+}
+
+/// A box and what may touch it but for rounding.
+fn grown(b: &Aabb) -> Aabb {
+    let hair = 4.0 * CLEAR * b.far();
+    Aabb::new(b.min.map(|x| x - hair), b.max.map(|x| x + hair))
+}

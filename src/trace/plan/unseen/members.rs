@@ -1,0 +1,167 @@
+//! The parts of the outermost union, where they are.
+
+use crate::scene::bounds::{NodeBounds, shape_bounds};
+use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene};
+use crate::solids::named;
+
+/// Where a part is written.
+#[derive(Debug, Clone, Copy)]
+pub enum Slot {
+    /// It is all there is.
+    Root,
+    /// A union, and which of its operands.
+    Operand(NodeId, usize),
+}
+
+/// A part of the outermost union: a shape or anything that is no union, or a union that occurs more
+/// than once.
+#[derive(Debug, Clone, Copy)]
+pub struct Member {
+    pub slot: Slot,
+    /// The operand as it is written.
+    pub node: NodeId,
+    /// Index into the scene's shapes, where it is one.
+    pub shape: Option<u32>,
+    /// From the coordinates of what is below its transformations into those of the scene.
+    pub matrix: Matrix,
+    /// Where it is, in those of the scene.
+    pub bounds: Aabb,
+    /// Whether anything of it may let light through, after all that overrides its properties.
+    pub clear: bool,
+    /// Whether it is one shape without inside.
+    pub sheet: bool,
+}
+
+impl Member {
+    pub fn geometry<'s>(&self, scene: &'s Scene) -> Option<&'s Geometry> {
+        Some(&scene.shapes[self.shape? as usize].geometry)
+    }
+
+    /// The ID by which it is written.
+    pub fn id(&self, scene: &Scene) -> u32 {
+        match named(scene, self.node) {
+            Some(named) => named.id,
+            None => scene.origins.get(self.node as usize).map_or(0, |o| o.id),
+        }
+    }
+}
+
+/// On the way down to a part.
+#[derive(Clone, Copy)]
+struct Way {
+    node: NodeId,
+    slot: Slot,
+    operand: NodeId,
+    matrix: Matrix,
+    /// Whether what lies above says that light gets through.
+    clear: Option<bool>,
+    /// Something on the way is used elsewhere too.
+    shared: bool,
+}
+
+/// All of them, in the order of the operands.
+pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member> {
+    let uses = uses(scene, root);
+    let clear = clear(scene, root);
+    let mut out = Vec::new();
+    let mut todo = vec![Way {
+        node: root,
+        slot: Slot::Root,
+        operand: root,
+        matrix: Matrix::IDENTITY,
+        clear: None,
+        shared: false,
+    }];
+    while let Some(mut way) = todo.pop() {
+        let at = way.node as usize;
+        way.shared |= uses[at] > 1;
+        match scene.nodes[at] {
+            Node::Transform { child, matrix } => {
+                way.matrix = way.matrix.after(&scene.matrices[matrix as usize]);
+                way.node = child;
+                todo.push(way);
+            }
+            Node::Copy { child, .. } => {
+                way.node = child;
+                todo.push(way);
+            }
+            Node::Paint { child, paint } => {
+                let optics = scene.paints[paint as usize].optics;
+                way.clear = way.clear.or(optics.map(|o| o.kt != [0.0; 3]));
+                way.node = child;
+                todo.push(way);
+            }
+            Node::Union(a, b) if !way.shared => {
+                for (operand, node) in [a, b].into_iter().enumerate().rev() {
+                    let slot = Slot::Operand(way.node, operand);
+                    todo.push(Way {
+                        node,
+                        slot,
+                        operand: node,
+                        ..way
+                    });
+                }
+            }
+            node => {
+                let shape = match node {
+                    Node::Shape(shape) => Some(shape),
+                    _ => None,
+                };
+                let geometry = shape.map(|s| &scene.shapes[s as usize].geometry);
+                out.push(Member {
+                    slot: way.slot,
+                    node: way.operand,
+                    shape,
+                    matrix: way.matrix,
+                    bounds: match geometry {
+                        Some(geometry) => shape_bounds(geometry, &way.matrix),
+                        None => bounds[at].all.transformed(&way.matrix),
+                    },
+                    clear: way.clear.unwrap_or(clear[at][0]),
+                    sheet: geometry.is_some_and(|g| !g.is_solid()),
+                });
+            }
+        }
+    }
+    out
+}
+
+/// How often each node is an operand of what is reached.
+fn uses(scene: &Scene, root: NodeId) -> Vec<u8> {
+    let mut uses = vec![0u8; root as usize + 1];
+    uses[root as usize] = 1;
+    // Children stand before their parents.
+    for i in (0..=root as usize).rev() {
+        if uses[i] > 0 {
+            for child in scene.nodes[i].children().into_iter().flatten() {
+                let uses = &mut uses[child as usize];
+                *uses = uses.saturating_add(1);
+            }
+        }
+    }
+    uses
+}
+
+/// Of each node whether anything of it may let light through if no paint above says otherwise; the
+/// second is that of its complement.
+fn clear(scene: &Scene, root: NodeId) -> Vec<[bool; 2]> {
+    let mut out: Vec<[bool; 2]> = Vec::with_capacity(root as usize + 1);
+    for node in scene.nodes.iter().take(root as usize + 1) {
+        let of = |n: NodeId| out[n as usize];
+        out.push(match *node {
+            Node::Shape(_) => [false; 2],
+            Node::Union(a, b) | Node::Intersection(a, b) => {
+                [0, 1].map(|turned| of(a)[turned] || of(b)[turned])
+            }
+            // Of what is taken away nothing is left; −(A − B) is −A ∪ B.
+            Node::Difference(a, b) => [of(a)[0], of(a)[1] || of(b)[0]],
+            Node::Complement(child) => [of(child)[1], of(child)[0]],
+            Node::Transform { child, .. } | Node::Copy { child, .. } => of(child),
+            Node::Paint { child, paint } => match scene.paints[paint as usize].optics {
+                Some(optics) => [optics.kt != [0.0; 3]; 2],
+                None => of(child),
+            },
+        });
+    }
+    out
+}

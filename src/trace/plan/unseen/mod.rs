@@ -1,0 +1,162 @@
+//! Parts of the outermost union that no ray of a picture can see.
+//!
+//! A part is unseen when it lies outside of the region that is drawn, or strictly inside a solid that
+//! lets no light through and that nothing opens (see [`hidden`]). Both are proofs: where bounds or the
+//! room for rounding do not suffice, the part counts as seen.
+
+mod hidden;
+mod members;
+mod starts;
+
+use crate::diagnostics::Span;
+use crate::scene::bounds::{NodeBounds, node_bounds};
+use crate::scene::{Aabb, NodeId, Scene};
+use crate::solids::named;
+use hidden::Hidden;
+use members::{Member, Slot, members};
+use rustc_hash::FxHashMap;
+use starts::Starts;
+
+/// Why nothing of a part can be seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Why {
+    /// It lies outside of the box of the render record.
+    Outside,
+    /// It lies inside of this shape, which is opaque: the name of its kind, and its ID.
+    Inside(&'static str, u32),
+}
+
+/// A part of which nothing can be seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Unseen {
+    /// The ID by which it is written.
+    pub id: u32,
+    /// Where that is defined.
+    pub span: Span,
+    pub why: Why,
+}
+
+/// The operands of unions that are left out of a picture.
+#[derive(Debug, Clone, Default)]
+pub struct LeftOut {
+    operands: FxHashMap<NodeId, [bool; 2]>,
+    /// Everything is.
+    root: bool,
+}
+
+impl LeftOut {
+    /// Of the operands of a union those that are not left out.
+    pub fn kept<T>(
+        &self,
+        union: NodeId,
+        operands: [T; 2],
+    ) -> impl DoubleEndedIterator<Item = T> + use<T> {
+        let out = match self.operands.is_empty() {
+            true => [false; 2],
+            false => self.operands.get(&union).copied().unwrap_or_default(),
+        };
+        let all = operands.into_iter().zip(out);
+        all.filter(|(_, out)| !out).map(|(operand, _)| operand)
+    }
+
+    /// Whether all of the scene is left out.
+    pub fn all(&self) -> bool {
+        self.root
+    }
+
+    fn add(&mut self, slot: Slot) {
+        match slot {
+            Slot::Root => self.root = true,
+            Slot::Operand(union, operand) => {
+                self.operands.entry(union).or_default()[operand] = true;
+            }
+        }
+    }
+}
+
+/// What there is to draw.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// In the order of the operands.
+    pub unseen: Vec<Unseen>,
+    pub left_out: LeftOut,
+    /// Whether something that is left may reach out of the region that is drawn.
+    pub cut: bool,
+}
+
+impl Found {
+    /// Everything, whether it is seen or not.
+    pub fn all(scene: &Scene, root: NodeId) -> Found {
+        let clip = scene.render.and_then(|r| r.clip);
+        Found {
+            cut: clip
+                .is_some_and(|(min, max)| is_cut(&node_bounds(scene), root, &Aabb::new(min, max))),
+            ..Found::default()
+        }
+    }
+}
+
+/// Looks for what can be seen.
+pub fn find(scene: &Scene, root: NodeId) -> Found {
+    let bounds = node_bounds(scene);
+    let all = members(scene, &bounds, root);
+    let starts = Starts::new(scene, &bounds);
+    let clip = scene.render.and_then(|r| r.clip);
+    let clip = clip.map(|(min, max)| Aabb::new(min, max));
+    // Rounding moves the ends of rays by a share of how far these go.
+    let reach = clip.map_or(0.0, |c| c.far()).max(starts.reach());
+    let hair = |b: &Aabb| HAIR * reach.max(b.far());
+    let mut why: Vec<Option<Why>> = vec![None; all.len()];
+    if let Some(clip) = &clip {
+        for (why, member) in why.iter_mut().zip(&all) {
+            let apart =
+                !member.bounds.is_empty() && is_apart(&member.bounds, clip, hair(&member.bounds));
+            *why = apart.then_some(Why::Outside);
+        }
+    }
+    let whole = |m: &Member| match &clip {
+        None => true,
+        Some(clip) => (0..3).all(|i| {
+            let hair = hair(&m.bounds);
+            clip.min[i] + hair < m.bounds.min[i] && m.bounds.max[i] + hair < clip.max[i]
+        }),
+    };
+    let left: Vec<u32> = (0..all.len() as u32)
+        .filter(|&i| why[i as usize].is_none())
+        .collect();
+    for (i, holder) in Hidden::find(scene, &all, &left, &starts, whole) {
+        let name = named(scene, all[holder as usize].node);
+        why[i as usize] = name.map(|n| Why::Inside(n.title, n.id));
+    }
+    let mut found = Found::default();
+    let spans: FxHashMap<u32, Span> = match why.iter().any(Option::is_some) {
+        true => scene.entities.iter().map(|e| (e.id, e.span)).collect(),
+        false => FxHashMap::default(),
+    };
+    for (member, why) in all.iter().zip(&why) {
+        if let Some(why) = *why {
+            let id = member.id(scene);
+            let span = spans.get(&id).copied().unwrap_or_default();
+            found.unseen.push(Unseen { id, span, why });
+            found.left_out.add(member.slot);
+        }
+    }
+    found.cut = clip.is_some_and(|clip| {
+        let mut seen = all.iter().zip(&why).filter(|(_, why)| why.is_none());
+        is_cut(&bounds, root, &clip) && seen.any(|(m, _)| !clip.holds(&m.bounds))
+    });
+    found
+}
+
+/// Whether something may reach out of the region that is drawn.
+fn is_cut(bounds: &[NodeBounds], root: NodeId, clip: &Aabb) -> bool {
+    !clip.holds(&bounds[root as usize].all)
+}
+
+/// What is so far apart, as a share of the numbers that rays are made of, is apart.
+const HAIR: f64 = 1e-9;
+
+/// Whether two boxes are further from each other than this, along some axis.
+fn is_apart(a: &Aabb, b: &Aabb, hair: f64) -> bool {
+    (0..3).any(|i| a.max[i] + hair < b.min[i] || b.max[i] + hair < a.min[i])
+}

@@ -1,0 +1,131 @@
+//! Where the rays of cameras start.
+
+use super::is_apart;
+use crate::scene::bounds::NodeBounds;
+use crate::scene::frame::{Basis, automatic_camera};
+use crate::scene::vector::{cross, dot, sub, unit};
+use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3, View};
+use crate::solids::within::{CLEAR, Standing, far};
+
+/// Where rays may start.
+enum Start {
+    Point(Vec3),
+    /// Somewhere on a straight way to infinity, which this box is.
+    Way(Aabb),
+    /// Somewhere between four points of a plane.
+    Face([Vec3; 4]),
+    Anywhere,
+}
+
+/// Where the rays of all cameras may start: of each that is written, since any may be chosen, or of the
+/// automatic one in a picture of any shape.
+pub struct Starts(Vec<Start>);
+
+impl Starts {
+    pub fn new(scene: &Scene, bounds: &[NodeBounds]) -> Starts {
+        let mut all: Vec<Start> = scene.cameras.iter().flat_map(Start::of).collect();
+        if scene.cameras.is_empty() || scene.view == View::Automatic {
+            // The narrower a picture is, the further away is its camera.
+            let Camera { position, .. } = automatic_camera(scene, bounds, 1.0);
+            let mut way = Aabb::new(position, position);
+            way.max[2] = f64::INFINITY;
+            all.push(Start::Way(way));
+        }
+        Starts(all)
+    }
+
+    /// The largest of all their coordinates; infinite where rays start anywhere.
+    pub fn reach(&self) -> f64 {
+        let of = |start: &Start| match start {
+            Start::Point(p) => far(p),
+            Start::Way(b) => far(&b.min),
+            Start::Face(corners) => corners.iter().map(far).fold(0.0, f64::max),
+            Start::Anywhere => f64::INFINITY,
+        };
+        self.0.iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// Whether none of them is in something that lies in a box; `shape`: what it is, where it is one.
+    pub fn are_clear_of(&self, thing: &Aabb, shape: Option<&Standing>) -> bool {
+        let apart = |b: &Aabb| is_apart(thing, b, CLEAR * thing.far().max(b.far()));
+        self.0.iter().all(|start| match start {
+            Start::Point(p) => {
+                apart(&Aabb::new(*p, *p)) || shape.is_some_and(|s| s.is_clear_of(*p))
+            }
+            Start::Way(b) => apart(b),
+            Start::Face(corners) => {
+                let around = corners
+                    .iter()
+                    .fold(Aabb::EMPTY, |b, &p| b.hull(&Aabb::new(p, p)));
+                apart(&around) || beside_plane(corners, thing)
+            }
+            Start::Anywhere => false,
+        })
+    }
+}
+
+impl Start {
+    fn of(camera: &Camera) -> Vec<Start> {
+        match &camera.projection {
+            None => vec![Start::Point(camera.position)],
+            Some(projection) => match faces(camera, projection) {
+                Some(faces) => faces.into_iter().map(Start::Face).collect(),
+                None => vec![Start::Anywhere],
+            },
+        }
+    }
+}
+
+/// The ends of what a camera with a projection matrix sees, as far as they are somewhere: rays start on
+/// one of them. `None` where that is not between four points.
+fn faces(camera: &Camera, projection: &Matrix) -> Option<Vec<[Vec3; 4]>> {
+    let Basis { forward, right, up } = Basis::of(camera)?;
+    let row = |v: Vec3| [v[0], v[1], v[2], -dot(v, camera.position)];
+    let back = forward.map(|x| -x);
+    let view = Matrix([row(right), row(up), row(back), [0.0, 0.0, 0.0, 1.0]]);
+    let inverse = projection.after(&view).inverse()?;
+    let mut out = Vec::new();
+    for z in [-1.0, 1.0] {
+        let corner = |(x, y): (f64, f64)| -> [f64; 4] {
+            let clip = [x, y, z, 1.0];
+            std::array::from_fn(|i| (0..4).map(|j| inverse.0[i][j] * clip[j]).sum())
+        };
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner);
+        if corners.iter().all(|c| c[3] == 0.0) {
+            // Infinitely far away.
+            continue;
+        }
+        let first = corners[0][3].signum();
+        if !corners.iter().all(|c| c[3] * first > 0.0) {
+            return None;
+        }
+        let corners = corners.map(|[x, y, z, w]| [x / w, y / w, z / w]);
+        if !corners.iter().flatten().all(|x| x.is_finite()) {
+            return None;
+        }
+        out.push(corners);
+    }
+    (!out.is_empty()).then_some(out)
+}
+
+/// Whether all of a box lies on one side of the plane through four points.
+fn beside_plane(corners: &[Vec3; 4], b: &Aabb) -> bool {
+    let [p, q, r, _] = *corners;
+    let Some(normal) = unit(cross(sub(q, p), sub(r, p))) else {
+        return false;
+    };
+    // The least and the largest product with the points of the plane, and with those of the box.
+    let flat = corners.map(|c| dot(normal, c));
+    let span = |ends: &dyn Fn(f64, f64) -> f64| -> f64 {
+        let side = |i: usize| ends(normal[i] * b.min[i], normal[i] * b.max[i]);
+        (0..3).map(side).sum()
+    };
+    let (low, high) = (span(&f64::min), span(&f64::max));
+    let size = corners
+        .iter()
+        .chain([&b.min, &b.max])
+        .map(far)
+        .fold(0.0, f64::max);
+    let clear = CLEAR * size;
+    flat.iter().all(|f| f + clear < low) || flat.iter().all(|f| high + clear < *f)
+}
