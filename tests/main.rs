@@ -52,6 +52,7 @@ mod surfaces;
 mod trace_pictures;
 mod trace_solids;
 mod unseen;
+mod work;
 
 /// A file that is not listed above would never run.
 #[test]

@@ -21,7 +21,7 @@ use crate::scene::frame::selected_cameras;
 use crate::scene::{Camera, Scene};
 use crate::syntax::Document;
 use crate::trace::plan::Plan;
-use crate::trace::stats::{Counts, Intersections, Rays};
+use crate::trace::stats::{Counts, Intersections, Rays, Work};
 use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer, Unsupported};
 use output::Output;
 
@@ -86,7 +86,7 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
 
-    /// Write what it has cost to this file, as JSON
+    /// Write what it has cost to this file, as JSON: times, rays, tests, the work of each effect
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
 
@@ -175,6 +175,7 @@ struct Stats {
     seconds: Seconds,
     rays: Rays,
     intersections: Intersections,
+    work: Work,
     uncertain: u64,
     effects: Vec<&'static str>,
     peak_memory_bytes: u64,
@@ -297,6 +298,7 @@ fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(),
             seconds,
             rays: counts.rays,
             intersections: counts.intersections,
+            work: counts.work,
             uncertain: counts.uncertain,
             effects: tracer.plan.names(),
             peak_memory_bytes: peak_memory(),

@@ -9,7 +9,7 @@ use super::precision::{Doubt, Precision};
 use super::probe::Probe;
 use super::ray::Ray;
 use super::spans::Kind;
-use super::stats::Intersections;
+use super::stats::{Intersections, Work};
 use super::vec::Vec3;
 use super::walk::{Verdict, Walker};
 
@@ -59,9 +59,9 @@ impl<'t, R: Precision> Walkers<'t, R> {
     /// Forgets what was counted.
     pub fn reset(&mut self) {
         self.uncertain = 0;
-        self.walker.counts = Intersections::default();
+        (self.walker.counts, self.walker.work) = Default::default();
         if let Some(finer) = &mut self.finer {
-            finer.counts = Intersections::default();
+            (finer.counts, finer.work) = Default::default();
         }
     }
 
@@ -70,6 +70,15 @@ impl<'t, R: Precision> Walkers<'t, R> {
         let mut all = self.walker.counts;
         if let Some(finer) = &self.finer {
             all += finer.counts;
+        }
+        all
+    }
+
+    /// What has been done between rays and their hits since the last reset.
+    pub fn work(&self) -> Work {
+        let mut all = self.walker.work;
+        if let Some(finer) = &self.finer {
+            all += finer.work;
         }
         all
     }
@@ -210,8 +219,10 @@ impl<const GLASS: bool> Question for FirstHit<GLASS> {
         walker: &mut Walker<R>,
         ray: &Ray<R>,
     ) -> Option<Hit<R>> {
+        let clipped = tracer.clip.is_some();
+        walker.work.clip += u64::from(clipped);
         let (from, to) = tracer.window(ray, R::INFINITY)?;
-        walker.first_hit::<GLASS>(ray, from, to, tracer.clip.is_some())
+        walker.first_hit::<GLASS>(ray, from, to, clipped)
     }
 
     fn cast<R: Precision>(answer: Option<Hit<Dd>>) -> Option<Hit<R>> {
@@ -280,6 +291,7 @@ impl<const GLASS: bool> Question for Visibility<GLASS> {
     /// opaque things that is does not matter, so the search stops at the first one found. Only
     /// where something transparent comes before is there need to know what is inside of what.
     fn ask<R: Precision>(&self, tracer: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> Vec3 {
+        walker.work.clip += u64::from(tracer.clip.is_some());
         let Some((from, to)) = tracer.window(ray, R::ONE) else {
             return Vec3::ONE;
         };
@@ -295,6 +307,7 @@ impl<const GLASS: bool> Question for Visibility<GLASS> {
                 return seen(opaque.is_some());
             }
         }
+        walker.work.transparent_shadow += u64::from(GLASS);
         let (_, events) = walker.trace_spans(ray, from, to);
         let mut share = Vec3::ONE;
         let mut surfaces = events.iter().filter(|e| e.kind != Kind::Silent);

@@ -20,7 +20,7 @@ pub struct Hit<R = f64> {
     pub normal: Vec3<R>,
     /// Unit normal that light is reckoned with; the geometric one unless the shape smooths it.
     pub shading: Vec3<R>,
-    /// Linear RGB.
+    /// Linear RGB; not looked up where nothing is diffuse.
     pub colour: Rgb,
     pub optics: Optics,
     /// Refractive index per channel before and behind the surface.
@@ -185,7 +185,13 @@ impl<R: Precision> Walker<'_, R> {
     ///
     /// This is where a crossing leaves the kernel. `None` where there are no numbers for its place:
     /// it is beyond their range, and the ray ends there.
-    pub fn resolve(&self, ray: &Ray<R>, leaf: Leaf, root: Root<R>, owner: Leaf) -> Option<Hit<R>> {
+    pub fn resolve(
+        &mut self,
+        ray: &Ray<R>,
+        leaf: Leaf,
+        root: Root<R>,
+        owner: Leaf,
+    ) -> Option<Hit<R>> {
         let line = self.line(leaf);
         let primitive = self.primitive(leaf);
         let located = primitive.intersect().locate(&line, root);
@@ -193,6 +199,7 @@ impl<R: Precision> Walker<'_, R> {
         let shape = primitive.shape();
         let local: Vec3 = located.point.cast();
         let mut shading = shape.shading_normal(local, root.face).map(Vec3::cast);
+        self.work.smooth_normal += u64::from(shading.is_some());
         self.climb(leaf, |_, placement| {
             let out = R::out(self.graph, placement);
             let back = R::back(&self.maps, self.graph, placement);
@@ -218,7 +225,10 @@ impl<R: Precision> Walker<'_, R> {
         }
         let shading = shading.map_or(normal, |n| beside(n, normal));
         let optics = self.graph.optics[self.optics(owner) as usize];
-        let colour = self.colour(owner, leaf, point.cast(), local, root.face);
+        let colour = match optics.kd {
+            [0.0, 0.0, 0.0] => DEFAULT_COLOUR,
+            _ => self.colour(owner, leaf, point.cast(), local, root.face),
+        };
         debug_assert!(root.t.is_finite() && shading.is_finite());
         debug_assert!(colour.iter().all(|x| x.is_finite()));
         Some(Hit {
@@ -267,19 +277,23 @@ impl<R: Precision> Walker<'_, R> {
 
     /// The colour of a point, in the scene's space and in that of the shape whose surface it is on.
     /// A face made by a cut shows no colours of the tool.
-    fn colour(&self, owner: Leaf, leaf: Leaf, point: Vec3, local: Vec3, face: u32) -> Rgb {
+    fn colour(&mut self, owner: Leaf, leaf: Leaf, point: Vec3, local: Vec3, face: u32) -> Rgb {
         let shape = self.primitive(leaf).shape();
         let Some(painted) = self.texture(owner) else {
-            let own = (owner == leaf).then(|| shape.colour(local, face));
-            return own.flatten().unwrap_or(DEFAULT_COLOUR);
+            let own = (owner == leaf).then(|| shape.colour(local, face)).flatten();
+            self.work.vertex_colour += u64::from(own.is_some());
+            return own.unwrap_or(DEFAULT_COLOUR);
         };
         match &self.graph.textures[painted.texture as usize] {
             Texture::Colour(c) => *c,
             Texture::Checkerboard { n, m, colours } => {
+                self.work.checkerboard += 1;
+                self.work.uv += 1;
                 let uv = shape.uv(local, face);
                 Texture::cell_colour(colours, &[uv[0] * *n as f64, uv[1] * *m as f64])
             }
             Texture::Solid { colours, size } => {
+                self.work.solid_texture += 1;
                 let mut down = Vec::new();
                 let mut context = painted.context;
                 while context != 0 {
@@ -294,7 +308,11 @@ impl<R: Precision> Walker<'_, R> {
                 Texture::cell_colour(colours, &(p / *size).0)
             }
             Texture::Image { .. } => match &self.graph.bitmaps[painted.texture as usize] {
-                Some(bitmap) => bitmap.colour(shape.uv(local, face)),
+                Some(bitmap) => {
+                    self.work.image_texture += 1;
+                    self.work.uv += 1;
+                    bitmap.colour(shape.uv(local, face))
+                }
                 None => DEFAULT_COLOUR,
             },
         }

@@ -332,7 +332,7 @@ struct Pen<'d, 't, R: Precision> {
 impl<R: Precision> Pen<'_, '_, R> {
     /// Intersection tests since the last reset.
     fn tests(&self) -> u64 {
-        let counted = self.shader.counts().intersections;
+        let counted = self.shader.intersections();
         counted.boxes + counted.shape
     }
 
@@ -342,7 +342,7 @@ impl<R: Precision> Pen<'_, '_, R> {
 
     /// Times that light was totally reflected since the last reset.
     fn total(&self) -> u64 {
-        self.shader.counts().rays.total
+        self.shader.total()
     }
 
     /// The light of sample `i` of `n`; where a projection has no ray, or none in

@@ -163,7 +163,7 @@ fn probe_between<R: Precision>(walker: &mut Walker<R>, ray: &Ray<R>, from: R, to
 
 /// A visible event, if there are numbers for its place; `before`: whether the ray was inside.
 fn crossing<R: Precision>(
-    walker: &Walker<R>,
+    walker: &mut Walker<R>,
     ray: &Ray<R>,
     event: &Event<R>,
     before: bool,

@@ -6,7 +6,7 @@ use super::hit::Hit;
 use super::number::Real;
 use super::precision::Precision;
 use super::ray::Ray;
-use super::stats::{Counts, Rays};
+use super::stats::{Counts, Intersections, Rays, Work};
 use super::vec::Vec3;
 use crate::scene::Rgb;
 
@@ -50,6 +50,9 @@ pub struct Shader<'t, R: Precision = f64> {
     limits: Limits,
     walkers: Walkers<'t, R>,
     rays: Rays,
+    /// Rays in some of the channels, and changes of the medium.
+    parted: u64,
+    media: u64,
     branches: Vec<Branch<R>>,
 }
 
@@ -62,6 +65,8 @@ impl<'t, R: Precision> Shader<'t, R> {
             limits,
             walkers: tracer.walker(),
             rays: Rays::default(),
+            parted: 0,
+            media: 0,
             branches: Vec::new(),
         }
     }
@@ -69,16 +74,41 @@ impl<'t, R: Precision> Shader<'t, R> {
     /// Forgets what was counted.
     pub fn reset(&mut self) {
         self.rays = Rays::default();
+        (self.parted, self.media) = (0, 0);
         self.walkers.reset();
     }
 
     /// What was counted since the last reset.
     pub fn counts(&self) -> Counts {
+        let Rays {
+            shadow,
+            reflection,
+            refraction,
+            ..
+        } = self.rays;
         Counts {
             rays: self.rays,
-            intersections: self.walkers.intersections(),
+            intersections: self.intersections(),
+            work: Work {
+                shadow,
+                reflection,
+                refraction,
+                channel_split: self.parted,
+                medium_change: self.media,
+                ..self.walkers.work()
+            },
             uncertain: self.walkers.uncertain(),
         }
+    }
+
+    /// Intersection tests since the last reset.
+    pub fn intersections(&self) -> Intersections {
+        self.walkers.intersections()
+    }
+
+    /// Times that light was totally reflected since the last reset.
+    pub fn total(&self) -> u64 {
+        self.rays.total
     }
 
     /// The light along a camera ray.
@@ -159,11 +189,14 @@ impl<'t, R: Precision> Shader<'t, R> {
             if F & DISPERSION == 0 {
                 through = std::mem::replace(&mut todo, Vec3::ZERO);
             } else {
+                let all = todo;
                 for other in (c..3).filter(|&o| ratio(o) == ratio(c)) {
                     through[other] = std::mem::take(&mut todo[other]);
                 }
+                self.parted += u64::from(through != all);
             }
             let (before, behind) = ratio(c);
+            self.media += u64::from(before != behind);
             if before == behind {
                 // Straight on: not a step deeper.
                 let ray = hit.leave(direction, true);

@@ -315,6 +315,7 @@ impl<R: Precision> Walker<'_, R> {
             context,
         });
         let part = self.contexts[context as usize].part;
+        self.work.csg_merge += 1;
         self.sort(base);
         join_intersection(&mut self.spans, part, base, first, *inherit, lead);
     }

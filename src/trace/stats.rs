@@ -25,11 +25,59 @@ pub struct Intersections {
     pub shape: u64,
 }
 
+/// How often the work of each effect was done; 0 for an effect that is off.
+macro_rules! work {
+    ($($(#[$doc:meta])* $name:ident,)*) => {
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+        pub struct Work {
+            $($(#[$doc])* pub $name: u64,)*
+        }
+
+        impl AddAssign for Work {
+            fn add_assign(&mut self, other: Work) {
+                $(self.$name += other.$name;)*
+            }
+        }
+    };
+}
+
+work! {
+    /// Shadow rays.
+    shadow,
+    /// Shadow rays that have listed what they pass through, since something transparent was near.
+    transparent_shadow,
+    /// Mirrored rays.
+    reflection,
+    /// Rays that go on through a surface.
+    refraction,
+    /// Rays that go on in some of the channels, since these part.
+    channel_split,
+    /// Surface coordinates for a texture.
+    uv,
+    /// Colours from pictures.
+    image_texture,
+    /// Colours from solid textures.
+    solid_texture,
+    /// Colours from checkerboards.
+    checkerboard,
+    /// Colours along a profile.
+    vertex_colour,
+    /// Shading normals that a shape has of its own.
+    smooth_normal,
+    /// Lists of crossings that an intersection or a difference has merged.
+    csg_merge,
+    /// Rays cut to the region that is drawn.
+    clip,
+    /// Surfaces with different refractive indices before and behind that light was let into.
+    medium_change,
+}
+
 /// All counters of one picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Counts {
     pub rays: Rays,
     pub intersections: Intersections,
+    pub work: Work,
     /// Rays about which something was closer than rounding errors: in doubles, those that were
     /// traced again in double-double.
     pub uncertain: u64,
@@ -50,6 +98,7 @@ impl AddAssign for Counts {
         self.rays.refraction += other.rays.refraction;
         self.rays.total += other.rays.total;
         self.intersections += other.intersections;
+        self.work += other.work;
         self.uncertain += other.uncertain;
     }
 }

@@ -9,7 +9,7 @@ use super::precision::{Doubt, Precision};
 use super::ray::{Beam, Line, Ray};
 use super::shapes::{Primitive, Roots};
 use super::spans::Spans;
-use super::stats::Intersections;
+use super::stats::{Intersections, Work};
 use super::vec::Vec3;
 
 /// An occurrence of a shape: a part of the object whose space `context` is.
@@ -62,6 +62,8 @@ pub struct Walker<'g, R: Precision = f64> {
     pub(super) search: Search,
     pub(super) spans: Spans<R>,
     pub counts: Intersections,
+    /// What has been done between a ray and its hit.
+    pub(super) work: Work,
     pub(super) maps: R::Maps,
     pub(super) verdict: Verdict<R>,
     /// Where the ray starts on the surface that it has left, where that is known better than by
@@ -143,6 +145,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             search: Search::First,
             spans: Spans::default(),
             counts: Intersections::default(),
+            work: Work::default(),
             maps: R::Maps::default(),
             verdict: Verdict::default(),
             start: None,
