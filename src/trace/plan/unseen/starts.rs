@@ -3,7 +3,8 @@
 use super::is_apart;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::frame::{Basis, automatic_camera};
-use crate::scene::vector::{cross, dot, sub, unit};
+use crate::scene::sight::Sight;
+use crate::scene::vector::{add, cross, dot, sub, unit};
 use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3, View};
 use crate::solids::within::{CLEAR, Standing, far};
 
@@ -23,7 +24,7 @@ pub struct Starts(Vec<Start>);
 
 impl Starts {
     pub fn new(scene: &Scene, bounds: &[NodeBounds]) -> Starts {
-        let mut all: Vec<Start> = scene.cameras.iter().flat_map(Start::of).collect();
+        let mut all: Vec<Start> = scene.cameras.iter().map(Start::of).collect();
         if scene.cameras.is_empty() || scene.view == View::Automatic {
             // The narrower a picture is, the further away is its camera.
             let Camera { position, .. } = automatic_camera(scene, bounds, 1.0);
@@ -65,47 +66,31 @@ impl Starts {
 }
 
 impl Start {
-    fn of(camera: &Camera) -> Vec<Start> {
+    fn of(camera: &Camera) -> Start {
         match &camera.projection {
-            None => vec![Start::Point(camera.position)],
-            Some(projection) => match faces(camera, projection) {
-                Some(faces) => faces.into_iter().map(Start::Face).collect(),
-                None => vec![Start::Anywhere],
-            },
+            None => Start::Point(camera.position),
+            Some(projection) => face(camera, projection).map_or(Start::Anywhere, Start::Face),
         }
     }
 }
 
-/// The ends of what a camera with a projection matrix sees, as far as they are somewhere: rays start on
-/// one of them. `None` where that is not between four points.
-fn faces(camera: &Camera, projection: &Matrix) -> Option<Vec<[Vec3; 4]>> {
-    let Basis { forward, right, up } = Basis::of(camera)?;
-    let row = |v: Vec3| [v[0], v[1], v[2], -dot(v, camera.position)];
-    let back = forward.map(|x| -x);
-    let view = Matrix([row(right), row(up), row(back), [0.0, 0.0, 0.0, 1.0]]);
-    let inverse = projection.after(&view).inverse()?;
-    let mut out = Vec::new();
-    for z in [-1.0, 1.0] {
-        let corner = |(x, y): (f64, f64)| -> [f64; 4] {
-            let clip = [x, y, z, 1.0];
-            std::array::from_fn(|i| (0..4).map(|j| inverse.0[i][j] * clip[j]).sum())
-        };
-        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner);
-        if corners.iter().all(|c| c[3] == 0.0) {
-            // Infinitely far away.
-            continue;
-        }
-        let first = corners[0][3].signum();
-        if !corners.iter().all(|c| c[3] * first > 0.0) {
-            return None;
-        }
-        let corners = corners.map(|[x, y, z, w]| [x / w, y / w, z / w]);
-        if !corners.iter().flatten().all(|x| x.is_finite()) {
-            return None;
-        }
-        out.push(corners);
+/// The corners of the plane on which the rays of a projection matrix start; `None` where these are out of
+/// range.
+fn face(camera: &Camera, projection: &Matrix) -> Option<[Vec3; 4]> {
+    let (basis, sight) = (Basis::of(camera)?, Sight::of(projection).ok()?);
+    let corner = |(x, y): (f64, f64)| {
+        let (start, _) = sight.ray(x, y)?;
+        let place = add(camera.position, basis.turned(start), 1.0);
+        place.iter().all(|c| c.is_finite()).then_some(place)
+    };
+    let mut corners = [[0.0; 3]; 4];
+    for (place, at) in corners
+        .iter_mut()
+        .zip([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+    {
+        *place = corner(at)?;
     }
-    (!out.is_empty()).then_some(out)
+    Some(corners)
 }
 
 /// Whether all of a box lies on one side of the plane through four points.
