@@ -16,7 +16,7 @@ use zpg::commands::{
     arg_required_else_help = true,
     after_help = "\
 Exit status: 0 done and clean; 1 the scene has errors, or the answer is \"no\"; 2 wrong usage, or
-a file cannot be read or written.
+a file cannot be read or written, or is no scene.
 
 Examples:
   zpg check scene.zpg       what is wrong with a scene

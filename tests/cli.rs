@@ -48,6 +48,42 @@ fn a_good_scene_is_clean() {
     assert_eq!(text(&run.stderr), "");
 }
 
+/// What a run that is killed has begun to write is removed by the next one.
+#[test]
+fn a_killed_run_leaves_nothing_for_long() {
+    let dir = folder(&[("a.zpg", GOOD.as_bytes())]);
+    let names = || {
+        let entries = fs::read_dir(dir.path()).unwrap();
+        let names = entries.map(|e| e.unwrap().file_name().into_string().unwrap());
+        let mut names: Vec<String> = names.collect();
+        names.sort();
+        names
+    };
+    let mut long = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .args(["render", "a.zpg", "--size", "9000x9000", "--samples", "64"])
+        .current_dir(dir.path())
+        .spawn()
+        .unwrap();
+    while names().len() == 1 {
+        assert!(long.try_wait().unwrap().is_none(), "it has ended");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert!(names()[0].ends_with(".draft"), "{:?}", names());
+    // What another run is still at is left alone.
+    let run = zpg(
+        dir.path(),
+        &["render", "a.zpg", "-o", "b.png", "--size", "8x6"],
+    );
+    assert_eq!(run.status.code(), Some(0));
+    assert_eq!(names().len(), 3);
+    long.kill().unwrap();
+    long.wait().unwrap();
+    assert_eq!(names().len(), 3);
+    let run = zpg(dir.path(), &["render", "a.zpg", "--size", "8x6"]);
+    assert_eq!(run.status.code(), Some(0));
+    assert_eq!(names(), ["a.png", "a.zpg", "b.png"]);
+}
+
 #[test]
 fn json_is_written_even_when_nothing_is_found() {
     let dir = folder(&[("a.zpg", GOOD.as_bytes())]);

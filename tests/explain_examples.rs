@@ -69,6 +69,7 @@ fn examples_are_true() {
         // Its page says that the scene is saved so; the page itself is UTF-8.
         let bytes = match code {
             Code::N601 => windows_1250(bad),
+            Code::N604 => bad.encode_utf16().flat_map(u16::to_le_bytes).collect(),
             _ => bad.into(),
         };
         let found = findings(folder.path(), bytes);

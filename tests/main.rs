@@ -1,10 +1,13 @@
 //! The integration tests, in one program: it is linked once, and its tests run side by side.
 
 // What tests share.
+mod any_files;
 mod campaign;
 mod exact;
 mod support;
 mod trace_support;
+
+pub use campaign::rng;
 
 mod check;
 mod cli;
@@ -48,6 +51,7 @@ mod robustness;
 mod sarif;
 mod shapes_doubt;
 mod shapes_quadrics;
+mod strangers;
 mod surfaces;
 mod trace_pictures;
 mod trace_solids;

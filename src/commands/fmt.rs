@@ -8,19 +8,20 @@ use std::str::FromStr;
 use rayon::prelude::*;
 
 use super::loaded::{self, STDIN};
-use super::rewrite::{diff, replace};
-use super::{LookChoice, Status, complain, paths, terminal};
+use super::rewrite::{bytes_of, diff, replace};
+use super::{Loaded, LookChoice, Status, complain, paths, terminal};
 use crate::config::{ConfigError, Configs};
-use crate::diagnostics::{Complaint, Language, SourceFile, Value};
+use crate::diagnostics::{Complaint, Value};
 use crate::format::{format, format_range};
-use crate::syntax;
+use crate::syntax::{self, preserved, recognise};
 
 /// Format scenes: one record a line, numbers and comments under each other
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Files are rewritten in place; `-` formats standard input to standard output. Lines with mistakes on
-them are left as they are. With --check or --diff nothing is written, and the exit status is 1 when
-something would change.
+them are left as they are, and so are encoding and line breaks. With --check or --diff nothing is
+written, and the exit status is 1 when something would change. A file that is no scene is never
+written to; the exit status is 2.
 
 The style can be chosen in zpg.toml, the nearest one upwards from a scene; these are the defaults:
   [format]
@@ -96,22 +97,19 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     }
     let configs = Configs::default();
-    let colour = look.colour(&io::stdout());
     let formatted: Vec<Formatted> = found
         .files
         .par_iter()
-        .map(
-            |path| match format_file(path, args, &configs, (colour, look.language())) {
-                Ok(formatted) => formatted,
-                Err(complaint) => {
-                    complain(look, &complaint);
-                    Formatted {
-                        outcome: Outcome::Failed,
-                        output: Vec::new(),
-                    }
+        .map(|path| match format_file(path, args, &configs, look) {
+            Ok(formatted) => formatted,
+            Err(complaint) => {
+                complain(look, &complaint);
+                Formatted {
+                    outcome: Outcome::Failed,
+                    output: Vec::new(),
                 }
-            },
-        )
+            }
+        })
         .collect();
 
     let count = |of: fn(&Outcome) -> bool| formatted.iter().filter(|f| of(&f.outcome)).count();
@@ -161,7 +159,7 @@ fn format_file(
     path: &Path,
     args: &Args,
     configs: &Configs,
-    (colour, language): (bool, Language),
+    look: LookChoice,
 ) -> Result<Formatted, Complaint> {
     let is_stdin = path.as_os_str() == STDIN;
     let name = match &args.stdin_filename {
@@ -170,7 +168,16 @@ fn format_file(
     };
     let config = configs.for_file(name).map_err(ConfigError::complaint)?;
     let bytes = loaded::read(path)?;
-    let source = SourceFile::new(name.to_string_lossy(), bytes);
+    let source = match recognise::read(name.to_string_lossy(), bytes) {
+        Ok(source) => source,
+        Err(stranger) => {
+            terminal::findings(&Loaded::stranger(*stranger), look);
+            return Ok(Formatted {
+                outcome: Outcome::Failed,
+                output: Vec::new(),
+            });
+        }
+    };
     let (document, _) = syntax::parse(&source.text);
     let text = match &args.range {
         None => format(&source.text, &document, &config.format),
@@ -184,6 +191,14 @@ fn format_file(
         }
     };
     let changed = text != source.text;
+    if changed && !preserved::by_layout((&source.text, &document), &text) {
+        return Err(Complaint::new("layout-changes-content").with("path", path));
+    }
+    // What cannot be written is known whether it is to be written or not.
+    let bytes = match changed || is_stdin {
+        true => bytes_of(&source, &text)?,
+        false => Vec::new(),
+    };
     let mut output = Vec::new();
     let outcome = if changed {
         Outcome::Changed
@@ -192,15 +207,16 @@ fn format_file(
     };
     if args.check || args.diff {
         if changed && args.diff {
+            let colour = look.colour(&io::stdout());
             diff(&mut output, &source.path, &source.text, &text, colour);
         } else if changed && !is_stdin {
             let path = [("path", Value::from(source.path.clone()))];
-            output = (language.say("would-reformat", &path) + "\n").into_bytes();
+            output = (look.language().say("would-reformat", &path) + "\n").into_bytes();
         }
     } else if is_stdin {
-        output = source.encode(&text);
+        output = bytes;
     } else if changed {
-        replace(path, &source.encode(&text))?;
+        replace(path, &bytes)?;
     }
     Ok(Formatted { outcome, output })
 }

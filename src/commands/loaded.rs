@@ -12,7 +12,8 @@ use crate::diagnostics::{self, Code, Complaint, Diagnostic, Severity, SourceFile
 use crate::lint;
 use crate::lint::levels::{Choice, Levels};
 use crate::scene::{self, Render, Scene};
-use crate::syntax::{self, Document};
+use crate::syntax::recognise::{self, Stranger};
+use crate::syntax::{self, Document, lexer};
 
 /// The path that stands for standard input.
 pub const STDIN: &str = "-";
@@ -26,6 +27,8 @@ pub struct Loaded {
     pub diagnostics: Vec<Diagnostic>,
     /// Whether the scene has no errors of its own, whatever settings make one.
     pub sound: bool,
+    /// Whether the file is a scene. If not, that is all there is to say about it.
+    pub is_scene: bool,
 }
 
 impl Loaded {
@@ -42,13 +45,34 @@ impl Loaded {
 
     /// Reads a scene from the bytes of its file; never fails.
     pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> Loaded {
-        let not_utf8 = std::str::from_utf8(&bytes).err().map(|e| e.valid_up_to());
-        let source = SourceFile::new(path, bytes);
+        match recognise::read(path, bytes) {
+            Ok(source) => Loaded::of(source),
+            Err(stranger) => Loaded::stranger(*stranger),
+        }
+    }
+
+    /// What there is to say about a file that is no scene.
+    pub fn stranger(stranger: Stranger) -> Loaded {
+        let Stranger { source, finding } = stranger;
+        let document = Document {
+            tokens: lexer::lex(&source.text, &[]),
+            items: Vec::new(),
+        };
+        Loaded {
+            source,
+            document,
+            scene: Scene::default(),
+            diagnostics: vec![finding],
+            sound: false,
+            is_scene: false,
+        }
+    }
+
+    /// Reads a scene from its text.
+    pub fn of(source: SourceFile) -> Loaded {
         let (document, mut diagnostics) = syntax::parse(&source.text);
         let scene = scene::resolve(&document, &source, &mut diagnostics);
-        if let (Encoding::Windows1250, Some(at)) = (source.encoding, not_utf8) {
-            diagnostics.push(not_utf8_note(&source, at));
-        }
+        diagnostics.extend(encoding_note(&source));
         let context = lint::Context::new(&source.text, &document, &scene);
         lint::run(&context, &mut diagnostics);
         diagnostics::sort(&mut diagnostics);
@@ -56,16 +80,16 @@ impl Loaded {
             source,
             document,
             scene,
+            is_scene: true,
             sound: !diagnostics.iter().any(Diagnostic::is_error),
             diagnostics,
         }
     }
 
-    /// As [`new`](Self::new), with what settings and the command line make of the findings.
-    pub fn with(name: &Path, bytes: Vec<u8>, levels: &Levels, choice: &Choice) -> Loaded {
-        let mut loaded = Loaded::new(name.to_string_lossy(), bytes);
-        levels.apply(choice, &mut loaded.diagnostics);
-        loaded
+    /// The findings as settings and the command line make them.
+    pub fn at(mut self, levels: &Levels, choice: &Choice) -> Loaded {
+        levels.apply(choice, &mut self.diagnostics);
+        self
     }
 
     /// The render record, for commands that cannot do without one: that it is missing, a warning so
@@ -120,31 +144,41 @@ pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Loaded, S
     let complete = !needs.render || loaded.require_render().is_some();
     loaded.diagnostics.retain(|d| needs.concern(d));
     report(&loaded, look);
+    if !loaded.is_scene {
+        return Err(Status::Failure);
+    }
     if !loaded.sound || !complete {
         return Err(Status::Negative);
     }
     Ok(loaded)
 }
 
-/// The note on a file in the old encoding, at its first byte that is not UTF-8.
-fn not_utf8_note(source: &SourceFile, byte: usize) -> Diagnostic {
-    // One byte of the file is one character of the text.
-    let mut places = source.text.char_indices().skip(byte).map(|(i, _)| i);
-    let start = places.next().unwrap_or(source.text.len());
-    let end = places.next().unwrap_or(source.text.len());
-    Diagnostic::new(Code::N601, Span::new(start as u32, end as u32))
+/// The note on a file that is not UTF-8: in the old encoding, at its first byte that shows it.
+fn encoding_note(source: &SourceFile) -> Option<Diagnostic> {
+    let note = |code, at: usize| {
+        let end = source.text[at..].chars().next().map_or(0, char::len_utf8) + at;
+        Diagnostic::new(code, Span::new(at as u32, end as u32))
+    };
+    match source.encoding {
+        Encoding::Utf8 => None,
+        Encoding::Windows1250 => {
+            // One byte of the file is one character of the text.
+            let bytes = source.encode(&source.text)?;
+            let before = std::str::from_utf8(&bytes).err()?.valid_up_to();
+            let at = source.text.char_indices().nth(before)?.0;
+            Some(note(Code::N601, at))
+        }
+        Encoding::Utf16Le | Encoding::Utf16Be if source.is_whole => Some(note(Code::N604, 0)),
+        Encoding::Utf16Le | Encoding::Utf16Be => Some(note(Code::N604, 0).case("incomplete")),
+    }
 }
 
 /// Reads a scene file, with the settings of its folder; `-` is standard input.
 pub fn load(path: &Path) -> Result<Loaded, Complaint> {
     let config = (Configs::default().for_file(path)).map_err(|e| e.complaint())?;
     let bytes = read(path)?;
-    Ok(Loaded::with(
-        path,
-        bytes,
-        &config.levels,
-        &Choice::default(),
-    ))
+    let loaded = Loaded::new(path.to_string_lossy(), bytes);
+    Ok(loaded.at(&config.levels, &Choice::default()))
 }
 
 /// Reads a file's bytes; `-` is standard input.

@@ -7,8 +7,27 @@ use std::path::Path;
 use clap::builder::styling::AnsiColor;
 use similar::TextDiff;
 
-use super::draft::unwritable;
-use crate::diagnostics::Complaint;
+use super::draft::{temporary, unwritable};
+use crate::diagnostics::{Complaint, SourceFile};
+use crate::syntax::recognise;
+
+/// The bytes of a scene with another text, in its encoding. Nothing may be lost, and it must be known
+/// for a scene when it is read again.
+pub fn bytes_of(scene: &SourceFile, text: &str) -> Result<Vec<u8>, Complaint> {
+    let refused = |reason| {
+        Complaint::new("cannot-write")
+            .with("path", Path::new(&scene.path))
+            .with("reason", reason)
+    };
+    let bytes = scene.encode(text).ok_or_else(|| {
+        let encoding = scene.encoding.name();
+        refused(Complaint::new("text-lost").with("encoding", encoding))
+    })?;
+    match text == scene.text || recognise::is_scene(&scene.with_text(text.to_owned())) {
+        true => Ok(bytes),
+        false => Err(refused(Complaint::new("no-scene-any-more"))),
+    }
+}
 
 /// Replaces a file in one step, so that it is whole at any time. Links are followed.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
@@ -25,7 +44,7 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
 fn exchange(path: &Path, bytes: &[u8], permissions: fs::Permissions) -> io::Result<()> {
     let path = path.canonicalize()?;
     let folder = path.parent().unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(folder)?;
+    let mut file = temporary(folder)?;
     file.write_all(bytes)?;
     file.as_file().set_permissions(permissions)?;
     file.persist(&path)?;

@@ -120,14 +120,19 @@ pub fn report(loaded: &Loaded, look: LookChoice) {
     if loaded.diagnostics.is_empty() {
         return;
     }
+    findings(loaded, look);
+    let mut tally = Tally::default();
+    tally.add(&loaded.diagnostics);
+    tell(&tally.sentence(look.language()));
+}
+
+/// The same without the summary.
+pub fn findings(loaded: &Loaded, look: LookChoice) {
     let stderr = io::stderr();
     let look = look.on(&stderr);
     let mut out = BufWriter::new(stderr.lock());
-    let mut tally = Tally::default();
-    tally.add(&loaded.diagnostics);
     // As above: there is nobody to tell.
     let _ = human::write(&mut out, &loaded.source, &loaded.diagnostics, look)
-        .and_then(|()| writeln!(out, "{}", tally.sentence(look.language)))
         .and_then(|()| out.flush());
 }
 

@@ -65,6 +65,7 @@ codes! {
     E011 "expected-filename";
     E012 "unexpected-word";
     E013 "limit-exceeded";
+    E014 "not-a-scene";
     E101 "undefined-id";
     E102 "duplicate-id";
     E103 "wrong-kind";
@@ -107,6 +108,7 @@ codes! {
     N601 "not-utf8";
     N602 "no-camera";
     N603 "no-light";
+    N604 "utf16";
     S501 "notation-separator";
     S502 "bare-comment";
     S503 "several-records-per-line";

@@ -1,5 +1,6 @@
 //! Applying fixes to a text.
 
+use super::source::line_break;
 use super::{Applicability, Diagnostic, Edit, Fix};
 
 impl Diagnostic {
@@ -11,10 +12,16 @@ impl Diagnostic {
     }
 }
 
-/// The text after as many of the fixes as go together, and how many these were. Of two that touch
-/// the same place the first counts; the other may be found again in what comes out. Line breaks in
-/// a fix become what ends the text's own lines.
+/// The text after as many of the fixes as go together, and how many these were.
 pub fn apply<'a>(text: &str, fixes: impl Iterator<Item = &'a Fix>) -> (String, usize) {
+    let (edits, count) = edits(text, fixes);
+    (edited(text, &edits), count)
+}
+
+/// The edits of as many of the fixes as go together, in order, and how many fixes these were. Of two
+/// that touch the same place the first counts; the other may be found again in what comes out. Line
+/// breaks in a fix become what ends the text's own lines.
+pub fn edits<'a>(text: &str, fixes: impl Iterator<Item = &'a Fix>) -> (Vec<Edit>, usize) {
     let mut chosen: Vec<&Edit> = Vec::new();
     let mut count = 0;
     // Everything up to here is spoken for; one insertion at its very end, too, would come in doubtful
@@ -41,19 +48,25 @@ pub fn apply<'a>(text: &str, fixes: impl Iterator<Item = &'a Fix>) -> (String, u
         count += 1;
     }
     chosen.sort_by_key(|e| e.span);
-    let crlf = text.contains("\r\n");
+    let line_break = line_break(text);
+    let edit = |e: &Edit| Edit {
+        span: e.span,
+        text: e.text.replace('\n', line_break),
+    };
+    (chosen.into_iter().map(edit).collect(), count)
+}
+
+/// The text after some edits, which are in order.
+pub fn edited(text: &str, edits: &[Edit]) -> String {
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
-    for edit in chosen {
+    for edit in edits {
         out.push_str(&text[at..edit.span.start as usize]);
-        match crlf {
-            true => out.push_str(&edit.text.replace('\n', "\r\n")),
-            false => out.push_str(&edit.text),
-        }
+        out.push_str(&edit.text);
         at = edit.span.end as usize;
     }
     out.push_str(&text[at..]);
-    (out, count)
+    out
 }
 
 #[cfg(test)]
@@ -99,5 +112,7 @@ mod tests {
     fn line_breaks_are_those_of_the_text() {
         let (text, _) = apply("a b\r\nc", [fix(&[(1, 2, "\n")])].iter());
         assert_eq!(text, "a\r\nb\r\nc");
+        let (text, _) = apply("a b\rc", [fix(&[(1, 2, "\n")])].iter());
+        assert_eq!(text, "a\rb\rc");
     }
 }

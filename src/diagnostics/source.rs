@@ -13,6 +13,102 @@ pub enum Encoding {
     Utf8,
     /// Not valid UTF-8, so taken as the usual Czech encoding. One byte is one character.
     Windows1250,
+    /// As Windows' Notepad writes it. A byte order mark says so, or that every other byte is NUL.
+    Utf16Le,
+    /// The same with the bytes of each pair swapped.
+    Utf16Be,
+}
+
+impl Encoding {
+    /// Tells from a file's bytes.
+    fn of(bytes: &[u8]) -> Encoding {
+        match bytes {
+            [0xff, 0xfe, ..] => Encoding::Utf16Le,
+            [0xfe, 0xff, ..] => Encoding::Utf16Be,
+            _ if bytes.contains(&0) && is_half_nul(bytes, 1) => Encoding::Utf16Le,
+            _ if bytes.contains(&0) && is_half_nul(bytes, 0) => Encoding::Utf16Be,
+            _ if std::str::from_utf8(bytes).is_ok() => Encoding::Utf8,
+            _ => Encoding::Windows1250,
+        }
+    }
+
+    /// The name in the registry of character sets.
+    pub fn name(self) -> &'static str {
+        match self {
+            Encoding::Utf8 => "UTF-8",
+            Encoding::Windows1250 => "windows-1250",
+            Encoding::Utf16Le => "UTF-16LE",
+            Encoding::Utf16Be => "UTF-16BE",
+        }
+    }
+
+    pub fn is_utf16(self) -> bool {
+        matches!(self, Encoding::Utf16Le | Encoding::Utf16Be)
+    }
+
+    /// The bytes of a text's characters on disk.
+    fn width(self, text: &str) -> u32 {
+        match self {
+            Encoding::Utf8 => text.len() as u32,
+            Encoding::Windows1250 => text.chars().count() as u32,
+            Encoding::Utf16Le | Encoding::Utf16Be => 2 * text.encode_utf16().count() as u32,
+        }
+    }
+
+    /// The text of some bytes, and whether it stands for all of them.
+    fn decode(self, bytes: Vec<u8>) -> (String, bool) {
+        let unit: fn([u8; 2]) -> u16 = match self {
+            Encoding::Utf8 => {
+                let text = String::from_utf8(bytes);
+                return text.map_or_else(
+                    |e| (String::from_utf8_lossy(e.as_bytes()).into_owned(), false),
+                    |text| (text, true),
+                );
+            }
+            Encoding::Windows1250 => {
+                let (text, _) = encoding_rs::WINDOWS_1250.decode_without_bom_handling(&bytes);
+                return (text.into_owned(), true);
+            }
+            Encoding::Utf16Le => u16::from_le_bytes,
+            Encoding::Utf16Be => u16::from_be_bytes,
+        };
+        let (pairs, rest) = bytes.as_chunks::<2>();
+        let mut whole = rest.is_empty();
+        let characters = char::decode_utf16(pairs.iter().map(|&pair| unit(pair)));
+        let text = characters.map(|c| {
+            whole &= c.is_ok();
+            c.unwrap_or(char::REPLACEMENT_CHARACTER)
+        });
+        (text.collect(), whole)
+    }
+
+    fn encode(self, text: &str) -> Vec<u8> {
+        let bytes: fn(u16) -> [u8; 2] = match self {
+            Encoding::Utf8 => return text.as_bytes().to_vec(),
+            Encoding::Windows1250 => return encoding_rs::WINDOWS_1250.encode(text).0.into_owned(),
+            Encoding::Utf16Le => u16::to_le_bytes,
+            Encoding::Utf16Be => u16::to_be_bytes,
+        };
+        text.encode_utf16().flat_map(bytes).collect()
+    }
+}
+
+/// Whether the bytes are pairs whose first (0) or second (1) byte is NUL nearly always, and the other
+/// one hardly ever: letters beyond Latin 1 occur in comments.
+fn is_half_nul(bytes: &[u8], nul: usize) -> bool {
+    let (pairs, _) = bytes.as_chunks::<2>();
+    let nuls = |i: usize| pairs.iter().filter(|pair| pair[i] == 0).count();
+    4 * nuls(nul) >= 3 * pairs.len() && 16 * nuls(1 - nul) <= pairs.len()
+}
+
+/// The line break of a text. In a mixed one it is the last: a text that is printed anew ends with it, so
+/// that it is found again there.
+pub fn line_break(text: &str) -> &'static str {
+    match text.rfind(['\n', '\r']) {
+        Some(at) if text[..=at].ends_with("\r\n") => "\r\n",
+        Some(at) if text[at..].starts_with('\r') => "\r",
+        _ => "\n",
+    }
 }
 
 /// A place as people count: line and column from 1, the column in characters; and the byte on disk.
@@ -31,22 +127,29 @@ pub struct SourceFile {
     /// The decoded text; a byte order mark stays in it, so that offsets agree with the file.
     pub text: String,
     pub encoding: Encoding,
+    /// Whether the text stands for all bytes of the file; half a character of UTF-16 is lost.
+    pub is_whole: bool,
     /// Byte offset in `text` of each line's start.
     line_starts: Vec<u32>,
-    /// For Windows-1250 only: at each line's start, how many characters came before.
-    chars_before_line: Vec<u32>,
+    /// The same on disk; empty for UTF-8, where the two agree.
+    line_starts_on_disk: Vec<u32>,
 }
 
 impl SourceFile {
-    /// Decodes a file: UTF-8 where it is valid, else Windows-1250, which never fails.
+    /// Decodes a file: UTF-16 where that is plain, UTF-8 where it is valid, else Windows-1250, which
+    /// never fails.
     pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> SourceFile {
-        let (text, encoding) = match String::from_utf8(bytes) {
-            Ok(text) => (text, Encoding::Utf8),
-            Err(e) => {
-                let (text, _) = encoding_rs::WINDOWS_1250.decode_without_bom_handling(e.as_bytes());
-                (text.into_owned(), Encoding::Windows1250)
-            }
-        };
+        let encoding = Encoding::of(&bytes);
+        let (text, is_whole) = encoding.decode(bytes);
+        SourceFile::decoded(path.into(), text, encoding, is_whole)
+    }
+
+    /// The same file with another text.
+    pub fn with_text(&self, text: String) -> SourceFile {
+        SourceFile::decoded(self.path.clone(), text, self.encoding, self.is_whole)
+    }
+
+    fn decoded(path: String, text: String, encoding: Encoding, is_whole: bool) -> SourceFile {
         let mut line_starts = vec![0u32];
         let bytes = text.as_bytes();
         for (i, &b) in bytes.iter().enumerate() {
@@ -54,21 +157,22 @@ impl SourceFile {
                 line_starts.push(i as u32 + 1);
             }
         }
-        let mut chars_before_line = Vec::new();
-        if encoding == Encoding::Windows1250 {
-            let mut chars = 0;
+        let mut line_starts_on_disk = Vec::new();
+        if encoding != Encoding::Utf8 {
+            let mut on_disk = 0;
             for (i, &start) in line_starts.iter().enumerate() {
-                chars_before_line.push(chars);
+                line_starts_on_disk.push(on_disk);
                 let end = line_starts.get(i + 1).map_or(text.len(), |&e| e as usize);
-                chars += text[start as usize..end].chars().count() as u32;
+                on_disk += encoding.width(&text[start as usize..end]);
             }
         }
         SourceFile {
-            path: path.into(),
+            path,
             text,
             encoding,
+            is_whole,
             line_starts,
-            chars_before_line,
+            line_starts_on_disk,
         }
     }
 
@@ -140,36 +244,42 @@ impl SourceFile {
 
     /// The byte of the file on disk that a text offset stands for.
     pub fn byte_on_disk(&self, offset: u32) -> u32 {
-        match self.encoding {
-            Encoding::Utf8 => offset,
-            Encoding::Windows1250 => {
-                let line = self.line_index(offset);
-                let start = self.line_starts[line] as usize;
-                let inside = self.text[start..(offset as usize).min(self.text.len())]
-                    .chars()
-                    .count() as u32;
-                self.chars_before_line[line] + inside
+        let line = self.line_index(offset);
+        match self.line_starts_on_disk.get(line) {
+            None => offset,
+            Some(start) => {
+                let inside =
+                    self.line_starts[line] as usize..(offset as usize).min(self.text.len());
+                start + self.encoding.width(&self.text[inside])
             }
         }
     }
 
-    /// A text as bytes in this file's encoding.
-    pub fn encode(&self, text: &str) -> Vec<u8> {
-        match self.encoding {
-            Encoding::Utf8 => text.as_bytes().to_vec(),
-            Encoding::Windows1250 => encoding_rs::WINDOWS_1250.encode(text).0.into_owned(),
-        }
+    /// The file's bytes with another text, in its encoding; nothing if they would be read as something
+    /// else, or the file has bytes that its text does not stand for.
+    pub fn encode(&self, text: &str) -> Option<Vec<u8>> {
+        let bytes = self.encoding.encode(text);
+        let is_same = self.is_whole
+            && (self.encoding == Encoding::Utf8 || SourceFile::new("", bytes.clone()).text == text);
+        is_same.then_some(bytes)
     }
 }
 
-/// Finds positions one after another, counting characters from the last one found: findings that
-/// stand close together on a very long line cost no more than on a short one.
+/// Finds positions one after another, counting from the last one found: findings that stand close
+/// together on a very long line cost no more than on a short one.
 pub struct Locator<'a> {
     file: &'a SourceFile,
-    /// The line of the last position, its text offset, and the characters before it on the line.
+    /// The line of the last position, its text offset, and what is before it on the line.
     line: usize,
     offset: u32,
+    before: Extent,
+}
+
+/// How long a stretch of text is, in characters and in bytes on disk.
+#[derive(Clone, Copy, Default)]
+struct Extent {
     chars: u32,
+    on_disk: u32,
 }
 
 impl<'a> Locator<'a> {
@@ -178,7 +288,7 @@ impl<'a> Locator<'a> {
             file,
             line: 0,
             offset: 0,
-            chars: 0,
+            before: Extent::default(),
         }
     }
 
@@ -189,27 +299,38 @@ impl<'a> Locator<'a> {
         let offset = file.floor(offset);
         let line = file.line_index(offset);
         let start = file.line_starts[line];
-        let count =
-            |from: u32, to: u32| file.text[from as usize..to as usize].chars().count() as u32;
+        let extent = |from: u32, to: u32| {
+            let text = &file.text[from as usize..to as usize];
+            Extent {
+                chars: text.chars().count() as u32,
+                on_disk: file.encoding.width(text),
+            }
+        };
         let known = line == self.line && self.offset >= start;
-        self.chars = if known && offset >= self.offset {
-            self.chars + count(self.offset, offset)
+        self.before = if known && offset >= self.offset {
+            let more = extent(self.offset, offset);
+            Extent {
+                chars: self.before.chars + more.chars,
+                on_disk: self.before.on_disk + more.on_disk,
+            }
         } else if known && self.offset - offset < offset - start {
-            self.chars - count(offset, self.offset)
+            let less = extent(offset, self.offset);
+            Extent {
+                chars: self.before.chars - less.chars,
+                on_disk: self.before.on_disk - less.on_disk,
+            }
         } else {
-            count(start, offset)
+            extent(start, offset)
         };
         self.line = line;
         self.offset = offset;
         // A byte order mark is no character of the first line.
         let mark = u32::from(line == 0 && offset > 0 && file.text.starts_with('\u{feff}'));
+        let start_on_disk = file.line_starts_on_disk.get(line).copied().unwrap_or(start);
         Position {
-            offset: match file.encoding {
-                Encoding::Utf8 => offset,
-                Encoding::Windows1250 => file.chars_before_line[line] + self.chars,
-            },
+            offset: start_on_disk + self.before.on_disk,
             line: line as u32 + 1,
-            column: self.chars - mark + 1,
+            column: self.before.chars - mark + 1,
         }
     }
 }
@@ -218,11 +339,17 @@ impl<'a> Locator<'a> {
 mod tests {
     use super::*;
 
+    fn utf16(text: &str, bytes: fn(u16) -> [u8; 2]) -> Vec<u8> {
+        text.encode_utf16().flat_map(bytes).collect()
+    }
+
     #[test]
     fn the_locator_agrees_with_position() {
+        let utf16 = utf16("\u{feff}é 1\r\n# 😀ž # 2\n", u16::to_be_bytes);
         for bytes in [
             "\u{feff}é 1\r\n# ž # 2\n".as_bytes().to_vec(),
             b"# p\xf8\xedklad #\n2 9 x\xf8".to_vec(),
+            utf16,
         ] {
             let file = SourceFile::new("a", bytes);
             let places: Vec<u32> = (0..=file.text.len() as u32)
@@ -253,7 +380,61 @@ mod tests {
         assert!(f.text.contains("příklad"));
         let p = f.position(f.text.find('x').unwrap() as u32);
         assert_eq!(bytes[p.offset as usize], b'x');
-        assert_eq!(f.encode(&f.text), bytes);
+        assert_eq!(f.encode(&f.text), Some(bytes));
+        // Every byte is a character that is written as this byte again.
+        let all: Vec<u8> = (1..=255).collect();
+        let f = SourceFile::new("a", all.clone());
+        assert_eq!(f.encode(&f.text), Some(all));
+        // What the encoding cannot say is not written as something else.
+        assert_eq!(f.encode("2 9 1 # ∞ #"), None);
+    }
+
+    #[test]
+    fn utf_16_points_at_the_bytes_on_disk() {
+        type Bytes = fn(u16) -> [u8; 2];
+        let kinds: [(Encoding, Bytes); 2] = [
+            (Encoding::Utf16Le, u16::to_le_bytes),
+            (Encoding::Utf16Be, u16::to_be_bytes),
+        ];
+        for (encoding, order) in kinds {
+            for mark in ["\u{feff}", ""] {
+                let text = format!("{mark}# příklad 😀 # 2 9 1\r\n3 9 x\r\n");
+                let bytes = utf16(&text, order);
+                let f = SourceFile::new("a", bytes.clone());
+                assert_eq!((f.encoding, &f.text, f.is_whole), (encoding, &text, true));
+                let p = f.position(text.find('x').unwrap() as u32);
+                let at = p.offset as usize;
+                assert_eq!(bytes[at..at + 2], order(u16::from(b'x')));
+                assert_eq!((p.line, p.column), (2, 5));
+                assert_eq!(f.encode(&f.text), Some(bytes.clone()));
+                // Nothing is lost that is no character.
+                let f = SourceFile::new("a", [&bytes[..], b"\n"].concat());
+                assert_eq!((&f.text, f.encode(&f.text)), (&text, None));
+                let lone = [&bytes[..], &order(0xd812), &order(u16::from(b'1'))].concat();
+                let f = SourceFile::new("a", lone);
+                assert_eq!(f.text, format!("{text}\u{fffd}1"));
+                assert_eq!(f.encode(&f.text), None);
+            }
+        }
+        // Text of some other kind with a NUL in it.
+        let f = SourceFile::new("a", b"2 9 1\0\n".to_vec());
+        assert_eq!(f.encoding, Encoding::Utf8);
+    }
+
+    #[test]
+    fn the_line_break_is_the_last_one() {
+        for (text, expected) in [
+            ("", "\n"),
+            ("2 9 1", "\n"),
+            ("a\r\nb\n", "\n"),
+            ("a\nb\r\nc", "\r\n"),
+            ("a\rb", "\r"),
+            ("a\nb\r", "\r"),
+            ("a\rb\n", "\n"),
+            ("a\r\n\r", "\r"),
+        ] {
+            assert_eq!(line_break(text), expected, "{text:?}");
+        }
     }
 
     #[test]

@@ -305,11 +305,20 @@ fn term_id(name: &str) -> String {
         })
 }
 
-/// An English name with its article: "a sphere", "an ellipsoid", "the render record".
+/// An English name with its article: "a sphere", "an ellipsoid", "the render record", "an EXR".
 pub fn with_article(name: &str) -> String {
-    // "a union", but "an undefined object".
-    let vowel = name.starts_with(['a', 'e', 'i', 'o'])
-        || name.starts_with("un") && !name.starts_with("uni");
+    let word = name.split(' ').next().unwrap_or_default();
+    let vowel = if word
+        .chars()
+        .all(|c| c.is_ascii_uppercase() || c.is_ascii_digit())
+    {
+        // Capitals are spelled out.
+        name.starts_with(|c| "AEFHILMNORSX8".contains(c))
+    } else {
+        // "a union", but "an undefined object".
+        name.starts_with(['a', 'e', 'i', 'o', 'A', 'E', 'I', 'O'])
+            || name.starts_with("un") && !name.starts_with("uni")
+    };
     match () {
         _ if name.starts_with("the ") => name.to_owned(),
         _ if vowel => format!("an {name}"),

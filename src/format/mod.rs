@@ -32,6 +32,7 @@ use std::ops::{Range, RangeInclusive};
 pub use compare::same_content;
 pub use options::{Numbers, Options};
 
+use crate::diagnostics::source::line_break;
 use crate::diagnostics::{Edit, Span};
 use crate::syntax::{Document, Item, parse};
 use cell::Context;
@@ -165,15 +166,6 @@ fn bytes_of(text: &str, lines: RangeInclusive<usize>) -> Option<Range<usize>> {
 }
 
 const BYTE_ORDER_MARK: char = '\u{feff}';
-
-/// The line break of the file. In a mixed one it is the last: the printed text ends with it, so that
-/// it is found again there.
-fn line_break(text: &str) -> &'static str {
-    match text.rfind(['\n', '\r']) {
-        Some(at) if text[..=at].ends_with("\r\n") => "\r\n",
-        _ => "\n",
-    }
-}
 
 #[cfg(test)]
 mod tests;

@@ -31,7 +31,7 @@ pub fn canonical(text: &str) -> Option<usize> {
         return None;
     }
     let right = match bytes.get(point..)? {
-        [] => !zero || sign == 0,
+        [] => true,
         [b'.', fraction @ .., last] => {
             let length = fraction.len() + 1;
             // A number below one has other digits soon behind the point.
@@ -43,10 +43,11 @@ pub fn canonical(text: &str) -> Option<usize> {
     right.then_some(point)
 }
 
-/// A number where an integer is needed. What is no integer is left as it is.
+/// A number where an integer is needed. What is no integer is left as it is, and so is `-0`: its value is
+/// another one where it is no integer after all.
 pub fn integer(text: &str) -> Cow<'_, str> {
     let digits = text.strip_prefix('-').unwrap_or(text);
-    if digits.starts_with(|c: char| c.is_ascii_digit() && c != '0') || text == "0" {
+    if digits.starts_with(|c: char| c.is_ascii_digit() && c != '0') || digits == "0" {
         return text.into();
     }
     match text.parse::<i64>() {
@@ -77,8 +78,7 @@ fn plain(text: &str) -> Option<Cow<'_, str>> {
     let whole = whole.trim_start_matches('0');
     let fraction = fraction.trim_end_matches('0');
     if whole.is_empty() && fraction.is_empty() {
-        // A bare `-0` could be taken for an integer, which has no negative zero.
-        return Some(if negative { "-0.0" } else { "0" }.into());
+        return Some(if negative { "-0" } else { "0" }.into());
     }
     if whole.len() + fraction.len() > CERTAIN_DIGITS
         || (whole.is_empty() && fraction.starts_with("0000"))
@@ -102,7 +102,6 @@ fn plain(text: &str) -> Option<Cow<'_, str>> {
 
 fn shortest(text: &str) -> Cow<'_, str> {
     let value = match text.parse::<f64>() {
-        Ok(value) if value == 0.0 && value.is_sign_negative() => return "-0.0".into(),
         Ok(value) if value.is_finite() => value,
         _ => return text.into(),
     };
@@ -137,8 +136,12 @@ mod tests {
             ("3.0", "3"),
             (".5", "0.5"),
             ("5.", "5"),
-            ("-0.0", "-0.0"),
-            ("-0", "-0.0"),
+            ("-0.0", "-0"),
+            ("-0", "-0"),
+            ("-.0", "-0"),
+            ("-0e5", "-0"),
+            ("-0.000e-99", "-0"),
+            ("-1e-999", "-0"),
             ("0.00", "0"),
             ("1e-5", "1e-5"),
             ("0.00001", "1e-5"),
@@ -169,7 +172,7 @@ mod tests {
         }
         for (from, to) in [
             ("+007", "7"),
-            ("-0", "0"),
+            ("-0", "-0"),
             ("00", "0"),
             ("-40", "-40"),
             ("9.0", "9.0"),

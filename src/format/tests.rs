@@ -36,7 +36,7 @@ fn a_record_a_line() {
 fn numbers_are_short_and_integers_stay_integers() {
     check(
         "+2 013 1.50 +3\n3 10 1E+3 .5 5.\n4 3 -0.0 1 0 -0\n",
-        "2 13 1.5 3\n3 10 1000 0.5 5\n4 3  -0.0 1 0  -0.0\n",
+        "2 13 1.5 3\n3 10 1000 0.5 5\n4 3  -0 1 0  -0\n",
     );
 }
 

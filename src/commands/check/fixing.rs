@@ -5,25 +5,36 @@ use std::ops::Range;
 
 use super::worse::{harms, has_new_errors, weight};
 use crate::commands::Loaded;
-use crate::diagnostics::{Applicability, Fix, fixes};
+use crate::diagnostics::{Applicability, Edit, Fix, SourceFile, fixes};
+use crate::syntax::preserved;
 
 /// How many bytes are read in all for fixes that turn out to do harm, and how often a scene is read
 /// again for them at the least and at the most.
 const REFUSED_BYTES: usize = 16_000_000;
 const REFUSED: Range<usize> = 16..1000;
 
-/// Applies fixes as long as that makes a scene check better, and counts them. `again` reads the scene
-/// from other bytes. Fixes that were tried and refused are offered no more.
+/// A scene after fixes.
+pub struct Mended {
+    pub loaded: Loaded,
+    /// How many fixes these were.
+    pub count: usize,
+    /// Their edits, round by round: each of the text that the rounds before have made.
+    pub rounds: Vec<Vec<Edit>>,
+}
+
+/// Applies fixes as long as that makes a scene check better and leaves every token outside of their
+/// edits as it was. `again` reads the scene with another text. Fixes that were tried and refused are
+/// offered no more.
 ///
 /// Each step has fewer errors, or as many and fewer malformed tokens, and so on: it comes to an end.
 pub fn to_fixed_point(
     mut loaded: Loaded,
     unsafe_too: bool,
-    again: impl Fn(Vec<u8>) -> Loaded,
-) -> (Loaded, usize) {
+    again: impl Fn(SourceFile) -> Loaded,
+) -> Mended {
     let mut left =
         (REFUSED_BYTES / loaded.source.text.len().max(1)).clamp(REFUSED.start, REFUSED.end);
-    let mut fixed = 0;
+    let (mut count, mut rounds) = (0, Vec::new());
     // Errors first: what they hid is weighed against what there is then.
     let of = |loaded: &Loaded, errors: bool| -> Vec<Fix> {
         let all = loaded.diagnostics.iter().filter(|d| d.is_error() == errors);
@@ -35,28 +46,40 @@ pub fn to_fixed_point(
             .into_iter()
             .find_map(|errors| step(loaded, &of(loaded, errors), &again, &mut left))
     };
-    while let Some((better, count)) = next(&loaded) {
-        loaded = better;
-        fixed += count;
+    while let Some(step) = next(&loaded) {
+        loaded = step.loaded;
+        count += step.count;
+        rounds.push(step.edits);
     }
     if left > 0 {
         let kept = |f: &Fix| !unsafe_too && f.applicability != Applicability::Safe;
         (loaded.diagnostics.iter_mut()).for_each(|d| d.fixes.retain(kept));
     }
-    (loaded, fixed)
+    Mended {
+        loaded,
+        count,
+        rounds,
+    }
 }
 
-/// The scene after some of these fixes, and how many these were: all that go together, found by halving
+/// A round of fixes.
+struct Step {
+    loaded: Loaded,
+    count: usize,
+    edits: Vec<Edit>,
+}
+
+/// The scene after some of these fixes: all that go together, found by halving
 /// what does harm. Of several together none may do any, whatever the others mend. `left` is how many
 /// times more that may be tried in vain.
 fn step(
     loaded: &Loaded,
     all: &[Fix],
-    again: &impl Fn(Vec<u8>) -> Loaded,
+    again: &impl Fn(SourceFile) -> Loaded,
     left: &mut usize,
-) -> Option<(Loaded, usize)> {
+) -> Option<Step> {
     let mut chosen = vec![false; all.len()];
-    let mut best: Option<(Loaded, usize)> = None;
+    let mut best: Option<Step> = None;
     let mut lightest = weight(loaded);
     // Larger stretches first, so that what does harm in one place holds up nothing in others.
     let mut stretches = VecDeque::new();
@@ -65,14 +88,24 @@ fn step(
         let mut tried = chosen.clone();
         tried[stretch.clone()].fill(true);
         let with = all.iter().zip(&tried).filter(|f| *f.1).map(|f| f.0);
-        let (text, count) = fixes::apply(&loaded.source.text, with);
-        if count > best.as_ref().map_or(0, |b| b.1) {
-            let fixed = again(loaded.source.encode(&text));
+        let (edits, count) = fixes::edits(&loaded.source.text, with);
+        if count > best.as_ref().map_or(0, |b| b.count) {
+            let text = fixes::edited(&loaded.source.text, &edits);
+            let fixed = again(loaded.source.with_text(text));
             let now = weight(&fixed);
-            let before = best.as_ref().map_or(loaded, |b| &b.0);
+            let before = best.as_ref().map_or(loaded, |b| &b.loaded);
             let harms = stretch.len() > 1 && harms(before, &fixed);
-            if now < lightest && !harms && !has_new_errors(before, &fixed) {
-                (best, lightest, chosen) = (Some((fixed, count)), now, tried);
+            if now < lightest
+                && !harms
+                && !has_new_errors(before, &fixed)
+                && leaves_the_rest(loaded, &edits, &fixed)
+            {
+                best = Some(Step {
+                    loaded: fixed,
+                    count,
+                    edits,
+                });
+                (lightest, chosen) = (now, tried);
                 continue;
             }
             *left -= 1;
@@ -85,15 +118,29 @@ fn step(
     best
 }
 
+/// Whether every token outside of the edits is as it was.
+fn leaves_the_rest(before: &Loaded, edits: &[Edit], after: &Loaded) -> bool {
+    let (old, new) = (
+        (before.source.text.as_str(), &before.document),
+        (after.source.text.as_str(), &after.document),
+    );
+    preserved::by_edits(old, edits, new)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::diagnostics::{Code, Diagnostic};
 
     fn fixed(text: &str, unsafe_too: bool) -> (String, usize) {
-        let read = |bytes| Loaded::new("a.zpg", bytes);
-        let (loaded, count) = to_fixed_point(read(text.into()), unsafe_too, read);
-        (loaded.source.text, count)
+        let loaded = Loaded::new("a.zpg", text.into());
+        let mended = to_fixed_point(loaded, unsafe_too, Loaded::of);
+        let mut again = text.to_owned();
+        for edits in &mended.rounds {
+            again = fixes::edited(&again, edits);
+        }
+        assert_eq!(mended.loaded.source.text, again);
+        (again, mended.count)
     }
 
     #[test]
@@ -123,9 +170,9 @@ mod tests {
     /// No error comes up on a line that nobody changed, whatever is mended elsewhere.
     #[test]
     fn no_error_where_there_was_none() {
-        let read = |bytes: Vec<u8>| {
-            let text = String::from_utf8(bytes.clone()).unwrap();
-            let mut loaded = Loaded::new("a.zpg", bytes);
+        let read = |source: SourceFile| {
+            let mut loaded = Loaded::of(source);
+            let text = &loaded.source.text;
             if text.contains("0.5") {
                 let at = text.find("3 9 1").unwrap() as u32;
                 let span = crate::diagnostics::Span::new(at, at + 1);
@@ -134,7 +181,8 @@ mod tests {
             loaded
         };
         let text = "2 11 0,5 0,25 0 1\n3 9 1\n4 -101 2 3\n1 9999 4 0\n";
-        let (loaded, count) = to_fixed_point(read(text.into()), false, read);
+        let first = read(SourceFile::new("a.zpg", text.into()));
+        let Mended { loaded, count, .. } = to_fixed_point(first, false, read);
         assert_eq!(
             (loaded.source.text, count),
             (text.replace("0,25", "0.25"), 1)
@@ -144,18 +192,18 @@ mod tests {
     /// Mends a scene that checks worse where `harmful` says so, and counts how often it was read.
     fn counting(text: &str, harmful: impl Fn(&str) -> bool) -> (Loaded, usize, usize) {
         let reads = std::cell::Cell::new(0);
-        let read = |bytes: Vec<u8>| {
+        let read = |source: SourceFile| {
             reads.set(reads.get() + 1);
-            let bad = harmful(std::str::from_utf8(&bytes).unwrap());
-            let mut loaded = Loaded::new("a.zpg", bytes);
+            let bad = harmful(&source.text);
+            let mut loaded = Loaded::of(source);
             if bad {
                 let error = Diagnostic::new(Code::E101, Default::default());
                 loaded.diagnostics.extend(vec![error; 9000]);
             }
             loaded
         };
-        let (loaded, count) = to_fixed_point(Loaded::new("a.zpg", text.into()), false, read);
-        (loaded, count, reads.get())
+        let mended = to_fixed_point(Loaded::new("a.zpg", text.into()), false, read);
+        (mended.loaded, mended.count, reads.get())
     }
 
     #[test]
@@ -184,10 +232,9 @@ mod tests {
     /// A fix brings a warning of another kind; what else is mended beside it does not pay for that.
     #[test]
     fn none_rides_along_that_does_harm() {
-        let read = |bytes: Vec<u8>| {
-            let text = String::from_utf8(bytes.clone()).unwrap();
-            let mut loaded = Loaded::new("a.zpg", bytes);
-            if !text.contains("2 14 1 3") {
+        let read = |source: SourceFile| {
+            let mut loaded = Loaded::of(source);
+            if !loaded.source.text.contains("2 14 1 3") {
                 loaded
                     .diagnostics
                     .push(Diagnostic::new(Code::W301, Default::default()));
@@ -196,7 +243,8 @@ mod tests {
         };
         // The tori are the wrong way round; turning the first one does harm here.
         let text = "2 14 1 3\n3 14 1 4\n4 14 1 5\n5 -101 2 3\n6 -101 5 4\n1 9999 6 0\n";
-        let (loaded, count) = to_fixed_point(read(text.into()), true, read);
+        let first = read(SourceFile::new("a.zpg", text.into()));
+        let Mended { loaded, count, .. } = to_fixed_point(first, true, read);
         let mended = text.replace("14 1 4", "14 4 1").replace("14 1 5", "14 5 1");
         assert_eq!((loaded.source.text, count), (mended, 2));
     }
@@ -211,12 +259,9 @@ mod tests {
     #[test]
     fn the_encoding_and_the_line_breaks_stay() {
         let bytes = b"# \xf8 #\r\n2 9 0,5 # \xe9 # 3 9 1\r\n1 9999 2 0\r\n".to_vec();
-        let read = |bytes| Loaded::new("a.zpg", bytes);
-        let (loaded, _) = to_fixed_point(read(bytes), false, read);
+        let loaded = to_fixed_point(Loaded::new("a.zpg", bytes), false, Loaded::of).loaded;
         let out = loaded.source.encode(&loaded.source.text);
-        assert_eq!(
-            out,
-            b"0 # \xf8 #\r\n2 9 0.5 # \xe9 #\r\n3 9 1\r\n1 9999 2 0\r\n"
-        );
+        let expected = b"0 # \xf8 #\r\n2 9 0.5 # \xe9 #\r\n3 9 1\r\n1 9999 2 0\r\n";
+        assert_eq!(out.as_deref(), Some(&expected[..]));
     }
 }

@@ -1,6 +1,6 @@
 //! `zpg check`: reads scenes, says what is wrong with them, and mends it.
 
-mod fixing;
+pub mod fixing;
 mod report;
 mod statistics;
 mod watch;
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use super::loaded::{self, STDIN};
-use super::rewrite::{diff, replace};
+use super::rewrite::{bytes_of, diff, replace};
 use super::{Loaded, LookChoice, Status, complain, paths, terminal};
 use crate::config::{ConfigError, Configs};
 use crate::diagnostics::render::Tally;
@@ -26,7 +26,8 @@ use statistics::Statistics;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Findings go to standard output. The exit status is 0 when there is no error, 1 when there is
-one (or --diff shows a change), 2 when a file cannot be read or written.
+one (or --diff shows a change), 2 when a file cannot be read or written, or is no scene: such a file
+is never written to.
 
 CODE is a code (W307), its name (overlapping-union), how codes begin (W3), or one of warnings,
 notes, style and all. Levels for a folder of scenes stand in zpg.toml; a comment
@@ -92,6 +93,7 @@ pub struct Args {
 
 /// One file's findings, ready to be put out.
 struct Checked {
+    is_scene: bool,
     output: Output,
     /// The scene as it is mended, or the difference.
     data: Vec<u8>,
@@ -150,7 +152,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
     let mut total = Tally::default();
     all.iter().for_each(|c| total.merge(&c.tally));
     let changed = all.iter().any(|c| c.fixed > 0);
-    let status = if failed {
+    let status = if failed || all.iter().any(|c| !c.is_scene) {
         Status::Failure
     } else if total.errors > 0 || args.diff && changed {
         Status::Negative
@@ -178,14 +180,25 @@ impl Checker<'_> {
         };
         let config = (self.configs.for_file(name)).map_err(ConfigError::complaint)?;
         let bytes = loaded::read(path)?;
-        let read = |bytes| Loaded::with(name, bytes, &config.levels, &self.choice);
-        let mut loaded = read(bytes);
+        let levelled = |loaded: Loaded| loaded.at(&config.levels, &self.choice);
+        let mut loaded = levelled(Loaded::new(name.to_string_lossy(), bytes));
         let mut data = Vec::new();
         let mut fixed = 0;
-        if self.args.fix || self.args.diff {
+        if !loaded.is_scene && self.args.diff {
+            // Nothing but differences is printed, and there is none.
+            terminal::findings(&loaded, self.choice_of_look);
+        }
+        if loaded.is_scene && (self.args.fix || self.args.diff) {
             let old = loaded.source.text.clone();
-            (loaded, fixed) = fixing::to_fixed_point(loaded, self.args.unsafe_fixes, read);
+            let again = |source| levelled(Loaded::of(source));
+            let mended = fixing::to_fixed_point(loaded, self.args.unsafe_fixes, again);
+            (loaded, fixed) = (mended.loaded, mended.count);
             let source = &loaded.source;
+            // What cannot be written is known whether it is to be written or not.
+            let bytes = match fixed > 0 || is_stdin {
+                true => bytes_of(source, &source.text)?,
+                false => Vec::new(),
+            };
             if self.args.diff {
                 if fixed > 0 {
                     diff(
@@ -197,15 +210,16 @@ impl Checker<'_> {
                     );
                 }
             } else if is_stdin {
-                data = source.encode(&source.text);
+                data = bytes;
             } else if fixed > 0 {
-                replace(path, &source.encode(&source.text))?;
+                replace(path, &bytes)?;
             }
         }
         let mut tally = Tally::default();
         tally.add(&loaded.diagnostics);
         let statistics = Statistics::new(&loaded.diagnostics);
         Ok(Checked {
+            is_scene: loaded.is_scene,
             output: match self.args.statistics {
                 true => Output::Text(Vec::new()),
                 false => Output::new(self.args.format, loaded, self.look),

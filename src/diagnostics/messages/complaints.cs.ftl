@@ -14,6 +14,9 @@ cannot-write = { $path } nelze zapsat: { $reason }
 cannot-print = na standardní výstup nelze psát: { $reason }
 too-large = soubor je větší než { $size } GiB
 read-only-file = soubor je jen pro čtení
+text-lost = v { $encoding } by se něco ztratilo
+no-scene-any-more = číslem by začínala méně než polovina řádků, takže by se soubor nepoznal jako scéna
+layout-changes-content = vnitřní chyba: { $path } by po zformátování neříkal totéž, a tak zůstává, jak je; nahlaste to, prosím
 no-scenes = ve složce { $path } není žádný soubor se scénou (*.zpg)
 
 io-not-found = soubor nebo složka neexistuje

@@ -203,6 +203,32 @@ E013 = { $text } bodů je více, než lze zpracovat
        *[other] následuje { $got } čísel
     }
 
+E014 = soubor nevypadá jako scéna: { $lines ->
+        [one] jeho jediný řádek nezačíná číslem
+       *[other] číslem začíná { $numbers } z { $lines } řádků
+    }
+    .label = tento řádek jím nezačíná
+    .help = scénu tvoří záznamy `ID TYP PARAMETR…` a `# komentáře #`; číslem začíná aspoň polovina jejích řádků
+E014-known = { $kind ->
+        [picture] obrázek { $name }
+        [recording] zvuková nahrávka { $name }
+        [film] film { $name }
+        [archive] archiv { $name }
+        [document] dokument { $name }
+        [program] program { $name }
+        [font] písmo { $name }
+        [model] 3D model { $name }
+        [database] databáze { $name }
+       *[file] soubor { $name }
+    } není scéna
+E014-binary = binární data nejsou scéna
+E014-pov-ray = soubor vypadá jako scéna POV-Raye
+    .label = řádek v jazyce POV-Raye
+    .help = scény POV-Raye číst nelze; `zpg convert FILE --to pov` překládá opačným směrem
+E014-json = JSON není scéna
+E014-scene-json = soubor je scéna zapsaná v JSON
+    .help = `zpg convert FILE --to zpg` ji zapíše jako záznamy
+
 W314 = { $type } si bere poslední čísla z řádku, který by byl sám celým záznamem
     .label = vzato ze začátku tohoto řádku
     .begin = záznam začíná zde
@@ -211,6 +237,11 @@ W314 = { $type } si bere poslední čísla z řádku, který by byl sám celým 
 
 N601 = soubor není platné UTF-8; čte se jako Windows-1250
     .label = první bajt, který není UTF-8
+    .help = uložte soubor v UTF-8
+N604 = soubor je v UTF-16; tak se čte i zapisuje
+    .label = začátek souboru
+N604-incomplete = soubor je v UTF-16 a něco v něm není znak; nezapisuje se do něj
+    .label = začátek souboru
     .help = uložte soubor v UTF-8
 
 ## ID

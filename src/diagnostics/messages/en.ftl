@@ -194,6 +194,32 @@ E013 = { $text } points are more than can be handled
        *[other] { $got } numbers follow
     }
 
+E014 = this does not look like a scene: { $lines ->
+        [one] its only line does not begin with a number
+       *[other] { $numbers } of { $lines } lines begin with a number
+    }
+    .label = this line does not
+    .help = a scene is made of records, `ID TYPE PARAMETER…`, and of `# comments #`; at least half of its lines begin with a number
+E014-known = this is { $kind ->
+        [picture] { $name-a } picture
+        [recording] { $name-a } recording
+        [film] { $name-a } film
+        [archive] { $name-a } archive
+        [document] { $name-a } document
+        [program] { $name-a } program
+        [font] { $name-a } font
+        [model] { $name-a } 3D model
+        [database] { $name-a } database
+       *[file] { $name-a } file
+    }, not a scene
+E014-binary = this is binary data, not a scene
+E014-pov-ray = this looks like a POV-Ray scene
+    .label = a line of POV-Ray's language
+    .help = POV-Ray scenes cannot be read; `zpg convert FILE --to pov` translates a scene the other way
+E014-json = this is JSON, not a scene
+E014-scene-json = this is a scene written as JSON
+    .help = `zpg convert FILE --to zpg` writes it as records
+
 W314 = this { $type } takes its last numbers from a line that would be a record of its own
     .label = taken from the head of this line
     .begin = the record begins here
@@ -202,6 +228,11 @@ W314 = this { $type } takes its last numbers from a line that would be a record 
 
 N601 = the file is not valid UTF-8; it is read as Windows-1250
     .label = the first byte that is not UTF-8
+    .help = save the file as UTF-8
+N604 = the file is UTF-16; it is read as such, and stays so when it is written
+    .label = the file begins here
+N604-incomplete = the file is UTF-16 with something in it that is no character; it is not written to
+    .label = the file begins here
     .help = save the file as UTF-8
 
 ## IDs

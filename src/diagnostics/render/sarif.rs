@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::{one_text, plain_path};
-use crate::diagnostics::source::{Encoding, Locator, SourceFile};
+use crate::diagnostics::source::{Locator, SourceFile};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Language, Severity, Span};
 
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
@@ -198,10 +198,7 @@ impl File {
         let location = ArtifactLocation {
             uri: uri(&file.path, cfg!(windows)),
         };
-        let encoding = match file.encoding {
-            Encoding::Utf8 => "UTF-8",
-            Encoding::Windows1250 => "windows-1250",
-        };
+        let encoding = file.encoding.name();
         let mut places = Places {
             location: &location,
             locator: Locator::new(file),

@@ -1,0 +1,169 @@
+//! Whether a text that tools have changed still has the tokens that it had. Nothing is asked of the
+//! parser here: what it takes the tokens for is another matter.
+
+use super::lexer::{self, Token, TokenKind};
+use super::{Document, parse};
+use crate::diagnostics::Edit;
+
+/// Whether a text that is laid out anew has the tokens of the old one, unknown words and comments
+/// included. Numbers may be spelled in another way, with the same value to the bit; notation marks may
+/// be gone, and so may a `0` before a comment.
+pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
+    let unclosed = unclosed(document);
+    let old_tokens = lexer::lex(old, &unclosed);
+    // A comment that nobody closes looks the same in the new text, if that is right; elsewhere.
+    let unclosed = match unclosed.as_slice() {
+        [] => Vec::new(),
+        _ => self::unclosed(&parse(new).0),
+    };
+    let new_tokens = lexer::lex(new, &unclosed);
+    let matters = |t: &&Token| !t.kind.is_trivia() || t.kind.is_comment();
+    let mut old_ones = old_tokens.iter().filter(matters).peekable();
+    let mut new_ones = new_tokens.iter().filter(matters).peekable();
+    while let Some(token) = old_ones.next() {
+        let is_void = token.integer(old) == Some(0);
+        let introduces = is_void && old_ones.peek().is_some_and(|next| next.kind.is_comment());
+        match new_ones.next_if(|other| is_same((old, token), (new, other))) {
+            Some(_) => {}
+            None if introduces => {}
+            None => return false,
+        }
+    }
+    new_ones.next().is_none()
+}
+
+fn is_same((old, token): (&str, &Token), (new, other): (&str, &Token)) -> bool {
+    let bits = |text, token: &Token| token.number(text).map(f64::to_bits);
+    let value = bits(old, token);
+    token.text(old) == other.text(new) || value.is_some() && value == bits(new, other)
+}
+
+/// Whether every token of a text that lies outside of the edits, which are in order, is a token of the
+/// text that they make. A token that an edit touches may go on with what the edit has put there.
+pub fn by_edits(
+    (old, document): (&str, &Document),
+    edits: &[Edit],
+    (new, edited): (&str, &Document),
+) -> bool {
+    let new_tokens = lexer::lex(new, &unclosed(edited));
+    let mut new_ones = new_tokens.iter().peekable();
+    let mut edits = edits.iter().peekable();
+    // How far what follows the last edit has moved, and the stretch of the new text that it put there.
+    let mut moved = 0;
+    let mut inserted = (0, 0);
+    for token in lexer::lex(old, &unclosed(document)) {
+        if token.kind == TokenKind::Newline {
+            continue;
+        }
+        let (start, end) = (i64::from(token.start), i64::from(token.end()));
+        while let Some(edit) = edits.next_if(|e| e.span.end <= token.start) {
+            let at = i64::from(edit.span.start) + moved;
+            let length = edit.text.len() as i64;
+            moved += length - i64::from(edit.span.end - edit.span.start);
+            let touches = inserted.1 == at;
+            inserted = (if touches { inserted.0 } else { at }, at + length);
+        }
+        let next = edits.peek();
+        if next.is_some_and(|e| e.span.start < token.end()) {
+            continue;
+        }
+        let at = (start + moved, end + moved);
+        if new.get(at.0 as usize..at.1 as usize) != Some(token.text(old)) {
+            return false;
+        }
+        let before = if inserted.1 == at.0 { inserted.0 } else { at.0 };
+        let after = match next {
+            Some(edit) if i64::from(edit.span.start) == end => at.1 + edit.text.len() as i64,
+            _ => at.1,
+        };
+        while new_ones.next_if(|t| i64::from(t.end()) < at.1).is_some() {}
+        let found = new_ones.peek().is_some_and(|t| {
+            let place = (i64::from(t.start), i64::from(t.end()));
+            before <= place.0 && place.0 <= at.0 && at.1 <= place.1 && place.1 <= after
+        });
+        if !found {
+            return false;
+        }
+    }
+    true
+}
+
+/// The `#` of a text that open comments which end with their lines.
+fn unclosed(document: &Document) -> Vec<u32> {
+    let tokens = document.tokens.iter();
+    let unclosed = tokens.filter(|t| t.kind == TokenKind::UnterminatedComment);
+    unclosed.map(|t| t.start).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostics::Span;
+
+    #[test]
+    fn a_layout_keeps_the_tokens() {
+        for (old, new, kept) in [
+            ("2 9 1.0", "2 9 1", true),
+            ("2 9 -0.0", "2 9 -0", true),
+            ("2 9 -0", "2 9 0", false),
+            ("2 9 0.1", "2 9 0.10000000000000001", true),
+            ("2 9 0.1", "2 9 0.1000000000000001", false),
+            ("2 <9>, 1;", "2 9 1", true),
+            ("2 9 0,5", "2 9 0.5", true),
+            ("2 9 1 0 # a #", "2 9 1 # a #", true),
+            ("2 9 1 0 # a #", "2 9 1 0 # a #", true),
+            ("2 9 1 0", "2 9 1", false),
+            ("2 9 1 # a #", "2 9 1 0 # a #", false),
+            ("2 9 1 # a #", "2 9 1 # a  #", false),
+            ("2 9 1 # a #", "2 9 1", false),
+            ("2 9 1 # a\n3 9 1", "2 9 1 # a\n3 9 1", true),
+            ("2 9 1 # a\n3 9 1", "2 9 1 # a 3 9 1", false),
+            ("2 9 x", "2 9", false),
+            ("2 9", "2 9 x", false),
+            ("2 9 x y", "2 9 xy", false),
+            ("2 9 \"a b\"", "2 9 \"a  b\"", false),
+            ("2 9 1\n\n3 9 1", "2 9 1 3 9 1", true),
+        ] {
+            assert_eq!(
+                by_layout((old, &parse(old).0), new),
+                kept,
+                "{old:?} {new:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn edits_leave_the_other_tokens() {
+        for (old, edits, kept) in [
+            ("2 9 0,5 7", &[(5, 6, ".")][..], true),
+            ("2 9 1 x 3", &[(6, 8, "")], true),
+            // Two tokens become one, or one two.
+            ("2 9 1 3", &[(5, 6, "")], false),
+            ("2 9 13", &[(5, 5, " ")], true),
+            ("2 9 1,3", &[(5, 6, " ")], true),
+            ("2 9 1 # a", &[(9, 9, " #")], true),
+            ("2 9 1 # a\n3 9 1", &[(9, 9, " #")], true),
+            // What was a record becomes a comment.
+            ("2 9 1 # a\n3 9 1", &[(15, 15, " #")], false),
+            ("2 9 1 3", &[(0, 0, "# ")], false),
+            ("2 9 1 3 # a #", &[(0, 0, "# b # ")], true),
+            ("2 9 1 3 # a #", &[(12, 13, "")], true),
+            ("2 9 1 3 # a # 4 # b #", &[(12, 13, "")], false),
+            ("2 201 1", &[(2, 2, "-")], true),
+            ("2 201 1", &[(2, 5, "-201"), (6, 6, "0 ")], true),
+        ] {
+            let edit = |&(start, end, text): &(u32, u32, &str)| Edit {
+                span: Span::new(start, end),
+                text: text.to_owned(),
+            };
+            let edits: Vec<Edit> = edits.iter().map(edit).collect();
+            let mut new = old.to_owned();
+            for edit in edits.iter().rev() {
+                new.replace_range(edit.span.range(), &edit.text);
+            }
+            let documents = (parse(old).0, parse(&new).0);
+            let same = by_edits((old, &documents.0), &edits, (&new, &documents.1));
+            assert_eq!(same, kept, "{old:?} {new:?}");
+        }
+    }
+}
