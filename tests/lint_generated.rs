@@ -122,6 +122,15 @@ fn refuted(source: &str, loaded: &Loaded, d: &Diagnostic, rng: &mut Rng) -> Opti
                 return wrong("there is something in the box");
             }
         }
+        Code::W312 if d.case == "part" => {
+            let (min, max) = render.clip?;
+            let region = Aabb::new(min, max);
+            let part = id(d, "id");
+            let inside = |p| members(scene, render.root, p).map(|m| m.inside);
+            if (0..300).any(|_| inside(around(rng, &region)).is_ok_and(|all| all.contains(&part))) {
+                return wrong("the part is in the box");
+            }
+        }
         Code::W312 => {
             let (min, max) = render.clip?;
             let p = witness(d);

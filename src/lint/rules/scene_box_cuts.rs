@@ -124,7 +124,11 @@ fn not_drawn(
     unseen: &[Leaf],
     clip: &Aabb,
 ) -> Option<Diagnostic> {
-    let counts = |l: &&Leaf| l.bounds.is_finite() && !tree.places[l.place as usize].turned;
+    // What occurs in several places may be seen in another one.
+    let seen: FxHashSet<u32> = tree.leaves.iter().map(|l| l.id).collect();
+    let counts = |l: &&Leaf| {
+        l.bounds.is_finite() && !tree.places[l.place as usize].turned && !seen.contains(&l.id)
+    };
     let mut all = unseen.iter().filter(counts);
     let leaf = all.next()?;
     let (axis, above) = apart(&leaf.bounds, clip)?;
@@ -258,6 +262,9 @@ mod tests {
             all.iter()
                 .any(|m| m.contains("the sphere 3 reaches out of it at (0, 2.5, 0)"))
         );
+        // The same ball in two places, one of them in the box.
+        let moved = boxed("4 9 1\n3 -101 4 4\n4 -1 9 0 0\n2 -101 3 4", region);
+        assert!(found(&moved).is_empty());
         // A tool is not drawn anyway, and a plane has no end.
         let tool = boxed("3 9 1\n4 11 0 5 0 1\n2 -103 3 4", region);
         assert!(found(&tool).is_empty());
