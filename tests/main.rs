@@ -27,6 +27,7 @@ mod invariance;
 mod lint_generated;
 mod lint_overlaps;
 mod lint_speed;
+mod memory;
 mod mesh;
 mod messages;
 mod metamorphic;

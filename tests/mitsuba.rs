@@ -25,6 +25,7 @@ fn translated(
         size: SIZE,
         depth: 10,
         tolerance: None,
+        memory: None,
         integrator,
         stem: name.to_owned(),
         captions: Captions::of(&loaded.document, &loaded.source.text),

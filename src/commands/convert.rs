@@ -11,6 +11,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::draft::{Draft, unwritable};
+use super::memory::Memory;
 use super::size::Size;
 use super::terminal::unprintable;
 use super::{Loaded, LookChoice, Status, complain, report, usage};
@@ -59,6 +60,9 @@ pub struct Args {
     /// scene's size
     #[arg(long, value_name = "LEN", value_parser = length)]
     tolerance: Option<f64>,
+
+    #[command(flatten)]
+    memory: Memory,
 
     /// Write the fidelity report as JSON, too
     #[arg(long, value_name = "FILE.json")]
@@ -114,6 +118,10 @@ impl From<Unsupported> for Refusal {
 
 /// Reads the scene, translates it, says how well it went.
 pub fn run(args: &Args, look: LookChoice) -> Status {
+    if let Err(complaint) = args.memory.admit(&args.file, 1) {
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     let draws = !matches!(args.to, Target::Json | Target::Zpg);
     let mut loaded = match input::load(&args.file, draws, look) {
         Ok(loaded) => loaded,

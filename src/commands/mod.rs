@@ -2,7 +2,7 @@
 //! returns the exit [`Status`].
 //!
 //! What they share: [`loaded`] reads a scene, [`paths`] expands folders, [`draft`] writes files that
-//! appear when they are complete, [`rewrite`] changes files and shows how, [`size`] reads `640x480`,
+//! appear when they are complete, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files and shows how, [`size`] reads `640x480`,
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
 //! is wrong with arguments.
 
@@ -14,6 +14,7 @@ pub mod draft;
 pub mod explain;
 pub mod fmt;
 pub mod loaded;
+pub mod memory;
 mod numbers;
 pub mod paths;
 pub mod plan;

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use super::loaded::{STDIN, unreadable};
+use super::memory::Memory;
 use super::size::Size;
 use super::terminal::print;
 use super::{Loaded, LookChoice, Needs, Status, complain, load_for, report};
@@ -94,6 +95,9 @@ pub struct Args {
     /// not apply to --point
     #[arg(long, value_enum, default_value = "f64")]
     precision: Numbers,
+
+    #[command(flatten)]
+    memory: Memory,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -160,6 +164,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &Complaint::new("two-inputs"));
         return Status::Failure;
     }
+    if let Err(complaint) = args.memory.admit(&args.file, 1) {
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     let needs = Needs {
         // An object can be asked about without one.
         render: args.object.is_none(),
@@ -206,13 +214,15 @@ fn answer(args: &Args, loaded: &mut Loaded, look: LookChoice) -> Result<Status, 
     }
     if let Some(path) = &args.rays {
         let mut input = open(path)?;
-        let tracer = tracer(loaded)?;
+        let tracer = tracer(args, loaded)?;
         let bad = |e: BadRay| complain(look, &e.complaint(path));
-        return Ok(match args.precision {
+        let status = match args.precision {
             Numbers::F32 => rays::stream::<f32>(&tracer, &mut input, bad, look),
             Numbers::F64 => rays::stream::<f64>(&tracer, &mut input, bad, look),
             Numbers::Dd => rays::stream::<Dd>(&tracer, &mut input, bad, look),
-        });
+        };
+        check(args, loaded, &tracer)?;
+        return Ok(status);
     }
     if let Some(PixelArg(pixel)) = args.pixel {
         let answer = pixel_answer(args, loaded, pixel)?;
@@ -223,7 +233,9 @@ fn answer(args: &Args, loaded: &mut Loaded, look: LookChoice) -> Result<Status, 
     let Some(RayArg(ray)) = args.ray else {
         return Err(Failure::Usage(Complaint::new("no-question")));
     };
-    let answer = ray_answer(&tracer(loaded)?, &ray, args.precision)?;
+    let tracer = tracer(args, loaded)?;
+    let answer = ray_answer(&tracer, &ray, args.precision)?;
+    check(args, loaded, &tracer)?;
     Ok(print(look, Status::Clean, |out| {
         answer::write(out, &answer)
     }))
@@ -295,11 +307,24 @@ fn unknown(scene: &Scene, id: u32, kind: Kind) -> Failure {
     Failure::Usage(complaint.with("id", id.to_string()))
 }
 
+/// Refuses to answer where a ray found more than there is memory for.
+fn check(args: &Args, loaded: &Loaded, tracer: &Tracer) -> Result<(), Failure> {
+    (args.memory.check(tracer)).map_err(|e| Failure::Scene(e, render_span(loaded)))
+}
+
+fn render_span(loaded: &Loaded) -> Span {
+    loaded.scene.render.map_or(Span::default(), |r| r.span)
+}
+
 /// The tracer of a scene, with its pictures.
-fn tracer(loaded: &Loaded) -> Result<Tracer, Failure> {
+fn tracer(args: &Args, loaded: &Loaded) -> Result<Tracer, Failure> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
     let images = Images::load(&loaded.scene, folder).map_err(Failure::Image)?;
-    Ok(Tracer::with_images(&loaded.scene, &images)?)
+    let mut tracer = Tracer::with_images(&loaded.scene, &images)?;
+    let threads = rayon::current_num_threads();
+    (args.memory.confine(&mut tracer, 0.0, threads))
+        .map_err(|e| Failure::Scene(e, render_span(loaded)))?;
+    Ok(tracer)
 }
 
 fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAnswer, Failure> {
@@ -322,7 +347,7 @@ fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAn
         },
         None => selected_camera(scene, f64::from(width) / f64::from(height)),
     };
-    let tracer = tracer(loaded)?;
+    let tracer = tracer(args, loaded)?;
     let settings = Settings {
         width,
         height,
@@ -346,5 +371,6 @@ fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAn
         )
     })?;
     let answer = ray_answer(&tracer, &ray, args.precision)?;
+    check(args, loaded, &tracer)?;
     Ok(PixelAnswer::new(pixel, film.pixel(0, 0), answer))
 }

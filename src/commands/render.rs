@@ -13,10 +13,11 @@ use std::time::Instant;
 use serde::Serialize;
 
 use super::draft::{Draft, unwritable};
+use super::memory::{self, Memory};
 use super::size::Size;
 use super::terminal::{progress_bar, tell, warn};
 use super::{Loaded, LookChoice, Status, complain, load_sound, report, usage};
-use crate::diagnostics::{Complaint, Diagnostic};
+use crate::diagnostics::{Complaint, Diagnostic, Span};
 use crate::scene::frame::selected_cameras;
 use crate::scene::{Camera, Scene};
 use crate::syntax::Document;
@@ -82,9 +83,12 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t)]
     stereo: Stereo,
 
-    /// Threads to work with; 0: as many as there are processors
+    /// Threads to work with; 0: as many as there are processors. At most four times as many
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
+
+    #[command(flatten)]
+    memory: Memory,
 
     /// Write what it has cost to this file, as JSON: times, rays, tests, the work of each effect
     #[arg(long, value_name = "FILE")]
@@ -105,6 +109,10 @@ enum Stereo {
     /// One picture for red and cyan glasses
     Anaglyph,
 }
+
+/// What a pixel takes until it is in a file, with one sample in it or many.
+const PIXEL_BYTES: f64 = 96.0;
+const ADAPTIVE_PIXEL_BYTES: f64 = 240.0;
 
 /// Pictures of more pixels than this would need more memory than a machine can be taken to have.
 const MAX_PIXELS: u64 = 1 << 28;
@@ -147,6 +155,8 @@ enum Failure {
     Scene(Unsupported),
     /// A picture the scene names cannot be used.
     Image(Box<Diagnostic>),
+    /// Its parts need more memory than is allowed.
+    Crowded(Complaint),
     /// Somebody has pressed Ctrl-C.
     Interrupted,
     /// Wrong usage, or a file that cannot be written.
@@ -199,6 +209,10 @@ struct Seconds {
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
     let start = Instant::now();
+    if let Err(complaint) = args.memory.admit(&args.file, 1) {
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     let mut loaded = match load_sound(&args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
@@ -217,6 +231,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             report(&loaded, look);
             Status::Negative
         }
+        Err(Failure::Crowded(complaint)) => {
+            let span = loaded.scene.render.map_or(Span::default(), |r| r.span);
+            loaded.refuse(&args.file, span, complaint, look);
+            Status::Negative
+        }
         Err(Failure::Interrupted) => Status::Interrupted,
         Err(Failure::Usage(complaint)) => {
             complain(look, &complaint);
@@ -233,6 +252,15 @@ fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(),
         ..settings(args)?
     };
     let cameras = cameras(args, scene)?;
+    let (width, height) =
+        (settings.crop).map_or((settings.width, settings.height), |c| (c.width, c.height));
+    let pixel = match args.adaptive {
+        None => PIXEL_BYTES,
+        Some(_) => ADAPTIVE_PIXEL_BYTES,
+    };
+    let taken = f64::from(width) * f64::from(height) * pixel * cameras.len() as f64;
+    args.memory.grant(taken, "picture-needs-memory")?;
+    let threads = memory::threads(args.threads, look);
     let paths = per_camera(output_path(args), args, cameras.len());
     let maps = args.heatmap.iter();
     let maps = maps.flat_map(|path| per_camera(path.clone(), args, cameras.len()));
@@ -245,7 +273,7 @@ fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(),
         .map(|path| Output::create_map(&path))
         .collect::<Result<Vec<_>, _>>()?;
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(args.threads)
+        .num_threads(threads)
         .build()
         .map_err(|e| Complaint::new("no-threads").with("reason", e.to_string()))?;
 
@@ -264,7 +292,8 @@ fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(),
     let start = Instant::now();
     let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))
         .map_err(Failure::Image)?;
-    let tracer = Tracer::planned(scene, &images, plan)?;
+    let mut tracer = Tracer::planned(scene, &images, plan)?;
+    (args.memory.confine(&mut tracer, taken, threads)).map_err(Failure::Crowded)?;
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
@@ -278,6 +307,7 @@ fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(),
     if stop.load(Ordering::Relaxed) {
         return Err(Failure::Interrupted);
     }
+    args.memory.check(&tracer).map_err(Failure::Crowded)?;
     seconds.trace = start.elapsed().as_secs_f64();
 
     let start = Instant::now();

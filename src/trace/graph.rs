@@ -6,6 +6,7 @@
 use super::affine::Placement;
 use super::bounds::Bounds;
 use super::bvh::Bvh;
+use super::crowd::Room;
 use super::image::Bitmap;
 use super::shapes::Primitive;
 use crate::scene::{Matrix, Optics, Rgb, Texture};
@@ -144,6 +145,8 @@ pub struct Graph {
     pub indices: Vec<Rgb>,
     /// Index of the object that is the scene, a union.
     pub root: u32,
+    /// How many objects a ray may enter.
+    pub room: Room,
 }
 
 impl Graph {

@@ -20,6 +20,7 @@ pub mod bvh;
 pub mod camera;
 mod compile;
 pub mod costs;
+mod crowd;
 pub mod dd;
 mod decide;
 mod exponent;
@@ -176,6 +177,12 @@ impl Tracer {
             graph,
             plan,
         })
+    }
+
+    /// Gives each ray as much memory as this, in bytes; `false` where that will surely not do.
+    pub fn confine(&mut self, bytes: u64) -> bool {
+        self.graph.room = crowd::Room::of(bytes);
+        !self.graph.is_crowded()
     }
 
     /// The part of (0, to] in which a ray can see anything.

@@ -92,7 +92,9 @@ impl<R: Precision> Walker<'_, R> {
             match entry.item {
                 Item::Node(node) => self.visit(ray, entry, node, from, &mut best),
                 Item::Part(part, object) => {
-                    let context = self.enter(entry.context, part, object);
+                    let Some(context) = self.enter(entry.context, part, object) else {
+                        break;
+                    };
                     match &self.graph.objects[object as usize].operation {
                         Operation::Union(_) => {
                             self.open_union(ray, context, from, &mut best);

@@ -272,6 +272,12 @@ impl<'t, R: Precision> Drawing<'t, R> {
             .is_none_or(|w| w.get(at).copied().unwrap_or(false))
     }
 
+    /// Whether somebody wants it to stop, or there is no room for what rays find.
+    fn is_to_stop(&self) -> bool {
+        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+            || self.tracer.graph.room.is_exhausted()
+    }
+
     /// Draws row by row, in parallel. Once it is to stop, no row is begun any more, and what comes
     /// back is black.
     fn rows<T: Send + Default + Clone>(
@@ -289,13 +295,13 @@ impl<'t, R: Precision> Drawing<'t, R> {
                     drawing: self,
                 },
                 |pen, y| {
-                    if self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+                    if self.is_to_stop() {
                         let black = vec![T::default(); part.width as usize];
                         return (black, Counts::default());
                     }
                     pen.shader.reset();
                     let columns = part.x..part.x + part.width;
-                    let draw = |x| match self.is_wanted(x, y) {
+                    let draw = |x| match self.is_wanted(x, y) && !self.is_to_stop() {
                         true => draw(pen, x, y),
                         false => T::default(),
                     };

@@ -183,7 +183,8 @@ impl<R: Precision> Walker<'_, R> {
         let primitive = match part.target {
             Target::Object(object) => {
                 let context = self.enter(leaf.context, leaf.part, object);
-                self.spans.tasks.push(Task::Object { context });
+                let task = context.map(|context| Task::Object { context });
+                self.spans.tasks.extend(task);
                 return;
             }
             Target::Shape(primitive) => primitive,
@@ -339,6 +340,14 @@ impl<R: Precision> Walker<'_, R> {
 }
 
 impl<R: Precision> Spans<R> {
+    /// What the lists take when they are joined next: each event once more in the result, and once in
+    /// their order; each list with the states before and after an event.
+    pub fn bytes(&self) -> usize {
+        let event = 2 * size_of::<Event<R>>() + size_of::<(R, u32, u32)>() + 1;
+        let list = size_of::<List>() + 2 * size_of::<State>();
+        self.events.len() * event + self.lists.len() * list
+    }
+
     /// The events of list `i`.
     pub fn of(&self, i: usize) -> &[Event<R>] {
         let end = self.lists.get(i + 1).map_or(self.events.len(), |l| l.begin);

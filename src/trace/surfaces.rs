@@ -56,7 +56,8 @@ impl<R: Precision> Walker<'_, R> {
                 Task::Part { part, context } => match self.part(part).target {
                     Target::Object(object) => {
                         let context = self.enter(context, part, object);
-                        self.spans.tasks.push(Task::Object { context });
+                        let task = context.map(|context| Task::Object { context });
+                        self.spans.tasks.extend(task);
                     }
                     Target::Shape(primitive) => {
                         let leaf = Leaf { part, context };

@@ -1,6 +1,7 @@
 //! Walking the graph along one ray: the spaces entered on the way, and where shapes are crossed.
 
 use super::compile::outermost;
+use super::crowd::SLACK;
 use super::graph::{Coat, Graph, Operation, Part, Target};
 use super::nearest::{Entry, Search};
 use super::number::Real;
@@ -186,8 +187,13 @@ impl<'g, R: Precision> Walker<'g, R> {
         &self.graph.paints[part.paint as usize]
     }
 
-    /// Enters a part that is an object.
-    pub fn enter(&mut self, context: u32, part: u32, object: u32) -> u32 {
+    /// Enters a part that is an object, if there is room. Else what the ray finds is worth nothing, which
+    /// the graph knows then.
+    pub fn enter(&mut self, context: u32, part: u32, object: u32) -> Option<u32> {
+        let contexts = self.contexts.len() * size_of::<Context<R>>();
+        if !(self.graph.room).has(SLACK * (contexts + self.spans.bytes())) {
+            return None;
+        }
         let above = &self.contexts[context as usize];
         let p = self.part(part);
         let leaf = Leaf { part, context };
@@ -206,7 +212,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             owner: outermost(above.owner, p.owner),
         };
         self.contexts.push(next);
-        self.contexts.len() as u32 - 1
+        Some(self.contexts.len() as u32 - 1)
     }
 
     /// A line of an object's space in the space of one of its parts.

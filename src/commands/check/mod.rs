@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use super::loaded::{self, STDIN};
+use super::memory::Memory;
 use super::rewrite::{bytes_of, diff, replace};
 use super::{Loaded, LookChoice, Status, complain, paths, terminal};
 use crate::config::{ConfigError, Configs};
@@ -86,6 +87,9 @@ pub struct Args {
     #[arg(long, value_name = "NAME")]
     stdin_filename: Option<PathBuf>,
 
+    #[command(flatten)]
+    memory: Memory,
+
     /// Check again whenever a file changes
     #[arg(long, conflicts_with_all = ["fix", "diff"])]
     watch: bool,
@@ -130,6 +134,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
         choice_of_look: look,
         look: look.on(&io::stdout()),
         configs: Configs::default(),
+        at_a_time: rayon::current_num_threads().min(files.files.len()),
         choice: Choice {
             select: args.select.clone(),
             ignore: args.ignore.clone(),
@@ -168,6 +173,8 @@ struct Checker<'a> {
     look: Look,
     configs: Configs,
     choice: Choice,
+    /// How many files are read at a time.
+    at_a_time: usize,
 }
 
 impl Checker<'_> {
@@ -179,6 +186,7 @@ impl Checker<'_> {
             _ => path,
         };
         let config = (self.configs.for_file(name)).map_err(ConfigError::complaint)?;
+        self.args.memory.admit(path, self.at_a_time)?;
         let bytes = loaded::read(path)?;
         let levelled = |loaded: Loaded| loaded.at(&config.levels, &self.choice);
         let mut loaded = levelled(Loaded::new(name.to_string_lossy(), bytes));

@@ -41,6 +41,7 @@ pub fn make(args: &Args, format: Format, loaded: &Loaded) -> Result<Made, Refusa
     let tracer = tracer(loaded)?;
     let options = mesh::Options {
         tolerance: args.tolerance,
+        memory: args.memory.for_triangles(),
         eye: None,
         pictured: format != Format::Ply,
     };

@@ -17,6 +17,7 @@ pub fn make(args: &Args, loaded: &Loaded) -> Result<Made, Refusal> {
         size: (args.size.width, args.size.height),
         depth: args.depth,
         tolerance: args.tolerance,
+        memory: args.memory.for_triangles(),
         integrator: Integrator::Path,
         stem: stem.unwrap_or_default().to_string_lossy().into_owned(),
         captions: Captions::of(&loaded.document, &loaded.source.text),

@@ -5,10 +5,17 @@ use std::path::Path;
 use super::{Args, Made, Refusal, suffixed};
 use crate::commands::Loaded;
 use crate::syntax::Captions;
+use crate::translate::Unsupported;
 use crate::translate::pov::{self, Options, Stereo, Translation};
 
 /// Translates the scene.
 pub fn make(args: &Args, loaded: &Loaded) -> Result<Made, Refusal> {
+    let crowded = |message| Unsupported {
+        id: 0,
+        span: loaded.scene.render.map(|r| r.span),
+        message,
+    };
+    args.memory.confine_scene(&loaded.scene).map_err(crowded)?;
     let options = Options {
         size: (args.size.width, args.size.height),
         depth: args.depth,

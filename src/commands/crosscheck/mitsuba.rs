@@ -27,6 +27,7 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
         size,
         depth: args.depth,
         tolerance: args.tolerance,
+        memory: None,
         integrator: Integrator::Aov,
         stem: stem(args),
         captions: Captions::of(&loaded.document, &loaded.source.text),

@@ -97,6 +97,10 @@ pub fn stream<R: Writable>(
     loop {
         let (batch, end) = lines.batch();
         let (text, unanswered) = trace::<R>(tracer, &batch);
+        if tracer.graph.room.is_exhausted() {
+            // Some of these answers are worth nothing; the caller says why.
+            return Status::Negative;
+        }
         let written = out.write_all(&text).and_then(|()| out.flush());
         match written {
             Err(e) if e.kind() == io::ErrorKind::BrokenPipe => return Status::Clean,

@@ -28,6 +28,7 @@ fn compared_in(text: &str, change: impl Fn(&Output, &mut [f32])) -> Comparison {
         size: SIZE,
         depth: 10,
         tolerance: None,
+        memory: None,
         integrator: Integrator::Aov,
         stem: "scene".to_owned(),
         captions: Captions::default(),

@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use super::budget::{Budget, Crowd, MOST_TRIANGLES, TooMany};
+use super::budget::{Budget, Crowd, TooMany};
 
 use super::shape::{self, DROPPED, tessellate};
 use super::skin::Skin;
@@ -83,12 +83,18 @@ pub struct Operand {
 }
 
 impl<'a> Assembly<'a> {
-    pub fn new(scene: &'a Scene, graph: &'a Graph, region: &Aabb, tolerance: f64) -> Assembly<'a> {
+    pub fn new(
+        scene: &'a Scene,
+        graph: &'a Graph,
+        region: &Aabb,
+        tolerance: f64,
+        budget: Budget,
+    ) -> Assembly<'a> {
         let n = graph.objects.len();
         let mut out = Assembly {
             scene,
             graph,
-            budget: Budget::default(),
+            budget,
             troubles: Troubles::default(),
             regions: vec![Aabb::EMPTY; n],
             tolerances: vec![f64::INFINITY; n],
@@ -141,9 +147,7 @@ impl<'a> Assembly<'a> {
     pub fn pieces(&mut self, region: &Aabb, boxed: bool) -> Result<Thing, TooMany> {
         // Before any is made.
         let needed = FEWEST * self.shapes;
-        if needed > MOST_TRIANGLES as f64 {
-            return Err(TooMany::Made(needed));
-        }
+        self.budget.foresee(needed)?;
         for object in 0..self.graph.objects.len() {
             if self.uses[object] > 0 {
                 self.things[object] = Some(self.object(object)?);

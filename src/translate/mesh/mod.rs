@@ -58,6 +58,8 @@ pub struct Options {
     pub eye: Option<Vec3>,
     /// Textures are pictures, so that triangles need not be small for their sake.
     pub pictured: bool,
+    /// How much memory triangles may take, in bytes, if that matters.
+    pub memory: Option<u64>,
 }
 
 /// The tolerance by the radius of the sphere around the scene: a quarter of a pixel where the scene fills
@@ -93,7 +95,7 @@ impl Parts {
     /// There would be too many triangles.
     pub fn of(scene: &Scene, graph: &Graph, options: &Options) -> Result<Parts, Unsupported> {
         let extent = Extent::of(scene, options);
-        let (thing, troubles) = pieces(scene, graph, &extent)?;
+        let (thing, troubles) = pieces(scene, graph, &extent, options)?;
         Ok(Parts {
             pieces: thing.pieces,
             skins: thing.skins,
@@ -201,7 +203,7 @@ impl Parts {
 /// There would be too many.
 pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, Unsupported> {
     let extent = Extent::of(scene, options);
-    let (thing, mut troubles) = pieces(scene, graph, &extent)?;
+    let (thing, mut troubles) = pieces(scene, graph, &extent, options)?;
     let (mut solids, mut surfaces) = (Vec::new(), Mesh::default());
     for piece in thing.pieces {
         if piece.surface {
@@ -241,8 +243,14 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, U
 }
 
 /// The scene as pieces that are not joined yet.
-fn pieces(scene: &Scene, graph: &Graph, extent: &Extent) -> Result<(Thing, Troubles), Unsupported> {
-    let mut assembly = Assembly::new(scene, graph, &extent.cut, extent.tolerance);
+fn pieces(
+    scene: &Scene,
+    graph: &Graph,
+    extent: &Extent,
+    options: &Options,
+) -> Result<(Thing, Troubles), Unsupported> {
+    let budget = Budget::of(options.memory);
+    let mut assembly = Assembly::new(scene, graph, &extent.cut, extent.tolerance, budget);
     let thing = assembly
         .pieces(&extent.cut, extent.boxed)
         .map_err(|e| refusal(&e))?;

@@ -47,6 +47,8 @@ pub struct Options {
     pub depth: u32,
     /// As in [`mesh::Options`].
     pub tolerance: Option<f64>,
+    /// As there.
+    pub memory: Option<u64>,
     pub integrator: Integrator,
     /// What the names of meshes begin with.
     pub stem: String,
@@ -115,6 +117,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let cameras = selected_cameras(scene, aspect);
     let of_meshes = mesh::Options {
         tolerance: options.tolerance,
+        memory: options.memory,
         eye: cameras.first().map(|c| c.position),
         pictured: true,
     };

@@ -56,6 +56,10 @@ pub fn reach(scene: &Scene, eyes: &[Eye], whole: Aabb) -> Option<Reach> {
     let Sight {
         firsts, gaps, far, ..
     } = sight;
+    // Where so much lies in one place nobody can tell.
+    if tracer.graph.room.is_exhausted() {
+        return None;
+    }
     Some(Reach {
         near: quantile(firsts, 10)?,
         gap: quantile(gaps, 100)?,

@@ -1,0 +1,178 @@
+//! How much of a scene lies in one place. Shared parts take no room, however often they occur, but a
+//! ray enters every object on its way, and remembers it.
+
+use super::graph::{Graph, Operation, Target};
+use super::vec::Vec3;
+use super::walk::Context;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// A ray may need so many bytes if nothing else is said.
+const USUALLY: u64 = 1 << 30;
+
+/// Lists have up to twice as much room as they need, while they grow.
+pub const SLACK: usize = 2;
+
+/// How many points are looked at to find out whether a scene is crowded, and how many parts at each.
+const POINTS: usize = 16;
+const STEPS: usize = 1 << 26;
+
+/// How much memory a walker may use for a ray, and whether one would have needed more.
+#[derive(Debug)]
+pub struct Room {
+    bytes: usize,
+    is_exhausted: AtomicBool,
+}
+
+impl Default for Room {
+    fn default() -> Room {
+        Room::of(USUALLY)
+    }
+}
+
+impl Room {
+    /// For so many bytes for each thread: what doubles cannot decide is asked in double-double, by a walker
+    /// of its own.
+    pub fn of(bytes: u64) -> Room {
+        Room {
+            bytes: usize::try_from(bytes / 2).unwrap_or(usize::MAX),
+            is_exhausted: AtomicBool::new(false),
+        }
+    }
+
+    /// Whether so many bytes may be used; that they may not is noted.
+    pub fn has(&self, bytes: usize) -> bool {
+        let has = bytes <= self.bytes;
+        if !has {
+            self.is_exhausted.store(true, Ordering::Relaxed);
+        }
+        has
+    }
+
+    /// Whether some ray would have needed more than it may.
+    pub fn is_exhausted(&self) -> bool {
+        self.is_exhausted.load(Ordering::Relaxed)
+    }
+}
+
+impl Graph {
+    /// How many shapes there are, each as often as it occurs.
+    pub fn occurrences(&self) -> f64 {
+        self.totals(|_| 0.0, 1.0)
+    }
+
+    /// Adds up over all occurrences, operands first: `own` for an object, `shape` for a shape.
+    fn totals(&self, own: impl Fn(u32) -> f64, shape: f64) -> f64 {
+        let mut totals = Vec::with_capacity(self.objects.len());
+        for object in 0..self.objects.len() as u32 {
+            let mut total = own(object);
+            self.each_part(object, |part| {
+                total += match self.parts[part as usize].target {
+                    Target::Shape(_) => shape,
+                    Target::Object(below) => totals[below as usize],
+                };
+            });
+            totals.push(total);
+        }
+        totals[self.root as usize]
+    }
+
+    fn each_part(&self, object: u32, mut step: impl FnMut(u32)) {
+        let group = match &self.objects[object as usize].operation {
+            Operation::Union(group) => group,
+            Operation::Intersection { first, cuts, .. } => {
+                first.clone().for_each(&mut step);
+                cuts
+            }
+        };
+        group
+            .loose
+            .iter()
+            .chain(&group.bvh.items)
+            .for_each(|&part| step(part));
+    }
+
+    /// Whether more objects lie over one another in some place than there is room for. There is room
+    /// where that is not found; what a ray finds then is noted in [`Graph::room`].
+    pub fn is_crowded(&self) -> bool {
+        let most = self.room.bytes / (SLACK * size_of::<Context>());
+        // Nobody can enter more than there are.
+        if self.totals(|_| 1.0, 0.0) < most as f64 {
+            return false;
+        }
+        let points = self.likely_points();
+        points.iter().any(|&point| self.lies_in(point, most))
+    }
+
+    /// The middle of the scene, of the largest part of it that is an object, and so on.
+    fn likely_points(&self) -> Vec<Vec3> {
+        let mut sizes = Vec::with_capacity(self.objects.len());
+        for object in 0..self.objects.len() as u32 {
+            let mut size = 1.0;
+            self.each_part(object, |part| {
+                if let Target::Object(below) = self.parts[part as usize].target {
+                    let below: f64 = sizes[below as usize];
+                    size += below;
+                }
+            });
+            sizes.push(size);
+        }
+        let mut points = Vec::new();
+        let mut object = self.root;
+        // The placements on the way, the innermost last.
+        let mut way = Vec::new();
+        while points.len() < POINTS {
+            let mut centre = self.objects[object as usize].bounds.centre();
+            for &placement in way.iter().rev() {
+                let placement: &super::affine::Placement = &self.placements[placement as usize];
+                centre = placement.out.point(centre);
+            }
+            if centre.is_finite() {
+                points.push(centre);
+            }
+            let mut largest: Option<(f64, u32, u32)> = None;
+            self.each_part(object, |part| {
+                let part = &self.parts[part as usize];
+                if let Target::Object(below) = part.target {
+                    let size = sizes[below as usize];
+                    if largest.is_none_or(|(most, ..)| size > most) {
+                        largest = Some((size, below, part.placement));
+                    }
+                }
+            });
+            let Some((_, below, placement)) = largest else {
+                break;
+            };
+            object = below;
+            way.push(placement);
+        }
+        points
+    }
+
+    /// Whether a point lies in the boxes of so many objects.
+    fn lies_in(&self, point: Vec3, most: usize) -> bool {
+        let (mut entered, mut steps) = (0, 0);
+        let mut stack = vec![(self.root, point)];
+        while let Some((object, point)) = stack.pop() {
+            let bounds = &self.objects[object as usize].bounds;
+            if (0..3).any(|i| point[i] < bounds.min[i] || bounds.max[i] < point[i]) {
+                continue;
+            }
+            entered += 1;
+            if entered >= most {
+                return true;
+            }
+            if steps > STEPS {
+                break;
+            }
+            self.each_part(object, |part| {
+                let part = &self.parts[part as usize];
+                steps += 1;
+                if let Target::Object(below) = part.target {
+                    let back = &self.placements[part.placement as usize].back;
+                    stack.push((below, back.point(point)));
+                }
+            });
+        }
+        false
+    }
+}
