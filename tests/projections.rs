@@ -102,10 +102,7 @@ fn standard(rng: &mut Rng) -> Vec<(&'static str, Rows)> {
 
 /// The clip coordinates of a point of the camera's space.
 fn clip(rows: &Rows, p: &[Q; 3]) -> [Q; 4] {
-    rows.map(|r| {
-        let sum = (0..3).fold(q(r[3]), |sum, j| sum + q(r[j]) * &p[j]);
-        sum
-    })
+    rows.map(|r| (0..3).fold(q(r[3]), |sum, j| sum + q(r[j]) * &p[j]))
 }
 
 /// start + t · direction, exactly.

@@ -179,7 +179,7 @@ fn utf_16_stays_utf_16() {
         );
 
         // Half a character is kept by leaving the file alone.
-        for lost in [&[0xd8, 0xd8][..], &[b'\n']] {
+        for lost in [&[0xd8, 0xd8][..], b"\n"] {
             let broken = [&file(&faulty), lost].concat();
             fs::write(&path, &broken).unwrap();
             for command in [&["fmt", "a.zpg"][..], &["check", "--fix", "a.zpg"]] {

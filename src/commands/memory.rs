@@ -82,7 +82,7 @@ fn number(x: f64) -> String {
 impl Memory {
     /// What is allowed, in bytes.
     fn bytes(self) -> u64 {
-        self.allowed.map_or_else(|| half(), |b| b.0)
+        self.allowed.map_or_else(half, |b| b.0)
     }
 
     fn refused(self, what: &'static str, needed: f64) -> Complaint {

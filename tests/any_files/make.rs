@@ -178,7 +178,7 @@ pub fn file(rng: &mut Rng, pool: &Pool) -> File {
             let mut text = rng.pick(&pool.scenes).clone();
             spoil(rng, &mut text);
             // Where a `#` is lost, most lines may be in comments over several lines.
-            let is_scene = text.matches('#').count() % 2 == 0;
+            let is_scene = text.matches('#').count().is_multiple_of(2);
             File {
                 kind: "a scene of the project",
                 bytes: encode(rng, &text),
