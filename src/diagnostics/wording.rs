@@ -310,9 +310,10 @@ pub fn with_article(name: &str) -> String {
     let word = name.split(' ').next().unwrap_or_default();
     let vowel = if word
         .chars()
+        .take(2)
         .all(|c| c.is_ascii_uppercase() || c.is_ascii_digit())
     {
-        // Capitals are spelled out.
+        // Capitals are spelled out: PNG, SQLite.
         name.starts_with(|c| "AEFHILMNORSX8".contains(c))
     } else {
         // "a union", but "an undefined object".

@@ -113,10 +113,15 @@ fn exact_cases_are_certain() {
     assert_eq!(counts(&square, [1.0 + 2.0 * U, 0.0, 5.0], down), both(0));
     assert_eq!(counts(&square, [-5.0, 0.0, 0.0], [1.0, 0.0, 0.0]), both(0));
     let floor = Primitive::new(&Geometry::HalfSpace([0.0, 1.0, 0.0, 0.0]));
-    for (y, inside) in [(1e-60, false), (0.0, true), (-1e-60, true)] {
+    for (y, inside, lies) in [
+        (1e-60, false, false),
+        (0.0, false, true),
+        (-1e-60, true, false),
+    ] {
         let along = Vec3::new(0.3, 0.0, 0.7);
         let roots = meet::<f64>(&floor, &line(Vec3::new(1.0, y, 2.0), along));
-        assert_eq!((roots.inside, roots.uncertain), (inside, false), "{y}");
+        assert_eq!((roots.inside, roots.uncertain), (inside, lies), "{y}");
+        assert_eq!(roots.along.is_some(), lies);
         assert!(roots.list.is_empty());
     }
     // A touch is none, and a close call.

@@ -437,9 +437,19 @@ impl Revolution {
             let above = self.closely(&path, &mut roots.uncertain);
             let below = self.closely(&path.seams_below(), &mut roots.uncertain);
             roots.list = common(&above, &below);
-            roots.along = Some(Vec3::new(0.0, 1.0, 0.0));
+            if self.has_step(&path) {
+                roots.along = Some(Vec3::new(0.0, 1.0, 0.0));
+            }
         }
         turn_outwards(&mut roots.list);
+    }
+
+    /// Whether a flat part of the surface may be in the level plane of a path.
+    fn has_step<R: Real>(&self, path: &Path<R>) -> bool {
+        self.pieces.iter().any(|piece| {
+            let [from, to] = [piece.from, piece.to].map(|i| self.points[i as usize][1]);
+            from == to && path.may_be_at(from)
+        })
     }
 
     /// Appends the crossings, in order; their faces say whether the line goes against them.

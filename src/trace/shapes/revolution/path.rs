@@ -282,6 +282,11 @@ impl<R: Real> Path<R> {
         }
     }
 
+    /// Whether a level line may be at a height.
+    pub fn may_be_at(&self, y: f64) -> bool {
+        (self.point[1] - R::of(y)).abs() <= self.rounded + self.moved
+    }
+
     /// Whether it is known which of two heights the line reaches first.
     pub fn climbs(&self) -> bool {
         self.along.abs() > self.turned
