@@ -21,6 +21,15 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
     let mut old_ones = old_tokens.iter().filter(matters).peekable();
     let mut new_ones = new_tokens.iter().filter(matters).peekable();
     while let Some(token) = old_ones.next() {
+        if token.kind == TokenKind::DecimalComma && is_two(token, document) {
+            let numbers = token.text(old).split(',');
+            let mut values = numbers.map(|text| text.parse().ok().map(f64::to_bits));
+            let mut next = || new_ones.next()?.number(new).map(f64::to_bits);
+            if !values.all(|value| value.is_some() && value == next()) {
+                return false;
+            }
+            continue;
+        }
         let is_void = token.integer(old) == Some(0);
         let introduces = is_void && old_ones.peek().is_some_and(|next| next.kind.is_comment());
         match new_ones.next_if(|other| is_same((old, token), (new, other))) {
@@ -30,6 +39,13 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
         }
     }
     new_ones.next().is_none()
+}
+
+/// Whether a document takes a number with a comma for two, as in `1,9999 2 0`.
+fn is_two(token: &Token, document: &Document) -> bool {
+    let tokens = &document.tokens;
+    let found = tokens.binary_search_by_key(&token.start, |t| t.start);
+    found.is_ok_and(|i| tokens[i].len < token.len)
 }
 
 fn is_same((old, token): (&str, &Token), (new, other): (&str, &Token)) -> bool {
@@ -110,6 +126,13 @@ mod tests {
             ("2 9 0.1", "2 9 0.1000000000000001", false),
             ("2 <9>, 1;", "2 9 1", true),
             ("2 9 0,5", "2 9 0.5", true),
+            ("2 9 0,5", "2 9 0.50000001", false),
+            ("1,9999 2 0", "1 9999 2 0", true),
+            ("01,9999 2 0", "1 9999 2 0", true),
+            ("1 9999 2,0", "1 9999 2 0", true),
+            ("2,9,\n1,9999\n2,0", "2,9,\n1,9999\n2 0", true),
+            ("1,9999 2 0", "1 999 2 0", false),
+            ("1,9999 2 0", "1 9999 2", false),
             ("2 9 1 0 # a #", "2 9 1 # a #", true),
             ("2 9 1 0 # a #", "2 9 1 0 # a #", true),
             ("2 9 1 0", "2 9 1", false),
