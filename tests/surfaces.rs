@@ -459,6 +459,40 @@ fn rays_between_two_solids_face_to_face() {
             [1.0, 0.0, 0.0],
             (0, false),
         ),
+        // An edge with something in three of its four quarters, in two that are opposite, and a ball that
+        // touches it there.
+        (
+            "2 12 0.5 -2 -1 2.5 -0.5 0.5\n3 1 2 1.5 -0.5 1.5 1\n4 -101 2 3",
+            [-8.5, -0.5, 0.5],
+            [1.0, 0.0, 0.0],
+            (0, false),
+        ),
+        (
+            "2 12 0 0 -1 1 1 1\n3 12 -1 -1 -1 0 0 1\n4 -101 2 3",
+            [0.0, 0.0, -5.0],
+            [0.0, 0.0, 1.0],
+            (0, false),
+        ),
+        (
+            "2 12 0.5 -2 -1 1 0 -0.5\n3 11 1 -0.5 1 1.5\n4 -101 2 3",
+            [1.0, -9.5, -0.5],
+            [0.0, 1.0, 0.0],
+            (0, false),
+        ),
+        // A tool whose rim the line touches, in the plane of its top.
+        (
+            "2 12 -3 -3 -3 3 3 3\n3 1 2 0.5 -0.5 0.5 1\n4 -103 2 3",
+            [-0.5, 1.0, -7.5],
+            [0.0, 0.0, 1.0],
+            (2, false),
+        ),
+        // In the face of a box that begins where something else ends.
+        (
+            "2 4 0 0 -1 -0.5\n3 12 -0.5 0 -0.5 0.5 1 0\n4 -103 2 3",
+            [-0.5, 0.5, -7.5],
+            [0.0, 0.0, 1.0],
+            (1, false),
+        ),
         // What two boxes have in common that touch is nothing.
         (
             "2 12 -1 -1 -1 1 0 1\n3 12 -1 0 -1 1 1 1\n4 -102 2 3",

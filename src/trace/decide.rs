@@ -37,8 +37,8 @@ trait Question {
     /// An answer in another kind of number.
     fn cast<R: Precision>(answer: Self::Answer<Dd>) -> Self::Answer<R>;
 
-    /// The answer about what two rays are both in.
-    fn common<R: Precision>(answers: [Self::Answer<R>; 2]) -> Self::Answer<R>;
+    /// The answer about what two rays are both in. What is no longer than `least`, in t, is nothing.
+    fn common<R: Precision>(answers: [Self::Answer<R>; 2], least: R) -> Self::Answer<R>;
 }
 
 impl<'t, R: Precision> Walkers<'t, R> {
@@ -111,8 +111,9 @@ impl<'t, R: Precision> Walkers<'t, R> {
     }
 }
 
-/// The final answer. Where the ray lies in a flat face, it is within what is on both sides of the face:
-/// a line that lies in a surface does not cross it, and between two boxes face to face is no gap.
+/// The final answer. Where the ray lies in a flat face, it is within what is on all sides of the face:
+/// a line that lies in a surface does not cross it, and between two boxes face to face is no gap. Of four
+/// rays around it, one lies in each quarter of an edge.
 fn settled<Q: Question, R: Precision>(
     question: &Q,
     tracer: &Tracer,
@@ -124,15 +125,25 @@ fn settled<Q: Question, R: Precision>(
         return answer;
     };
     // Far above what double-double rounds, and far below what doubles can tell.
-    let shift =
-        along.normal.cast::<R>() * (R::of(along.reach) * R::ROUNDOFF.sqrt() * R::of(BESIDE));
-    let answers = [shift, -shift].map(|shift| {
-        let mut beside = *ray;
-        beside.line.origin = ray.line.origin + shift;
-        asked_closely(question, tracer, walker, &beside)
-    });
+    let by = along.reach * R::ROUNDOFF.sqrt().to_f64() * BESIDE;
+    // Nearly as long as the normal: no usual slope is between them.
+    let aside = along.normal.cross(ray.line.direction.cast().unit()).unit() * 0.9;
+    let shifts = [along.normal + aside, along.normal - aside];
+    let mut answers = shifts
+        .into_iter()
+        .flat_map(|shift| [shift, -shift])
+        .map(|shift| {
+            let mut beside = *ray;
+            beside.line.origin = ray.line.origin + (shift * by).cast::<R>();
+            asked_closely(question, tracer, walker, &beside)
+        });
+    let first = answers.next().unwrap_or(answer);
+    // A curved surface that the ray touches goes in between for less than this.
+    let length = ray.line.direction.length();
+    let least = R::of(4.0 * (along.reach * by).sqrt()) / length;
+    let answer = answers.fold(first, |a, b| Q::common([a, b], least));
     walker.verdict.uncertain = true;
-    Q::common(answers)
+    answer
 }
 
 /// How far beside a face a ray is asked about that lies in it, in parts of the root of the unit
@@ -230,7 +241,7 @@ impl<const GLASS: bool> Question for FirstHit<GLASS> {
     }
 
     /// The later of the two: before that the ray is not in both.
-    fn common<R: Precision>([a, b]: [Option<Hit<R>>; 2]) -> Option<Hit<R>> {
+    fn common<R: Precision>([a, b]: [Option<Hit<R>>; 2], _: R) -> Option<Hit<R>> {
         let (a, b) = (a?, b?);
         Some(if b.t > a.t { b } else { a })
     }
@@ -251,7 +262,7 @@ impl Question for Holds {
         answer
     }
 
-    fn common<R: Precision>([a, b]: [bool; 2]) -> bool {
+    fn common<R: Precision>([a, b]: [bool; 2], _: R) -> bool {
         a && b
     }
 }
@@ -275,8 +286,8 @@ impl Question for Meets {
         answer.cast()
     }
 
-    fn common<R: Precision>([a, b]: [Probe<R>; 2]) -> Probe<R> {
-        a.common(b)
+    fn common<R: Precision>([a, b]: [Probe<R>; 2], least: R) -> Probe<R> {
+        a.common(b, least)
     }
 }
 
@@ -323,7 +334,7 @@ impl<const GLASS: bool> Question for Visibility<GLASS> {
     }
 
     /// Light that gets by on either side gets by.
-    fn common<R: Precision>([a, b]: [Vec3; 2]) -> Vec3 {
+    fn common<R: Precision>([a, b]: [Vec3; 2], _: R) -> Vec3 {
         a.zip(b, f64::max)
     }
 }

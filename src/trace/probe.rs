@@ -53,8 +53,9 @@ impl<R: Precision> Probe<R> {
 }
 
 impl<R: Precision> Probe<R> {
-    /// What two rays that run side by side, closer than doubles can tell, are both in.
-    pub(super) fn common(self, other: Probe<R>) -> Probe<R> {
+    /// What two rays that run side by side, closer than doubles can tell, are both in. What is no longer
+    /// than `least`, in t, is nothing.
+    pub(super) fn common(self, other: Probe<R>, least: R) -> Probe<R> {
         let mut inside = [self.inside_at_origin, other.inside_at_origin];
         let mut rest = [self.crossings, other.crossings].map(|c| c.into_iter().peekable());
         let mut common = Probe {
@@ -92,6 +93,14 @@ impl<R: Precision> Probe<R> {
             // A sheet, or the boundary between two media, is there if it is on both sides.
             if before != after {
                 let entering = Some(after);
+                // What begins and ends in one place is between surfaces that meet there.
+                let ends = |last: &mut Crossing<R>| {
+                    let short = crossing.hit.t - last.hit.t <= least;
+                    last.entering == Some(before) && (short || !apart(last, &crossing))
+                };
+                if common.crossings.pop_if(ends).is_some() {
+                    continue;
+                }
                 common.crossings.push(Crossing {
                     entering,
                     ..crossing
