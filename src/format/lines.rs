@@ -68,7 +68,7 @@ impl<'a> Printer<'a> {
     /// Prints a chunk.
     pub fn chunk(&mut self, chunk: &Chunk<'a>, wanted: bool) {
         let mut lines = std::mem::take(&mut self.lines);
-        set_lines(&mut lines, chunk);
+        set_lines(&mut lines, chunk, &self.context);
         let spoken_to = self.spoken_to || self.speaks(chunk);
         self.spoken_to = spoken_to && !lines.iter().any(Line::is_record);
         if chunk.is_frozen() || self.has_to_stay(chunk, &lines, spoken_to) {
@@ -172,8 +172,9 @@ impl Line<'_> {
 }
 
 /// The lines a chunk becomes. Comments before the first item stay before it, others stay behind the
-/// item they follow. A `0` at the end that merely introduces a comment behind a record goes.
-fn set_lines<'a>(lines: &mut Vec<Line<'a>>, chunk: &Chunk<'a>) {
+/// item they follow. A `0` at the end that merely introduces a comment behind a record goes; a `-0` is
+/// no such sign.
+fn set_lines<'a>(lines: &mut Vec<Line<'a>>, chunk: &Chunk<'a>, context: &Context) {
     lines.clear();
     let last_item = (chunk.elements.iter()).rposition(|e| !matches!(e.piece, Piece::Comment));
     for (i, element) in chunk.elements.iter().enumerate() {
@@ -182,7 +183,11 @@ fn set_lines<'a>(lines: &mut Vec<Line<'a>>, chunk: &Chunk<'a>) {
             Piece::Comment | Piece::Unread => None,
             Piece::Item(item) => Some(item),
         };
-        let introduces = matches!(item, Some(Item::Void { .. }))
+        let is_zero = |token: u32| {
+            let token = &context.document.tokens[token as usize];
+            !token.text(context.text).starts_with('-')
+        };
+        let introduces = matches!(item, Some(Item::Void { token }) if is_zero(*token))
             && Some(i) == last_item
             && i + 1 < chunk.elements.len();
         match lines.last_mut() {

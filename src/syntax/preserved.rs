@@ -21,7 +21,10 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
     let mut old_ones = old_tokens.iter().filter(matters).peekable();
     let mut new_ones = new_tokens.iter().filter(matters).peekable();
     while let Some(token) = old_ones.next() {
-        if token.kind == TokenKind::DecimalComma && is_two(token, document) {
+        let stays = new_ones
+            .peek()
+            .is_some_and(|other| other.text(new) == token.text(old));
+        if token.kind == TokenKind::DecimalComma && !stays && is_two(token, document) {
             let numbers = token.text(old).split(',');
             let mut values = numbers.map(|text| text.parse().ok().map(f64::to_bits));
             let mut next = || new_ones.next()?.number(new).map(f64::to_bits);
@@ -30,7 +33,7 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
             }
             continue;
         }
-        let is_void = token.integer(old) == Some(0);
+        let is_void = token.integer(old) == Some(0) && !token.text(old).starts_with('-');
         let introduces = is_void && old_ones.peek().is_some_and(|next| next.kind.is_comment());
         match new_ones.next_if(|other| is_same((old, token), (new, other))) {
             Some(_) => {}
@@ -132,10 +135,18 @@ mod tests {
             ("1 9999 2,0", "1 9999 2 0", true),
             ("2,9,\n1,9999\n2,0", "2,9,\n1,9999\n2 0", true),
             ("1,9999 2 0", "1 999 2 0", false),
+            // Taken for two numbers, beside what is taken for none, and left as it is.
+            ("4 12 0,5 7 1.2.3 1 2 3", "4 12 0,5 7 1.2.3 1 2 3", true),
+            (
+                "4 12 0,5 7 -4 -6 20 # 20 20 0 # a #\n0 # b #",
+                "4 12 0,5 7 -4 -6 20 # 20 20 0 # a #\n\n0 # b #",
+                true,
+            ),
             ("1,9999 2 0", "1 9999 2", false),
             ("2 9 1 0 # a #", "2 9 1 # a #", true),
             ("2 9 1 0 # a #", "2 9 1 0 # a #", true),
             ("2 9 1 0", "2 9 1", false),
+            ("2 9 1 -0 # a #", "2 9 1 # a #", false),
             ("2 9 1 # a #", "2 9 1 0 # a #", false),
             ("2 9 1 # a #", "2 9 1 # a  #", false),
             ("2 9 1 # a #", "2 9 1", false),

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::worse::{harms, has_new_errors, weight};
 use crate::commands::Loaded;
 use crate::diagnostics::{Applicability, Edit, Fix, SourceFile, fixes};
-use crate::syntax::preserved;
+use crate::syntax::{preserved, recognise};
 
 /// How many bytes are read in all for fixes that turn out to do harm, and how often a scene is read
 /// again for them at the least and at the most.
@@ -22,8 +22,8 @@ pub struct Mended {
     pub rounds: Vec<Vec<Edit>>,
 }
 
-/// Applies fixes as long as that makes a scene check better and leaves every token outside of their
-/// edits as it was. `again` reads the scene with another text. Fixes that were tried and refused are
+/// Applies fixes as long as that makes a scene check better, leaves every token outside of their
+/// edits as it was, and leaves a scene. `again` reads the scene with another text. Fixes that were tried and refused are
 /// offered no more.
 ///
 /// Each step has fewer errors, or as many and fewer malformed tokens, and so on: it comes to an end.
@@ -99,6 +99,7 @@ fn step(
                 && !harms
                 && !has_new_errors(before, &fixed)
                 && leaves_the_rest(loaded, &edits, &fixed)
+                && recognise::is_scene(&fixed.source)
             {
                 best = Some(Step {
                     loaded: fixed,
@@ -152,6 +153,17 @@ mod tests {
         // What cannot be mended stays byte for byte.
         let broken = "2 9 # of what size? #\n1 9999 2 0\n";
         assert_eq!(fixed(broken, true), (broken.to_owned(), 0));
+    }
+
+    /// Lines that begin with `;` count for nothing, and those that begin with words are none of a scene.
+    #[test]
+    fn what_is_left_is_a_scene() {
+        let prose = "; replace it with the";
+        assert_eq!(fixed(prose, true), (prose.to_owned(), 0));
+        let records = "2 9 1;\n; 3 9 1;\n1 9999 2 0\n";
+        let mended = "2 9 1\n 3 9 1\n1 9999 2 0\n";
+        // The marks of one line are one finding.
+        assert_eq!(fixed(records, true), (mended.to_owned(), 2));
     }
 
     #[test]
