@@ -5,6 +5,7 @@
 //! - [`diagnostics`]: findings with stable codes, spans, fixes; printed for people and machines.
 //! - [`syntax`]: bytes to tokens to a typed tree. `syntax/table.rs` is *the* table of record types.
 //! - [`mod@format`]: the pretty-printer; it needs the syntax alone.
+//! - [`geometry`]: numbers, vectors, maps, boxes and their hierarchies; it knows nothing of scenes.
 //! - [`scene`]: the tree read as a program of assignments: nodes in an arena, lights, cameras.
 //! - [`solids`]: what is true of solids without a ray.
 //! - [`trace`]: the reference ray tracer.
@@ -19,6 +20,7 @@ pub mod commands;
 pub mod config;
 pub mod diagnostics;
 pub mod format;
+pub mod geometry;
 pub mod lint;
 pub mod scene;
 pub mod solids;

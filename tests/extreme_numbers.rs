@@ -7,9 +7,9 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
 use std::sync::atomic::{AtomicU32, Ordering};
 use zpg::commands::Loaded;
-use zpg::trace::dd::Dd;
+use zpg::geometry::dd::Dd;
+use zpg::geometry::vec::Vec3;
 use zpg::trace::precision::Precision;
-use zpg::trace::vec::Vec3;
 use zpg::trace::{Numbers, Ray, Settings, Tracer, selected_camera};
 
 /// From 5e-324 to the largest double, small numbers and zero among them.

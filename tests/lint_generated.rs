@@ -6,9 +6,10 @@ pub mod scenes;
 use crate::campaign::rng::Rng;
 use zpg::commands::Loaded;
 use zpg::diagnostics::{Applicability, Code, Diagnostic, Value, fixes};
+use zpg::geometry::Aabb;
+use zpg::geometry::vec::Vec3;
 use zpg::scene::bounds::node_bounds;
-use zpg::scene::{Aabb, Node, NodeId, Scene, Volume};
-use zpg::trace::vec::Vec3;
+use zpg::scene::{Node, NodeId, Scene, Volume};
 use zpg::trace::{Images, Ray, Settings, Tracer, members, selected_camera};
 
 const SCENES: u64 = 500;

@@ -4,9 +4,10 @@
 
 use zpg::commands::Loaded;
 use zpg::diagnostics::{Code, Diagnostic, Value};
+use zpg::geometry::vec::Vec3;
+use zpg::geometry::{Aabb, Matrix};
 use zpg::scene::bounds::node_bounds;
-use zpg::scene::{Aabb, Matrix, NodeId, Scene};
-use zpg::trace::vec::Vec3;
+use zpg::scene::{NodeId, Scene};
 use zpg::trace::{Images, Ray, Tracer, members};
 
 use crate::campaign::rng::Rng;

@@ -6,8 +6,8 @@ use crate::campaign::rng::Rng;
 use crate::lint_generated::scenes;
 use crate::support::seeds;
 use zpg::commands::Loaded;
+use zpg::geometry::vec::Vec3;
 use zpg::scene::Scene;
-use zpg::trace::vec::Vec3;
 use zpg::trace::{Images, Tracer, members};
 use zpg::translate::mesh::{Mesh, Model, Options, model, report};
 

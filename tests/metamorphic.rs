@@ -2,7 +2,7 @@
 
 use crate::campaign::rng::Rng;
 use zpg::commands::Loaded;
-use zpg::scene::Matrix;
+use zpg::geometry::Matrix;
 use zpg::trace::{Settings, Tracer, selected_camera};
 
 fn text(numbers: &[f64]) -> String {

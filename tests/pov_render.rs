@@ -5,9 +5,10 @@ use crate::support;
 use support::make::Make;
 use support::naive::Naive;
 use support::povray;
+use zpg::geometry::Matrix;
 use zpg::scene::bounds::node_bounds;
 use zpg::scene::frame::automatic_camera;
-use zpg::scene::{Camera, Matrix, Scene, Texture, View};
+use zpg::scene::{Camera, Scene, Texture, View};
 use zpg::trace::{Settings, Tracer};
 use zpg::translate::pov::{self, Options, Stereo, Translation};
 

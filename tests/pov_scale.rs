@@ -3,7 +3,8 @@
 use std::time::{Duration, Instant};
 
 use zpg::diagnostics::Span;
-use zpg::scene::{Geometry, Matrix, Node, NodeId, Optics, Paint, Render, Scene, Shape, Texture};
+use zpg::geometry::Matrix;
+use zpg::scene::{Geometry, Node, NodeId, Optics, Paint, Render, Scene, Shape, Texture};
 use zpg::syntax::table::RecordType;
 use zpg::translate::pov::{self, Options};
 

@@ -7,8 +7,8 @@ use crate::campaign::rng::Rng;
 use crate::support::compare::compare;
 use crate::support::seeds;
 use zpg::commands::Loaded;
+use zpg::geometry::vec::Vec3;
 use zpg::trace::members;
-use zpg::trace::vec::Vec3;
 use zpg::translate::{Fidelity, pov};
 
 fn load(text: &str) -> Loaded {

@@ -7,8 +7,9 @@ use crate::exact::algebra::{Q, q, to_f64};
 use std::process::Command;
 use zpg::commands::Loaded;
 use zpg::diagnostics::Code;
+use zpg::geometry::Matrix;
 use zpg::scene::sight::{Blind, Sight};
-use zpg::scene::{Camera, Matrix, Rgb};
+use zpg::scene::{Camera, Rgb};
 use zpg::trace::camera::View;
 use zpg::trace::{Settings, Tracer};
 

@@ -3,13 +3,15 @@
 
 use crate::trace_support;
 use trace_support::Random;
-use zpg::scene::{Geometry, Matrix};
-use zpg::trace::affine::Affine;
-use zpg::trace::dd::Dd;
-use zpg::trace::number::Real;
-use zpg::trace::ray::{Line, Slack};
+use zpg::geometry::Matrix;
+use zpg::geometry::affine::Affine;
+use zpg::geometry::affine::Slack;
+use zpg::geometry::dd::Dd;
+use zpg::geometry::line::{Line, Traced};
+use zpg::geometry::number::Real;
+use zpg::geometry::vec::Vec3;
+use zpg::scene::Geometry;
 use zpg::trace::shapes::{Primitive, Root, Roots};
-use zpg::trace::vec::Vec3;
 
 /// Hard lines a kind of shape and a test; as many as the variable says for a longer look.
 fn lines() -> usize {
@@ -157,7 +159,7 @@ fn sample(kind: usize, r: &mut Random) -> Sample {
     }
 }
 
-fn crossings<R: Real>(shape: &Primitive, line: &Line<R>) -> Roots<R> {
+fn crossings<R: Traced>(shape: &Primitive, line: &Line<R>) -> Roots<R> {
     let mut roots = Roots::default();
     shape.intersect().crossings(line, &mut roots);
     assert!(roots.list.iter().all(|root| root.t.is_finite()));
@@ -165,7 +167,7 @@ fn crossings<R: Real>(shape: &Primitive, line: &Line<R>) -> Roots<R> {
     roots
 }
 
-fn cast<R: Real>(line: &Line) -> Line<R> {
+fn cast<R: Traced>(line: &Line) -> Line<R> {
     Line::new(line.origin.cast(), line.direction.cast())
 }
 
@@ -412,7 +414,9 @@ fn stray(line: Line, origin: f64) -> Line {
         origin,
         direction: 0.0,
     };
-    Line { slack, ..line }
+    let mut line = line;
+    line.slack = slack;
+    line
 }
 
 /// The bounds at their edge: within some units in the last place of where the answer changes there

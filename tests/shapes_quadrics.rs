@@ -3,14 +3,15 @@
 
 use crate::trace_support;
 use trace_support::*;
-use zpg::scene::{Geometry, Matrix};
+use zpg::geometry::Matrix;
+use zpg::geometry::dd::Dd;
+use zpg::geometry::line::{Line, Traced};
+use zpg::geometry::number::Real;
+use zpg::geometry::vec::Vec3;
+use zpg::scene::Geometry;
 use zpg::trace::Ray;
-use zpg::trace::dd::Dd;
-use zpg::trace::number::Real;
-use zpg::trace::ray::Line;
 use zpg::trace::shapes::quadric::{cone::Cone, ellipsoid::Ellipsoid};
 use zpg::trace::shapes::{Intersect, Primitive, Roots};
-use zpg::trace::vec::Vec3;
 
 /// Negative inside, positive outside: the definition of each shape as the language gives it.
 fn value(geometry: &Geometry, p: Vec3<Dd>) -> Dd {
@@ -52,7 +53,7 @@ fn value(geometry: &Geometry, p: Vec3<Dd>) -> Dd {
     }
 }
 
-fn crossings<R: Real>(geometry: &Geometry, line: &Line<R>) -> Roots<R> {
+fn crossings<R: Traced>(geometry: &Geometry, line: &Line<R>) -> Roots<R> {
     let mut roots = Roots::default();
     match *geometry {
         Geometry::Ellipsoid { semi_axes } => Ellipsoid::new(semi_axes).crossings(line, &mut roots),
@@ -69,7 +70,7 @@ fn crossings<R: Real>(geometry: &Geometry, line: &Line<R>) -> Roots<R> {
     roots
 }
 
-fn line<R: Real>(o: [f64; 3], d: [f64; 3]) -> Line<R> {
+fn line<R: Traced>(o: [f64; 3], d: [f64; 3]) -> Line<R> {
     Line::new(Vec3(o.map(R::of)), Vec3(d.map(R::of)))
 }
 
@@ -547,9 +548,9 @@ fn an_unbounded_quadric_holds_what_it_should() {
 /// inverse: they cross nothing, and are inside or not by where they start.
 #[test]
 fn generators_of_turned_cylinders() {
-    use zpg::scene::Matrix;
-    use zpg::trace::affine::Affine;
-    use zpg::trace::dd::Dd;
+    use zpg::geometry::Matrix;
+    use zpg::geometry::affine::Affine;
+    use zpg::geometry::dd::Dd;
     let shape = Primitive::new(&Geometry::HyperbolicCylinder {
         a: 0.9630584716796875,
         b: 0.15234375,

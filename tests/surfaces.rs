@@ -4,10 +4,10 @@
 use crate::campaign::rng::Rng;
 use crate::exact::algebra::{Q, q};
 use zpg::commands::Loaded;
+use zpg::geometry::dd::Dd;
+use zpg::geometry::vec::Vec3;
 use zpg::scene::Scene;
-use zpg::trace::dd::Dd;
 use zpg::trace::precision::Precision;
-use zpg::trace::vec::Vec3;
 use zpg::trace::{Ray, Tracer, members};
 
 fn scene(text: &str) -> Scene {

@@ -3,6 +3,7 @@
 use crate::trace_support;
 use std::time::Instant;
 use trace_support::*;
+use zpg::geometry::Matrix;
 use zpg::scene::*;
 
 fn save(name: &str, scene: &Scene, settings: &zpg::trace::Settings) {
@@ -246,7 +247,7 @@ fn a_checkerboard_by_arithmetic() {
 #[test]
 fn refraction_through_a_sphere_by_snell() {
     // A glass ball before a background of planes: follow the same ray by trigonometry.
-    use zpg::trace::vec::Vec3;
+    use zpg::geometry::vec::Vec3;
     use zpg::trace::{Ray, Tracer};
     let mut b = Builder::default();
     let ball = b.sphere(0.0, 0.0, 0.0, 1.0);
@@ -331,8 +332,8 @@ fn touching_glass_is_one_block() {
         let root = b.union(left, right);
         let tracer = b.tracer(root);
         let mut walker = tracer.walker();
+        use zpg::geometry::vec::Vec3;
         use zpg::trace::Ray;
-        use zpg::trace::vec::Vec3;
         let start = turn.point([-3.0, 0.2, 0.1]);
         let d = turn.vector([1.0, r.within(-0.4, 0.4), r.within(-0.4, 0.4)]);
         let mut ray = Ray::new(start.into(), Vec3::from(d).unit());
@@ -388,8 +389,8 @@ fn the_region_that_is_drawn_cuts() {
     scene.render.as_mut().unwrap().clip = Some(([-2.0, -2.0, -2.0], [2.0, 2.0, 0.0]));
     let tracer = zpg::trace::Tracer::new(&scene).unwrap();
     let mut walker = tracer.walker();
+    use zpg::geometry::vec::Vec3;
     use zpg::trace::Ray;
-    use zpg::trace::vec::Vec3;
     let ray = Ray::new(Vec3::new(0.1, 0.0, 5.0), Vec3::new(0.0, 0.0, -1.0));
     let hit = tracer.hit(&mut walker, &ray).unwrap();
     // The front half is cut away: the ray meets the back of the large ball from inside, and what

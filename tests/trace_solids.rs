@@ -2,8 +2,9 @@
 
 use crate::trace_support;
 use trace_support::*;
+use zpg::geometry::Matrix;
+use zpg::geometry::vec::Vec3;
 use zpg::scene::*;
-use zpg::trace::vec::Vec3;
 use zpg::trace::{Ray, Tracer};
 
 /// Whether a point is in a node, from the definition of each shape and operation.

@@ -5,8 +5,9 @@ use super::trace_support::{Builder, Random, optics, small};
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 use zpg::commands::Loaded;
+use zpg::geometry::Matrix;
 use zpg::scene::frame::selected_cameras;
-use zpg::scene::{Geometry, Matrix, NodeId, Paint, Scene, Texture};
+use zpg::scene::{Geometry, NodeId, Paint, Scene, Texture};
 use zpg::trace::plan::{Effect, Plan};
 use zpg::trace::{Images, Numbers, Settings, Tracer};
 

@@ -15,7 +15,8 @@ mod solid;
 use number::{Ray, V, add, cross, dot, scale, sub, unit, vector};
 use rayon::prelude::*;
 use solid::{Hit, Solids};
-use zpg::scene::{Camera, DEFAULT_COLOUR, DEFAULT_INDEX, Matrix, Optics, Scene, Texture};
+use zpg::geometry::Matrix;
+use zpg::scene::{Camera, DEFAULT_COLOUR, DEFAULT_INDEX, Optics, Scene, Texture};
 
 pub use number::Number;
 

@@ -6,9 +6,9 @@ use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use serde::{Serialize, Serializer};
 
+use crate::geometry::dd::Dd;
+use crate::geometry::number::Real;
 use crate::trace::Numbers;
-use crate::trace::dd::Dd;
-use crate::trace::number::Real;
 use crate::trace::precision::Precision;
 
 impl ValueEnum for Numbers {

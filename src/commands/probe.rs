@@ -14,11 +14,11 @@ use super::size::Size;
 use super::terminal::print;
 use super::{Loaded, LookChoice, Needs, Status, complain, load_for, report};
 use crate::diagnostics::{Complaint, Diagnostic, Span, Value};
+use crate::geometry::dd::Dd;
+use crate::geometry::vec::Vec3;
 use crate::scene::{Camera, Render, Scene};
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
-use crate::trace::dd::Dd;
-use crate::trace::vec::Vec3;
 use crate::trace::{
     Crop, Images, Numbers, Ray, Settings, Tracer, Unanswered, Unsupported, members, selected_camera,
 };

@@ -1,7 +1,8 @@
 //! Where the nodes of a scene can be: boxes that are never too small.
 
-use super::vector::length;
-use super::{Aabb, Geometry, Matrix, Node, Scene, Vec3};
+use super::{Geometry, Node, Scene, Vec3};
+use crate::geometry::array::length;
+use crate::geometry::{Aabb, Matrix};
 
 /// The bounds of a node, in its own coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,11 +67,7 @@ pub fn node_bounds(scene: &Scene) -> Vec<NodeBounds> {
 }
 
 fn finite_part(all: Aabb) -> Aabb {
-    if all.is_finite() && !all.is_empty() {
-        all
-    } else {
-        Aabb::EMPTY
-    }
+    if all.is_bounded() { all } else { Aabb::EMPTY }
 }
 
 /// Profiles longer than this are bounded before they are moved, to keep the work linear.
@@ -167,7 +164,7 @@ impl Hull<'_> {
             std::array::from_fn(|i| c[i] - reach[i]),
             std::array::from_fn(|i| c[i] + reach[i]),
         );
-        self.out = self.out.hull(&around.padded(magnitude));
+        self.out = self.out.hull(&around.padded_by(magnitude));
     }
 }
 
@@ -183,7 +180,7 @@ fn plane_bounds(p: &[f64; 4], surface: bool) -> Aabb {
             if surface || p[i] < 0.0 {
                 all.min[i] = at;
             }
-            return all.padded([at.abs(); 3]);
+            return all.padded_by([at.abs(); 3]);
         }
     }
     all

@@ -1,9 +1,10 @@
 //! Cameras and transformation records.
 
 use super::record::Params;
-use super::vector::{cross, unit};
-use super::{Camera, Matrix, Vec3, exact, geometry};
+use super::{Camera, Vec3, geometry};
 use crate::diagnostics::{Code, Diagnostic};
+use crate::geometry::array::{cross, unit};
+use crate::geometry::{Matrix, exact};
 
 /// The camera of a -501 record.
 pub fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {

@@ -2,8 +2,9 @@
 
 use super::record::Params;
 use super::sight::{Blind, Sight};
-use super::{Geometry, Matrix, TriangleNormals};
+use super::{Geometry, TriangleNormals};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use crate::geometry::Matrix;
 
 /// The geometry of a shape record; findings go to `out`. A value comes back even so, where one can
 /// be made.

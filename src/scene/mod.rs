@@ -6,33 +6,26 @@
 //! Shared operands are shared nodes; nothing is ever copied or expanded, and children always have
 //! smaller indices than their parents.
 
-pub mod aabb;
 pub mod bounds;
 mod camera;
 mod change;
 mod define;
 mod entity;
-pub mod exact;
 pub mod frame;
 mod geometry;
-pub mod icosahedron;
 pub(crate) mod image_file;
-pub mod matrix;
 mod proposals;
 pub(crate) mod record;
 mod references;
 mod resolve;
 pub mod sight;
-pub mod sign;
-pub mod vector;
 
-pub use aabb::Aabb;
-pub use matrix::Matrix;
 pub use resolve::resolve;
 
 use rustc_hash::FxHashMap;
 
 use crate::diagnostics::Span;
+use crate::geometry::Matrix;
 use crate::syntax::table::{Kind, RecordType};
 
 pub type Vec3 = [f64; 3];

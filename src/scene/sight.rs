@@ -13,8 +13,9 @@
 //!
 //! Everything that decides is computed exactly, in big numbers.
 
-use super::sign::{Exact, Scalar};
-use super::{Matrix, Vec3};
+use super::Vec3;
+use crate::geometry::Matrix;
+use crate::geometry::sign::{Exact, Scalar};
 
 /// Coefficients of 1, x and y, for picture coordinates from −1 to 1, x to the right and y up.
 type Linear<const N: usize> = [[f64; N]; 3];

@@ -3,7 +3,7 @@
 
 use dashu_int::IBig;
 
-use crate::scene::exact::{sign, whole};
+use crate::geometry::exact::{sign, whole};
 
 /// What the set xᵀQx ≤ 0 is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,8 @@
 //! The facets of a geodesic sphere.
 
-use crate::scene::vector::{cross, dot, unit};
-use crate::scene::{Vec3, icosahedron};
+use crate::geometry::array::{cross, dot, unit};
+use crate::geometry::icosahedron;
+use crate::scene::Vec3;
 
 /// The corners of the facet that a direction goes through, of the sphere of radius 1.
 pub fn facet(d: Vec3, splits: u32) -> [Vec3; 3] {

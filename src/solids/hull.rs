@@ -106,8 +106,8 @@ fn is_convex_profile(profile: &[[f64; 2]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::{Aabb, Matrix};
     use crate::scene::bounds::shape_bounds;
-    use crate::scene::{Aabb, Matrix};
 
     #[test]
     fn profiles() {

@@ -2,7 +2,7 @@
 
 use super::distance;
 use super::facet::facet;
-use crate::scene::vector::{cross, dot, sub, unit};
+use crate::geometry::array::{cross, dot, sub, unit};
 use crate::scene::{Geometry, Vec3};
 
 /// The ball that a geodesic sphere holds, as a share of its circumscribed one: that of the least of all,

@@ -7,9 +7,10 @@
 
 use super::hull::{ball_hull, hull, is_convex};
 use super::point::{HELD_BY_GEODESIC, in_shape};
+use crate::geometry::array::length;
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::shape_bounds;
-use crate::scene::vector::length;
-use crate::scene::{Aabb, Geometry, Matrix, Vec3};
+use crate::scene::{Geometry, Vec3};
 
 /// What must lie apart or within by this share of its size and place: more than the rounding of any
 /// test of a point, and of the matrices before it.

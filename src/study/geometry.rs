@@ -8,8 +8,9 @@ use rustc_hash::FxHashMap;
 use serde::Serialize;
 
 use super::mitsuba::CHANNELS;
-use crate::scene::vector::{dot, sub};
-use crate::scene::{Aabb, Camera, Vec3};
+use crate::geometry::Aabb;
+use crate::geometry::array::{dot, sub};
+use crate::scene::{Camera, Vec3};
 use crate::trace::camera::View;
 use crate::trace::ray::Ray;
 use crate::trace::{Tracer, Walkers};

@@ -13,7 +13,7 @@
 //!
 //! Errors are in linear RGB, of the channel where they are largest.
 
-use super::vec::Vec3;
+use crate::geometry::vec::Vec3;
 
 /// Samples of a batch, and of a pixel where there is nothing to be seen.
 pub const FIRST: u32 = 4;

@@ -1,7 +1,7 @@
 //! From pixels to rays.
 
 use super::ray::Ray;
-use super::vec::Vec3;
+use crate::geometry::vec::Vec3;
 use crate::scene::Camera;
 use crate::scene::frame::Basis;
 use crate::scene::sight::Sight;

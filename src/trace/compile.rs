@@ -15,7 +15,8 @@ use super::intern::Interner;
 use super::plan::unseen::LeftOut;
 use super::shapes::Primitive;
 use super::{Images, Unsupported};
-use crate::scene::{Matrix, Node, NodeId, Scene, Texture};
+use crate::geometry::Matrix;
+use crate::scene::{Node, NodeId, Scene, Texture};
 use std::collections::HashMap;
 
 /// Builds the graph of what is reachable from `root`, past what is left out.

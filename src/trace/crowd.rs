@@ -2,8 +2,9 @@
 //! ray enters every object on its way, and remembers it.
 
 use super::graph::{Graph, Operation, Target};
-use super::vec::Vec3;
 use super::walk::Context;
+use crate::geometry::affine::Placement;
+use crate::geometry::vec::Vec3;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A ray may need so many bytes if nothing else is said.
@@ -121,9 +122,9 @@ impl Graph {
         // The placements on the way, the innermost last.
         let mut way = Vec::new();
         while points.len() < POINTS {
-            let mut centre = self.objects[object as usize].bounds.centre();
+            let mut centre = Vec3(self.objects[object as usize].bounds.centre());
             for &placement in way.iter().rev() {
-                let placement: &super::affine::Placement = &self.placements[placement as usize];
+                let placement: &Placement = &self.placements[placement as usize];
                 centre = placement.out.point(centre);
             }
             if centre.is_finite() {

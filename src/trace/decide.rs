@@ -2,7 +2,6 @@
 //! one cannot decide, one in double-double.
 
 use super::Tracer;
-use super::dd::Dd;
 use super::hit::Hit;
 use super::nearest::Search;
 use super::precision::{Doubt, Precision};
@@ -10,8 +9,9 @@ use super::probe::Probe;
 use super::ray::Ray;
 use super::spans::Kind;
 use super::stats::{Intersections, Work};
-use super::vec::Vec3;
 use super::walk::{Verdict, Walker};
+use crate::geometry::dd::Dd;
+use crate::geometry::vec::Vec3;
 
 /// The scratch of one thread.
 pub struct Walkers<'t, R: Precision = f64> {

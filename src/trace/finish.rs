@@ -1,10 +1,10 @@
 //! The last pass of compiling: from drafts to objects with bounds and trees.
 
 use super::Unsupported;
-use super::bounds::Bounds;
-use super::bvh::Bvh;
 use super::compile::{Compiler, Draft, Kind, outermost};
 use super::graph::{Coat, Graph, Group, Holds, Object, Operation, Part, Target};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::bvh::Bvh;
 use std::collections::HashSet;
 
 /// What became of a draft.
@@ -119,9 +119,9 @@ impl Compiler<'_> {
                     _ => {}
                 }
             }
-            let mut bounds = Bounds::EMPTY;
+            let mut bounds = Aabb::EMPTY;
             for part in &first {
-                bounds = bounds.union(&self.bounds(part));
+                bounds = bounds.hull(&self.bounds(part));
             }
             let holds = self.holds(&first);
             let group = self.group(first);
@@ -132,7 +132,7 @@ impl Compiler<'_> {
                 holds,
             });
         }
-        let mut bounds = Bounds::EVERYTHING;
+        let mut bounds = Aabb::ALL;
         for part in &first {
             bounds = bounds.intersection(&self.bounds(part));
         }
@@ -190,9 +190,9 @@ impl Compiler<'_> {
     }
 
     /// A box around a part, in the space of the object it belongs to.
-    fn bounds(&self, part: &Part) -> Bounds {
+    fn bounds(&self, part: &Part) -> Aabb {
         if part.inverted {
-            return Bounds::EVERYTHING;
+            return Aabb::ALL;
         }
         let own = match part.target {
             Target::Shape(p) => self.graph.primitives[p as usize].shape().bounds(),
@@ -221,7 +221,7 @@ impl Compiler<'_> {
         let (mut loose, mut boxes) = (Vec::new(), Vec::with_capacity(parts.size_hint().0));
         for (i, part) in parts {
             let bounds = self.bounds(part);
-            if bounds.is_finite() {
+            if bounds.is_bounded() {
                 boxes.push((i, bounds));
             } else {
                 loose.push(i);

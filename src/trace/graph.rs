@@ -3,13 +3,14 @@
 //! Complements have been driven down to the shapes, chains of one operation flattened, and each
 //! chain of transformations and properties above a part folded into one placement and one paint.
 
-use super::affine::Placement;
-use super::bounds::Bounds;
-use super::bvh::Bvh;
 use super::crowd::Room;
 use super::image::Bitmap;
 use super::shapes::Primitive;
-use crate::scene::{Matrix, Optics, Rgb, Texture};
+use crate::geometry::Matrix;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::affine::Placement;
+use crate::geometry::bvh::Bvh;
+use crate::scene::{Optics, Rgb, Texture};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -115,7 +116,7 @@ pub enum Operation {
 pub struct Object {
     pub operation: Operation,
     /// Holds the object.
-    pub bounds: Bounds,
+    pub bounds: Aabb,
     /// The largest coordinate, in size, of its parts that are in a tree.
     pub reach: f64,
     pub holds: Holds,

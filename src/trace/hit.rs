@@ -2,12 +2,13 @@
 
 use super::nearest::Search;
 use super::precision::{Doubt, Precision};
-use super::ray::{Left, Line, Ray};
+use super::ray::{Left, Ray};
 use super::shapes::Root;
 use super::shapes::support::Passage;
 use super::spans::{Kind, State};
-use super::vec::Vec3;
 use super::walk::{Leaf, Walker};
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture};
 
 /// A point of a visible surface, in the scene's space.

@@ -1,7 +1,7 @@
 //! Pictures that lie on surfaces.
 
-use super::vec::Vec3;
 use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::geometry::vec::Vec3;
 use crate::scene::{Node, Rgb, Scene, Texture, image_file};
 use image::{DynamicImage, ImageReader, Limits};
 use std::collections::HashMap;

@@ -1,10 +1,11 @@
 //! Equal values get equal numbers.
 
-use super::affine::{Affine, Placement};
-use super::dd::Dd;
 use super::graph::{Coat, Graph};
 use super::shapes::Primitive;
-use crate::scene::{Matrix, Optics, Rgb};
+use crate::geometry::Matrix;
+use crate::geometry::affine::{Affine, Placement};
+use crate::geometry::dd::Dd;
+use crate::scene::{Optics, Rgb};
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 

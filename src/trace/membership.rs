@@ -5,11 +5,12 @@
 //! node has once answered for a point is not asked again.
 
 use super::shapes::Primitive;
-use super::vec::Vec3;
 use crate::diagnostics::{Complaint, Language, Span};
+use crate::geometry::sign::{Exact, Scalar};
+use crate::geometry::vec::Vec3;
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::{NodeBounds, node_bounds};
-use crate::scene::sign::{Exact, Scalar};
-use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
+use crate::scene::{Node, NodeId, Scene};
 use dashu_float::Context;
 use dashu_float::round::mode::HalfEven;
 use std::array;

@@ -3,27 +3,21 @@
 //! A [`Scene`] is compiled once into a [`graph`] in which shared parts stay shared; a [`Tracer`]
 //! holds that and everything else a picture needs, and knows what cannot be drawn before the first
 //! ray. In the order in which a pixel comes about: [`camera`] and [`sampling`] make rays,
-//! [`nearest`] and [`spans`] find what they meet in the graph ([`walk`], [`bvh`], [`shapes`],
-//! [`join`]), [`hit`] says what is there, [`shade`] adds up the light, [`film`] keeps it. [`probe`]
-//! and [`membership`] answer questions about single rays and points.
+//! [`nearest`] and [`spans`] find what they meet in the graph ([`walk`], [`shapes`], [`join`]),
+//! [`hit`] says what is there, [`shade`] adds up the light, [`film`] keeps it. [`probe`] and
+//! [`membership`] answer questions about single rays and points.
 //!
-//! All that is between a ray and its hits is generic over the number it computes with
-//! ([`precision`], [`number`], [`dd`]). Every decision knows its rounding errors ([`order`], and the
-//! shapes); what is closer than these in doubles, [`decide`] asks again in double-double, and some
-//! shapes ask once more in quad-double ([`qd`]).
+//! All that is between a ray and its hits is generic over the number it computes with ([`precision`],
+//! and [`geometry`](crate::geometry) for the numbers themselves). Every decision knows its rounding
+//! errors ([`order`], and the shapes); what is closer than these in doubles, [`decide`] asks again in
+//! double-double, and some shapes ask once more in quad-double.
 
 pub mod adaptive;
-pub mod affine;
-pub mod bounds;
-pub mod boxes;
-pub mod bvh;
 pub mod camera;
 mod compile;
 pub mod costs;
 mod crowd;
-pub mod dd;
 mod decide;
-mod exponent;
 pub mod film;
 mod finish;
 pub mod graph;
@@ -33,14 +27,12 @@ mod intern;
 mod join;
 pub mod membership;
 pub mod nearest;
-pub mod number;
 mod order;
 mod passage;
 mod picture;
 pub mod plan;
 pub mod precision;
 mod probe;
-mod qd;
 mod quartic;
 pub mod ray;
 pub mod sampling;
@@ -49,9 +41,7 @@ pub mod shapes;
 pub mod spans;
 pub mod stats;
 pub mod surfaces;
-pub mod vec;
 pub mod walk;
-mod way;
 
 pub use costs::CostMap;
 pub use decide::Walkers;
@@ -64,15 +54,15 @@ pub use probe::{Crossing, Probe};
 pub use ray::Ray;
 
 use crate::diagnostics::{Complaint, Language, Span};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::Beam;
+use crate::geometry::vec::Vec3;
 use crate::scene::Scene;
-use bounds::Bounds;
 use graph::Graph;
 use plan::{Effect, Plan};
 use precision::Precision;
-use ray::Beam;
 use shade::Light;
 use std::fmt;
-use vec::Vec3;
 
 /// Why a scene cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -123,7 +113,7 @@ pub struct Tracer {
     lights: Option<Vec<Light>>,
     background: Vec3,
     /// The region that is drawn, where it cuts anything.
-    clip: Option<Bounds>,
+    clip: Option<Aabb>,
     /// Which effects there are.
     pub plan: Plan,
 }
@@ -166,9 +156,7 @@ impl Tracer {
             power: Vec3(l.colour) * l.intensity,
         });
         let dark = scene.ambient_lights.is_empty() && scene.point_lights.is_empty();
-        let region = render
-            .clip
-            .map(|(min, max)| Bounds::new(min.into(), max.into()));
+        let region = render.clip.map(|(min, max)| Aabb::new(min, max));
         Ok(Tracer {
             ambient,
             lights: (!dark).then(|| points.collect()),

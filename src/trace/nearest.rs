@@ -1,12 +1,12 @@
 //! The nearest crossing with anything: all that is needed while a ray is outside of every solid,
 //! since then the first boundary it meets is a boundary of the scene.
 
-use super::bounds::Bounds;
 use super::graph::{Group, Holds, Operation, Target};
 use super::order::Place;
 use super::precision::Precision;
 use super::ray::Ray;
 use super::walk::{Leaf, Walker};
+use crate::geometry::aabb::Aabb;
 use std::cmp::Ordering;
 
 /// Something to be visited, and the least t at which it may be met.
@@ -138,7 +138,7 @@ impl<R: Precision> Walker<'_, R> {
 
     /// The stretch of the ray in a box of a context's object, as far as it matters.
     #[inline]
-    fn clip(&self, context: u32, bounds: &Bounds, from: R, best: &Best<R>) -> Option<(f64, f64)> {
+    fn clip(&self, context: u32, bounds: &Aabb, from: R, best: &Best<R>) -> Option<(f64, f64)> {
         let here = &self.contexts[context as usize];
         bounds.clip(&here.beam, from.to_f64(), best.limit.to_f64())
     }

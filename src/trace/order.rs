@@ -2,13 +2,14 @@
 //! errors may spoil, with the bounds that tell when.
 
 use super::graph::Target;
-use super::number::Real;
 use super::precision::{Doubt, Precision};
-use super::ray::{Left, Line, Ray};
+use super::ray::{Left, Ray};
 use super::shapes::support::Passage;
 use super::shapes::{Root, Roots};
-use super::vec::Vec3;
 use super::walk::{Leaf, Walker};
+use crate::geometry::line::Line;
+use crate::geometry::number::Real;
+use crate::geometry::vec::Vec3;
 use std::cmp::Ordering;
 
 /// A crossing to be compared with others.

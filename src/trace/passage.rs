@@ -2,11 +2,11 @@
 
 use super::order::Place;
 use super::precision::Precision;
-use super::ray::Line;
 use super::shapes::Root;
 use super::shapes::support::{Passage, Placed, Support};
-use super::vec::Vec3;
 use super::walk::{Leaf, Walker};
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
 
 impl<R: Precision> Walker<'_, R> {
     /// How a line passes the support of the face that it crosses at a point, in the space of the leaf's

@@ -3,7 +3,6 @@
 use super::adaptive::{Estimate, FIRST, First, MOST, contrast};
 use super::camera::View;
 use super::costs::CostMap;
-use super::dd::Dd;
 use super::film::{Film, developed};
 use super::plan::Effect;
 use super::precision::Precision;
@@ -11,8 +10,9 @@ use super::ray::Ray;
 use super::sampling::sample;
 use super::shade::{DISPERSION, GLASS, Light, Limits, MIRROR, SHADOWS, Shader};
 use super::stats::Counts;
-use super::vec::Vec3;
 use super::{Tracer, Unsupported};
+use crate::geometry::dd::Dd;
+use crate::geometry::vec::Vec3;
 use crate::scene::{Camera, Rgb, Scene, frame};
 use rayon::prelude::*;
 use std::sync::Arc;

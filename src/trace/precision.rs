@@ -1,10 +1,11 @@
 //! The numbers that scenes are traced in, and what each does about what it cannot decide.
 
-use super::affine::Affine;
-use super::dd::Dd;
 use super::graph::Graph;
-use super::number::Real;
-use super::ray::{Line, Slack};
+use crate::geometry::affine::Affine;
+use crate::geometry::affine::Slack;
+use crate::geometry::dd::Dd;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::number::Real;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
@@ -21,7 +22,7 @@ pub enum Doubt {
 }
 
 /// A number that scenes are traced in.
-pub trait Precision: Real {
+pub trait Precision: Traced {
     const DOUBT: Doubt;
 
     /// What a walker keeps of placements that it has met.
@@ -88,7 +89,7 @@ impl Precision for Dd {
 
     fn coarse(line: &Line<Dd>) -> Line {
         let mut coarse: Line = line.cast();
-        let rounded = |v: super::vec::Vec3<Dd>| {
+        let rounded = |v: crate::geometry::vec::Vec3<Dd>| {
             let lost = v.map(|x| Dd::of(x.parts().1)).abs().max_component();
             lost.to_f64() * 2.0
         };

@@ -5,8 +5,8 @@ use super::hit::Hit;
 use super::precision::Precision;
 use super::ray::Ray;
 use super::spans::{Event, Kind};
-use super::vec::Vec3;
 use super::walk::Walker;
+use crate::geometry::vec::Vec3;
 
 /// A crossing of a boundary or a surface.
 #[derive(Debug, Clone, Copy)]

@@ -6,7 +6,7 @@
 //! Comput. Graph. Interact. Tech. 5(3), 2022; the safeguard is that of Press et al., Numerical
 //! Recipes, section 9.4).
 
-use super::number::Real;
+use crate::geometry::number::Real;
 
 /// The most points an interval falls apart at: two of inflection, three stationary, two ends.
 pub const MOST_POINTS: usize = 7;
@@ -191,7 +191,7 @@ pub fn root_between<R: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trace::dd::Dd;
+    use crate::geometry::dd::Dd;
 
     /// All roots, by the sign of the quartic at the points its interval falls apart at.
     fn roots<R: Real>(c: [f64; 5], from: f64, to: f64) -> Vec<f64> {

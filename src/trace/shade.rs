@@ -3,11 +3,11 @@
 use super::Tracer;
 use super::decide::Walkers;
 use super::hit::Hit;
-use super::number::Real;
 use super::precision::Precision;
 use super::ray::Ray;
 use super::stats::{Counts, Intersections, Rays, Work};
-use super::vec::Vec3;
+use crate::geometry::number::Real;
+use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 
 /// A point light, its colour times its intensity.

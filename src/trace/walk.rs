@@ -4,14 +4,14 @@ use super::compile::outermost;
 use super::crowd::SLACK;
 use super::graph::{Coat, Graph, Operation, Part, Target};
 use super::nearest::{Entry, Search};
-use super::number::Real;
 use super::order::{Scale, Start};
 use super::precision::{Doubt, Precision};
-use super::ray::{Beam, Line, Ray};
+use super::ray::Ray;
 use super::shapes::{Primitive, Roots};
 use super::spans::Spans;
 use super::stats::{Intersections, Work};
-use super::vec::Vec3;
+use crate::geometry::line::{Beam, Line, Traced};
+use crate::geometry::vec::Vec3;
 
 /// An occurrence of a shape: a part of the object whose space `context` is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +30,7 @@ pub struct Painted {
 
 /// An object entered on the way down from the root, with everything above it folded in.
 #[derive(Debug, Clone, Copy)]
-pub struct Context<R: Real = f64> {
+pub struct Context<R: Traced = f64> {
     pub object: u32,
     /// The ray in the object's space.
     pub line: Line<R>,

@@ -3,7 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::scene::{Matrix, Node, NodeId, Scene, Texture, View, Volume};
+use crate::geometry::Matrix;
+use crate::scene::{Node, NodeId, Scene, Texture, View, Volume};
 use crate::syntax::table::{RECORD_TYPES, RecordType};
 use crate::trace::plan::{self, Plan};
 

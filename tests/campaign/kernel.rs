@@ -2,15 +2,15 @@
 
 use super::exact::Exact;
 use super::lines::Case;
+use zpg::geometry::dd::Dd;
+use zpg::geometry::line::{Line, Traced};
+use zpg::geometry::number::Real;
+use zpg::geometry::vec::Vec3;
 use zpg::scene::Geometry;
-use zpg::trace::dd::Dd;
-use zpg::trace::number::Real;
-use zpg::trace::ray::Line;
 use zpg::trace::shapes::{Primitive, Roots};
-use zpg::trace::vec::Vec3;
 
 /// The kinds of numbers that lines are traced with.
-pub trait Number: Real {
+pub trait Number: Traced {
     const NAME: &'static str;
     /// The machine epsilon that errors are measured in.
     const EPSILON: f64;

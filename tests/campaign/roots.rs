@@ -48,7 +48,7 @@ impl Root {
         }
     }
 
-    /// Bounds from so many digits.
+    /// Aabb from so many digits.
     fn refine(&mut self, digits: i64) {
         (self.low, self.high) = if self.a.is_zero() {
             (-&self.c).over(&self.b.twice(), digits)
@@ -84,7 +84,7 @@ pub fn sorted(mut roots: Vec<Root>) -> Vec<Root> {
         if close.is_empty() {
             return roots;
         }
-        // Bounds that are exact numbers, or as narrow as all that differ.
+        // Aabb that are exact numbers, or as narrow as all that differ.
         let same = |a: &Root, b: &Root| {
             let point = |r: &Root| r.low == r.high;
             digits >= LAST || point(a) && point(b)

@@ -2,10 +2,11 @@
 
 use super::ask::Precision;
 use super::trace_support::{Builder, Random};
-use zpg::scene::{Geometry, Matrix, NodeId};
-use zpg::trace::dd::Dd;
+use zpg::geometry::Matrix;
+use zpg::geometry::dd::Dd;
+use zpg::geometry::vec::Vec3;
+use zpg::scene::{Geometry, NodeId};
 use zpg::trace::precision;
-use zpg::trace::vec::Vec3;
 use zpg::trace::{Ray, Tracer};
 
 /// What became of the rays.

@@ -3,7 +3,7 @@
 use super::ask::{Precision, Ray, Said, Written, all_held, ask, data, exact, held, orderly};
 use super::exact::algebra::to_f64;
 use super::trace_support::Random;
-use zpg::trace::vec::Vec3;
+use zpg::geometry::vec::Vec3;
 
 /// A random ray from `away` to near the origin.
 fn towards(r: &mut Random, away: f64, aim: f64) -> Ray {

@@ -2,8 +2,9 @@
 //! still meets the scene as often.
 
 use super::trace_support::{Builder, Random};
-use zpg::scene::{Geometry, Matrix, NodeId};
-use zpg::trace::vec::Vec3;
+use zpg::geometry::Matrix;
+use zpg::geometry::vec::Vec3;
+use zpg::scene::{Geometry, NodeId};
 use zpg::trace::{Ray, Tracer};
 
 /// How trials have ended.

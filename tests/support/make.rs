@@ -1,9 +1,10 @@
 //! Scenes as values.
 
 use zpg::diagnostics::Span;
+use zpg::geometry::Matrix;
 use zpg::scene::{
-    AmbientLight, Camera, Entity, Geometry, Matrix, Node, NodeId, Optics, Paint, PointLight,
-    Render, Rgb, Scene, Shape, Texture, Vec3, View,
+    AmbientLight, Camera, Entity, Geometry, Node, NodeId, Optics, Paint, PointLight, Render, Rgb,
+    Scene, Shape, Texture, Vec3, View,
 };
 use zpg::syntax::table::{Kind, RecordType};
 

@@ -3,8 +3,9 @@
 //! traced by itself. It shares nothing with the program but the resolved scene.
 
 use super::naive_shapes::{self as shapes, add, cross, dot, unit};
+use zpg::geometry::Matrix;
 use zpg::scene::{
-    AmbientLight, Camera, Matrix, Node, NodeId, Optics, PointLight, Rgb, Scene, Texture, Vec3,
+    AmbientLight, Camera, Node, NodeId, Optics, PointLight, Rgb, Scene, Texture, Vec3,
 };
 
 /// What a path from the root sets over a node: optics and index.

@@ -1,9 +1,10 @@
 //! Scenes built without a parser, and random numbers for tests.
 
 use zpg::diagnostics::Span;
+use zpg::geometry::Matrix;
+use zpg::geometry::vec::Vec3;
 use zpg::scene::*;
 use zpg::syntax::table::RecordType;
-use zpg::trace::vec::Vec3;
 use zpg::trace::{Picture, Ray, Settings, Tracer, selected_camera};
 
 #[derive(Default)]

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::commands::numbers::{Writable, Written};
 use crate::diagnostics::Complaint;
-use crate::trace::vec::Vec3;
+use crate::geometry::vec::Vec3;
 use crate::trace::{Crossing, Membership, Ray, Tracer, Walkers};
 
 /// What is on a ray.

@@ -11,8 +11,8 @@ use crate::commands::Status;
 use crate::commands::numbers::Writable;
 use crate::commands::terminal::{LookChoice, complain, unprintable};
 use crate::diagnostics::Complaint;
+use crate::geometry::vec::Vec3;
 use crate::syntax::quote;
-use crate::trace::vec::Vec3;
 use crate::trace::{Ray, Tracer};
 
 /// Bytes that are read at once.

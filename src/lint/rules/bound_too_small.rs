@@ -4,6 +4,8 @@
 use std::cell::Cell;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::geometry::array::{sub, unit};
+use crate::geometry::{Aabb, Matrix};
 use crate::lint::solids::field::{Field, Slope};
 use crate::lint::solids::inside::Inside;
 use crate::lint::solids::meeting::lowest;
@@ -15,8 +17,7 @@ use crate::lint::solids::{near, tree::Tree};
 use crate::lint::{Context, spelled};
 use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
-use crate::scene::vector::{sub, unit};
-use crate::scene::{Aabb, Matrix, NodeId, Promise, Scene, Vec3, Volume};
+use crate::scene::{NodeId, Promise, Scene, Vec3, Volume};
 
 /// Nodes gone through for all bounding volumes of a file together.
 const NODES: usize = 700_000;

@@ -1,8 +1,8 @@
 //! W305: a shape without volume, or a surface without area.
 
 use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::geometry::exact;
 use crate::lint::Context;
-use crate::scene::exact;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Shape};
 use crate::solids::definite::{Verdict, judge};

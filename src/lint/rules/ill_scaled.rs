@@ -1,8 +1,9 @@
 //! W322: lengths in one object that differ too much for its numbers.
 
 use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::geometry::Matrix;
 use crate::lint::{Context, live_nodes, rough};
-use crate::scene::{Geometry, Matrix, Node, Shape};
+use crate::scene::{Geometry, Node, Shape};
 
 /// The largest ratio of two lengths: of the sixteen digits of a double, half are then left for the
 /// smaller one, and squares of such numbers, which every curved surface asks for, have none left.

@@ -1,8 +1,8 @@
 //! W303: a rotation matrix that does more than turn.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use crate::geometry::Matrix;
 use crate::lint::{Context, spelled};
-use crate::scene::Matrix;
 use crate::scene::record::Params;
 use crate::syntax::Item;
 

@@ -9,6 +9,7 @@ use std::cell::Cell;
 use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::geometry::Aabb;
 use crate::lint::Context;
 use crate::lint::solids::leaf::Leaf;
 use crate::lint::solids::reach::{
@@ -16,7 +17,7 @@ use crate::lint::solids::reach::{
 };
 use crate::lint::solids::{near, tree::Tree};
 use crate::scene::record::Params;
-use crate::scene::{Aabb, Scene, Volume};
+use crate::scene::{Scene, Volume};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -59,8 +60,8 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         .partition(|l| apart(&l.bounds, &clip).is_some());
     tree.leaves = seen;
     out.extend(not_drawn(scene, &p, &tree, &unseen, &clip));
-    let finite = |b: &Aabb| b.is_finite() && !b.is_empty();
-    let (ends, endless): (Vec<_>, Vec<_>) = (tree.leaves.iter()).partition(|l| finite(&l.bounds));
+    let (ends, endless): (Vec<_>, Vec<_>) =
+        (tree.leaves.iter()).partition(|l| l.bounds.is_bounded());
     // Rays may meet these outside of the box, and they do not reach out of it.
     let aside: FxHashSet<u32> = endless.into_iter().chain(&unseen).map(|l| l.id).collect();
     let aims = || -> Vec<Aabb> {

@@ -1,8 +1,9 @@
 //! How far a point is from the boundary of a solid, roughly and rather too little: below zero inside,
 //! above zero outside.
 
-use crate::scene::vector::{cross, dot, length, sub};
-use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
+use crate::geometry::Matrix;
+use crate::geometry::array::{cross, dot, length, sub};
+use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 use crate::solids::facet::facet;
 use crate::solids::point::in_profile;
 

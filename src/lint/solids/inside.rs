@@ -1,8 +1,9 @@
 //! Whether a point is in an object: an answer only where it is certain enough to build on.
 
 use super::tree::{both, either};
+use crate::geometry::Matrix;
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
+use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 use crate::solids::point::in_shape;
 
 /// Steps of all tests together: nodes visited and profile points compared. A second has room for

@@ -1,7 +1,8 @@
 //! Shapes where they occur.
 
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::shape_bounds;
-use crate::scene::{Aabb, Matrix, NodeId, Scene};
+use crate::scene::{NodeId, Scene};
 
 /// A shape where it occurs, or something that is known as a whole only.
 #[derive(Debug, Clone)]

@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::field::Slope;
-use crate::scene::vector::{dot, length};
-use crate::scene::{Aabb, Vec3};
+use crate::geometry::Aabb;
+use crate::geometry::array::{dot, length};
+use crate::scene::Vec3;
 
 /// A part of the region.
 struct Cell {

@@ -4,9 +4,10 @@ use rustc_hash::FxHashMap;
 
 use super::inside::Inside;
 use super::tree::{Answer, Tree};
+use crate::geometry::boxes::Boxes;
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Aabb, Matrix, Scene, Vec3};
-use crate::trace::boxes::Boxes;
+use crate::scene::{Scene, Vec3};
 
 /// Boxes looked at, for all points together: some tenths of a second.
 const STEPS: usize = 12_000_000;

@@ -4,9 +4,10 @@
 use super::distance;
 use super::reach::ball;
 use super::tips::extent;
+use crate::geometry::array::{cross, length, unit};
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::NodeBounds;
-use crate::scene::vector::{cross, length, unit};
-use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene, Vec3};
+use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 use crate::solids::within::{CLEAR, Standing, far};
 
 /// How many of a list are kept, the first ones: what a chain begins with is what is cut.

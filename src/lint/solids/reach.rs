@@ -8,9 +8,11 @@ use super::leaf::Leaf;
 use super::tips::{Tip, tips, ways};
 use super::tree::Tree;
 use super::ways::NONE;
+use crate::geometry::vec;
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Render, Scene, Vec3, Volume};
-use crate::trace::{Crossing, Ray, Tracer, vec};
+use crate::scene::{Geometry, Node, NodeId, Render, Scene, Vec3, Volume};
+use crate::trace::{Crossing, Ray, Tracer};
 
 /// Rays for all searches of a rule together: some tenths of a second in the largest scenes.
 pub const RAYS: usize = 6000;

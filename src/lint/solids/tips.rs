@@ -3,8 +3,9 @@
 use std::cell::Cell;
 
 use super::reach::beyond;
-use crate::scene::vector::dot;
-use crate::scene::{Geometry, Matrix, Vec3, Volume, icosahedron};
+use crate::geometry::array::dot;
+use crate::geometry::{Matrix, icosahedron};
+use crate::scene::{Geometry, Vec3, Volume};
 
 /// A point of a shape's surface.
 #[derive(Debug, Clone, Copy)]

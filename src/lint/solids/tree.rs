@@ -6,8 +6,9 @@
 
 use super::leaf::Leaf;
 use super::ways::{NONE, Ways};
+use crate::geometry::Matrix;
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Matrix, Node, NodeId, Scene};
+use crate::scene::{Node, NodeId, Scene};
 
 /// Nodes gone through for the second time or more. Scenes that share parts without end would take
 /// more: parts beyond are known as a whole only.

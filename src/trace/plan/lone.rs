@@ -1,10 +1,11 @@
 //! Scenes of one convex shape, in which nothing can be in the way of anything.
 
 use super::unseen::LeftOut;
-use crate::scene::{Matrix, Node, NodeId, Scene, Shape, View};
-use crate::trace::ray::Line;
+use crate::geometry::Matrix;
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
+use crate::scene::{Node, NodeId, Scene, Shape, View};
 use crate::trace::shapes::{Primitive, Roots};
-use crate::trace::vec::Vec3;
 use std::collections::HashMap;
 
 /// Whether the scene is one convex shape and no camera is in it.
@@ -20,7 +21,7 @@ pub fn lone_convex(scene: &Scene, root: NodeId, left_out: &LeftOut) -> bool {
         return true;
     }
     let automatic = matches!(scene.view, View::Automatic);
-    if automatic && !primitive.shape().bounds().is_finite() {
+    if automatic && !primitive.shape().bounds().is_bounded() {
         return false;
     }
     // An automatic camera stands outside of what it frames. Any other may be chosen.

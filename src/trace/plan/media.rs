@@ -1,7 +1,8 @@
 //! How many media a ray can be in at most.
 
 use super::unseen::LeftOut;
-use crate::scene::{Aabb, Node, NodeId, Scene, bounds};
+use crate::geometry::Aabb;
+use crate::scene::{Node, NodeId, Scene, bounds};
 
 /// An upper bound on the number of transparent solids that hold one point.
 ///

@@ -281,6 +281,7 @@ fn solids(scene: &Scene, root: NodeId) -> Vec<bool> {
 }
 
 fn bounded(geometry: &Geometry) -> bool {
-    use crate::scene::{Matrix, bounds::shape_bounds};
+    use crate::geometry::Matrix;
+    use crate::scene::bounds::shape_bounds;
     shape_bounds(geometry, &Matrix::IDENTITY).is_finite()
 }

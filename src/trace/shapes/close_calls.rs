@@ -4,10 +4,11 @@
 mod by_hand;
 
 use super::*;
-use crate::scene::Matrix;
-use crate::trace::affine::Affine;
-use crate::trace::dd::Dd;
-use crate::trace::exponent::shifted;
+use crate::geometry::Matrix;
+use crate::geometry::affine::Affine;
+use crate::geometry::dd::Dd;
+use crate::geometry::exponent::shifted;
+use crate::geometry::number::Real;
 use std::array::from_fn;
 
 /// The unit roundoff of doubles.
@@ -62,12 +63,12 @@ impl Random {
     }
 }
 
-fn line<R: Real>(o: Vec3, d: Vec3) -> Line<R> {
+fn line<R: Traced>(o: Vec3, d: Vec3) -> Line<R> {
     Line::new(o.cast(), d.cast())
 }
 
 /// The crossings, which are finite, ascend and, for a solid, alternate; and their places.
-fn meet<R: Real>(shape: &Primitive, line: &Line<R>) -> Roots<R> {
+fn meet<R: Traced>(shape: &Primitive, line: &Line<R>) -> Roots<R> {
     let mut roots = Roots::default();
     let kernel = shape.intersect::<R>();
     kernel.crossings(line, &mut roots);

@@ -5,14 +5,14 @@
 //! Squares of what two doubles can be apart by are below the digits of double-double.
 
 use super::{Root, Roots};
-use crate::trace::dd::Dd;
-use crate::trace::number::Real;
-use crate::trace::qd::Qd;
-use crate::trace::ray::Line;
+use crate::geometry::dd::Dd;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::number::Real;
+use crate::geometry::qd::Qd;
 
 /// Whether there is no finer number to ask even here: what this one cannot tell from a touch is
 /// one.
-pub(super) fn is_last<R: Real>() -> bool {
+pub(super) fn is_last<R: Traced>() -> bool {
     R::ROUNDOFF <= R::of(Qd::ROUNDOFF.to_f64())
 }
 
@@ -20,7 +20,7 @@ pub(super) fn is_last<R: Real>() -> bool {
 ///
 /// Crossings farther apart than no rounding, but closer than the digits of t, are told apart by
 /// their order: at neighbouring numbers.
-pub(super) fn decide_closer<R: Real>(
+pub(super) fn decide_closer<R: Traced>(
     line: &Line<R>,
     roots: &mut Roots<R>,
     decide: impl FnOnce(&Line<Qd>, &mut Roots<Qd>),
@@ -45,7 +45,7 @@ pub(super) fn decide_closer<R: Real>(
 }
 
 /// A number that is greater by little more than its rounding error.
-fn after<R: Real>(t: R) -> R {
+fn after<R: Traced>(t: R) -> R {
     let step = t.abs() * R::ROUNDOFF;
     // Double-double has a place for the least double beside every number.
     t + (step + step).max(R::of(f64::from_bits(1)))
@@ -54,11 +54,14 @@ fn after<R: Real>(t: R) -> R {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trace::vec::Vec3;
+    use crate::geometry::affine::Affine;
+    use crate::geometry::vec::Vec3;
+    use crate::scene::Geometry;
+    use crate::trace::shapes::Primitive;
 
     #[test]
     fn only_double_double_in_doubt_goes_on() {
-        fn asked<R: Real>(uncertain: bool) -> bool {
+        fn asked<R: Traced>(uncertain: bool) -> bool {
             let line = Line::new(Vec3::ZERO, Vec3::new(R::ONE, R::ZERO, R::ZERO));
             let mut roots = Roots {
                 uncertain,
@@ -98,6 +101,108 @@ mod tests {
                 let off = (root.t - Dd::of(t)).abs().to_f64();
                 assert!(off <= 4.0 * Dd::ROUNDOFF.to_f64() * t.abs() + 1e-323);
             }
+        }
+    }
+
+    const U: f64 = f64::EPSILON / 2.0;
+
+    fn crossings(profile: &[[f64; 2]], line: &Line<Dd>) -> (usize, bool) {
+        let shape = Primitive::new(&Geometry::Revolution {
+            profile: profile.to_vec(),
+            colours: Vec::new(),
+        });
+        let mut roots = Roots::default();
+        shape.intersect::<Dd>().crossings(line, &mut roots);
+        (roots.list.len(), roots.uncertain)
+    }
+
+    /// A waist of radius 1: with y = η where x is 0 the line is level with it at x ≈ −2η, and 2η²
+    /// outside; on either side of that gap it is inside, and leaves at x ≈ ±4/3.
+    ///
+    /// (1 + 2u)(1 − 2u) 2ᵏ − 2ᵏ = −4u² 2ᵏ is η, exactly. The map rounds by as much as 2ᵏ⁻⁹⁸ in
+    /// double-double, and by 2ᵏ⁻²⁰² in quad-double: the gap is less than that up to k = 5, and
+    /// greater from k = 16 on by more than the factor, of some 2⁵, that is lost in the shape. What
+    /// cannot be told from a touch is taken for one, from outside, which here is right.
+    #[test]
+    fn a_map_hides_no_gap_that_quad_double_can_tell() {
+        let waist = [[2.0, -1.0], [1.0, 0.0], [2.0, 1.0]];
+        for k in (-10..=5).chain(16..=50) {
+            let size = 2f64.powi(k);
+            let row = |v: [f64; 3]| Vec3(v).cast();
+            let map = Affine::<Dd>::of(
+                [
+                    row([0.0, 0.0, 1.0]),
+                    row([1.0 + 2.0 * U, -1.0, 0.0]),
+                    row([0.0, 1.0, 0.0]),
+                ],
+                row([0.0, 0.0, 1.0 - size]),
+            );
+            let origin = [(1.0 - 2.0 * U) * size, size, 0.0];
+            let line = Line::new(row(origin), row([0.5, 0.0, 1.0])).through(&map);
+            assert_eq!(line.origin.0, [0.0, -4.0 * U * U * size, 1.0].map(Dd::of));
+            assert_eq!(crossings(&waist, &line), (4, k <= 5), "{k}");
+        }
+    }
+
+    /// Between two needles less than 1e-24 of the size apart: the counts are those of an evaluation
+    /// in exact arithmetic, and the same for all lines within half a unit in the last place.
+    #[test]
+    fn known_lines_between_needles() {
+        let needles = [
+            [610.1970382894946, 13445.550970684242],
+            [2.3039021357476412e-12, 13445.550970684239],
+            [610.1970382893469, 13445.550970684242],
+            [2.0463809320284318e-10, 13445.550970684239],
+        ];
+        for (rows, offset, origin, direction) in [
+            (
+                [
+                    [0.05201895234447477, 0.2796996960636874, 0.14474766279379572],
+                    [0.12428532895561777, -0.1530334243199005, 0.2510452256321984],
+                    [
+                        0.2893733969610534,
+                        0.015447599431899642,
+                        -0.13384388692956595,
+                    ],
+                ],
+                [115479.78197162531, 206405.17373978999, 88802.39965498],
+                [-546534.0751405447, -40653.45819600897, -522833.2575476998],
+                [
+                    -9.584750853973761e-12,
+                    -4.1835582231592024e-13,
+                    4.252937024148953e-12,
+                ],
+            ),
+            (
+                [
+                    [
+                        0.143308191324485,
+                        -0.04962305053892292,
+                        -0.07914212025035441,
+                    ],
+                    [
+                        -0.062011381853202895,
+                        -0.15892768473292526,
+                        -0.01263881281186752,
+                    ],
+                    [
+                        -0.06986065318307806,
+                        0.03927726981154202,
+                        -0.15112890278232774,
+                    ],
+                ],
+                [-86036.74311175053, 145017.36347215637, -86761.0719999698],
+                [9019297216.100077, -17133781645.91153, -20942320935.104115],
+                [
+                    -0.23105958462286943,
+                    0.43898090464060374,
+                    0.5365212355905316,
+                ],
+            ),
+        ] {
+            let map = Affine::<Dd>::of(rows.map(|row| Vec3(row).cast()), Vec3(offset).cast());
+            let line = Line::new(Vec3(origin).cast(), Vec3(direction).cast());
+            assert_eq!(crossings(&needles, &line.through(&map)), (4, false));
         }
     }
 }

@@ -6,21 +6,21 @@ use super::geodesic_sphere::{GeodesicSphere, MAX_SPLITS};
 use super::torus::Torus;
 use super::triangle::Triangle;
 use super::{Intersect, Roots};
+use crate::geometry::affine::Affine;
+use crate::geometry::dd::Dd;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::number::Real;
+use crate::geometry::vec::Vec3;
 use crate::scene::TriangleNormals;
-use crate::trace::affine::Affine;
-use crate::trace::dd::Dd;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
-use crate::trace::vec::Vec3;
 use std::f64::consts::TAU;
 
 /// A number in double-double, exactly.
-fn exact<R: Real>(x: R) -> Dd {
+fn exact<R: Traced>(x: R) -> Dd {
     let high = x.to_f64();
     Dd::sum(high, (x - R::of(high)).to_f64())
 }
 
-fn lift<R: Real, S: Real>(v: Vec3<R>) -> Vec3<S> {
+fn lift<R: Traced, S: Traced>(v: Vec3<R>) -> Vec3<S> {
     Vec3(v.0.map(|x| S::of(x.to_f64())))
 }
 
@@ -43,7 +43,7 @@ impl Tally {
 
     /// Crossings ascend and are on the surface, but for so many machine epsilons of the larger of
     /// the origin's distance and the size.
-    fn backward<R: Real>(
+    fn backward<R: Traced>(
         epsilon: f64,
         line: &Line<R>,
         roots: &Roots<R>,

@@ -2,11 +2,10 @@
 
 use super::doubt::{is_final, least, parameter_error, share};
 use super::{Intersect, Located, Root, Roots, Shape};
-use crate::trace::bounds::Bounds;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::vec::Vec3;
 use crate::trace::shapes::support::Support;
-use crate::trace::vec::Vec3;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cuboid {
@@ -31,8 +30,8 @@ impl Cuboid {
 
 /// Face 2i is the lower one across axis i, face 2i + 1 the upper.
 impl Shape for Cuboid {
-    fn bounds(&self) -> Bounds {
-        Bounds::new(self.min, self.max).padded()
+    fn bounds(&self) -> Aabb {
+        Aabb::new(self.min, self.max).padded()
     }
 
     /// To the right and up as each face is seen from outside; on top and bottom u follows x.
@@ -66,7 +65,7 @@ impl Shape for Cuboid {
     }
 }
 
-impl<R: Real> Intersect<R> for Cuboid {
+impl<R: Traced> Intersect<R> for Cuboid {
     /// A line in a face does not cross the box: see [`Roots::along`].
     ///
     /// Each t is rounded twice, t = (m − o)/d, so that near and far are off by at most γ₂ of
@@ -168,14 +167,14 @@ impl<R: Real> Intersect<R> for Cuboid {
 impl Cuboid {
     /// How far along each axis a line may be from the one that is meant, relative to the box. Where
     /// numbers are coarser than the doubles that the box is made of, its corners are off, too.
-    fn drift<R: Real>(&self, line: &Line<R>) -> R {
+    fn drift<R: Traced>(&self, line: &Line<R>) -> R {
         let reach = R::of(self.reach);
         line.drift(reach) + parameter_error::<R>() * reach
     }
 
     /// The normal of the face that the line lies in, if it does; of two, one between theirs.
     #[cold]
-    fn along<R: Real>(&self, line: &Line<R>, drift: R) -> Option<Vec3> {
+    fn along<R: Traced>(&self, line: &Line<R>, drift: R) -> Option<Vec3> {
         // Any weights will do that are not equal: between two faces at right angles lies no third.
         const WEIGHTS: [f64; 3] = [1.0, 0.75, 0.5];
         let mut normal = Vec3::ZERO;
@@ -198,7 +197,7 @@ impl Cuboid {
     /// with the rounding of the sum. Lines that are at most this far off meet the box itself if
     /// this one meets the smaller box, and do not if this one does not meet the larger.
     #[cold]
-    fn meets<R: Real>(&self, line: &Line<R>, by: R, outwards: bool) -> bool {
+    fn meets<R: Traced>(&self, line: &Line<R>, by: R, outwards: bool) -> bool {
         let (mut near, mut far) = (-R::INFINITY, R::INFINITY);
         for i in 0..3 {
             let (o, d) = (line.origin[i], line.direction[i]);

@@ -1,6 +1,6 @@
 //! What the bounds on rounding errors of several shapes have in common.
 
-use crate::trace::number::Real;
+use crate::geometry::number::Real;
 
 /// Whether there is no finer number to ask, but for shapes that go on [`closer`](super::closer): what
 /// this one cannot tell from a touch is one. That is double-double, whose products and sums are not
@@ -47,7 +47,7 @@ pub(super) fn share(x: f64, min: f64, max: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trace::dd::Dd;
+    use crate::geometry::dd::Dd;
 
     #[test]
     fn kinds_of_numbers() {

@@ -6,18 +6,18 @@
 //! corner alone, and an edge function changes nothing but its sign when its ends are swapped; so the
 //! facets on both sides of an edge always agree about the side on which the line passes it.
 
-use crate::trace::dd::Dd;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
-use crate::trace::vec::Vec3;
+use crate::geometry::dd::Dd;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::number::Real;
+use crate::geometry::vec::Vec3;
 
 /// A vector of doubles in another kind of number.
-pub(super) fn lift<R: Real>(v: Vec3) -> Vec3<R> {
+pub(super) fn lift<R: Traced>(v: Vec3) -> Vec3<R> {
     Vec3(v.0.map(R::of))
 }
 
 /// A double-double number in another kind of number, rounded.
-pub(super) fn narrow<R: Real>(x: Dd) -> R {
+pub(super) fn narrow<R: Traced>(x: Dd) -> R {
     let (high, low) = x.parts();
     R::of(high) + R::of(low)
 }
@@ -29,7 +29,7 @@ pub(super) fn narrow<R: Real>(x: Dd) -> R {
 /// slope up to 1 makes of δ in depth. Where the direction's components are off by a sixteenth of
 /// the longest at most, the slope is up to (1 + 1/16) / (1 − 1/16) and the time to that depth up to
 /// 1 / (1 − 1/16) times what `drift` is reckoned with: in all (1 + 1.134) · 1.067 < 2.5.
-pub(super) fn drift_across<R: Real>(line: &Line<R>, reach: R) -> R {
+pub(super) fn drift_across<R: Traced>(line: &Line<R>, reach: R) -> R {
     let drift = line.drift(reach);
     if drift == R::ZERO {
         return drift;
@@ -61,7 +61,7 @@ pub(super) struct Projected<R> {
     pub depth: R,
 }
 
-impl<R: Real> Shear<R> {
+impl<R: Traced> Shear<R> {
     pub fn along(direction: Vec3<R>) -> Shear<R> {
         let size = direction.abs();
         let mut z = 0;
@@ -90,7 +90,7 @@ impl<R: Real> Shear<R> {
     }
 }
 
-impl<R: Real> Projected<R> {
+impl<R: Traced> Projected<R> {
     /// |x| + |y|.
     fn reach(&self) -> R {
         self.x.abs() + self.y.abs()
@@ -105,7 +105,7 @@ impl<R: Real> Projected<R> {
 /// keep their digits where a facet is seen at a flat angle. Rounding keeps the order of numbers, so
 /// the sign is never the wrong one, and swapping p and q turns each step into its exact negative.
 #[inline]
-fn edge<R: Real>(p: Projected<R>, q: Projected<R>) -> R {
+fn edge<R: Traced>(p: Projected<R>, q: Projected<R>) -> R {
     let (a, b) = (p.x * q.y, p.y * q.x);
     (a - b) + (p.x.mul_add(q.y, -a) - p.y.mul_add(q.x, -b))
 }
@@ -143,7 +143,7 @@ pub(super) struct Facet<R> {
     edges: [R; 3],
 }
 
-impl<R: Real> Facet<R> {
+impl<R: Traced> Facet<R> {
     #[inline]
     pub fn new(corners: [Projected<R>; 3]) -> Facet<R> {
         let [a, b, c] = corners;

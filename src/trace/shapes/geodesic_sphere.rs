@@ -8,12 +8,12 @@
 
 use super::facet::{Facet, Passage, Projected, Shear, Way, drift_across, narrow};
 use super::{Intersect, Located, Root, Roots, Shape};
-use crate::scene::icosahedron::FACES;
-use crate::trace::bounds::Bounds;
-use crate::trace::dd::Dd;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
-use crate::trace::vec::Vec3;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::dd::Dd;
+use crate::geometry::icosahedron::FACES;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::number::Real;
+use crate::geometry::vec::Vec3;
 use std::f64::consts::{PI, TAU};
 
 /// The language allows no more splits.
@@ -70,7 +70,7 @@ struct Frame<R> {
 ///
 /// Six roundings: the sum, half of the squared length's three, the root, the quotient and the
 /// product.
-fn middle<R: Real>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
+fn middle<R: Traced>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
     let sum = a + b;
     sum * sum.dot(sum).sqrt().recip()
 }
@@ -98,7 +98,7 @@ impl GeodesicSphere {
         }
     }
 
-    fn icosahedron<R: Real>(&self) -> [Vec3<R>; 12] {
+    fn icosahedron<R: Traced>(&self) -> [Vec3<R>; 12] {
         let [short, long] = self.coordinates.map(narrow::<R>);
         std::array::from_fn(|i| {
             let mut v = Vec3::ZERO;
@@ -110,7 +110,7 @@ impl GeodesicSphere {
 
     /// The corners of a facet, on the unit sphere. Its number is that of the icosahedron's facet
     /// followed by the quarter taken at each split, in base 4.
-    pub(super) fn corners<R: Real>(&self, face: u32) -> [Vec3<R>; 3] {
+    pub(super) fn corners<R: Traced>(&self, face: u32) -> [Vec3<R>; 3] {
         let vertices = self.icosahedron();
         let base = (face >> (2 * self.splits)) as usize % FACES.len();
         let mut corners = FACES[base].map(|i| vertices[i]);
@@ -124,7 +124,7 @@ impl GeodesicSphere {
 
     /// Calls `leaf` with every facet that the line passes at a distance of at most `noise` in the
     /// sheared space, and maybe some more.
-    fn visit<R: Real>(
+    fn visit<R: Traced>(
         &self,
         view: &View<R>,
         noise: R,
@@ -200,7 +200,7 @@ const SLACK: f64 = 160.0;
 
 /// Whether the origin is in the box around the corners, widened by the margin.
 #[inline]
-fn is_near<R: Real>([a, b, c]: [&Vertex<R>; 3], margin: R) -> bool {
+fn is_near<R: Traced>([a, b, c]: [&Vertex<R>; 3], margin: R) -> bool {
     let (a, b, c) = (&a.seen, &b.seen, &c.seen);
     a.x.min(b.x).min(c.x) <= margin
         && a.x.max(b.x).max(c.x) >= -margin
@@ -208,7 +208,7 @@ fn is_near<R: Real>([a, b, c]: [&Vertex<R>; 3], margin: R) -> bool {
         && a.y.max(b.y).max(c.y) >= -margin
 }
 
-impl<R: Real> View<R> {
+impl<R: Traced> View<R> {
     fn of(line: &Line<R>, radius: R) -> Sight<R> {
         let shear = Shear::along(line.direction);
         let e = shear.slope;
@@ -267,9 +267,9 @@ impl<R: Real> View<R> {
 }
 
 impl Shape for GeodesicSphere {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> Aabb {
         let r = Vec3::ONE * self.radius;
-        Bounds::new(-r, r).padded()
+        Aabb::new(-r, r).padded()
     }
 
     /// Those of the sphere in the point's direction.
@@ -294,7 +294,7 @@ impl Shape for GeodesicSphere {
     }
 }
 
-impl<R: Real> Intersect<R> for GeodesicSphere {
+impl<R: Traced> Intersect<R> for GeodesicSphere {
     /// The facets met on the way in and on the way out: one of each, or several that share the edge
     /// or corner where the line passes, of which the outermost counts. The projected facets cover
     /// each point of the plane as often one way as the other, whatever the rounding of their common

@@ -2,12 +2,11 @@
 
 use super::plane::{Plane, Way};
 use super::{Intersect, Located, Root, Roots, Shape};
-use crate::scene::sign::at_most_zero;
-use crate::trace::bounds::Bounds;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::sign::at_most_zero;
+use crate::geometry::vec::Vec3;
 use crate::trace::shapes::support::Support;
-use crate::trace::vec::Vec3;
 
 /// ax + by + cz + d ≤ 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +24,7 @@ impl HalfSpace {
 
 impl Shape for HalfSpace {
     /// The flat box of the face, reaching to infinity against the normal.
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> Aabb {
         let mut bounds = self.face.bounds();
         for i in 0..3 {
             if bounds.min[i].is_finite() {
@@ -61,7 +60,7 @@ impl Shape for HalfSpace {
     }
 }
 
-impl<R: Real> Intersect<R> for HalfSpace {
+impl<R: Traced> Intersect<R> for HalfSpace {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let meeting = self.face.meet(line);
         roots.uncertain = meeting.uncertain;

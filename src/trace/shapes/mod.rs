@@ -22,10 +22,9 @@ pub mod support;
 mod torus;
 mod triangle;
 
-use super::bounds::Bounds;
-use super::number::Real;
-use super::ray::Line;
-use super::vec::Vec3;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
 use support::Support;
 
@@ -53,7 +52,7 @@ pub struct Roots<R = f64> {
     pub list: Vec<Root<R>>,
 }
 
-impl<R: Real> Roots<R> {
+impl<R: Traced> Roots<R> {
     pub fn clear(&mut self) {
         self.inside = false;
         self.uncertain = false;
@@ -62,7 +61,7 @@ impl<R: Real> Roots<R> {
     }
 
     /// In another kind of number, rounded.
-    pub fn cast<S: Real>(&self) -> Roots<S> {
+    pub fn cast<S: Traced>(&self) -> Roots<S> {
         let cast = |root: &Root<R>| Root {
             t: S::of_parts(root.t.parts()),
             face: root.face,
@@ -101,7 +100,7 @@ pub struct Located<R = f64> {
 
 /// What the tracer asks of a shape, with rays of one kind of number. Everything is in the shape's
 /// own space; directions are of any length.
-pub trait Intersect<R: Real = f64> {
+pub trait Intersect<R: Traced = f64> {
     /// Appends all crossings to the cleared `roots`.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>);
 
@@ -120,7 +119,7 @@ pub trait Intersect<R: Real = f64> {
 /// What a shape is, whatever the rays are made of.
 pub trait Shape {
     /// A box that holds the shape, rounded outwards.
-    fn bounds(&self) -> Bounds;
+    fn bounds(&self) -> Aabb;
 
     /// How far the numbers reach, in the shape's space, that a crossing is computed from, besides
     /// those of the line and of the crossing itself; infinite where that is not known.
@@ -256,7 +255,7 @@ impl Primitive {
     }
 
     /// Where it meets lines of one kind of number.
-    pub fn intersect<R: Real>(&self) -> &dyn Intersect<R> {
+    pub fn intersect<R: Traced>(&self) -> &dyn Intersect<R> {
         each!(self, s => s)
     }
 

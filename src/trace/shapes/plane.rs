@@ -2,13 +2,13 @@
 
 use super::doubt::{fits, is_final, parameter_error};
 use super::{Intersect, Located, Root, Roots, Shape};
-use crate::scene::sign::Scalar;
-use crate::trace::bounds::Bounds;
-use crate::trace::exponent::{exponent, shifted, shifted_vector};
-use crate::trace::number::Real;
-use crate::trace::ray::{Line, Slack};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::affine::Slack;
+use crate::geometry::exponent::{exponent, shifted, shifted_vector};
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::sign::Scalar;
+use crate::geometry::vec::Vec3;
 use crate::trace::shapes::support::Support;
-use crate::trace::vec::Vec3;
 use std::cmp::Ordering;
 
 /// ax + by + cz + d = 0.
@@ -42,8 +42,8 @@ impl Plane {
 impl Shape for Plane {
     /// Flat where the normal is along an axis; all of space otherwise, and where the plane is beyond
     /// the numbers.
-    fn bounds(&self) -> Bounds {
-        let mut bounds = Bounds::EVERYTHING;
+    fn bounds(&self) -> Aabb {
+        let mut bounds = Aabb::ALL;
         for i in 0..3 {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
             let level = -self.d / self.normal[i];
@@ -113,7 +113,7 @@ struct Sum<R> {
     zero: bool,
 }
 
-impl<R: Real> Sum<R> {
+impl<R: Traced> Sum<R> {
     fn new(n: Vec3<R>, v: Vec3<R>, c: R) -> Sum<R> {
         let size = n.abs().dot(v.abs()) + c.abs();
         let no_product = |i| n[i] == R::ZERO || v[i] == R::ZERO;
@@ -136,7 +136,7 @@ impl Plane {
     /// Nearly all lines are steep enough for a slope that is certain, see [`judge`], at a distance
     /// within the numbers; that of the others takes a closer look.
     #[inline]
-    pub(super) fn meet<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
+    pub(super) fn meet<R: Traced>(&self, line: &Line<R>) -> Meeting<R> {
         let n = self.normal.cast::<R>();
         let terms = n.times(line.direction);
         let slope = terms[0] + terms[1] + terms[2];
@@ -158,7 +158,7 @@ impl Plane {
     }
 
     #[cold]
-    fn meet_closely<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
+    fn meet_closely<R: Traced>(&self, line: &Line<R>) -> Meeting<R> {
         let n = self.normal.cast();
         let slope = Sum::new(n, line.direction, R::ZERO);
         let value = Sum::new(n, line.origin, R::of(self.d));
@@ -171,7 +171,7 @@ impl Plane {
     /// As [`Plane::meet`], with the normal, the direction and the origin in units of their own,
     /// where products of the numbers given would overflow or underflow.
     #[cold]
-    fn meet_extreme<R: Real>(&self, line: &Line<R>) -> Meeting<R> {
+    fn meet_extreme<R: Traced>(&self, line: &Line<R>) -> Meeting<R> {
         let largest = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
         let steep = exponent(self.normal.abs().max_component());
         let unit = largest(line.direction);
@@ -197,26 +197,26 @@ impl Plane {
 }
 
 /// Whether no component has become zero.
-fn same_zeros<R: Real, S: Real>(before: Vec3<R>, after: Vec3<S>) -> bool {
+fn same_zeros<R: Traced, S: Traced>(before: Vec3<R>, after: Vec3<S>) -> bool {
     (0..3).all(|i| (before[i] == R::ZERO) == (after[i] == S::ZERO))
 }
 
 /// How far a slope may be off whose terms add up to `size`. It has three roundings, and changes by
 /// at most Σ|nᵢ| times what the line's direction is off. One rounding more pays for those of the
 /// bound. Where numbers are coarser than the doubles of the plane, each of its own is off by one.
-fn tilt<R: Real>(size: R, n: Vec3<R>, slack: R) -> R {
+fn tilt<R: Traced>(size: R, n: Vec3<R>, slack: R) -> R {
     let spread = n.abs().dot(Vec3::ONE) * (R::ONE + R::gamma(4));
     (R::gamma(4) + parameter_error()) * size + spread * slack
 }
 
 /// As [`tilt`], for the value of the plane's equation at the origin, with one rounding more.
-fn offset<R: Real>(size: R, n: Vec3<R>, slack: R) -> R {
+fn offset<R: Traced>(size: R, n: Vec3<R>, slack: R) -> R {
     tilt(size, n, slack) + R::gamma(1) * size
 }
 
 /// The crossing of a line along which the plane's equation is value + t·2⁻ᵏ slope. A slope that
 /// is zero or may be is that of a parallel line; for certain only where all its terms are zero.
-fn judge<R: Real>(
+fn judge<R: Traced>(
     slope: &Sum<R>,
     value: &Sum<R>,
     n: Vec3<R>,
@@ -252,7 +252,7 @@ fn judge<R: Real>(
     }
 }
 
-impl<R: Real> Intersect<R> for Plane {
+impl<R: Traced> Intersect<R> for Plane {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let meeting = self.meet(line);
         roots.uncertain = meeting.uncertain;

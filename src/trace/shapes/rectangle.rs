@@ -2,11 +2,10 @@
 
 use super::doubt::{is_final, least, parameter_error, share};
 use super::{Intersect, Located, Root, Roots, Shape};
-use crate::trace::bounds::Bounds;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::vec::Vec3;
 use crate::trace::shapes::support::Support;
-use crate::trace::vec::Vec3;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rectangle {
@@ -28,8 +27,8 @@ impl Rectangle {
 }
 
 impl Shape for Rectangle {
-    fn bounds(&self) -> Bounds {
-        Bounds::new(
+    fn bounds(&self) -> Aabb {
+        Aabb::new(
             Vec3::new(self.min[0], self.min[1], 0.0),
             Vec3::new(self.max[0], self.max[1], 0.0),
         )
@@ -54,7 +53,7 @@ impl Shape for Rectangle {
     }
 }
 
-impl<R: Real> Intersect<R> for Rectangle {
+impl<R: Traced> Intersect<R> for Rectangle {
     /// The rectangle is closed: its border is part of it, so that rectangles side by side leave no
     /// gap. A line in its plane does not cross it.
     #[inline]
@@ -102,7 +101,7 @@ impl<R: Real> Intersect<R> for Rectangle {
 impl Rectangle {
     /// How far along each axis a line may be from the one that is meant, relative to the rectangle.
     /// Where numbers are coarser than the doubles that it is made of, its corners are off, too.
-    fn drift<R: Real>(&self, line: &Line<R>) -> R {
+    fn drift<R: Traced>(&self, line: &Line<R>) -> R {
         let reach = R::of(self.reach);
         line.drift(reach) + parameter_error::<R>() * reach
     }
@@ -115,7 +114,7 @@ impl Rectangle {
     /// each axis, and by σ/|d_z| in t, with two roundings for the inverse. Twice the roundings of
     /// the point's own pay for those of the bound.
     #[inline]
-    fn clearance<R: Real>(&self, line: &Line<R>, t: R, drift: R, i: usize) -> [R; 3] {
+    fn clearance<R: Traced>(&self, line: &Line<R>, t: R, drift: R, i: usize) -> [R; 3] {
         let d = line.direction[i];
         let step = d * t;
         let p = line.origin[i] + step;
@@ -131,7 +130,7 @@ impl Rectangle {
     /// it is not rounded by a share of itself. Across an axis and not adrift, a line is exactly
     /// where its origin is.
     #[cold]
-    fn close_call<R: Real>(&self, line: &Line<R>, t: R, drift: R, roots: &mut Roots<R>) {
+    fn close_call<R: Traced>(&self, line: &Line<R>, t: R, drift: R, roots: &mut Roots<R>) {
         let (mut meets, mut inside, mut outside) = (t.is_finite(), true, false);
         for i in 0..2 {
             let [low, high, mut error] = self.clearance(line, t, drift, i);

@@ -2,13 +2,12 @@
 
 use super::doubt::{fits, is_final, least, parameter_error};
 use super::{Intersect, Located, Root, Roots, Shape};
-use crate::scene::sign::{Scalar, at_most_zero};
-use crate::trace::bounds::Bounds;
-use crate::trace::exponent::{exponent, shifted, shifted_vector};
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::exponent::{exponent, shifted, shifted_vector};
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::sign::{Scalar, at_most_zero};
+use crate::geometry::vec::Vec3;
 use crate::trace::shapes::support::Support;
-use crate::trace::vec::Vec3;
 use std::f64::consts::{PI, TAU};
 
 #[derive(Debug, Clone, PartialEq)]
@@ -39,9 +38,9 @@ impl Sphere {
 }
 
 impl Shape for Sphere {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> Aabb {
         let r = Vec3::ONE * self.radius;
-        Bounds::new(self.centre - r, self.centre + r).padded()
+        Aabb::new(self.centre - r, self.centre + r).padded()
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
@@ -68,7 +67,7 @@ impl Shape for Sphere {
     }
 }
 
-impl<R: Real> Intersect<R> for Sphere {
+impl<R: Traced> Intersect<R> for Sphere {
     /// Most lines pass the sphere clearly, or meet it clearly: by more than η of the squares
     /// compared, |r² − p²| > 2η(r² + p²), and more than 4e²/η, which together exceed the bound in
     /// [`Ball::chord`] whatever p is (2|p|₁e ≤ ηp² + 3e²/η, and the rest is below ηr² and 7e²),
@@ -132,7 +131,7 @@ impl<R: Real> Intersect<R> for Sphere {
 impl Sphere {
     /// How far along each axis a line may be, near the sphere, from the one that is meant. Where
     /// numbers are coarser than the double that the centre is made of, that is off, too.
-    fn drift<R: Real>(&self, line: &Line<R>) -> R {
+    fn drift<R: Traced>(&self, line: &Line<R>) -> R {
         let reach = R::of(self.reach);
         line.drift(reach) + parameter_error::<R>() * reach
     }
@@ -140,7 +139,7 @@ impl Sphere {
     /// A line close to the sphere's rim, or numbers whose squares overflow or underflow: those in
     /// units of the largest length.
     #[cold]
-    fn close_call<R: Real>(&self, line: &Line<R>, drift: R, roots: &mut Roots<R>) {
+    fn close_call<R: Traced>(&self, line: &Line<R>, drift: R, roots: &mut Roots<R>) {
         let ball = Ball {
             centre: self.centre.cast(),
             radius: R::of(self.radius),
@@ -185,7 +184,7 @@ struct Chord<R> {
     ends: Option<(R, R)>,
 }
 
-impl<R: Real> Chord<R> {
+impl<R: Traced> Chord<R> {
     /// The ends times 2ᵏ.
     fn append(self, roots: &mut Roots<R>, k: i32) {
         roots.uncertain = self.uncertain;
@@ -197,14 +196,14 @@ impl<R: Real> Chord<R> {
     }
 }
 
-impl<R: Real> Ball<R> {
+impl<R: Traced> Ball<R> {
     /// The discriminant comes from the part of the centre's offset that is perpendicular to the
     /// line, which is where the origin would be at its closest approach (Haines, Günther and
     /// Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
     /// chapter 7); the root near the origin from the product of the roots, so that it does not
     /// lose its digits to the far one. `None` where it leaves the numbers.
     ///
-    /// Bounds, with f = o − c and p = f + k d, k = −f·d/|d|²: f, k d and p are rounded once each
+    /// Aabb, with f = o − c and p = f + k d, k = −f·d/|d|²: f, k d and p are rounded once each
     /// and none is longer than f, so that p is off by at most e = γ₄|f|, besides the drift, √3 of
     /// it by length. It is also off along the line by the rounding of k, less than γ₁₀|f|; that
     /// is perpendicular to p and adds its square to p² only. So the discriminant r² − p² is off

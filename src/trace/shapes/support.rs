@@ -3,9 +3,9 @@
 //! Solids that fill each other, or stand on each other, have faces in one place. Where the numbers of
 //! the scene say so, no ray has to be followed in double-double to find out.
 
-use crate::scene::Matrix;
-use crate::trace::number::Real;
-use crate::trace::vec::Vec3;
+use crate::geometry::Matrix;
+use crate::geometry::number::Real;
+use crate::geometry::vec::Vec3;
 
 /// A surface without borders.
 #[derive(Debug, Clone, Copy, PartialEq)]

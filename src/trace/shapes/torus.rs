@@ -14,13 +14,12 @@
 use super::closer::decide_closer;
 use super::doubt::is_final;
 use super::{Intersect, Located, Root, Roots, Shape};
-use crate::scene::sign::{Scalar, at_most_zero};
-use crate::trace::bounds::Bounds;
-use crate::trace::exponent::{exponent, shifted, shifted_vector};
-use crate::trace::number::Real;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::exponent::{exponent, shifted, shifted_vector};
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::sign::{Scalar, at_most_zero};
+use crate::geometry::vec::Vec3;
 use crate::trace::quartic::{Quartic, root_between};
-use crate::trace::ray::Line;
-use crate::trace::vec::Vec3;
 use std::f64::consts::TAU;
 
 /// Faces of a torus: the outer surface, and the one around the lemon.
@@ -74,7 +73,7 @@ impl Torus {
     }
 
     /// R and r in the units of [`Scaled`].
-    fn radii<R: Real>(&self) -> [R; 2] {
+    fn radii<R: Traced>(&self) -> [R; 2] {
         [self.major, self.minor].map(|r| R::of(shifted(r, -self.size)))
     }
 
@@ -83,7 +82,7 @@ impl Torus {
     /// errors shrink with the tube as those of the quartic's coefficients do not. Where two
     /// neighbours differ is one root: the quartic's, polished by Newton's method on the g that
     /// changes sign. A point too close to the surface to tell is taken for a touch.
-    fn decide<R: Real>(&self, line: &Line<R>, roots: &mut Roots<R>) {
+    fn decide<R: Traced>(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let longest = line.direction.abs().max_component();
         let unit = exponent(longest.to_f64());
         let origin = shifted_vector(line.origin, -self.size);
@@ -153,10 +152,10 @@ impl Torus {
 }
 
 impl Shape for Torus {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> Aabb {
         let reach = self.major + self.minor;
         let corner = Vec3::new(reach, self.minor, reach);
-        Bounds::new(-corner, corner).padded()
+        Aabb::new(-corner, corner).padded()
     }
 
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
@@ -184,7 +183,7 @@ impl Shape for Torus {
     }
 }
 
-impl<R: Real> Intersect<R> for Torus {
+impl<R: Traced> Intersect<R> for Torus {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         self.decide(line, roots);
         decide_closer(line, roots, |line, roots| self.decide(line, roots));
@@ -256,7 +255,7 @@ struct Flatness<'a, R> {
     most: R,
 }
 
-impl<R: Real> Flatness<'_, R> {
+impl<R: Traced> Flatness<'_, R> {
     /// Whether a value of the quartic at t, one of the points of [`Quartic::pieces`], is above it.
     #[inline]
     fn is_below(&self, value: R, t: R) -> bool {
@@ -292,7 +291,7 @@ impl<R: Real> Flatness<'_, R> {
     }
 }
 
-impl<R: Real> Scaled<R> {
+impl<R: Traced> Scaled<R> {
     /// Passes on the t of all crossings, ascending, and their faces; returns whether there may be
     /// others, or fewer.
     fn crossings(&self, mut crossing: impl FnMut(R, u32)) -> bool {
@@ -471,12 +470,12 @@ impl<R: Real> Scaled<R> {
 }
 
 /// √(x² + z²), where neither is so large or so small that its square is not a number or zero.
-fn length_near_one<R: Real>(x: R, z: R) -> R {
+fn length_near_one<R: Traced>(x: R, z: R) -> R {
     (x * x + z * z).sqrt()
 }
 
 /// √(x² + z²) of any numbers.
-fn length<R: Real>(x: R, z: R) -> R {
+fn length<R: Traced>(x: R, z: R) -> R {
     Vec3::new(x, R::ZERO, z).length()
 }
 

@@ -1,9 +1,10 @@
 //! Lines against tori, by hand, in double-double and by dense sampling of the tube's distance.
 
 use super::*;
-use crate::trace::dd::Dd;
+use crate::geometry::dd::Dd;
+use crate::geometry::number::Real;
 
-fn meet<R: Real>(torus: &Torus, o: [f64; 3], d: [f64; 3]) -> Roots<R> {
+fn meet<R: Traced>(torus: &Torus, o: [f64; 3], d: [f64; 3]) -> Roots<R> {
     let mut roots = Roots::default();
     let line = Line::new(Vec3(o.map(R::of)), Vec3(d.map(R::of)));
     torus.crossings(&line, &mut roots);
@@ -20,7 +21,7 @@ fn meet<R: Real>(torus: &Torus, o: [f64; 3], d: [f64; 3]) -> Roots<R> {
     roots
 }
 
-fn ts<R: Real>(torus: &Torus, o: [f64; 3], d: [f64; 3]) -> Vec<f64> {
+fn ts<R: Traced>(torus: &Torus, o: [f64; 3], d: [f64; 3]) -> Vec<f64> {
     meet::<R>(torus, o, d)
         .list
         .iter()
@@ -31,7 +32,7 @@ fn ts<R: Real>(torus: &Torus, o: [f64; 3], d: [f64; 3]) -> Vec<f64> {
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Touches are no crossings, and are known to be close calls.
-fn touches<R: Real>() {
+fn touches<R: Traced>() {
     let torus = Torus::new(1.0, 0.25);
     for o in [[1.0, 0.25, -5.0], [0.0, 0.25, -5.0], [1.25, 0.0, -5.0]] {
         let roots = meet::<R>(&torus, o, Z);
@@ -103,7 +104,7 @@ fn a_thin_tube_in_single_precision() {
     }
 }
 
-fn thin_and_small<R: Real>() {
+fn thin_and_small<R: Traced>() {
     let thin = Torus::new(1.0, 1e-4);
     for x in [5.0, 1e3] {
         let t = ts::<R>(&thin, [-x, 0.0, 0.0], [1.0, 0.0, 0.0]);
@@ -127,7 +128,7 @@ fn distance_costs_nothing() {
     from_afar::<Dd>();
 }
 
-fn from_afar<R: Real>() {
+fn from_afar<R: Traced>() {
     let far = 1e6;
     for minor in [0.25, 1e-4] {
         let torus = Torus::new(1.0, minor);
@@ -353,7 +354,7 @@ fn no_line_makes_a_nan() {
     extreme_lines::<Dd>();
 }
 
-fn extreme_lines<R: Real>() {
+fn extreme_lines<R: Traced>() {
     let values = [0.0, 1.0, -0.75, 1e-320, 1e-200, 1e200, -1e308];
     let n = values.len();
     for torus in [(1.0, 0.25), (1e-300, 1e-302), (1e300, 1e301), (1.0, 1e-320)] {

@@ -2,13 +2,13 @@
 
 use super::facet::{Facet, Shear, drift_across, lift, narrow};
 use super::{Intersect, Located, Root, Roots, Shape};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::dd::Dd;
+use crate::geometry::exponent::{exponent, shifted};
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::number::Real;
+use crate::geometry::vec::Vec3;
 use crate::scene::TriangleNormals;
-use crate::trace::bounds::Bounds;
-use crate::trace::dd::Dd;
-use crate::trace::exponent::{exponent, shifted};
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
-use crate::trace::vec::Vec3;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triangle {
@@ -47,7 +47,7 @@ impl Triangle {
     ///
     /// The line's origin is not moved: what is shared with neighbours must not depend on this
     /// triangle alone. Nor would it help, for the rounding of v − o is that of moving o.
-    fn view<R: Real>(&self, line: &Line<R>) -> View<R> {
+    fn view<R: Traced>(&self, line: &Line<R>) -> View<R> {
         let shear = Shear::along(line.direction);
         let offsets = self.vertices.map(|v| lift::<R>(v) - line.origin);
         let mut corners = offsets.map(|p| shear.project(p));
@@ -130,10 +130,10 @@ fn normal([a, b, c]: [Vec3; 3]) -> Option<Vec3<Dd>> {
 }
 
 impl Shape for Triangle {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> Aabb {
         self.vertices
             .iter()
-            .fold(Bounds::EMPTY, |b, &v| b.union(&Bounds::new(v, v)))
+            .fold(Aabb::EMPTY, |b, &v| b.hull(&Aabb::new(v, v)))
             .padded()
     }
 
@@ -172,7 +172,7 @@ impl Shape for Triangle {
     }
 }
 
-impl<R: Real> Intersect<R> for Triangle {
+impl<R: Traced> Intersect<R> for Triangle {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         if self.normal.is_none() {
             return;

@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::{self, Write};
 
 use super::model::{self, Item, Node, Rgb, Scene, Texture, Vec3, Volume};
-use crate::scene::Matrix;
+use crate::geometry::Matrix;
 
 /// The largest ID.
 pub const ID_MAX: u32 = i32::MAX as u32;

@@ -408,7 +408,8 @@ fn random_scene(random: &mut impl FnMut(u64) -> u64) -> String {
 
 /// What is met along some rays, to the bit: where, and by which IDs it goes.
 fn met(scene: &scene::Scene) -> String {
-    use crate::trace::{Images, Ray, Tracer, members, vec};
+    use crate::geometry::vec;
+    use crate::trace::{Images, Ray, Tracer, members};
     let Ok(tracer) = Tracer::with_images(scene, &Images::default()) else {
         return String::from("none");
     };

@@ -1,9 +1,8 @@
 //! A resolved scene as a model of JSON.
 
 use super::model::{self, Item, Node};
-use crate::scene::{
-    self, Geometry, Matrix, NodeId, Promise, Scene, Texture, TriangleNormals, Volume,
-};
+use crate::geometry::Matrix;
+use crate::scene::{self, Geometry, NodeId, Promise, Scene, Texture, TriangleNormals, Volume};
 
 /// The scene with all that its records still stand for at the end of the file: states of objects that
 /// nothing names any more are left out.

@@ -12,8 +12,9 @@ use super::shape::{self, DROPPED, tessellate};
 use super::skin::Skin;
 use super::soup::Mesh;
 
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::Scene;
 use crate::scene::bounds::shape_bounds;
-use crate::scene::{Aabb, Matrix, Scene};
 use crate::trace::graph::{self, Graph, Part, Target};
 
 /// The fewest triangles of a shape: those of a triangle as a slab.

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use super::Mesh;
 use super::skin::Skin;
+use crate::geometry::array::{cross, length, sub};
 use crate::scene::Vec3;
-use crate::scene::vector::{cross, length, sub};
 use crate::trace::graph::Graph;
 
 /// How far from a corner, towards the middle of its triangle, it is looked at: on the triangle's own

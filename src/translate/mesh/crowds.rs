@@ -2,9 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use crate::scene::Aabb;
-use crate::trace::bounds::Bounds;
-use crate::trace::bvh::Bvh;
+use crate::geometry::Aabb;
+use crate::geometry::bvh::Bvh;
 
 /// Boxes that hang together, one overlapping the next.
 pub struct Crowds {
@@ -40,9 +39,8 @@ impl Crowds {
                     break;
                 };
                 let b = &boxes[i as usize];
-                let _ = visit_some(
-                    &tree,
-                    &bounds(b),
+                let _ = tree.visit_below(
+                    b,
                     |node| left.nodes[node as usize] > 0,
                     |j| {
                         if numbers[j as usize] == NONE && b.overlaps(&boxes[j as usize]) {
@@ -112,43 +110,7 @@ impl Left {
 
 pub fn tree(boxes: &[Aabb]) -> Bvh {
     let numbered = boxes.iter().enumerate();
-    Bvh::new(numbered.map(|(i, b)| (i as u32, bounds(b))).collect())
-}
-
-pub fn bounds(b: &Aabb) -> Bounds {
-    Bounds::new(b.min.into(), b.max.into())
-}
-
-/// Calls for every box in the tree that overlaps one, and some of their neighbours, until it is told to
-/// stop.
-pub fn visit(tree: &Bvh, b: &Bounds, found: impl FnMut(u32) -> ControlFlow<()>) -> ControlFlow<()> {
-    visit_some(tree, b, |_| true, found)
-}
-
-/// The same below those nodes that are wanted.
-fn visit_some(
-    tree: &Bvh,
-    b: &Bounds,
-    wanted: impl Fn(u32) -> bool,
-    mut found: impl FnMut(u32) -> ControlFlow<()>,
-) -> ControlFlow<()> {
-    let mut pending = vec![0u32];
-    while let Some(i) = pending.pop() {
-        let Some(node) = tree.nodes.get(i as usize) else {
-            continue;
-        };
-        if !wanted(i) || node.bounds.intersection(b).is_empty() {
-            continue;
-        }
-        if node.count > 0 {
-            let start = node.index as usize;
-            let items = &tree.items[start..start + node.count as usize];
-            items.iter().try_for_each(|&j| found(j))?;
-        } else {
-            pending.extend([node.index, i + 1]);
-        }
-    }
-    ControlFlow::Continue(())
+    Bvh::new(numbered.map(|(i, b)| (i as u32, *b)).collect())
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use std::sync::Once;
 
 use super::flush::{self, Aligned, aligned};
 use super::soup::Mesh;
-use crate::scene::Matrix;
+use crate::geometry::Matrix;
 
 /// What two solids make.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -199,7 +199,7 @@ fn plausible(mesh: &Mesh, a: f64, b: f64, operation: Operation) -> bool {
 mod tests {
     use super::super::shape::flat::cuboid;
     use super::*;
-    use crate::scene::vector::{cross, dot, sub};
+    use crate::geometry::array::{cross, dot, sub};
 
     #[test]
     fn panics_are_answers() {

@@ -1,9 +1,10 @@
 //! How much of a scene without end becomes triangles, and how fine they are.
 
 use super::{DEFAULT_TOLERANCE, Options};
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::{NodeBounds, node_bounds, shape_bounds};
 use crate::scene::frame::seen_box;
-use crate::scene::{Aabb, Geometry, Matrix, Node, Scene, Texture, Vec3};
+use crate::scene::{Geometry, Node, Scene, Texture, Vec3};
 
 /// How much larger than its bounded parts the region is that things without end are cut to: a floor that
 /// reaches beyond what stands on it.

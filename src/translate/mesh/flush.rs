@@ -6,8 +6,9 @@
 use super::csg::Operation;
 use super::shape::DROPPED;
 use super::soup::Mesh;
-use crate::scene::vector::{cross, dot, sub};
-use crate::scene::{Matrix, Vec3};
+use crate::geometry::Matrix;
+use crate::geometry::array::{cross, dot, sub};
+use crate::scene::Vec3;
 
 /// Coordinates that are nearer to each other than this, by the size of the operands, are the same: they
 /// differ by what rotations were rounded, some tens of roundings.

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::Model;
 use super::corners::corners;
 use super::picture::Pictures;
-use crate::scene::vector::{cross, sub};
+use crate::geometry::array::{cross, sub};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
 

@@ -41,7 +41,8 @@ pub use soup::Mesh;
 use std::collections::BTreeMap;
 
 use super::{Fidelity, Report, Unsupported};
-use crate::scene::{Aabb, Matrix, Scene, Vec3};
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Scene, Vec3};
 use crate::trace::graph::Graph;
 use assemble::{Assembly, Thing, Troubles, crowded};
 use budget::{Budget, Crowd, TooMany};

@@ -6,8 +6,9 @@
 use std::collections::HashMap;
 
 use super::soup::Mesh;
-use crate::scene::vector::{cross, length, sub};
-use crate::scene::{Vec3, exact};
+use crate::geometry::array::{cross, length, sub};
+use crate::geometry::exact;
+use crate::scene::Vec3;
 
 /// So often is each triangle looked at, in the worst case.
 const ROUNDS: usize = 16;

@@ -8,7 +8,7 @@ use super::csg::{Operation, combine};
 use super::shape::{self, DROPPED};
 use super::skin::Skin;
 use super::unite::Union;
-use crate::scene::Aabb;
+use crate::geometry::Aabb;
 
 impl Assembly<'_> {
     /// What is in all operands of `kept` and in none of `taken`.

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use super::soup::Mesh;
+use crate::geometry::array::{dot, sub};
 use crate::scene::Vec3;
-use crate::scene::vector::{dot, sub};
 
 /// At this many triangles no more are made.
 const MOST: usize = 1 << 22;

@@ -7,7 +7,8 @@ use super::assemble::Piece;
 use super::sets::Sets;
 use super::shape::DROPPED;
 use super::skin::Skin;
-use crate::scene::{Geometry, Matrix, Scene};
+use crate::geometry::Matrix;
+use crate::scene::{Geometry, Scene};
 use crate::trace::graph::Graph;
 
 impl Parts {

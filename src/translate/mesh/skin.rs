@@ -1,9 +1,10 @@
 //! What triangles show: whose surface they are, and the properties it has.
 
-use crate::scene::vector::{dot, length};
-use crate::scene::{DEFAULT_COLOUR, Matrix, Rgb, Texture, Vec3};
+use crate::geometry::Matrix;
+use crate::geometry::array::{dot, length};
+use crate::geometry::line::Line;
+use crate::scene::{DEFAULT_COLOUR, Rgb, Texture, Vec3};
 use crate::trace::graph::{Coat, Graph, Part};
-use crate::trace::ray::Line;
 use crate::trace::shapes::{Located, Primitive, Roots};
 
 /// Cosines of angles up to which faces face the same way: that of a triangle and the face that it stands for,

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use super::sets::Sets;
-use crate::scene::vector::{cross, dot, sub};
-use crate::scene::{Aabb, Matrix, Vec3};
+use crate::geometry::array::{cross, dot, sub};
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::Vec3;
 
 /// Triangles, counter-clockwise as seen from outside, each with the number of what it shows.
 #[derive(Debug, Clone, Default, PartialEq)]

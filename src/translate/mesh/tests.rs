@@ -1,5 +1,5 @@
 use super::*;
-use crate::scene::vector::{cross, dot, sub};
+use crate::geometry::array::{cross, dot, sub};
 use crate::trace::Tracer;
 
 /// The model of a scene.

@@ -6,11 +6,11 @@ use std::ops::ControlFlow;
 use rayon::prelude::*;
 
 use super::budget::{Budget, Crowd};
-use super::crowds::{Crowds, bounds, tree, visit};
+use super::crowds::{Crowds, tree};
 use super::csg::{Operation, combine};
 use super::shape::DROPPED;
 use super::soup::Mesh;
-use crate::scene::Aabb;
+use crate::geometry::Aabb;
 
 /// Closed meshes that lie apart from each other, with their bounds.
 #[derive(Debug, Default)]
@@ -189,7 +189,7 @@ impl Member {
 pub fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
     let tree = tree(boxes);
     let overlaps = |(i, b): (usize, &Aabb)| {
-        visit(&tree, &bounds(b), |j| {
+        tree.visit(b, |j| {
             match j as usize != i && b.overlaps(&boxes[j as usize]) {
                 true => ControlFlow::Break(()),
                 false => ControlFlow::Continue(()),
@@ -211,7 +211,7 @@ pub fn pairs(
     let mut out = Vec::new();
     for (j, b) in boxes.iter().enumerate() {
         let start = out.len();
-        let all = visit(&tree, &bounds(b), |i| {
+        let all = tree.visit(b, |i| {
             let i = i as usize;
             if i < j && b.overlaps(&boxes[i]) && wanted(i, j) {
                 out.push((i, j));

@@ -1,7 +1,8 @@
 //! Shapes that Mitsuba has itself.
 
 use super::xml;
-use crate::scene::{Geometry, Matrix, Scene, Vec3};
+use crate::geometry::Matrix;
+use crate::scene::{Geometry, Scene, Vec3};
 use crate::trace::graph::Graph;
 use crate::translate::mesh::{Skin, picture::is_pictured, shape::flat};
 

@@ -1,6 +1,7 @@
 //! Where the scene is put for Mitsuba, which computes in single precision.
 
-use crate::scene::{Aabb, Camera, Matrix, Vec3};
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Camera, Vec3};
 
 /// The scene is moved when it lies this many times its size from the origin: seven digits are enough
 /// up to there.

@@ -1,9 +1,10 @@
 //! What Mitsuba's cameras can be of those with a projection matrix.
 
+use crate::geometry::Matrix;
+use crate::geometry::array::{add, cross, dot, length, sub};
 use crate::scene::frame::Basis;
 use crate::scene::sight::Sight;
-use crate::scene::vector::{add, cross, dot, length, sub};
-use crate::scene::{Camera, Matrix, Vec3};
+use crate::scene::{Camera, Vec3};
 use crate::trace::camera::View;
 
 /// A camera as Mitsuba has it.

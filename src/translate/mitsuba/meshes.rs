@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::ShapeInfo;
 use super::bsdf::Colours;
-use crate::scene::vector::{cross, length, sub};
+use crate::geometry::array::{cross, length, sub};
 use crate::scene::{Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
 use crate::translate::mesh::corners::{Corner, corners};

@@ -7,8 +7,9 @@ use super::frame::Frame;
 use super::lens::Lens;
 use super::xml::{number, rgb, transform, vector};
 use super::{Integrator, Options};
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::frame::{Basis, headlight};
-use crate::scene::{Aabb, Camera, Matrix, Scene};
+use crate::scene::{Camera, Scene};
 use crate::translate::Unsupported;
 
 /// Samples a pixel of a path-traced picture.

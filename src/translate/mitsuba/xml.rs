@@ -1,7 +1,8 @@
 //! Elements of Mitsuba's scene files.
 
 use super::ShapeInfo;
-use crate::scene::{Matrix, Vec3};
+use crate::geometry::Matrix;
+use crate::scene::Vec3;
 
 /// `1, 2, 3`.
 pub fn vector(v: Vec3) -> String {

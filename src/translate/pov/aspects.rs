@@ -3,7 +3,8 @@
 
 use std::collections::HashMap;
 
-use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Matrix, Optics, Rgb, Scene, Texture};
+use crate::geometry::Matrix;
+use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Optics, Rgb, Scene, Texture};
 
 /// What nobody gave a value has number 0 in every table.
 pub const DEFAULT: u32 = 0;

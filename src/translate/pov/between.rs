@@ -16,7 +16,8 @@ use super::grouping;
 use super::neighbours::Neighbours;
 use super::piece::{Group, Modifier, Piece};
 use super::union::{Members, Reaching, non_empty};
-use crate::scene::{Aabb, NodeId};
+use crate::geometry::Aabb;
+use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
 
 /// A group of a union may have so many parts of its skin that look different.

@@ -15,10 +15,11 @@ use super::sets::Sets;
 use super::sheets;
 use super::spread;
 use super::volumes::{self, Volumes};
+use crate::geometry::Aabb;
+use crate::geometry::vec::Vec3;
 use crate::scene::bounds::{NodeBounds, node_bounds};
-use crate::scene::{Aabb, Node, NodeId, Scene, View};
+use crate::scene::{Node, NodeId, Scene, View};
 use crate::trace::members;
-use crate::trace::vec::Vec3;
 use crate::translate::fidelity::{Fidelity, Report};
 use crate::translate::names;
 

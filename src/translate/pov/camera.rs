@@ -4,10 +4,11 @@ use super::Options;
 use super::build::Builder;
 use super::frame::Frame;
 use super::text::{entity, vector};
+use crate::geometry::Aabb;
+use crate::geometry::array::{add, cross, dot, length, sub, unit};
 use crate::scene::frame::{Basis, selected_cameras};
 use crate::scene::sight::Sight;
-use crate::scene::vector::{add, cross, dot, length, sub, unit};
-use crate::scene::{Aabb, Camera, Scene, Vec3};
+use crate::scene::{Camera, Scene, Vec3};
 use crate::syntax::Captions;
 use crate::translate::Unsupported;
 use crate::translate::fidelity::Fidelity;
@@ -264,7 +265,7 @@ pub fn cameras(eyes: &[Eye], frame: &Frame, captions: &Captions) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Matrix;
+    use crate::geometry::Matrix;
 
     /// A lens must have the rays of the reference tracer.
     #[test]

@@ -6,7 +6,8 @@ use super::coplanar::Plane;
 use super::lengthen::{Cut, HAIR, lengthened, with_ends_moved, with_planes_moved};
 use super::matrices::Matrices;
 use super::offset::{offset, offset_profile, stretched};
-use crate::scene::{Aabb, Geometry, Matrix};
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::Geometry;
 
 /// How shapes are changed where nobody sees it.
 #[derive(Debug, Clone, Copy)]

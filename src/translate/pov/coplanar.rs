@@ -9,9 +9,10 @@ use super::changes::Change;
 use super::piece::{Look, Part, State};
 use super::sheets::is_flat;
 use super::union::Kind;
+use crate::geometry::array::{cross, dot, length, sub};
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::shape_bounds;
-use crate::scene::vector::{cross, dot, length, sub};
-use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Vec3};
+use crate::scene::{Geometry, Node, NodeId, Vec3};
 
 /// Unions of more parts are not searched.
 const MANY: usize = 1024;

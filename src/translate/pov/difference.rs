@@ -7,7 +7,8 @@ use super::descend::{End, Stop};
 use super::grouping::{self, meet};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::union::non_empty;
-use crate::scene::{Aabb, Matrix, NodeId};
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
 
 /// A look that is fully known, and the index behind it.

@@ -6,7 +6,8 @@ use super::changes::Change;
 use super::offset::{offset, sides_within};
 use super::sets::{Place, Sets};
 use super::standing::Stand;
-use crate::scene::{Geometry, Matrix, Node, NodeId};
+use crate::geometry::Matrix;
+use crate::scene::{Geometry, Node, NodeId};
 use std::collections::HashSet;
 
 /// So many nodes of a solid are looked at.

@@ -6,7 +6,8 @@ use super::build::Builder;
 use super::changes::{Change, moved_back};
 use super::lengthen::{Cut, HAIR, HALF, lengthened};
 use super::piece::State;
-use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId};
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Geometry, Node, NodeId};
 
 /// So many nodes of a tool are looked at.
 const PATIENCE: u32 = 4096;

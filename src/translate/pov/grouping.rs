@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
-use crate::scene::Aabb;
+use crate::geometry::Aabb;
 
 /// So many pairs of boxes are looked at before two sets are taken to meet.
 const PATIENCE: usize = 1 << 20;

@@ -1,8 +1,9 @@
 //! Shapes with some of their faces farther out.
 
 use super::coplanar::Plane;
-use crate::scene::vector::{length, sub};
-use crate::scene::{Aabb, Geometry};
+use crate::geometry::Aabb;
+use crate::geometry::array::{length, sub};
+use crate::scene::Geometry;
 
 /// Faces that are this near, as a part of the numbers, are in one place: what a few hundred roundings may do.
 pub const HAIR: f64 = 1e-13;

@@ -10,7 +10,8 @@ use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::profile::Profile;
 use super::text::{matrix, number, rgb};
 use super::uv::{self, Along};
-use crate::scene::{CELL_NUDGE, Geometry, Matrix, Optics, Rgb, Scene, Texture};
+use crate::geometry::Matrix;
+use crate::scene::{CELL_NUDGE, Geometry, Optics, Rgb, Scene, Texture};
 
 /// A texture with optics; for a texture that is laid on shapes, on a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::scene::Matrix;
+use crate::geometry::Matrix;
 
 #[derive(Debug, Default)]
 pub struct Matrices {

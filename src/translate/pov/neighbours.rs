@@ -8,7 +8,8 @@ use super::build::Builder;
 use super::changes::Change;
 use super::piece::{Group, Piece, State};
 use super::union::{Members, Reaching};
-use crate::scene::{Aabb, NodeId};
+use crate::geometry::Aabb;
+use crate::scene::NodeId;
 
 /// Neighbours of parts of a union, which are groups by position.
 pub(super) struct Neighbours {

@@ -2,7 +2,8 @@
 
 use super::build::Builder;
 use super::profile::twice_area;
-use crate::scene::{Geometry, Matrix, Node, NodeId};
+use crate::geometry::Matrix;
+use crate::scene::{Geometry, Node, NodeId};
 
 /// So many nodes are looked at to find out whether a solid can be made smaller.
 const PATIENCE: usize = 4096;

@@ -1,7 +1,8 @@
 //! The objects that are written: what they are made of and what is said about them.
 
 use super::aspects::TextureUse;
-use crate::scene::{Matrix, NodeId};
+use crate::geometry::Matrix;
+use crate::scene::NodeId;
 
 /// Which part of a node is meant: an operation treats the solids and the surfaces among its
 /// operands differently.

@@ -1,9 +1,10 @@
 //! How near and how far the things are that the picture shows, by looking at it.
 
 use super::camera::Eye;
-use crate::scene::{Aabb, Scene};
+use crate::geometry::Aabb;
+use crate::geometry::vec::Vec3;
+use crate::scene::Scene;
 use crate::trace::camera::View;
-use crate::trace::vec::Vec3;
 use crate::trace::{Ray, Tracer, Walkers};
 
 /// The picture is looked at through so many pixels.

@@ -4,8 +4,9 @@
 use std::collections::{HashMap, HashSet};
 
 use super::matrices::Matrices;
-use crate::scene::vector::{cross, dot, length};
-use crate::scene::{Geometry, Matrix, Node, NodeId, Scene, Vec3};
+use crate::geometry::Matrix;
+use crate::geometry::array::{cross, dot, length};
+use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 
 /// A solid at a place: what nodes are, whatever they look like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

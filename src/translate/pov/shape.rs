@@ -4,7 +4,7 @@ use super::frame::power_of_two_about;
 use super::profile::Profile;
 use super::text::{number, vector};
 use super::{poly, triangle};
-use crate::scene::vector::length;
+use crate::geometry::array::length;
 use crate::scene::{Geometry, TriangleNormals};
 
 /// A primitive in the shape's own coordinates: a keyword, and what stands between its braces, one

@@ -14,7 +14,7 @@ use super::piece::{Body, Look, Modifier, Piece, State};
 use super::shape::{Primitive, primitive};
 use super::text::vector;
 use super::union::Members;
-use crate::scene::vector::length;
+use crate::geometry::array::length;
 use crate::scene::{Geometry, NodeId, Scene, TriangleNormals};
 
 /// Whether a shape is flat, and the same all over.

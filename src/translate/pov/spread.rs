@@ -7,8 +7,9 @@ use std::collections::{HashMap, HashSet};
 use super::aspects::Aspects;
 use super::facts::{Facts, facts};
 use super::rewrite::{Rewrite, Way, below};
+use crate::geometry::Aabb;
 use crate::scene::bounds::{NodeBounds, node_bounds};
-use crate::scene::{Aabb, Node, NodeId, Scene};
+use crate::scene::{Node, NodeId, Scene};
 
 /// Unions of more parts are left as they are.
 const MANY: usize = 512;

@@ -7,7 +7,8 @@ use super::changes::Change;
 use super::flush::is_along;
 use super::lengthen::{Cut, HAIR, lengthened};
 use super::offset::stretched;
-use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Vec3};
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Geometry, Node, NodeId, Vec3};
 
 /// Solids are made longer by this part of their length, or of what there is room for: far more than
 /// POV-Ray's tolerances.

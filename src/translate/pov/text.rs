@@ -1,6 +1,6 @@
 //! Numbers, vectors and colours as POV-Ray reads them.
 
-use crate::scene::Matrix;
+use crate::geometry::Matrix;
 use crate::syntax::Captions;
 
 /// The shortest decimal that reads back as the same number.

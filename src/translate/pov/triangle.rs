@@ -2,7 +2,7 @@
 
 use super::shape::Primitive;
 use super::text::vector;
-use crate::scene::vector::length;
+use crate::geometry::array::length;
 use crate::scene::{Geometry, TriangleNormals, Vec3};
 
 /// POV-Ray makes the normals of the corners equally long before it interpolates. Where they are not,

@@ -6,8 +6,9 @@ use std::collections::HashMap;
 
 use super::camera::Eye;
 use super::facts::{Facts, is_smooth};
-use crate::scene::{Geometry, Matrix, Node, Scene, TriangleNormals, Vec3};
-use crate::trace::vec::Vec3 as V;
+use crate::geometry::Matrix;
+use crate::geometry::vec::Vec3 as V;
+use crate::scene::{Geometry, Node, Scene, TriangleNormals, Vec3};
 
 /// For each such shape that stands in one place: whether its normals have to be turned to the eye's
 /// side.

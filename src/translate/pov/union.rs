@@ -9,7 +9,8 @@ use super::build::{Builder, inside_medium};
 use super::grouping::{self, meet_each_other};
 use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::standing::Stand;
-use crate::scene::{Aabb, NodeId};
+use crate::geometry::Aabb;
+use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
 
 /// Unions of more solids are not searched for those that stand on each other.

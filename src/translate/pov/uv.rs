@@ -3,7 +3,7 @@
 
 use super::profile::Profile;
 use super::text::number;
-use crate::scene::vector::{cross, dot, length};
+use crate::geometry::array::{cross, dot, length};
 use crate::scene::{Geometry, Vec3};
 
 /// u and v as functions of (x, y, z): of a point, and for a lathe, of what `uv_mapping` makes of it.

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
+use crate::geometry::Aabb;
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Aabb, NodeId, Scene, Vec3, Volume};
+use crate::scene::{NodeId, Scene, Vec3, Volume};
 
 /// For each object the last of its volumes that certainly holds it, and whether that was written.
 pub type Volumes = HashMap<NodeId, (Volume, bool)>;

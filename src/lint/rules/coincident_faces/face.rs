@@ -2,8 +2,9 @@
 //! surfaces with a point that tells them from others.
 
 use super::quadric;
-use crate::scene::vector::{across, add, cross, dot, length, sub, unit};
-use crate::scene::{Geometry, Matrix, Vec3};
+use crate::geometry::Matrix;
+use crate::geometry::array::{across, add, cross, dot, length, sub, unit};
+use crate::scene::{Geometry, Vec3};
 use crate::solids::point::in_profile;
 
 /// Profiles with more points have no faces here: to tell the sides of each of their pieces takes

@@ -3,10 +3,10 @@
 use super::face::Part;
 use super::search::Side;
 use crate::diagnostics::{Applicability, Edit, Fix};
+use crate::geometry::array::length;
 use crate::lint::spelled;
 use crate::scene::Geometry;
 use crate::scene::record::Params;
-use crate::scene::vector::length;
 use crate::solids::point::in_profile;
 
 /// How much longer a tool becomes: too little to be seen, and a million times what counts as flush.

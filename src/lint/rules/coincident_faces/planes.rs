@@ -5,10 +5,11 @@ use rayon::prelude::*;
 use super::face::{Face, Form, QUADRIC};
 use super::sample::SLIVER;
 use super::search::{NEAR, ROUNDING};
+use crate::geometry::Aabb;
+use crate::geometry::array::dot;
+use crate::geometry::boxes::Boxes;
 use crate::lint::solids::tree::Tree;
-use crate::scene::vector::dot;
-use crate::scene::{Aabb, Vec3};
-use crate::trace::boxes::Boxes;
+use crate::scene::Vec3;
 
 /// Faces and boxes looked at, for all faces together: some tenths of a second. What is not looked at
 /// is not spoken of.

@@ -3,8 +3,9 @@
 use super::face::Part;
 use super::sample::Sample;
 use super::sample::direction;
-use crate::scene::vector::{add, dot, length};
-use crate::scene::{Geometry, Matrix, Vec3};
+use crate::geometry::Matrix;
+use crate::geometry::array::{add, dot, length};
+use crate::scene::{Geometry, Vec3};
 
 type Form = [[f64; 4]; 4];
 

@@ -2,8 +2,8 @@
 
 use super::face::{Face, Form, Part};
 use super::quadric;
+use crate::geometry::array::{across, add, cross, dot, length, middle, sub, unit};
 use crate::lint::solids::leaf::Leaf;
-use crate::scene::vector::{across, add, cross, dot, length, middle, sub, unit};
 use crate::scene::{Geometry, Vec3};
 
 /// A point of a surface and the direction at right angles to it, of length 1.

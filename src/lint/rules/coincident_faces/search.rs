@@ -6,13 +6,14 @@ use super::face::{Face, Form, Part, as_quadrics, faces};
 use super::planes::{Meeting, Planes};
 use super::quadric;
 use super::sample::{self, Sample};
+use crate::geometry::Aabb;
+use crate::geometry::array::{across, add};
 use crate::lint::solids::leaf::Leaf;
 use crate::lint::solids::points::Points;
 use crate::lint::solids::tree::{Answer, Tree};
 use crate::lint::solids::ways::NONE;
 use crate::scene::bounds::NodeBounds;
-use crate::scene::vector::{across, add};
-use crate::scene::{Aabb, Geometry, Node, NodeId, Scene, Vec3};
+use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 
 /// How near two faces must be, as a share of the smaller shape: the language's own bound.
 pub const NEAR: f64 = 1e-9;

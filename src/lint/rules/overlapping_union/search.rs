@@ -4,14 +4,15 @@ use rustc_hash::FxHashSet;
 
 use super::medium::texture;
 use super::unions::{Part, Unions};
+use crate::geometry::array::length;
+use crate::geometry::boxes::Boxes;
+use crate::geometry::{Aabb, Matrix};
 use crate::lint::solids::field::Field;
 use crate::lint::solids::inside::Inside;
 use crate::lint::solids::meeting::lowest;
 use crate::lint::solids::near;
 use crate::scene::bounds::NodeBounds;
-use crate::scene::vector::length;
-use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene, Vec3};
-use crate::trace::boxes::Boxes;
+use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 
 /// Boxes looked at and points tried, for all parts together: some tenths of a second.
 const STEPS: usize = 10_000_000;

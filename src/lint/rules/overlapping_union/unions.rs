@@ -3,10 +3,11 @@
 use rustc_hash::FxHashMap;
 
 use super::medium::{Coat, Colouring, Medium, looks};
+use crate::geometry::{Aabb, Matrix};
 use crate::lint::solids::ways::{NONE, Ways};
 use crate::lint::solids::{Named, named};
 use crate::scene::bounds::NodeBounds;
-use crate::scene::{Aabb, Matrix, Node, NodeId, Scene};
+use crate::scene::{Node, NodeId, Scene};
 use crate::trace::plan::unseen::{self, LeftOut};
 
 /// Nodes gone through more often than once, in scenes that share parts.

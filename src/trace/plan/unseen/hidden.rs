@@ -15,10 +15,11 @@
 
 use super::members::Member;
 use super::starts::Starts;
-use crate::scene::{Aabb, Scene};
+use crate::geometry::Aabb;
+use crate::geometry::boxes::Boxes;
+use crate::scene::Scene;
 use crate::solids::hull::is_convex;
 use crate::solids::within::{CLEAR, Standing};
-use crate::trace::boxes::Boxes;
 use rustc_hash::FxHashMap;
 
 /// So many opaque shapes are asked what they hold, the largest.

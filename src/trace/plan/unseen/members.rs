@@ -1,7 +1,8 @@
 //! The parts of the outermost union, where they are.
 
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::{NodeBounds, shape_bounds};
-use crate::scene::{Aabb, Geometry, Matrix, Node, NodeId, Scene};
+use crate::scene::{Geometry, Node, NodeId, Scene};
 use crate::solids::named;
 
 /// Where a part is written.

@@ -9,8 +9,9 @@ mod members;
 mod starts;
 
 use crate::diagnostics::Span;
+use crate::geometry::Aabb;
 use crate::scene::bounds::{NodeBounds, node_bounds};
-use crate::scene::{Aabb, NodeId, Scene};
+use crate::scene::{NodeId, Scene};
 use crate::solids::named;
 use hidden::Hidden;
 use members::{Member, Slot, members};

@@ -1,11 +1,12 @@
 //! Where the rays of cameras start.
 
 use super::is_apart;
+use crate::geometry::array::{add, cross, dot, sub, unit};
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::frame::{Basis, automatic_camera};
 use crate::scene::sight::Sight;
-use crate::scene::vector::{add, cross, dot, sub, unit};
-use crate::scene::{Aabb, Camera, Matrix, Scene, Vec3, View};
+use crate::scene::{Camera, Scene, Vec3, View};
 use crate::solids::within::{CLEAR, Standing, far};
 
 /// Where rays may start.

@@ -1,6 +1,7 @@
 //! Close calls whose answers are known by hand.
 
 use super::*;
+use crate::geometry::number::Real;
 
 fn cube() -> Primitive {
     Primitive::new(&Geometry::Box {
@@ -13,7 +14,7 @@ fn sphere(centre: [f64; 3], radius: f64) -> Primitive {
     Primitive::new(&Geometry::Sphere { centre, radius })
 }
 
-fn ts<R: Real>(shape: &Primitive, o: [f64; 3], d: [f64; 3]) -> (Vec<f64>, bool) {
+fn ts<R: Traced>(shape: &Primitive, o: [f64; 3], d: [f64; 3]) -> (Vec<f64>, bool) {
     let roots = meet::<R>(shape, &line(Vec3(o), Vec3(d)));
     let list = roots.list.iter().map(|root| root.t.to_f64()).collect();
     (list, roots.uncertain)
@@ -159,7 +160,7 @@ fn right_angles_are_no_close_calls() {
 /// Known hard rays against spheres and planes.
 #[test]
 fn hard_rays() {
-    fn all<R: Real>() {
+    fn all<R: Traced>() {
         let z = [0.0, 0.0, 1.0];
         // 1e-11 inside the rim: the discriminant is off by at most 54u, t by that over twice its root.
         let x = 1.0 - 1e-11;

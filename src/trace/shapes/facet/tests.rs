@@ -1,5 +1,5 @@
 use super::*;
-use crate::trace::ray::Line;
+use crate::geometry::line::{Line, Traced};
 
 /// Random numbers (splitmix64; Steele, Lea and Flood, 2014).
 pub struct Random(pub u64);
@@ -44,7 +44,7 @@ pub fn solve(line: &Line, [a, b, c]: [Vec3<Dd>; 3]) -> Option<(Dd, Dd)> {
 }
 
 /// Lines that no formula likes: components from nothing to everything.
-pub fn wild_line<R: Real>(random: &mut Random) -> Line<R> {
+pub fn wild_line<R: Traced>(random: &mut Random) -> Line<R> {
     let mut component = || match random.next() % 8 {
         0 => 0.0,
         1 => 1.0,

@@ -3,7 +3,7 @@ use super::super::facet::tests::{Random, solve, wild_line};
 use super::*;
 use std::collections::BTreeMap;
 
-fn roots<R: Real>(sphere: &GeodesicSphere, line: &Line<R>) -> Roots<R> {
+fn roots<R: Traced>(sphere: &GeodesicSphere, line: &Line<R>) -> Roots<R> {
     let mut roots = Roots::default();
     sphere.crossings(line, &mut roots);
     for pair in roots.list.windows(2) {
@@ -13,7 +13,7 @@ fn roots<R: Real>(sphere: &GeodesicSphere, line: &Line<R>) -> Roots<R> {
     roots
 }
 
-fn in_kind<R: Real>(line: &Line) -> Line<R> {
+fn in_kind<R: Traced>(line: &Line) -> Line<R> {
     Line::new(lift(line.origin), lift(line.direction))
 }
 
@@ -175,7 +175,7 @@ fn agrees_with_all_facets_one_by_one() {
 /// and once out, in every kind of number.
 #[test]
 fn nothing_slips_between_facets() {
-    fn check<R: Real>(random: &mut Random, far: f64) {
+    fn check<R: Traced>(random: &mut Random, far: f64) {
         for splits in 0..=MAX_SPLITS {
             let radius = random.length(-3.0, 3.0);
             let sphere = GeodesicSphere::new(radius, splits);
@@ -276,7 +276,7 @@ fn doubts_what_rounding_may_change() {
 
 #[test]
 fn no_line_yields_a_root_that_is_not_finite() {
-    fn check<R: Real>(random: &mut Random) {
+    fn check<R: Traced>(random: &mut Random) {
         for i in 0..5_000 {
             let sphere = GeodesicSphere::new(random.length(-300.0, 300.0), i % 4);
             let line = wild_line::<R>(random);

@@ -2,14 +2,13 @@
 
 use super::line::{Bounded, Chord, Inside, push_all};
 use super::{Form, bounds_of, turn};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
-use crate::trace::bounds::Bounds;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
 use crate::trace::shapes::doubt::is_final;
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
-use crate::trace::vec::Vec3;
 
 /// The part of x² + z² ≤ y² between the apex and y = 1, or between y = ±1, scaled by the base
 /// radius across and by the height along its axis, which may be negative.
@@ -19,7 +18,7 @@ pub struct Cone {
     height: f64,
     radius: f64,
     double: bool,
-    bounds: Bounds,
+    bounds: Aabb,
 }
 
 /// The faces: the lateral surface, the base disc at the height, and the one opposite.
@@ -57,7 +56,7 @@ impl Cone {
 }
 
 impl Shape for Cone {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> Aabb {
         self.bounds
     }
 
@@ -118,7 +117,7 @@ impl Cone {
     /// more than a touch, where both are not. At a finite end that is the difference of three terms
     /// with at most six roundings, off by what the end, the origin and the direction are. An
     /// infinite end is above it: a line that has one is no less steep than the cone.
-    fn cut<R: Real>(&self, chord: &Chord<R>, stretch: Stretch<R>, roots: &mut Roots<R>) {
+    fn cut<R: Traced>(&self, chord: &Chord<R>, stretch: Stretch<R>, roots: &mut Roots<R>) {
         let Stretch { from, to, half } = stretch;
         if half < R::ZERO && !self.double {
             return;
@@ -171,7 +170,7 @@ impl Cone {
     /// In the space of the form of x² + z² − y², a plane that holds the origin and a line steeper
     /// than the cone has signature (1, 1), so the discriminant of such a line is never negative,
     /// and zero only where it meets the apex: what is inside everywhere goes through the apex.
-    fn append<R: Real>(&self, chord: &Chord<R>, roots: &mut Roots<R>) {
+    fn append<R: Traced>(&self, chord: &Chord<R>, roots: &mut Roots<R>) {
         roots.uncertain |= chord.uncertain;
         let up = if chord.direction[1] < R::ZERO {
             -R::ONE
@@ -208,7 +207,7 @@ impl Cone {
 
     /// The half of the double cone that a bounded stretch is in: the sign of y in its middle.
     /// `None` where it may be the apex.
-    fn half<R: Real>(chord: &Chord<R>, roots: &mut Roots<R>) -> Option<R> {
+    fn half<R: Traced>(chord: &Chord<R>, roots: &mut Roots<R>) -> Option<R> {
         let (y, slope) = (chord.origin[1], chord.direction[1]);
         let Bounded { value, error } = chord.middle;
         let step = value * slope;
@@ -230,7 +229,7 @@ impl Cone {
     }
 }
 
-impl<R: Real> Intersect<R> for Cone {
+impl<R: Traced> Intersect<R> for Cone {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let mut chord = Chord::new(&self.form, line);
         self.append(&chord, roots);

@@ -2,12 +2,11 @@
 
 use super::line::Chord;
 use super::{Form, bounds_of, turn};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
-use crate::trace::bounds::Bounds;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
-use crate::trace::vec::Vec3;
 use std::f64::consts::PI;
 
 /// The unit sphere, scaled. A line is taken to the sphere's space and its origin to the closest
@@ -18,7 +17,7 @@ use std::f64::consts::PI;
 pub struct Ellipsoid {
     form: Form,
     semi_axes: [f64; 3],
-    bounds: Bounds,
+    bounds: Aabb,
 }
 
 impl Ellipsoid {
@@ -32,7 +31,7 @@ impl Ellipsoid {
 }
 
 impl Shape for Ellipsoid {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> Aabb {
         self.bounds
     }
 
@@ -51,7 +50,7 @@ impl Shape for Ellipsoid {
     }
 }
 
-impl<R: Real> Intersect<R> for Ellipsoid {
+impl<R: Traced> Intersect<R> for Ellipsoid {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         Chord::new(&self.form, line).append(roots);
     }

@@ -1,12 +1,12 @@
 //! A polynomial of second degree, its value and its gradient.
 
-use crate::scene::sign::{Scalar, at_most_zero};
-use crate::trace::dd::Dd;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
+use crate::geometry::dd::Dd;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::number::Real;
+use crate::geometry::sign::{Scalar, at_most_zero};
+use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Located;
 use crate::trace::shapes::doubt::is_final;
-use crate::trace::vec::Vec3;
 
 /// F(x) = Σ squareᵢ xᵢ² + mixed·(xy, xz, yz) + linear·x + constant, where xᵢ is a coordinate divided
 /// by unitᵢ: semi-axes stay as they were given, and the coefficients of canonical forms exact.
@@ -46,7 +46,7 @@ pub(super) fn power_of_two(x: f64) -> f64 {
 }
 
 /// The sum of a double and the rest of it, where there is room for that.
-fn whole<R: Real>(x: f64, rest: f64) -> R {
+fn whole<R: Traced>(x: f64, rest: f64) -> R {
     if !is_final::<R>() {
         R::of(x)
     } else {
@@ -153,17 +153,17 @@ impl Form {
     }
 
     /// The coefficient of a pair of axes, as exact as the number can have it.
-    pub(super) fn mixed<R: Real>(&self, k: usize) -> R {
+    pub(super) fn mixed<R: Traced>(&self, k: usize) -> R {
         whole(self.mixed[k], self.rest[0][k])
     }
 
     /// The coefficient of an axis, as exact as the number can have it.
-    pub(super) fn linear<R: Real>(&self, i: usize) -> R {
+    pub(super) fn linear<R: Traced>(&self, i: usize) -> R {
         whole(self.linear[i], self.rest[1][i])
     }
 
     /// Whether a coefficient of the second degree, the square's or the pair's, is rounded.
-    pub(super) fn is_rounded<R: Real>(&self, i: usize, pair: bool) -> bool {
+    pub(super) fn is_rounded<R: Traced>(&self, i: usize, pair: bool) -> bool {
         let (x, rest) = match pair {
             true => (self.mixed[i], self.rest[0][i]),
             false => (self.square[i], 0.0),
@@ -178,7 +178,7 @@ impl Form {
     }
 
     /// w²·F(x/w), and the sum of the sizes of its terms.
-    pub(super) fn value<R: Real>(&self, x: Vec3<R>, w: R) -> (R, R) {
+    pub(super) fn value<R: Traced>(&self, x: Vec3<R>, w: R) -> (R, R) {
         let mut sum = R::of(self.constant) * w * w;
         let mut size = sum.abs();
         let mut add = |term: R| {
@@ -196,7 +196,7 @@ impl Form {
     }
 
     /// The gradient of F at x, in the form's own units.
-    fn gradient<R: Real>(&self, x: Vec3<R>) -> Vec3<R> {
+    fn gradient<R: Traced>(&self, x: Vec3<R>) -> Vec3<R> {
         let mut g =
             Vec3([0, 1, 2].map(|i| R::of(2.0 * self.square[i]) * x[i] + self.linear::<R>(i)));
         for (k, (i, j)) in PAIRS.into_iter().enumerate() {
@@ -242,7 +242,7 @@ impl Form {
         at_most_zero(self.at(point), || self.at(point))
     }
 
-    pub(super) fn units<R: Real>(&self) -> Vec3<R> {
+    pub(super) fn units<R: Traced>(&self) -> Vec3<R> {
         Vec3(self.unit.map(R::of))
     }
 
@@ -250,7 +250,7 @@ impl Form {
     /// where the line is there; zero where that says nothing.
     ///
     /// [`Intersect::speed`]: crate::trace::shapes::Intersect::speed
-    pub(super) fn speed<R: Real>(&self, line: &Line<R>, t: R) -> R {
+    pub(super) fn speed<R: Traced>(&self, line: &Line<R>, t: R) -> R {
         let unit = self.units::<R>();
         let gradient = self.gradient(line.at(t).zip(unit, |p, s| p / s));
         let normal = gradient.zip(unit, |g, s| g / s);
@@ -266,7 +266,7 @@ impl Form {
     /// gradient is so small that a step could leave the neighbourhood in which Newton's method
     /// converges (4·|F|·|A| > |∇F|², Kantorovich's condition, |A| a bound on the second
     /// derivatives) the surface turns within √(|F|/|A|) of the point: it stays, with that error.
-    pub(super) fn locate<R: Real>(&self, line: &Line<R>, t: R) -> Located<R> {
+    pub(super) fn locate<R: Traced>(&self, line: &Line<R>, t: R) -> Located<R> {
         let unit = self.units::<R>();
         let start = line.at(t);
         let curvature = [self.square, self.mixed]

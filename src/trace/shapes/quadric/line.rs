@@ -1,11 +1,11 @@
 //! Where a line meets a polynomial of second degree.
 
 use super::form::{Form, OPERATIONS, PAIRS, power_of_two};
-use crate::trace::number::Real;
-use crate::trace::ray::{Line, Slack};
+use crate::geometry::affine::Slack;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Roots;
 use crate::trace::shapes::doubt::is_final;
-use crate::trace::vec::Vec3;
 
 /// A number and a bound on its error.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub(super) struct Bounded<R> {
 /// and in their pairs: where products reach below 2⁻¹⁰²²⁺⁵³, their errors are not normal numbers.
 const UNDERFLOW: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
-impl<R: Real> Bounded<R> {
+impl<R: Traced> Bounded<R> {
     /// Whether the sign may be another than the value's.
     pub fn is_doubtful(self) -> bool {
         self.error > R::ZERO && self.value.abs() <= self.error
@@ -32,7 +32,7 @@ impl<R: Real> Bounded<R> {
 
 /// x/y. Its error is that of x over y, and y's relative one, both by the least that y may be; where
 /// that is zero there is no bound.
-fn quotient<R: Real>(x: Bounded<R>, y: Bounded<R>) -> Bounded<R> {
+fn quotient<R: Traced>(x: Bounded<R>, y: Bounded<R>) -> Bounded<R> {
     let value = x.value / y.value;
     let least = y.value.abs() - y.error;
     let error = if least > R::ZERO {
@@ -79,7 +79,7 @@ pub(super) struct Chord<R> {
     length: R,
 }
 
-impl<R: Real> Chord<R> {
+impl<R: Traced> Chord<R> {
     /// The quadratic a τ² + b τ + c of the line.
     ///
     /// The origin is moved with one rounding (a fused multiply-add), so that it is as exact as if
@@ -347,7 +347,7 @@ impl<R: Real> Chord<R> {
 /// Appends crossings, ascending. Two at the same t are a touch and cancel, though another number
 /// might tell them apart; one beyond the finite numbers is at infinity, which changes what is
 /// inside there or is never reached.
-pub(super) fn push_all<R: Real, const N: usize>(roots: &mut Roots<R>, list: [(R, u32); N]) {
+pub(super) fn push_all<R: Traced, const N: usize>(roots: &mut Roots<R>, list: [(R, u32); N]) {
     for (t, face) in list {
         if t.is_finite() {
             if roots.list.last().is_some_and(|last| last.t >= t) {
@@ -366,7 +366,7 @@ pub(super) fn push_all<R: Real, const N: usize>(roots: &mut Roots<R>, list: [(R,
 /// coordinates with a second power go. Others would only lead away, but for those with a first
 /// power: with the terms s·x² and l·y, of which T is the largest at the first place, their sum is
 /// about (s·x² + (l·y)²/T), so that y weighs l²/sT times as much as x.
-fn closest<R: Real>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
+fn closest<R: Traced>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
     let (o, shrink) = normalised(o, 1.0);
     let (d, stretch) = normalised(d, 0.0);
     let at = |weight: Vec3<R>| {
@@ -397,7 +397,7 @@ fn closest<R: Real>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
 
 /// A vector divided by a power of two not below `least`, so that its largest component is in
 /// [1, 2), or below 2 where `least` holds it back; and that power. Exact.
-fn normalised<R: Real>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
+fn normalised<R: Traced>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
     let scale = R::of(power_of_two(v.abs().max_component().to_f64()).max(least));
     (v / scale, scale)
 }
@@ -407,7 +407,7 @@ fn normalised<R: Real>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
 /// error is at most 2u of the result plus γₙ² of the sizes of the terms (γₙ of them where products
 /// are not fused), plus 3u of them where two coordinates were rounded in a division by their units or
 /// the coefficient was. Where nothing was lost it is zero.
-fn leading<R: Real>(form: &Form, d: Vec3<R>) -> Bounded<R> {
+fn leading<R: Traced>(form: &Form, d: Vec3<R>) -> Bounded<R> {
     let (mut sum, mut lost, mut size) = (R::ZERO, R::ZERO, R::ZERO);
     let (mut divided, mut exact) = (R::ZERO, true);
     let mut add = |k: R, rounded: bool, i: usize, j: usize| {
@@ -454,7 +454,7 @@ fn leading<R: Real>(form: &Form, d: Vec3<R>) -> Bounded<R> {
 }
 
 /// The derivative at p along d, times w: the coefficient of τ; and the sizes of its terms.
-fn cross<R: Real>(form: &Form, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
+fn cross<R: Traced>(form: &Form, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
     let (mut sum, mut size) = (R::ZERO, R::ZERO);
     let mut add = |term: R| {
         sum += term;
@@ -475,7 +475,7 @@ fn cross<R: Real>(form: &Form, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
 impl Form {
     /// Bounds on how steep w²·F(x/w) is along each axis: the derivatives and their roundings, four
     /// terms of at most two products.
-    fn slopes<R: Real>(&self, x: Vec3<R>, w: R) -> Vec3<R> {
+    fn slopes<R: Traced>(&self, x: Vec3<R>, w: R) -> Vec3<R> {
         let mut value = [R::ZERO; 3];
         let mut size = [R::ZERO; 3];
         let mut add = |i: usize, term: R| {
@@ -495,7 +495,7 @@ impl Form {
     }
 
     /// 2A(e, f) with A the second degree's matrix, all by their sizes; e and f are not negative.
-    fn twice<R: Real>(&self, e: Vec3<R>, f: Vec3<R>) -> R {
+    fn twice<R: Traced>(&self, e: Vec3<R>, f: Vec3<R>) -> R {
         let mut sum = R::ZERO;
         for i in 0..3 {
             sum += R::of(2.0 * self.square[i].abs()) * e[i] * f[i];

@@ -9,12 +9,12 @@ mod line;
 pub use form::Form;
 
 use super::{Intersect, Located, Root, Roots, Shape};
+use crate::geometry::Matrix;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::vec::Vec3;
+use crate::scene::Geometry;
 use crate::scene::bounds::shape_bounds;
-use crate::scene::{Geometry, Matrix};
-use crate::trace::bounds::Bounds;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
-use crate::trace::vec::Vec3;
 use line::Chord;
 use std::f64::consts::TAU;
 
@@ -22,7 +22,7 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quadric {
     form: Form,
-    bounds: Bounds,
+    bounds: Aabb,
     convex: bool,
     name: &'static str,
 }
@@ -81,9 +81,8 @@ impl Quadric {
 }
 
 /// The bounds that the scene knows for a shape where it is defined.
-fn bounds_of(geometry: &Geometry) -> Bounds {
-    let b = shape_bounds(geometry, &Matrix::IDENTITY);
-    Bounds::new(b.min.into(), b.max.into()).padded()
+fn bounds_of(geometry: &Geometry) -> Aabb {
+    shape_bounds(geometry, &Matrix::IDENTITY).padded()
 }
 
 /// The angle about the y axis, as a share of a full turn.
@@ -92,12 +91,12 @@ fn turn(p: Vec3) -> f64 {
 }
 
 impl Shape for Quadric {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> Aabb {
         self.bounds
     }
 
     fn extent(&self) -> f64 {
-        if self.bounds.is_finite() {
+        if self.bounds.is_bounded() {
             self.bounds.reach()
         } else {
             self.form.extent()
@@ -121,7 +120,7 @@ impl Shape for Quadric {
     }
 }
 
-impl<R: Real> Intersect<R> for Quadric {
+impl<R: Traced> Intersect<R> for Quadric {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         Chord::new(&self.form, line).append(roots);
     }

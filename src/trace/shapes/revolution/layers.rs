@@ -4,8 +4,8 @@
 //! no surface. No line can be told from one that passes between the two, in whatever precision, so
 //! they go before any line comes. Only exact overlaps are looked for: a layer one ulp thick is one.
 
-use crate::trace::dd::Dd;
-use crate::trace::number::Real;
+use crate::geometry::dd::Dd;
+use crate::geometry::number::Real;
 use std::collections::BTreeSet;
 
 /// A part of a segment, from one point of the profile to another.

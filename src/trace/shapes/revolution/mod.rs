@@ -8,13 +8,12 @@ mod tree;
 
 use super::closer::{decide_closer, is_last};
 use super::{Intersect, Located, Root, Roots, Shape};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::sign::{Exact, Rounded, Scalar, at_most_zero};
+use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
-use crate::scene::sign::{Exact, Rounded, Scalar, at_most_zero};
-use crate::trace::bounds::Bounds;
-use crate::trace::number::Real;
-use crate::trace::ray::Line;
 use crate::trace::shapes::support::Support;
-use crate::trace::vec::Vec3;
 use layers::Piece;
 use path::{Cut, Path, Ring, normaliser};
 use std::f64::consts::TAU;
@@ -118,7 +117,7 @@ impl Revolution {
     }
 
     /// How far along its segment a point on the surface is, from 0 to 1; scaled coordinates.
-    fn share<R: Real>(&self, segment: usize, radius: R, y: R) -> R {
+    fn share<R: Traced>(&self, segment: usize, radius: R, y: R) -> R {
         let (p, q) = (self.points[segment], self.points[segment + 1]);
         let (w, h) = (R::of(q[0]) - R::of(p[0]), R::of(q[1]) - R::of(p[1]));
         let k = w.abs().max(h.abs());
@@ -161,12 +160,12 @@ fn before<N: Scalar>([low, high]: [[f64; 2]; 2], p: Vec3) -> N {
 }
 
 impl Shape for Revolution {
-    fn bounds(&self) -> Bounds {
-        self.tree.first().map_or(Bounds::EMPTY, |run| {
+    fn bounds(&self) -> Aabb {
+        self.tree.first().map_or(Aabb::EMPTY, |run| {
             let r = run.radius[1];
-            let scaled = Bounds::new(Vec3::new(-r, run.y[0], -r), Vec3::new(r, run.y[1], r));
+            let (min, max) = (Vec3::new(-r, run.y[0], -r), Vec3::new(r, run.y[1], r));
             let up = 1.0 / self.scale;
-            Bounds::new(scaled.min * up, scaled.max * up).padded()
+            Aabb::new(min * up, max * up).padded()
         })
     }
 
@@ -242,7 +241,7 @@ impl Shape for Revolution {
     }
 }
 
-impl<R: Real> Intersect<R> for Revolution {
+impl<R: Traced> Intersect<R> for Revolution {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         self.decide(line, roots);
         decide_closer(line, roots, |line, roots| self.decide(line, roots));
@@ -336,7 +335,7 @@ impl<R: Real> Intersect<R> for Revolution {
 }
 
 /// Sorts the crossings; returns whether all are farther apart than their errors reach.
-fn settle<R: Real>(roots: &mut Roots<R>, error: R) -> bool {
+fn settle<R: Traced>(roots: &mut Roots<R>, error: R) -> bool {
     let list = &mut roots.list;
     if list.iter().any(|root| !root.t.is_finite()) {
         list.clear();
@@ -348,14 +347,14 @@ fn settle<R: Real>(roots: &mut Roots<R>, error: R) -> bool {
     list.windows(2).all(|w| w[1].t - w[0].t > apart)
 }
 
-fn order<R: Real>(a: R, b: R) -> std::cmp::Ordering {
+fn order<R: Traced>(a: R, b: R) -> std::cmp::Ordering {
     a.partial_cmp(&b).unwrap_or(std::cmp::Ordering::Equal)
 }
 
 /// The crossings with what two solids have in common, from those with either. Where both are in one
 /// place, as far as doubles can tell, it is the first one's surface: a seam belongs to one segment.
 /// What they have in common may have no thickness: then it is none. For lines that do not climb.
-fn common<R: Real>(a: &[Close<R>], b: &[Close<R>]) -> Vec<Root<R>> {
+fn common<R: Traced>(a: &[Close<R>], b: &[Close<R>]) -> Vec<Root<R>> {
     let mut found = Vec::new();
     let (mut i, mut j) = (0, 0);
     while let (Some([from, to]), Some([start, end])) = (a.get(i..i + 2), b.get(j..j + 2)) {
@@ -399,7 +398,7 @@ struct Close<R> {
     ends: [Ring<R>; 2],
 }
 
-impl<R: Real> Close<R> {
+impl<R: Traced> Close<R> {
     /// Whether two crossings may be in one place.
     ///
     /// The two ends of a chord are not, nor are those of pieces of which one is above the other, if
@@ -425,7 +424,7 @@ impl<R: Real> Close<R> {
 impl Revolution {
     /// Decided ring by ring as [`path`] explains, so that the list is even, hence alternates. Two
     /// crossings at the same t are a layer without thickness and cancel.
-    fn decide<R: Real>(&self, line: &Line<R>, roots: &mut Roots<R>) {
+    fn decide<R: Traced>(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let Some(path) = Path::new(line, self.scale, self.centre) else {
             roots.uncertain = true;
             return;
@@ -445,7 +444,7 @@ impl Revolution {
     }
 
     /// Whether a flat part of the surface may be in the level plane of a path.
-    fn has_step<R: Real>(&self, path: &Path<R>) -> bool {
+    fn has_step<R: Traced>(&self, path: &Path<R>) -> bool {
         self.pieces.iter().any(|piece| {
             let [from, to] = [piece.from, piece.to].map(|i| self.points[i as usize][1]);
             from == to && path.may_be_at(from)
@@ -453,7 +452,7 @@ impl Revolution {
     }
 
     /// Appends the crossings, in order; their faces say whether the line goes against them.
-    fn append<R: Real>(&self, path: &Path<R>, roots: &mut Roots<R>) {
+    fn append<R: Traced>(&self, path: &Path<R>, roots: &mut Roots<R>) {
         // The largest error of a crossing.
         let mut error = R::ZERO;
         roots.uncertain |= self.cuts(path, |piece, _, list| {
@@ -471,7 +470,7 @@ impl Revolution {
 
     /// Passes on the crossings with each piece, in any order; returns whether there may be others,
     /// or fewer.
-    fn cuts<R: Real>(
+    fn cuts<R: Traced>(
         &self,
         path: &Path<R>,
         mut found: impl FnMut(&Piece, [&Ring<R>; 2], [Option<Cut<R>>; 2]),
@@ -511,7 +510,7 @@ impl Revolution {
 
     /// The crossings once more, compared one by one. Two in one place are a layer without thickness
     /// and cancel, as do, where decisions are final, two that cannot be told from such.
-    fn closely<R: Real>(&self, path: &Path<R>, uncertain: &mut bool) -> Vec<Close<R>> {
+    fn closely<R: Traced>(&self, path: &Path<R>, uncertain: &mut bool) -> Vec<Close<R>> {
         let mut all: Vec<Close<R>> = Vec::new();
         self.cuts(path, |piece, [a, b], list| {
             for mut cut in list.into_iter().flatten() {

@@ -15,11 +15,11 @@ mod cut;
 pub use cut::Cut;
 
 use super::tree::Run;
-use crate::trace::number::Real;
-use crate::trace::ray::{Line, Slack};
+use crate::geometry::affine::Slack;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::vec::Vec3;
 use crate::trace::shapes::closer::is_last;
 use crate::trace::shapes::doubt::is_final;
-use crate::trace::vec::Vec3;
 
 /// A line relative to the axis, in scaled coordinates.
 #[derive(Debug, Clone, Copy)]
@@ -74,7 +74,7 @@ pub fn normaliser(x: f64) -> f64 {
     f64::from_bits((EXPONENTS - exponent) << 52)
 }
 
-impl<R: Real> Path<R> {
+impl<R: Traced> Path<R> {
     /// The path of a line past a shape with the centre (0, `centre`, 0) in coordinates scaled by
     /// the power of two `scale`. `None` where the line is out of the numbers' reach.
     pub fn new(line: &Line<R>, scale: f64, centre: f64) -> Option<Path<R>> {

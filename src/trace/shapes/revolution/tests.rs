@@ -1,6 +1,7 @@
 use super::*;
-use crate::trace::affine::Affine;
-use crate::trace::dd::Dd;
+use crate::geometry::affine::Affine;
+use crate::geometry::dd::Dd;
+use crate::geometry::number::Real;
 
 /// splitmix64.
 struct Random(u64);
@@ -42,11 +43,11 @@ fn inside(profile: &[[f64; 2]], p: Vec3) -> bool {
     crossed.count() % 2 == 1
 }
 
-fn cast<R: Real>(line: &Line) -> Line<R> {
+fn cast<R: Traced>(line: &Line) -> Line<R> {
     Line::new(line.origin.cast(), line.direction.cast())
 }
 
-fn roots<R: Real>(shape: &Revolution, line: &Line) -> Roots<R> {
+fn roots<R: Traced>(shape: &Revolution, line: &Line) -> Roots<R> {
     let mut roots: Roots<R> = Roots::default();
     shape.crossings(&cast(line), &mut roots);
     assert!(!roots.inside);
@@ -71,7 +72,7 @@ fn ts(profile: &[[f64; 2]], origin: [f64; 3], direction: [f64; 3]) -> Vec<f64> {
     fine
 }
 
-fn list<R: Real>(roots: &Roots<R>) -> Vec<f64> {
+fn list<R: Traced>(roots: &Roots<R>) -> Vec<f64> {
     roots.list.iter().map(|r| r.t.to_f64()).collect()
 }
 

@@ -5,13 +5,13 @@ fn flat(vertices: [Vec3; 3]) -> Triangle {
     Triangle::new(vertices.map(|v| v.0), TriangleNormals::Flat)
 }
 
-fn roots<R: Real>(triangle: &Triangle, line: &Line<R>) -> Roots<R> {
+fn roots<R: Traced>(triangle: &Triangle, line: &Line<R>) -> Roots<R> {
     let mut roots = Roots::default();
     triangle.crossings(line, &mut roots);
     roots
 }
 
-fn in_kind<R: Real>(line: &Line) -> Line<R> {
+fn in_kind<R: Traced>(line: &Line) -> Line<R> {
     Line::new(lift(line.origin), lift(line.direction))
 }
 
@@ -87,7 +87,7 @@ fn degenerate_triangles_are_never_met() {
 
 #[test]
 fn no_line_yields_a_root_that_is_not_finite() {
-    fn check<R: Real>(random: &mut Random) {
+    fn check<R: Traced>(random: &mut Random) {
         for _ in 0..5_000 {
             let vertices = [0; 3].map(|_| wild_line::<f64>(random).origin);
             let triangle = flat(vertices);
@@ -109,7 +109,7 @@ fn no_line_yields_a_root_that_is_not_finite() {
 /// edge or through any point of the disc meets at least one of them.
 #[test]
 fn nothing_slips_between_triangles() {
-    fn check<R: Real>(random: &mut Random) {
+    fn check<R: Traced>(random: &mut Random) {
         for _ in 0..40 {
             let (n, size) = (4 + random.next() as usize % 12, random.length(-3.0, 3.0));
             let centre = random.point(size * 10.0);

@@ -1,8 +1,9 @@
 //! What has flat faces.
 
 use super::super::soup::Mesh;
-use crate::scene::vector::{cross, dot, length, sub};
-use crate::scene::{Aabb, Vec3};
+use crate::geometry::Aabb;
+use crate::geometry::array::{cross, dot, length, sub};
+use crate::scene::Vec3;
 
 /// A box between two corners.
 pub fn cuboid(min: Vec3, max: Vec3) -> Mesh {

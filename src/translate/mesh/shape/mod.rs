@@ -10,7 +10,8 @@ pub use quadric::eigen;
 
 use super::budget::{Budget, TooMany};
 use super::soup::Mesh;
-use crate::scene::{Aabb, Geometry, Matrix};
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::Geometry;
 use std::f64::consts::TAU;
 use turned::{Profile, sides, turned};
 

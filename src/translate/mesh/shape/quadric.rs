@@ -5,7 +5,7 @@ use super::super::budget::{Budget, TooMany};
 use super::super::soup::Mesh;
 use super::turned::{Profile, drawn_out, flattened, sides, turned};
 use super::{Solid, sphere};
-use crate::scene::{Aabb, Matrix};
+use crate::geometry::{Aabb, Matrix};
 
 /// The curve that bounds a profile: radius by height.
 #[derive(Debug, Clone, Copy, PartialEq)]

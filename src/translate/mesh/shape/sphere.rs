@@ -4,8 +4,9 @@ use std::collections::HashMap;
 
 use super::super::budget::{Budget, TooMany};
 use super::super::soup::Mesh;
-use crate::scene::vector::length;
-use crate::scene::{Vec3, icosahedron};
+use crate::geometry::array::length;
+use crate::geometry::icosahedron;
+use crate::scene::Vec3;
 
 /// The circumradius of a facet by its distance from the centre.
 const FACET: f64 = 0.763_932_022_500_210_3;

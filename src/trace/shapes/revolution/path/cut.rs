@@ -1,7 +1,7 @@
 //! Where a line crosses one segment of a profile, once the rings at its ends say that it does.
 
 use super::{Path, Ring, normaliser};
-use crate::trace::number::Real;
+use crate::geometry::line::Traced;
 use crate::trace::quartic::root_between;
 use crate::trace::shapes::closer::is_last;
 
@@ -22,7 +22,7 @@ pub struct Cuts<R> {
     pub uncertain: bool,
 }
 
-impl<R: Real> Path<R> {
+impl<R: Traced> Path<R> {
     /// The crossings with the segment between two rings.
     ///
     /// Between the heights of its ends a segment with the direction (w, h) in (ρ, y) is the set of

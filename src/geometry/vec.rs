@@ -102,6 +102,12 @@ impl<R> From<[R; 3]> for Vec3<R> {
     }
 }
 
+impl<R> From<Vec3<R>> for [R; 3] {
+    fn from(v: Vec3<R>) -> [R; 3] {
+        v.0
+    }
+}
+
 impl<R> Index<usize> for Vec3<R> {
     type Output = R;
     fn index(&self, i: usize) -> &R {

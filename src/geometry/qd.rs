@@ -181,8 +181,6 @@ impl PartialOrd for Qd {
 }
 
 impl Real for Qd {
-    type Way = ();
-
     const ZERO: Qd = Qd([0.0; PARTS]);
     const ONE: Qd = Qd([1.0, 0.0, 0.0, 0.0]);
     const INFINITY: Qd = Qd([f64::INFINITY, 0.0, 0.0, 0.0]);

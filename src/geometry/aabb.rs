@@ -1,14 +1,17 @@
 //! Axis-aligned boxes whose sides may be infinitely far away.
 
-use super::vector::length;
-use super::{Matrix, Vec3};
+use super::affine::Affine;
+use super::array::length;
+use super::line::Beam;
+use super::matrix::Matrix;
+use super::vec::gamma;
 
 /// The points between `min` and `max`, faces included. A box with `min` above `max` in some
 /// coordinate is empty; faces may lie at infinity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aabb {
-    pub min: Vec3,
-    pub max: Vec3,
+    pub min: [f64; 3],
+    pub max: [f64; 3],
 }
 
 /// The relative rounding error of a product of a matrix row and a point: four products, four sums
@@ -30,7 +33,8 @@ impl Aabb {
         max: [f64::INFINITY; 3],
     };
 
-    pub fn new(min: Vec3, max: Vec3) -> Aabb {
+    pub fn new(min: impl Into<[f64; 3]>, max: impl Into<[f64; 3]>) -> Aabb {
+        let (min, max) = (min.into(), max.into());
         Aabb { min, max }
     }
 
@@ -41,6 +45,11 @@ impl Aabb {
     /// Whether the box is empty or has all its faces at finite places.
     pub fn is_finite(&self) -> bool {
         self.is_empty() || self.min.iter().chain(&self.max).all(|x| x.is_finite())
+    }
+
+    /// Whether the box holds anything and has all its faces at finite places.
+    pub fn is_bounded(&self) -> bool {
+        self.is_finite() && !self.is_empty()
     }
 
     /// The smallest box around both.
@@ -75,6 +84,12 @@ impl Aabb {
         (0..3).all(|i| self.min[i] <= other.max[i] + hair && other.min[i] <= self.max[i] + hair)
     }
 
+    /// The largest of its coordinates, in size.
+    pub fn reach(&self) -> f64 {
+        let all = [self.min, self.max].into_iter().flatten();
+        all.fold(0.0, |m, x| m.max(x.abs()))
+    }
+
     /// The largest of its finite coordinates, in size.
     pub fn far(&self) -> f64 {
         let finite = [self.min, self.max]
@@ -84,7 +99,7 @@ impl Aabb {
         finite.fold(0.0, |m, x| m.max(x.abs()))
     }
 
-    pub fn contains(&self, p: Vec3) -> bool {
+    pub fn contains(&self, p: [f64; 3]) -> bool {
         (0..3).all(|i| self.min[i] <= p[i] && p[i] <= self.max[i])
     }
 
@@ -94,13 +109,13 @@ impl Aabb {
     }
 
     /// The middle of a finite box that is not empty.
-    pub fn centre(&self) -> Vec3 {
+    pub fn centre(&self) -> [f64; 3] {
         std::array::from_fn(|i| self.min[i] / 2.0 + self.max[i] / 2.0)
     }
 
     /// Half the diagonal of a finite box that is not empty: the radius of the sphere around it.
     pub fn radius(&self) -> f64 {
-        let half: Vec3 = std::array::from_fn(|i| self.max[i] / 2.0 - self.min[i] / 2.0);
+        let half: [f64; 3] = std::array::from_fn(|i| self.max[i] / 2.0 - self.min[i] / 2.0);
         length(half)
     }
 
@@ -127,8 +142,89 @@ impl Aabb {
         out
     }
 
+    pub fn extent(&self) -> [f64; 3] {
+        std::array::from_fn(|i| self.max[i] - self.min[i])
+    }
+
+    /// Half the surface area; what the surface area heuristic compares.
+    pub fn half_area(&self) -> f64 {
+        if self.is_empty() {
+            return 0.0;
+        }
+        let e = self.extent();
+        e[0] * e[1] + e[1] * e[2] + e[2] * e[0]
+    }
+
+    /// A box that certainly holds the image of everything in this one.
+    ///
+    /// Arvo's method (Graphics Gems, "Transforming axis-aligned bounding boxes"), then widened by
+    /// the rounding of the sums, and of the points on the surfaces inside, which are themselves
+    /// images under this matrix: each is off by at most γ₄(Σ|mᵢⱼ xⱼ| + |tᵢ|), twice over.
+    pub fn image(&self, m: &Affine) -> Aabb {
+        if self.is_empty() {
+            return Aabb::EMPTY;
+        }
+        let mut out = Aabb::EMPTY;
+        for i in 0..3 {
+            let (mut low, mut high, mut size) = (m.offset[i], m.offset[i], m.offset[i].abs());
+            for j in 0..3 {
+                let k = m.rows[i][j];
+                if k != 0.0 {
+                    let (a, b) = (k * self.min[j], k * self.max[j]);
+                    low += a.min(b);
+                    high += a.max(b);
+                    size += a.abs().max(b.abs());
+                }
+            }
+            let slack = 2.0 * gamma(4) * size;
+            // An infinite side stays where it is; it must not turn a finite one into a NaN.
+            let slack = if slack.is_finite() { slack } else { 0.0 };
+            out.min[i] = low - slack;
+            out.max[i] = high + slack;
+        }
+        out
+    }
+
+    /// Widens a box computed from rounded corners by a few units in the last place.
+    pub fn padded(&self) -> Aabb {
+        let pad = |x: f64| {
+            if x.is_finite() {
+                gamma(4) * x.abs()
+            } else {
+                0.0
+            }
+        };
+        Aabb::new(self.min.map(|x| x - pad(x)), self.max.map(|x| x + pad(x)))
+    }
+
+    /// The part of `[from, to]` in which the line is in the box; `None` where there is none.
+    /// `from` must not be negative.
+    ///
+    /// Each plane's t has three rounded operations behind it; the ends are widened by 1 ± 2γ₃, so
+    /// that no box the exact line meets is missed (Ize, "Robust BVH Ray Traversal", JCGT 2(2),
+    /// 2013). A NaN (a line in a face's plane) loses every comparison and restricts nothing.
+    #[inline]
+    pub fn clip(&self, beam: &Beam, from: f64, to: f64) -> Option<(f64, f64)> {
+        const SLACK: f64 = 2.0 * gamma(3);
+        let (mut near, mut far) = (from, f64::INFINITY);
+        for i in 0..3 {
+            let a = (self.min[i] - beam.low[i]) * beam.inverse[i];
+            let b = (self.max[i] - beam.high[i]) * beam.inverse[i];
+            let (a, b) = if beam.inverse[i] < 0.0 {
+                (b, a)
+            } else {
+                (a, b)
+            };
+            near = if a > near { a } else { near };
+            far = if b < far { b } else { far };
+        }
+        let near = from.max(near * (1.0 - SLACK));
+        let far = to.min(far * (1.0 + SLACK));
+        (near <= far).then_some((near, far))
+    }
+
     /// The box grown by the rounding of the numbers that made it.
-    pub(super) fn padded(&self, magnitude: Vec3) -> Aabb {
+    pub fn padded_by(&self, magnitude: [f64; 3]) -> Aabb {
         Aabb {
             min: std::array::from_fn(|i| {
                 outwards(self.min[i] - ROUNDING * magnitude[i], f64::NEG_INFINITY)

@@ -6,7 +6,6 @@
 //! Markstein, "High-precision division and square root", ACM TOMS 23(4), 1997).
 
 use super::number::Real;
-use super::way::Before;
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -149,8 +148,6 @@ impl PartialOrd for Dd {
 }
 
 impl Real for Dd {
-    type Way = Option<Before>;
-
     const ZERO: Dd = Dd {
         high: 0.0,
         low: 0.0,

@@ -3,7 +3,6 @@
 //! Everything between a ray and its crossings is generic over [`Real`]: `f32`, `f64` and
 //! [`Dd`](super::dd::Dd), whose 32 digits check the other two and decide what they cannot.
 
-use super::way::Way;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -25,9 +24,6 @@ pub trait Real:
     + AddAssign
     + SubAssign
 {
-    /// What lines keep of their way into the space they are in.
-    type Way: Way<Self>;
-
     const ZERO: Self;
     const ONE: Self;
     const INFINITY: Self;
@@ -106,8 +102,6 @@ pub trait Real:
 macro_rules! hardware {
     ($t:ty) => {
         impl Real for $t {
-            type Way = ();
-
             const ZERO: $t = 0.0;
             const ONE: $t = 1.0;
             const INFINITY: $t = <$t>::INFINITY;

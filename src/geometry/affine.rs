@@ -1,10 +1,17 @@
 //! Affine maps with their inverses, and what they do to rounding errors.
 
 use super::exponent::{exponent, shifted, shifted_vector};
+use super::matrix::Matrix;
 use super::number::Real;
-use super::ray::{Line, Slack};
 use super::vec::Vec3;
-use crate::scene::Matrix;
+
+/// How far a line may be from the one that is meant: what its way into this space has rounded.
+/// Both bound every component.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Slack<R = f64> {
+    pub origin: R,
+    pub direction: R,
+}
 
 /// An affine map x ↦ rows · x + offset.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,8 +125,8 @@ impl<R: Real> Affine<R> {
     /// numbers included. That is γ₅ of the sizes of the terms of each component, or, where a
     /// coordinate is only moved, γ₄: more than the sum rounds, but what the scene's numbers may have
     /// been rounded by before. Nothing where it stays, or where the sum is known to be exact.
-    pub fn slack(&self, line: &Line<R>) -> Slack<R> {
-        let (o, d) = (line.origin.abs(), line.direction.abs());
+    pub fn slack(&self, origin: Vec3<R>, direction: Vec3<R>, before: Slack<R>) -> Slack<R> {
+        let (o, d) = (origin.abs(), direction.abs());
         let (mut point, mut vector) = (R::ZERO, R::ZERO);
         let greater = |a: R, b: R| if a > b { a } else { b };
         for i in 0..3 {
@@ -127,14 +134,14 @@ impl<R: Real> Affine<R> {
             if !self.plain[i] {
                 point = greater(point, R::gamma(5) * (row.dot(o) + offset));
                 vector = greater(vector, R::gamma(5) * row.dot(d));
-            } else if offset != R::ZERO && !self.moves_exactly(i, line.origin) {
+            } else if offset != R::ZERO && !self.moves_exactly(i, origin) {
                 point = greater(point, R::gamma(4) * (row.dot(o) + offset));
             }
         }
-        if line.slack != Slack::default() {
+        if before != Slack::default() {
             let spread = self.spread * (R::ONE + R::gamma(5));
-            point += spread * line.slack.origin;
-            vector += spread * line.slack.direction;
+            point += spread * before.origin;
+            vector += spread * before.direction;
         }
         Slack {
             origin: point,
@@ -226,7 +233,8 @@ pub struct Placement {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trace::dd::Dd;
+    use crate::geometry::dd::Dd;
+    use crate::geometry::line::Line;
 
     fn linear(rows: [[f64; 3]; 3]) -> Affine {
         Affine::of(rows.map(Vec3), Vec3::ZERO)

@@ -1,21 +1,19 @@
 //! The little vector algebra of doubles that a scene's geometry needs.
 
-use super::Vec3;
-
 /// a + `times` · b.
-pub fn add(a: Vec3, b: Vec3, times: f64) -> Vec3 {
+pub fn add(a: [f64; 3], b: [f64; 3], times: f64) -> [f64; 3] {
     std::array::from_fn(|i| a[i] + b[i] * times)
 }
 
-pub fn sub(a: Vec3, b: Vec3) -> Vec3 {
+pub fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     add(a, b, -1.0)
 }
 
-pub fn dot(a: Vec3, b: Vec3) -> f64 {
+pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
+pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -24,12 +22,12 @@ pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
 }
 
 /// The length, however large or small the components.
-pub fn length(a: Vec3) -> f64 {
+pub fn length(a: [f64; 3]) -> f64 {
     libm::hypot(libm::hypot(a[0], a[1]), a[2])
 }
 
 /// The direction of a vector, whatever its length; `None` where it has none.
-pub fn unit(v: Vec3) -> Option<Vec3> {
+pub fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     if !(largest > 0.0 && largest.is_finite()) {
         return None;
@@ -41,14 +39,14 @@ pub fn unit(v: Vec3) -> Option<Vec3> {
 
 /// Two vectors at right angles to a unit vector and to each other; the first is no shorter than √⅔, the
 /// second as long.
-pub fn across(n: Vec3) -> [Vec3; 2] {
+pub fn across(n: [f64; 3]) -> [[f64; 3]; 2] {
     let least = (0..3).fold(0, |i, j| if n[j].abs() < n[i].abs() { j } else { i });
     let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
     let u = cross(n, axis);
     [u, cross(n, u)]
 }
 
-pub fn middle(points: &[Vec3]) -> Vec3 {
+pub fn middle(points: &[[f64; 3]]) -> [f64; 3] {
     let n = points.len().max(1) as f64;
     points.iter().fold([0.0; 3], |sum, p| add(sum, *p, 1.0 / n))
 }

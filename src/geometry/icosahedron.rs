@@ -1,7 +1,5 @@
 //! The icosahedron that geodesic spheres begin with.
 
-use super::Vec3;
-
 /// The facets, counter-clockwise as seen from outside. The vertices 4i … 4i + 3 have 0, ±1, ±φ along
 /// the axes i, i + 1, i + 2 (counted round), the signs in the order ++, +−, −+, −−.
 pub const FACES: [[usize; 3]; 20] = [
@@ -28,7 +26,7 @@ pub const FACES: [[usize; 3]; 20] = [
 ];
 
 /// The vertices, on the unit sphere.
-pub fn vertices() -> [Vec3; 12] {
+pub fn vertices() -> [[f64; 3]; 12] {
     let phi = (1.0 + 5f64.sqrt()) / 2.0;
     let length = (1.0 + phi * phi).sqrt();
     std::array::from_fn(|v| {
@@ -48,9 +46,9 @@ mod tests {
     #[test]
     fn all_edges_are_equal_and_facets_turn_outwards() {
         let v = vertices();
-        let minus = |a: Vec3, b: Vec3| -> Vec3 { std::array::from_fn(|i| a[i] - b[i]) };
-        let dot = |a: Vec3, b: Vec3| -> f64 { (0..3).map(|i| a[i] * b[i]).sum() };
-        let cross = |a: Vec3, b: Vec3| -> Vec3 {
+        let minus = |a: [f64; 3], b: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| a[i] - b[i]) };
+        let dot = |a: [f64; 3], b: [f64; 3]| -> f64 { (0..3).map(|i| a[i] * b[i]).sum() };
+        let cross = |a: [f64; 3], b: [f64; 3]| -> [f64; 3] {
             std::array::from_fn(|i| {
                 let (j, k) = ((i + 1) % 3, (i + 2) % 3);
                 a[j] * b[k] - a[k] * b[j]

@@ -1,6 +1,7 @@
 //! A bounding volume hierarchy over boxes.
 
-use super::bounds::Bounds;
+use super::aabb::Aabb;
+use std::ops::ControlFlow;
 
 /// Boxes in one leaf at most, unless they all have the same centre.
 const LEAF: usize = 4;
@@ -9,7 +10,7 @@ const BINS: usize = 16;
 
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
-    pub bounds: Bounds,
+    pub bounds: Aabb,
     /// An inner node (`count` = 0): its right child; the left one comes next. A leaf: where its
     /// items begin in [`Bvh::items`].
     pub index: u32,
@@ -27,7 +28,7 @@ impl Bvh {
     /// Builds the tree over items with finite boxes: binned surface area heuristic along the axis
     /// in which the centres spread most (Wald, "On fast Construction of SAH-based Bounding Volume
     /// Hierarchies", 2007). Without recursion, since equal boxes can make any tree deep.
-    pub fn new(mut boxes: Vec<(u32, Bounds)>) -> Bvh {
+    pub fn new(mut boxes: Vec<(u32, Aabb)>) -> Bvh {
         let mut nodes: Vec<Node> = Vec::with_capacity(boxes.len());
         // Ranges of `boxes` still to be made nodes of, and the parent whose right child each is.
         let mut pending = vec![(0, boxes.len(), None)];
@@ -41,7 +42,7 @@ impl Bvh {
                 let node: &mut Node = &mut nodes[parent as usize];
                 node.index = here;
             }
-            let bounds = slice.iter().fold(Bounds::EMPTY, |b, x| b.union(&x.1));
+            let bounds = slice.iter().fold(Aabb::EMPTY, |b, x| b.hull(&x.1));
             let here = nodes.len() as u32;
             let middle = (slice.len() > LEAF).then(|| split(slice)).flatten();
             nodes.push(Node {
@@ -64,14 +65,50 @@ impl Bvh {
             items: boxes.into_iter().map(|b| b.0).collect(),
         }
     }
+
+    /// Calls for every item whose box overlaps or touches one, and for some of their neighbours, in the
+    /// order of the tree, until it is told to stop.
+    pub fn visit(
+        &self,
+        around: &Aabb,
+        found: impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        self.visit_below(around, |_| true, found)
+    }
+
+    /// As [`visit`](Self::visit), below those nodes that are wanted.
+    pub fn visit_below(
+        &self,
+        around: &Aabb,
+        mut wanted: impl FnMut(u32) -> bool,
+        mut found: impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let mut pending = vec![0u32];
+        while let Some(i) = pending.pop() {
+            let Some(node) = self.nodes.get(i as usize) else {
+                continue;
+            };
+            if !wanted(i) || !node.bounds.overlaps(around) {
+                continue;
+            }
+            if node.count > 0 {
+                let start = node.index as usize;
+                let items = &self.items[start..start + node.count as usize];
+                items.iter().try_for_each(|&j| found(j))?;
+            } else {
+                pending.extend([node.index, i + 1]);
+            }
+        }
+        ControlFlow::Continue(())
+    }
 }
 
 /// Parts the boxes in two and says where the second half begins; `None` where all centres agree.
-fn split(boxes: &mut [(u32, Bounds)]) -> Option<usize> {
-    let mut centres = Bounds::EMPTY;
+fn split(boxes: &mut [(u32, Aabb)]) -> Option<usize> {
+    let mut centres = Aabb::EMPTY;
     for (_, b) in boxes.iter() {
         let c = b.centre();
-        centres = centres.union(&Bounds::new(c, c));
+        centres = centres.hull(&Aabb::new(c, c));
     }
     let extent = centres.extent();
     let axis = (0..3).fold(0, |a, i| if extent[i] > extent[a] { i } else { a });
@@ -80,20 +117,20 @@ fn split(boxes: &mut [(u32, Bounds)]) -> Option<usize> {
         return None;
     }
     let low = centres.min[axis];
-    let bin = |b: &Bounds| (((b.centre()[axis] - low) * scale) as usize).min(BINS - 1);
+    let bin = |b: &Aabb| (((b.centre()[axis] - low) * scale) as usize).min(BINS - 1);
 
-    let mut bins = [(0usize, Bounds::EMPTY); BINS];
+    let mut bins = [(0usize, Aabb::EMPTY); BINS];
     for (_, b) in boxes.iter() {
         let slot = &mut bins[bin(b)];
         slot.0 += 1;
-        slot.1 = slot.1.union(b);
+        slot.1 = slot.1.hull(b);
     }
     // What lies left of each cut, and what lies right of it: swept from either end.
-    let sweep = |bins: &mut dyn Iterator<Item = &(usize, Bounds)>| {
-        let mut all = (0, Bounds::EMPTY);
+    let sweep = |bins: &mut dyn Iterator<Item = &(usize, Aabb)>| {
+        let mut all = (0, Aabb::EMPTY);
         let mut costs = [(0, 0.0); BINS];
         for (slot, bin) in costs.iter_mut().zip(bins) {
-            all = (all.0 + bin.0, all.1.union(&bin.1));
+            all = (all.0 + bin.0, all.1.hull(&bin.1));
             *slot = (all.0, all.0 as f64 * all.1.half_area());
         }
         costs

@@ -1,40 +1,22 @@
 //! Boxes to be looked up by where they are.
 
-use super::bounds::Bounds;
+use super::aabb::Aabb;
 use super::bvh::Bvh;
-use super::vec::Vec3;
-use crate::scene::Aabb;
+use std::ops::ControlFlow;
 
 /// Numbered boxes: a hierarchy of those that end, and the others. Empty ones are nowhere.
 pub struct Boxes {
     finite: Bvh,
-    /// Of each node of the tree the one that comes after all below it.
-    after: Vec<u32>,
     endless: Vec<u32>,
 }
 
 impl Boxes {
     pub fn new(all: impl Iterator<Item = (u32, Aabb)>) -> Boxes {
-        let mut finite = Vec::new();
-        let mut endless = Vec::new();
-        for (i, b) in all.filter(|(_, b)| !b.is_empty()) {
-            match b.is_finite() {
-                true => finite.push((i, Bounds::new(Vec3(b.min), Vec3(b.max)))),
-                false => endless.push(i),
-            }
-        }
-        let finite = Bvh::new(finite);
-        let mut after = vec![0; finite.nodes.len()];
-        for (i, node) in finite.nodes.iter().enumerate().rev() {
-            after[i] = match node.count {
-                0 => after[node.index as usize],
-                _ => i as u32 + 1,
-            };
-        }
+        let all = all.filter(|(_, b)| !b.is_empty());
+        let (finite, endless): (Vec<_>, Vec<_>) = all.partition(|(_, b)| b.is_finite());
         Boxes {
-            finite,
-            after,
-            endless,
+            finite: Bvh::new(finite),
+            endless: endless.into_iter().map(|(i, _)| i).collect(),
         }
     }
 
@@ -47,23 +29,15 @@ impl Boxes {
 
     /// As [`near`](Self::near), of those that end.
     pub fn near_finite(&self, around: &Aabb, out: &mut Vec<u32>) -> usize {
-        let tree = &self.finite;
         let mut steps = 0;
-        let mut i = 0;
-        while let Some(node) = tree.nodes.get(i) {
+        let step = |_| {
             steps += 1;
-            let apart =
-                |k: usize| around.max[k] < node.bounds.min[k] || node.bounds.max[k] < around.min[k];
-            if (0..3).any(apart) {
-                i = self.after[i] as usize;
-                continue;
-            }
-            if node.count > 0 {
-                let items = node.index as usize..(node.index + node.count) as usize;
-                out.extend_from_slice(&tree.items[items]);
-            }
-            i += 1;
-        }
+            true
+        };
+        let _: ControlFlow<()> = self.finite.visit_below(around, step, |i| {
+            out.push(i);
+            ControlFlow::Continue(())
+        });
         steps
     }
 }
