@@ -28,3 +28,6 @@ pub mod study;
 pub mod syntax;
 pub mod trace;
 pub mod translate;
+
+#[cfg(test)]
+mod testing;

@@ -5,9 +5,10 @@ mod allow;
 pub mod levels;
 mod parts;
 mod properties;
+mod rays;
 mod records;
 mod rules;
-mod solids;
+mod spelling;
 
 use std::sync::OnceLock;
 
@@ -16,7 +17,7 @@ use rayon::prelude::*;
 use crate::diagnostics::{Diagnostic, Span};
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::record::Params;
-use crate::scene::{Node, Scene};
+use crate::scene::{Node, NodeId, Scene};
 use crate::syntax::{Document, Item};
 
 /// What a rule may look at.
@@ -80,27 +81,19 @@ fn live_nodes(scene: &Scene) -> Vec<bool> {
     live
 }
 
-/// Pairs of shapes of which faces are in one place where it is seen, as W321 has it: indices of
-/// [`Scene::shapes`].
-pub fn coincident_faces(scene: &Scene, bounds: &[NodeBounds]) -> Vec<[u32; 2]> {
-    let roots = scene.render.iter().map(|r| r.root);
-    rules::coincident_faces::pairs(scene, bounds, &roots.collect::<Vec<_>>())
-}
-
-/// A number as it stands in a scene.
-fn spelled(x: f64) -> String {
-    let text = format!("{:?}", x + 0.0);
-    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
-}
-
-/// A number for people: four significant digits.
-fn rough(x: f64) -> String {
-    let exact = spelled(x);
-    let digits = exact.bytes().filter(u8::is_ascii_digit).count();
-    match format!("{x:.3e}").parse() {
-        Ok(rounded) if digits > 4 => spelled(rounded),
-        _ => exact,
+/// What is drawn; without a render record all objects that are part of no other.
+pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
+    if let Some(render) = &scene.render {
+        return vec![render.root];
     }
+    let mut part = vec![false; scene.nodes.len()];
+    for (node, _) in scene.nodes.iter().zip(live).filter(|n| *n.1) {
+        for child in node.children().into_iter().flatten() {
+            part[child as usize] = true;
+        }
+    }
+    let tops = (0..scene.nodes.len()).filter(|&i| live[i] && !part[i]);
+    tops.map(|i| i as NodeId).collect()
 }
 
 type Rule = fn(&Context, &mut Vec<Diagnostic>);

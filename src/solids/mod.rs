@@ -1,10 +1,22 @@
 //! What is true of solids without a ray: what people call them, which points they hold, what lies
 //! within them.
 
+pub mod ancestry;
+pub mod contacts;
+pub mod containment;
 pub mod definite;
+pub mod distance_field;
+pub mod extent;
 pub mod facet;
 pub mod hull;
-pub mod point;
+pub mod inside;
+pub mod leaf;
+pub mod lowest;
+pub mod outline;
+pub mod points;
+pub mod proofs;
+pub mod support;
+pub mod tree;
 pub mod within;
 
 use crate::diagnostics::Span;

@@ -5,8 +5,8 @@
 //! point, and whatever the matrices are rounded by is checked against it: a point that was taken into
 //! a shape's coordinates must come back to where it was.
 
+use super::containment::{HELD_BY_GEODESIC, in_shape};
 use super::hull::{ball_hull, hull, is_convex};
-use super::point::{HELD_BY_GEODESIC, in_shape};
 use crate::geometry::array::length;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::shape_bounds;

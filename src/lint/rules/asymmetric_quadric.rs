@@ -1,7 +1,8 @@
 //! W304: a quadric whose matrix is not symmetric.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
-use crate::lint::{Context, spelled};
+use crate::lint::Context;
+use crate::lint::spelling::spelled;
 use crate::scene::Geometry;
 
 /// Two numbers this near, as a share of the larger, are one number that was rounded in two ways. A

@@ -6,18 +6,19 @@ use std::cell::Cell;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::geometry::array::{sub, unit};
 use crate::geometry::{Aabb, Matrix};
-use crate::lint::solids::field::{Field, Slope};
-use crate::lint::solids::inside::Inside;
-use crate::lint::solids::meeting::lowest;
-use crate::lint::solids::reach::{
-    Bare, DIRECTIONS, Met, Outline, RAYS, Search, WRITTEN, beyond, farthest_leaf, regions, size,
-    tracer,
-};
-use crate::lint::solids::{near, tree::Tree};
-use crate::lint::{Context, spelled};
+use crate::lint::Context;
+use crate::lint::rays::{Bare, RAYS, Search, regions, tracer};
+use crate::lint::spelling::near;
+use crate::lint::spelling::spelled;
 use crate::scene::bounds::node_bounds;
 use crate::scene::record::Params;
 use crate::scene::{NodeId, Promise, Scene, Vec3, Volume};
+use crate::solids::distance_field::{Field, Slope};
+use crate::solids::extent::{WRITTEN, beyond, farthest_leaf, size};
+use crate::solids::inside::Inside;
+use crate::solids::lowest::lowest;
+use crate::solids::outline::{DIRECTIONS, Met, Outline};
+use crate::solids::tree::Tree;
 
 /// Nodes gone through for all bounding volumes of a file together.
 const NODES: usize = 700_000;

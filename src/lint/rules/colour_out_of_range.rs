@@ -1,7 +1,8 @@
 //! W301: a colour with a part outside of 0 to 1.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
-use crate::lint::{Context, rough};
+use crate::lint::Context;
+use crate::lint::spelling::rough;
 use crate::scene::record::Params;
 
 /// Whole numbers up to 255 are bytes as image programs show them. Up to 100 they may as well be

@@ -6,9 +6,10 @@
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
-use crate::lint::solids::proofs::{Literals, Proofs, Reason};
-use crate::lint::solids::{named, near};
+use crate::lint::spelling::near;
 use crate::scene::{Node, NodeId, OperationRecord};
+use crate::solids::named;
+use crate::solids::proofs::{Literals, Proofs, Reason};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;

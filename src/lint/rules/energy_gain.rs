@@ -66,7 +66,8 @@ fn short(x: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use crate::lint::testing::{found, messages, random};
+    use crate::lint::testing::{found, messages};
+    use crate::testing::random;
 
     #[test]
     fn the_worst_channel_is_named() {

@@ -2,7 +2,8 @@
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::geometry::Matrix;
-use crate::lint::{Context, live_nodes, rough};
+use crate::lint::spelling::rough;
+use crate::lint::{Context, live_nodes};
 use crate::scene::{Geometry, Node, Shape};
 
 /// The largest ratio of two lengths: of the sixteen digits of a double, half are then left for the

@@ -7,8 +7,8 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::lint::parts::parts;
 use crate::lint::properties::{ASPECTS, Properties, sets};
-use crate::lint::solids::proofs::{Proofs, Reason};
 use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Geometry, Node, NodeId, Scene, Texture};
+use crate::solids::proofs::{Proofs, Reason};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;

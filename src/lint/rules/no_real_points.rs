@@ -1,7 +1,8 @@
 //! W306: a quadric with no surface: no real point satisfies it, or every one does.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
-use crate::lint::{Context, spelled};
+use crate::lint::Context;
+use crate::lint::spelling::spelled;
 use crate::scene::Geometry;
 use crate::solids::definite::{Verdict, judge};
 

@@ -2,7 +2,8 @@
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::Matrix;
-use crate::lint::{Context, spelled};
+use crate::lint::Context;
+use crate::lint::spelling::spelled;
 use crate::scene::record::Params;
 use crate::syntax::Item;
 

@@ -11,13 +11,14 @@ use rustc_hash::FxHashSet;
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::geometry::Aabb;
 use crate::lint::Context;
-use crate::lint::solids::leaf::Leaf;
-use crate::lint::solids::reach::{
-    Bare, DIRECTIONS, Outline, RAYS, Search, WRITTEN, beyond, size, tracer,
-};
-use crate::lint::solids::{near, tree::Tree};
+use crate::lint::rays::{Bare, RAYS, Search, tracer};
+use crate::lint::spelling::near;
 use crate::scene::record::Params;
 use crate::scene::{Scene, Volume};
+use crate::solids::extent::{WRITTEN, beyond, size};
+use crate::solids::leaf::Leaf;
+use crate::solids::outline::{DIRECTIONS, Outline};
+use crate::solids::tree::Tree;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;

@@ -1,7 +1,8 @@
 //! W320: a torus or a profile that runs through itself.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
-use crate::lint::{Context, rough};
+use crate::lint::Context;
+use crate::lint::spelling::rough;
 use crate::scene::{Geometry, Shape};
 
 type Point = [f64; 2];

@@ -414,7 +414,7 @@ fn met(scene: &scene::Scene) -> String {
         return String::from("none");
     };
     let mut walkers = tracer.walker::<f64>();
-    let mut random = crate::lint::testing::random();
+    let mut random = crate::testing::random();
     let mut out = String::new();
     for _ in 0..12 {
         let mut part = || random(1000) as f64 / 100.0 - 5.0;
@@ -434,7 +434,7 @@ fn met(scene: &scene::Scene) -> String {
 /// Whatever was done to it: the same JSON, and everything goes by the IDs that it had.
 #[test]
 fn random_scenes_come_back_under_their_names() {
-    let mut random = crate::lint::testing::random();
+    let mut random = crate::testing::random();
     let mut stepped = 0;
     for _ in 0..1500 {
         let text = random_scene(&mut random);

@@ -364,7 +364,7 @@ mod tests {
 
     #[test]
     fn scenes_with_faces_in_each_other_have_none() {
-        let mut random = crate::lint::testing::random();
+        let mut random = crate::testing::random();
         let mut count = 0;
         for _ in 0..150 {
             let text = scene(&mut random);

@@ -55,8 +55,8 @@ mod volumes;
 use std::fmt::Write as _;
 
 use super::{Fidelity, File, Report, Unsupported};
-use crate::lint;
 use crate::scene::{Optics, Render, Scene};
+use crate::solids::contacts;
 use crate::syntax::Captions;
 use build::Builder;
 use camera::Eye;
@@ -212,7 +212,7 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupporte
             "",
         );
     }
-    let flush = lint::coincident_faces(scene, &builder.bounds);
+    let flush = contacts::pairs(scene, &builder.bounds);
     let is_left = |pair: &[u32; 2]| !pair.iter().any(|shape| builder.longer.contains(shape));
     if let Some([shape, _]) = flush.into_iter().find(is_left) {
         builder.faces_in_one_place(scene.shapes[shape as usize].id);

@@ -1,13 +1,13 @@
 //! A tool that reaches a hair further.
 
-use super::face::Part;
-use super::search::Side;
 use crate::diagnostics::{Applicability, Edit, Fix};
 use crate::geometry::array::length;
-use crate::lint::spelled;
+use crate::lint::spelling::spelled;
 use crate::scene::Geometry;
 use crate::scene::record::Params;
-use crate::solids::point::in_profile;
+use crate::solids::contacts::face::Part;
+use crate::solids::contacts::search::Side;
+use crate::solids::containment::in_profile;
 
 /// How much longer a tool becomes: too little to be seen, and a million times what counts as flush.
 const HAIR: f64 = 1e-3;

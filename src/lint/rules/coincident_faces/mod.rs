@@ -8,24 +8,20 @@
 //! is said either of what is covered or cut off by another operation, or not drawn. Faces of geodesic
 //! spheres and of profiles of more than 64 points are not known here.
 
-mod face;
 mod fix;
-mod planes;
-mod quadric;
-mod sample;
-mod search;
 
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
-use crate::lint::solids::{named, near, operation_of, roots};
+use crate::lint::roots;
+use crate::lint::spelling::near;
 use crate::lint::{Context, live_nodes};
-use crate::scene::bounds::NodeBounds;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Node, NodeId, OperationRecord, Scene};
-use face::Part;
-use search::{Found, Side, search};
+use crate::solids::contacts::face::Part;
+use crate::solids::contacts::search::{Found, Side, search};
+use crate::solids::{named, operation_of};
 
 /// What the two shapes are to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,12 +32,6 @@ enum Case {
     Holes,
     /// Neither cuts: they have no more than the face in common.
     Touch,
-}
-
-/// The shapes whose faces are in one place.
-pub fn pairs(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<[u32; 2]> {
-    let found = search(scene, bounds, roots);
-    found.iter().map(|f| f.sides.map(|s| s.shape)).collect()
 }
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {

@@ -15,10 +15,11 @@ use rayon::prelude::*;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::properties::Properties;
-use crate::lint::solids::{operation_of, roots};
+use crate::lint::roots;
 use crate::lint::{Context, live_nodes};
 use crate::scene::record::Params;
 use crate::scene::{Node, OperationRecord, Optics};
+use crate::solids::operation_of;
 use search::{Found, Search};
 use split::{Pieces, Splitter};
 use unions::Unions;

@@ -7,12 +7,12 @@ use super::unions::{Part, Unions};
 use crate::geometry::array::length;
 use crate::geometry::boxes::Boxes;
 use crate::geometry::{Aabb, Matrix};
-use crate::lint::solids::field::Field;
-use crate::lint::solids::inside::Inside;
-use crate::lint::solids::meeting::lowest;
-use crate::lint::solids::near;
+use crate::lint::spelling::near;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
+use crate::solids::distance_field::Field;
+use crate::solids::inside::Inside;
+use crate::solids::lowest::lowest;
 
 /// Boxes looked at and points tried, for all parts together: some tenths of a second.
 const STEPS: usize = 10_000_000;
@@ -162,7 +162,7 @@ impl<'a> Search<'a> {
 
     /// The union of two parts, if nothing has been said of it.
     fn union(&self, parts: [&Part; 2]) -> Option<NodeId> {
-        let place = self.unions.ways.join(parts[0].union, parts[1].union)?;
+        let place = self.unions.ancestry.join(parts[0].union, parts[1].union)?;
         let union = self.unions.places[place as usize];
         (!self.done.contains(&union)).then_some(union)
     }

@@ -4,10 +4,10 @@ use crate::diagnostics::{Applicability, Edit, Fix, Span};
 use crate::lint::Context;
 use crate::lint::parts::{Parts, parts};
 use crate::lint::properties::{ASPECTS, Properties};
-use crate::lint::solids::proofs::Proofs;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Node, NodeId, Scene};
+use crate::solids::proofs::Proofs;
 
 /// The largest ID that the language knows.
 const ID_MAX: u32 = i32::MAX as u32;

@@ -4,10 +4,10 @@ use rustc_hash::FxHashMap;
 
 use super::medium::{Coat, Colouring, Medium, looks};
 use crate::geometry::{Aabb, Matrix};
-use crate::lint::solids::ways::{NONE, Ways};
-use crate::lint::solids::{Named, named};
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Node, NodeId, Scene};
+use crate::solids::ancestry::{Ancestry, NONE};
+use crate::solids::{Named, named};
 use crate::trace::plan::unseen::{self, LeftOut};
 
 /// Nodes gone through more often than once, in scenes that share parts.
@@ -45,7 +45,7 @@ pub(super) struct Unions {
     /// Unions where they occur, as nodes: those above before those below.
     pub(super) places: Vec<NodeId>,
     /// Of each place the one that it is an operand of.
-    pub(super) ways: Ways,
+    pub(super) ancestry: Ancestry,
     /// In the order of their operands.
     pub(super) parts: Vec<Part>,
     pub(super) media: Vec<Medium>,
@@ -62,7 +62,7 @@ impl Unions {
         };
         let mut all = Unions {
             places: Vec::new(),
-            ways: Ways::default(),
+            ancestry: Ancestry::default(),
             parts: Vec::new(),
             media: Vec::new(),
         };
@@ -142,7 +142,7 @@ impl Unions {
                 Node::Complement(_) => {}
             }
         }
-        all.ways = Ways::new(&parents);
+        all.ancestry = Ancestry::new(&parents);
         all
     }
 

@@ -8,12 +8,12 @@ use super::quadric;
 use super::sample::{self, Sample};
 use crate::geometry::Aabb;
 use crate::geometry::array::{across, add};
-use crate::lint::solids::leaf::Leaf;
-use crate::lint::solids::points::Points;
-use crate::lint::solids::tree::{Answer, Tree};
-use crate::lint::solids::ways::NONE;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
+use crate::solids::ancestry::NONE;
+use crate::solids::leaf::Leaf;
+use crate::solids::points::Points;
+use crate::solids::tree::{Answer, Tree};
 
 /// How near two faces must be, as a share of the smaller shape: the language's own bound.
 pub const NEAR: f64 = 1e-9;

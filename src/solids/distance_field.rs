@@ -4,8 +4,8 @@
 use crate::geometry::Matrix;
 use crate::geometry::array::{cross, dot, length, sub};
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
+use crate::solids::containment::in_profile;
 use crate::solids::facet::facet;
-use crate::solids::point::in_profile;
 
 /// Solids of more shapes, and profiles of more points, are not looked at.
 const SHAPES_MAX: usize = 32;

@@ -1,26 +1,27 @@
-//! Ways up a tree, however deep: where two places of it meet.
+//! The lowest common ancestor of two places in a tree, however deep the tree is.
 
 /// No place in a tree.
 pub const NONE: u32 = u32::MAX;
 
-/// The way up from a place: first among larger children, then in one step.
+/// The heavy path that a place is on: from each parent to its largest child.
 #[derive(Debug, Clone, Copy)]
-struct Way {
-    /// The highest place reached as the larger child each time.
+struct HeavyPath {
+    /// The highest place of the path.
     head: u32,
     /// The parent of that, or [`NONE`].
     above: u32,
 }
 
-/// Of each place of some trees its way up: at most as many heads as the tree's logarithm (heavy path
-/// decomposition; Sleator and Tarjan, "A data structure for dynamic trees", 1983).
+/// The heavy path of each place of some trees. From any place up to the root there are at most as many
+/// heads of paths as the logarithm of the tree's size (heavy path decomposition; Sleator and Tarjan, "A data
+/// structure for dynamic trees", 1983).
 #[derive(Debug, Default)]
-pub struct Ways(Vec<Way>);
+pub struct Ancestry(Vec<HeavyPath>);
 
-impl Ways {
+impl Ancestry {
     /// `parents` has the parent of each place, or [`NONE`]. Parents stand before their children, and
     /// all that a child is made of before the next child.
-    pub fn new(parents: &[u32]) -> Ways {
+    pub fn new(parents: &[u32]) -> Ancestry {
         let mut weights = vec![1u32; parents.len()];
         let mut larger = vec![NONE; parents.len()];
         for (i, &parent) in parents.iter().enumerate().rev() {
@@ -31,29 +32,29 @@ impl Ways {
                 weights[parent as usize] += weights[i];
             }
         }
-        let mut ways: Vec<Way> = Vec::with_capacity(parents.len());
+        let mut paths: Vec<HeavyPath> = Vec::with_capacity(parents.len());
         for (i, &parent) in (0u32..).zip(parents) {
-            ways.push(match larger.get(parent as usize) {
-                Some(&child) if child == i => ways[parent as usize],
-                _ => Way {
+            paths.push(match larger.get(parent as usize) {
+                Some(&child) if child == i => paths[parent as usize],
+                _ => HeavyPath {
                     head: i,
                     above: parent,
                 },
             });
         }
-        Ways(ways)
+        Ancestry(paths)
     }
 
     /// The lowest place that two places are part of; `None` where they are of different trees.
     pub fn join(&self, mut a: u32, mut b: u32) -> Option<u32> {
-        let way = |i: u32| self.0[i as usize];
-        while way(a).head != way(b).head {
+        let path = |i: u32| self.0[i as usize];
+        while path(a).head != path(b).head {
             // What the head that stands later is part of does not begin with it.
-            let later = match way(a).head > way(b).head {
+            let later = match path(a).head > path(b).head {
                 true => &mut a,
                 false => &mut b,
             };
-            *later = Some(way(*later).above).filter(|&i| i != NONE)?;
+            *later = Some(path(*later).above).filter(|&i| i != NONE)?;
         }
         Some(a.min(b))
     }
@@ -61,7 +62,7 @@ impl Ways {
     /// The topmost place that a place is part of.
     pub fn root(&self, mut place: u32) -> u32 {
         loop {
-            let Way { head, above } = self.0[place as usize];
+            let HeavyPath { head, above } = self.0[place as usize];
             match above {
                 NONE => return head,
                 _ => place = above,
@@ -73,11 +74,11 @@ impl Ways {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lint::testing::random;
+    use crate::testing::random;
 
     /// Random forests, against one step at a time.
     #[test]
-    fn ways_meet_where_single_steps_do() {
+    fn paths_meet_where_single_steps_do() {
         let mut random = random();
         for round in 0..200 {
             // The last place, or one that it is part of, gets the next child.
@@ -97,13 +98,13 @@ mod tests {
                 }
                 all
             };
-            let ways = Ways::new(&parents);
+            let ancestry = Ancestry::new(&parents);
             for a in 0..40 {
-                assert_eq!(ways.root(a), *above(a).last().unwrap());
+                assert_eq!(ancestry.root(a), *above(a).last().unwrap());
                 for b in 0..40 {
                     let others = above(b);
                     let expected = above(a).into_iter().find(|i| others.contains(i));
-                    assert_eq!(ways.join(a, b), expected, "{parents:?} {a} {b}");
+                    assert_eq!(ancestry.join(a, b), expected, "{parents:?} {a} {b}");
                 }
             }
         }

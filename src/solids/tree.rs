@@ -4,8 +4,8 @@
 //! comes to where all of its shapes are is known beforehand, so that only the few whose bounds hold
 //! the point are looked at, however long the chain that they are part of.
 
+use super::ancestry::{Ancestry, NONE};
 use super::leaf::Leaf;
-use super::ways::{NONE, Ways};
 use crate::geometry::Matrix;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Node, NodeId, Scene};
@@ -45,10 +45,10 @@ pub struct Place {
     /// The topmost difference or intersection that this is part of, or [`NONE`].
     pub group: u32,
     /// What it comes to where none of its shapes is.
-    rests: bool,
-    /// The depth of the lowest place above that rests whatever this comes to, as long as the other
-    /// operands on the way rest; −1 where there is none.
-    stops: i64,
+    outside: bool,
+    /// The depth of the lowest place above that comes to the same whatever this one comes to, as long as the
+    /// point is outside of the shapes of all other operands on the way; −1 where there is none.
+    absorbing_depth: i64,
     /// The innermost copy of more than a shape that this is part of: its ID, and the depth at which
     /// it begins.
     copy: Option<(u32, u32)>,
@@ -57,7 +57,7 @@ pub struct Place {
 pub struct Tree {
     /// Parents stand before their children, and what first operands are made of before second ones.
     pub places: Vec<Place>,
-    ways: Ways,
+    ancestry: Ancestry,
     /// Of each place the highest one reached by way of unions alone.
     crowds: Vec<u32>,
     pub leaves: Vec<Leaf>,
@@ -93,7 +93,7 @@ impl Tree {
         };
         let mut tree = Tree {
             places: Vec::new(),
-            ways: Ways::default(),
+            ancestry: Ancestry::default(),
             crowds: Vec::new(),
             leaves: Vec::new(),
         };
@@ -187,8 +187,8 @@ impl Tree {
             turned: above.is_some_and(|p| p.turned) != task.negated,
             cuts,
             group,
-            rests: false,
-            stops: -1,
+            outside: false,
+            absorbing_depth: -1,
             copy: task.copy,
         });
         match operands {
@@ -221,17 +221,17 @@ impl Tree {
             let place = self.places[i];
             if place.join != Join::Leaf {
                 let [a, b] = place.children.map(|c| self.places[c as usize]);
-                let rest = [a, b].map(|p| p.rests != p.negated);
+                let rest = [a, b].map(|p| p.outside != p.negated);
                 let place = &mut self.places[i];
                 place.end = b.end;
-                place.rests = match place.join {
+                place.outside = match place.join {
                     Join::Or => rest[0] || rest[1],
                     _ => rest[0] && rest[1],
                 };
             }
         }
         let parents: Vec<u32> = self.places.iter().map(|p| p.parent).collect();
-        self.ways = Ways::new(&parents);
+        self.ancestry = Ancestry::new(&parents);
         self.crowds = (0..self.places.len() as u32).collect();
         for i in 0..self.places.len() {
             let place = self.places[i];
@@ -247,10 +247,10 @@ impl Tree {
             for (child, other) in [(a, b), (b, a)] {
                 let other = self.places[other as usize];
                 // True settles an "or", false an "and".
-                let settles = (other.rests != other.negated) == (place.join == Join::Or);
-                self.places[child as usize].stops = match settles {
+                let settles = (other.outside != other.negated) == (place.join == Join::Or);
+                self.places[child as usize].absorbing_depth = match settles {
                     true => i64::from(place.depth),
-                    false => place.stops,
+                    false => place.absorbing_depth,
                 };
             }
         }
@@ -262,7 +262,7 @@ impl Tree {
         if self.crowds[a as usize] == self.crowds[b as usize] {
             return None;
         }
-        let join = self.ways.join(a, b)?;
+        let join = self.ancestry.join(a, b)?;
         self.places[join as usize].cuts.then_some(join)
     }
 
@@ -286,11 +286,11 @@ impl Tree {
         (depth > self.places[operation as usize].depth).then_some(id)
     }
 
-    /// What a place above comes to if this one comes to `x` and everything else there rests.
+    /// What a place above comes to if this one comes to `x` and everything else there outside.
     fn lift(&self, from: u32, to: u32, x: Answer) -> Answer {
         let (from, to) = (&self.places[from as usize], &self.places[to as usize]);
-        if from.stops >= i64::from(to.depth) {
-            return Some(to.rests);
+        if from.absorbing_depth >= i64::from(to.depth) {
+            return Some(to.outside);
         }
         x.map(|x| x != (from.turned != to.turned))
     }
@@ -305,7 +305,7 @@ impl Tree {
         for &(place, answer) in answers[start..].iter().take_while(|a| a.0 < end) {
             let mut meet = top;
             if let Some(last) = stack.last() {
-                meet = self.ways.join(last.0, place).unwrap_or(top);
+                meet = self.ancestry.join(last.0, place).unwrap_or(top);
                 self.reduce(&mut stack, i64::from(self.places[meet as usize].depth));
             }
             stack.push((place, answer, meet));
@@ -313,7 +313,7 @@ impl Tree {
         self.reduce(&mut stack, -1);
         match stack.pop() {
             Some((place, answer, _)) => self.lift(place, top, answer),
-            None => Some(self.places[top as usize].rests),
+            None => Some(self.places[top as usize].outside),
         }
     }
 
@@ -349,7 +349,7 @@ impl Tree {
         let mut others = answers[..before].to_vec();
         others.push((place, None));
         others.extend_from_slice(&answers[after..]);
-        let root = self.ways.root(place);
+        let root = self.ancestry.root(place);
         let [without, with] = [false, true].map(|x| {
             others[before].1 = Some(x);
             self.value(root, &others)
@@ -385,8 +385,8 @@ pub fn both(a: Answer, b: Answer) -> Answer {
 mod tests {
     use super::*;
     use crate::diagnostics::SourceFile;
-    use crate::lint::testing::random;
     use crate::scene::bounds::node_bounds;
+    use crate::testing::random;
     use crate::{scene, syntax};
 
     /// What a node comes to where these leaves hold the point, one operation after the other.

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::field::Slope;
+use super::distance_field::Slope;
 use crate::geometry::Aabb;
 use crate::geometry::array::{dot, length};
 use crate::scene::Vec3;

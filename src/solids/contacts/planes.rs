@@ -8,8 +8,8 @@ use super::search::{NEAR, ROUNDING};
 use crate::geometry::Aabb;
 use crate::geometry::array::dot;
 use crate::geometry::boxes::Boxes;
-use crate::lint::solids::tree::Tree;
 use crate::scene::Vec3;
+use crate::solids::tree::Tree;
 
 /// Faces and boxes looked at, for all faces together: some tenths of a second. What is not looked at
 /// is not spoken of.

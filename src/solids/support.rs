@@ -2,14 +2,14 @@
 
 use std::cell::Cell;
 
-use super::reach::beyond;
+use super::extent::beyond;
 use crate::geometry::array::dot;
 use crate::geometry::{Matrix, icosahedron};
 use crate::scene::{Geometry, Vec3, Volume};
 
 /// A point of a shape's surface.
 #[derive(Debug, Clone, Copy)]
-pub struct Tip {
+pub struct Support {
     pub point: Vec3,
     /// A way from there into the shape, of any length; `None` for surfaces.
     pub inwards: Option<Vec3>,
@@ -19,48 +19,48 @@ pub struct Tip {
 /// corners it is there after two or three times.
 const STEPS: usize = 12;
 
-/// Points of a moved shape that reach out of a volume, looked for along its [`ways`]; none for shapes
+/// Points of a moved shape that reach out of a volume, looked for along its [`directions`]; none for shapes
 /// without end. Of a box they are those that reach furthest. Each direction asked for is taken from what
 /// is `left`; where nothing is, there are no more.
-pub fn tips<'a>(
+pub fn support_points<'a>(
     geometry: &'a Geometry,
     m: &'a Matrix,
     volume: &'a Volume,
-    ways: &'a [Vec3],
+    directions: &'a [Vec3],
     left: &'a Cell<usize>,
-) -> impl Iterator<Item = Tip> + 'a {
+) -> impl Iterator<Item = Support> + 'a {
     let ask = move |d: Vec3| {
         left.set(left.get().checked_sub(1)?);
-        moved_tip(geometry, m, d)
+        moved_support(geometry, m, d)
     };
     let reach = move |d: Vec3| {
-        let mut tip = ask(d)?;
+        let mut support = ask(d)?;
         if let Volume::Sphere { centre, .. } = volume {
             // What is furthest along the way to the furthest point so far is not nearer.
             for _ in 0..STEPS {
-                let way = std::array::from_fn(|i| tip.point[i] - centre[i]);
+                let way = std::array::from_fn(|i| support.point[i] - centre[i]);
                 let next = ask(way)?;
-                if beyond(volume, next.point) <= beyond(volume, tip.point) {
+                if beyond(volume, next.point) <= beyond(volume, support.point) {
                     break;
                 }
-                tip = next;
+                support = next;
             }
         }
-        Some(tip)
+        Some(support)
     };
-    ways.iter().copied().filter_map(reach)
+    directions.iter().copied().filter_map(reach)
 }
 
 /// How far a moved shape goes in a direction, as the least and the largest product with it; `None` for
 /// shapes without end.
 pub fn extent(geometry: &Geometry, m: &Matrix, d: Vec3) -> Option<(f64, f64)> {
-    let along = |d: Vec3| Some(dot(moved_tip(geometry, m, d)?.point, d));
+    let along = |d: Vec3| Some(dot(moved_support(geometry, m, d)?.point, d));
     Some((-along(d.map(|x| -x))?, along(d)?))
 }
 
 /// Where to look for what reaches beyond a volume: towards the sides of a box, and all around a sphere
 /// towards the sides, edges and corners of one.
-pub fn ways(volume: &Volume) -> Vec<Vec3> {
+pub fn directions(volume: &Volume) -> Vec<Vec3> {
     let part = |k: usize| (k % 3) as f64 - 1.0;
     let all = (0..27).map(|k| [part(k), part(k / 3), part(k / 9)]);
     let axes = |v: &Vec3| v.iter().filter(|x| **x != 0.0).count();
@@ -72,23 +72,23 @@ pub fn ways(volume: &Volume) -> Vec<Vec3> {
 }
 
 /// The point of a moved shape that is furthest in a direction.
-fn moved_tip(geometry: &Geometry, m: &Matrix, d: Vec3) -> Option<Tip> {
+fn moved_support(geometry: &Geometry, m: &Matrix, d: Vec3) -> Option<Support> {
     let local = std::array::from_fn(|j| (0..3).map(|i| m.0[i][j] * d[i]).sum());
-    let tip = tip(geometry, local)?;
-    Some(Tip {
-        point: m.point(tip.point),
-        inwards: tip.inwards.map(|v| m.vector(v)),
+    let support = support(geometry, local)?;
+    Some(Support {
+        point: m.point(support.point),
+        inwards: support.inwards.map(|v| m.vector(v)),
     })
 }
 
 /// The point of a shape that is furthest in a direction, in the shape's coordinates. Of a geodesic
 /// sphere it is the corner that lies next to it.
-fn tip(geometry: &Geometry, d: Vec3) -> Option<Tip> {
-    let towards = |point: Vec3, middle: Vec3| Tip {
+fn support(geometry: &Geometry, d: Vec3) -> Option<Support> {
+    let towards = |point: Vec3, middle: Vec3| Support {
         point,
         inwards: Some(std::array::from_fn(|i| middle[i] - point[i])),
     };
-    let sheet = |point: Vec3| Tip {
+    let sheet = |point: Vec3| Support {
         point,
         inwards: None,
     };
@@ -144,7 +144,7 @@ fn tip(geometry: &Geometry, d: Vec3) -> Option<Tip> {
             let [a, b] = neighbours(profile, i).map(|q| unit([q[0] - x, q[1] - y]));
             let [out, _, side] = rim(1.0, 0.0);
             let inwards = [out * (a[0] + b[0]), a[1] + b[1], side * (a[0] + b[0])];
-            Tip {
+            Support {
                 point,
                 inwards: Some(inwards),
             }
@@ -222,9 +222,9 @@ fn unit<const N: usize>(v: [f64; N]) -> [f64; N] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lint::solids::inside::Inside;
     use crate::scene::Scene;
     use crate::scene::bounds::shape_bounds;
+    use crate::solids::inside::Inside;
 
     fn shapes() -> Vec<Geometry> {
         vec![
@@ -262,10 +262,10 @@ mod tests {
         ]
     }
 
-    /// Boxes of shapes are exact, so that the tips must lie on their sides; and the way inwards leads
+    /// Boxes of shapes are exact, so that the support points must lie on their sides; and the way inwards leads
     /// in, the other way out.
     #[test]
-    fn tips_lie_where_the_bounds_end() {
+    fn support_points_lie_where_the_bounds_end() {
         let m = Matrix::rotation(37.0, 2)
             .after(&Matrix::rotation(20.0, 0))
             .after(&Matrix::scaling(1.0, 2.0, 0.5));
@@ -281,10 +281,10 @@ mod tests {
                     .abs()
                     .max((high - bounds.max[i]).abs());
                 assert!(off < 1e-12, "{g:?} {i}: {low} {high} {bounds:?}");
-                let tip = moved_tip(&g, &m, d).unwrap();
+                let support = moved_support(&g, &m, d).unwrap();
                 let step = |by: f64| {
-                    let v = tip.inwards.unwrap();
-                    back.point(std::array::from_fn(|k| tip.point[k] + by * v[k]))
+                    let v = support.inwards.unwrap();
+                    back.point(std::array::from_fn(|k| support.point[k] + by * v[k]))
                 };
                 assert_eq!(inside.shape(&g, step(1e-6)), Some(true), "{g:?}");
                 assert_eq!(inside.shape(&g, step(-1e-6)), Some(false), "{g:?}");
@@ -305,7 +305,7 @@ mod tests {
         };
         (0..3).for_each(|i| assert!((first[i] - expected[i]).abs() < 1e-15));
         for (splits, near) in [(0, 0.79), (1, 0.93), (2, 0.98), (5, 0.9995)] {
-            for d in ways(&all_around) {
+            for d in directions(&all_around) {
                 let d = unit([d[0] + 0.1, d[1] + 0.2, d[2] - 0.3]);
                 let c = geodesic_corner(d, splits);
                 assert!((dot(c, c) - 1.0).abs() < 1e-12);
@@ -327,9 +327,9 @@ mod tests {
         let m = Matrix::rotation(30.0, 1);
         let best = |g: &Geometry| {
             let from = ball(0.0);
-            let ways = ways(&from);
+            let directions = directions(&from);
             let left = Cell::new(1000);
-            let all = tips(g, &m, &from, &ways, &left);
+            let all = support_points(g, &m, &from, &directions, &left);
             all.fold(0.0f64, |b, t| b.max(beyond(&from, t.point)))
         };
         assert!((best(&cube) - 6f64.sqrt()).abs() < 1e-12);

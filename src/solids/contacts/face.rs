@@ -5,7 +5,7 @@ use super::quadric;
 use crate::geometry::Matrix;
 use crate::geometry::array::{across, add, cross, dot, length, sub, unit};
 use crate::scene::{Geometry, Vec3};
-use crate::solids::point::in_profile;
+use crate::solids::containment::in_profile;
 
 /// Profiles with more points have no faces here: to tell the sides of each of their pieces takes
 /// the square of their number. The rule stays silent about them.

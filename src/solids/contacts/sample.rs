@@ -3,8 +3,8 @@
 use super::face::{Face, Form, Part};
 use super::quadric;
 use crate::geometry::array::{across, add, cross, dot, length, middle, sub, unit};
-use crate::lint::solids::leaf::Leaf;
 use crate::scene::{Geometry, Vec3};
+use crate::solids::leaf::Leaf;
 
 /// A point of a surface and the direction at right angles to it, of length 1.
 pub type Sample = (Vec3, Vec3);

@@ -2,8 +2,8 @@
 //! half-spaces, planes between them, and by being the same.
 
 use super::distance;
-use super::reach::ball;
-use super::tips::extent;
+use super::extent::ball;
+use super::support::extent;
 use crate::geometry::array::{cross, length, unit};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::NodeBounds;

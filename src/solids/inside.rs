@@ -4,7 +4,7 @@ use super::tree::{both, either};
 use crate::geometry::Matrix;
 use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
-use crate::solids::point::in_shape;
+use crate::solids::containment::in_shape;
 
 /// Steps of all tests together: nodes visited and profile points compared. A second has room for
 /// many times that.

@@ -1,0 +1,41 @@
+//! Numbers in what findings say.
+
+/// A number as it stands in a scene.
+pub fn spelled(x: f64) -> String {
+    let text = format!("{:?}", x + 0.0);
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+}
+
+/// A number for people: four significant digits.
+pub fn rough(x: f64) -> String {
+    let exact = spelled(x);
+    let digits = exact.bytes().filter(u8::is_ascii_digit).count();
+    match format!("{x:.3e}").parse() {
+        Ok(rounded) if digits > 4 => spelled(rounded),
+        _ => exact,
+    }
+}
+
+/// A coordinate of a place on something of a size: to a thousandth of that, so that the place named
+/// is still there.
+pub fn near(x: f64, size: f64) -> String {
+    let digits = if size.is_finite() && size > 0.0 {
+        3 - size.log10().floor() as i32
+    } else {
+        3
+    };
+    if !(0..=12).contains(&digits) {
+        let rounded = format!("{x:.9e}").parse().unwrap_or(x);
+        return format!("{rounded}");
+    }
+    let text = format!("{x:.precision$}", precision = digits as usize);
+    let text = match text.split_once('.') {
+        Some(_) => text.trim_end_matches('0').trim_end_matches('.'),
+        None => &text,
+    };
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
+    }
+}

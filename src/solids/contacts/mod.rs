@@ -1,0 +1,20 @@
+//! Which faces are in one place: the faces of two operands that the boundary of an operation's result has
+//! to choose between.
+
+pub mod face;
+mod planes;
+mod quadric;
+mod sample;
+pub mod search;
+
+use crate::scene::Scene;
+use crate::scene::bounds::NodeBounds;
+use search::search;
+
+/// Pairs of shapes in what is drawn of which faces are in one place where that is seen: indices of
+/// [`Scene::shapes`].
+pub fn pairs(scene: &Scene, bounds: &[NodeBounds]) -> Vec<[u32; 2]> {
+    let roots: Vec<_> = scene.render.iter().map(|r| r.root).collect();
+    let found = search(scene, bounds, &roots);
+    found.iter().map(|f| f.sides.map(|s| s.shape)).collect()
+}

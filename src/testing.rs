@@ -1,0 +1,12 @@
+//! What tests share.
+
+/// Numbers below another one, the same each time (Knuth's MMIX, The Art of Computer Programming, 3.3.4).
+pub fn random() -> impl FnMut(u64) -> u64 {
+    let mut state = 12345u64;
+    move |n| {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 33) % n
+    }
+}
