@@ -12,7 +12,7 @@ use naive::{Naive, Number};
 use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::scene::{Camera, Scene};
 use zpg::trace::film::Film;
 use zpg::trace::{Settings, Tracer, selected_camera};
@@ -75,8 +75,8 @@ fn main() -> Outcome<()> {
 
 /// A scene with the textbook's methods in single and double precision, and with the program.
 fn draw(path: &Path) -> Outcome<[Film; 3]> {
-    let loaded = Loaded::new(path.to_string_lossy(), fs::read(path)?);
-    if !loaded.sound {
+    let loaded = Analysis::new(path.to_string_lossy(), fs::read(path)?);
+    if !loaded.is_sound() {
         return Err("the scene has errors".into());
     }
     let [width, height] = SIZE;

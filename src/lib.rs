@@ -13,11 +13,11 @@
 //!   say with the tracer's means.
 //! - [`translate`]: the scene for other programs.
 //! - [`study`]: scenes under study: our picture beside that of another program.
-//! - [`config`]: `zpg.toml`, the settings for a folder of scenes.
+//! - [`analysis`]: a file's bytes to source, document, scene and findings, with the settings of its folder.
 //! - [`commands`]: one file per subcommand of the command line.
 
+pub mod analysis;
 pub mod commands;
-pub mod config;
 pub mod diagnostics;
 pub mod format;
 pub mod geometry;

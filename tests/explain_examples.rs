@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::diagnostics::{Code, Language};
 
 /// The ```` ```zpg ```` fences of a page.
@@ -36,9 +36,9 @@ fn windows_1250(text: &str) -> Vec<u8> {
 fn findings(folder: &Path, scene: Vec<u8>) -> Vec<(Code, String)> {
     let path = folder.join("scene.zpg");
     std::fs::write(&path, &scene).unwrap();
-    let loaded = Loaded::new(path.to_str().unwrap(), scene);
+    let loaded = Analysis::new(path.to_str().unwrap(), scene);
     loaded
-        .diagnostics
+        .findings()
         .iter()
         .map(|d| {
             let place = loaded.source.position(d.span.start);

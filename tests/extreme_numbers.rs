@@ -6,7 +6,7 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
 use std::sync::atomic::{AtomicU32, Ordering};
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::geometry::dd::Dd;
 use zpg::geometry::vec::Vec3;
 use zpg::trace::precision::Precision;
@@ -232,9 +232,9 @@ fn try_kind(kind: usize, cases: u32) -> (u32, u32, Option<String>) {
     let (valid, met) = (AtomicU32::new(0), AtomicU32::new(0));
     let first = shapes().swap_remove(kind);
     let result = runner.run(&(scene(first), rays()), |(text, rays)| {
-        let loaded = Loaded::new("a.zpg", text.into_bytes());
+        let loaded = Analysis::new("a.zpg", text.into_bytes());
         // What the language does not allow is not drawn.
-        if !loaded.sound {
+        if !loaded.is_sound() {
             return Ok(());
         }
         let Ok(tracer) = Tracer::new(&loaded.scene) else {
@@ -305,8 +305,8 @@ type Met = (bool, Vec<(f64, [f64; 3], Option<bool>)>);
 
 fn met<R: Precision>(text: &str, o: [f64; 3], d: [f64; 3]) -> Met {
     let text = format!("{text}\n1 9999 10 0\n");
-    let loaded = Loaded::new("a.zpg", text.into_bytes());
-    assert!(loaded.sound);
+    let loaded = Analysis::new("a.zpg", text.into_bytes());
+    assert!(loaded.is_sound());
     let tracer = Tracer::new(&loaded.scene).expect("a scene that can be drawn");
     let probe = tracer.probe(
         &mut tracer.walker::<R>(),

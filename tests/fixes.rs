@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::trace_support;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::diagnostics::{Applicability, Code, Diagnostic, Severity, fixes};
 
 /// What the examples leave out: other cases of a code, and comments between any two tokens.
@@ -66,7 +66,7 @@ fn scenes() -> Vec<(String, String)> {
                 folders.push(path);
             } else if path.extension().is_some_and(|e| e == "zpg") {
                 let bytes = fs::read(&path).unwrap();
-                let text = Loaded::new("a", bytes).source.text;
+                let text = Analysis::new("a", bytes).source.text;
                 // The large ones take long and trigger nothing else.
                 if text.len() < 20_000 {
                     all.push((path.display().to_string(), text));
@@ -77,8 +77,8 @@ fn scenes() -> Vec<(String, String)> {
     all
 }
 
-fn read(text: &str) -> Loaded {
-    Loaded::new("scene.zpg", text.into())
+fn read(text: &str) -> Analysis {
+    Analysis::new("scene.zpg", text.into())
 }
 
 /// How many malformed tokens, which hide what else is wrong; errors, warnings, notes and remarks on
@@ -95,15 +95,15 @@ fn weight(found: &[Diagnostic]) -> [usize; 5] {
     ]
 }
 
-fn comments(loaded: &Loaded) -> Vec<String> {
+fn comments(loaded: &Analysis) -> Vec<String> {
     let text = &loaded.source.text;
     let comments = loaded.document.comments();
     comments.map(|t| t.text(text).to_owned()).collect()
 }
 
 /// A small picture, bit by bit; `None` where the scene cannot be drawn.
-fn picture(loaded: &Loaded) -> Option<Vec<u32>> {
-    let drawable = loaded.sound && loaded.scene.render.is_some();
+fn picture(loaded: &Analysis) -> Option<Vec<u32>> {
+    let drawable = loaded.is_sound() && loaded.scene.render.is_some();
     // Images lie beside the scene, which is no file here.
     if !drawable || loaded.source.text.contains("-301") {
         return None;
@@ -129,7 +129,7 @@ fn every_fix_makes_it_better() {
     let mut with_fix = std::collections::BTreeSet::new();
     for (name, text) in scenes() {
         let before = read(&text);
-        for d in &before.diagnostics {
+        for d in before.findings() {
             for fix in &d.fixes {
                 tried += 1;
                 with_fix.insert(d.code);
@@ -137,8 +137,8 @@ fn every_fix_makes_it_better() {
                 assert_eq!(count, 1, "{name}: {d:?}");
                 let after = read(&fixed);
                 let what = format!("{name}: {} {:?}", d.code.as_str(), fix);
-                if weight(&after.diagnostics) >= weight(&before.diagnostics) {
-                    let found: Vec<_> = after.diagnostics.iter().map(|d| d.code).collect();
+                if weight(after.findings()) >= weight(before.findings()) {
+                    let found: Vec<_> = after.findings().iter().map(|d| d.code).collect();
                     wrong += &format!("{what} checks no better: {found:?}\n{fixed}\n");
                 }
                 // Closing a comment adds its end, and a comment that allows nothing may go.
@@ -168,7 +168,7 @@ fn every_fix_makes_it_better() {
 /// The text of the first fix of the first error applied.
 fn mended(text: &str) -> String {
     let loaded = read(text);
-    let first = loaded.diagnostics.iter().find(|d| d.is_error());
+    let first = loaded.findings().iter().find(|d| d.is_error());
     let fix = first.and_then(|d| d.fixes.first());
     fixes::apply(text, fix.into_iter()).0
 }
@@ -217,7 +217,7 @@ fn decimal_commas_are_mended() {
                 }
             }
             let loaded = read(&spoiled);
-            let errors: Vec<_> = loaded.diagnostics.iter().filter(|d| d.is_error()).collect();
+            let errors: Vec<_> = loaded.findings().iter().filter(|d| d.is_error()).collect();
             let right = errors.iter().all(|d| d.code == Code::E003);
             let found: Vec<_> = errors.iter().map(|d| (d.code, d.span)).collect();
             assert!(

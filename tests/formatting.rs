@@ -8,7 +8,7 @@ mod generate;
 use std::path::{Path, PathBuf};
 
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::diagnostics::{Code, Diagnostic, Span};
 use zpg::format::{Options, format, format_range};
 use zpg::syntax::{Document, Item, parse};
@@ -21,12 +21,12 @@ fn formatted(text: &str) -> String {
     format(text, &document, &Options::default())
 }
 
-fn load(text: &str) -> Loaded {
-    Loaded::new("scene.zpg", text.as_bytes().to_vec())
+fn load(text: &str) -> Analysis {
+    Analysis::new("scene.zpg", text.as_bytes().to_vec())
 }
 
 /// Everything that is known of a scene but where in the text it stands. Numbers are to the bit.
-fn meaning(loaded: &Loaded) -> String {
+fn meaning(loaded: &Analysis) -> String {
     let all = format!("{:?}", loaded.scene);
     let mut out = String::with_capacity(all.len());
     let mut rest = all.as_str();
@@ -54,8 +54,8 @@ fn place(document: &Document, at: u32) -> (usize, usize) {
 }
 
 /// The findings, each with the record or comment that it is about.
-fn findings(loaded: &Loaded, of_layout: bool) -> Vec<(Code, (usize, usize))> {
-    let mut all: Vec<_> = (loaded.diagnostics.iter())
+fn findings(loaded: &Analysis, of_layout: bool) -> Vec<(Code, (usize, usize))> {
+    let mut all: Vec<_> = (loaded.findings().iter())
         .filter(|d| OF_LAYOUT.contains(&d.code) == of_layout)
         .map(|d| (d.code, place(&loaded.document, d.span.start)))
         .collect();
@@ -64,9 +64,9 @@ fn findings(loaded: &Loaded, of_layout: bool) -> Vec<(Code, (usize, usize))> {
 }
 
 /// A broken record without an error on its lines, or in the comment behind it that nobody closes.
-fn broken_without_an_error(loaded: &Loaded) -> Option<&str> {
+fn broken_without_an_error(loaded: &Analysis) -> Option<&str> {
     let line = |at: u32| loaded.source.line_index(at);
-    let errors = || loaded.diagnostics.iter().filter(|d| d.is_error());
+    let errors = || loaded.findings().iter().filter(|d| d.is_error());
     let open = |d: &Diagnostic| d.code == Code::E002;
     let document = &loaded.document;
     let spans: Vec<Span> = (document.items.iter())
@@ -217,7 +217,7 @@ fn complaint_of_ranges(text: &str) -> Option<String> {
     let loaded = load(text);
     let document = &loaded.document;
     let broken = document.items.iter().any(|i| matches!(i, Item::Broken(_)));
-    if broken || !loaded.sound || !findings(&loaded, true).is_empty() {
+    if broken || !loaded.is_sound() || !findings(&loaded, true).is_empty() {
         // How careful it has to be depends on the whole text.
         return None;
     }

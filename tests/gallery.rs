@@ -54,12 +54,12 @@ fn every_record_type_is_in_the_gallery() {
 #[test]
 fn no_scene_is_warned_of() {
     for scene in scenes() {
-        let loaded = zpg::commands::load(&scene).unwrap();
+        let loaded = zpg::analysis::file::load(&scene).unwrap();
         assert!(
-            loaded.diagnostics.is_empty(),
+            loaded.findings().is_empty(),
             "{}: {:#?}",
             scene.display(),
-            loaded.diagnostics
+            loaded.findings()
         );
     }
 }

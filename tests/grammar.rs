@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::diagnostics::Code;
 use zpg::syntax::grammar;
 use zpg::syntax::table::RECORD_TYPES;
@@ -54,8 +54,8 @@ fn the_scenes_in_the_reference_are_good() {
         .collect();
     assert!(!scenes.is_empty());
     for (scene, _) in scenes {
-        let loaded = Loaded::new("scene.zpg", scene.into());
-        assert!(loaded.diagnostics.is_empty(), "{:#?}", loaded.diagnostics);
+        let loaded = Analysis::new("scene.zpg", scene.into());
+        assert!(loaded.findings().is_empty(), "{:#?}", loaded.findings());
     }
 }
 

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use zpg::commands::load;
+use zpg::analysis::file::load;
 use zpg::diagnostics::Diagnostic;
 
 fn scenes(folder: &str) -> Vec<PathBuf> {
@@ -24,7 +24,7 @@ fn printed_examples() {
     for path in scenes("scenes/handout/printed") {
         let loaded = load(&path).unwrap();
         let mut found = String::new();
-        for d in &loaded.diagnostics {
+        for d in loaded.findings() {
             let at = loaded.source.position(d.span.start);
             write!(
                 found,
@@ -61,7 +61,7 @@ fn repaired_examples() {
     for path in scenes("scenes/handout") {
         let loaded = load(&path).unwrap();
         let line = |d: &Diagnostic| loaded.source.position(d.span.start).line;
-        let found: Vec<String> = (loaded.diagnostics.iter())
+        let found: Vec<String> = (loaded.findings().iter())
             .map(|d| format!("{} {}", d.code.as_str(), line(d)))
             .collect();
         let name = path.file_name().unwrap().to_string_lossy();

@@ -7,7 +7,7 @@ mod naive;
 use naive::Naive;
 use std::fs;
 use std::path::{Path, PathBuf};
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::trace::film::srgb8;
 use zpg::trace::{Film, Settings, Tracer, selected_camera};
 
@@ -44,9 +44,9 @@ fn edited(text: &str, edits: &[(&str, &str)]) -> String {
     })
 }
 
-fn load(text: &str) -> Loaded {
-    let loaded = Loaded::new("scene.zpg", text.into());
-    assert!(loaded.sound, "{:?}\n{text}", loaded.diagnostics);
+fn load(text: &str) -> Analysis {
+    let loaded = Analysis::new("scene.zpg", text.into());
+    assert!(loaded.is_sound(), "{:?}\n{text}", loaded.findings());
     loaded
 }
 

@@ -4,7 +4,7 @@
 pub mod scenes;
 
 use crate::campaign::rng::Rng;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::diagnostics::{Applicability, Code, Diagnostic, Value, fixes};
 use zpg::geometry::Aabb;
 use zpg::geometry::vec::Vec3;
@@ -14,8 +14,8 @@ use zpg::trace::{Images, Ray, Settings, Tracer, members, selected_camera};
 
 const SCENES: u64 = 500;
 
-fn load(text: &str) -> Loaded {
-    Loaded::new("scene.zpg", text.as_bytes().to_vec())
+fn load(text: &str) -> Analysis {
+    Analysis::new("scene.zpg", text.as_bytes().to_vec())
 }
 
 fn text(d: &Diagnostic, place: &str) -> String {
@@ -75,7 +75,7 @@ fn holds(scene: &Scene, node: NodeId, p: Vec3) -> bool {
 }
 
 /// What is wrong with a finding.
-fn refuted(source: &str, loaded: &Loaded, d: &Diagnostic, rng: &mut Rng) -> Option<String> {
+fn refuted(source: &str, loaded: &Analysis, d: &Diagnostic, rng: &mut Rng) -> Option<String> {
     let scene = &loaded.scene;
     let render = scene.render.as_ref()?;
     let wrong = |what: &str| Some(what.to_owned());
@@ -175,7 +175,7 @@ fn refuted(source: &str, loaded: &Loaded, d: &Diagnostic, rng: &mut Rng) -> Opti
     None
 }
 
-fn picture(loaded: &Loaded) -> Vec<[u32; 3]> {
+fn picture(loaded: &Analysis) -> Vec<[u32; 3]> {
     let settings = Settings {
         width: 16,
         height: 12,
@@ -190,12 +190,12 @@ fn picture(loaded: &Loaded) -> Vec<[u32; 3]> {
 }
 
 /// What is wrong with a fix.
-fn harmful(loaded: &Loaded, d: &Diagnostic) -> Option<String> {
+fn harmful(loaded: &Analysis, d: &Diagnostic) -> Option<String> {
     for fix in &d.fixes {
         let (after, count) = fixes::apply(&loaded.source.text, [fix].into_iter());
         let mended = load(&after);
-        let of = |l: &Loaded| l.diagnostics.iter().filter(|f| f.code == d.code).count();
-        if count != 1 || !mended.sound || of(&mended) > of(loaded) {
+        let of = |l: &Analysis| l.findings().iter().filter(|f| f.code == d.code).count();
+        if count != 1 || !mended.is_sound() || of(&mended) > of(loaded) {
             return Some(format!("the fix makes it worse:\n{after}"));
         }
         if fix.applicability == Applicability::Safe {
@@ -218,7 +218,7 @@ fn what_is_said_of_random_scenes_is_true() {
         let source = scenes::scene(seed);
         let loaded = load(&source);
         let mut rng = Rng::new(!seed);
-        for d in &loaded.diagnostics {
+        for d in loaded.findings() {
             *seen.entry(d.code.as_str()).or_insert(0) += 1;
             let message = d.wording(zpg::diagnostics::Language::English).message;
             let mut complain = |what: String| {
@@ -253,14 +253,14 @@ fn what_is_said_of_random_scenes_is_true() {
 #[test]
 fn lies_are_refuted() {
     let (mut refuted_lies, mut lies) = (0, 0);
-    let mut tell = |source: &str, loaded: &Loaded, lie: &Diagnostic| {
+    let mut tell = |source: &str, loaded: &Analysis, lie: &Diagnostic| {
         lies += 1;
         refuted_lies += u32::from(refuted(source, loaded, lie, &mut Rng::new(1)).is_some());
     };
     for seed in 0..60 {
         let source = scenes::scene(seed);
         let loaded = load(&source);
-        for d in &loaded.diagnostics {
+        for d in loaded.findings() {
             // A point far from the one that was meant.
             if let Some(at) = d.values.iter().position(|v| v.0 == "x") {
                 let mut lie = d.clone();

@@ -2,7 +2,7 @@
 //! seen is found, and what only comes near is not. That something does so is known from where the two were
 //! put, and made sure of by tests of points; not by the rules' own search.
 
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::diagnostics::{Code, Diagnostic, Value};
 use zpg::geometry::vec::Vec3;
 use zpg::geometry::{Aabb, Matrix};
@@ -116,9 +116,9 @@ const KINDS: usize = 23;
 /// Those that end.
 const FINITE: usize = 16;
 
-fn load(text: &str) -> Loaded {
-    let loaded = Loaded::new("scene.zpg", text.as_bytes().to_vec());
-    assert!(loaded.sound, "{text}\n{:?}", loaded.diagnostics);
+fn load(text: &str) -> Analysis {
+    let loaded = Analysis::new("scene.zpg", text.as_bytes().to_vec());
+    assert!(loaded.is_sound(), "{text}\n{:?}", loaded.findings());
     loaded
 }
 
@@ -198,9 +198,9 @@ fn extent(b: &Aabb) -> f64 {
     if longest.is_finite() { longest } else { 1.0 }
 }
 
-fn of(loaded: &Loaded, code: Code) -> Vec<&Diagnostic> {
+fn of(loaded: &Analysis, code: Code) -> Vec<&Diagnostic> {
     loaded
-        .diagnostics
+        .findings()
         .iter()
         .filter(|d| d.code == code)
         .collect()

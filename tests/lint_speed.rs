@@ -4,7 +4,7 @@
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::diagnostics::render::human::{self, Look};
 
 const N: u32 = 20_000;
@@ -34,19 +34,13 @@ fn check(object: impl Fn(u32) -> String, join: &str) -> Vec<&'static str> {
     }
     writeln!(text, "1 9999 {root} 0").unwrap();
     let start = Instant::now();
-    let loaded = Loaded::new("scene.zpg", text.into_bytes());
+    let loaded = Analysis::new("scene.zpg", text.into_bytes());
     let mut out = Vec::new();
-    human::write(
-        &mut out,
-        &loaded.source,
-        &loaded.diagnostics,
-        Look::default(),
-    )
-    .unwrap();
+    human::write(&mut out, &loaded.source, loaded.findings(), Look::default()).unwrap();
     let time = start.elapsed();
     assert!(time < SOON, "{time:?}");
     assert!(out.len() < 1_000_000, "{} bytes", out.len());
-    let mut codes: Vec<_> = loaded.diagnostics.iter().map(|d| d.code.as_str()).collect();
+    let mut codes: Vec<_> = loaded.findings().iter().map(|d| d.code.as_str()).collect();
     codes.sort_unstable();
     codes.dedup();
     codes

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use crate::campaign::rng::Rng;
 use crate::lint_generated::scenes;
 use crate::support::seeds;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::geometry::vec::Vec3;
 use zpg::scene::Scene;
 use zpg::trace::{Images, Tracer, members};
 use zpg::translate::mesh::{Mesh, Model, Options, model, report};
 
-fn loaded(path: &Path) -> Loaded {
-    Loaded::new(path.to_string_lossy(), std::fs::read(path).unwrap())
+fn loaded(path: &Path) -> Analysis {
+    Analysis::new(path.to_string_lossy(), std::fs::read(path).unwrap())
 }
 
 fn tracer(scene: &Scene, folder: &Path) -> Tracer {
@@ -161,7 +161,7 @@ fn random_scenes_are_closed_and_in_their_place() {
     // More of them on request: MESH_SEEDS=0..1000.
     let (mut failed, mut reported, mut n) = (Vec::new(), 0, 0);
     for seed in seeds("MESH_SEEDS", 0..24) {
-        let loaded = Loaded::new("scene", scenes::scene(seed).into_bytes());
+        let loaded = Analysis::new("scene", scenes::scene(seed).into_bytes());
         let tracer = tracer(&loaded.scene, Path::new("."));
         let model = model(&loaded.scene, &tracer.graph, &Options::default()).unwrap();
         let report = report("ply", &loaded.scene, &model).to_string();

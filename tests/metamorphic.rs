@@ -1,7 +1,7 @@
 //! A record that is transformed and the same shape written out draw the same picture.
 
 use crate::campaign::rng::Rng;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::geometry::Matrix;
 use zpg::trace::{Settings, Tracer, selected_camera};
 
@@ -231,9 +231,9 @@ fn picture(records: &str, material: &str) -> Vec<[f32; 3]> {
          40 -402 0.7\n40 -1 3 4 5\n41 -402 0.4\n41 -1 -4 1 -6\n42 -401 0.1\n\
          1 9999 22 0 -9 -9 -9 9 9 9\n"
     );
-    let loaded = Loaded::new("scene.zpg", scene.clone().into());
+    let loaded = Analysis::new("scene.zpg", scene.clone().into());
     let wrong = loaded
-        .diagnostics
+        .findings()
         .iter()
         .find(|d| d.code.as_str().starts_with('E'));
     assert!(wrong.is_none(), "{scene}{wrong:?}");
@@ -287,7 +287,7 @@ fn a_stretched_triangle_is_dark_where_the_written_one_is() {
         let text = format!(
             "{triangle}10 -501 3 0.3 3 -0.9 0 -1 0 1 0 20\n12 -402 1\n12 -1 5 1 -2\n1 9999 20 0\n"
         );
-        let loaded = Loaded::new("scene.zpg", text.into());
+        let loaded = Analysis::new("scene.zpg", text.into());
         let settings = Settings {
             width: 20,
             height: 15,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::lint_generated::scenes;
 use crate::support::{mitsuba, seeds};
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::study::geometry::{self, Comparison};
 use zpg::syntax::Captions;
 use zpg::trace::{Images, Tracer, selected_camera};
@@ -14,7 +14,7 @@ const SIZE: (u32, u32) = (96, 72);
 
 fn translated(
     name: &str,
-    loaded: &Loaded,
+    loaded: &Analysis,
     folder: &Path,
     integrator: Integrator,
 ) -> (Tracer, Output) {
@@ -34,7 +34,7 @@ fn translated(
     (tracer, output)
 }
 
-fn compare(name: &str, loaded: &Loaded, folder: &Path) -> Comparison {
+fn compare(name: &str, loaded: &Analysis, folder: &Path) -> Comparison {
     let (tracer, output) = translated(name, loaded, folder, Integrator::Aov);
     let theirs = mitsuba::render(name, &output, 0);
     let camera = selected_camera(&loaded.scene, f64::from(SIZE.0) / f64::from(SIZE.1));
@@ -61,8 +61,8 @@ fn scenes_in(folder: &str) -> Vec<PathBuf> {
     out
 }
 
-fn loaded(path: &Path) -> Loaded {
-    Loaded::new(path.to_string_lossy(), std::fs::read(path).unwrap())
+fn loaded(path: &Path) -> Analysis {
+    Analysis::new(path.to_string_lossy(), std::fs::read(path).unwrap())
 }
 
 /// Scenes of which single precision does not tell all: in how many pixels at most, and in how many at
@@ -109,7 +109,7 @@ fn random_scenes_are_where_we_see_them() {
     // two parts of one medium are in another, one looks into a ball whose socket was turned about it, what a
     // part would take from a later one is all in an earlier one, and one sees where something is cut off.
     for seed in range.chain([244, 296, 644, 650, 1005, 1022]) {
-        let loaded = Loaded::new("scene", scenes::scene(seed).into_bytes());
+        let loaded = Analysis::new("scene", scenes::scene(seed).into_bytes());
         let seen = compare(&format!("random_{seed}"), &loaded, Path::new("."));
         // At the edges of cuts, which bound one shape on both sides, there is one now and then.
         if seen.share_wrong > 5e-4 {
@@ -148,7 +148,7 @@ fn cameras_and_places_of_all_kinds() {
         ("small", plain, small),
     ] {
         let text = format!("{balls}{camera}{change}1 9999 6 0\n");
-        let loaded = Loaded::new("scene", text.into_bytes());
+        let loaded = Analysis::new("scene", text.into_bytes());
         let seen = compare(&format!("camera_{name}"), &loaded, Path::new("."));
         println!("{name}: {}", figures(&seen));
         assert_eq!(seen.wrong, 0, "{name}: {}", figures(&seen));
@@ -170,7 +170,7 @@ fn a_pit_is_open_where_the_solid_is_cut_off() {
             "{solid}{tool}5 12 -2 -2 -2 2 1 2\n6 -102 4 5\n\
              9 -501 0 6 4 0 -1.3 -1 0 1 0 40\n1 9999 6 0\n"
         );
-        let loaded = Loaded::new("scene", text.into_bytes());
+        let loaded = Analysis::new("scene", text.into_bytes());
         let seen = compare(&format!("pit_{name}"), &loaded, Path::new("."));
         println!("{name}: {}", figures(&seen));
         assert_eq!(seen.wrong, 0, "{name}: {}", figures(&seen));
@@ -188,7 +188,7 @@ fn a_bite_out_of_two_is_seen_in_the_first() {
             "{pair}4 -101 {order}\n5 11 0.2 0.8 1.2 0.9\n6 -103 4 5\n\
              9 -501 0 2 6 0 -0.3 -1 0 1 0 40\n1 9999 6 0\n"
         );
-        let loaded = Loaded::new("scene", text.into_bytes());
+        let loaded = Analysis::new("scene", text.into_bytes());
         let seen = compare(&format!("bite_{name}"), &loaded, Path::new("."));
         println!("{name}: {}", figures(&seen));
         assert_eq!(seen.wrong, 0, "{name}: {}", figures(&seen));
@@ -209,7 +209,7 @@ fn media_have_their_neighbours() {
         glass(3, 1.5),
         glass(4, 1.33)
     );
-    let loaded = Loaded::new("scene", text.into_bytes());
+    let loaded = Analysis::new("scene", text.into_bytes());
     let (_, output) = translated("media", &loaded, Path::new("."), Integrator::Path);
     let document = &output.documents[0].1;
     let indices = |within: &str, around: &str| {
@@ -232,7 +232,7 @@ fn media_have_their_neighbours() {
 #[test]
 fn surfaces_in_one_place_are_named() {
     let named = |text: &str| {
-        let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+        let loaded = Analysis::new("scene", text.as_bytes().to_vec());
         let (_, output) = translated("socket", &loaded, Path::new("."), Integrator::Path);
         let mut entries = output.report.entries();
         entries.any(|e| e.feature == "surfaces in one place")
@@ -254,7 +254,7 @@ fn shapes_are_counted_by_what_they_became() {
          7 12 20 0 0 21 1 1\n8 4 0 1 0 5\n9 5 0 0 1 1\n9 -1 30 0 0\n\
          15 -701 1 0 0\n9 -399 4 4 15 15\n6 -399 4 4 15 15\n\
          10 -101 2 3\n14 -101 10 6\n11 -101 14 7\n12 -101 11 8\n13 -101 12 9\n1 9999 13 0\n";
-    let loaded = Loaded::new("scene", text.into());
+    let loaded = Analysis::new("scene", text.into());
     let (_, output) = translated("counted", &loaded, Path::new("."), Integrator::Path);
     let report = output.report.to_string();
     let line = |start: &str| {
@@ -274,7 +274,7 @@ fn shapes_are_counted_by_what_they_became() {
 fn surfaces_in_one_place_are_counted_by_themselves() {
     let text = "2 12 -2 0 -2 2 1 -1\n3 12 1 0 -2 2 1 2\n4 12 -2 0 1 2 1 2\n5 5 -1.5 0.2 0.5 0.8\n\
                 5 -1 0 0 2\n6 -101 2 3\n7 -101 6 4\n8 -101 7 5\n9 -501 1 4 9 0 -4 -9 0 1 0 30\n1 9999 8 0\n";
-    let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+    let loaded = Analysis::new("scene", text.as_bytes().to_vec());
     let seen = compare("walls", &loaded, Path::new("."));
     assert_eq!((seen.wrong, seen.undecided), (0, 0), "{}", figures(&seen));
     assert!((1..400).contains(&seen.in_one_place), "{}", figures(&seen));
@@ -291,7 +291,7 @@ fn surfaces_in_one_place_are_counted_by_themselves() {
 #[test]
 fn indices_by_channel_are_parameters() {
     let text = "2 12 -1 -1 -1 1 1 1\n2 -201 0 0 1\n2 -203 1.25 1.5 1.75\n1 9999 2 0\n";
-    let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+    let loaded = Analysis::new("scene", text.as_bytes().to_vec());
     let (_, output) = translated("prism", &loaded, Path::new("."), Integrator::Path);
     let document = &output.documents[0].1;
     let line = |start: &str| document.lines().find(|l| l.trim().starts_with(start));
@@ -320,7 +320,7 @@ fn pictures_on_exact_shapes_are_the_right_way_round() {
     let text = "2 5 -4 0.5 -1 2.5\n2 -301 four.png\n3 5 -4 0.5 -1 2.5\n3 -301 four.png\n\
          3 -3 -1 1 1\n4 11 0 -2 0 1.3\n4 -301 four.png\n5 -101 2 3\n6 -101 5 4\n\
          7 -501 0 0 10 0 0 -1 0 1 0 45\n8 -401 1\n1 9999 6 0\n";
-    let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+    let loaded = Analysis::new("scene", text.as_bytes().to_vec());
     let (_, output) = translated("four", &loaded, folder.path(), Integrator::Path);
     assert!(output.shapes.iter().all(|s| s.exact), "{:?}", output.shapes);
     let pixels = mitsuba::render("four", &output, 16);
@@ -355,7 +355,7 @@ fn pictures_on_exact_shapes_are_the_right_way_round() {
 fn shapes_have_the_comments_of_the_scene() {
     let text = "0 # a scene #\n\n2 9 1 # the -- \"moon\" <&> $x ☾ --> #\n3 12 2 0 0 3 1 1\n\
          4 9 0.5\n4 -1 2 0 0\n5 -103 3 4 # a bitten box - #\n5 -701 1 0 0\n6 -101 2 5\n1 9999 6 0\n";
-    let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+    let loaded = Analysis::new("scene", text.as_bytes().to_vec());
     let (_, output) = translated("comments", &loaded, Path::new("."), Integrator::Path);
     let lines: Vec<&str> = output.documents[0].1.lines().map(str::trim).collect();
     let before = |shape: &str| {

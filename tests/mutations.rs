@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::syntax::table::ParamKind;
 use zpg::syntax::{Document, Item};
 
@@ -136,8 +136,8 @@ impl Tally {
 fn outcome(name: &str, text: &str) -> (BTreeMap<&'static str, Tally>, String) {
     let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
     let mut misses = String::new();
-    let original = Loaded::new(name, text.as_bytes().to_vec());
-    assert!(original.sound, "{name} is not valid");
+    let original = Analysis::new(name, text.as_bytes().to_vec());
+    assert!(original.is_sound(), "{name} is not valid");
     // Every third of them; all on request: MUTATIONS=all.
     let step = match std::env::var("MUTATIONS") {
         Ok(_) => 1,
@@ -147,8 +147,8 @@ fn outcome(name: &str, text: &str) -> (BTreeMap<&'static str, Tally>, String) {
         let mut mutated = text.to_owned();
         mutated.replace_range(m.at..m.to, &m.with);
         let line = text[..m.at].matches('\n').count() as u32 + 1;
-        let loaded = Loaded::new(name, mutated.into_bytes());
-        let errors: Vec<_> = loaded.diagnostics.iter().filter(|d| d.is_error()).collect();
+        let loaded = Analysis::new(name, mutated.into_bytes());
+        let errors: Vec<_> = loaded.findings().iter().filter(|d| d.is_error()).collect();
         let found = |d: &&zpg::diagnostics::Diagnostic| loaded.source.position(d.span.start).line;
         let on_line = errors.first().map(found) == Some(line);
         let tally = tallies.entry(m.kind).or_default();

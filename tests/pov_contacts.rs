@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::support::compare::{agrees, compare};
 use crate::support::{povray, seeds};
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 
 /// Glass of three kinds, two opaque materials, one that light goes through straight on.
 const LOOKS: &str = "11 -701 0.3 0.6 0.58\n12 -701 0.85 0.5 0.8\n13 -701 0.9 0.7 0.2\n14 -701 0.4 0.5 0.62\n\
@@ -15,7 +15,7 @@ const LOOKS: &str = "11 -701 0.3 0.6 0.58\n12 -701 0.85 0.5 0.8\n13 -701 0.9 0.7
                      22 -201 0.1 0.05 0.8\n22 -203 1.1 1.1 1.1\n23 -201 0.8 0.1 0\n24 -201 0.5 0 0.4\n25 -201 0.2 0.7 0\n";
 
 /// The parts of a union, in order, seen from somewhere above.
-fn parts(body: &str, order: &[u32], [x, y, z]: [f64; 3]) -> Loaded {
+fn parts(body: &str, order: &[u32], [x, y, z]: [f64; 3]) -> Analysis {
     let mut text = format!("{LOOKS}{body}");
     let mut root = order[0];
     for (i, part) in order[1..].iter().enumerate() {
@@ -27,8 +27,8 @@ fn parts(body: &str, order: &[u32], [x, y, z]: [f64; 3]) -> Loaded {
         "3 -402 0.8\n3 -1 -0.5 6.1 4.6\n4 -401 0.2\n5 -501 {x} {y} {z} {} {down} {} 0 1 0 40\n1 9999 {root} 14\n",
         -x, -z
     );
-    let loaded = Loaded::new("contacts", text.into_bytes());
-    assert!(loaded.sound, "{:?}", loaded.diagnostics);
+    let loaded = Analysis::new("contacts", text.into_bytes());
+    assert!(loaded.is_sound(), "{:?}", loaded.findings());
     loaded
 }
 
@@ -188,8 +188,8 @@ fn things_on_a_grid() {
     let mut bad = Vec::new();
     for seed in seeds("CONTACT_SEEDS", 0..6) {
         let text = things::scene(seed, LOOKS);
-        let loaded = Loaded::new("things", text.clone().into_bytes());
-        assert!(loaded.sound, "{seed}: {:?}", loaded.diagnostics);
+        let loaded = Analysis::new("things", text.clone().into_bytes());
+        assert!(loaded.is_sound(), "{seed}: {:?}", loaded.findings());
         let name = format!("grid_{seed}");
         let path = povray::folder().join(format!("{name}.zpg"));
         std::fs::write(path, &text).unwrap();

@@ -568,8 +568,8 @@ fn the_scenes_of_the_handout() {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|e| e == "zpg") {
-            let loaded = zpg::commands::load(&path).unwrap();
-            assert!(loaded.sound, "{}", path.display());
+            let loaded = zpg::analysis::file::load(&path).unwrap();
+            assert!(loaded.is_sound(), "{}", path.display());
             let name = path.file_stem().unwrap().to_string_lossy().into_owned();
             compare(&name, &loaded.scene);
             count += 1;

@@ -275,8 +275,8 @@ fn every_record_has_a_line_in_the_report() {
     let mut seen = std::collections::BTreeSet::new();
     for view in ["", "3001 -502 72\n", "3001 -502 70\n"] {
         let text = all.replace("1 9999", &format!("{view}1 9999"));
-        let loaded = zpg::commands::Loaded::new("scene.zpg", text.clone().into());
-        assert!(loaded.sound, "{:?}\n{text}", loaded.diagnostics);
+        let loaded = zpg::analysis::Analysis::new("scene.zpg", text.clone().into());
+        assert!(loaded.is_sound(), "{:?}\n{text}", loaded.findings());
         let translation = pov::write(&loaded.scene, &Options::default()).unwrap();
         seen.extend(translation.report.entries().map(|e| e.feature.clone()));
         assert!(!translation.report.has_dropped(), "{}", translation.report);

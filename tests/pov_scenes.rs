@@ -6,7 +6,7 @@ use crate::lint_generated::scenes;
 use crate::support;
 use support::compare::{agrees, compare, nearly_agrees};
 use support::seeds;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::translate::{Fidelity, pov};
 
 /// Scenes in a folder, in order.
@@ -28,8 +28,8 @@ fn check(folder: &Path, size: (u32, u32), skip: &[&str]) {
         if skip.contains(&name.as_str()) {
             continue;
         }
-        let loaded = zpg::commands::load(&path).unwrap();
-        assert!(loaded.sound, "{}", path.display());
+        let loaded = zpg::analysis::file::load(&path).unwrap();
+        assert!(loaded.is_sound(), "{}", path.display());
         for outcome in compare(&name, &loaded.scene, folder, size) {
             println!(
                 "{name:>28}: {:6.3} % wrong, worst {:7.2}/255, {} of {} differ on edges, {} total reflection",
@@ -70,13 +70,13 @@ fn hard() {
 }
 
 /// A light, a camera from above, and what is drawn.
-fn lit(body: &str, root: u32) -> Loaded {
+fn lit(body: &str, root: u32) -> Analysis {
     let text = format!(
         "{body}90 -402 0.8\n90 -1 5 9 8\n91 -401 0.2\n92 -501 1 4 11 -0.08 -0.35 -1 0 1 0 45\n\
          93 -701 0.5 0.7 0.9\n1 9999 {root} 93\n"
     );
-    let loaded = Loaded::new("scene", text.into_bytes());
-    assert!(loaded.sound, "{:?}", loaded.diagnostics);
+    let loaded = Analysis::new("scene", text.into_bytes());
+    assert!(loaded.is_sound(), "{:?}", loaded.findings());
     loaded
 }
 
@@ -354,14 +354,14 @@ const CUP: &str = "70 -701 0.65 0.13 0.64\n71 -701 0.18 0.9 0.4\n72 -201 0.07 0 
                    3 1 3 0 0.1 0.35 0.1 0.4 0.65\n3 -299 0 73\n4 4 0 1 0 0\n4 -299 70 0\n\
                    5 4 0 1 0 -0.3\n6 -101 2 3\n";
 
-fn cup(body: &str, size: f64) -> Loaded {
+fn cup(body: &str, size: f64) -> Analysis {
     let [x, y, z] = [0.8, 1.39, 1.73].map(|x| size * x);
     let text = format!(
         "{CUP}{body}90 -402 0.8\n90 -1 -0.5 6.7 5.38\n91 -401 0.2\n\
          92 -501 {x} {y} {z} -0.8 -1.09 -1.73 0 1 0 40\n1 9999 9 70\n"
     );
-    let loaded = Loaded::new("cup", text.into_bytes());
-    assert!(loaded.sound, "{:?}", loaded.diagnostics);
+    let loaded = Analysis::new("cup", text.into_bytes());
+    assert!(loaded.is_sound(), "{:?}", loaded.findings());
     loaded
 }
 
@@ -576,8 +576,8 @@ fn a_roof_of_smooth_triangles() {
         35 8 2.8 2.6 0.6 2.8 2.6 -2.6 0 3.6 -1 0.5 0.8 0.3 0.5 0.8 -0.3 0 1 0\n\
         37 -101 33 35\n37 -701 0.7 0.3 0.2\n38 4 0 1 0 0\n9 -101 37 38\n";
     let text = (lit(body, 9).source.text).replace("1 4 11 -0.08 -0.35 -1", "3 3.5 9 -3 -2.2 -10");
-    let loaded = Loaded::new("roof", text.into_bytes());
-    assert!(loaded.sound, "{:?}", loaded.diagnostics);
+    let loaded = Analysis::new("roof", text.into_bytes());
+    assert!(loaded.is_sound(), "{:?}", loaded.findings());
     agrees("roof", &loaded);
 }
 
@@ -619,8 +619,8 @@ fn comments_and_bounding_volumes() {
     let text = "0 # a scene of balls #\n\n0 # glass objects #\n2 9 1\n2 -1 1 2 3\n3 11 0 0 0 2 # the \n/* big */ one #\n\
         3 -602 0 0 0 4\n\n4 -103 3 2 # bitten #\n4 -601 -2 -2 -2 2 2 2\n5 12 0 0 0 1 1 1\n\
         5 -601 0 0 0 1 1 0.5\n6 -101 4 5\n7 -402 1 # lamp #\n7 -1 3 4 5\n1 9999 6 0\n";
-    let loaded = Loaded::new("scene.zpg", text.as_bytes().to_vec());
-    assert!(loaded.sound, "{:?}", loaded.diagnostics);
+    let loaded = Analysis::new("scene.zpg", text.as_bytes().to_vec());
+    assert!(loaded.is_sound(), "{:?}", loaded.findings());
     let options = pov::Options {
         captions: zpg::syntax::Captions::of(&loaded.document, text),
         ..pov::Options::default()
@@ -672,8 +672,8 @@ fn flush_tools() {
         ("askew", "3 12 -0.5 -0.5 -1 0.5 0.5 1\n3 -2 45 3\n", true),
     ];
     for (name, tool, exact) in tools {
-        let loaded = Loaded::new("scene.zpg", of(tool).into());
-        assert!(loaded.sound, "{name} {:?}", loaded.diagnostics);
+        let loaded = Analysis::new("scene.zpg", of(tool).into());
+        assert!(loaded.is_sound(), "{name} {:?}", loaded.findings());
         let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
         let report = translation.report.to_string();
         assert_eq!(
@@ -702,8 +702,8 @@ fn flush_tools() {
         ("-0.5 -0.5 -2 0.5 0.5 0", true),
         ("-0.5 -0.7 -2 0.5 0.5 0", false),
     ] {
-        let loaded = Loaded::new("scene.zpg", holes(small).into());
-        assert!(loaded.sound, "{:?}", loaded.diagnostics);
+        let loaded = Analysis::new("scene.zpg", holes(small).into());
+        assert!(loaded.is_sound(), "{:?}", loaded.findings());
         let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
         let report = translation.report.to_string();
         assert_eq!(!report.contains("faces in one place"), exact, "{report}");
@@ -740,8 +740,8 @@ fn random() {
     // In the last ones a solid is met with what it was taken from or with itself, or with nothing.
     for seed in range.chain([189, 267, 291]) {
         let text = scenes::scene(seed);
-        let loaded = Loaded::new("scene.zpg", text.clone().into());
-        assert!(loaded.sound, "{:?}", loaded.diagnostics);
+        let loaded = Analysis::new("scene.zpg", text.clone().into());
+        assert!(loaded.is_sound(), "{:?}", loaded.findings());
         let name = format!("random_{seed}");
         let path = support::povray::folder().join(format!("{name}.zpg"));
         std::fs::write(path, &text).unwrap();

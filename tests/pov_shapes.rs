@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::support;
 use support::compare::compare;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::study::compare::Comparison;
 
 const SIZE: (u32, u32) = (96, 72);
@@ -98,8 +98,8 @@ fn scene(record: &str, changes: &str, root: u32) -> String {
 
 fn check(name: &str, text: &str) -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/gallery");
-    let loaded = Loaded::new("scene.zpg", text.into());
-    assert!(loaded.sound, "{name}: {:?}\n{text}", loaded.diagnostics);
+    let loaded = Analysis::new("scene.zpg", text.into());
+    assert!(loaded.is_sound(), "{name}: {:?}\n{text}", loaded.findings());
     let outcomes = compare(name, &loaded.scene, &folder, SIZE);
     let bad = |c: &Comparison| {
         let wrong = c.differing.off_silhouettes;

@@ -6,25 +6,25 @@ use std::path::Path;
 use crate::campaign::rng::Rng;
 use crate::support::compare::compare;
 use crate::support::seeds;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::geometry::vec::Vec3;
 use zpg::trace::members;
 use zpg::translate::{Fidelity, pov};
 
-fn load(text: &str) -> Loaded {
-    let loaded = Loaded::new("scene.zpg", text.as_bytes().to_vec());
-    assert!(loaded.sound, "{text}\n{:?}", loaded.diagnostics);
+fn load(text: &str) -> Analysis {
+    let loaded = Analysis::new("scene.zpg", text.as_bytes().to_vec());
+    assert!(loaded.is_sound(), "{text}\n{:?}", loaded.findings());
     loaded
 }
 
-fn is_exact(loaded: &Loaded) -> bool {
+fn is_exact(loaded: &Analysis) -> bool {
     let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
     let mut entries = translation.report.entries();
     entries.all(|e| e.fidelity == Fidelity::Exact)
 }
 
 /// The largest share of pixels that differ, but for silhouettes.
-fn wrong(name: &str, loaded: &Loaded) -> f64 {
+fn wrong(name: &str, loaded: &Analysis) -> f64 {
     let outcomes = compare(name, &loaded.scene, Path::new("."), (64, 48));
     let shares = outcomes.iter().map(|o| o.differing.share_off_silhouettes);
     shares.fold(0.0, f64::max)

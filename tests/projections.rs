@@ -5,7 +5,7 @@
 use crate::campaign::rng::Rng;
 use crate::exact::algebra::{Q, q, to_f64};
 use std::process::Command;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::diagnostics::Code;
 use zpg::geometry::Matrix;
 use zpg::scene::sight::{Blind, Sight};
@@ -277,7 +277,7 @@ fn cameras_with_matrices_stand_where_others_do() {
 
 /// A scene's picture of 20 × 15 pixels.
 fn picture(text: &str) -> Vec<Rgb> {
-    let loaded = Loaded::new("scene.zpg", text.into());
+    let loaded = Analysis::new("scene.zpg", text.into());
     let scene = &loaded.scene;
     let camera = zpg::trace::selected_camera(scene, 4.0 / 3.0);
     let settings = Settings {
@@ -329,9 +329,9 @@ fn pictures_through_infinite_and_reversed_depth() {
 fn matrices_without_rays_are_reported() {
     let found = |rows: &str| -> Vec<Code> {
         let text = format!("20 9 1\n10 -99 {rows}\n10 -1 0 0 5\n1 9999 20 0\n");
-        let loaded = Loaded::new("scene.zpg", text.into());
+        let loaded = Analysis::new("scene.zpg", text.into());
         let errors = loaded
-            .diagnostics
+            .findings()
             .iter()
             .filter(|d| d.code.as_str().starts_with('E'));
         errors.map(|d| d.code).collect()

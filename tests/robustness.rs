@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 
 /// Longer than any of these takes on a slow machine without optimisation, and far less than
 /// anything quadratic would take.
@@ -243,7 +243,7 @@ proptest! {
 
 /// What must hold of any input.
 fn examine(bytes: Vec<u8>) {
-    let loaded = Loaded::new("p.zpg", bytes);
+    let loaded = Analysis::new("p.zpg", bytes);
     let text = &loaded.source.text;
     assert_eq!(&loaded.document.print(text), text);
     let mut last = 0;
@@ -252,7 +252,7 @@ fn examine(bytes: Vec<u8>) {
         assert!(span.start >= last && span.end > span.start);
         last = span.end;
     }
-    for d in &loaded.diagnostics {
+    for d in loaded.findings() {
         let spans = d.labels.iter().map(|l| l.span).chain([d.span]);
         let edits = d.fixes.iter().flat_map(|f| f.edits.iter().map(|e| e.span));
         for span in spans.chain(edits) {

@@ -3,7 +3,7 @@
 
 use crate::campaign::rng::Rng;
 use crate::exact::algebra::{Q, q};
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::geometry::dd::Dd;
 use zpg::geometry::vec::Vec3;
 use zpg::scene::Scene;
@@ -11,9 +11,9 @@ use zpg::trace::precision::Precision;
 use zpg::trace::{Ray, Tracer, members};
 
 fn scene(text: &str) -> Scene {
-    let loaded = Loaded::new("scene.zpg", text.into());
+    let loaded = Analysis::new("scene.zpg", text.into());
     let errors: Vec<_> = loaded
-        .diagnostics
+        .findings()
         .iter()
         .filter(|d| d.code.as_str().starts_with('E'))
         .collect();

@@ -4,7 +4,7 @@ use super::support::seeds;
 use super::trace_support::{Builder, Random, optics, small};
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::geometry::Matrix;
 use zpg::scene::frame::selected_cameras;
 use zpg::scene::{Geometry, NodeId, Paint, Scene, Texture};
@@ -267,7 +267,7 @@ fn pictures_are_the_same_without_what_is_unseen() {
 const NOTHING: [u32; 0] = [];
 
 fn unseen(text: &str) -> Vec<u32> {
-    let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+    let loaded = Analysis::new("scene", text.as_bytes().to_vec());
     let plan = Plan::of_picture(&loaded.scene).unwrap();
     let all = pictures(
         &loaded.scene,
@@ -416,7 +416,7 @@ fn what_lies_outside_of_the_region_is_not_seen() {
 #[test]
 fn what_is_unseen_asks_for_nothing() {
     let outside = balls("6 11 9 0 0 1\n6 -201 0 0.2 0.8\n5 -101 6 4\n1 9999 5 0 -3 -3 -3 3 3 3");
-    let loaded = Loaded::new("scene", outside.into_bytes());
+    let loaded = Analysis::new("scene", outside.into_bytes());
     let plan = Plan::of_picture(&loaded.scene).unwrap();
     assert_eq!(plan.names(), ["diffuse"]);
     assert_eq!((plan.medium_depth, plan.lone_convex), (0, true));
@@ -434,7 +434,7 @@ fn what_is_unseen_asks_for_nothing() {
 /// How many parts of a scene are unseen. To find that out takes no more than some times as long as a plan
 /// of all parts.
 fn planned_quickly(text: &str) -> usize {
-    let loaded = Loaded::new("scene", text.as_bytes().to_vec());
+    let loaded = Analysis::new("scene", text.as_bytes().to_vec());
     let start = Instant::now();
     Plan::new(&loaded.scene).unwrap();
     let all = start.elapsed();

@@ -8,7 +8,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::geometry::Matrix;
 use zpg::scene::frame::selected_cameras;
 use zpg::scene::{Geometry, NodeId, Paint, Scene, Texture, TriangleNormals};
@@ -80,7 +80,7 @@ fn the_gallery_does_the_work_of_its_effects() {
     let mut ever = Vec::new();
     for path in paths {
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        let loaded = Loaded::new(&name, fs::read(&path).unwrap());
+        let loaded = Analysis::new(&name, fs::read(&path).unwrap());
         let images = Images::load(&loaded.scene, &gallery).unwrap_or_default();
         let (counts, effects) = counted(&loaded.scene, &images, Numbers::F64);
         let above = check(&name, &serde_json::to_value(counts.work).unwrap(), &effects);

@@ -2,15 +2,15 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 
 fuzz_target!(|bytes: &[u8]| {
-    let loaded = Loaded::new("fuzz.zpg", bytes.to_vec());
+    let loaded = Analysis::new("fuzz.zpg", bytes.to_vec());
     assert_eq!(
         loaded.document.print(&loaded.source.text),
         loaded.source.text
     );
-    for d in &loaded.diagnostics {
+    for d in loaded.findings() {
         assert!(loaded.source.text.get(d.span.range()).is_some(), "{d:?}");
     }
 });

@@ -14,10 +14,11 @@ use super::draft::{Draft, unwritable};
 use super::memory::Memory;
 use super::size::Size;
 use super::terminal::unprintable;
-use super::{Loaded, LookChoice, Status, complain, report, usage};
-use crate::diagnostics::{Complaint, Diagnostic};
+use super::{LookChoice, Status, complain, refuse, usage};
+use crate::analysis::Analysis;
+use crate::diagnostics::{Complaint, Error};
 use crate::scene::Texture;
-use crate::translate::{Report, Unsupported};
+use crate::translate::Report;
 
 pub(super) use pov::pictures;
 
@@ -100,22 +101,6 @@ struct Made {
     report: Report,
 }
 
-/// Why there is no translation.
-enum Refusal {
-    /// Something in the scene cannot be translated.
-    Scene(Unsupported),
-    /// A picture the scene names cannot be used.
-    Image(Box<Diagnostic>),
-    /// Wrong usage.
-    Wish(Complaint),
-}
-
-impl From<Unsupported> for Refusal {
-    fn from(e: Unsupported) -> Refusal {
-        Refusal::Scene(e)
-    }
-}
-
 /// Reads the scene, translates it, says how well it went.
 pub fn run(args: &Args, look: LookChoice) -> Status {
     if let Err(complaint) = args.memory.admit(&args.file, 1) {
@@ -123,7 +108,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     }
     let draws = !matches!(args.to, Target::Json | Target::Zpg);
-    let mut loaded = match input::load(&args.file, draws, look) {
+    let loaded = match input::load(&args.file, draws, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
@@ -138,21 +123,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     };
     match made.and_then(|made| spare_sources(args, &loaded, made)) {
         Ok(made) => deliver(args, &made, look),
-        Err(Refusal::Scene(unsupported)) => refuse(&loaded, &unsupported, look),
-        Err(Refusal::Image(found)) => {
-            loaded.diagnostics = vec![*found];
-            report(&loaded, look);
-            Status::Negative
-        }
-        Err(Refusal::Wish(complaint)) => {
-            complain(look, &complaint);
-            Status::Failure
-        }
+        Err(error) => refuse(&loaded, error, look),
     }
 }
 
 /// Refuses a translation that would be written over the scene itself or a picture that it names.
-fn spare_sources(args: &Args, loaded: &Loaded, made: Made) -> Result<Made, Refusal> {
+fn spare_sources(args: &Args, loaded: &Analysis, made: Made) -> Result<Made, Error> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
     let images: HashSet<PathBuf> = (loaded.scene.paints.iter())
         .filter_map(|paint| match &paint.texture {
@@ -172,21 +148,11 @@ fn spare_sources(args: &Args, loaded: &Loaded, made: Made) -> Result<Made, Refus
             () if scene.as_ref() == Some(&there) => "would-overwrite-scene",
             () => continue,
         };
-        return Err(Refusal::Wish(
+        return Err(Error::Request(
             Complaint::new(what).with("path", path.as_path()),
         ));
     }
     Ok(made)
-}
-
-/// Says what cannot be translated, and where it is written.
-pub(super) fn refuse(loaded: &Loaded, unsupported: &Unsupported, look: LookChoice) -> Status {
-    let why = unsupported.message.clone();
-    match unsupported.span {
-        Some(span) => loaded.refuse(Path::new(&loaded.source.path), span, why, look),
-        None => complain(look, &why),
-    }
-    Status::Negative
 }
 
 /// Writes the translation and its report.

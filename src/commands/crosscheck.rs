@@ -10,16 +10,17 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::draft::{Draft, unwritable};
-use super::loaded::STDIN;
 use super::size::Size;
-use super::{Loaded, LookChoice, Status, complain, convert, load_sound, report, terminal, usage};
-use crate::diagnostics::{Complaint, Diagnostic};
+use super::{LookChoice, Status, complain, convert, load_sound, terminal, usage};
+use crate::analysis::Analysis;
+use crate::analysis::file::STDIN;
+use crate::commands::refuse;
+use crate::diagnostics::{Complaint, Error};
 use crate::scene::frame::selected_cameras;
 use crate::scene::{Camera, Scene};
 use crate::study::program::ProgramError;
 use crate::trace;
 use crate::trace::film::write_rgb8;
-use crate::translate;
 
 /// Compare what we see of a scene with what another program does
 #[derive(Debug, clap::Args)]
@@ -108,32 +109,6 @@ fn difference(text: &str) -> Result<f64, Complaint> {
     usage::number(text, "expected-difference", |x| x > 0.0 && x <= 255.0)
 }
 
-/// Why there is nothing to compare.
-enum Failure {
-    Scene(trace::Unsupported),
-    Translation(translate::Unsupported),
-    Image(Box<Diagnostic>),
-    Other(Complaint),
-}
-
-impl From<trace::Unsupported> for Failure {
-    fn from(e: trace::Unsupported) -> Failure {
-        Failure::Scene(e)
-    }
-}
-
-impl From<translate::Unsupported> for Failure {
-    fn from(e: translate::Unsupported) -> Failure {
-        Failure::Translation(e)
-    }
-}
-
-impl From<Complaint> for Failure {
-    fn from(e: Complaint) -> Failure {
-        Failure::Other(e)
-    }
-}
-
 /// The numbers of a run.
 #[derive(Serialize)]
 struct Answer<T> {
@@ -180,7 +155,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &Complaint::new("too-many-pixels").with("max", max));
         return Status::Failure;
     }
-    let mut loaded = match load_sound(&args.file, look) {
+    let loaded = match load_sound(&args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
@@ -197,25 +172,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             };
             terminal::print(look, status, |out| out.write_all(&text))
         }
-        Err(Failure::Scene(e)) => {
-            loaded.refuse(&args.file, e.span, e.complaint(), look);
-            Status::Negative
-        }
-        Err(Failure::Translation(e)) => convert::refuse(&loaded, &e, look),
-        Err(Failure::Image(error)) => {
-            loaded.diagnostics = vec![*error];
-            report(&loaded, look);
-            Status::Negative
-        }
-        Err(Failure::Other(complaint)) => {
-            complain(look, &complaint);
-            Status::Failure
-        }
+        Err(error) => refuse(&loaded, error, look),
     }
 }
 
 /// Writes the numbers, and gives what is to be said of them.
-fn answer<T: Outcome>(args: &Args, pictures: Vec<Compared<T>>) -> Result<(bool, Vec<u8>), Failure> {
+fn answer<T: Outcome>(args: &Args, pictures: Vec<Compared<T>>) -> Result<(bool, Vec<u8>), Error> {
     let answer = Answer {
         scene: args.file.to_string_lossy().into_owned(),
         with: args.with.name(),
@@ -300,8 +262,8 @@ fn each_camera<T>(
     args: &Args,
     folder: &Path,
     suffixes: impl IntoIterator<Item = &'static str>,
-    mut look: impl FnMut(usize, &str) -> Result<(Pictures, T), Failure>,
-) -> Result<Vec<Compared<T>>, Failure> {
+    mut look: impl FnMut(usize, &str) -> Result<(Pictures, T), Error>,
+) -> Result<Vec<Compared<T>>, Error> {
     let mut compared = Vec::new();
     for (i, name) in suffixes.into_iter().enumerate() {
         let (pictures, comparison) = look(i, name)?;
@@ -312,9 +274,9 @@ fn each_camera<T>(
 }
 
 /// Where the scene's pictures are.
-fn images(loaded: &Loaded) -> Result<trace::Images, Failure> {
+fn images(loaded: &Analysis) -> Result<trace::Images, Error> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
-    trace::Images::load(&loaded.scene, folder).map_err(Failure::Image)
+    trace::Images::load(&loaded.scene, folder).map_err(Error::from)
 }
 
 /// Why a program gave no answer; `name` is what people call it, `how` the ways to get it, and `path` what was

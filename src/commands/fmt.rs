@@ -7,10 +7,10 @@ use std::str::FromStr;
 
 use rayon::prelude::*;
 
-use super::loaded::{self, STDIN};
 use super::rewrite::{bytes_of, diff, replace};
-use super::{Loaded, LookChoice, Status, complain, paths, terminal};
-use crate::config::{ConfigError, Configs};
+use super::{LookChoice, Status, complain, paths, terminal};
+use crate::analysis::config::{ConfigError, Configs};
+use crate::analysis::file::{self, STDIN};
 use crate::diagnostics::{Complaint, Value};
 use crate::format::{format, format_range};
 use crate::syntax::{self, preserved, recognise};
@@ -167,11 +167,11 @@ fn format_file(
         _ => path,
     };
     let config = configs.for_file(name).map_err(ConfigError::complaint)?;
-    let bytes = loaded::read(path)?;
+    let bytes = file::read(path)?;
     let source = match recognise::read(name.to_string_lossy(), bytes) {
         Ok(source) => source,
         Err(stranger) => {
-            terminal::findings(&Loaded::stranger(*stranger), look);
+            terminal::findings(&stranger.source, &[stranger.finding], look);
             return Ok(Formatted {
                 outcome: Outcome::Failed,
                 output: Vec::new(),

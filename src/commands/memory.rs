@@ -8,8 +8,8 @@ use std::thread::available_parallelism;
 
 use sysinfo::System;
 
-use super::loaded::{STDIN, unreadable};
 use super::terminal::{LookChoice, warn};
+use crate::analysis::file::{STDIN, unreadable};
 use crate::diagnostics::Complaint;
 use crate::scene::Scene;
 use crate::trace::Tracer;

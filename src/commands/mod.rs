@@ -1,7 +1,7 @@
 //! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`, which
 //! returns the exit [`Status`].
 //!
-//! What they share: [`loaded`] reads a scene, [`paths`] expands folders, [`draft`] writes files that
+//! What they share: [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`draft`] writes files that
 //! appear when they are complete, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files and shows how, [`size`] reads `640x480`,
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
 //! is wrong with arguments.
@@ -13,7 +13,7 @@ pub mod crosscheck;
 pub mod draft;
 pub mod explain;
 pub mod fmt;
-pub mod loaded;
+pub mod load;
 pub mod memory;
 mod numbers;
 pub mod paths;
@@ -25,7 +25,7 @@ pub mod size;
 pub mod terminal;
 pub mod usage;
 
-pub use loaded::{Loaded, Needs, load, load_for, load_sound};
+pub use load::{Needs, load_for, load_sound, refuse};
 pub use terminal::{LookChoice, complain, report};
 
 /// How a command ended; its number is the exit status.

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use ignore::WalkBuilder;
 
-use super::loaded::{STDIN, unreadable};
 use super::terminal::{LookChoice, complain, warn};
+use crate::analysis::file::{STDIN, unreadable};
 use crate::diagnostics::Complaint;
 
 /// The extension of scene files.

@@ -7,9 +7,8 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use super::terminal::unprintable;
-use super::{LookChoice, Status, complain, load_sound};
-use crate::diagnostics::{Complaint, Language, SourceFile, Value};
-use crate::trace::Unsupported;
+use super::{LookChoice, Status, complain, load_sound, refuse};
+use crate::diagnostics::{Complaint, Error, Language, SourceFile, Value};
 use crate::trace::plan::unseen::{Unseen, Why};
 use crate::trace::plan::{Decision, Plan};
 
@@ -105,8 +104,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Err(status) => return status,
     };
     let Some(plan) = Plan::of_picture(&loaded.scene) else {
-        complain(look, &Unsupported::nothing().complaint());
-        return Status::Negative;
+        return refuse(&loaded, Error::nothing_to_draw(), look);
     };
     let decisions = plan.effects.iter();
     let parts = plan.unseen.iter();

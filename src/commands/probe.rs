@@ -8,20 +8,19 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use super::loaded::{STDIN, unreadable};
 use super::memory::Memory;
 use super::size::Size;
 use super::terminal::print;
-use super::{Loaded, LookChoice, Needs, Status, complain, load_for, report};
-use crate::diagnostics::{Complaint, Diagnostic, Span, Value};
+use super::{LookChoice, Needs, Status, complain, load_for, refuse};
+use crate::analysis::Analysis;
+use crate::analysis::file::{STDIN, unreadable};
+use crate::diagnostics::{Complaint, Error, Span, Value};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
 use crate::scene::{Camera, Render, Scene};
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
-use crate::trace::{
-    Crop, Images, Numbers, Ray, Settings, Tracer, Unanswered, Unsupported, members, selected_camera,
-};
+use crate::trace::{Crop, Images, Numbers, Ray, Settings, Tracer, members, selected_camera};
 use answer::{PixelAnswer, PointAnswer, RayAnswer};
 use rays::{BadRay, Input};
 
@@ -137,27 +136,6 @@ impl FromStr for PixelArg {
     }
 }
 
-/// Why there is no answer.
-enum Failure {
-    /// What it is about the scene, and where.
-    Scene(Complaint, Span),
-    /// A picture the scene names cannot be used.
-    Image(Box<Diagnostic>),
-    Usage(Complaint),
-}
-
-impl From<Unsupported> for Failure {
-    fn from(e: Unsupported) -> Failure {
-        Failure::Scene(e.complaint(), e.span)
-    }
-}
-
-impl From<Unanswered> for Failure {
-    fn from(e: Unanswered) -> Failure {
-        Failure::Scene(Complaint::new(e.reason), e.span)
-    }
-}
-
 pub fn run(args: &Args, look: LookChoice) -> Status {
     let from_stdin = |path: &Path| path.as_os_str() == STDIN;
     if from_stdin(&args.file) && args.rays.as_deref().is_some_and(from_stdin) {
@@ -178,25 +156,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
-    match answer(args, &mut loaded, look) {
-        Ok(status) => status,
-        Err(Failure::Scene(e, span)) => {
-            loaded.refuse(&args.file, span, e, look);
-            Status::Negative
-        }
-        Err(Failure::Image(error)) => {
-            loaded.diagnostics = vec![*error];
-            report(&loaded, look);
-            Status::Negative
-        }
-        Err(Failure::Usage(complaint)) => {
-            complain(look, &complaint);
-            Status::Failure
-        }
-    }
+    answer(args, &mut loaded, look).unwrap_or_else(|error| refuse(&loaded, error, look))
 }
 
-fn answer(args: &Args, loaded: &mut Loaded, look: LookChoice) -> Result<Status, Failure> {
+fn answer(args: &Args, loaded: &mut Analysis, look: LookChoice) -> Result<Status, Error> {
     let scene = &mut loaded.scene;
     if let Some(id) = args.object {
         scene.render = Some(alone(scene, id)?);
@@ -231,7 +194,7 @@ fn answer(args: &Args, loaded: &mut Loaded, look: LookChoice) -> Result<Status, 
         }));
     }
     let Some(RayArg(ray)) = args.ray else {
-        return Err(Failure::Usage(Complaint::new("no-question")));
+        return Err(Error::Request(Complaint::new("no-question")));
     };
     let tracer = tracer(args, loaded)?;
     let answer = ray_answer(&tracer, &ray, args.precision)?;
@@ -241,28 +204,28 @@ fn answer(args: &Args, loaded: &mut Loaded, look: LookChoice) -> Result<Status, 
     }))
 }
 
-fn ray_answer(tracer: &Tracer, ray: &Ray, numbers: Numbers) -> Result<RayAnswer, Failure> {
+fn ray_answer(tracer: &Tracer, ray: &Ray, numbers: Numbers) -> Result<RayAnswer, Error> {
     let answer = match numbers {
         Numbers::F32 => RayAnswer::new::<f32>(tracer, &mut tracer.walker(), ray),
         Numbers::F64 => RayAnswer::new::<f64>(tracer, &mut tracer.walker(), ray),
         Numbers::Dd => RayAnswer::new::<Dd>(tracer, &mut tracer.walker(), ray),
     };
-    answer.map_err(Failure::Usage)
+    answer.map_err(Error::Request)
 }
 
 /// The rays of a file.
-fn open(path: &Path) -> Result<Input, Failure> {
+fn open(path: &Path) -> Result<Input, Error> {
     let input: Box<dyn Read> = if path.as_os_str() == STDIN {
         Box::new(io::stdin().lock())
     } else {
-        let file = File::open(path).map_err(|e| Failure::Usage(unreadable(path, (&e).into())))?;
+        let file = File::open(path).map_err(|e| Error::Request(unreadable(path, (&e).into())))?;
         Box::new(file)
     };
     Ok(Input::with_capacity(rays::BUFFER, input))
 }
 
 /// A render record for one object alone, with the background of the scene's own.
-fn alone(scene: &Scene, id: u32) -> Result<Render, Failure> {
+fn alone(scene: &Scene, id: u32) -> Result<Render, Error> {
     let found = scene.entities.iter().find(|e| e.id == id);
     match found {
         Some(entity) => match entity.node {
@@ -275,7 +238,7 @@ fn alone(scene: &Scene, id: u32) -> Result<Render, Failure> {
             }),
             None => {
                 let kind = entity.kind.unwrap_or(Kind::Undefined).name();
-                Err(Failure::Usage(
+                Err(Error::Request(
                     Complaint::new("not-an-object")
                         .with("id", id.to_string())
                         .with("kind", Value::Term(kind)),
@@ -288,7 +251,7 @@ fn alone(scene: &Scene, id: u32) -> Result<Render, Failure> {
 
 /// There is nothing of this kind with this ID; proposes the one nearest in spelling, and among
 /// those the nearest number.
-fn unknown(scene: &Scene, id: u32, kind: Kind) -> Failure {
+fn unknown(scene: &Scene, id: u32, kind: Kind) -> Error {
     let written = id.to_string();
     let of_kind = scene.entities.iter().filter(|e| e.kind == Some(kind));
     let near = of_kind.map(|e| {
@@ -304,35 +267,35 @@ fn unknown(scene: &Scene, id: u32, kind: Kind) -> Failure {
         None if camera => Complaint::new("no-such-camera"),
         None => Complaint::new("no-such-object"),
     };
-    Failure::Usage(complaint.with("id", id.to_string()))
+    Error::Request(complaint.with("id", id.to_string()))
 }
 
 /// Refuses to answer where a ray found more than there is memory for.
-fn check(args: &Args, loaded: &Loaded, tracer: &Tracer) -> Result<(), Failure> {
-    (args.memory.check(tracer)).map_err(|e| Failure::Scene(e, render_span(loaded)))
+fn check(args: &Args, loaded: &Analysis, tracer: &Tracer) -> Result<(), Error> {
+    (args.memory.check(tracer)).map_err(|e| Error::at(render_span(loaded), e))
 }
 
-fn render_span(loaded: &Loaded) -> Span {
+fn render_span(loaded: &Analysis) -> Span {
     loaded.scene.render.map_or(Span::default(), |r| r.span)
 }
 
 /// The tracer of a scene, with its pictures.
-fn tracer(args: &Args, loaded: &Loaded) -> Result<Tracer, Failure> {
+fn tracer(args: &Args, loaded: &Analysis) -> Result<Tracer, Error> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
-    let images = Images::load(&loaded.scene, folder).map_err(Failure::Image)?;
+    let images = Images::load(&loaded.scene, folder)?;
     let mut tracer = Tracer::with_images(&loaded.scene, &images)?;
     let threads = rayon::current_num_threads();
     (args.memory.confine(&mut tracer, 0.0, threads))
-        .map_err(|e| Failure::Scene(e, render_span(loaded)))?;
+        .map_err(|e| Error::at(render_span(loaded), e))?;
     Ok(tracer)
 }
 
-fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAnswer, Failure> {
+fn pixel_answer(args: &Args, loaded: &Analysis, pixel: [u32; 2]) -> Result<PixelAnswer, Error> {
     let scene = &loaded.scene;
     let Size { width, height } = args.size;
     let [x, y] = pixel;
     if x >= width || y >= height {
-        return Err(Failure::Usage(
+        return Err(Error::Request(
             Complaint::new("not-a-pixel")
                 .with("x", x.to_string())
                 .with("y", y.to_string())
@@ -364,7 +327,7 @@ fn pixel_answer(args: &Args, loaded: &Loaded, pixel: [u32; 2]) -> Result<PixelAn
     let centre = [x, y].map(|i| f64::from(i) + 0.5);
     let ray = View::new(&camera, width, height).and_then(|v| v.ray(centre[0], centre[1]));
     let ray = ray.ok_or_else(|| {
-        Failure::Usage(
+        Error::Request(
             Complaint::new("no-ray-in-pixel")
                 .with("x", x.to_string())
                 .with("y", y.to_string()),

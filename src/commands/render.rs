@@ -16,14 +16,15 @@ use super::draft::{Draft, unwritable};
 use super::memory::{self, Memory};
 use super::size::Size;
 use super::terminal::{progress_bar, tell, warn};
-use super::{Loaded, LookChoice, Status, complain, load_sound, report, usage};
-use crate::diagnostics::{Complaint, Diagnostic, Span};
+use super::{LookChoice, Status, complain, load_sound, refuse, usage};
+use crate::analysis::Analysis;
+use crate::diagnostics::{Complaint, Error, Span};
 use crate::scene::frame::selected_cameras;
 use crate::scene::{Camera, Scene};
 use crate::syntax::Document;
 use crate::trace::plan::Plan;
 use crate::trace::stats::{Counts, Intersections, Rays, Work};
-use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer, Unsupported};
+use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer};
 use output::Output;
 
 /// Draw a scene
@@ -149,32 +150,6 @@ fn tolerance(text: &str) -> Result<f64, Complaint> {
     usage::number(text, "expected-tolerance", |x| x > 0.0 && x <= 1.0)
 }
 
-/// Why there is no picture.
-enum Failure {
-    /// The scene cannot be drawn.
-    Scene(Unsupported),
-    /// A picture the scene names cannot be used.
-    Image(Box<Diagnostic>),
-    /// Its parts need more memory than is allowed.
-    Crowded(Complaint),
-    /// Somebody has pressed Ctrl-C.
-    Interrupted,
-    /// Wrong usage, or a file that cannot be written.
-    Usage(Complaint),
-}
-
-impl From<Complaint> for Failure {
-    fn from(complaint: Complaint) -> Failure {
-        Failure::Usage(complaint)
-    }
-}
-
-impl From<Unsupported> for Failure {
-    fn from(e: Unsupported) -> Failure {
-        Failure::Scene(e)
-    }
-}
-
 /// The answer to `--stats`.
 #[derive(Serialize)]
 struct Stats {
@@ -222,29 +197,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     let load = start.elapsed().as_secs_f64();
     match draw(args, &loaded, load, look) {
         Ok(()) => Status::Clean,
-        Err(Failure::Scene(e)) => {
-            loaded.refuse(&args.file, e.span, e.complaint(), look);
-            Status::Negative
-        }
-        Err(Failure::Image(error)) => {
-            loaded.diagnostics = vec![*error];
-            report(&loaded, look);
-            Status::Negative
-        }
-        Err(Failure::Crowded(complaint)) => {
-            let span = loaded.scene.render.map_or(Span::default(), |r| r.span);
-            loaded.refuse(&args.file, span, complaint, look);
-            Status::Negative
-        }
-        Err(Failure::Interrupted) => Status::Interrupted,
-        Err(Failure::Usage(complaint)) => {
-            complain(look, &complaint);
-            Status::Failure
-        }
+        Err(error) => refuse(&loaded, error, look),
     }
 }
 
-fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(), Failure> {
+fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<(), Error> {
     let scene = &loaded.scene;
     let stop = stop_on_interrupt(look);
     let settings = Settings {
@@ -287,13 +244,16 @@ fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(),
         Numbers::F32 => Plan::new(scene),
         Numbers::F64 | Numbers::Dd => Plan::of_picture(scene),
     };
-    let plan = plan.ok_or_else(Unsupported::nothing)?;
+    let plan = plan.ok_or_else(Error::nothing_to_draw)?;
     seconds.plan = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))
-        .map_err(Failure::Image)?;
+    let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))?;
     let mut tracer = Tracer::planned(scene, &images, plan)?;
-    (args.memory.confine(&mut tracer, taken, threads)).map_err(Failure::Crowded)?;
+    let crowded = |why| {
+        let span = scene.render.map_or(Span::default(), |r| r.span);
+        Error::at(span, why)
+    };
+    (args.memory.confine(&mut tracer, taken, threads)).map_err(crowded)?;
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
@@ -305,9 +265,9 @@ fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(),
     }
     bar.finish_and_clear();
     if stop.load(Ordering::Relaxed) {
-        return Err(Failure::Interrupted);
+        return Err(Error::Interrupted);
     }
-    args.memory.check(&tracer).map_err(Failure::Crowded)?;
+    args.memory.check(&tracer).map_err(crowded)?;
     seconds.trace = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
@@ -338,7 +298,7 @@ fn draw(args: &Args, loaded: &Loaded, load: f64, look: LookChoice) -> Result<(),
     Ok(())
 }
 
-fn settings(args: &Args) -> Result<Settings, Failure> {
+fn settings(args: &Args) -> Result<Settings, Error> {
     let Size { width, height } = args.size;
     let crop = args.crop.map(|c| c.0);
     if let Some(c) = crop {
@@ -373,7 +333,7 @@ fn settings(args: &Args) -> Result<Settings, Failure> {
 }
 
 /// The cameras that take the picture: one, or left and right.
-fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Failure> {
+fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Error> {
     if let Some(id) = args.camera {
         let found = scene.cameras.iter().find(|c| c.id == id);
         return match found {
@@ -452,7 +412,7 @@ fn write_maps(
     pictures: &[Picture],
     stereo: Stereo,
     look: LookChoice,
-) -> Result<(), Failure> {
+) -> Result<(), Error> {
     let maps: Vec<CostMap> = match pictures {
         [left, right] if files.len() == 1 => vec![match stereo {
             Stereo::Anaglyph => left.costs.plus(&right.costs),
@@ -485,7 +445,7 @@ fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
     stop
 }
 
-fn write_stats(path: &Path, stats: &Stats) -> Result<(), Failure> {
+fn write_stats(path: &Path, stats: &Stats) -> Result<(), Error> {
     let write = |out: &mut dyn Write| {
         serde_json::to_writer_pretty(&mut *out, stats)?;
         writeln!(out)

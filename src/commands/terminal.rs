@@ -5,10 +5,10 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use super::{Loaded, Status};
+use super::Status;
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::{self, Look};
-use crate::diagnostics::{Complaint, Language};
+use crate::diagnostics::{Complaint, Diagnostic, Language, SourceFile};
 
 /// How people want to be spoken to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::Args)]
@@ -116,24 +116,23 @@ pub fn progress_bar(rows: u64) -> ProgressBar {
 
 /// Prints what was found in a scene for people, on standard error, with a summary; nothing when
 /// nothing was found.
-pub fn report(loaded: &Loaded, look: LookChoice) {
-    if loaded.diagnostics.is_empty() {
+pub fn report(source: &SourceFile, found: &[Diagnostic], look: LookChoice) {
+    if found.is_empty() {
         return;
     }
-    findings(loaded, look);
+    findings(source, found, look);
     let mut tally = Tally::default();
-    tally.add(&loaded.diagnostics);
+    tally.add(found);
     tell(&tally.sentence(look.language()));
 }
 
 /// The same without the summary.
-pub fn findings(loaded: &Loaded, look: LookChoice) {
+pub fn findings(source: &SourceFile, found: &[Diagnostic], look: LookChoice) {
     let stderr = io::stderr();
     let look = look.on(&stderr);
     let mut out = BufWriter::new(stderr.lock());
     // As above: there is nobody to tell.
-    let _ = human::write(&mut out, &loaded.source, &loaded.diagnostics, look)
-        .and_then(|()| out.flush());
+    let _ = human::write(&mut out, source, found, look).and_then(|()| out.flush());
 }
 
 /// Writes to standard output, buffered. Output that nobody reads any more (a closed pipe) is no

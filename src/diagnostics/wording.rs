@@ -20,7 +20,8 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 
 use fluent_syntax::ast::Pattern;
 
-use super::{Complaint, Diagnostic};
+use super::complaint::Complaint;
+use super::diagnostic::Diagnostic;
 
 /// A language that messages are given in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]

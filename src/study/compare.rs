@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::silhouette::{Studied, study};
+use crate::diagnostics::Error;
 use crate::scene::Camera;
 use crate::trace::film::srgb8;
-use crate::trace::{Film, Settings, Tracer, Unsupported};
+use crate::trace::{Film, Settings, Tracer};
 
 /// The largest difference of two colours in a channel.
 pub fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
@@ -71,7 +72,7 @@ impl Comparison {
         most: f32,
         bar: f64,
         progress: impl Fn() + Sync,
-    ) -> Result<(Comparison, Film), Unsupported> {
+    ) -> Result<(Comparison, Film), Error> {
         let differs =
             |i: usize, p: [f32; 3]| distance(p.map(|c| c.min(most)), theirs.pixels[i]) > bar;
         // Half the bar each way: two pictures that are an edge apart differ by all of it.

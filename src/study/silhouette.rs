@@ -2,8 +2,9 @@
 //! glass. What a single sample there shows is up to rounding.
 
 use super::compare::distance;
+use crate::diagnostics::Error;
 use crate::scene::Camera;
-use crate::trace::{Picture, Settings, Tracer, Unsupported};
+use crate::trace::{Picture, Settings, Tracer};
 
 /// How far from a sample an edge counts, in pixels: far more than programs differ in where they send
 /// their rays, and too little to make many pixels uncertain.
@@ -33,7 +34,7 @@ pub fn study(
     bar: f64,
     in_question: impl Fn(usize, [f32; 3]) -> bool,
     progress: impl Fn() + Sync,
-) -> Result<Studied, Unsupported> {
+) -> Result<Studied, Error> {
     let picture = tracer.render(camera, settings, progress)?;
     let pixels = &picture.film.pixels;
     let wanted = pixels.iter().enumerate().map(|(i, p)| in_question(i, *p));

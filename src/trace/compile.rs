@@ -14,7 +14,8 @@ use super::graph::{Coat, Graph, Part, Target};
 use super::intern::Interner;
 use super::plan::unseen::LeftOut;
 use super::shapes::Primitive;
-use super::{Images, Unsupported};
+use super::{Images, cannot_draw};
+use crate::diagnostics::Error;
 use crate::geometry::Matrix;
 use crate::scene::{Node, NodeId, Scene, Texture};
 use std::collections::HashMap;
@@ -25,7 +26,7 @@ pub fn compile(
     images: &Images,
     root: NodeId,
     left_out: &LeftOut,
-) -> Result<Graph, Unsupported> {
+) -> Result<Graph, Error> {
     let mut graph = Graph::default();
     let mut compiler = Compiler {
         scene,
@@ -124,7 +125,7 @@ pub(super) struct Compiler<'a> {
 
 impl Compiler<'_> {
     /// Drafts the root, as a union whatever it is, and all that it needs.
-    fn draft_all(&mut self, root: NodeId) -> Result<(), Unsupported> {
+    fn draft_all(&mut self, root: NodeId) -> Result<(), Error> {
         let top = Place {
             node: root,
             negated: false,
@@ -154,7 +155,7 @@ impl Compiler<'_> {
     }
 
     /// Folds transformations, properties, copies and complements down to a shape or an operation.
-    fn resolve(&mut self, mut place: Place) -> Result<Place, Unsupported> {
+    fn resolve(&mut self, mut place: Place) -> Result<Place, Error> {
         loop {
             let node = self.scene.nodes[place.node as usize];
             place.shared |= self.uses[place.node as usize] > 1;
@@ -187,17 +188,15 @@ impl Compiler<'_> {
     }
 
     /// Adds to the coat what the paint sets and nothing above has set.
-    fn fold_paint(&mut self, place: &mut Place, paint: u32) -> Result<(), Unsupported> {
+    fn fold_paint(&mut self, place: &mut Place, paint: u32) -> Result<(), Error> {
         let record = &self.scene.paints[paint as usize];
         if let (None, Some(texture)) = (place.coat.texture, &record.texture) {
             let bitmap = match texture {
-                Texture::Image { file, span } => {
-                    Some(self.images.get(file).ok_or(Unsupported {
-                        what: "draw-no-picture",
-                        span: *span,
-                        id: record.owner,
-                    })?)
-                }
+                Texture::Image { file, span } => Some(
+                    self.images
+                        .get(file)
+                        .ok_or_else(|| cannot_draw("draw-no-picture", *span, record.owner))?,
+                ),
                 _ => None,
             };
             let graph = &mut self.graph;
@@ -218,14 +217,12 @@ impl Compiler<'_> {
     }
 
     /// Number of a matrix.
-    pub fn matrix(&mut self, m: &Matrix) -> Result<u32, Unsupported> {
-        self.interner
-            .matrix(&mut self.graph, m)
-            .ok_or_else(|| Unsupported {
-                what: "draw-matrix",
-                span: self.scene.render.map(|r| r.span).unwrap_or_default(),
-                id: self.scene.render.map_or(0, |r| r.root_id),
-            })
+    pub fn matrix(&mut self, m: &Matrix) -> Result<u32, Error> {
+        self.interner.matrix(&mut self.graph, m).ok_or_else(|| {
+            let render = self.scene.render;
+            let span = render.map(|r| r.span).unwrap_or_default();
+            cannot_draw("draw-matrix", span, render.map_or(0, |r| r.root_id))
+        })
     }
 
     /// The operation a resolved place stands for once its complement is driven inwards.
@@ -257,7 +254,7 @@ impl Compiler<'_> {
     }
 
     /// A part for a resolved place: a shape, or an object that is drafted now or already shared.
-    fn part(&mut self, place: &Place) -> Result<Part, Unsupported> {
+    fn part(&mut self, place: &Place) -> Result<Part, Error> {
         let paint = self.interner.paint(&mut self.graph, place.coat);
         if let Node::Shape(shape) = self.scene.nodes[place.node as usize] {
             let record = &self.scene.shapes[shape as usize];
@@ -319,7 +316,7 @@ impl Compiler<'_> {
     }
 
     /// Collects the operands of a chain of unions, in order.
-    fn draft_union(&mut self, object: u32, top: Place) -> Result<(), Unsupported> {
+    fn draft_union(&mut self, object: u32, top: Place) -> Result<(), Error> {
         let mut parts = Vec::new();
         let mut stack = vec![top];
         let mut at_top = object != 0;
@@ -339,7 +336,7 @@ impl Compiler<'_> {
     }
 
     /// Collects the operands of a chain of intersections, in order; complements become cuts.
-    fn draft_intersection(&mut self, object: u32, top: Place) -> Result<(), Unsupported> {
+    fn draft_intersection(&mut self, object: u32, top: Place) -> Result<(), Error> {
         let (mut first, mut cuts) = (Vec::new(), Vec::new());
         let mut stack = vec![top];
         let mut at_top = true;
@@ -367,7 +364,7 @@ impl Compiler<'_> {
     }
 
     /// A − B − C is A − (B ∪ C): goes down the left side, collecting what is taken away.
-    fn draft_difference(&mut self, object: u32, top: Place) -> Result<(), Unsupported> {
+    fn draft_difference(&mut self, object: u32, top: Place) -> Result<(), Error> {
         let mut taken = Vec::new();
         let mut place = top;
         let mut at_top = true;

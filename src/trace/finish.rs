@@ -1,8 +1,8 @@
 //! The last pass of compiling: from drafts to objects with bounds and trees.
 
-use super::Unsupported;
 use super::compile::{Compiler, Draft, Kind, outermost};
 use super::graph::{Coat, Graph, Group, Holds, Object, Operation, Part, Target};
+use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::bvh::Bvh;
 use std::collections::HashSet;
@@ -17,7 +17,7 @@ enum Finished {
 
 impl Compiler<'_> {
     /// Turns the drafts into objects, operands first.
-    pub fn finish_all(mut self) -> Result<Graph, Unsupported> {
+    pub fn finish_all(mut self) -> Result<Graph, Error> {
         let drafts = std::mem::take(&mut self.drafts);
         let mut order: Vec<u32> = (0..drafts.len() as u32).collect();
         order.sort_by_key(|&i| drafts[i as usize].rank);
@@ -61,7 +61,7 @@ impl Compiler<'_> {
         part: Part,
         finished: &[Finished],
         places: &[u32],
-    ) -> Result<Option<Part>, Unsupported> {
+    ) -> Result<Option<Part>, Error> {
         let Target::Object(draft) = part.target else {
             return Ok(Some(part));
         };

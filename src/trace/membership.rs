@@ -5,7 +5,7 @@
 //! node has once answered for a point is not asked again.
 
 use super::shapes::Primitive;
-use crate::diagnostics::{Complaint, Language, Span};
+use crate::diagnostics::{Complaint, Error};
 use crate::geometry::sign::{Exact, Scalar};
 use crate::geometry::vec::Vec3;
 use crate::geometry::{Aabb, Matrix};
@@ -15,7 +15,6 @@ use dashu_float::Context;
 use dashu_float::round::mode::HalfEven;
 use std::array;
 use std::collections::{BTreeSet, HashMap};
-use std::fmt;
 
 /// Answers beyond this many, besides a few for every node of the scene, are not sought: the point
 /// is then in the bounds of millions of occurrences of shared objects.
@@ -31,23 +30,6 @@ pub struct Membership {
     pub in_root: bool,
 }
 
-/// Why there is no telling where a point is.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Unanswered {
-    /// A message of the catalogues.
-    pub reason: &'static str,
-    /// The record concerned.
-    pub span: Span,
-}
-
-impl fmt::Display for Unanswered {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&Complaint::new(self.reason).wording(Language::English))
-    }
-}
-
-impl std::error::Error for Unanswered {}
-
 /// Finds the solids at `root` and below it that hold a point.
 ///
 /// Shapes are closed: a point on the boundary of one is in it, and operations are those of sets, so
@@ -59,7 +41,7 @@ impl std::error::Error for Unanswered {}
 ///
 /// Names a shape that the tracer does not know, a transformation that takes the point out of range,
 /// or says that too many occurrences would have to be asked.
-pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, Unanswered> {
+pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, Error> {
     let mut walk = Walk {
         scene,
         reach: reaches(scene, root),
@@ -152,7 +134,7 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    fn run(&mut self, root: NodeId, point: Vec3) -> Result<bool, Unanswered> {
+    fn run(&mut self, root: NodeId, point: Vec3) -> Result<bool, Error> {
         let limit = STEPS_MAX + 4 * self.scene.nodes.len();
         let mut steps = 0;
         self.tasks.push(Task::Ask(root, point));
@@ -171,7 +153,7 @@ impl Walk<'_> {
 
     /// Goes down to the shape or operation of the entity a node is the state of, and answers for it
     /// or has its operands asked.
-    fn ask(&mut self, node: NodeId, point: Vec3) -> Result<(), Unanswered> {
+    fn ask(&mut self, node: NodeId, point: Vec3) -> Result<(), Error> {
         let scene = self.scene;
         let (mut node, mut point, mut copy) = (node, point, 0);
         loop {
@@ -247,7 +229,7 @@ impl Walk<'_> {
     }
 
     /// A point above a transformation in the space below it.
-    fn back(&mut self, matrix: u32, point: Vec3) -> Result<Vec3, Unanswered> {
+    fn back(&mut self, matrix: u32, point: Vec3) -> Result<Vec3, Error> {
         let matrices = &self.scene.matrices;
         let inverse = (self.inverses.entry(matrix))
             .or_insert_with(|| Inverse::of(&matrices[matrix as usize]));
@@ -268,11 +250,9 @@ impl Walk<'_> {
         primitive.shape().holds(point)
     }
 
-    fn refusal(&self, reason: &'static str) -> Unanswered {
-        Unanswered {
-            reason,
-            span: self.scene.render.map(|r| r.span).unwrap_or_default(),
-        }
+    fn refusal(&self, reason: &'static str) -> Error {
+        let span = self.scene.render.map(|r| r.span).unwrap_or_default();
+        Error::at(span, Complaint::new(reason))
     }
 }
 

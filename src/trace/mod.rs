@@ -48,12 +48,12 @@ pub use decide::Walkers;
 pub use film::Film;
 pub use hit::Hit;
 pub use image::Images;
-pub use membership::{Membership, Unanswered, members};
+pub use membership::{Membership, members};
 pub use picture::{Crop, Numbers, Picture, Settings, selected_camera};
 pub use probe::{Crossing, Probe};
 pub use ray::Ray;
 
-use crate::diagnostics::{Complaint, Language, Span};
+use crate::diagnostics::{Complaint, Error, Span};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::Beam;
 use crate::geometry::vec::Vec3;
@@ -62,48 +62,21 @@ use graph::Graph;
 use plan::{Effect, Plan};
 use precision::Precision;
 use shade::Light;
-use std::fmt;
 
-/// Why a scene cannot be drawn.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Unsupported {
-    /// What it is that cannot be drawn: a message of the catalogues.
-    pub what: &'static str,
-    /// The record that asks for it.
-    pub span: Span,
-    /// The entity of that record.
-    pub id: u32,
-}
-
-impl Unsupported {
-    /// What a scene without a render record is refused with.
-    pub fn nothing() -> Unsupported {
-        Unsupported {
-            what: "draw-nothing",
-            span: Span::default(),
-            id: 0,
-        }
-    }
-
-    /// What to say about it.
-    pub fn complaint(&self) -> Complaint {
-        let what = Complaint::new(self.what);
-        match self.id {
+/// What a record asks for cannot be drawn. `what` is a message of the catalogues, `id` the entity of the
+/// record, 0 where there is none.
+fn cannot_draw(what: &'static str, span: Span, id: u32) -> Error {
+    let what = Complaint::new(what);
+    Error::at(
+        span,
+        match id {
             0 => what,
             id => Complaint::new("cannot-draw")
                 .with("what", what)
                 .with("id", id.to_string()),
-        }
-    }
+        },
+    )
 }
-
-impl fmt::Display for Unsupported {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.complaint().wording(Language::English))
-    }
-}
-
-impl std::error::Error for Unsupported {}
 
 /// A scene made ready for tracing.
 pub struct Tracer {
@@ -125,7 +98,7 @@ impl Tracer {
     ///
     /// Names the first shape or texture found that cannot be drawn, or the missing render record.
     /// Image textures cannot: their pictures come with [`Tracer::with_images`].
-    pub fn new(scene: &Scene) -> Result<Tracer, Unsupported> {
+    pub fn new(scene: &Scene) -> Result<Tracer, Error> {
         Tracer::with_images(scene, &Images::default())
     }
 
@@ -134,8 +107,8 @@ impl Tracer {
     /// # Errors
     ///
     /// As [`Tracer::new`], but image textures only where their picture is missing.
-    pub fn with_images(scene: &Scene, images: &Images) -> Result<Tracer, Unsupported> {
-        let plan = Plan::new(scene).ok_or_else(Unsupported::nothing)?;
+    pub fn with_images(scene: &Scene, images: &Images) -> Result<Tracer, Error> {
+        let plan = Plan::new(scene).ok_or_else(Error::nothing_to_draw)?;
         Tracer::planned(scene, images, plan)
     }
 
@@ -144,8 +117,8 @@ impl Tracer {
     /// # Errors
     ///
     /// As there.
-    pub fn planned(scene: &Scene, images: &Images, plan: Plan) -> Result<Tracer, Unsupported> {
-        let render = scene.render.ok_or_else(Unsupported::nothing)?;
+    pub fn planned(scene: &Scene, images: &Images, plan: Plan) -> Result<Tracer, Error> {
+        let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
         let graph = compile::compile(scene, images, render.root, &plan.left_out)?;
         let ambient = scene
             .ambient_lights

@@ -75,13 +75,13 @@ impl<R: Precision> Walker<'_, R> {
 
 #[cfg(test)]
 mod tests {
-    use crate::commands::Loaded;
+    use crate::testing::scene;
     use crate::trace::picture::{Numbers, Settings, selected_camera};
     use crate::trace::{Picture, Tracer};
 
     fn picture(text: &str, numbers: Numbers) -> Picture {
-        let loaded = Loaded::new("scene", text.as_bytes().to_vec());
-        let tracer = Tracer::new(&loaded.scene).unwrap();
+        let scene = scene(text);
+        let tracer = Tracer::new(&scene).unwrap();
         let settings = Settings {
             width: 32,
             height: 24,
@@ -89,7 +89,7 @@ mod tests {
             numbers,
             ..Settings::default()
         };
-        let camera = selected_camera(&loaded.scene, 4.0 / 3.0);
+        let camera = selected_camera(&scene, 4.0 / 3.0);
         tracer.render(&camera, &settings, || ()).unwrap()
     }
 

@@ -10,7 +10,8 @@ use super::ray::Ray;
 use super::sampling::sample;
 use super::shade::{DISPERSION, GLASS, Light, Limits, MIRROR, SHADOWS, Shader};
 use super::stats::Counts;
-use super::{Tracer, Unsupported};
+use super::{Tracer, cannot_draw};
+use crate::diagnostics::{Error, Span};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
 use crate::scene::{Camera, Rgb, Scene, frame};
@@ -150,7 +151,7 @@ impl Tracer {
         camera: &Camera,
         settings: &Settings,
         progress: impl Fn() + Sync,
-    ) -> Result<Picture, Unsupported> {
+    ) -> Result<Picture, Error> {
         match settings.numbers {
             Numbers::F32 => self.render_in::<f32>(camera, settings, progress),
             Numbers::F64 => self.render_in::<f64>(camera, settings, progress),
@@ -163,13 +164,10 @@ impl Tracer {
         camera: &Camera,
         settings: &Settings,
         progress: impl Fn() + Sync,
-    ) -> Result<Picture, Unsupported> {
+    ) -> Result<Picture, Error> {
         let Settings { width, height, .. } = *settings;
-        let view = View::new(camera, width, height).ok_or_else(|| Unsupported {
-            what: "draw-projection",
-            span: Default::default(),
-            id: camera.id,
-        })?;
+        let view = View::new(camera, width, height)
+            .ok_or_else(|| cannot_draw("draw-projection", Span::default(), camera.id))?;
         let headlight = [Light {
             position: view.position(),
             power: Vec3::ONE,

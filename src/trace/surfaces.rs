@@ -83,15 +83,15 @@ impl<R: Precision> Walker<'_, R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::commands::Loaded;
+    use crate::testing::scene;
 
     #[test]
     fn what_is_cut_away_counts() {
         // A box, a ball taken out of it, a rectangle in the box's upper face, a ball beside the ray.
         let text = "2 12 -1 -1 -1 1 1 1\n3 11 0 1 0 0.5\n4 -103 2 3\n5 5 -2 -2 2 2\n5 -2 90 1\n\
                     5 -1 0 1 0\n6 -101 4 5\n7 11 5 0 0 1\n8 -101 6 7\n1 9999 8 0\n";
-        let loaded = Loaded::new("scene", text.as_bytes().to_vec());
-        let tracer = Tracer::new(&loaded.scene).unwrap();
+        let scene = scene(text);
+        let tracer = Tracer::new(&scene).unwrap();
         let mut walkers = tracer.walker::<f64>();
         let ray = Ray::new([0.25, 5.0, 0.0].into(), [0.0, -1.0, 0.0].into());
         let mut found = |from: f64, to: f64| {

@@ -12,9 +12,7 @@ pub mod pov;
 pub use feature::{Effect, Feature};
 pub use fidelity::{Fidelity, Report, Verdict};
 
-use std::fmt;
-
-use crate::diagnostics::{Complaint, Language, Span};
+use crate::diagnostics::Complaint;
 use crate::scene::Camera;
 
 /// A file of a translation.
@@ -25,40 +23,7 @@ pub struct File {
     pub text: String,
 }
 
-/// What a target cannot express.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Unsupported {
-    /// The entity at fault; 0 where it is the scene as a whole.
-    pub id: u32,
-    /// Where it is written, if that is known.
-    pub span: Option<Span>,
-    pub message: Complaint,
+/// A camera that there is no other one for; `message` names it as `id`.
+pub fn about_camera(camera: &Camera, message: &'static str) -> Complaint {
+    Complaint::new(message).with("id", camera.id.to_string())
 }
-
-impl Unsupported {
-    /// A scene without a render record.
-    fn nothing() -> Unsupported {
-        Unsupported {
-            id: 0,
-            span: None,
-            message: Complaint::new("draw-nothing"),
-        }
-    }
-
-    /// A camera that there is no other one for; `message` names it as `id`.
-    pub fn camera(camera: &Camera, message: &'static str) -> Unsupported {
-        Unsupported {
-            id: camera.id,
-            span: None,
-            message: Complaint::new(message).with("id", camera.id.to_string()),
-        }
-    }
-}
-
-impl fmt::Display for Unsupported {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message.wording(Language::English))
-    }
-}
-
-impl std::error::Error for Unsupported {}

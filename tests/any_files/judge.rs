@@ -1,8 +1,8 @@
 //! What must come of a file. The rules are written out here a second time, and tokens are cut in a
 //! simpler way: words between white space.
 
-use zpg::commands::Loaded;
-use zpg::commands::check::fixing::to_fixed_point;
+use zpg::analysis::Analysis;
+use zpg::analysis::fixing::to_fixed_point;
 use zpg::diagnostics::SourceFile;
 use zpg::format::{Options, format};
 use zpg::syntax::{parse, preserved, recognise};
@@ -63,8 +63,8 @@ pub fn foresee(bytes: &[u8], is_scene: Option<bool>) -> Verdict {
     }
 
     let old = source.text.clone();
-    let mended = to_fixed_point(Loaded::of(source), false, Loaded::of);
-    let source = &mended.loaded.source;
+    let mended = to_fixed_point(Analysis::of(source), false, Analysis::of);
+    let source = &mended.analysis.source;
     let mut text = old;
     for edits in &mended.rounds {
         let edits: Vec<_> = (edits.iter())

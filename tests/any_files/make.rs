@@ -44,7 +44,7 @@ impl Pool {
             }
         }
         let model = |text: &String| {
-            let loaded = zpg::commands::Loaded::new("a.zpg", text.clone().into());
+            let loaded = zpg::analysis::Analysis::new("a.zpg", text.clone().into());
             serde_json::to_string_pretty(&json::write(&loaded.scene)).expect("numbers are finite")
         };
         let mut texts = Vec::new();

@@ -123,7 +123,7 @@ pub fn row_31_sliver(precision: Precision) {
         assert_eq!(answer.changes.len(), 2);
     }
     if precision == Precision::F64 {
-        let scene = zpg::commands::load(&path).unwrap().scene;
+        let scene = zpg::analysis::file::load(&path).unwrap().scene;
         let tracer = zpg::trace::Tracer::new(&scene).unwrap();
         let mut walker = tracer.walker();
         for ray in &rays {

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::diagnostics::SourceFile;
 use zpg::syntax::lexer::{Token, TokenKind};
 use zpg::syntax::table::{ParamKind, RecordType};
@@ -205,7 +205,7 @@ fn the_same_mistake_on_many_lines() {
     let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
     let mut misses = String::new();
     for (name, text) in super::corpus() {
-        let original = Loaded::new(name.as_str(), text.clone().into_bytes());
+        let original = Analysis::new(name.as_str(), text.clone().into_bytes());
         let rows = rows(&text, &original.document);
         for (kind, make) in KINDS {
             let mistakes: Vec<(u32, Mistake)> = rows
@@ -223,10 +223,10 @@ fn the_same_mistake_on_many_lines() {
                     wanted.insert(*line, m.errors);
                     codes.insert(*line, m.codes);
                 }
-                let loaded = Loaded::new(name.as_str(), mutated.into_bytes());
+                let loaded = Analysis::new(name.as_str(), mutated.into_bytes());
                 let mut found: BTreeMap<u32, usize> = BTreeMap::new();
                 let mut what = Vec::new();
-                for d in loaded.diagnostics.iter().filter(|d| d.is_error()) {
+                for d in loaded.findings().iter().filter(|d| d.is_error()) {
                     let line = loaded.source.position(d.span.start).line;
                     let right = codes
                         .get(&line)

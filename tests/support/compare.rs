@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::povray;
-use zpg::commands::Loaded;
+use zpg::analysis::Analysis;
 use zpg::scene::Scene;
 use zpg::scene::frame::selected_cameras;
 use zpg::study::compare::Comparison;
@@ -51,14 +51,14 @@ pub fn compare(name: &str, scene: &Scene, folder: &Path, size: (u32, u32)) -> Ve
 }
 
 /// All pixels agree but for those on silhouettes.
-pub fn agrees(name: &str, loaded: &Loaded) {
+pub fn agrees(name: &str, loaded: &Analysis) {
     for outcome in compare(name, &loaded.scene, Path::new("."), (96, 72)) {
         assert_eq!(outcome.differing.off_silhouettes, 0, "{name}");
     }
 }
 
 /// As the bar for scenes has it.
-pub fn nearly_agrees(name: &str, loaded: &Loaded) {
+pub fn nearly_agrees(name: &str, loaded: &Analysis) {
     for outcome in compare(name, &loaded.scene, Path::new("."), (96, 72)) {
         let share = outcome.differing.share_off_silhouettes;
         assert!(share <= 0.0005, "{name}: {share}");

@@ -1,21 +1,20 @@
 //! `zpg check`: reads scenes, says what is wrong with them, and mends it.
 
-pub mod fixing;
 mod report;
 mod statistics;
 mod watch;
-mod worse;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::loaded::{self, STDIN};
 use super::memory::Memory;
 use super::rewrite::{bytes_of, diff, replace};
-use super::{Loaded, LookChoice, Status, complain, paths, terminal};
-use crate::config::{ConfigError, Configs};
+use super::{LookChoice, Status, complain, paths, terminal};
+use crate::analysis::config::{ConfigError, Configs};
+use crate::analysis::file::{self, STDIN};
+use crate::analysis::{Analysis, Settings, fixing};
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::Look;
 use crate::diagnostics::{Code, Complaint, Value};
@@ -187,20 +186,24 @@ impl Checker<'_> {
         };
         let config = (self.configs.for_file(name)).map_err(ConfigError::complaint)?;
         self.args.memory.admit(path, self.at_a_time)?;
-        let bytes = loaded::read(path)?;
-        let levelled = |loaded: Loaded| loaded.at(&config.levels, &self.choice);
-        let mut loaded = levelled(Loaded::new(name.to_string_lossy(), bytes));
+        let bytes = file::read(path)?;
+        let settings = Settings {
+            levels: config.levels.clone(),
+            choice: self.choice.clone(),
+        };
+        let levelled = |analysis: Analysis| analysis.with_settings(settings.clone());
+        let mut loaded = levelled(Analysis::new(name.to_string_lossy(), bytes));
         let mut data = Vec::new();
         let mut fixed = 0;
-        if !loaded.is_scene && self.args.diff {
+        if !loaded.is_scene() && self.args.diff {
             // Nothing but differences is printed, and there is none.
-            terminal::findings(&loaded, self.choice_of_look);
+            terminal::findings(&loaded.source, loaded.findings(), self.choice_of_look);
         }
-        if loaded.is_scene && (self.args.fix || self.args.diff) {
+        if loaded.is_scene() && (self.args.fix || self.args.diff) {
             let old = loaded.source.text.clone();
-            let again = |source| levelled(Loaded::of(source));
+            let again = |source| levelled(Analysis::of(source));
             let mended = fixing::to_fixed_point(loaded, self.args.unsafe_fixes, again);
-            (loaded, fixed) = (mended.loaded, mended.count);
+            (loaded, fixed) = (mended.analysis, mended.count);
             let source = &loaded.source;
             // What cannot be written is known whether it is to be written or not.
             let bytes = match fixed > 0 || is_stdin {
@@ -224,10 +227,10 @@ impl Checker<'_> {
             }
         }
         let mut tally = Tally::default();
-        tally.add(&loaded.diagnostics);
-        let statistics = Statistics::new(&loaded.diagnostics);
+        tally.add(loaded.findings());
+        let statistics = Statistics::new(loaded.findings());
         Ok(Checked {
-            is_scene: loaded.is_scene,
+            is_scene: loaded.is_scene(),
             output: match self.args.statistics {
                 true => Output::Text(Vec::new()),
                 false => Output::new(self.args.format, loaded, self.look),

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::commands::Loaded;
+use crate::analysis::Analysis;
 use crate::diagnostics::render::human::{self, Look};
 use crate::diagnostics::render::{Tally, github, json, sarif, short};
 
@@ -30,8 +30,8 @@ pub enum Output {
 }
 
 impl Output {
-    pub fn new(format: Format, loaded: Loaded, look: Look) -> Output {
-        let (source, diagnostics) = (loaded.source, loaded.diagnostics);
+    pub fn new(format: Format, loaded: Analysis, look: Look) -> Output {
+        let (source, diagnostics) = loaded.into_findings();
         let language = look.language;
         let mut text = Vec::new();
         let written = match format {

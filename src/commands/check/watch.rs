@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use notify::{Event, EventKind, RecursiveMode, Watcher};
 
-use crate::commands::loaded::STDIN;
+use crate::analysis::file::STDIN;
 use crate::commands::terminal::tell;
 use crate::commands::{LookChoice, Status, complain};
 use crate::diagnostics::Complaint;

@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
-use crate::commands::loaded::{self, unreadable};
-use crate::commands::{Loaded, LookChoice, Needs, Status, complain, load_for, load_sound};
+use crate::analysis::Analysis;
+use crate::analysis::file::{self, unreadable};
+use crate::commands::load::render_is_needed;
+use crate::commands::{LookChoice, Needs, Status, complain, load_for, load_sound};
 use crate::diagnostics::{Complaint, Diagnostic};
 use crate::translate::json;
 
 /// Reads a sound scene; with `draws`, something is to be drawn.
-pub fn load(path: &Path, draws: bool, look: LookChoice) -> Result<Loaded, Status> {
+pub fn load(path: &Path, draws: bool, look: LookChoice) -> Result<Analysis, Status> {
     let is_json = (path.extension()).is_some_and(|e| e.eq_ignore_ascii_case("json"));
     match is_json {
         true => load_json(path, draws, look),
@@ -24,12 +26,12 @@ pub fn load(path: &Path, draws: bool, look: LookChoice) -> Result<Loaded, Status
 }
 
 /// Reads a scene that is written as JSON, by way of its records.
-fn load_json(path: &Path, draws: bool, look: LookChoice) -> Result<Loaded, Status> {
+fn load_json(path: &Path, draws: bool, look: LookChoice) -> Result<Analysis, Status> {
     let fail = |complaint: Complaint, status| {
         complain(look, &complaint);
         Err(status)
     };
-    let bytes = match loaded::read(path) {
+    let bytes = match file::read(path) {
         Ok(bytes) => bytes,
         Err(complaint) => return fail(complaint, Status::Failure),
     };
@@ -39,12 +41,13 @@ fn load_json(path: &Path, draws: bool, look: LookChoice) -> Result<Loaded, Statu
         Err(e) => return fail(unreadable(path, e.complaint()), Status::Negative),
     };
     let records = json::spell(&model);
-    let mut loaded = Loaded::new(path.to_string_lossy(), records.text.into_bytes());
+    let loaded = Analysis::new(path.to_string_lossy(), records.text.into_bytes());
+    let mut findings = loaded.findings().to_vec();
     if draws {
-        loaded.require_render();
+        render_is_needed(&mut findings);
     }
-    let errors: Vec<&Diagnostic> = loaded.diagnostics.iter().filter(|d| d.is_error()).collect();
-    for error in &errors {
+    findings.retain(Diagnostic::is_error);
+    for error in &findings {
         let line = loaded.source.position(error.span.start).line as usize;
         let place = records.places.get(line - 1).copied();
         let complaint = Complaint::new("at-part")
@@ -53,7 +56,7 @@ fn load_json(path: &Path, draws: bool, look: LookChoice) -> Result<Loaded, Statu
             .with("why", error.wording(look.language()).message);
         complain(look, &complaint);
     }
-    match errors.is_empty() {
+    match findings.is_empty() {
         true => Ok(loaded),
         false => Err(Status::Negative),
     }

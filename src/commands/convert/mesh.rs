@@ -3,13 +3,12 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use super::{Args, Made, Refusal};
-use crate::commands::Loaded;
-use crate::commands::loaded::STDIN;
-use crate::diagnostics::Complaint;
+use super::{Args, Made};
+use crate::analysis::Analysis;
+use crate::analysis::file::STDIN;
+use crate::diagnostics::{Complaint, Error};
 use crate::syntax::Captions;
-use crate::trace::{self, Images, Tracer};
-use crate::translate::Unsupported;
+use crate::trace::{Images, Tracer};
 use crate::translate::mesh::picture::file_name;
 use crate::translate::mesh::{self, Coloured, glb, obj, ply};
 use crate::translate::names::Names;
@@ -33,10 +32,10 @@ impl Format {
 }
 
 /// Makes the scene of triangles.
-pub fn make(args: &Args, format: Format, loaded: &Loaded) -> Result<Made, Refusal> {
+pub fn make(args: &Args, format: Format, loaded: &Analysis) -> Result<Made, Error> {
     let Some(path) = destination(&args.file, args.output.as_deref(), format.name()) else {
         let complaint = Complaint::new("mesh-without-name").with("format", format.name());
-        return Err(Refusal::Wish(complaint));
+        return Err(Error::Request(complaint));
     };
     let tracer = tracer(loaded)?;
     let options = mesh::Options {
@@ -101,15 +100,8 @@ fn destination(scene: &Path, said: Option<&Path>, extension: &str) -> Option<Pat
 }
 
 /// The scene compiled, with its pictures.
-pub fn tracer(loaded: &Loaded) -> Result<Tracer, Refusal> {
+pub fn tracer(loaded: &Analysis) -> Result<Tracer, Error> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
-    let images = Images::load(&loaded.scene, folder).map_err(Refusal::Image)?;
-    let tracer = Tracer::with_images(&loaded.scene, &images);
-    tracer.map_err(|e: trace::Unsupported| {
-        Refusal::Scene(Unsupported {
-            id: e.id,
-            span: Some(e.span),
-            message: e.complaint(),
-        })
-    })
+    let images = Images::load(&loaded.scene, folder)?;
+    Tracer::with_images(&loaded.scene, &images)
 }

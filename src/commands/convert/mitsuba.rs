@@ -3,14 +3,14 @@
 use std::path::Path;
 
 use super::mesh::tracer;
-use super::{Args, Made, Refusal, suffixed};
-use crate::commands::Loaded;
-use crate::diagnostics::{Complaint, Value};
+use super::{Args, Made, suffixed};
+use crate::analysis::Analysis;
+use crate::diagnostics::{Complaint, Error, Value};
 use crate::syntax::Captions;
 use crate::translate::mitsuba::{self, Integrator, Options, Output};
 
 /// Translates the scene.
-pub fn make(args: &Args, loaded: &Loaded) -> Result<Made, Refusal> {
+pub fn make(args: &Args, loaded: &Analysis) -> Result<Made, Error> {
     let tracer = tracer(loaded)?;
     let stem = args.output.as_deref().and_then(Path::file_stem);
     let options = Options {
@@ -25,7 +25,7 @@ pub fn make(args: &Args, loaded: &Loaded) -> Result<Made, Refusal> {
     let made = mitsuba::write(&loaded.scene, &tracer, &options)?;
     if args.output.is_none() && made.documents.len() + made.meshes.len() > 1 {
         let count = |n: usize| Value::Count(n as u64);
-        return Err(Refusal::Wish(
+        return Err(Error::Request(
             Complaint::new("many-files")
                 .with("documents", count(made.documents.len()))
                 .with("meshes", count(made.meshes.len())),

@@ -2,19 +2,16 @@
 
 use std::path::Path;
 
-use super::{Args, Made, Refusal, suffixed};
-use crate::commands::Loaded;
+use super::{Args, Made, suffixed};
+use crate::analysis::Analysis;
+use crate::diagnostics::Error;
 use crate::syntax::Captions;
-use crate::translate::Unsupported;
 use crate::translate::pov::{self, Options, Stereo, Translation};
 
 /// Translates the scene.
-pub fn make(args: &Args, loaded: &Loaded) -> Result<Made, Refusal> {
-    let crowded = |message| Unsupported {
-        id: 0,
-        span: loaded.scene.render.map(|r| r.span),
-        message,
-    };
+pub fn make(args: &Args, loaded: &Analysis) -> Result<Made, Error> {
+    let span = loaded.scene.render.map(|r| r.span);
+    let crowded = |why| Error::Scene { why, span };
     args.memory.confine_scene(&loaded.scene).map_err(crowded)?;
     let options = Options {
         size: (args.size.width, args.size.height),

@@ -2,15 +2,16 @@
 
 use std::io::{self, Write};
 
-use super::{Args, Compared, Failure, Outcome, Pictures};
+use super::{Args, Compared, Outcome, Pictures};
 use super::{cameras, each_camera, failed, images, made_folder, program, stem};
-use crate::commands::Loaded;
+use crate::analysis::Analysis;
+use crate::diagnostics::Error;
 use crate::study::geometry::{self, Comparison, Differences, Shared, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
 use crate::study::program::ProgramError;
 use crate::syntax::Captions;
 use crate::trace::Tracer;
-use crate::translate::Unsupported;
+use crate::translate::about_camera;
 use crate::translate::mitsuba::{Integrator, Options, is_exact, square_size, write};
 
 const HOW: &str = "with `pip install mitsuba numpy`, and name that Python with --program";
@@ -19,7 +20,7 @@ const HOW: &str = "with `pip install mitsuba numpy`, and name that Python with -
 const NAMED: usize = 3;
 
 /// Looks, compares and writes what is seen.
-pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>, Failure> {
+pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison>>, Error> {
     let scene = &loaded.scene;
     let size = (args.size.width, args.size.height);
     let tracer = Tracer::with_images(scene, &images(loaded)?)?;
@@ -40,11 +41,10 @@ pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>
             Some(_) => "camera-of-no-squares",
             None => "camera-of-never-squares",
         };
-        let mut unsupported = Unsupported::camera(camera, message);
-        unsupported.message = (unsupported.message)
+        let why = about_camera(camera, message)
             .with("size", text(size))
             .with("other", squares.map_or(String::new(), text));
-        return Err(unsupported.into());
+        return Err(Error::scene(why));
     }
     let made = write(scene, &tracer, &options)?;
     let folder = made_folder(args)?;

@@ -2,9 +2,11 @@
 
 use std::io::{self, Write};
 
-use super::{Args, Compared, Failure, Outcome, Pictures};
+use super::{Args, Compared, Outcome, Pictures};
 use super::{cameras, each_camera, failed, images, made_folder, program, stem};
-use crate::commands::{Loaded, convert, terminal};
+use crate::analysis::Analysis;
+use crate::commands::{convert, terminal};
+use crate::diagnostics::Error;
 use crate::study::compare::Comparison;
 use crate::study::povray::{PROGRAM, render};
 use crate::syntax::Captions;
@@ -16,7 +18,7 @@ const HOW: &str =
     "with `apt-get install povray` or `brew install povray`, or from https://www.povray.org";
 
 /// Takes, compares and writes all pictures.
-pub fn compare(args: &Args, loaded: &Loaded) -> Result<Vec<Compared<Comparison>>, Failure> {
+pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison>>, Error> {
     let scene = &loaded.scene;
     let size = (args.size.width, args.size.height);
     let bar = args.max_diff / 255.0;

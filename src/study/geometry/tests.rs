@@ -1,6 +1,6 @@
 use super::*;
-use crate::commands::Loaded;
 use crate::syntax::Captions;
+use crate::testing::scene;
 use crate::trace::selected_camera;
 use crate::translate::mitsuba::{self, Integrator};
 
@@ -22,8 +22,8 @@ fn compared(change: impl Fn(&Output, &mut [f32])) -> Comparison {
 /// A scene as Mitsuba would have it if it made no mistake, and what is said of that once `change` was
 /// made to the channels of all pixels.
 fn compared_in(text: &str, change: impl Fn(&Output, &mut [f32])) -> Comparison {
-    let loaded = Loaded::new("scene.zpg", text.as_bytes().to_vec());
-    let tracer = Tracer::new(&loaded.scene).unwrap();
+    let scene = scene(text);
+    let tracer = Tracer::new(&scene).unwrap();
     let options = mitsuba::Options {
         size: SIZE,
         depth: 10,
@@ -33,8 +33,8 @@ fn compared_in(text: &str, change: impl Fn(&Output, &mut [f32])) -> Comparison {
         stem: "scene".to_owned(),
         captions: Captions::default(),
     };
-    let made = mitsuba::write(&loaded.scene, &tracer, &options).unwrap();
-    let camera = selected_camera(&loaded.scene, 4.0 / 3.0);
+    let made = mitsuba::write(&scene, &tracer, &options).unwrap();
+    let camera = selected_camera(&scene, 4.0 / 3.0);
     let ours = seen(&tracer, &camera, SIZE);
     let mut theirs: Vec<f32> = ours.iter().flat_map(|s| channels(&made, *s)).collect();
     change(&made, &mut theirs);

@@ -158,22 +158,20 @@ fn plane_foot(geometry: &Geometry) -> Option<Vec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::commands::Loaded;
+    use crate::testing::scene;
 
     fn region(text: &str) -> Aabb {
-        let loaded = Loaded::new("scene", text.as_bytes().to_vec());
-        assert!(loaded.sound, "{:?}", loaded.diagnostics);
-        Extent::of(&loaded.scene, &Options::default()).region
+        let scene = scene(text);
+        Extent::of(&scene, &Options::default()).region
     }
 
     #[test]
     fn flat_things_go_on_before_a_camera() {
         let seen = |text: &str| {
-            let loaded = Loaded::new("scene", text.as_bytes().to_vec());
-            assert!(loaded.sound, "{:?}", loaded.diagnostics);
+            let scene = scene(text);
             let eye = Some([0.0, 1.0, 3.0]);
             let extent = Extent::of(
-                &loaded.scene,
+                &scene,
                 &Options {
                     eye,
                     ..Options::default()

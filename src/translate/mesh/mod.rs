@@ -40,7 +40,8 @@ pub use soup::Mesh;
 
 use std::collections::BTreeMap;
 
-use super::{Fidelity, Report, Unsupported};
+use super::{Fidelity, Report};
+use crate::diagnostics::Error;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Scene, Vec3};
 use crate::trace::graph::Graph;
@@ -94,7 +95,7 @@ impl Parts {
     ///
     /// # Errors
     /// There would be too many triangles.
-    pub fn of(scene: &Scene, graph: &Graph, options: &Options) -> Result<Parts, Unsupported> {
+    pub fn of(scene: &Scene, graph: &Graph, options: &Options) -> Result<Parts, Error> {
         let extent = Extent::of(scene, options);
         let (thing, troubles) = pieces(scene, graph, &extent, options)?;
         Ok(Parts {
@@ -113,7 +114,7 @@ impl Parts {
     pub fn join_by<K: Ord>(
         &mut self,
         kind: impl Fn(usize, &Piece) -> Option<K>,
-    ) -> Result<(), Unsupported> {
+    ) -> Result<(), Error> {
         let mut budget = Budget::default();
         let mut groups: BTreeMap<(K, Option<u32>), Vec<Piece>> = BTreeMap::new();
         for (i, piece) in std::mem::take(&mut self.pieces).into_iter().enumerate() {
@@ -202,7 +203,7 @@ impl Parts {
 ///
 /// # Errors
 /// There would be too many.
-pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, Unsupported> {
+pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, Error> {
     let extent = Extent::of(scene, options);
     let (thing, mut troubles) = pieces(scene, graph, &extent, options)?;
     let (mut solids, mut surfaces) = (Vec::new(), Mesh::default());
@@ -249,7 +250,7 @@ fn pieces(
     graph: &Graph,
     extent: &Extent,
     options: &Options,
-) -> Result<(Thing, Troubles), Unsupported> {
+) -> Result<(Thing, Troubles), Error> {
     let budget = Budget::of(options.memory);
     let mut assembly = Assembly::new(scene, graph, &extent.cut, extent.tolerance, budget);
     let thing = assembly
@@ -258,12 +259,8 @@ fn pieces(
     Ok((thing, assembly.troubles))
 }
 
-fn refusal(e: &TooMany) -> Unsupported {
-    Unsupported {
-        id: 0,
-        span: None,
-        message: e.complaint(),
-    }
+fn refusal(e: &TooMany) -> Error {
+    Error::scene(e.complaint())
 }
 
 /// The report on a mesh for one of the targets.

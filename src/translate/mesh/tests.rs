@@ -4,10 +4,7 @@ use crate::trace::Tracer;
 
 /// The model of a scene.
 pub(super) fn made(text: &str, tolerance: f64) -> Model {
-    let source = crate::diagnostics::SourceFile::new("scene", text.as_bytes().to_vec());
-    let (document, mut found) = crate::syntax::parse(&source.text);
-    let scene = crate::scene::resolve(&document, &source, &mut found);
-    assert!(!found.iter().any(|d| d.is_error()), "{found:?}");
+    let scene = crate::testing::scene(text);
     let tracer = Tracer::new(&scene).unwrap();
     let options = Options {
         tolerance: Some(tolerance),
@@ -161,9 +158,7 @@ fn copies_of_copies_are_refused_in_words() {
         );
     }
     text += "1 9999 82 0\n";
-    let source = crate::diagnostics::SourceFile::new("scene", text.as_bytes().to_vec());
-    let (document, mut found) = crate::syntax::parse(&source.text);
-    let scene = crate::scene::resolve(&document, &source, &mut found);
+    let scene = crate::testing::scene(&text);
     let tracer = Tracer::new(&scene).unwrap();
     let refused = model(&scene, &tracer.graph, &Options::default()).unwrap_err();
     assert!(refused.to_string().contains("triangles"), "{refused}");
@@ -173,8 +168,8 @@ fn copies_of_copies_are_refused_in_words() {
 fn corners_have_the_normals_of_their_own_faces() {
     // The colours of the ring make many triangles of it; points on its rims lie within the circles.
     let text = "2 2 4 2 0.5 2.6 0.5 2.3 0.9 2 0.5 1 0 0 0 1 1 1 1 1 0.2 0.2 1\n1 9999 2 0";
-    let loaded = crate::commands::Loaded::new("scene", text.as_bytes().to_vec());
-    let tracer = Tracer::new(&loaded.scene).unwrap();
+    let scene = crate::testing::scene(text);
+    let tracer = Tracer::new(&scene).unwrap();
     let m = made(text, 1e-3);
     let corners = corners::corners(&m.mesh, &m.skins, &tracer.graph, |_| false);
     assert!(corners.len() > 1000);

@@ -16,7 +16,8 @@ mod xml;
 
 use super::mesh::{self, picture};
 use super::names::Names;
-use super::{Fidelity, Report, Unsupported};
+use super::{Fidelity, Report};
+use crate::diagnostics::Error;
 use crate::geometry::Aabb;
 use crate::scene::bounds::node_bounds;
 use crate::scene::frame::selected_cameras;
@@ -111,8 +112,8 @@ enum Kind {
 ///
 /// # Errors
 /// Something in it has no translation, or too many triangles.
-pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output, Unsupported> {
-    let render = scene.render.ok_or_else(Unsupported::nothing)?;
+pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output, Error> {
+    let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
     let graph = &tracer.graph;
     let aspect = f64::from(options.size.0) / f64::from(options.size.1);
     let cameras = selected_cameras(scene, aspect);

@@ -7,10 +7,11 @@ use super::frame::Frame;
 use super::lens::Lens;
 use super::xml::{number, rgb, transform, vector};
 use super::{Integrator, Options};
+use crate::diagnostics::Error;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::frame::{Basis, headlight};
 use crate::scene::{Camera, Scene};
-use crate::translate::Unsupported;
+use crate::translate::about_camera;
 
 /// Samples a pixel of a path-traced picture.
 const SAMPLES: u32 = 64;
@@ -41,8 +42,8 @@ pub fn view(
     nearest: f64,
     reach: f64,
     options: &Options,
-) -> Result<String, Unsupported> {
-    let nowhere = || Unsupported::camera(camera, "camera-nowhere");
+) -> Result<String, Error> {
+    let nowhere = || Error::scene(about_camera(camera, "camera-nowhere"));
     let basis = Basis::of(camera).ok_or_else(nowhere)?;
     let (sensor, near) = sensor(camera, &basis, options.size).ok_or_else(nowhere)?;
     let integrator = match options.integrator {

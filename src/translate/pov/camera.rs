@@ -4,13 +4,14 @@ use super::Options;
 use super::build::Builder;
 use super::frame::Frame;
 use super::text::{entity, vector};
+use crate::diagnostics::Error;
 use crate::geometry::Aabb;
 use crate::geometry::array::{add, cross, dot, length, sub, unit};
 use crate::scene::frame::{Basis, selected_cameras};
 use crate::scene::sight::Sight;
 use crate::scene::{Camera, Scene, Vec3};
 use crate::syntax::Captions;
-use crate::translate::Unsupported;
+use crate::translate::about_camera;
 use crate::translate::fidelity::Fidelity;
 
 /// A camera that takes the picture, and its rays.
@@ -42,15 +43,11 @@ struct Lens {
 ///
 /// # Errors
 /// A camera whose rays are not those of a pinhole or parallel.
-pub fn eyes(
-    scene: &Scene,
-    builder: &mut Builder,
-    options: &Options,
-) -> Result<Vec<Eye>, Unsupported> {
+pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<Vec<Eye>, Error> {
     let chosen = selected_cameras(scene, options.aspect());
     let mut out = Vec::with_capacity(chosen.len());
     for camera in chosen {
-        let fault = |message| Unsupported::camera(&camera, message);
+        let fault = |message| Error::scene(about_camera(&camera, message));
         let basis = Basis::of(&camera).ok_or_else(|| fault("camera-nowhere"))?;
         let lens = match &camera.projection {
             None => match from_far(&camera, &basis, options.aspect(), builder.box_of_root()) {

@@ -54,7 +54,8 @@ mod volumes;
 
 use std::fmt::Write as _;
 
-use super::{Fidelity, File, Report, Unsupported};
+use super::{Fidelity, File, Report};
+use crate::diagnostics::Error;
 use crate::scene::{Optics, Render, Scene};
 use crate::solids::contacts;
 use crate::syntax::Captions;
@@ -135,13 +136,13 @@ const MOST_LEVELS: u32 = 256;
 ///
 /// # Errors
 /// Something in it has no translation.
-pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Unsupported> {
+pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     let report = Report::of("pov", scene, verdict::verdict);
     let reordered = cuts::reordered(scene);
     let scene = reordered.as_ref().unwrap_or(scene);
     let spread = spread::spread(scene);
     let scene = spread.as_ref().unwrap_or(scene);
-    let render = scene.render.ok_or_else(Unsupported::nothing)?;
+    let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
     let mut builder = Builder::new(scene, render.root, report);
     let eyes = camera::eyes(scene, &mut builder, options)?;
     if let Some(eye) = eyes.first() {

@@ -4,19 +4,19 @@ use std::collections::BTreeMap;
 
 use rustc_hash::FxHashMap;
 
-use crate::commands::Loaded;
+use super::Analysis;
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::{Code, Diagnostic, Severity};
 
 /// How much there is to mend, what weighs most first: how many errors there are; how many of these are
 /// malformed tokens, which hide what else is wrong with their records; how many warnings, notes and
 /// remarks on style; and of as many the codes that come first, which hide those that follow.
-pub fn weight(loaded: &Loaded) -> Vec<usize> {
-    let counts = counts(loaded.diagnostics.iter());
+pub fn weight(analysis: &Analysis) -> Vec<usize> {
+    let counts = counts(analysis.findings().iter());
     let count = |code: &Code| counts.get(code).copied().unwrap_or(0);
     let malformed = [Code::E001, Code::E002, Code::E003, Code::E004, Code::E010];
     let mut tally = Tally::default();
-    tally.add(&loaded.diagnostics);
+    tally.add(analysis.findings());
     let mut weight = vec![tally.errors, malformed.iter().map(count).sum()];
     weight.extend([tally.warnings, tally.notes, tally.style]);
     weight.extend(Code::ALL.iter().map(count));
@@ -25,7 +25,7 @@ pub fn weight(loaded: &Loaded) -> Vec<usize> {
 
 /// Whether there is an error on a line that is as it was, which it did not have. On a line that was
 /// changed there may be one in place of another that hid it.
-pub fn has_new_errors(before: &Loaded, after: &Loaded) -> bool {
+pub fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
     let mut numbers: FxHashMap<&str, usize> = FxHashMap::default();
     let before_lines = lines(before).map(|line| {
         let next = numbers.len();
@@ -40,16 +40,16 @@ pub fn has_new_errors(before: &Loaded, after: &Loaded) -> bool {
     new.any(|(error, count)| old.get(&error).is_none_or(|&old| count > old))
 }
 
-fn lines(loaded: &Loaded) -> impl Iterator<Item = &str> {
-    let source = &loaded.source;
+fn lines(analysis: &Analysis) -> impl Iterator<Item = &str> {
+    let source = &analysis.source;
     (0..source.line_count()).map(|i| source.slice(source.line_span(i)).trim())
 }
 
 /// How often there is an error of a code on a line of these numbers; lines that have none are left out.
-fn errors(loaded: &Loaded, numbers: &[Option<usize>]) -> FxHashMap<(Code, usize), usize> {
+fn errors(analysis: &Analysis, numbers: &[Option<usize>]) -> FxHashMap<(Code, usize), usize> {
     let mut counts = FxHashMap::default();
-    for d in loaded.diagnostics.iter().filter(|d| d.is_error()) {
-        let line = loaded.source.line_index(d.span.start);
+    for d in analysis.findings().iter().filter(|d| d.is_error()) {
+        let line = analysis.source.line_index(d.span.start);
         if let Some(line) = numbers.get(line).copied().flatten() {
             *counts.entry((d.code, line)).or_default() += 1;
         }
@@ -58,10 +58,10 @@ fn errors(loaded: &Loaded, numbers: &[Option<usize>]) -> FxHashMap<(Code, usize)
 }
 
 /// Whether as many errors are left, and more of some warning.
-pub fn harms(before: &Loaded, after: &Loaded) -> bool {
+pub fn harms(before: &Analysis, after: &Analysis) -> bool {
     let of = |severity: Severity| {
-        [before, after].map(|loaded| {
-            let all = loaded.diagnostics.iter();
+        [before, after].map(|analysis| {
+            let all = analysis.findings().iter();
             counts(all.filter(|d| d.severity == severity))
         })
     };

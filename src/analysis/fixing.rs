@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
+use super::Analysis;
 use super::worse::{harms, has_new_errors, weight};
-use crate::commands::Loaded;
 use crate::diagnostics::{Applicability, Edit, Fix, SourceFile, fixes};
 use crate::syntax::{preserved, recognise};
 
@@ -15,7 +15,7 @@ const REFUSED: Range<usize> = 16..1000;
 
 /// A scene after fixes.
 pub struct Mended {
-    pub loaded: Loaded,
+    pub analysis: Analysis,
     /// How many fixes these were.
     pub count: usize,
     /// Their edits, round by round: each of the text that the rounds before have made.
@@ -28,35 +28,40 @@ pub struct Mended {
 ///
 /// Each step has fewer errors, or as many and fewer malformed tokens, and so on: it comes to an end.
 pub fn to_fixed_point(
-    mut loaded: Loaded,
+    mut analysis: Analysis,
     unsafe_too: bool,
-    again: impl Fn(SourceFile) -> Loaded,
+    again: impl Fn(SourceFile) -> Analysis,
 ) -> Mended {
     let mut left =
-        (REFUSED_BYTES / loaded.source.text.len().max(1)).clamp(REFUSED.start, REFUSED.end);
+        (REFUSED_BYTES / analysis.source.text.len().max(1)).clamp(REFUSED.start, REFUSED.end);
     let (mut count, mut rounds) = (0, Vec::new());
     // Errors first: what they hid is weighed against what there is then.
-    let of = |loaded: &Loaded, errors: bool| -> Vec<Fix> {
-        let all = loaded.diagnostics.iter().filter(|d| d.is_error() == errors);
+    let of = |analysis: &Analysis, errors: bool| -> Vec<Fix> {
+        let all = analysis
+            .findings()
+            .iter()
+            .filter(|d| d.is_error() == errors);
         all.filter_map(|d| d.applicable_fix(unsafe_too).cloned())
             .collect()
     };
-    let mut next = |loaded: &Loaded| {
+    let mut next = |analysis: &Analysis| {
         [true, false]
             .into_iter()
-            .find_map(|errors| step(loaded, &of(loaded, errors), &again, &mut left))
+            .find_map(|errors| step(analysis, &of(analysis, errors), &again, &mut left))
     };
-    while let Some(step) = next(&loaded) {
-        loaded = step.loaded;
+    while let Some(step) = next(&analysis) {
+        analysis = step.analysis;
         count += step.count;
         rounds.push(step.edits);
     }
     if left > 0 {
         let kept = |f: &Fix| !unsafe_too && f.applicability != Applicability::Safe;
-        (loaded.diagnostics.iter_mut()).for_each(|d| d.fixes.retain(kept));
+        let mut findings = analysis.take_findings();
+        findings.iter_mut().for_each(|d| d.fixes.retain(kept));
+        analysis.findings = findings.into();
     }
     Mended {
-        loaded,
+        analysis,
         count,
         rounds,
     }
@@ -64,7 +69,7 @@ pub fn to_fixed_point(
 
 /// A round of fixes.
 struct Step {
-    loaded: Loaded,
+    analysis: Analysis,
     count: usize,
     edits: Vec<Edit>,
 }
@@ -73,14 +78,14 @@ struct Step {
 /// what does harm. Of several together none may do any, whatever the others mend. `left` is how many
 /// times more that may be tried in vain.
 fn step(
-    loaded: &Loaded,
+    analysis: &Analysis,
     all: &[Fix],
-    again: &impl Fn(SourceFile) -> Loaded,
+    again: &impl Fn(SourceFile) -> Analysis,
     left: &mut usize,
 ) -> Option<Step> {
     let mut chosen = vec![false; all.len()];
     let mut best: Option<Step> = None;
-    let mut lightest = weight(loaded);
+    let mut lightest = weight(analysis);
     // Larger stretches first, so that what does harm in one place holds up nothing in others.
     let mut stretches = VecDeque::new();
     stretches.push_back(0..all.len());
@@ -88,21 +93,21 @@ fn step(
         let mut tried = chosen.clone();
         tried[stretch.clone()].fill(true);
         let with = all.iter().zip(&tried).filter(|f| *f.1).map(|f| f.0);
-        let (edits, count) = fixes::edits(&loaded.source.text, with);
+        let (edits, count) = fixes::edits(&analysis.source.text, with);
         if count > best.as_ref().map_or(0, |b| b.count) {
-            let text = fixes::edited(&loaded.source.text, &edits);
-            let fixed = again(loaded.source.with_text(text));
+            let text = fixes::edited(&analysis.source.text, &edits);
+            let fixed = again(analysis.source.with_text(text));
             let now = weight(&fixed);
-            let before = best.as_ref().map_or(loaded, |b| &b.loaded);
+            let before = best.as_ref().map_or(analysis, |b| &b.analysis);
             let harms = stretch.len() > 1 && harms(before, &fixed);
             if now < lightest
                 && !harms
                 && !has_new_errors(before, &fixed)
-                && leaves_the_rest(loaded, &edits, &fixed)
+                && leaves_the_rest(analysis, &edits, &fixed)
                 && recognise::is_scene(&fixed.source)
             {
                 best = Some(Step {
-                    loaded: fixed,
+                    analysis: fixed,
                     count,
                     edits,
                 });
@@ -120,7 +125,7 @@ fn step(
 }
 
 /// Whether every token outside of the edits is as it was.
-fn leaves_the_rest(before: &Loaded, edits: &[Edit], after: &Loaded) -> bool {
+fn leaves_the_rest(before: &Analysis, edits: &[Edit], after: &Analysis) -> bool {
     let (old, new) = (
         (before.source.text.as_str(), &before.document),
         (after.source.text.as_str(), &after.document),
@@ -131,16 +136,25 @@ fn leaves_the_rest(before: &Loaded, edits: &[Edit], after: &Loaded) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    impl Analysis {
+        /// Adds findings to its own.
+        fn add(&mut self, more: Vec<Diagnostic>) {
+            let mut all = self.take_findings();
+            all.extend(more);
+            self.findings = all.into();
+        }
+    }
     use crate::diagnostics::{Code, Diagnostic};
 
     fn fixed(text: &str, unsafe_too: bool) -> (String, usize) {
-        let loaded = Loaded::new("a.zpg", text.into());
-        let mended = to_fixed_point(loaded, unsafe_too, Loaded::of);
+        let analysis = Analysis::new("a.zpg", text.into());
+        let mended = to_fixed_point(analysis, unsafe_too, Analysis::of);
         let mut again = text.to_owned();
         for edits in &mended.rounds {
             again = fixes::edited(&again, edits);
         }
-        assert_eq!(mended.loaded.source.text, again);
+        assert_eq!(mended.analysis.source.text, again);
         (again, mended.count)
     }
 
@@ -183,82 +197,84 @@ mod tests {
     #[test]
     fn no_error_where_there_was_none() {
         let read = |source: SourceFile| {
-            let mut loaded = Loaded::of(source);
-            let text = &loaded.source.text;
+            let mut analysis = Analysis::of(source);
+            let text = &analysis.source.text;
             if text.contains("0.5") {
                 let at = text.find("3 9 1").unwrap() as u32;
                 let span = crate::diagnostics::Span::new(at, at + 1);
-                loaded.diagnostics.push(Diagnostic::new(Code::E102, span));
+                analysis.add(vec![Diagnostic::new(Code::E102, span)]);
             }
-            loaded
+            analysis
         };
         let text = "2 11 0,5 0,25 0 1\n3 9 1\n4 -101 2 3\n1 9999 4 0\n";
         let first = read(SourceFile::new("a.zpg", text.into()));
-        let Mended { loaded, count, .. } = to_fixed_point(first, false, read);
+        let Mended {
+            analysis, count, ..
+        } = to_fixed_point(first, false, read);
         assert_eq!(
-            (loaded.source.text, count),
+            (analysis.source.text, count),
             (text.replace("0,25", "0.25"), 1)
         );
     }
 
     /// Mends a scene that checks worse where `harmful` says so, and counts how often it was read.
-    fn counting(text: &str, harmful: impl Fn(&str) -> bool) -> (Loaded, usize, usize) {
+    fn counting(text: &str, harmful: impl Fn(&str) -> bool) -> (Analysis, usize, usize) {
         let reads = std::cell::Cell::new(0);
         let read = |source: SourceFile| {
             reads.set(reads.get() + 1);
             let bad = harmful(&source.text);
-            let mut loaded = Loaded::of(source);
+            let mut analysis = Analysis::of(source);
             if bad {
                 let error = Diagnostic::new(Code::E101, Default::default());
-                loaded.diagnostics.extend(vec![error; 9000]);
+                analysis.add(vec![error; 9000]);
             }
-            loaded
+            analysis
         };
-        let mended = to_fixed_point(Loaded::new("a.zpg", text.into()), false, read);
-        (mended.loaded, mended.count, reads.get())
+        let mended = to_fixed_point(Analysis::new("a.zpg", text.into()), false, read);
+        (mended.analysis, mended.count, reads.get())
     }
 
     #[test]
     fn one_that_does_harm_holds_up_no_other() {
         let lines = |n: usize| -> String { (2..n + 2).map(|k| format!("{k} 9 1;\n")).collect() };
         let text = lines(2000);
-        let (loaded, count, reads) = counting(&text, |t| !t.contains("\n700 9 1;"));
+        let (analysis, count, reads) = counting(&text, |t| !t.contains("\n700 9 1;"));
         assert_eq!(count, 1999);
         assert_eq!(
-            loaded.source.text,
+            analysis.source.text,
             text.replace(';', "").replace("\n700 9 1\n", "\n700 9 1;\n")
         );
         // Halving finds it: a few reads for each bit of its number, in two rounds.
         assert!(reads < 60, "{reads}");
         // What was refused is offered no more.
-        let offered = |l: &Loaded| l.diagnostics.iter().filter(|d| !d.fixes.is_empty()).count();
-        assert_eq!(offered(&loaded), 0);
+        let offered = |l: &Analysis| l.findings().iter().filter(|d| !d.fixes.is_empty()).count();
+        assert_eq!(offered(&analysis), 0);
         // A hundred at the very front.
         let text = lines(400);
         let refused = |t: &str| t.lines().take(100).any(|l| !l.ends_with(';'));
-        let (loaded, count, _) = counting(&text, refused);
+        let (analysis, count, _) = counting(&text, refused);
         assert_eq!(count, 300);
-        assert_eq!(loaded.source.text.matches(';').count(), 100);
+        assert_eq!(analysis.source.text.matches(';').count(), 100);
     }
 
     /// A fix brings a warning of another kind; what else is mended beside it does not pay for that.
     #[test]
     fn none_rides_along_that_does_harm() {
         let read = |source: SourceFile| {
-            let mut loaded = Loaded::of(source);
-            if !loaded.source.text.contains("2 14 1 3") {
-                loaded
-                    .diagnostics
-                    .push(Diagnostic::new(Code::W301, Default::default()));
+            let mut analysis = Analysis::of(source);
+            if !analysis.source.text.contains("2 14 1 3") {
+                analysis.add(vec![Diagnostic::new(Code::W301, Default::default())]);
             }
-            loaded
+            analysis
         };
         // The tori are the wrong way round; turning the first one does harm here.
         let text = "2 14 1 3\n3 14 1 4\n4 14 1 5\n5 -101 2 3\n6 -101 5 4\n1 9999 6 0\n";
         let first = read(SourceFile::new("a.zpg", text.into()));
-        let Mended { loaded, count, .. } = to_fixed_point(first, true, read);
+        let Mended {
+            analysis, count, ..
+        } = to_fixed_point(first, true, read);
         let mended = text.replace("14 1 4", "14 4 1").replace("14 1 5", "14 5 1");
-        assert_eq!((loaded.source.text, count), (mended, 2));
+        assert_eq!((analysis.source.text, count), (mended, 2));
     }
 
     #[test]
@@ -271,8 +287,8 @@ mod tests {
     #[test]
     fn the_encoding_and_the_line_breaks_stay() {
         let bytes = b"# \xf8 #\r\n2 9 0,5 # \xe9 # 3 9 1\r\n1 9999 2 0\r\n".to_vec();
-        let loaded = to_fixed_point(Loaded::new("a.zpg", bytes), false, Loaded::of).loaded;
-        let out = loaded.source.encode(&loaded.source.text);
+        let analysis = to_fixed_point(Analysis::new("a.zpg", bytes), false, Analysis::of).analysis;
+        let out = analysis.source.encode(&analysis.source.text);
         let expected = b"0 # \xf8 #\r\n2 9 0.5 # \xe9 #\r\n3 9 1\r\n1 9999 2 0\r\n";
         assert_eq!(out.as_deref(), Some(&expected[..]));
     }

@@ -1,0 +1,72 @@
+//! Files of scenes, and standard input.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use super::config::Configs;
+use super::{Analysis, Settings};
+use crate::diagnostics::Complaint;
+use crate::diagnostics::source::MAX_FILE_BYTES;
+use crate::lint::levels::Choice;
+
+/// The path that stands for standard input.
+pub const STDIN: &str = "-";
+
+/// Reads a scene file, with the settings of its folder; `-` is standard input.
+///
+/// # Errors
+///
+/// The file, or the settings of its folder, cannot be read.
+pub fn load(path: &Path) -> Result<Analysis, Complaint> {
+    let config = (Configs::default().for_file(path)).map_err(|e| e.complaint())?;
+    let bytes = read(path)?;
+    let analysis = Analysis::new(path.to_string_lossy(), bytes);
+    Ok(analysis.with_settings(Settings {
+        levels: config.levels.clone(),
+        choice: Choice::default(),
+    }))
+}
+
+/// Reads a file's bytes; `-` is standard input.
+pub fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
+    let error = |reason: Complaint| unreadable(path, reason);
+    let too_large = || {
+        let size = MAX_FILE_BYTES.div_ceil(1 << 30).to_string();
+        error(Complaint::new("too-large").with("size", size))
+    };
+    let result = if path.as_os_str() == STDIN {
+        read_limited(io::stdin().lock(), 0)
+    } else {
+        File::open(path).and_then(|file| {
+            // A file that is known to be too large is not read at all.
+            match file.metadata() {
+                Ok(m) if m.is_file() && m.len() > MAX_FILE_BYTES as u64 => Ok(None),
+                Ok(m) if m.is_file() => read_limited(file, m.len() as usize),
+                _ => read_limited(file, 0),
+            }
+        })
+    };
+    match result {
+        Ok(Some(bytes)) => Ok(bytes),
+        Ok(None) => Err(too_large()),
+        Err(e) => Err(error((&e).into())),
+    }
+}
+
+/// A file cannot be read.
+pub fn unreadable(path: &Path, reason: Complaint) -> Complaint {
+    Complaint::new("cannot-read")
+        .with("path", path)
+        .with("reason", reason)
+}
+
+/// Reads everything, or nothing when there is more than may be. `size` is how much there seems to be.
+fn read_limited(input: impl Read, size: usize) -> io::Result<Option<Vec<u8>>> {
+    // The end is found by reading a little further.
+    let mut bytes = Vec::with_capacity(size + 32);
+    input
+        .take(MAX_FILE_BYTES as u64 + 1)
+        .read_to_end(&mut bytes)?;
+    Ok((bytes.len() <= MAX_FILE_BYTES).then_some(bytes))
+}

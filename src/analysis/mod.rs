@@ -1,0 +1,172 @@
+//! A scene file analysed: bytes become text, records, a scene and, when somebody asks, findings.
+//!
+//! The commands, the tests and the editor features all start from an [`Analysis`]. It prints nothing and
+//! knows of no command line.
+
+pub mod config;
+pub mod file;
+pub mod fixing;
+mod worse;
+
+use std::sync::OnceLock;
+
+use crate::diagnostics::source::Encoding;
+use crate::diagnostics::{self, Code, Diagnostic, SourceFile, Span};
+use crate::lint;
+use crate::lint::levels::{Choice, Levels};
+use crate::scene::{self, Scene};
+use crate::syntax::recognise::{self, Stranger};
+use crate::syntax::{self, Document, lexer};
+
+/// A scene read as far as it goes.
+#[derive(Debug)]
+pub struct Analysis {
+    pub source: SourceFile,
+    pub document: Document,
+    pub scene: Scene,
+    /// Whether the file is a scene. If not, one finding says so, and there is nothing else.
+    is_scene: bool,
+    /// What reading found: the lexer, the parser, the resolver, and the encoding.
+    read: Vec<Diagnostic>,
+    settings: Settings,
+    findings: OnceLock<Vec<Diagnostic>>,
+}
+
+/// How much findings weigh: what `zpg.toml` says, and what was asked for in one run.
+#[derive(Debug, Clone, Default)]
+pub struct Settings {
+    pub levels: Levels,
+    pub choice: Choice,
+}
+
+impl Analysis {
+    /// Reads a scene from the bytes of its file; never fails. `path` is what messages call it.
+    pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> Analysis {
+        match recognise::read(path, bytes) {
+            Ok(source) => Analysis::of(source),
+            Err(stranger) => Analysis::stranger(*stranger),
+        }
+    }
+
+    /// A file that is no scene.
+    pub fn stranger(stranger: Stranger) -> Analysis {
+        let Stranger { source, finding } = stranger;
+        let document = Document {
+            tokens: lexer::lex(&source.text, &[]),
+            items: Vec::new(),
+        };
+        Analysis {
+            source,
+            document,
+            scene: Scene::default(),
+            is_scene: false,
+            read: vec![finding],
+            settings: Settings::default(),
+            findings: OnceLock::new(),
+        }
+    }
+
+    /// Reads a scene from its text.
+    pub fn of(source: SourceFile) -> Analysis {
+        let (document, mut read) = syntax::parse(&source.text);
+        let scene = scene::resolve(&document, &source, &mut read);
+        read.extend(encoding_note(&source));
+        Analysis {
+            source,
+            document,
+            scene,
+            is_scene: true,
+            read,
+            settings: Settings::default(),
+            findings: OnceLock::new(),
+        }
+    }
+
+    /// The analysis with settings for its findings.
+    #[must_use]
+    pub fn with_settings(self, settings: Settings) -> Analysis {
+        Analysis {
+            settings,
+            findings: OnceLock::new(),
+            ..self
+        }
+    }
+
+    /// Whether the file is a scene.
+    pub fn is_scene(&self) -> bool {
+        self.is_scene
+    }
+
+    /// Whether the scene has no errors of its own, whatever settings take for one. The rules are not run
+    /// for that: they never find errors.
+    pub fn is_sound(&self) -> bool {
+        !self.read.iter().any(Diagnostic::is_error)
+    }
+
+    /// Everything there is to say about the scene, with the settings applied, sorted by place. The rules
+    /// are run when this is first called.
+    pub fn findings(&self) -> &[Diagnostic] {
+        self.findings.get_or_init(|| self.find())
+    }
+
+    /// The text and what there is to say about it; the rest is not needed any more.
+    pub fn into_findings(mut self) -> (SourceFile, Vec<Diagnostic>) {
+        let findings = self.take_findings();
+        (self.source, findings)
+    }
+
+    /// The findings, which are looked for again when they are asked for next.
+    fn take_findings(&mut self) -> Vec<Diagnostic> {
+        self.findings.take().unwrap_or_else(|| self.find())
+    }
+
+    fn find(&self) -> Vec<Diagnostic> {
+        let mut all = self.read.clone();
+        if self.is_scene {
+            let context = lint::Context::new(&self.source.text, &self.document, &self.scene);
+            lint::run(&context, &mut all);
+            diagnostics::sort(&mut all);
+        }
+        let Settings { levels, choice } = &self.settings;
+        levels.apply(choice, &mut all);
+        all
+    }
+}
+
+/// The note on a file that is not UTF-8: in the old encoding, at its first byte that shows it.
+fn encoding_note(source: &SourceFile) -> Option<Diagnostic> {
+    let note = |code, at: usize| {
+        let end = source.text[at..].chars().next().map_or(0, char::len_utf8) + at;
+        Diagnostic::new(code, Span::new(at as u32, end as u32))
+    };
+    match source.encoding {
+        Encoding::Utf8 => None,
+        Encoding::Windows1250 => {
+            // One byte of the file is one character of the text.
+            let bytes = source.encode(&source.text)?;
+            let before = std::str::from_utf8(&bytes).err()?.valid_up_to();
+            let at = source.text.char_indices().nth(before)?.0;
+            Some(note(Code::N601, at))
+        }
+        Encoding::Utf16Le | Encoding::Utf16Be if source.is_whole => Some(note(Code::N604, 0)),
+        Encoding::Utf16Le | Encoding::Utf16Be => Some(note(Code::N604, 0).case("incomplete")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_old_encoding_is_noted_at_its_first_byte() {
+        let analysis = Analysis::new("a", b"# ok # \n# p\xf8\xed #".to_vec());
+        let note = analysis
+            .findings()
+            .iter()
+            .find(|d| d.code == Code::N601)
+            .unwrap();
+        assert_eq!(analysis.source.slice(note.span), "ř");
+        let place = analysis.source.position(note.span.start);
+        assert_eq!((place.offset, place.line, place.column), (11, 2, 4));
+    }
+}
