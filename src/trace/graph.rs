@@ -3,8 +3,8 @@
 //! Complements have been driven down to the shapes, chains of one operation flattened, and each
 //! chain of transformations and properties above a part folded into one placement and one paint.
 
-use super::crowd::Room;
 use super::image::Bitmap;
+use super::room::Room;
 use super::shapes::Primitive;
 use crate::geometry::Matrix;
 use crate::geometry::aabb::Aabb;
@@ -173,4 +173,9 @@ impl Graph {
     pub fn root(&self) -> &Object {
         &self.objects[self.root as usize]
     }
+}
+
+/// Of two IDs, one above the other, the upper one if there is one; 0 is none.
+pub fn outermost(above: u32, below: u32) -> u32 {
+    if above == 0 { below } else { above }
 }

@@ -4,6 +4,7 @@
 //! what lies below a node keep the walk away from occurrences that are elsewhere, and what a shared
 //! node has once answered for a point is not asked again.
 
+use super::graph::outermost;
 use super::shapes::Primitive;
 use crate::diagnostics::{Complaint, Error};
 use crate::geometry::sign::{Exact, Scalar};
@@ -164,7 +165,7 @@ impl Walk<'_> {
             node = match scene.nodes[node as usize] {
                 Node::Paint { child, .. } => child,
                 Node::Copy { child, id } => {
-                    copy = super::compile::outermost(copy, id);
+                    copy = outermost(copy, id);
                     child
                 }
                 Node::Transform { child, matrix } => {
@@ -172,7 +173,7 @@ impl Walk<'_> {
                     child
                 }
                 Node::Shape(shape) => {
-                    let id = super::compile::outermost(copy, scene.shapes[shape as usize].id);
+                    let id = outermost(copy, scene.shapes[shape as usize].id);
                     let holds = self.shape_holds(shape, point);
                     self.answer(id, holds);
                     return Ok(());
@@ -181,7 +182,7 @@ impl Walk<'_> {
             };
         }
         let own = self.ids.get(&node).copied().unwrap_or(0);
-        let id = super::compile::outermost(copy, own);
+        let id = outermost(copy, own);
         // Zeros of both signs are one place.
         let question = (node, id, point.0.map(|x| (x + 0.0).to_bits()));
         if let Some(&known) = self.answers.get(&question) {

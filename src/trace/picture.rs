@@ -2,15 +2,16 @@
 
 use super::adaptive::{Estimate, FIRST, First, MOST, contrast};
 use super::camera::View;
+use super::compile::cannot_draw;
 use super::costs::CostMap;
 use super::film::{Film, developed};
 use super::plan::Effect;
 use super::precision::Precision;
 use super::ray::Ray;
 use super::sampling::sample;
-use super::shade::{DISPERSION, GLASS, Light, Limits, MIRROR, SHADOWS, Shader};
+use super::shade::{DISPERSION, GLASS, Limits, MIRROR, SHADOWS, Shader};
 use super::stats::Counts;
-use super::{Tracer, cannot_draw};
+use super::tracer::{Light, Tracer};
 use crate::diagnostics::{Error, Span};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;

@@ -1,11 +1,11 @@
 //! What is on a ray, for those who ask about geometry.
 
-use super::Tracer;
-use super::hit::Hit;
 use super::precision::Precision;
 use super::ray::Ray;
-use super::spans::{Event, Kind};
-use super::walk::Walker;
+use super::search::events::{Event, Kind};
+use super::search::hit::Hit;
+use super::search::walk::Walker;
+use super::tracer::Tracer;
 use crate::geometry::vec::Vec3;
 
 /// A crossing of a boundary or a surface.

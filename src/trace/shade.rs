@@ -1,21 +1,14 @@
 //! The light that comes back along a ray.
 
-use super::Tracer;
-use super::decide::Walkers;
-use super::hit::Hit;
 use super::precision::Precision;
 use super::ray::Ray;
+use super::search::escalate::Walkers;
+use super::search::hit::Hit;
 use super::stats::{Counts, Intersections, Rays, Work};
+use super::tracer::{Light, Tracer};
 use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
-
-/// A point light, its colour times its intensity.
-#[derive(Debug, Clone, Copy)]
-pub struct Light {
-    pub position: Vec3,
-    pub power: Vec3,
-}
 
 /// When a path of light is given up.
 #[derive(Debug, Clone, Copy)]

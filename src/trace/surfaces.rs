@@ -1,12 +1,13 @@
 //! All surfaces of shapes on a ray, whatever operations leave of them.
 
-use super::Tracer;
-use super::decide::Walkers;
 use super::graph::{Operation, Target};
 use super::precision::Precision;
 use super::ray::Ray;
-use super::spans::Task;
-use super::walk::{Leaf, Walker};
+use super::search::context::Leaf;
+use super::search::escalate::Walkers;
+use super::search::events::Task;
+use super::search::walk::Walker;
+use super::tracer::Tracer;
 
 /// A crossing with the surface of a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]

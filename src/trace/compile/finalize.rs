@@ -1,10 +1,11 @@
 //! The last pass of compiling: from drafts to objects with bounds and trees.
 
-use super::compile::{Compiler, Draft, Kind, outermost};
-use super::graph::{Coat, Graph, Group, Holds, Object, Operation, Part, Target};
+use super::{Compiler, Draft, Kind};
 use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::bvh::Bvh;
+use crate::trace::graph::outermost;
+use crate::trace::graph::{Coat, Graph, Group, Holds, Object, Operation, Part, Target};
 use std::collections::HashSet;
 
 /// What became of a draft.

@@ -1,66 +1,15 @@
 //! The nearest crossing with anything: all that is needed while a ray is outside of every solid,
 //! since then the first boundary it meets is a boundary of the scene.
 
-use super::graph::{Group, Holds, Operation, Target};
-use super::order::Place;
-use super::precision::Precision;
-use super::ray::Ray;
-use super::walk::{Leaf, Walker};
+use super::context::Leaf;
+use super::events::{Crossing, Place};
+use super::query::{Entry, Item, Search};
+use super::walk::Walker;
 use crate::geometry::aabb::Aabb;
+use crate::trace::graph::{Group, Holds, Operation, Target};
+use crate::trace::precision::Precision;
+use crate::trace::ray::Ray;
 use std::cmp::Ordering;
-
-/// Something to be visited, and the least t at which it may be met.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Entry {
-    near: f64,
-    context: u32,
-    item: Item,
-}
-
-#[derive(Debug, Clone, Copy)]
-enum Item {
-    /// A node of the hierarchy of the context's object.
-    Node(u32),
-    /// A part of the context's object that is itself an object.
-    Part(u32, u32),
-}
-
-/// A crossing with a shape that may or may not be a boundary of the scene.
-#[derive(Debug, Clone, Copy)]
-pub struct Crossing<R = f64> {
-    pub place: Place<R>,
-    /// Whose properties apply.
-    pub owner: Leaf,
-}
-
-/// Which crossing is wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Search {
-    /// The first.
-    First,
-    /// Any.
-    Any,
-    /// Any with something opaque.
-    AnyOpaque,
-    /// Any with something transparent.
-    AnyClear,
-}
-
-impl Search {
-    /// Whether it matters what a thing is made of.
-    fn is_picky(self) -> bool {
-        matches!(self, Search::AnyOpaque | Search::AnyClear)
-    }
-
-    /// Whether something that holds this is looked at.
-    pub(super) fn wants(self, holds: Holds) -> bool {
-        match self {
-            Search::First | Search::Any => true,
-            Search::AnyOpaque => holds.opaque,
-            Search::AnyClear => holds.clear,
-        }
-    }
-}
 
 /// The nearest crossing so far, and how far along the ray something as near may be found: crossings
 /// that cannot be told from the nearest are met too.

@@ -1,17 +1,18 @@
 //! How rays pass the surfaces that faces are parts of: those of one surface are in one place.
 
-use super::order::Place;
-use super::precision::Precision;
-use super::shapes::Root;
-use super::shapes::support::{Passage, Placed, Support};
-use super::walk::{Leaf, Walker};
+use super::context::Leaf;
+use super::events::Place;
+use super::walk::Walker;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
+use crate::trace::precision::Precision;
+use crate::trace::shapes::Root;
+use crate::trace::shapes::support::{Passage, Placed, Support};
 
 impl<R: Precision> Walker<'_, R> {
     /// How a line passes the support of the face that it crosses at a point, in the space of the leaf's
     /// shape; `None` where other shapes have no faces in it.
-    pub(super) fn passage(
+    pub(in crate::trace) fn passage(
         &self,
         leaf: Leaf,
         line: &Line<R>,
@@ -45,13 +46,18 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// How a line passes the support of the face that it crosses, there.
-    pub(super) fn passage_at(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> Option<Passage> {
+    pub(in crate::trace) fn passage_at(
+        &self,
+        leaf: Leaf,
+        line: &Line<R>,
+        root: Root<R>,
+    ) -> Option<Passage> {
         let point = self.primitive(leaf).intersect().locate(line, root).point;
         self.passage(leaf, line, (root.face, point))
     }
 
     /// Whether two crossings, which are near each other, are of faces in one surface.
-    pub(super) fn in_one_place(&self, a: &Place<R>, b: &Place<R>) -> bool {
+    pub(in crate::trace) fn in_one_place(&self, a: &Place<R>, b: &Place<R>) -> bool {
         let passage = |place: &Place<R>| {
             let line = self.line(place.leaf);
             self.passage_at(place.leaf, &line, place.root)
@@ -61,7 +67,7 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// Whether a crossing near the start of a ray is with the surface that the ray has left, there.
-    pub(super) fn goes_on(
+    pub(in crate::trace) fn goes_on(
         &self,
         leaf: Leaf,
         line: &Line<R>,

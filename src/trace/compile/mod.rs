@@ -10,14 +10,18 @@
 //! Parts know the IDs of what they come from. A copy owns what the copied entity itself owned: its
 //! surface if it is a shape, its properties, but not its operands, which are entities of their own.
 
-use super::graph::{Coat, Graph, Part, Target};
-use super::intern::Interner;
-use super::plan::unseen::LeftOut;
-use super::shapes::Primitive;
-use super::{Images, cannot_draw};
-use crate::diagnostics::Error;
+mod finalize;
+mod intern;
+
+use super::graph::outermost;
+use crate::diagnostics::{Complaint, Error, Span};
 use crate::geometry::Matrix;
 use crate::scene::{Node, NodeId, Scene, Texture};
+use crate::trace::graph::{Coat, Graph, Part, Target};
+use crate::trace::image::Images;
+use crate::trace::plan::unseen::LeftOut;
+use crate::trace::shapes::Primitive;
+use intern::Interner;
 use std::collections::HashMap;
 
 /// Builds the graph of what is reachable from `root`, past what is left out.
@@ -42,11 +46,6 @@ pub fn compile(
     };
     compiler.draft_all(root)?;
     compiler.finish_all()
-}
-
-/// Of two IDs, one above the other, the upper one if there is one; 0 is none.
-pub(super) fn outermost(above: u32, below: u32) -> u32 {
-    if above == 0 { below } else { above }
 }
 
 /// How often each node is an operand of reachable ones, counted from the last node down: children
@@ -74,6 +73,21 @@ fn count_uses(scene: &Scene, root: NodeId) -> Vec<u32> {
     uses
 }
 
+/// What a record asks for cannot be drawn. `what` is a message of the catalogues, `id` the entity of the
+/// record, 0 where there is none.
+pub(in crate::trace) fn cannot_draw(what: &'static str, span: Span, id: u32) -> Error {
+    let what = Complaint::new(what);
+    Error::at(
+        span,
+        match id {
+            0 => what,
+            id => Complaint::new("cannot-draw")
+                .with("what", what)
+                .with("id", id.to_string()),
+        },
+    )
+}
+
 /// A node as seen from the object that is being drafted: below transformations, properties and
 /// complements that have been folded.
 #[derive(Clone, Copy)]
@@ -91,7 +105,7 @@ struct Place {
 }
 
 /// An operation with its operands, before their sizes are known.
-pub(super) struct Draft {
+pub(in crate::trace) struct Draft {
     /// Operands of drafts lie below: finishing in this order finishes operands first.
     pub rank: u64,
     pub kind: Kind,
@@ -100,13 +114,13 @@ pub(super) struct Draft {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kind {
+pub(in crate::trace) enum Kind {
     Union,
     Intersection,
     Difference,
 }
 
-pub(super) struct Compiler<'a> {
+pub(in crate::trace) struct Compiler<'a> {
     scene: &'a Scene,
     images: &'a Images,
     /// What is left out counts among the uses all the same: what is left is placed as it was.

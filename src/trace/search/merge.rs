@@ -1,22 +1,9 @@
 //! Lists of events joined into one. Events in one place are one event, judged by the states before
 //! and after it, so what identical surfaces do at the same place cancels out.
 
-use super::precision::Precision;
-use super::spans::{Event, Kind, List, Owner, Spans, State};
+use super::events::{Event, Kind, List, Owner, Scratch, Spans, State};
+use crate::trace::precision::Precision;
 use std::cmp::Ordering;
-
-/// Buffers that are kept from one join to the next.
-#[derive(Debug, Default)]
-pub(super) struct Scratch<R = f64> {
-    /// t, list, event: the events of all lists, to be sorted.
-    pub order: Vec<(R, u32, u32)>,
-    /// Beside `order`: whether an event is in the place of the one before.
-    pub tied: Vec<bool>,
-    before: Vec<State>,
-    after: Vec<State>,
-    group: Vec<(usize, Event<R>)>,
-    out: Vec<Event<R>>,
-}
 
 impl<R: Precision> Scratch<R> {
     /// Sorts the events of the lists from `base` on; operands keep their order at equal t.
@@ -91,7 +78,7 @@ fn replace<R: Precision>(
 }
 
 /// The union of the lists from `base` on, once sorted: the first operand that is inside owns the point.
-pub(super) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32, base: usize) {
+pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32, base: usize) {
     match spans.lists.len() - base {
         0 => return,
         1 => {
@@ -161,7 +148,7 @@ pub(super) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32, base: us
 /// The intersection of the `first` lists from `base` on less all others, once sorted. The first operand owns
 /// the points; a face keeps the properties of its shape or, with `inherit`, takes those of the
 /// first operand where a cut made it.
-pub(super) fn join_intersection<R: Precision>(
+pub(in crate::trace) fn join_intersection<R: Precision>(
     spans: &mut Spans<R>,
     part: u32,
     base: usize,

@@ -1,15 +1,16 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
-use super::nearest::Search;
-use super::precision::{Doubt, Precision};
-use super::ray::{Left, Ray};
-use super::shapes::Root;
-use super::shapes::support::Passage;
-use super::spans::{Kind, State};
-use super::walk::{Leaf, Walker};
+use super::context::Leaf;
+use super::events::{Kind, State};
+use super::query::Search;
+use super::walk::Walker;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture};
+use crate::trace::precision::{Doubt, Precision};
+use crate::trace::ray::{Left, Ray};
+use crate::trace::shapes::Root;
+use crate::trace::shapes::support::Passage;
 
 /// A point of a visible surface, in the scene's space.
 #[derive(Debug, Clone, Copy)]

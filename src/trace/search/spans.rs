@@ -1,106 +1,14 @@
 //! Spans: where along a ray an object is, and whose it is there (Roth, "Ray Casting for Modeling
 //! Solids", 1982). Sorted events, each with the state behind it.
 
-use super::graph::{Group, Operation, Target};
-use super::join::{join_intersection, join_union};
-use super::nearest::Crossing;
-use super::order::Place;
-use super::precision::Precision;
-use super::ray::Ray;
-use super::walk::{Leaf, Walker};
-
-/// Whose point it is: the part, and what makes its medium.
-#[derive(Debug, Clone, Copy)]
-pub struct Owner {
-    pub leaf: Leaf,
-    pub optics: u32,
-    pub index: u32,
-}
-
-impl Owner {
-    /// Whether light notices a boundary between the two.
-    pub fn same_medium(&self, other: &Owner) -> bool {
-        self.optics == other.optics && self.index == other.index
-    }
-}
-
-/// The state between two events. The owner means something inside only.
-#[derive(Debug, Clone, Copy)]
-pub struct State {
-    pub inside: bool,
-    pub owner: Owner,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// A boundary of the object.
-    Boundary,
-    /// A surface without inside.
-    Sheet,
-    /// The owner changes and nothing else does: not to be seen.
-    Silent,
-}
-
-#[derive(Debug, Clone, Copy)]
-pub struct Event<R = f64> {
-    pub kind: Kind,
-    /// Where the ray crosses the surface of which shape.
-    pub place: Place<R>,
-    /// Whose properties the surface has.
-    pub owner: Owner,
-    /// The state behind it.
-    pub state: State,
-}
-
-impl<R: Precision> Event<R> {
-    pub fn t(&self) -> R {
-        self.place.root.t
-    }
-}
-
-/// A list of events, ending where the next one begins.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct List {
-    /// Which operand it is of the operation it goes into.
-    pub part: u32,
-    pub start: State,
-    pub begin: usize,
-}
-
-/// The lists under way: a stack, and so are their events.
-#[derive(Debug, Default)]
-pub(super) struct Spans<R = f64> {
-    pub tasks: Vec<Task>,
-    pub lists: Vec<List>,
-    pub events: Vec<Event<R>>,
-    pub scratch: super::join::Scratch<R>,
-}
-
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Task {
-    Part {
-        part: u32,
-        context: u32,
-    },
-    Object {
-        context: u32,
-    },
-    /// Operand `part` of an intersection, unless those before were empty.
-    Operand {
-        part: u32,
-        context: u32,
-        base: usize,
-    },
-    JoinUnion {
-        context: u32,
-        base: usize,
-    },
-    JoinIntersection {
-        context: u32,
-        base: usize,
-        first: usize,
-    },
-}
+use super::context::Leaf;
+use super::events::Place;
+use super::events::{Crossing, Event, Kind, List, Owner, State, Task};
+use super::merge::{join_intersection, join_union};
+use super::walk::Walker;
+use crate::trace::graph::{Group, Operation, Target};
+use crate::trace::precision::Precision;
+use crate::trace::ray::Ray;
 
 impl<R: Precision> Walker<'_, R> {
     /// The state of the whole scene at the ray's start, at t = `from`, and its events up to `to`.
@@ -110,7 +18,7 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// The first boundary or sheet of an intersection, of those that are looked for.
-    pub(super) fn first_of(
+    pub(in crate::trace) fn first_of(
         &mut self,
         ray: &Ray<R>,
         context: u32,
@@ -239,7 +147,7 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// Puts all parts of a group that the ray may meet in [from, to] on the stack.
-    pub(super) fn gather(&mut self, context: u32, group: &Group, from: R, to: R) {
+    pub(in crate::trace) fn gather(&mut self, context: u32, group: &Group, from: R, to: R) {
         let task = |&part: &u32| Task::Part { part, context };
         self.spans.tasks.extend(group.loose.iter().map(task));
         let beam = self.contexts[context as usize].beam;
@@ -336,37 +244,5 @@ impl<R: Precision> Walker<'_, R> {
             }
         }
         self.spans.scratch = scratch;
-    }
-}
-
-impl<R: Precision> Spans<R> {
-    /// What the lists take when they are joined next: each event once more in the result, and once in
-    /// their order; each list with the states before and after an event.
-    pub fn bytes(&self) -> usize {
-        let event = 2 * size_of::<Event<R>>() + size_of::<(R, u32, u32)>() + 1;
-        let list = size_of::<List>() + 2 * size_of::<State>();
-        self.events.len() * event + self.lists.len() * list
-    }
-
-    /// The events of list `i`.
-    pub fn of(&self, i: usize) -> &[Event<R>] {
-        let end = self.lists.get(i + 1).map_or(self.events.len(), |l| l.begin);
-        &self.events[self.lists[i].begin..end]
-    }
-
-    /// The stretch outside of which not all of the lists from `base` on can be inside or have a
-    /// sheet.
-    fn extent(&self, base: usize, from: R, to: R) -> (R, R) {
-        let (mut near, mut far) = (from, to);
-        for i in base..self.lists.len() {
-            let events = self.of(i);
-            if let (false, Some(first)) = (self.lists[i].start.inside, events.first()) {
-                near = near.max(first.t());
-            }
-            if let Some(last) = events.last().filter(|e| !e.state.inside) {
-                far = far.min(last.t());
-            }
-        }
-        (near, far)
     }
 }

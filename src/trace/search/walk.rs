@@ -1,54 +1,18 @@
 //! Walking the graph along one ray: the spaces entered on the way, and where shapes are crossed.
 
-use super::compile::outermost;
-use super::crowd::SLACK;
-use super::graph::{Coat, Graph, Operation, Part, Target};
-use super::nearest::{Entry, Search};
-use super::order::{Scale, Start};
-use super::precision::{Doubt, Precision};
-use super::ray::Ray;
-use super::shapes::{Primitive, Roots};
-use super::spans::Spans;
-use super::stats::{Intersections, Work};
-use crate::geometry::line::{Beam, Line, Traced};
+use super::context::{Context, Leaf, Painted};
+use super::events::Spans;
+use super::query::{Along, Entry, QueryStatus, Search};
+use super::query::{Scale, Start};
+use crate::geometry::line::{Beam, Line};
 use crate::geometry::vec::Vec3;
-
-/// An occurrence of a shape: a part of the object whose space `context` is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Leaf {
-    pub part: u32,
-    pub context: u32,
-}
-
-/// A texture painted in the space of some context.
-#[derive(Debug, Clone, Copy)]
-pub struct Painted {
-    pub texture: u32,
-    pub placement: u32,
-    pub context: u32,
-}
-
-/// An object entered on the way down from the root, with everything above it folded in.
-#[derive(Debug, Clone, Copy)]
-pub struct Context<R: Traced = f64> {
-    pub object: u32,
-    /// The ray in the object's space.
-    pub line: Line<R>,
-    /// The same for the bounding boxes of the object.
-    pub beam: Beam,
-    /// Where it was entered from; the root is its own parent.
-    pub parent: u32,
-    /// The part of the parent's object that it is.
-    pub part: u32,
-    pub depth: u32,
-    /// A number for the chain of placements above.
-    key: u64,
-    texture: Option<Painted>,
-    pub(super) optics: Option<u32>,
-    index: Option<u32>,
-    /// The outermost entity that was given properties; 0: none.
-    owner: u32,
-}
+use crate::trace::graph::outermost;
+use crate::trace::graph::{Coat, Graph, Operation, Part, Target};
+use crate::trace::precision::{Doubt, Precision};
+use crate::trace::ray::Ray;
+use crate::trace::room::SLACK;
+use crate::trace::shapes::{Primitive, Roots};
+use crate::trace::stats::{Intersections, Work};
 
 /// The scratch of one thread, and what it has counted.
 pub struct Walker<'g, R: Precision = f64> {
@@ -56,42 +20,20 @@ pub struct Walker<'g, R: Precision = f64> {
     pub contexts: Vec<Context<R>>,
     pub roots: Roots<R>,
     /// Of the last shape that was met.
-    pub(super) scale: Scale<R>,
-    pub(super) line: Line<R>,
-    pub(super) entries: Vec<Entry>,
-    pub(super) nodes: Vec<u32>,
-    pub(super) search: Search,
-    pub(super) spans: Spans<R>,
+    pub(in crate::trace) scale: Scale<R>,
+    pub(in crate::trace) line: Line<R>,
+    pub(in crate::trace) entries: Vec<Entry>,
+    pub(in crate::trace) nodes: Vec<u32>,
+    pub(in crate::trace) search: Search,
+    pub(in crate::trace) spans: Spans<R>,
     pub counts: Intersections,
     /// What has been done between a ray and its hit.
-    pub(super) work: Work,
-    pub(super) maps: R::Maps,
-    pub(super) verdict: Verdict<R>,
+    pub(in crate::trace) work: Work,
+    pub(in crate::trace) maps: R::Maps,
+    pub(in crate::trace) status: QueryStatus<R>,
     /// Where the ray starts on the surface that it has left, where that is known better than by
     /// its origin.
-    pub(super) start: Option<Start<R>>,
-}
-
-/// What has been found about the present question besides its answer.
-#[derive(Debug, Clone, Copy)]
-pub struct Verdict<R = f64> {
-    /// A decision was closer than the rounding errors behind it.
-    pub uncertain: bool,
-    /// Some surface could not be told from the one that the ray has left.
-    pub skin_met: bool,
-    /// Where the ray crosses the surface that it has left, if it does; in double-double only.
-    pub start: Option<Start<R>>,
-    /// A flat face that the ray lies in.
-    pub along: Option<Along>,
-}
-
-/// A flat face that a ray lies in.
-#[derive(Debug, Clone, Copy)]
-pub struct Along {
-    /// Unit, in the scene's space.
-    pub normal: Vec3,
-    /// No number that it was found with is larger.
-    pub reach: f64,
+    pub(in crate::trace) start: Option<Start<R>>,
 }
 
 /// Mixes a number into a key (the finaliser of splitmix64; Steele, Lea and Flood, 2014).
@@ -108,17 +50,6 @@ fn placed_key(key: u64, placement: u32) -> u64 {
         key
     } else {
         mix(key, placement as u64)
-    }
-}
-
-impl<R> Default for Verdict<R> {
-    fn default() -> Verdict<R> {
-        Verdict {
-            uncertain: false,
-            skin_met: false,
-            start: None,
-            along: None,
-        }
     }
 }
 
@@ -148,7 +79,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             counts: Intersections::default(),
             work: Work::default(),
             maps: R::Maps::default(),
-            verdict: Verdict::default(),
+            status: QueryStatus::default(),
             start: None,
         }
     }
@@ -300,7 +231,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// A number for the chain of maps that places a part: equal for equal chains.
-    pub(super) fn chain(&self, leaf: Leaf) -> u64 {
+    pub(in crate::trace) fn chain(&self, leaf: Leaf) -> u64 {
         let part = self.part(leaf.part);
         placed_key(self.contexts[leaf.context as usize].key, part.placement)
     }
@@ -334,7 +265,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             "{shape:?} {line:?} {roots:?}"
         );
         self.counts.shape += 1;
-        self.verdict.uncertain |= roots.uncertain;
+        self.status.uncertain |= roots.uncertain;
         if let Some(normal) = roots.along {
             self.lies_along(leaf, &line, primitive, normal);
         }
@@ -361,7 +292,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         let local =
             line.origin.abs().max_component() + R::of(self.graph.extents[primitive as usize]);
         let reach = origin.max(local).to_f64();
-        self.verdict.along.get_or_insert(Along {
+        self.status.along.get_or_insert(Along {
             normal: normal.unit(),
             reach,
         });
@@ -369,8 +300,8 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Notes a decision that is too close, and says whether to take what cannot be told apart for
     /// one place.
-    pub(super) fn doubt(&mut self) -> bool {
-        self.verdict.uncertain = true;
+    pub(in crate::trace) fn doubt(&mut self) -> bool {
+        self.status.uncertain = true;
         R::DOUBT == Doubt::Merges
     }
 

@@ -1,55 +1,18 @@
 //! Which of two places on a ray comes first, and what is behind its start: decisions that rounding
 //! errors may spoil, with the bounds that tell when.
 
-use super::graph::Target;
-use super::precision::{Doubt, Precision};
-use super::ray::{Left, Ray};
-use super::shapes::support::Passage;
-use super::shapes::{Root, Roots};
-use super::walk::{Leaf, Walker};
+use super::context::Leaf;
+use super::events::Place;
+use super::query::{Scale, Start};
+use super::walk::Walker;
 use crate::geometry::line::Line;
 use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
+use crate::trace::graph::Target;
+use crate::trace::precision::{Doubt, Precision};
+use crate::trace::ray::{Left, Ray};
+use crate::trace::shapes::{Root, Roots};
 use std::cmp::Ordering;
-
-/// A crossing to be compared with others.
-#[derive(Debug, Clone, Copy)]
-pub struct Place<R> {
-    pub leaf: Leaf,
-    pub root: Root<R>,
-    /// A rough bound on the error of its t; see [`Walker::rough`].
-    pub error: R,
-}
-
-/// The sizes of the numbers behind a crossing.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Scale<R> {
-    reach: R,
-    pace: R,
-}
-
-/// Where a ray starts.
-#[derive(Debug, Clone, Copy)]
-pub struct Start<R> {
-    t: R,
-    /// Bound on the error of t.
-    error: R,
-    /// If it is on a surface: the chain of maps that places it, and how far it may be misplaced.
-    chain: Option<(u64, R)>,
-    /// How the ray passes the surface that the face there is a part of.
-    passage: Option<Passage>,
-}
-
-impl<R: Precision> Start<R> {
-    fn exact(t: R) -> Start<R> {
-        Start {
-            t,
-            error: R::ZERO,
-            chain: None,
-            passage: None,
-        }
-    }
-}
 
 /// What is rounded on the way to a crossing's point, across the surface, as a share of the numbers
 /// behind it: more than any shape does, which the campaign measures at 11 units in the last place.
@@ -69,7 +32,7 @@ fn coarser<R: Precision>() -> R {
 impl<R: Precision> Walker<'_, R> {
     /// The numbers that a leaf's crossings are computed from, besides t: the size of the line's origin
     /// and that of the shape; and the greatest component of the direction.
-    pub(super) fn scale(&self, line: &Line<R>, primitive: u32) -> Scale<R> {
+    pub(in crate::trace) fn scale(&self, line: &Line<R>, primitive: u32) -> Scale<R> {
         let greater = |a: R, b: R| if a > b { a } else { b };
         let largest = |v: Vec3<R>| {
             let [x, y, z] = v.abs().0;
@@ -85,7 +48,7 @@ impl<R: Precision> Walker<'_, R> {
     /// rounded across the surface, over the speed at which the ray passes through it. For shapes that
     /// bend away from their tangents that speed is at least the root of what is rounded, relative to
     /// the pace, since they doubt to be met where it is lower.
-    pub(super) fn rough(&self, line: &Line<R>, primitive: u32, root: Root<R>) -> R {
+    pub(in crate::trace) fn rough(&self, line: &Line<R>, primitive: u32, root: Root<R>) -> R {
         let Scale { reach, pace } = self.scale;
         let t = root.t.abs();
         let shape = self.graph.primitives[primitive as usize].intersect();
@@ -109,7 +72,7 @@ impl<R: Precision> Walker<'_, R> {
     /// the speed at which the ray goes through it. Twice, for where the surface bends away: it does
     /// so by less than that as long as the shape does not doubt that it is met. A place beyond the
     /// numbers has none: the ray ends there, and it is as far on as its t says.
-    pub(super) fn error(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> R {
+    pub(in crate::trace) fn error(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> R {
         let located = self.primitive(leaf).intersect().locate(line, root);
         let point = line.at(root.t);
         if !(point.is_finite() && located.point.is_finite()) {
@@ -127,7 +90,7 @@ impl<R: Precision> Walker<'_, R> {
     /// How far, in t, a leaf's surface may be from where the scene's numbers put it: the maps it is
     /// placed by are doubles, rounded where records were combined into one. Surfaces that are placed
     /// by one chain of maps are off together; between others nothing thinner than this is meant.
-    pub(super) fn misplaced(&self, leaf: Leaf, root: Root<R>) -> R {
+    pub(in crate::trace) fn misplaced(&self, leaf: Leaf, root: Root<R>) -> R {
         let line = self.line(leaf);
         let located = self.primitive(leaf).intersect().locate(&line, root);
         let mut point: Vec3 = located.point.cast();
@@ -147,7 +110,7 @@ impl<R: Precision> Walker<'_, R> {
 
     /// Which of two crossings comes first. Equal are those of one surface, and those that cannot be
     /// told apart where that is final.
-    pub(super) fn order(&mut self, a: &Place<R>, b: &Place<R>) -> Ordering {
+    pub(in crate::trace) fn order(&mut self, a: &Place<R>, b: &Place<R>) -> Ordering {
         let (s, t) = (a.root.t, b.root.t);
         let rounded = s.partial_cmp(&t).unwrap_or(Ordering::Equal);
         let gap = (s - t).abs();
@@ -200,7 +163,7 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// How many of a leaf's crossings lie behind the ray's start, which is at `from`.
-    pub(super) fn behind(
+    pub(in crate::trace) fn behind(
         &mut self,
         ray: &Ray<R>,
         leaf: Leaf,
@@ -220,7 +183,7 @@ impl<R: Precision> Walker<'_, R> {
             };
             if R::DOUBT == Doubt::Merges {
                 let root = roots.list[behind - 1];
-                self.verdict.start = Some(Start {
+                self.status.start = Some(Start {
                     t: root.t,
                     error: self.error(leaf, line, root),
                     chain: Some((self.chain(leaf), self.misplaced(leaf, root))),
@@ -304,7 +267,7 @@ impl<R: Precision> Walker<'_, R> {
             behind += 1;
         }
         if met {
-            self.verdict.skin_met = true;
+            self.status.skin_met = true;
             self.doubt();
         }
         behind

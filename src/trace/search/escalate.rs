@@ -1,17 +1,18 @@
 //! Questions about rays, and who answers them: a walker in the precision asked for, and where that
 //! one cannot decide, one in double-double.
 
-use super::Tracer;
+use super::events::Kind;
 use super::hit::Hit;
-use super::nearest::Search;
-use super::precision::{Doubt, Precision};
-use super::probe::Probe;
-use super::ray::Ray;
-use super::spans::Kind;
-use super::stats::{Intersections, Work};
-use super::walk::{Verdict, Walker};
+use super::query::QueryStatus;
+use super::query::Search;
+use super::walk::Walker;
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
+use crate::trace::precision::{Doubt, Precision};
+use crate::trace::probe::Probe;
+use crate::trace::ray::Ray;
+use crate::trace::stats::{Intersections, Work};
+use crate::trace::tracer::Tracer;
 
 /// The scratch of one thread.
 pub struct Walkers<'t, R: Precision = f64> {
@@ -42,7 +43,7 @@ trait Question {
 }
 
 impl<'t, R: Precision> Walkers<'t, R> {
-    pub(super) fn new(tracer: &'t Tracer) -> Walkers<'t, R> {
+    pub(in crate::trace) fn new(tracer: &'t Tracer) -> Walkers<'t, R> {
         Walkers {
             tracer,
             walker: Walker::new(&tracer.graph),
@@ -52,7 +53,7 @@ impl<'t, R: Precision> Walkers<'t, R> {
     }
 
     /// The walker in the precision asked for, alone.
-    pub(super) fn walker(&mut self) -> &mut Walker<'t, R> {
+    pub(in crate::trace) fn walker(&mut self) -> &mut Walker<'t, R> {
         &mut self.walker
     }
 
@@ -92,12 +93,12 @@ impl<'t, R: Precision> Walkers<'t, R> {
         let tracer = self.tracer;
         if R::DOUBT == Doubt::Merges {
             let answer = settled(question, tracer, &mut self.walker, ray);
-            self.uncertain += u64::from(self.walker.verdict.uncertain);
+            self.uncertain += u64::from(self.walker.status.uncertain);
             return answer;
         }
-        self.walker.verdict = Verdict::default();
+        self.walker.status = QueryStatus::default();
         let answer = question.ask(tracer, &mut self.walker, ray);
-        if !self.walker.verdict.uncertain {
+        if !self.walker.status.uncertain {
             return answer;
         }
         self.uncertain += 1;
@@ -121,7 +122,7 @@ fn settled<Q: Question, R: Precision>(
     ray: &Ray<R>,
 ) -> Q::Answer<R> {
     let answer = asked_closely(question, tracer, walker, ray);
-    let Some(along) = walker.verdict.along else {
+    let Some(along) = walker.status.along else {
         return answer;
     };
     // Far above what double-double rounds, and far below what doubles can tell.
@@ -142,7 +143,7 @@ fn settled<Q: Question, R: Precision>(
     let length = ray.line.direction.length();
     let least = R::of(4.0 * (along.reach * by).sqrt()) / length;
     let answer = answers.fold(first, |a, b| Q::common([a, b], least));
-    walker.verdict.uncertain = true;
+    walker.status.uncertain = true;
     answer
 }
 
@@ -159,11 +160,11 @@ fn asked_closely<Q: Question, R: Precision>(
     walker: &mut Walker<R>,
     ray: &Ray<R>,
 ) -> Q::Answer<R> {
-    (walker.verdict, walker.start) = (Verdict::default(), None);
+    (walker.status, walker.start) = (QueryStatus::default(), None);
     let answer = question.ask(tracer, walker, ray);
-    let Verdict {
+    let QueryStatus {
         skin_met, start, ..
-    } = walker.verdict;
+    } = walker.status;
     if !skin_met || start.is_none() {
         return answer;
     }
@@ -201,19 +202,22 @@ impl Tracer {
         &self,
         walkers: &mut Walkers<R>,
         ray: &Ray<R>,
-    ) -> Vec<super::Crossing<R>> {
+    ) -> Vec<crate::trace::probe::Crossing<R>> {
         walkers.ask(&Meets { clipped: false }, ray).crossings
     }
 }
 
 impl<R: Precision> Walkers<'_, R> {
     /// The first visible point on a ray, by code that knows whether anything is transparent.
-    pub(super) fn first_hit<const GLASS: bool>(&mut self, ray: &Ray<R>) -> Option<Hit<R>> {
+    pub(in crate::trace) fn first_hit<const GLASS: bool>(
+        &mut self,
+        ray: &Ray<R>,
+    ) -> Option<Hit<R>> {
         self.ask(&FirstHit::<GLASS>, ray)
     }
 
     /// The share of light that gets through up to t = 1: the product of kt over all surfaces.
-    pub(super) fn visibility<const GLASS: bool>(&mut self, ray: &Ray<R>) -> Vec3 {
+    pub(in crate::trace) fn visibility<const GLASS: bool>(&mut self, ray: &Ray<R>) -> Vec3 {
         self.ask(&Visibility::<GLASS>, ray)
     }
 }

@@ -1,11 +1,11 @@
 //! Equal values get equal numbers.
 
-use super::graph::{Coat, Graph};
-use super::shapes::Primitive;
 use crate::geometry::Matrix;
 use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::dd::Dd;
 use crate::scene::{Optics, Rgb};
+use crate::trace::graph::{Coat, Graph};
+use crate::trace::shapes::Primitive;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 

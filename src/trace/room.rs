@@ -1,0 +1,47 @@
+//! How much memory a ray may take.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// A ray may need so many bytes if nothing else is said.
+const USUALLY: u64 = 1 << 30;
+
+/// Lists have up to twice as much room as they need, while they grow.
+pub const SLACK: usize = 2;
+
+/// How much memory a walker may use for a ray, and whether one would have needed more.
+#[derive(Debug)]
+pub struct Room {
+    pub(super) bytes: usize,
+    is_exhausted: AtomicBool,
+}
+
+impl Default for Room {
+    fn default() -> Room {
+        Room::of(USUALLY)
+    }
+}
+
+impl Room {
+    /// For so many bytes for each thread: what doubles cannot decide is asked in double-double, by a walker
+    /// of its own.
+    pub fn of(bytes: u64) -> Room {
+        Room {
+            bytes: usize::try_from(bytes / 2).unwrap_or(usize::MAX),
+            is_exhausted: AtomicBool::new(false),
+        }
+    }
+
+    /// Whether so many bytes may be used; that they may not is noted.
+    pub fn has(&self, bytes: usize) -> bool {
+        let has = bytes <= self.bytes;
+        if !has {
+            self.is_exhausted.store(true, Ordering::Relaxed);
+        }
+        has
+    }
+
+    /// Whether some ray would have needed more than it may.
+    pub fn is_exhausted(&self) -> bool {
+        self.is_exhausted.load(Ordering::Relaxed)
+    }
+}

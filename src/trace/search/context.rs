@@ -1,0 +1,40 @@
+//! Where in the graph a ray is: the objects entered on the way down from the root.
+
+use crate::geometry::line::{Beam, Line, Traced};
+
+/// An occurrence of a shape: a part of the object whose space `context` is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Leaf {
+    pub part: u32,
+    pub context: u32,
+}
+
+/// A texture painted in the space of some context.
+#[derive(Debug, Clone, Copy)]
+pub struct Painted {
+    pub texture: u32,
+    pub placement: u32,
+    pub context: u32,
+}
+
+/// An object entered on the way down from the root, with everything above it folded in.
+#[derive(Debug, Clone, Copy)]
+pub struct Context<R: Traced = f64> {
+    pub object: u32,
+    /// The ray in the object's space.
+    pub line: Line<R>,
+    /// The same for the bounding boxes of the object.
+    pub beam: Beam,
+    /// Where it was entered from; the root is its own parent.
+    pub parent: u32,
+    /// The part of the parent's object that it is.
+    pub part: u32,
+    pub depth: u32,
+    /// A number for the chain of placements above.
+    pub(in crate::trace) key: u64,
+    pub(in crate::trace) texture: Option<Painted>,
+    pub(in crate::trace) optics: Option<u32>,
+    pub(in crate::trace) index: Option<u32>,
+    /// The outermost entity that was given properties; 0: none.
+    pub(in crate::trace) owner: u32,
+}

@@ -1,0 +1,160 @@
+//! What a ray meets: crossings of shapes, and the boundaries of what operations make of them.
+
+use super::context::Leaf;
+use crate::trace::precision::Precision;
+use crate::trace::shapes::Root;
+
+/// A crossing to be compared with others.
+#[derive(Debug, Clone, Copy)]
+pub struct Place<R> {
+    pub leaf: Leaf,
+    pub root: Root<R>,
+    /// A rough bound on the error of its t; see [`Walker::rough`].
+    pub error: R,
+}
+
+/// A crossing with a shape that may or may not be a boundary of the scene.
+#[derive(Debug, Clone, Copy)]
+pub struct Crossing<R = f64> {
+    pub place: Place<R>,
+    /// Whose properties apply.
+    pub owner: Leaf,
+}
+
+/// Whose point it is: the part, and what makes its medium.
+#[derive(Debug, Clone, Copy)]
+pub struct Owner {
+    pub leaf: Leaf,
+    pub optics: u32,
+    pub index: u32,
+}
+
+impl Owner {
+    /// Whether light notices a boundary between the two.
+    pub fn same_medium(&self, other: &Owner) -> bool {
+        self.optics == other.optics && self.index == other.index
+    }
+}
+
+/// The state between two events. The owner means something inside only.
+#[derive(Debug, Clone, Copy)]
+pub struct State {
+    pub inside: bool,
+    pub owner: Owner,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A boundary of the object.
+    Boundary,
+    /// A surface without inside.
+    Sheet,
+    /// The owner changes and nothing else does: not to be seen.
+    Silent,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub struct Event<R = f64> {
+    pub kind: Kind,
+    /// Where the ray crosses the surface of which shape.
+    pub place: Place<R>,
+    /// Whose properties the surface has.
+    pub owner: Owner,
+    /// The state behind it.
+    pub state: State,
+}
+
+impl<R: Precision> Event<R> {
+    pub fn t(&self) -> R {
+        self.place.root.t
+    }
+}
+
+/// A list of events, ending where the next one begins.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::trace) struct List {
+    /// Which operand it is of the operation it goes into.
+    pub part: u32,
+    pub start: State,
+    pub begin: usize,
+}
+
+/// The lists under way: a stack, and so are their events.
+#[derive(Debug, Default)]
+pub(in crate::trace) struct Spans<R = f64> {
+    pub tasks: Vec<Task>,
+    pub lists: Vec<List>,
+    pub events: Vec<Event<R>>,
+    pub scratch: Scratch<R>,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(in crate::trace) enum Task {
+    Part {
+        part: u32,
+        context: u32,
+    },
+    Object {
+        context: u32,
+    },
+    /// Operand `part` of an intersection, unless those before were empty.
+    Operand {
+        part: u32,
+        context: u32,
+        base: usize,
+    },
+    JoinUnion {
+        context: u32,
+        base: usize,
+    },
+    JoinIntersection {
+        context: u32,
+        base: usize,
+        first: usize,
+    },
+}
+
+/// Buffers that are kept from one join to the next.
+#[derive(Debug, Default)]
+pub(in crate::trace) struct Scratch<R = f64> {
+    /// t, list, event: the events of all lists, to be sorted.
+    pub order: Vec<(R, u32, u32)>,
+    /// Beside `order`: whether an event is in the place of the one before.
+    pub tied: Vec<bool>,
+    pub(in crate::trace) before: Vec<State>,
+    pub(in crate::trace) after: Vec<State>,
+    pub(in crate::trace) group: Vec<(usize, Event<R>)>,
+    pub(in crate::trace) out: Vec<Event<R>>,
+}
+
+impl<R: Precision> Spans<R> {
+    /// What the lists take when they are joined next: each event once more in the result, and once in
+    /// their order; each list with the states before and after an event.
+    pub fn bytes(&self) -> usize {
+        let event = 2 * size_of::<Event<R>>() + size_of::<(R, u32, u32)>() + 1;
+        let list = size_of::<List>() + 2 * size_of::<State>();
+        self.events.len() * event + self.lists.len() * list
+    }
+
+    /// The events of list `i`.
+    pub fn of(&self, i: usize) -> &[Event<R>] {
+        let end = self.lists.get(i + 1).map_or(self.events.len(), |l| l.begin);
+        &self.events[self.lists[i].begin..end]
+    }
+
+    /// The stretch outside of which not all of the lists from `base` on can be inside or have a
+    /// sheet.
+    pub(in crate::trace) fn extent(&self, base: usize, from: R, to: R) -> (R, R) {
+        let (mut near, mut far) = (from, to);
+        for i in base..self.lists.len() {
+            let events = self.of(i);
+            if let (false, Some(first)) = (self.lists[i].start.inside, events.first()) {
+                near = near.max(first.t());
+            }
+            if let Some(last) = events.last().filter(|e| !e.state.inside) {
+                far = far.min(last.t());
+            }
+        }
+        (near, far)
+    }
+}

@@ -1,0 +1,114 @@
+//! A question about a ray, what is under way to its answer, and what is known besides.
+
+use crate::geometry::vec::Vec3;
+use crate::trace::graph::Holds;
+use crate::trace::precision::Precision;
+use crate::trace::shapes::support::Passage;
+
+/// Which crossing is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Search {
+    /// The first.
+    First,
+    /// Any.
+    Any,
+    /// Any with something opaque.
+    AnyOpaque,
+    /// Any with something transparent.
+    AnyClear,
+}
+
+impl Search {
+    /// Whether it matters what a thing is made of.
+    pub(in crate::trace) fn is_picky(self) -> bool {
+        matches!(self, Search::AnyOpaque | Search::AnyClear)
+    }
+
+    /// Whether something that holds this is looked at.
+    pub(in crate::trace) fn wants(self, holds: Holds) -> bool {
+        match self {
+            Search::First | Search::Any => true,
+            Search::AnyOpaque => holds.opaque,
+            Search::AnyClear => holds.clear,
+        }
+    }
+}
+
+/// Something to be visited, and the least t at which it may be met.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::trace) struct Entry {
+    pub(in crate::trace) near: f64,
+    pub(in crate::trace) context: u32,
+    pub(in crate::trace) item: Item,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(in crate::trace) enum Item {
+    /// A node of the hierarchy of the context's object.
+    Node(u32),
+    /// A part of the context's object that is itself an object.
+    Part(u32, u32),
+}
+
+/// The sizes of the numbers behind a crossing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Scale<R> {
+    pub(in crate::trace) reach: R,
+    pub(in crate::trace) pace: R,
+}
+
+/// Where a ray starts.
+#[derive(Debug, Clone, Copy)]
+pub struct Start<R> {
+    pub(in crate::trace) t: R,
+    /// Bound on the error of t.
+    pub(in crate::trace) error: R,
+    /// If it is on a surface: the chain of maps that places it, and how far it may be misplaced.
+    pub(in crate::trace) chain: Option<(u64, R)>,
+    /// How the ray passes the surface that the face there is a part of.
+    pub(in crate::trace) passage: Option<Passage>,
+}
+
+impl<R: Precision> Start<R> {
+    pub(in crate::trace) fn exact(t: R) -> Start<R> {
+        Start {
+            t,
+            error: R::ZERO,
+            chain: None,
+            passage: None,
+        }
+    }
+}
+
+/// What has been found about the present question besides its answer.
+#[derive(Debug, Clone, Copy)]
+pub struct QueryStatus<R = f64> {
+    /// A decision was closer than the rounding errors behind it.
+    pub uncertain: bool,
+    /// Some surface could not be told from the one that the ray has left.
+    pub skin_met: bool,
+    /// Where the ray crosses the surface that it has left, if it does; in double-double only.
+    pub start: Option<Start<R>>,
+    /// A flat face that the ray lies in.
+    pub along: Option<Along>,
+}
+
+impl<R> Default for QueryStatus<R> {
+    fn default() -> QueryStatus<R> {
+        QueryStatus {
+            uncertain: false,
+            skin_met: false,
+            start: None,
+            along: None,
+        }
+    }
+}
+
+/// A flat face that a ray lies in.
+#[derive(Debug, Clone, Copy)]
+pub struct Along {
+    /// Unit, in the scene's space.
+    pub normal: Vec3,
+    /// No number that it was found with is larger.
+    pub reach: f64,
+}

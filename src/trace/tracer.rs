@@ -1,0 +1,102 @@
+//! A scene made ready for tracing.
+
+use super::compile::compile;
+use super::graph::Graph;
+use super::image::Images;
+use super::plan::{Effect, Plan};
+use super::precision::Precision;
+use super::ray::Ray;
+use super::room::Room;
+use crate::diagnostics::Error;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::Beam;
+use crate::geometry::vec::Vec3;
+use crate::scene::Scene;
+
+/// A point light, its colour times its intensity.
+#[derive(Debug, Clone, Copy)]
+pub struct Light {
+    pub position: Vec3,
+    pub power: Vec3,
+}
+
+/// A scene made ready for tracing.
+pub struct Tracer {
+    pub graph: Graph,
+    pub(super) ambient: Vec3,
+    /// `None`: there is no light at all, and the camera brings one.
+    pub(super) lights: Option<Vec<Light>>,
+    pub(super) background: Vec3,
+    /// The region that is drawn, where it cuts anything.
+    pub(super) clip: Option<Aabb>,
+    /// Which effects there are.
+    pub plan: Plan,
+}
+
+impl Tracer {
+    /// Compiles what the render record names, by the plan of the scene.
+    ///
+    /// # Errors
+    ///
+    /// Names the first shape or texture found that cannot be drawn, or the missing render record.
+    /// Image textures cannot: their pictures come with [`Tracer::with_images`].
+    pub fn new(scene: &Scene) -> Result<Tracer, Error> {
+        Tracer::with_images(scene, &Images::default())
+    }
+
+    /// Compiles what the render record names, with its pictures.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::new`], but image textures only where their picture is missing.
+    pub fn with_images(scene: &Scene, images: &Images) -> Result<Tracer, Error> {
+        let plan = Plan::new(scene).ok_or_else(Error::nothing_to_draw)?;
+        Tracer::planned(scene, images, plan)
+    }
+
+    /// [`Tracer::with_images`] with the plan already made.
+    ///
+    /// # Errors
+    ///
+    /// As there.
+    pub fn planned(scene: &Scene, images: &Images, plan: Plan) -> Result<Tracer, Error> {
+        let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
+        let graph = compile(scene, images, render.root, &plan.left_out)?;
+        let ambient = scene
+            .ambient_lights
+            .iter()
+            .fold(Vec3::ZERO, |sum, l| sum + Vec3(l.colour) * l.intensity);
+        let points = scene.point_lights.iter().map(|l| Light {
+            position: l.position.into(),
+            power: Vec3(l.colour) * l.intensity,
+        });
+        let dark = scene.ambient_lights.is_empty() && scene.point_lights.is_empty();
+        let region = render.clip.map(|(min, max)| Aabb::new(min, max));
+        Ok(Tracer {
+            ambient,
+            lights: (!dark).then(|| points.collect()),
+            background: render.background.into(),
+            clip: region.filter(|_| plan.on(Effect::ClipBox)),
+            graph,
+            plan,
+        })
+    }
+
+    /// Gives each ray as much memory as this, in bytes; `false` where that will surely not do.
+    pub fn confine(&mut self, bytes: u64) -> bool {
+        self.graph.room = Room::of(bytes);
+        !self.graph.is_crowded()
+    }
+
+    /// The part of (0, to] in which a ray can see anything.
+    pub(super) fn window<R: Precision>(&self, ray: &Ray<R>, to: R) -> Option<(R, R)> {
+        match &self.clip {
+            None => Some((R::ZERO, to)),
+            Some(clip) => {
+                let (from, end) =
+                    clip.clip(&Beam::exact(&R::coarse(&ray.line)), 0.0, to.to_f64())?;
+                Some((R::of(from), R::of(end)))
+            }
+        }
+    }
+}
