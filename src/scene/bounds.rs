@@ -1,6 +1,6 @@
 //! Where the nodes of a scene can be: boxes that are never too small.
 
-use super::{Geometry, Node, Scene, Vec3};
+use super::model::{Geometry, Node, Scene, Vec3};
 use crate::geometry::array::length;
 use crate::geometry::{Aabb, Matrix};
 

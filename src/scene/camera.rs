@@ -1,7 +1,8 @@
 //! Cameras and transformation records.
 
+use super::geometry;
+use super::model::{Camera, Vec3};
 use super::record::Params;
-use super::{Camera, Vec3, geometry};
 use crate::diagnostics::{Code, Diagnostic};
 use crate::geometry::array::{cross, unit};
 use crate::geometry::{Matrix, exact};

@@ -1,10 +1,13 @@
 //! What changing records do: transformations, properties, textures, colours, bounding volumes.
 
 use super::entity::{OpticsParts, State};
+use super::geometry;
+use super::model::*;
 use super::record::Params;
 use super::resolve::Resolver;
-use super::*;
 use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::geometry::Matrix;
+use crate::syntax::table::Kind;
 
 impl Resolver<'_> {
     /// Applies a changing record to an entity.

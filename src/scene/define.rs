@@ -1,9 +1,10 @@
 //! What defining records make.
 
 use super::entity::{OpticsParts, State};
+use super::geometry;
+use super::model::*;
 use super::record::Params;
 use super::resolve::Resolver;
-use super::*;
 
 impl Resolver<'_> {
     /// The state that a defining record gives its ID; `None` where it is broken, with findings.

@@ -1,6 +1,7 @@
 //! What an ID stands for while the file is read.
 
-use super::*;
+use super::model::*;
+use crate::syntax::table::Kind;
 
 /// The parts of an optical property; what is not given stays the default.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -1,7 +1,7 @@
 //! What a scene without a camera or without a light is seen and lit by.
 
 use super::bounds::{NodeBounds, node_bounds};
-use super::{Camera, PointLight, Scene, Vec3, View};
+use super::model::{Camera, PointLight, Scene, Vec3, View};
 use crate::geometry::Aabb;
 use crate::geometry::array::{cross, unit};
 

@@ -1,8 +1,8 @@
 //! Shape records as geometry, with the checks that concern several parameters at once.
 
+use super::model::{Geometry, TriangleNormals};
 use super::record::Params;
 use super::sight::{Blind, Sight};
-use super::{Geometry, TriangleNormals};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::Matrix;
 

@@ -1,12 +1,12 @@
 //! Which record type may have been meant where there is no such type.
 
-use super::Kind;
 use super::entity::State;
 use super::references::finding_at;
 use super::resolve::Resolver;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::syntax::ast::Broken;
 use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::table::Kind;
 use crate::syntax::table::{Constraint, Effect, Param, ParamKind, RECORD_TYPES, RecordType};
 
 impl Resolver<'_> {

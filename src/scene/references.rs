@@ -5,11 +5,11 @@ use std::collections::VecDeque;
 use rustc_hash::FxHashMap;
 
 use super::entity::State;
+use super::model::{NodeId, Rgb};
 use super::record::Params;
 use super::resolve::Resolver;
-use super::{Kind, NodeId, Rgb};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Label, Span, Value};
-use crate::syntax::table::{Effect, ParamKind, RecordType};
+use crate::syntax::table::{Effect, Kind, ParamKind, RecordType};
 use crate::syntax::{self, Document, Item};
 
 /// How many defined IDs are compared, in all, to find the ones that may have been meant: proposals

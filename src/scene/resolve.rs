@@ -4,12 +4,13 @@ use rustc_hash::FxHashMap;
 use std::path::Path;
 
 use super::entity::State;
+use super::geometry;
+use super::model::*;
 use super::record::Params;
 use super::references::{Lost, References};
-use super::*;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile, Span, Value};
 use crate::syntax::ast::{Broken, Fault};
-use crate::syntax::table::Effect;
+use crate::syntax::table::{Effect, Kind};
 use crate::syntax::{Document, Item, Record};
 
 /// Reads a tree as a program of assignments. `diagnostics` holds the parser's findings; the

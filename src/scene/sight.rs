@@ -13,7 +13,7 @@
 //!
 //! Everything that decides is computed exactly, in big numbers.
 
-use super::Vec3;
+use super::model::Vec3;
 use crate::geometry::Matrix;
 use crate::geometry::sign::{Exact, Scalar};
 

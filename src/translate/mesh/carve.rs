@@ -4,9 +4,9 @@
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use super::Parts;
 use super::assemble::Piece;
 use super::csg::{Operation, combine};
+use super::parts::Parts;
 use super::shape::DROPPED;
 use super::soup::Mesh;
 use super::unite;

@@ -3,8 +3,8 @@
 
 use rayon::prelude::*;
 
-use super::Mesh;
 use super::skin::Skin;
+use super::soup::Mesh;
 use crate::geometry::array::{cross, length, sub};
 use crate::scene::Vec3;
 use crate::trace::graph::Graph;

@@ -1,6 +1,6 @@
 //! How much of a scene without end becomes triangles, and how fine they are.
 
-use super::{DEFAULT_TOLERANCE, Options};
+use super::options::{DEFAULT_TOLERANCE, Options};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::bounds::{NodeBounds, node_bounds, shape_bounds};
 use crate::scene::frame::seen_box;

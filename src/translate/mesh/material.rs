@@ -3,9 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 
-use super::Model;
 use super::corners::corners;
+use super::model::Model;
 use super::picture::Pictures;
+use super::skin::Skin;
 use crate::geometry::array::{cross, sub};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
@@ -199,22 +200,9 @@ impl Vertex {
 }
 
 /// Whether the colour goes over from point to point, rather than jumping.
-fn is_smooth(skin: &super::Skin, graph: &Graph) -> bool {
+fn is_smooth(skin: &Skin, graph: &Graph) -> bool {
     match &skin.texture {
         Some(t) => matches!(graph.textures[t.texture as usize], Texture::Image { .. }),
         None => true,
     }
-}
-
-/// A linear colour as three bytes of sRGB.
-pub fn srgb(colour: Rgb) -> [u8; 3] {
-    colour.map(|x| {
-        let x = x.clamp(0.0, 1.0);
-        let encoded = if x <= 0.003_130_8 {
-            12.92 * x
-        } else {
-            1.055 * x.powf(1.0 / 2.4) - 0.055
-        };
-        (255.0 * encoded).round() as u8
-    })
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use super::material::srgb;
+use super::colour::srgb;
 use super::skin::Skin;
 use crate::scene::Texture;
 use crate::trace::graph::Graph;

@@ -1,6 +1,7 @@
 //! Stanford PLY, binary, with colours of points and of faces.
 
-use super::material::{Coloured, srgb};
+use super::colour::srgb;
+use super::material::Coloured;
 
 /// The bytes of the file. Colours are sRGB; where normals or colours differ there are several points
 /// in one place.

@@ -1,4 +1,5 @@
 use super::*;
+use crate::geometry::Aabb;
 use crate::geometry::array::{cross, dot, sub};
 use crate::trace::Tracer;
 

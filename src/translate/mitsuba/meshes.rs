@@ -3,8 +3,8 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::ShapeInfo;
 use super::bsdf::Colours;
+use super::output::ShapeInfo;
 use crate::geometry::array::{cross, length, sub};
 use crate::scene::{Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;

@@ -9,6 +9,8 @@ mod exact;
 mod frame;
 mod lens;
 mod meshes;
+mod options;
+mod output;
 mod scenery;
 mod verdict;
 mod written;
@@ -22,41 +24,13 @@ use crate::geometry::Aabb;
 use crate::scene::bounds::node_bounds;
 use crate::scene::frame::selected_cameras;
 use crate::scene::{Camera, Scene};
-use crate::syntax::Captions;
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
 pub use frame::Frame;
+pub use options::{Integrator, Options};
+pub use output::{Output, ShapeInfo};
 pub use scenery::{is_exact, square_size};
 use written::Written;
-
-/// What Mitsuba is to compute.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Integrator {
-    /// A picture, by path tracing.
-    #[default]
-    Path,
-    /// Of what is seen through the middle of each pixel: position (channels 0 to 2), shading normal
-    /// (3 to 5), and the number of the shape in [`Output::shapes`], from 1, 0 for none (6).
-    Aov,
-}
-
-/// What the scene itself does not say.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Options {
-    /// Width and height of the picture in pixels.
-    pub size: (u32, u32),
-    /// How often a ray may be mirrored or refracted.
-    pub depth: u32,
-    /// As in [`mesh::Options`].
-    pub tolerance: Option<f64>,
-    /// As there.
-    pub memory: Option<u64>,
-    pub integrator: Integrator,
-    /// What the names of meshes begin with.
-    pub stem: String,
-    /// What the scene says of its objects, which stands beside them.
-    pub captions: Captions,
-}
 
 /// Which entities a shape is of: its own, and the one that its properties come from.
 fn described(names: &Names, shape: u32, object: u32) -> String {
@@ -68,35 +42,6 @@ fn described(names: &Names, shape: u32, object: u32) -> String {
         true => String::new(),
         false => xml::comment(&all.join("; in ")),
     }
-}
-
-/// One shape of the translation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ShapeInfo {
-    /// The entity whose record made the surface.
-    pub shape: u32,
-    /// The entity whose properties apply.
-    pub object: u32,
-    /// Not a mesh.
-    pub exact: bool,
-}
-
-/// A finished translation.
-#[derive(Debug)]
-pub struct Output {
-    /// One, or one for each eye: what the file's name ends with before `.xml`, and the text.
-    pub documents: Vec<(&'static str, String)>,
-    /// Files beside the documents: name and bytes.
-    pub meshes: Vec<(String, Vec<u8>)>,
-    /// In the order of Mitsuba's shape index.
-    pub shapes: Vec<ShapeInfo>,
-    /// How far the meshes may be from the shapes, and where parts without end are cut off.
-    pub extent: mesh::Extent,
-    /// Where the scene was put.
-    pub frame: Frame,
-    /// How far parts without end go on about the middle of the region.
-    pub reach: f64,
-    pub report: Report,
 }
 
 /// Pieces that are joined where they overlap.

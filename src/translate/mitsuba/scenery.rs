@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 
 use super::frame::Frame;
 use super::lens::Lens;
+use super::options::{Integrator, Options};
 use super::xml::{number, rgb, transform, vector};
-use super::{Integrator, Options};
 use crate::diagnostics::Error;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::frame::{Basis, headlight};

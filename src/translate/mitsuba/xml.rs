@@ -1,6 +1,6 @@
 //! Elements of Mitsuba's scene files.
 
-use super::ShapeInfo;
+use super::output::ShapeInfo;
 use crate::geometry::Matrix;
 use crate::scene::Vec3;
 

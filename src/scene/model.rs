@@ -1,0 +1,351 @@
+//! What a scene is made of.
+
+use rustc_hash::FxHashMap;
+
+use crate::diagnostics::Span;
+use crate::geometry::Matrix;
+use crate::syntax::table::{Kind, RecordType};
+
+pub type Vec3 = [f64; 3];
+/// Linear red, green, blue.
+pub type Rgb = [f64; 3];
+/// Index into [`Scene::nodes`].
+pub type NodeId = u32;
+
+/// A resolved scene.
+#[derive(Debug, Clone, Default)]
+pub struct Scene {
+    pub nodes: Vec<Node>,
+    /// The record that made each node, as long as `nodes` and in file order.
+    pub origins: Vec<Origin>,
+    pub shapes: Vec<Shape>,
+    pub matrices: Vec<Matrix>,
+    pub paints: Vec<Paint>,
+    /// Ambient and point lights as they stand at the end of the file, in file order.
+    pub ambient_lights: Vec<AmbientLight>,
+    pub point_lights: Vec<PointLight>,
+    /// Cameras as they stand at the end of the file, in file order.
+    pub cameras: Vec<Camera>,
+    /// Which cameras take the picture.
+    pub view: View,
+    pub render: Option<Render>,
+    pub promises: Vec<Promise>,
+    /// Unions, intersections and differences, in file order.
+    pub operations: Vec<OperationRecord>,
+    /// Every entity, in the order of definition.
+    pub entities: Vec<Entity>,
+    /// Of transformations and paints that go on from one which others need as it is: how they do so.
+    pub steps: FxHashMap<NodeId, Step>,
+}
+
+/// How an object in the arena came of an earlier state of the same one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Step {
+    pub from: NodeId,
+    /// Of a transformation what it does after the earlier one; index into [`Scene::matrices`].
+    pub matrix: Option<u32>,
+}
+
+/// An object in the arena.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Node {
+    /// Index into [`Scene::shapes`].
+    Shape(u32),
+    Union(NodeId, NodeId),
+    Intersection(NodeId, NodeId),
+    Difference(NodeId, NodeId),
+    Complement(NodeId),
+    /// The child moved by [`Scene::matrices`]`[matrix]`, which is affine and invertible.
+    Transform {
+        child: NodeId,
+        matrix: u32,
+    },
+    /// The child with [`Scene::paints`]`[paint]` over what its parts have of those aspects.
+    Paint {
+        child: NodeId,
+        paint: u32,
+    },
+    /// The entity `id` is a copy of the child: what the copied entity itself owned is now `id`'s.
+    Copy {
+        child: NodeId,
+        id: u32,
+    },
+}
+
+impl Node {
+    /// What the node is made of; two for an operation with two operands.
+    pub fn children(self) -> [Option<NodeId>; 2] {
+        match self {
+            Node::Shape(_) => [None; 2],
+            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
+                [Some(a), Some(b)]
+            }
+            Node::Complement(child)
+            | Node::Transform { child, .. }
+            | Node::Paint { child, .. }
+            | Node::Copy { child, .. } => [Some(child), None],
+        }
+    }
+}
+
+/// The record that made a node: every node is made by one record, and a record makes at most one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Origin {
+    /// The entity that the record defines or changes.
+    pub id: u32,
+    pub span: Span,
+}
+
+/// One shape record.
+#[derive(Debug, Clone)]
+pub struct Shape {
+    pub id: u32,
+    pub ty: &'static RecordType,
+    pub span: Span,
+    pub geometry: Geometry,
+}
+
+/// The shapes of the language with their parameters as written.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Geometry {
+    /// Types 1 and 2: `profile[i]` is (x, y); `colours` is empty or as long as the profile.
+    Revolution {
+        profile: Vec<[f64; 2]>,
+        colours: Vec<Rgb>,
+    },
+    /// a, b, c, d of ax + by + cz + d = 0.
+    Plane([f64; 4]),
+    /// a, b, c, d of ax + by + cz + d ≤ 0.
+    HalfSpace([f64; 4]),
+    Rectangle {
+        min: [f64; 2],
+        max: [f64; 2],
+    },
+    /// Types 6 to 8: no normal, one normal for the whole triangle, or one a vertex.
+    Triangle {
+        vertices: [Vec3; 3],
+        normals: TriangleNormals,
+    },
+    /// Types 9 and 11.
+    Sphere {
+        centre: Vec3,
+        radius: f64,
+    },
+    Ellipsoid {
+        semi_axes: Vec3,
+    },
+    Box {
+        min: Vec3,
+        max: Vec3,
+    },
+    GeodesicSphere {
+        radius: f64,
+        splits: u32,
+    },
+    Torus {
+        major: f64,
+        minor: f64,
+    },
+    /// Q of xᵀQx ≤ 0, row by row as written.
+    Quadric([f64; 16]),
+    Cone {
+        height: f64,
+        radius: f64,
+    },
+    DoubleCone {
+        height: f64,
+        radius: f64,
+    },
+    ParabolicCylinder {
+        a: f64,
+    },
+    HyperbolicCylinder {
+        a: f64,
+        b: f64,
+    },
+    Hyperboloid {
+        a: f64,
+        b: f64,
+        c: f64,
+        sheets: u32,
+    },
+    HyperbolicParaboloid {
+        a: f64,
+        b: f64,
+    },
+}
+
+impl Geometry {
+    /// Whether the shape has an inside.
+    pub fn is_solid(&self) -> bool {
+        !matches!(
+            self,
+            Geometry::Plane(_) | Geometry::Rectangle { .. } | Geometry::Triangle { .. }
+        )
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TriangleNormals {
+    Flat,
+    One(Vec3),
+    PerVertex([Vec3; 3]),
+}
+
+/// What a surface looks like before light falls on it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Texture {
+    Colour(Rgb),
+    /// n cells along u, m along v.
+    Checkerboard {
+        n: u32,
+        m: u32,
+        colours: [Rgb; 2],
+    },
+    /// Cubes of this edge, in the coordinates of the node that is painted.
+    Solid {
+        colours: [Rgb; 2],
+        size: f64,
+    },
+    /// A file name beside the scene, and where it is written.
+    Image {
+        file: String,
+        span: Span,
+    },
+}
+
+/// By which part of a cell the borders between cells are moved down: faces that lie in one are in the cell
+/// above, whatever their points are rounded to. Some millions of roundings.
+pub const CELL_NUDGE: f64 = 1e-9;
+
+impl Texture {
+    /// Which of the two colours of a pattern a place has, given in cells along each coordinate.
+    pub fn cell_colour(colours: &[Rgb; 2], cells: &[f64]) -> Rgb {
+        let sum: f64 = cells.iter().map(|x| (x + CELL_NUDGE).floor()).sum();
+        colours[usize::from(sum.rem_euclid(2.0) >= 1.0)]
+    }
+}
+
+/// Diffuse, mirrored and transmitted parts, each per channel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Optics {
+    pub kd: Rgb,
+    pub ks: Rgb,
+    pub kt: Rgb,
+}
+
+impl Default for Optics {
+    /// Fully diffuse.
+    fn default() -> Optics {
+        Optics {
+            kd: [1.0; 3],
+            ks: [0.0; 3],
+            kt: [0.0; 3],
+        }
+    }
+}
+
+/// The colour of everything that nobody gave one.
+pub const DEFAULT_COLOUR: Rgb = [1.0; 3];
+/// The refractive index of everything that nobody gave one, and of the space outside.
+pub const DEFAULT_INDEX: Rgb = [1.0; 3];
+
+/// Properties given to an object: each aspect that is set overrides what the parts have of it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Paint {
+    /// The entity that was given these properties.
+    pub owner: u32,
+    pub texture: Option<Texture>,
+    pub optics: Option<Optics>,
+    /// Refractive index per channel.
+    pub index: Option<Rgb>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AmbientLight {
+    pub id: u32,
+    pub intensity: f64,
+    pub colour: Rgb,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointLight {
+    pub id: u32,
+    pub position: Vec3,
+    pub intensity: f64,
+    pub colour: Rgb,
+}
+
+/// A camera after its transformations. Direction and up are as written: of any length, not
+/// orthogonal, but never parallel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera {
+    pub id: u32,
+    pub position: Vec3,
+    pub direction: Vec3,
+    pub up: Vec3,
+    /// Vertical field of view in degrees; meaningless with a projection matrix.
+    pub fovy: f64,
+    /// clip = projection · view · x, OpenGL's clip cube.
+    pub projection: Option<Matrix>,
+}
+
+/// Who takes the picture; indices into [`Scene::cameras`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum View {
+    /// There is no camera: the scene is framed automatically.
+    #[default]
+    Automatic,
+    Mono(usize),
+    Stereo {
+        left: usize,
+        right: usize,
+    },
+}
+
+/// The render record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Render {
+    pub root: NodeId,
+    /// The ID the record names.
+    pub root_id: u32,
+    pub background: Rgb,
+    /// The region that is drawn: lower and upper corner.
+    pub clip: Option<(Vec3, Vec3)>,
+    pub span: Span,
+}
+
+/// A bounding volume record: the promise that `node` lies inside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Promise {
+    pub id: u32,
+    pub node: NodeId,
+    pub volume: Volume,
+    pub span: Span,
+}
+
+/// The record that made the node of an operation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OperationRecord {
+    pub id: u32,
+    pub node: NodeId,
+    pub span: Span,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Volume {
+    Box { min: Vec3, max: Vec3 },
+    Sphere { centre: Vec3, radius: f64 },
+}
+
+/// What an ID stands for at the end of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Entity {
+    pub id: u32,
+    /// `None` where the record that defines it is broken beyond telling.
+    pub kind: Option<Kind>,
+    /// The node of an object, as it stands at the end of the file.
+    pub node: Option<NodeId>,
+    /// The ID token of the record that defines it.
+    pub span: Span,
+}

@@ -1,0 +1,83 @@
+//! The scene as one mesh.
+
+use super::assemble::{Troubles, crowded};
+use super::budget::Budget;
+use super::extent::Extent;
+use super::options::Options;
+use super::parts::{account, pieces, refusal};
+use super::picture;
+use super::shape::DROPPED;
+use super::skin::Skin;
+use super::soup::Mesh;
+use super::unite::Union;
+use super::verdict;
+use crate::diagnostics::Error;
+use crate::scene::Scene;
+use crate::trace::graph::Graph;
+use crate::translate::Report;
+
+/// The scene as one mesh.
+#[derive(Debug)]
+pub struct Model {
+    /// Solids joined into closed meshes, then surfaces; labels are indices into `skins`.
+    pub mesh: Mesh,
+    /// How many of the triangles belong to solids.
+    pub solid: usize,
+    pub skins: Vec<Skin>,
+    pub extent: Extent,
+    pub(super) troubles: Troubles,
+}
+
+/// Makes the scene of triangles.
+///
+/// # Errors
+/// There would be too many.
+pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, Error> {
+    let extent = Extent::of(scene, options);
+    let (thing, mut troubles) = pieces(scene, graph, &extent, options)?;
+    let (mut solids, mut surfaces) = (Vec::new(), Mesh::default());
+    for piece in thing.pieces {
+        if piece.surface {
+            surfaces.append(&piece.mesh.only(|label| label != DROPPED));
+        } else {
+            solids.push(piece.mesh);
+        }
+    }
+    let union = Union::of(solids, &mut Budget::default())
+        .map_err(|crowd| refusal(&crowded(crowd, &thing.skins)))?;
+    troubles.unjoined += union.failures;
+    let mut mesh = Mesh::default();
+    for (_, part) in &union.meshes {
+        mesh.append(part);
+    }
+    let textured: Vec<bool> = thing
+        .skins
+        .iter()
+        .map(|skin| {
+            let pictured = options.pictured && picture::is_pictured(skin, graph);
+            skin.plain_colour(graph).is_none() && !pictured
+        })
+        .collect();
+    for part in [&mut mesh, &mut surfaces] {
+        part.refine(|label| textured[label as usize], |_| extent.grain());
+        part.drop_needles();
+    }
+    let solid = mesh.triangles.len();
+    mesh.append(&surfaces);
+    Ok(Model {
+        mesh,
+        solid,
+        skins: thing.skins,
+        extent,
+        troubles,
+    })
+}
+
+/// The report on a mesh for one of the targets.
+pub fn report(target: &'static str, scene: &Scene, model: &Model) -> Report {
+    let mut report = Report::of(target, scene, |feature| {
+        verdict::verdict(target, feature, model.extent.tolerance)
+    });
+    account(&mut report, &model.extent, &model.troubles);
+    report
+}

@@ -1,0 +1,21 @@
+//! What a mesh is asked to be.
+
+use crate::scene::Vec3;
+
+/// What the scene itself does not say.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// How far a triangle may be from the surface it stands for, in scene units; by default
+    /// [`DEFAULT_TOLERANCE`] of the scene's size.
+    pub tolerance: Option<f64>,
+    /// Where the scene is seen from, if that matters: parts without end reach that far, too.
+    pub eye: Option<Vec3>,
+    /// Textures are pictures, so that triangles need not be small for their sake.
+    pub pictured: bool,
+    /// How much memory triangles may take, in bytes, if that matters.
+    pub memory: Option<u64>,
+}
+
+/// The tolerance by the radius of the sphere around the scene: a quarter of a pixel where the scene fills
+/// a picture of 480 rows.
+pub const DEFAULT_TOLERANCE: f64 = 1e-3;

@@ -1,0 +1,34 @@
+//! A finished translation.
+
+use super::frame::Frame;
+use crate::translate::Report;
+use crate::translate::mesh;
+
+/// One shape of the translation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ShapeInfo {
+    /// The entity whose record made the surface.
+    pub shape: u32,
+    /// The entity whose properties apply.
+    pub object: u32,
+    /// Not a mesh.
+    pub exact: bool,
+}
+
+/// A finished translation.
+#[derive(Debug)]
+pub struct Output {
+    /// One, or one for each eye: what the file's name ends with before `.xml`, and the text.
+    pub documents: Vec<(&'static str, String)>,
+    /// Files beside the documents: name and bytes.
+    pub meshes: Vec<(String, Vec<u8>)>,
+    /// In the order of Mitsuba's shape index.
+    pub shapes: Vec<ShapeInfo>,
+    /// How far the meshes may be from the shapes, and where parts without end are cut off.
+    pub extent: mesh::Extent,
+    /// Where the scene was put.
+    pub frame: Frame,
+    /// How far parts without end go on about the middle of the region.
+    pub reach: f64,
+    pub report: Report,
+}
