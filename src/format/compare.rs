@@ -131,14 +131,14 @@ fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
                     .all(|(s, t)| same_value((a.0, s), (b.0, t)))
         }
         (Item::Broken(x), Item::Broken(y)) => {
-            x.id == y.id && x.ty.map(|t| t.code) == y.ty.map(|t| t.code) && text(a) == text(b)
+            x.id == y.id && x.ty.map(|t| t.kind) == y.ty.map(|t| t.kind) && text(a) == text(b)
         }
         _ => false,
     }
 }
 
 fn same_head(x: &Record, y: &Record) -> bool {
-    x.id == y.id && x.ty.code == y.ty.code && x.params == y.params
+    x.id == y.id && x.ty.kind == y.ty.kind && x.params == y.params
 }
 
 fn same_value(a: (&str, &Token), b: (&str, &Token)) -> bool {

@@ -6,7 +6,7 @@ use super::Context;
 use crate::diagnostics::{Applicability, Fix, Span};
 use crate::scene::record::Params;
 use crate::syntax::lexer::TokenKind;
-use crate::syntax::table::{Effect, Param, ParamKind};
+use crate::syntax::table::{Effect, Param, ParamKind, RecordKind};
 use crate::syntax::{Item, Record};
 
 impl<'a> Context<'a> {
@@ -57,7 +57,7 @@ impl<'a> Context<'a> {
     pub fn titles(&self) -> FxHashMap<u32, &'static str> {
         let mut titles = FxHashMap::default();
         for record in self.records() {
-            let placeholder = record.ty.code == 0;
+            let placeholder = record.ty.kind == RecordKind::Undefined;
             if !placeholder && !matches!(record.ty.effect, Effect::Changes(_)) {
                 titles.entry(record.id).or_insert(record.ty.title);
             }

@@ -6,6 +6,7 @@ use super::record::Params;
 use crate::diagnostics::{Code, Diagnostic};
 use crate::geometry::array::{cross, unit};
 use crate::geometry::{Matrix, exact};
+use crate::syntax::table::RecordKind;
 
 /// The camera of a -501 record.
 pub fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {
@@ -75,10 +76,10 @@ pub fn transformation(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
         return None;
     }
     let [x, y, z] = p.numbers(0);
-    match p.ty.code {
-        -1 => Some(Matrix::translation(x, y, z)),
-        -2 => Some(Matrix::rotation(x, p.integer(1) as usize - 1)),
-        -3 => Some(Matrix::scaling(x, y, z)),
+    match p.ty.kind {
+        RecordKind::Translation => Some(Matrix::translation(x, y, z)),
+        RecordKind::Rotation => Some(Matrix::rotation(x, p.integer(1) as usize - 1)),
+        RecordKind::Scaling => Some(Matrix::scaling(x, y, z)),
         _ => geometry::affine(p, out),
     }
 }

@@ -7,7 +7,7 @@ use super::record::Params;
 use super::resolve::Resolver;
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::geometry::Matrix;
-use crate::syntax::table::Kind;
+use crate::syntax::table::{Kind, RecordKind};
 
 impl Resolver<'_> {
     /// Applies a changing record to an entity.
@@ -15,19 +15,22 @@ impl Resolver<'_> {
         let Some(state) = self.changed(p, kinds) else {
             return;
         };
-        match p.ty.code {
-            -4..=-1 => {
+        match p.ty.kind {
+            RecordKind::Translation
+            | RecordKind::Rotation
+            | RecordKind::Scaling
+            | RecordKind::RotationMatrix => {
                 if let Some(m) = super::camera::transformation(p, &mut self.out) {
                     self.transform(p, &state, &m);
                 }
             }
-            -99 => {
+            RecordKind::ProjectionMatrix => {
                 let m = geometry::projection(p, &mut self.out);
                 if let (Some(m), Some(State::Camera(c))) = (m, self.entities.get_mut(&p.id)) {
                     c.projection = Some(m);
                 }
             }
-            -203..=-201 => {
+            RecordKind::Optics | RecordKind::OpticsRgb | RecordKind::RefractiveIndex => {
                 let mut parts = match &state {
                     State::Optics(parts) => **parts,
                     _ => OpticsParts::default(),
@@ -44,8 +47,8 @@ impl Resolver<'_> {
                     }
                 }
             }
-            -299 => self.assign(p),
-            -301 | -302 | -399 => {
+            RecordKind::Assignment => self.assign(p),
+            RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
                 if let Some(texture) = self.texture(p) {
                     match state {
                         State::Texture(_) => {
@@ -56,7 +59,7 @@ impl Resolver<'_> {
                     }
                 }
             }
-            -701 => {
+            RecordKind::Colour => {
                 let rgb = p.numbers(0);
                 match self.entities.get_mut(&p.id) {
                     Some(State::Colour(c)) => *c = rgb,
@@ -71,8 +74,8 @@ impl Resolver<'_> {
 
     /// -601 and -602.
     fn promise(&mut self, p: &Params, state: &State) {
-        let volume = match p.ty.code {
-            -601 => match geometry::ordered(p, 0, 3, &mut self.out) {
+        let volume = match p.ty.kind {
+            RecordKind::BoundingBox => match geometry::ordered(p, 0, 3, &mut self.out) {
                 Some(()) => Volume::Box {
                     min: p.numbers(0),
                     max: p.numbers(3),

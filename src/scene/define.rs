@@ -5,13 +5,14 @@ use super::geometry;
 use super::model::*;
 use super::record::Params;
 use super::resolve::Resolver;
+use crate::syntax::table::RecordKind;
 
 impl Resolver<'_> {
     /// The state that a defining record gives its ID; `None` where it is broken, with findings.
     pub(super) fn definition(&mut self, p: &Params) -> Option<State> {
-        match p.ty.code {
-            1..=21 => {
-                let geometry = geometry::shape(p, &mut self.out)?;
+        match p.ty.kind {
+            RecordKind::Shape(kind) => {
+                let geometry = geometry::shape(kind, p, &mut self.out)?;
                 self.scene.shapes.push(Shape {
                     id: p.id,
                     ty: p.ty,
@@ -21,12 +22,12 @@ impl Resolver<'_> {
                 let shape = self.scene.shapes.len() as u32 - 1;
                 Some(State::Object(self.node(Node::Shape(shape))))
             }
-            -103..=-101 => {
+            RecordKind::Union | RecordKind::Intersection | RecordKind::Difference => {
                 let (b, c) = (self.object(p, 0), self.object(p, 1));
                 let (b, c) = (b?, c?);
-                let node = match p.ty.code {
-                    -101 => Node::Union(b, c),
-                    -102 => Node::Intersection(b, c),
+                let node = match p.ty.kind {
+                    RecordKind::Union => Node::Union(b, c),
+                    RecordKind::Intersection => Node::Intersection(b, c),
                     _ => Node::Difference(b, c),
                 };
                 let node = self.node(node);
@@ -37,11 +38,11 @@ impl Resolver<'_> {
                 });
                 Some(State::Object(node))
             }
-            -104 => {
+            RecordKind::Complement => {
                 let b = self.object(p, 0)?;
                 Some(State::Object(self.node(Node::Complement(b))))
             }
-            -105 => {
+            RecordKind::Copy => {
                 let original = self.reference(p, 0, false)??;
                 let mut state = self.entities.get(&original)?.clone();
                 match &mut state {
@@ -59,11 +60,11 @@ impl Resolver<'_> {
                 }
                 Some(state)
             }
-            -402 | -401 => {
+            RecordKind::PointLight | RecordKind::AmbientLight => {
                 let sound = p.check_constraints(&mut self.out);
                 let (id, intensity, colour) = (p.id, p.number(0), DEFAULT_COLOUR);
-                sound.then_some(match p.ty.code {
-                    -401 => State::AmbientLight(Box::new(AmbientLight {
+                sound.then_some(match p.ty.kind {
+                    RecordKind::AmbientLight => State::AmbientLight(Box::new(AmbientLight {
                         id,
                         intensity,
                         colour,
@@ -76,22 +77,26 @@ impl Resolver<'_> {
                     })),
                 })
             }
-            -501 => super::camera::camera(p, &mut self.out).map(|c| State::Camera(Box::new(c))),
+            RecordKind::Camera => {
+                super::camera::camera(p, &mut self.out).map(|c| State::Camera(Box::new(c)))
+            }
             _ => None,
         }
     }
 
     /// The state of a new property, texture, colour or projection.
     pub(super) fn new_property(&mut self, p: &Params) -> Option<State> {
-        match p.ty.code {
-            -203..=-201 => {
+        match p.ty.kind {
+            RecordKind::Optics | RecordKind::OpticsRgb | RecordKind::RefractiveIndex => {
                 let mut parts = OpticsParts::default();
                 self.optics(p, &mut parts)?;
                 Some(State::Optics(Box::new(parts)))
             }
-            -301 | -302 | -399 => self.texture(p).map(|t| State::Texture(Box::new(t))),
-            -701 => Some(State::Colour(p.numbers(0))),
-            -99 => {
+            RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
+                self.texture(p).map(|t| State::Texture(Box::new(t)))
+            }
+            RecordKind::Colour => Some(State::Colour(p.numbers(0))),
+            RecordKind::ProjectionMatrix => {
                 let m = geometry::projection(p, &mut self.out)?;
                 Some(State::Camera(Box::new(super::camera::projecting(p.id, m))))
             }
@@ -103,8 +108,8 @@ impl Resolver<'_> {
         if !p.check_constraints(&mut self.out) {
             return None;
         }
-        match p.ty.code {
-            -201 => {
+        match p.ty.kind {
+            RecordKind::Optics => {
                 let [kd, ks, kt] = p.numbers(0);
                 parts.optics = Some(Optics {
                     kd: [kd; 3],
@@ -112,7 +117,7 @@ impl Resolver<'_> {
                     kt: [kt; 3],
                 });
             }
-            -202 => {
+            RecordKind::OpticsRgb => {
                 let of = |k: usize| [p.number(k), p.number(k + 3), p.number(k + 6)];
                 parts.optics = Some(Optics {
                     kd: of(0),
@@ -126,14 +131,14 @@ impl Resolver<'_> {
     }
 
     pub(super) fn texture(&mut self, p: &Params) -> Option<Texture> {
-        match p.ty.code {
-            -301 => {
+        match p.ty.kind {
+            RecordKind::ImageTexture => {
                 let file = p.text_of(0).trim_matches('"').to_owned();
                 let span = p.span_of(0, 1);
                 super::image_file::check(&file, span, self.folder, &mut self.out)
                     .then_some(Texture::Image { file, span })
             }
-            -302 => {
+            RecordKind::SolidTexture => {
                 let sound = p.check_constraints(&mut self.out);
                 if p.len() == 0 {
                     return Some(Texture::Solid {

@@ -5,101 +5,103 @@ use super::record::Params;
 use super::sight::{Blind, Sight};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::Matrix;
+use crate::syntax::table::ShapeKind;
 
 /// The geometry of a shape record; findings go to `out`. A value comes back even so, where one can
 /// be made.
-pub fn shape(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Geometry> {
+pub fn shape(kind: ShapeKind, p: &Params, out: &mut Vec<Diagnostic>) -> Option<Geometry> {
     let sound = p.check_constraints(out);
-    let geometry = match p.ty.code {
-        1 | 2 => {
+    let geometry = match kind {
+        ShapeKind::SurfaceOfRevolution | ShapeKind::ColouredSurfaceOfRevolution => {
             let points = |first: usize, i: usize, n: usize| first + i * n;
             Geometry::Revolution {
                 profile: (0..p.count).map(|i| p.numbers(points(1, i, 2))).collect(),
-                colours: match p.ty.code {
-                    2 => (0..p.count)
+                colours: match kind {
+                    ShapeKind::ColouredSurfaceOfRevolution => (0..p.count)
                         .map(|i| p.numbers(points(1 + 2 * p.count, i, 3)))
                         .collect(),
                     _ => Vec::new(),
                 },
             }
         }
-        3 | 4 => {
+        ShapeKind::Plane | ShapeKind::HalfSpace => {
             non_zero(p, 0, "normal", out)?;
-            match p.ty.code {
-                3 => Geometry::Plane(p.numbers(0)),
+            match kind {
+                ShapeKind::Plane => Geometry::Plane(p.numbers(0)),
                 _ => Geometry::HalfSpace(p.numbers(0)),
             }
         }
-        5 => {
+        ShapeKind::Rectangle => {
             ordered(p, 0, 2, out)?;
             Geometry::Rectangle {
                 min: p.numbers(0),
                 max: p.numbers(2),
             }
         }
-        6..=8 => {
+        ShapeKind::Triangle
+        | ShapeKind::TriangleWithNormal
+        | ShapeKind::TriangleWithVertexNormals => {
             let vertices = [p.numbers(0), p.numbers(3), p.numbers(6)];
             for i in 0..(p.len() - 9) / 3 {
                 non_zero(p, 9 + 3 * i, "normal", out)?;
             }
-            let normals = match p.ty.code {
-                6 => TriangleNormals::Flat,
-                7 => TriangleNormals::One(p.numbers(9)),
+            let normals = match kind {
+                ShapeKind::Triangle => TriangleNormals::Flat,
+                ShapeKind::TriangleWithNormal => TriangleNormals::One(p.numbers(9)),
                 _ => TriangleNormals::PerVertex([p.numbers(9), p.numbers(12), p.numbers(15)]),
             };
             Geometry::Triangle { vertices, normals }
         }
-        9 => Geometry::Sphere {
+        ShapeKind::SphereAtOrigin => Geometry::Sphere {
             centre: [0.0; 3],
             radius: p.number(0),
         },
-        10 => Geometry::Ellipsoid {
+        ShapeKind::Ellipsoid => Geometry::Ellipsoid {
             semi_axes: p.numbers(0),
         },
-        11 => Geometry::Sphere {
+        ShapeKind::Sphere => Geometry::Sphere {
             centre: p.numbers(0),
             radius: p.number(3),
         },
-        12 => {
+        ShapeKind::Box => {
             ordered(p, 0, 3, out)?;
             Geometry::Box {
                 min: p.numbers(0),
                 max: p.numbers(3),
             }
         }
-        13 => Geometry::GeodesicSphere {
+        ShapeKind::GeodesicSphere => Geometry::GeodesicSphere {
             radius: p.number(0),
             splits: p.integer(1) as u32,
         },
-        14 => Geometry::Torus {
+        ShapeKind::Torus => Geometry::Torus {
             major: p.number(0),
             minor: p.number(1),
         },
-        15 => Geometry::Quadric(p.numbers(0)),
-        16 => Geometry::Cone {
+        ShapeKind::Quadric => Geometry::Quadric(p.numbers(0)),
+        ShapeKind::Cone => Geometry::Cone {
             height: p.number(0),
             radius: p.number(1),
         },
-        17 => Geometry::DoubleCone {
+        ShapeKind::DoubleCone => Geometry::DoubleCone {
             height: p.number(0),
             radius: p.number(1),
         },
-        18 => Geometry::ParabolicCylinder { a: or_one(p, 0) },
-        19 => Geometry::HyperbolicCylinder {
+        ShapeKind::ParabolicCylinder => Geometry::ParabolicCylinder { a: or_one(p, 0) },
+        ShapeKind::HyperbolicCylinder => Geometry::HyperbolicCylinder {
             a: or_one(p, 0),
             b: or_one(p, 1),
         },
-        20 => Geometry::Hyperboloid {
+        ShapeKind::Hyperboloid => Geometry::Hyperboloid {
             a: or_one(p, 0),
             b: or_one(p, 1),
             c: or_one(p, 2),
             sheets: or_one(p, 3) as u32,
         },
-        21 => Geometry::HyperbolicParaboloid {
+        ShapeKind::HyperbolicParaboloid => Geometry::HyperbolicParaboloid {
             a: or_one(p, 0),
             b: or_one(p, 1),
         },
-        _ => return None,
     };
     sound.then_some(geometry)
 }

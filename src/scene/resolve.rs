@@ -10,7 +10,7 @@ use super::record::Params;
 use super::references::{Lost, References};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile, Span, Value};
 use crate::syntax::ast::{Broken, Fault};
-use crate::syntax::table::{Effect, Kind};
+use crate::syntax::table::{Effect, Kind, RecordKind};
 use crate::syntax::{Document, Item, Record};
 
 /// Reads a tree as a program of assignments. `diagnostics` holds the parser's findings; the
@@ -129,7 +129,7 @@ impl<'a> Resolver<'a> {
 
     /// E105: ID 1 is for the render record and the render record for ID 1.
     fn reserved_id(&mut self, p: &Params) -> bool {
-        let is_render = p.ty.code == 9999;
+        let is_render = p.ty.kind == RecordKind::Render;
         if (p.id == 1) == is_render {
             return true;
         }
@@ -156,7 +156,9 @@ impl<'a> Resolver<'a> {
             return false;
         };
         // A placeholder may be defined, and so may what a broken record may have meant.
-        if matches!(state, State::Undefined | State::Broken(_)) && p.ty.code != 0 {
+        if matches!(state, State::Undefined | State::Broken(_))
+            && p.ty.kind != RecordKind::Undefined
+        {
             return false;
         }
         let property = matches!(
@@ -169,9 +171,9 @@ impl<'a> Resolver<'a> {
         );
         let too_early = property && bears;
         let mut d = Diagnostic::new(Code::E102, p.id_span)
-            .case(match p.ty.code {
+            .case(match p.ty.kind {
                 _ if too_early => "property",
-                9999 => "render",
+                RecordKind::Render => "render",
                 _ => "",
             })
             .with("id", p.id.to_string())
@@ -190,7 +192,7 @@ impl<'a> Resolver<'a> {
     /// The render record and the camera selections wait for the end of the file.
     fn view_record(&mut self, record: &Record, p: &Params) -> Option<State> {
         self.late.push(*record);
-        if p.ty.code == 9999 {
+        if p.ty.kind == RecordKind::Render {
             self.has_render = true;
             self.render = Some(*record);
             Some(State::Render)
@@ -201,7 +203,8 @@ impl<'a> Resolver<'a> {
     }
 
     fn broken(&mut self, broken: &Broken, diagnostics: &mut [Diagnostic]) {
-        self.has_render |= broken.ty.is_some_and(|t| t.code == 9999) || broken.id == Some(1);
+        self.has_render |=
+            broken.ty.is_some_and(|t| t.kind == RecordKind::Render) || broken.id == Some(1);
         if broken.fault == Fault::UnknownType {
             self.propose_type(broken, diagnostics);
         }
@@ -259,7 +262,7 @@ impl<'a> Resolver<'a> {
         let targets: Vec<Option<u32>> = (0..record.ty.params.len())
             .map(|i| self.reference(&p, i, true).flatten())
             .collect();
-        if p.ty.code == 9999 {
+        if p.ty.kind == RecordKind::Render {
             let clip = match p.len() > 2 {
                 true => geometry::ordered(&p, 2, 3, &mut self.out)
                     .map(|()| (p.numbers(2), p.numbers(5))),

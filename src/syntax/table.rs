@@ -167,6 +167,8 @@ pub struct Param {
 /// One type of record.
 #[derive(Debug)]
 pub struct RecordType {
+    /// What the rest of the toolchain calls it.
+    pub kind: RecordKind,
     /// The number that stands in the scene.
     pub code: i32,
     /// One lower-case word or hyphenated words, unique: `surface-of-revolution`.
@@ -193,6 +195,17 @@ pub struct RecordType {
 impl RecordType {
     const fn of_vectors(self, vectors: &'static [usize]) -> RecordType {
         RecordType { vectors, ..self }
+    }
+
+    const fn of_kind(self, kind: RecordKind) -> RecordType {
+        RecordType { kind, ..self }
+    }
+
+    /// The entry of a kind.
+    pub fn of(kind: RecordKind) -> &'static RecordType {
+        // In the order of the table.
+        let at = RECORD_TYPES.binary_search_by_key(&kind, |t| t.kind);
+        &RECORD_TYPES[at.unwrap_or_default()]
     }
 
     /// The entry for a type number, if there is one.
@@ -501,6 +514,8 @@ const fn shape(
     example: &'static str,
 ) -> RecordType {
     RecordType {
+        // The table gives it its own.
+        kind: RecordKind::Undefined,
         code,
         keyword,
         title,
@@ -525,6 +540,8 @@ const fn record(
     example: &'static str,
 ) -> RecordType {
     RecordType {
+        // The table gives it its own.
+        kind: RecordKind::Undefined,
         code,
         keyword,
         title,
@@ -542,583 +559,612 @@ const fn record(
 const PROPERTY: Effect = Effect::DefinesOrChanges(Kind::Optics, &[Kind::Optics, Kind::Object]);
 const TEXTURE: Effect = Effect::DefinesOrChanges(Kind::Texture, &[Kind::Texture, Kind::Object]);
 
-/// Every record type of the language, in the order of the reference.
-pub static RECORD_TYPES: &[RecordType] = &[
-    record(
-        0,
-        ["undefined", "undefined object"],
-        Family::Void,
-        Effect::Defines(Kind::Undefined),
-        &[],
-        "`ID 0` declares an object that may be defined once, later. A lone `0` in the place of an \
-         ID is the VOID record, which introduces a stand-alone comment.",
-        "7 0",
-    ),
-    RecordType {
-        repeats: &[PROFILE],
-        ..shape(
-            1,
-            "surface-of-revolution",
-            "surface of revolution",
-            &[COUNT],
-            "Solid: the polyline of N profile points turned about the y axis; x is the distance from \
-             the axis. Ends off the axis are closed by flat discs, unless the last point is the \
-             first (a ring). The inside follows the even-odd rule of the closed profile.",
-            "2 1 4  0 2  1 1  1 0  0 0",
-        )
-    },
-    RecordType {
-        repeats: &[PROFILE, RGB],
-        ..shape(
-            2,
-            "coloured-surface-of-revolution",
-            "coloured surface of revolution",
-            &[COUNT],
-            "As type 1, with a colour for each profile point; between points the colour is linear.",
-            "2 2 2  0 1  1 0  1 0 0  0 0 1",
-        )
-    },
-    shape(
-        3,
-        "plane",
-        "plane",
-        PLANE,
-        "Surface: all points with ax + by + cz + d = 0. It has no inside and no orientation.",
-        "2 3  0 1 0  0",
-    )
-    .of_vectors(&[3, 1]),
-    shape(
-        4,
-        "half-space",
-        "half-space",
-        PLANE,
-        "Solid: all points with ax + by + cz + d ≤ 0.",
-        "2 4  0 1 0  0",
-    )
-    .of_vectors(&[3, 1]),
-    shape(
-        5,
-        "rectangle",
-        "rectangle",
-        &[
-            length("xmin", "the left edge"),
-            length("ymin", "the lower edge"),
-            length("xmax", "the right edge"),
-            length("ymax", "the upper edge"),
-        ],
-        "Surface: the axis-aligned rectangle in the plane z = 0.",
-        "2 5  -1 -1  1 1",
-    )
-    .of_vectors(&[2, 2]),
-    shape(
-        6,
-        "triangle",
-        "triangle",
-        &TRIANGLE,
-        "Surface: a flat triangle.",
-        "2 6  0 0 0  1 0 0  0 1 0",
-    )
-    .of_vectors(&[3, 3, 3]),
-    shape(
-        7,
-        "triangle-with-normal",
-        "triangle with a normal",
-        &TRIANGLE_NORMAL,
-        "Surface: a triangle with one shading normal for all of it.",
-        "2 7  0 0 0  1 0 0  0 1 0  0 0 1",
-    )
-    .of_vectors(&[3, 3, 3, 3]),
-    shape(
-        8,
-        "triangle-with-vertex-normals",
-        "triangle with vertex normals",
-        &TRIANGLE_NORMALS,
-        "Surface: a triangle with a shading normal at each vertex, interpolated and renormalised.",
-        "2 8  0 0 0  1 0 0  0 1 0  0 0 1  0 0 1  0 0 1",
-    )
-    .of_vectors(&[3, 3, 3, 3, 3, 3]),
-    shape(
-        9,
-        "sphere-at-origin",
-        "sphere at the origin",
-        &[positive("r", "the radius")],
-        "Solid: the ball of this radius around the origin.",
-        "2 9 10",
-    ),
-    shape(
-        10,
-        "ellipsoid",
-        "ellipsoid",
-        &[
-            positive("a", "the semi-axis along x"),
-            positive("b", "the semi-axis along y"),
-            positive("c", "the semi-axis along z"),
-        ],
-        "Solid: the axis-aligned ellipsoid around the origin.",
-        "2 10 1 2 3",
-    ),
-    shape(
-        11,
-        "sphere",
-        "sphere",
-        &SPHERE,
-        "Solid: the ball with this centre and radius.",
-        "2 11  0 10 0  10",
-    )
-    .of_vectors(&[3, 1]),
-    shape(
-        12,
-        "box",
-        "box",
-        &CORNERS,
-        "Solid: the axis-aligned box between two corners.",
-        "2 12  -1 -1 -1  1 1 1",
-    )
-    .of_vectors(&[3, 3]),
-    shape(
-        13,
-        "geodesic-sphere",
-        "geodesic sphere",
-        &[
-            positive("r", "the radius"),
-            integer(
-                "n",
-                Constraint::Within(0.0, 9.0),
-                "the number of splits of the facets",
-            ),
-        ],
-        "Solid: an icosahedron with the vertices (0, ±1, ±φ) and their cyclic permutations, \
-         every facet split into four n times, new vertices pushed out to the sphere: 20·4ⁿ flat facets.",
-        "2 13 1 3",
-    ),
-    shape(
-        14,
-        "torus",
-        "torus",
-        &[
-            positive("R", "the distance from the centre to the tube's centre"),
-            positive("r", "the tube's radius"),
-        ],
-        "Solid: a torus around the y axis. A tube wider than R is allowed; the inside follows the even-odd rule.",
-        "2 14 1 0.25",
-    ),
-    shape(
-        15,
-        "quadric",
-        "quadric",
-        &MATRIX,
-        "Solid: all points with xᵀQx ≤ 0, where x = (x, y, z, 1). Only the symmetric part of Q counts.",
-        "2 15  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 -1",
-    )
-    .of_vectors(&[4, 4, 4, 4]),
-    shape(
-        16,
-        "cone",
-        "cone",
-        CONE,
-        "Solid: apex at the origin, axis y, base disc of radius r at y = h.",
-        "2 16 2 1",
-    ),
-    shape(
-        17,
-        "double-cone",
-        "double cone",
-        DOUBLE_CONE,
-        "Solid: two cones that share the apex at the origin, base discs of radius r at y = ±h.",
-        "2 17 2 1",
-    ),
-    RecordType {
-        optional: &[or_default(positive("a", "the half width at y = 1"), "1")],
-        ..shape(
-            18,
-            "parabolic-cylinder",
-            "parabolic cylinder",
+/// Makes of the table the kinds of records, one for each entry, and the entries with their kinds.
+macro_rules! record_types {
+    (
+        void { $void:ident: $void_entry:expr, }
+        shapes { $($shape:ident: $shape_entry:expr,)* }
+        others { $($other:ident: $other_entry:expr,)* }
+    ) => {
+        /// The shapes of the language.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum ShapeKind { $($shape),* }
+
+        /// The types of records of the language.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum RecordKind { $void, Shape(ShapeKind), $($other),* }
+
+        /// Every record type of the language, in the order of the reference.
+        pub static RECORD_TYPES: &[RecordType] = &[
+            $void_entry.of_kind(RecordKind::$void),
+            $($shape_entry.of_kind(RecordKind::Shape(ShapeKind::$shape)),)*
+            $($other_entry.of_kind(RecordKind::$other),)*
+        ];
+    };
+}
+
+record_types! {
+    void {
+        Undefined: record(
+            0,
+            ["undefined", "undefined object"],
+            Family::Void,
+            Effect::Defines(Kind::Undefined),
             &[],
-            "Solid: (x/a)² − y ≤ 0, along z.",
-            "2 18",
+            "`ID 0` declares an object that may be defined once, later. A lone `0` in the place of an \
+             ID is the VOID record, which introduces a stand-alone comment.",
+            "7 0",
+        ),
+    }
+    shapes {
+        SurfaceOfRevolution: RecordType {
+            repeats: &[PROFILE],
+            ..shape(
+                1,
+                "surface-of-revolution",
+                "surface of revolution",
+                &[COUNT],
+                "Solid: the polyline of N profile points turned about the y axis; x is the distance from \
+                 the axis. Ends off the axis are closed by flat discs, unless the last point is the \
+                 first (a ring). The inside follows the even-odd rule of the closed profile.",
+                "2 1 4  0 2  1 1  1 0  0 0",
+            )
+        },
+        ColouredSurfaceOfRevolution: RecordType {
+            repeats: &[PROFILE, RGB],
+            ..shape(
+                2,
+                "coloured-surface-of-revolution",
+                "coloured surface of revolution",
+                &[COUNT],
+                "As type 1, with a colour for each profile point; between points the colour is linear.",
+                "2 2 2  0 1  1 0  1 0 0  0 0 1",
+            )
+        },
+        Plane: shape(
+            3,
+            "plane",
+            "plane",
+            PLANE,
+            "Surface: all points with ax + by + cz + d = 0. It has no inside and no orientation.",
+            "2 3  0 1 0  0",
         )
-    },
-    RecordType {
-        optional: &[
-            or_default(positive("a", "the semi-axis along x"), "1"),
-            or_default(positive("b", "the semi-axis along y"), "1"),
-        ],
-        ..shape(
-            19,
-            "hyperbolic-cylinder",
-            "hyperbolic cylinder",
-            &[],
-            "Solid: (x/a)² − (y/b)² − 1 ≤ 0, along z.",
-            "2 19",
+        .of_vectors(&[3, 1]),
+        HalfSpace: shape(
+            4,
+            "half-space",
+            "half-space",
+            PLANE,
+            "Solid: all points with ax + by + cz + d ≤ 0.",
+            "2 4  0 1 0  0",
         )
-    },
-    RecordType {
-        optional: &[
-            or_default(positive("a", "the semi-axis along x"), "1"),
-            or_default(positive("b", "the semi-axis along y"), "1"),
-            or_default(positive("c", "the semi-axis along z"), "1"),
-            or_default(
-                integer("sheets", Constraint::Within(1.0, 2.0), "the number of sheets"),
-                "1",
-            ),
-        ],
-        ..shape(
-            20,
-            "hyperboloid",
-            "hyperboloid",
-            &[],
-            "Solid around the y axis; one sheet: (x/a)² − (y/b)² + (z/c)² − 1 ≤ 0, two sheets: (x/a)² − (y/b)² + (z/c)² + 1 ≤ 0.",
-            "2 20 1 1 1 1",
+        .of_vectors(&[3, 1]),
+        Rectangle: shape(
+            5,
+            "rectangle",
+            "rectangle",
+            &[
+                length("xmin", "the left edge"),
+                length("ymin", "the lower edge"),
+                length("xmax", "the right edge"),
+                length("ymax", "the upper edge"),
+            ],
+            "Surface: the axis-aligned rectangle in the plane z = 0.",
+            "2 5  -1 -1  1 1",
         )
-    },
-    RecordType {
-        optional: &[
-            or_default(positive("a", "the half width along x at y = 1"), "1"),
-            or_default(positive("b", "the half width along z at y = −1"), "1"),
-        ],
-        ..shape(
-            21,
-            "hyperbolic-paraboloid",
-            "hyperbolic paraboloid",
-            &[],
-            "Solid: (x/a)² − (z/b)² − y ≤ 0.",
-            "2 21 1 1",
+        .of_vectors(&[2, 2]),
+        Triangle: shape(
+            6,
+            "triangle",
+            "triangle",
+            &TRIANGLE,
+            "Surface: a flat triangle.",
+            "2 6  0 0 0  1 0 0  0 1 0",
         )
-    },
-    record(
-        -1,
-        ["translate", "translation"],
-        Family::Transformation,
-        Effect::Changes(MOVABLE),
-        &[
-            length("x", "the step along x"),
-            length("y", "the step along y"),
-            length("z", "the step along z"),
-        ],
-        "Moves the object, point light or camera with this ID.",
-        "2 -1 0 5 0",
-    ),
-    record(
-        -2,
-        ["rotate", "rotation"],
-        Family::Transformation,
-        Effect::Changes(MOVABLE),
-        &[
-            Param {
-                unit: Unit::Degrees,
-                ..real(
-                    "angle",
-                    "the angle, counter-clockwise seen from the tip of the axis",
-                )
-            },
-            integer("axis", Constraint::Axis, "the axis (1 = x, 2 = y, 3 = z)"),
-        ],
-        "Turns the object, point light or camera with this ID about a coordinate axis.",
-        "2 -2 10 1",
-    ),
-    record(
-        -3,
-        ["scale", "scaling"],
-        Family::Transformation,
-        Effect::Changes(MOVABLE),
-        &[
-            Param {
-                constraint: Constraint::NonZeroScale,
-                ..real("sx", "the factor along x")
-            },
-            Param {
-                constraint: Constraint::NonZeroScale,
-                ..real("sy", "the factor along y")
-            },
-            Param {
-                constraint: Constraint::NonZeroScale,
-                ..real("sz", "the factor along z")
-            },
-        ],
-        "Scales the object, point light or camera with this ID from the origin; a negative factor mirrors.",
-        "2 -3 1 2 1",
-    ),
-    record(
-        -4,
-        ["rotation-matrix", "rotation matrix"],
-        Family::Transformation,
-        Effect::Changes(MOVABLE),
-        &MATRIX,
-        "Turns the object, point light or camera with this ID by a 4×4 matrix, given row by row, that acts on column vectors.",
-        "2 -4  0 -1 0 0  1 0 0 0  0 0 1 0  0 0 0 1",
-    )
-    .of_vectors(&[4, 4, 4, 4]),
-    record(
-        -99,
-        ["projection-matrix", "projection matrix"],
-        Family::Transformation,
-        Effect::DefinesOrChanges(Kind::Camera, CAMERA),
-        &MATRIX,
-        "Gives the camera with this ID a projection of its own: clip = P · view · x with the clip cube of OpenGL, \
-         in place of fovy. A new ID defines a camera at the origin that looks along −z.",
-        "9 -99  1 0 0 0  0 1 0 0  0 0 -1.2 -2.2  0 0 -1 0",
-    )
-    .of_vectors(&[4, 4, 4, 4]),
-    record(
-        -101,
-        ["union", "union"],
-        Family::Operation,
-        Effect::Defines(Kind::Object),
-        TWO_OBJECTS,
-        "A := B ∪ C. Each part keeps its own properties; the first operand that holds a point owns it.",
-        "4 -101 2 3",
-    ),
-    record(
-        -102,
-        ["intersection", "intersection"],
-        Family::Operation,
-        Effect::Defines(Kind::Object),
-        TWO_OBJECTS,
-        "A := B ∩ C. Every piece of boundary keeps the properties of the shape it comes from.",
-        "4 -102 2 3",
-    ),
-    record(
-        -103,
-        ["difference", "difference"],
-        Family::Operation,
-        Effect::Defines(Kind::Object),
-        TWO_OBJECTS,
-        "A := B − C. The whole boundary, cut faces too, has the properties of B.",
-        "4 -103 2 3",
-    ),
-    record(
-        -104,
-        ["complement", "complement"],
-        Family::Operation,
-        Effect::Defines(Kind::Object),
-        &[reference("B", OBJECT, "the operand")],
-        "A := −B, everything outside B.",
-        "4 -104 2",
-    ),
-    record(
-        -105,
-        ["copy", "copy"],
-        Family::Operation,
-        Effect::Defines(Kind::Object),
-        &[reference("B", ANYTHING, "what is copied")],
-        "A := B as it is at this point; the copy and the original then change apart.",
-        "4 -105 2",
-    ),
-    record(
-        -201,
-        ["optics", "optical property"],
-        Family::Property,
-        PROPERTY,
-        &[
-            share("kd", "the diffuse part"),
-            share("ks", "the mirrored part"),
-            share("kt", "the transmitted part"),
-        ],
-        "Diffuse, mirrored and transmitted parts of the light, the same in all channels.",
-        "35 -201 0.3 0.5 0.1",
-    ),
-    record(
-        -202,
-        ["optics-rgb", "optical property per channel"],
-        Family::Property,
-        PROPERTY,
-        &OPTICS_RGB,
-        "Diffuse, mirrored and transmitted parts of the light, channel by channel.",
-        "35 -202  0.5 0.5 0  0.5 0.5 0  0.5 0.5 0",
-    )
-    .of_vectors(&[3, 3, 3]),
-    record(
-        -203,
-        ["refractive-index", "refractive index"],
-        Family::Property,
-        PROPERTY,
-        &[
-            Param {
-                constraint: Constraint::Positive,
-                ..real("etaR", "the index for red")
-            },
-            Param {
-                constraint: Constraint::Positive,
-                ..real("etaG", "the index for green")
-            },
-            Param {
-                constraint: Constraint::Positive,
-                ..real("etaB", "the index for blue")
-            },
-        ],
-        "The refractive index, one per channel; different values split the colours.",
-        "35 -203 1.5 1.5 1.5",
-    ),
-    record(
-        -299,
-        ["assign", "assignment of properties"],
-        Family::Property,
-        Effect::Changes(OBJECT),
-        &[
-            reference_or_none("T", SURFACE_LOOK, "the texture or colour, or 0"),
-            reference_or_none("O", OPTICS, "the optical property, or 0"),
-        ],
-        "Gives the object with this ID a texture or colour and an optical property; 0 takes it back to the default.",
-        "4 -299 0 35",
-    ),
-    record(
-        -301,
-        ["image-texture", "image texture"],
-        Family::Texture,
-        TEXTURE,
-        &[Param {
-            kind: ParamKind::FileName,
-            ..real("file", "a PNG or JPEG file beside the scene")
-        }],
-        "A picture laid over the surface coordinates (u, v), repeated, read as sRGB.",
-        "16 -301 wood.png",
-    ),
-    RecordType {
-        optional: &[
-            or_default(
-                reference("c1", COLOUR, "the colour of the cubes at even places"),
-                "black",
-            ),
-            or_default(
-                reference("c2", COLOUR, "the colour of the cubes at odd places"),
-                "white",
-            ),
-            or_default(positive("s", "the cubes' edge"), "1"),
-        ],
-        ..record(
-            -302,
-            ["solid-texture", "solid texture"],
+        .of_vectors(&[3, 3, 3]),
+        TriangleWithNormal: shape(
+            7,
+            "triangle-with-normal",
+            "triangle with a normal",
+            &TRIANGLE_NORMAL,
+            "Surface: a triangle with one shading normal for all of it.",
+            "2 7  0 0 0  1 0 0  0 1 0  0 0 1",
+        )
+        .of_vectors(&[3, 3, 3, 3]),
+        TriangleWithVertexNormals: shape(
+            8,
+            "triangle-with-vertex-normals",
+            "triangle with vertex normals",
+            &TRIANGLE_NORMALS,
+            "Surface: a triangle with a shading normal at each vertex, interpolated and renormalised.",
+            "2 8  0 0 0  1 0 0  0 1 0  0 0 1  0 0 1  0 0 1",
+        )
+        .of_vectors(&[3, 3, 3, 3, 3, 3]),
+        SphereAtOrigin: shape(
+            9,
+            "sphere-at-origin",
+            "sphere at the origin",
+            &[positive("r", "the radius")],
+            "Solid: the ball of this radius around the origin.",
+            "2 9 10",
+        ),
+        Ellipsoid: shape(
+            10,
+            "ellipsoid",
+            "ellipsoid",
+            &[
+                positive("a", "the semi-axis along x"),
+                positive("b", "the semi-axis along y"),
+                positive("c", "the semi-axis along z"),
+            ],
+            "Solid: the axis-aligned ellipsoid around the origin.",
+            "2 10 1 2 3",
+        ),
+        Sphere: shape(
+            11,
+            "sphere",
+            "sphere",
+            &SPHERE,
+            "Solid: the ball with this centre and radius.",
+            "2 11  0 10 0  10",
+        )
+        .of_vectors(&[3, 1]),
+        Box: shape(
+            12,
+            "box",
+            "box",
+            &CORNERS,
+            "Solid: the axis-aligned box between two corners.",
+            "2 12  -1 -1 -1  1 1 1",
+        )
+        .of_vectors(&[3, 3]),
+        GeodesicSphere: shape(
+            13,
+            "geodesic-sphere",
+            "geodesic sphere",
+            &[
+                positive("r", "the radius"),
+                integer(
+                    "n",
+                    Constraint::Within(0.0, 9.0),
+                    "the number of splits of the facets",
+                ),
+            ],
+            "Solid: an icosahedron with the vertices (0, ±1, ±φ) and their cyclic permutations, \
+             every facet split into four n times, new vertices pushed out to the sphere: 20·4ⁿ flat facets.",
+            "2 13 1 3",
+        ),
+        Torus: shape(
+            14,
+            "torus",
+            "torus",
+            &[
+                positive("R", "the distance from the centre to the tube's centre"),
+                positive("r", "the tube's radius"),
+            ],
+            "Solid: a torus around the y axis. A tube wider than R is allowed; the inside follows the even-odd rule.",
+            "2 14 1 0.25",
+        ),
+        Quadric: shape(
+            15,
+            "quadric",
+            "quadric",
+            &MATRIX,
+            "Solid: all points with xᵀQx ≤ 0, where x = (x, y, z, 1). Only the symmetric part of Q counts.",
+            "2 15  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 -1",
+        )
+        .of_vectors(&[4, 4, 4, 4]),
+        Cone: shape(
+            16,
+            "cone",
+            "cone",
+            CONE,
+            "Solid: apex at the origin, axis y, base disc of radius r at y = h.",
+            "2 16 2 1",
+        ),
+        DoubleCone: shape(
+            17,
+            "double-cone",
+            "double cone",
+            DOUBLE_CONE,
+            "Solid: two cones that share the apex at the origin, base discs of radius r at y = ±h.",
+            "2 17 2 1",
+        ),
+        ParabolicCylinder: RecordType {
+            optional: &[or_default(positive("a", "the half width at y = 1"), "1")],
+            ..shape(
+                18,
+                "parabolic-cylinder",
+                "parabolic cylinder",
+                &[],
+                "Solid: (x/a)² − y ≤ 0, along z.",
+                "2 18",
+            )
+        },
+        HyperbolicCylinder: RecordType {
+            optional: &[
+                or_default(positive("a", "the semi-axis along x"), "1"),
+                or_default(positive("b", "the semi-axis along y"), "1"),
+            ],
+            ..shape(
+                19,
+                "hyperbolic-cylinder",
+                "hyperbolic cylinder",
+                &[],
+                "Solid: (x/a)² − (y/b)² − 1 ≤ 0, along z.",
+                "2 19",
+            )
+        },
+        Hyperboloid: RecordType {
+            optional: &[
+                or_default(positive("a", "the semi-axis along x"), "1"),
+                or_default(positive("b", "the semi-axis along y"), "1"),
+                or_default(positive("c", "the semi-axis along z"), "1"),
+                or_default(
+                    integer("sheets", Constraint::Within(1.0, 2.0), "the number of sheets"),
+                    "1",
+                ),
+            ],
+            ..shape(
+                20,
+                "hyperboloid",
+                "hyperboloid",
+                &[],
+                "Solid around the y axis; one sheet: (x/a)² − (y/b)² + (z/c)² − 1 ≤ 0, two sheets: (x/a)² − (y/b)² + (z/c)² + 1 ≤ 0.",
+                "2 20 1 1 1 1",
+            )
+        },
+        HyperbolicParaboloid: RecordType {
+            optional: &[
+                or_default(positive("a", "the half width along x at y = 1"), "1"),
+                or_default(positive("b", "the half width along z at y = −1"), "1"),
+            ],
+            ..shape(
+                21,
+                "hyperbolic-paraboloid",
+                "hyperbolic paraboloid",
+                &[],
+                "Solid: (x/a)² − (z/b)² − y ≤ 0.",
+                "2 21 1 1",
+            )
+        },
+    }
+    others {
+        Translation: record(
+            -1,
+            ["translate", "translation"],
+            Family::Transformation,
+            Effect::Changes(MOVABLE),
+            &[
+                length("x", "the step along x"),
+                length("y", "the step along y"),
+                length("z", "the step along z"),
+            ],
+            "Moves the object, point light or camera with this ID.",
+            "2 -1 0 5 0",
+        ),
+        Rotation: record(
+            -2,
+            ["rotate", "rotation"],
+            Family::Transformation,
+            Effect::Changes(MOVABLE),
+            &[
+                Param {
+                    unit: Unit::Degrees,
+                    ..real(
+                        "angle",
+                        "the angle, counter-clockwise seen from the tip of the axis",
+                    )
+                },
+                integer("axis", Constraint::Axis, "the axis (1 = x, 2 = y, 3 = z)"),
+            ],
+            "Turns the object, point light or camera with this ID about a coordinate axis.",
+            "2 -2 10 1",
+        ),
+        Scaling: record(
+            -3,
+            ["scale", "scaling"],
+            Family::Transformation,
+            Effect::Changes(MOVABLE),
+            &[
+                Param {
+                    constraint: Constraint::NonZeroScale,
+                    ..real("sx", "the factor along x")
+                },
+                Param {
+                    constraint: Constraint::NonZeroScale,
+                    ..real("sy", "the factor along y")
+                },
+                Param {
+                    constraint: Constraint::NonZeroScale,
+                    ..real("sz", "the factor along z")
+                },
+            ],
+            "Scales the object, point light or camera with this ID from the origin; a negative factor mirrors.",
+            "2 -3 1 2 1",
+        ),
+        RotationMatrix: record(
+            -4,
+            ["rotation-matrix", "rotation matrix"],
+            Family::Transformation,
+            Effect::Changes(MOVABLE),
+            &MATRIX,
+            "Turns the object, point light or camera with this ID by a 4×4 matrix, given row by row, that acts on column vectors.",
+            "2 -4  0 -1 0 0  1 0 0 0  0 0 1 0  0 0 0 1",
+        )
+        .of_vectors(&[4, 4, 4, 4]),
+        ProjectionMatrix: record(
+            -99,
+            ["projection-matrix", "projection matrix"],
+            Family::Transformation,
+            Effect::DefinesOrChanges(Kind::Camera, CAMERA),
+            &MATRIX,
+            "Gives the camera with this ID a projection of its own: clip = P · view · x with the clip cube of OpenGL, \
+             in place of fovy. A new ID defines a camera at the origin that looks along −z.",
+            "9 -99  1 0 0 0  0 1 0 0  0 0 -1.2 -2.2  0 0 -1 0",
+        )
+        .of_vectors(&[4, 4, 4, 4]),
+        Union: record(
+            -101,
+            ["union", "union"],
+            Family::Operation,
+            Effect::Defines(Kind::Object),
+            TWO_OBJECTS,
+            "A := B ∪ C. Each part keeps its own properties; the first operand that holds a point owns it.",
+            "4 -101 2 3",
+        ),
+        Intersection: record(
+            -102,
+            ["intersection", "intersection"],
+            Family::Operation,
+            Effect::Defines(Kind::Object),
+            TWO_OBJECTS,
+            "A := B ∩ C. Every piece of boundary keeps the properties of the shape it comes from.",
+            "4 -102 2 3",
+        ),
+        Difference: record(
+            -103,
+            ["difference", "difference"],
+            Family::Operation,
+            Effect::Defines(Kind::Object),
+            TWO_OBJECTS,
+            "A := B − C. The whole boundary, cut faces too, has the properties of B.",
+            "4 -103 2 3",
+        ),
+        Complement: record(
+            -104,
+            ["complement", "complement"],
+            Family::Operation,
+            Effect::Defines(Kind::Object),
+            &[reference("B", OBJECT, "the operand")],
+            "A := −B, everything outside B.",
+            "4 -104 2",
+        ),
+        Copy: record(
+            -105,
+            ["copy", "copy"],
+            Family::Operation,
+            Effect::Defines(Kind::Object),
+            &[reference("B", ANYTHING, "what is copied")],
+            "A := B as it is at this point; the copy and the original then change apart.",
+            "4 -105 2",
+        ),
+        Optics: record(
+            -201,
+            ["optics", "optical property"],
+            Family::Property,
+            PROPERTY,
+            &[
+                share("kd", "the diffuse part"),
+                share("ks", "the mirrored part"),
+                share("kt", "the transmitted part"),
+            ],
+            "Diffuse, mirrored and transmitted parts of the light, the same in all channels.",
+            "35 -201 0.3 0.5 0.1",
+        ),
+        OpticsRgb: record(
+            -202,
+            ["optics-rgb", "optical property per channel"],
+            Family::Property,
+            PROPERTY,
+            &OPTICS_RGB,
+            "Diffuse, mirrored and transmitted parts of the light, channel by channel.",
+            "35 -202  0.5 0.5 0  0.5 0.5 0  0.5 0.5 0",
+        )
+        .of_vectors(&[3, 3, 3]),
+        RefractiveIndex: record(
+            -203,
+            ["refractive-index", "refractive index"],
+            Family::Property,
+            PROPERTY,
+            &[
+                Param {
+                    constraint: Constraint::Positive,
+                    ..real("etaR", "the index for red")
+                },
+                Param {
+                    constraint: Constraint::Positive,
+                    ..real("etaG", "the index for green")
+                },
+                Param {
+                    constraint: Constraint::Positive,
+                    ..real("etaB", "the index for blue")
+                },
+            ],
+            "The refractive index, one per channel; different values split the colours.",
+            "35 -203 1.5 1.5 1.5",
+        ),
+        Assignment: record(
+            -299,
+            ["assign", "assignment of properties"],
+            Family::Property,
+            Effect::Changes(OBJECT),
+            &[
+                reference_or_none("T", SURFACE_LOOK, "the texture or colour, or 0"),
+                reference_or_none("O", OPTICS, "the optical property, or 0"),
+            ],
+            "Gives the object with this ID a texture or colour and an optical property; 0 takes it back to the default.",
+            "4 -299 0 35",
+        ),
+        ImageTexture: record(
+            -301,
+            ["image-texture", "image texture"],
             Family::Texture,
             TEXTURE,
-            &[],
-            "Cubes of two alternating colours in the object's coordinates at the time of the assignment.",
-            "16 -302 14 15 2",
-        )
-    },
-    record(
-        -399,
-        ["checkerboard", "checkerboard"],
-        Family::Texture,
-        TEXTURE,
-        &[
-            integer("N", Constraint::AtLeast(1.0), "the number of cells along u"),
-            integer("M", Constraint::AtLeast(1.0), "the number of cells along v"),
-            reference("c1", COLOUR, "the colour of the cells at even places"),
-            reference("c2", COLOUR, "the colour of the cells at odd places"),
-        ],
-        "N × M cells over the surface coordinates; c1 where ⌊uN⌋ + ⌊vM⌋ is even.",
-        "16 -399  10 15  14 15",
-    )
-    .of_vectors(&[2, 2]),
-    record(
-        -401,
-        ["ambient-light", "ambient light"],
-        Family::Light,
-        Effect::Defines(Kind::AmbientLight),
-        &[Param {
-            constraint: Constraint::AtLeast(0.0),
-            ..real("intensity", "the intensity")
-        }],
-        "Light that reaches every surface from everywhere; several add up.",
-        "50 -401 0.2",
-    ),
-    record(
-        -402,
-        ["point-light", "point light"],
-        Family::Light,
-        Effect::Defines(Kind::PointLight),
-        &[Param {
-            constraint: Constraint::AtLeast(0.0),
-            ..real("intensity", "the intensity")
-        }],
-        "A light at the origin until a transformation moves it; it does not get weaker with distance.",
-        "51 -402 0.8",
-    ),
-    record(
-        -501,
-        ["camera", "camera"],
-        Family::Camera,
-        Effect::Defines(Kind::Camera),
-        &CAMERA_PARAMS,
-        "Position, view direction, up vector (both of any length) and the vertical field of view.",
-        "9 -501  0 0 0  0 0 -1  0 1 0  45",
-    )
-    .of_vectors(&[3, 3, 3, 1]),
-    record(
-        -502,
-        ["mono-camera", "mono camera"],
-        Family::Camera,
-        Effect::Defines(Kind::Selection),
-        &[reference("camera", CAMERA, "the camera")],
-        "Selects the camera the picture is taken with; the last selection counts.",
-        "60 -502 9",
-    ),
-    record(
-        -503,
-        ["stereo-camera", "stereo camera"],
-        Family::Camera,
-        Effect::Defines(Kind::Selection),
-        &[
-            reference("left", CAMERA, "the left eye's camera"),
-            reference("right", CAMERA, "the right eye's camera"),
-        ],
-        "Selects a pair of cameras for a stereo picture; the last selection counts.",
-        "60 -503 9 10",
-    ),
-    record(
-        -601,
-        ["bounding-box", "bounding box"],
-        Family::Bound,
-        Effect::Changes(OBJECT),
-        &CORNERS,
-        "Promises that the object with this ID lies in this box. It never changes the picture.",
-        "2 -601  -1 -1 -1  1 1 1",
-    )
-    .of_vectors(&[3, 3]),
-    record(
-        -602,
-        ["bounding-sphere", "bounding sphere"],
-        Family::Bound,
-        Effect::Changes(OBJECT),
-        &SPHERE,
-        "Promises that the object with this ID lies in this ball. It never changes the picture.",
-        "2 -602  0 0 0  1",
-    )
-    .of_vectors(&[3, 1]),
-    record(
-        -701,
-        ["colour", "colour"],
-        Family::Colour,
-        Effect::DefinesOrChanges(
-            Kind::Colour,
-            &[
-                Kind::Colour,
-                Kind::Object,
-                Kind::AmbientLight,
-                Kind::PointLight,
-            ],
+            &[Param {
+                kind: ParamKind::FileName,
+                ..real("file", "a PNG or JPEG file beside the scene")
+            }],
+            "A picture laid over the surface coordinates (u, v), repeated, read as sRGB.",
+            "16 -301 wood.png",
         ),
-        RGB,
-        "Linear red, green and blue in [0, 1]. On an object or a light it is that one's colour.",
-        "7 -701 1 1 1",
-    ),
-    RecordType {
-        optional: &CORNERS,
-        vectors: &[2, 3, 3],
-        ..record(
-            9999,
-            ["render", "render record"],
-            Family::Render,
-            Effect::Defines(Kind::Render),
-            &[
-                reference("scene", OBJECT, "the object that is drawn"),
-                reference_or_none("background", COLOUR, "the background colour, 0 for black"),
+        SolidTexture: RecordType {
+            optional: &[
+                or_default(
+                    reference("c1", COLOUR, "the colour of the cubes at even places"),
+                    "black",
+                ),
+                or_default(
+                    reference("c2", COLOUR, "the colour of the cubes at odd places"),
+                    "white",
+                ),
+                or_default(positive("s", "the cubes' edge"), "1"),
             ],
-            "What is drawn, always with ID 1: an object, the background, and a box outside of which nothing is visible.",
-            "1 9999 6 7",
+            ..record(
+                -302,
+                ["solid-texture", "solid texture"],
+                Family::Texture,
+                TEXTURE,
+                &[],
+                "Cubes of two alternating colours in the object's coordinates at the time of the assignment.",
+                "16 -302 14 15 2",
+            )
+        },
+        Checkerboard: record(
+            -399,
+            ["checkerboard", "checkerboard"],
+            Family::Texture,
+            TEXTURE,
+            &[
+                integer("N", Constraint::AtLeast(1.0), "the number of cells along u"),
+                integer("M", Constraint::AtLeast(1.0), "the number of cells along v"),
+                reference("c1", COLOUR, "the colour of the cells at even places"),
+                reference("c2", COLOUR, "the colour of the cells at odd places"),
+            ],
+            "N × M cells over the surface coordinates; c1 where ⌊uN⌋ + ⌊vM⌋ is even.",
+            "16 -399  10 15  14 15",
         )
-    },
-];
+        .of_vectors(&[2, 2]),
+        AmbientLight: record(
+            -401,
+            ["ambient-light", "ambient light"],
+            Family::Light,
+            Effect::Defines(Kind::AmbientLight),
+            &[Param {
+                constraint: Constraint::AtLeast(0.0),
+                ..real("intensity", "the intensity")
+            }],
+            "Light that reaches every surface from everywhere; several add up.",
+            "50 -401 0.2",
+        ),
+        PointLight: record(
+            -402,
+            ["point-light", "point light"],
+            Family::Light,
+            Effect::Defines(Kind::PointLight),
+            &[Param {
+                constraint: Constraint::AtLeast(0.0),
+                ..real("intensity", "the intensity")
+            }],
+            "A light at the origin until a transformation moves it; it does not get weaker with distance.",
+            "51 -402 0.8",
+        ),
+        Camera: record(
+            -501,
+            ["camera", "camera"],
+            Family::Camera,
+            Effect::Defines(Kind::Camera),
+            &CAMERA_PARAMS,
+            "Position, view direction, up vector (both of any length) and the vertical field of view.",
+            "9 -501  0 0 0  0 0 -1  0 1 0  45",
+        )
+        .of_vectors(&[3, 3, 3, 1]),
+        MonoCamera: record(
+            -502,
+            ["mono-camera", "mono camera"],
+            Family::Camera,
+            Effect::Defines(Kind::Selection),
+            &[reference("camera", CAMERA, "the camera")],
+            "Selects the camera the picture is taken with; the last selection counts.",
+            "60 -502 9",
+        ),
+        StereoCamera: record(
+            -503,
+            ["stereo-camera", "stereo camera"],
+            Family::Camera,
+            Effect::Defines(Kind::Selection),
+            &[
+                reference("left", CAMERA, "the left eye's camera"),
+                reference("right", CAMERA, "the right eye's camera"),
+            ],
+            "Selects a pair of cameras for a stereo picture; the last selection counts.",
+            "60 -503 9 10",
+        ),
+        BoundingBox: record(
+            -601,
+            ["bounding-box", "bounding box"],
+            Family::Bound,
+            Effect::Changes(OBJECT),
+            &CORNERS,
+            "Promises that the object with this ID lies in this box. It never changes the picture.",
+            "2 -601  -1 -1 -1  1 1 1",
+        )
+        .of_vectors(&[3, 3]),
+        BoundingSphere: record(
+            -602,
+            ["bounding-sphere", "bounding sphere"],
+            Family::Bound,
+            Effect::Changes(OBJECT),
+            &SPHERE,
+            "Promises that the object with this ID lies in this ball. It never changes the picture.",
+            "2 -602  0 0 0  1",
+        )
+        .of_vectors(&[3, 1]),
+        Colour: record(
+            -701,
+            ["colour", "colour"],
+            Family::Colour,
+            Effect::DefinesOrChanges(
+                Kind::Colour,
+                &[
+                    Kind::Colour,
+                    Kind::Object,
+                    Kind::AmbientLight,
+                    Kind::PointLight,
+                ],
+            ),
+            RGB,
+            "Linear red, green and blue in [0, 1]. On an object or a light it is that one's colour.",
+            "7 -701 1 1 1",
+        ),
+        Render: RecordType {
+            optional: &CORNERS,
+            vectors: &[2, 3, 3],
+            ..record(
+                9999,
+                ["render", "render record"],
+                Family::Render,
+                Effect::Defines(Kind::Render),
+                &[
+                    reference("scene", OBJECT, "the object that is drawn"),
+                    reference_or_none("background", COLOUR, "the background colour, 0 for black"),
+                ],
+                "What is drawn, always with ID 1: an object, the background, and a box outside of which nothing is visible.",
+                "1 9999 6 7",
+            )
+        },
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -1133,6 +1179,7 @@ mod tests {
             }
             assert!(std::ptr::eq(RecordType::by_code(a.code.into()).unwrap(), a));
             assert!(std::ptr::eq(RecordType::by_keyword(a.keyword).unwrap(), a));
+            assert!(std::ptr::eq(RecordType::of(a.kind), a));
         }
     }
 

@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 
 use crate::geometry::Matrix;
 use crate::scene::{Node, NodeId, Scene, Texture, View, Volume};
-use crate::syntax::table::{RECORD_TYPES, RecordType};
+use crate::syntax::table::{RECORD_TYPES, RecordKind, RecordType};
 use crate::trace::plan::{self, Plan};
 
 /// One thing that a translation has to deal with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Feature {
-    /// A type of record, by its number.
-    Record(i32),
+    /// A type of record.
+    Record(RecordKind),
     Effect(Effect),
 }
 
@@ -79,16 +79,14 @@ impl Effect {
 impl Feature {
     /// All features: those of the table in its order, then the effects.
     pub fn all() -> impl Iterator<Item = Feature> {
-        let records = RECORD_TYPES.iter().map(|t| Feature::Record(t.code));
+        let records = RECORD_TYPES.iter().map(|t| Feature::Record(t.kind));
         records.chain(Effect::ALL.into_iter().map(Feature::Effect))
     }
 
     /// As reports call it.
     pub fn name(self) -> &'static str {
         match self {
-            Feature::Record(code) => {
-                RecordType::by_code(code.into()).map_or("unknown record", |t| t.title)
-            }
+            Feature::Record(kind) => RecordType::of(kind).title,
             Feature::Effect(effect) => effect.name(),
         }
     }
@@ -101,7 +99,7 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
     let (Some(render), Some(plan)) = (&scene.render, Plan::new(scene)) else {
         return out;
     };
-    let mut count = |code: i32| *out.entry(Feature::Record(code)).or_insert(0) += 1;
+    let mut count = |kind: RecordKind| *out.entry(Feature::Record(kind)).or_insert(0) += 1;
     let mut reached = vec![false; scene.nodes.len()];
     if let Some(root) = reached.get_mut(render.root as usize) {
         *root = true;
@@ -115,19 +113,19 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
             reached[child as usize] = true;
         }
         match *node {
-            Node::Shape(shape) => count(scene.shapes[shape as usize].ty.code),
-            Node::Union(..) => count(-101),
-            Node::Intersection(..) => count(-102),
-            Node::Difference(..) => count(-103),
-            Node::Complement(_) => count(-104),
-            Node::Copy { .. } => count(-105),
+            Node::Shape(shape) => count(scene.shapes[shape as usize].ty.kind),
+            Node::Union(..) => count(RecordKind::Union),
+            Node::Intersection(..) => count(RecordKind::Intersection),
+            Node::Difference(..) => count(RecordKind::Difference),
+            Node::Complement(_) => count(RecordKind::Complement),
+            Node::Copy { .. } => count(RecordKind::Copy),
             Node::Transform { matrix, .. } => {
                 count(transformation(&scene.matrices[matrix as usize]));
             }
             Node::Paint { paint, .. } => {
                 let paint = &scene.paints[paint as usize];
                 if paint.texture.is_some() && paint.optics.is_some() {
-                    count(-299);
+                    count(RecordKind::Assignment);
                 }
                 paint
                     .texture
@@ -137,10 +135,14 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
                     .for_each(&mut count);
                 if let Some(o) = &paint.optics {
                     let mono = [o.kd, o.ks, o.kt].iter().all(|[r, g, b]| r == g && g == b);
-                    count(if mono { -201 } else { -202 });
+                    count(if mono {
+                        RecordKind::Optics
+                    } else {
+                        RecordKind::OpticsRgb
+                    });
                 }
                 if paint.index.is_some() {
-                    count(-203);
+                    count(RecordKind::RefractiveIndex);
                 }
             }
         }
@@ -148,32 +150,38 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
     for promise in &scene.promises {
         if reached.get(base(scene, promise.node) as usize) == Some(&true) {
             count(match promise.volume {
-                Volume::Box { .. } => -601,
-                Volume::Sphere { .. } => -602,
+                Volume::Box { .. } => RecordKind::BoundingBox,
+                Volume::Sphere { .. } => RecordKind::BoundingSphere,
             });
         }
     }
-    scene.ambient_lights.iter().for_each(|_| count(-401));
-    scene.point_lights.iter().for_each(|_| count(-402));
+    scene
+        .ambient_lights
+        .iter()
+        .for_each(|_| count(RecordKind::AmbientLight));
+    scene
+        .point_lights
+        .iter()
+        .for_each(|_| count(RecordKind::PointLight));
     let views = match scene.view {
         View::Automatic => vec![],
         View::Mono(i) => {
-            count(-502);
+            count(RecordKind::MonoCamera);
             vec![i]
         }
         View::Stereo { left, right } => {
-            count(-503);
+            count(RecordKind::StereoCamera);
             vec![left, right]
         }
     };
     for camera in views.into_iter().filter_map(|i| scene.cameras.get(i)) {
         count(if camera.projection.is_some() {
-            -99
+            RecordKind::ProjectionMatrix
         } else {
-            -501
+            RecordKind::Camera
         });
     }
-    count(9999);
+    count(RecordKind::Render);
     for effect in Effect::ALL {
         if shows(effect, scene, &plan) {
             out.insert(Feature::Effect(effect), 0);
@@ -192,28 +200,28 @@ fn base(scene: &Scene, mut node: NodeId) -> NodeId {
     node
 }
 
-fn texture(texture: &Texture) -> i32 {
+fn texture(texture: &Texture) -> RecordKind {
     match texture {
-        Texture::Colour(_) => -701,
-        Texture::Image { .. } => -301,
-        Texture::Solid { .. } => -302,
-        Texture::Checkerboard { .. } => -399,
+        Texture::Colour(_) => RecordKind::Colour,
+        Texture::Image { .. } => RecordKind::ImageTexture,
+        Texture::Solid { .. } => RecordKind::SolidTexture,
+        Texture::Checkerboard { .. } => RecordKind::Checkerboard,
     }
 }
 
 /// The type of record that says what a matrix does.
-fn transformation(m: &Matrix) -> i32 {
+fn transformation(m: &Matrix) -> RecordKind {
     let r = &m.0;
     let moved = (0..3).any(|i| r[i][3] != 0.0);
     let diagonal = (0..3).all(|i| (0..3).all(|j| i == j || r[i][j] == 0.0));
     let kept = (0..3)
         .any(|k| (0..3).all(|i| r[i][k] == r[k][i] && r[i][k] == f64::from(u8::from(i == k))));
     match (diagonal, moved) {
-        (true, true) if (0..3).all(|i| r[i][i] == 1.0) => -1,
-        (true, false) => -3,
+        (true, true) if (0..3).all(|i| r[i][i] == 1.0) => RecordKind::Translation,
+        (true, false) => RecordKind::Scaling,
         // A rotation by sine and cosine, within their rounding and that of ten digits.
-        (false, false) if kept && (m.determinant3() - 1.0).abs() < 1e-9 => -2,
-        _ => -4,
+        (false, false) if kept && (m.determinant3() - 1.0).abs() < 1e-9 => RecordKind::Rotation,
+        _ => RecordKind::RotationMatrix,
     }
 }
 
@@ -245,11 +253,20 @@ mod tests {
 
     #[test]
     fn matrices_are_told_apart() {
-        assert_eq!(transformation(&Matrix::translation(1.0, 0.0, 0.0)), -1);
-        assert_eq!(transformation(&Matrix::rotation(30.0, 1)), -2);
-        assert_eq!(transformation(&Matrix::scaling(2.0, -1.0, 1.0)), -3);
+        assert_eq!(
+            transformation(&Matrix::translation(1.0, 0.0, 0.0)),
+            RecordKind::Translation
+        );
+        assert_eq!(
+            transformation(&Matrix::rotation(30.0, 1)),
+            RecordKind::Rotation
+        );
+        assert_eq!(
+            transformation(&Matrix::scaling(2.0, -1.0, 1.0)),
+            RecordKind::Scaling
+        );
         let turned = Matrix::rotation(30.0, 1).after(&Matrix::rotation(30.0, 0));
-        assert_eq!(transformation(&turned), -4);
+        assert_eq!(transformation(&turned), RecordKind::RotationMatrix);
     }
 
     #[test]

@@ -76,16 +76,11 @@ impl Report {
         }
     }
 
-    /// A line for each feature that the scene uses, by what the target makes of it; a feature
-    /// that the target does not know is dropped.
-    pub fn of(
-        target: &'static str,
-        scene: &Scene,
-        verdict: impl Fn(Feature) -> Option<Verdict>,
-    ) -> Report {
+    /// A line for each feature that the scene uses, by what the target makes of it.
+    pub fn of(target: &'static str, scene: &Scene, verdict: impl Fn(Feature) -> Verdict) -> Report {
         let mut report = Report::new(target);
         for (feature, uses) in used(scene) {
-            let verdict = verdict(feature).unwrap_or_else(|| Verdict::dropped(""));
+            let verdict = verdict(feature);
             report
                 .add(feature.name(), verdict.fidelity, &verdict.note)
                 .uses = uses;

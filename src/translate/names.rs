@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use crate::scene::{Entity, Node, NodeId, Scene};
 use crate::syntax::Captions;
-use crate::syntax::table::RecordType;
+use crate::syntax::table::{RecordKind, RecordType};
 
 /// The entities of a scene by their IDs.
 pub struct Names<'a> {
@@ -36,19 +36,22 @@ pub fn comment(scene: &Scene, captions: &Captions, node: NodeId, id: u32) -> Opt
     // Only the state that the entity is in matters here, not the ones it went through: a few
     // steps tell.
     for _ in 0..64 {
-        let code = match scene.nodes[at as usize] {
+        let kind = match scene.nodes[at as usize] {
             Node::Transform { child, .. } | Node::Paint { child, .. } => {
                 at = child;
                 continue;
             }
-            Node::Shape(shape) => i64::from(scene.shapes[shape as usize].ty.code),
-            Node::Union(..) => -101,
-            Node::Intersection(..) => -102,
-            Node::Difference(..) => -103,
-            Node::Complement(_) => -104,
-            Node::Copy { .. } => -105,
+            Node::Shape(shape) => scene.shapes[shape as usize].ty.kind,
+            Node::Union(..) => RecordKind::Union,
+            Node::Intersection(..) => RecordKind::Intersection,
+            Node::Difference(..) => RecordKind::Difference,
+            Node::Complement(_) => RecordKind::Complement,
+            Node::Copy { .. } => RecordKind::Copy,
         };
-        let title = RecordType::by_code(code).filter(|_| id != 0)?.title;
+        if id == 0 {
+            return None;
+        }
+        let title = RecordType::of(kind).title;
         return Some(match captions.get(id) {
             Some(words) => format!("{title}, {words}"),
             None => title.to_owned(),

@@ -4,6 +4,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
 use crate::lint::spelling::rough;
 use crate::scene::record::Params;
+use crate::syntax::table::{RecordKind, ShapeKind};
 
 /// Whole numbers up to 255 are bytes as image programs show them. Up to 100 they may as well be
 /// per cent, and nothing is proposed.
@@ -12,10 +13,12 @@ const PER_CENT_MAX: f64 = 100.0;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
-        let first = match record.ty.code {
-            -701 => 0,
+        let first = match record.ty.kind {
+            RecordKind::Colour => 0,
             // The colours follow the points of the profile.
-            2 => 1 + 2 * record.count as usize,
+            RecordKind::Shape(ShapeKind::ColouredSurfaceOfRevolution) => {
+                1 + 2 * record.count as usize
+            }
             _ => continue,
         };
         let p = context.record_params(record);

@@ -3,6 +3,7 @@
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
 use crate::syntax::lexer::TokenKind;
+use crate::syntax::table::RecordKind;
 use crate::syntax::{self, Item};
 
 /// How many bytes of comments are read as records, in all. Reading is linear, but slow where the layout
@@ -82,7 +83,7 @@ fn read(text: &str, block: Span, hidden: &mut Vec<(Span, &'static str, u32)>) {
         }
         match item {
             // `1 0` is as likely to be a pair of numbers as a placeholder.
-            Item::Record(r) if r.ty.code != 0 && (starts || follows) => {
+            Item::Record(r) if r.ty.kind != RecordKind::Undefined && (starts || follows) => {
                 let place = Span::new(block.start + span.start, block.start + span.end);
                 waiting.push((place, r.ty.title, r.id));
                 end_of_whole = span.end as usize;

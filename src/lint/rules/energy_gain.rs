@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Code, Diagnostic};
 use crate::lint::Context;
+use crate::syntax::table::RecordKind;
 use crate::syntax::{Item, Record};
 
 /// The sum of the decimal numbers may exceed 1 by the rounding of its three terms and two additions.
@@ -10,7 +11,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for item in &context.document.items {
         if let Item::Record(record) = item
-            && matches!(record.ty.code, -201 | -202)
+            && matches!(record.ty.kind, RecordKind::Optics | RecordKind::OpticsRgb)
         {
             check_record(context, record, out);
         }
@@ -23,8 +24,8 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
         .iter()
         .filter_map(|t| t.number(context.text))
         .collect();
-    let channels: &[(&str, &str)] = match record.ty.code {
-        -201 => &[("", "")],
+    let channels: &[(&str, &str)] = match record.ty.kind {
+        RecordKind::Optics => &[("", "")],
         _ => &[
             ("red", "sum-in-red"),
             ("green", "sum-in-green"),

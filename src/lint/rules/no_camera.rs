@@ -4,13 +4,14 @@ use crate::diagnostics::{Code, Diagnostic};
 use crate::lint::Context;
 use crate::scene::View;
 use crate::syntax::Item;
+use crate::syntax::table::RecordKind;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = context.scene.render else {
         return;
     };
     // A camera that could not be read is no reason to say there is none.
-    let broken = |item: &Item| matches!(item, Item::Broken(b) if b.ty.is_none_or(|t| matches!(t.code, -501 | -99)));
+    let broken = |item: &Item| matches!(item, Item::Broken(b) if b.ty.is_none_or(|t| matches!(t.kind, RecordKind::Camera | RecordKind::ProjectionMatrix)));
     if context.scene.view == View::Automatic
         && context.scene.cameras.is_empty()
         && !context.document.items.iter().any(broken)

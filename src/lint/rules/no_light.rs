@@ -3,7 +3,7 @@
 use crate::diagnostics::{Code, Diagnostic};
 use crate::lint::Context;
 use crate::syntax::Item;
-use crate::syntax::table::Kind;
+use crate::syntax::table::{Kind, RecordKind};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = context.scene.render else {
@@ -13,8 +13,10 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let light = |k: Option<Kind>| matches!(k, Some(Kind::AmbientLight | Kind::PointLight));
     // One that is wrong was meant to be there.
     let meant = |item: &Item| match item {
-        Item::Record(r) => matches!(r.ty.code, -401 | -402),
-        Item::Broken(b) => b.ty.is_none_or(|t| matches!(t.code, -401 | -402)),
+        Item::Record(r) => matches!(r.ty.kind, RecordKind::AmbientLight | RecordKind::PointLight),
+        Item::Broken(b) => {
+            b.ty.is_none_or(|t| matches!(t.kind, RecordKind::AmbientLight | RecordKind::PointLight))
+        }
         Item::Void { .. } => false,
     };
     if scene.ambient_lights.is_empty()

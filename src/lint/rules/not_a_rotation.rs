@@ -6,6 +6,7 @@ use crate::lint::Context;
 use crate::lint::spelling::spelled;
 use crate::scene::record::Params;
 use crate::syntax::Item;
+use crate::syntax::table::RecordKind;
 
 type Matrix3 = [[f64; 3]; 3];
 
@@ -19,7 +20,7 @@ const DECIMALS: i32 = 12;
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for item in &context.document.items {
         if let Item::Record(record) = item
-            && record.ty.code == -4
+            && record.ty.kind == RecordKind::RotationMatrix
         {
             check_record(&Params::new(context.document, context.text, record), out);
         }

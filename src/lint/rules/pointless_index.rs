@@ -7,14 +7,17 @@ use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
 use crate::scene::record::Params;
 use crate::scene::{DEFAULT_INDEX, Node, NodeId, Paint, Scene};
-use crate::syntax::table::Kind;
+use crate::syntax::table::{Kind, RecordKind};
 
 /// The refractive index of a vacuum: nothing is thinner.
 const VACUUM: f64 = 1.0;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut any = false;
-    for record in context.records().filter(|r| r.ty.code == -203) {
+    for record in context
+        .records()
+        .filter(|r| r.ty.kind == RecordKind::RefractiveIndex)
+    {
         any = true;
         let p = context.record_params(record);
         out.extend(below_one(&p));
@@ -114,11 +117,11 @@ fn sources(context: &Context) -> Vec<Option<Span>> {
     for record in context.records() {
         let span = context.document.span(record.first, record.last);
         let made = scene.origins.get(next).is_some_and(|o| o.span == span);
-        match record.ty.code {
-            -203 => {
+        match record.ty.kind {
+            RecordKind::RefractiveIndex => {
                 last.insert(record.id, Some(span));
             }
-            -299 => {
+            RecordKind::Assignment => {
                 let optics = context.record_params(record).integer(1);
                 let optics = u32::try_from(optics).ok();
                 let source = optics.and_then(|id| last.get(&id).copied().flatten());

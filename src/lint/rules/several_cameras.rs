@@ -4,7 +4,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::scene::{Entity, View};
 use crate::syntax::Item;
-use crate::syntax::table::Kind;
+use crate::syntax::table::{Kind, RecordKind};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let cameras = &context.scene.cameras;
@@ -13,8 +13,10 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     };
     // A selection counts even where it could not be read.
     let selects = |item: &Item| match item {
-        Item::Record(r) => matches!(r.ty.code, -502 | -503),
-        Item::Broken(b) => b.ty.is_none_or(|t| matches!(t.code, -502 | -503)),
+        Item::Record(r) => matches!(r.ty.kind, RecordKind::MonoCamera | RecordKind::StereoCamera),
+        Item::Broken(b) => {
+            b.ty.is_none_or(|t| matches!(t.kind, RecordKind::MonoCamera | RecordKind::StereoCamera))
+        }
         Item::Void { .. } => false,
     };
     if cameras.len() < 2 || context.document.items.iter().any(selects) {

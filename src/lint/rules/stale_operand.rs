@@ -12,7 +12,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::syntax::Record;
-use crate::syntax::table::{Effect, Family};
+use crate::syntax::table::{Effect, Family, RecordKind};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if context.has_broken() {
@@ -72,8 +72,11 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
     // What these name is taken at the end of the file.
     let mut at_the_end: FxHashSet<u32> = FxHashSet::default();
     for record in context.records() {
-        let code = record.ty.code;
-        if matches!(code, 9999 | -502 | -503) {
+        let kind = record.ty.kind;
+        if matches!(
+            kind,
+            RecordKind::Render | RecordKind::MonoCamera | RecordKind::StereoCamera
+        ) {
             at_the_end.extend(context.references(record));
             continue;
         }
@@ -81,7 +84,7 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
             entries.insert(
                 id,
                 Entry {
-                    taker: Some(record).filter(|_| code != -105),
+                    taker: Some(record).filter(|_| kind != RecordKind::Copy),
                     ..Entry::default()
                 },
             );
@@ -98,7 +101,7 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
                 Some(_) => entry.more += 1,
             }
         }
-        if code != 0 {
+        if kind != RecordKind::Undefined {
             defined.insert(record.id);
         }
     }

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
-use crate::syntax::table::{Effect, Kind};
+use crate::syntax::table::{Effect, Kind, RecordKind};
 
 /// What an ID stands for and which others its records name, whether they define or change it.
 struct Definition {
@@ -95,7 +95,9 @@ fn definitions(context: &Context) -> Option<Vec<Definition>> {
         let &own = at.get(&record.id)?;
         if context.document.id_token(record).span() == all[own].span {
             all[own].title = record.ty.title;
-        } else if record.ty.code != 0 && matches!(record.ty.effect, Effect::Defines(_)) {
+        } else if record.ty.kind != RecordKind::Undefined
+            && matches!(record.ty.effect, Effect::Defines(_))
+        {
             // Defined twice: which of the two was meant is not known.
             all[own].used = true;
         }

@@ -10,6 +10,7 @@ use std::fmt::{self, Write};
 
 use super::model::{self, Item, Node, Rgb, Scene, Texture, Vec3, Volume};
 use crate::geometry::Matrix;
+use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
 
 /// The largest ID.
 pub const ID_MAX: u32 = i32::MAX as u32;
@@ -130,9 +131,9 @@ impl<'a> Speller<'a> {
     }
 
     /// Writes a record.
-    fn record(&mut self, id: u32, ty: i32, params: &[Param]) {
+    fn record(&mut self, id: u32, kind: RecordKind, params: &[Param]) {
         // Writing to a string cannot fail.
-        let _ = write!(self.text, "{id} {ty}");
+        let _ = write!(self.text, "{id} {}", RecordType::of(kind).code);
         for p in params {
             let _ = match *p {
                 Param::Real(x) => write!(self.text, " {x:?}"),
@@ -163,10 +164,12 @@ impl<'a> Speller<'a> {
             while let Some((_, bound)) = bounds.next_if(|b| b.0 == i) {
                 self.place = Place::Bound(bound);
                 match scene.bounds[bound as usize].volume {
-                    Volume::Box { min, max } => self.record(holder, -601, &reals(&[min, max])),
+                    Volume::Box { min, max } => {
+                        self.record(holder, RecordKind::BoundingBox, &reals(&[min, max]))
+                    }
                     Volume::Sphere { centre, radius } => {
                         let params = [&centre[..], &[radius]].concat();
-                        self.record(holder, -602, &reals(&[params]));
+                        self.record(holder, RecordKind::BoundingSphere, &reals(&[params]));
                     }
                 }
             }
@@ -195,12 +198,14 @@ impl<'a> Speller<'a> {
                 if let Some(model::Optics { kd, ks, kt }) = optics {
                     let channel = |c: usize| [kd[c], ks[c], kt[c]];
                     match channel(0) == channel(1) && channel(0) == channel(2) {
-                        true => self.record(id, -201, &reals(&[channel(0)])),
-                        false => self.record(id, -202, &reals(&[0, 1, 2].map(channel))),
+                        true => self.record(id, RecordKind::Optics, &reals(&[channel(0)])),
+                        false => {
+                            self.record(id, RecordKind::OpticsRgb, &reals(&[0, 1, 2].map(channel)))
+                        }
                     }
                 }
                 if let Some(index) = index {
-                    self.record(id, -203, &reals(&[*index]));
+                    self.record(id, RecordKind::RefractiveIndex, &reals(&[*index]));
                 }
                 id
             }
@@ -210,7 +215,7 @@ impl<'a> Speller<'a> {
                     .map(|n| Param::Integer(self.used(n)))
                     .collect();
                 match operation(node) {
-                    Some(ty) => self.record(id, ty, &operands),
+                    Some(kind) => self.record(id, kind, &operands),
                     None => self.shape(id, node),
                 }
                 id
@@ -231,7 +236,7 @@ impl<'a> Speller<'a> {
             return holder;
         }
         let copy = self.fresh();
-        self.record(copy, -105, &[Param::Integer(holder)]);
+        self.record(copy, RecordKind::Copy, &[Param::Integer(holder)]);
         copy
     }
 
@@ -244,29 +249,33 @@ impl<'a> Speller<'a> {
         let stretch = Matrix::scaling(factors[0], factors[1], factors[2]);
         let moved = Matrix::translation(step[0], step[1], step[2]);
         if is(&moved) {
-            self.record(id, -1, &reals(&[step]));
+            self.record(id, RecordKind::Translation, &reals(&[step]));
         } else if is(&stretch) {
-            self.record(id, -3, &reals(&[factors]));
+            self.record(id, RecordKind::Scaling, &reals(&[factors]));
         } else if is(&moved.after(&stretch)) && !after_another {
-            self.record(id, -3, &reals(&[factors]));
-            self.record(id, -1, &reals(&[step]));
+            self.record(id, RecordKind::Scaling, &reals(&[factors]));
+            self.record(id, RecordKind::Translation, &reals(&[step]));
         } else {
             self.any_matrix |= !m.is_rotation(TURN);
-            self.record(id, -4, &reals(&[*matrix]));
+            self.record(id, RecordKind::RotationMatrix, &reals(&[*matrix]));
         }
     }
 
     fn texture(&mut self, id: u32, texture: &Texture) {
         match texture {
-            Texture::Colour(rgb) => self.record(id, -701, &reals(&[*rgb])),
-            Texture::Image(file) => self.record(id, -301, &[Param::Name(file)]),
+            Texture::Colour(rgb) => self.record(id, RecordKind::Colour, &reals(&[*rgb])),
+            Texture::Image(file) => self.record(id, RecordKind::ImageTexture, &[Param::Name(file)]),
             Texture::Checkerboard { n, m, colours } => {
                 let [c, d] = colours.map(|c| Param::Integer(self.colour(c)));
-                self.record(id, -399, &[Param::Integer(*n), Param::Integer(*m), c, d]);
+                self.record(
+                    id,
+                    RecordKind::Checkerboard,
+                    &[Param::Integer(*n), Param::Integer(*m), c, d],
+                );
             }
             Texture::Solid { colours, size } => {
                 let [c, d] = colours.map(|c| Param::Integer(self.colour(c)));
-                self.record(id, -302, &[c, d, Param::Real(*size)]);
+                self.record(id, RecordKind::SolidTexture, &[c, d, Param::Real(*size)]);
             }
         }
     }
@@ -278,54 +287,74 @@ impl<'a> Speller<'a> {
             return id;
         }
         let id = self.fresh();
-        self.record(id, -701, &reals(&[rgb]));
+        self.record(id, RecordKind::Colour, &reals(&[rgb]));
         self.colours.insert(key, id);
         id
     }
 
     fn shape(&mut self, id: u32, node: &Node) {
-        let (ty, params) = match node {
+        let (kind, params) = match node {
             Node::SurfaceOfRevolution { profile, colours } => {
                 let count = Param::Integer(profile.len() as u32);
                 let points = profile.iter().flatten().copied();
                 let all = points.chain(colours.iter().flatten().copied());
                 let params = std::iter::once(count).chain(all.map(Param::Real));
-                (if colours.is_empty() { 1 } else { 2 }, params.collect())
+                let kind = match colours.is_empty() {
+                    true => ShapeKind::SurfaceOfRevolution,
+                    false => ShapeKind::ColouredSurfaceOfRevolution,
+                };
+                (kind, params.collect())
             }
-            &Node::Plane { a, b, c, d } => (3, reals(&[[a, b, c, d]])),
-            &Node::HalfSpace { a, b, c, d } => (4, reals(&[[a, b, c, d]])),
-            &Node::Rectangle { min, max } => (5, reals(&[min, max])),
+            &Node::Plane { a, b, c, d } => (ShapeKind::Plane, reals(&[[a, b, c, d]])),
+            &Node::HalfSpace { a, b, c, d } => (ShapeKind::HalfSpace, reals(&[[a, b, c, d]])),
+            &Node::Rectangle { min, max } => (ShapeKind::Rectangle, reals(&[min, max])),
             Node::Triangle { vertices, normals } => {
                 let all: Vec<Vec3> = vertices.iter().chain(normals).copied().collect();
-                let ty = [6, 7, 8][normals.len().min(2)];
-                (ty, reals(&all))
+                let kind = match normals.len() {
+                    0 => ShapeKind::Triangle,
+                    1 => ShapeKind::TriangleWithNormal,
+                    _ => ShapeKind::TriangleWithVertexNormals,
+                };
+                (kind, reals(&all))
             }
-            &Node::Sphere { centre, radius } if centre == [0.0; 3] => (9, reals(&[[radius]])),
+            &Node::Sphere { centre, radius } if centre == [0.0; 3] => {
+                (ShapeKind::SphereAtOrigin, reals(&[[radius]]))
+            }
             &Node::Sphere {
                 centre: [x, y, z],
                 radius,
-            } => (11, reals(&[[x, y, z, radius]])),
-            &Node::Ellipsoid { semi_axes } => (10, reals(&[semi_axes])),
-            &Node::Box { min, max } => (12, reals(&[min, max])),
-            &Node::GeodesicSphere { radius, splits } => {
-                (13, vec![Param::Real(radius), Param::Integer(splits)])
+            } => (ShapeKind::Sphere, reals(&[[x, y, z, radius]])),
+            &Node::Ellipsoid { semi_axes } => (ShapeKind::Ellipsoid, reals(&[semi_axes])),
+            &Node::Box { min, max } => (ShapeKind::Box, reals(&[min, max])),
+            &Node::GeodesicSphere { radius, splits } => (
+                ShapeKind::GeodesicSphere,
+                vec![Param::Real(radius), Param::Integer(splits)],
+            ),
+            &Node::Torus { major, minor } => (ShapeKind::Torus, reals(&[[major, minor]])),
+            &Node::Quadric { matrix } => (ShapeKind::Quadric, reals(&[matrix])),
+            &Node::Cone { height, radius } => (ShapeKind::Cone, reals(&[[height, radius]])),
+            &Node::DoubleCone { height, radius } => {
+                (ShapeKind::DoubleCone, reals(&[[height, radius]]))
             }
-            &Node::Torus { major, minor } => (14, reals(&[[major, minor]])),
-            &Node::Quadric { matrix } => (15, reals(&[matrix])),
-            &Node::Cone { height, radius } => (16, reals(&[[height, radius]])),
-            &Node::DoubleCone { height, radius } => (17, reals(&[[height, radius]])),
-            &Node::ParabolicCylinder { a } => (18, reals(&[[a]])),
-            &Node::HyperbolicCylinder { a, b } => (19, reals(&[[a, b]])),
+            &Node::ParabolicCylinder { a } => (ShapeKind::ParabolicCylinder, reals(&[[a]])),
+            &Node::HyperbolicCylinder { a, b } => (ShapeKind::HyperbolicCylinder, reals(&[[a, b]])),
             &Node::Hyperboloid { a, b, c, sheets } => {
                 let mut params = reals(&[[a, b, c]]);
                 params.push(Param::Integer(sheets));
-                (20, params)
+                (ShapeKind::Hyperboloid, params)
             }
-            &Node::HyperbolicParaboloid { a, b } => (21, reals(&[[a, b]])),
-            // Everything else is no shape.
-            _ => return,
+            &Node::HyperbolicParaboloid { a, b } => {
+                (ShapeKind::HyperbolicParaboloid, reals(&[[a, b]]))
+            }
+            Node::Union { .. }
+            | Node::Intersection { .. }
+            | Node::Difference { .. }
+            | Node::Complement { .. }
+            | Node::Copy { .. }
+            | Node::Transform { .. }
+            | Node::Paint { .. } => return,
         };
-        self.record(id, ty, &params);
+        self.record(id, RecordKind::Shape(kind), &params);
     }
 
     fn lights(&mut self) {
@@ -337,15 +366,15 @@ impl<'a> Speller<'a> {
         for (light, i) in scene.ambient_lights.iter().zip(0..) {
             self.place = Place::AmbientLight(i);
             let id = light.id.unwrap_or_else(|| self.fresh());
-            self.record(id, -401, &reals(&[[light.intensity]]));
+            self.record(id, RecordKind::AmbientLight, &reals(&[[light.intensity]]));
             self.tint(id, light.colour);
         }
         for (light, i) in scene.point_lights.iter().zip(0..) {
             self.place = Place::PointLight(i);
             let id = light.id.unwrap_or_else(|| self.fresh());
-            self.record(id, -402, &reals(&[[light.intensity]]));
+            self.record(id, RecordKind::PointLight, &reals(&[[light.intensity]]));
             if light.position != [0.0; 3] {
-                self.record(id, -1, &reals(&[light.position]));
+                self.record(id, RecordKind::Translation, &reals(&[light.position]));
             }
             self.tint(id, light.colour);
         }
@@ -353,7 +382,7 @@ impl<'a> Speller<'a> {
 
     fn tint(&mut self, id: u32, colour: Rgb) {
         if colour != [1.0; 3] {
-            self.record(id, -701, &reals(&[colour]));
+            self.record(id, RecordKind::Colour, &reals(&[colour]));
         }
     }
 
@@ -379,9 +408,9 @@ impl<'a> Speller<'a> {
                 ..
             } = *camera;
             let params = [&position[..], &direction, &up, &[fovy]].concat();
-            self.record(id, -501, &reals(&[params]));
+            self.record(id, RecordKind::Camera, &reals(&[params]));
             if let Some(projection) = camera.projection {
-                self.record(id, -99, &reals(&[projection]));
+                self.record(id, RecordKind::ProjectionMatrix, &reals(&[projection]));
             }
             ids.push(Param::Integer(id));
         }
@@ -389,11 +418,15 @@ impl<'a> Speller<'a> {
         match scene.view {
             Some(model::View::Mono(camera)) if ids.len() > 1 => {
                 let id = self.fresh();
-                self.record(id, -502, &[ids[camera as usize]]);
+                self.record(id, RecordKind::MonoCamera, &[ids[camera as usize]]);
             }
             Some(model::View::Stereo { left, right }) => {
                 let id = self.fresh();
-                self.record(id, -503, &[ids[left as usize], ids[right as usize]]);
+                self.record(
+                    id,
+                    RecordKind::StereoCamera,
+                    &[ids[left as usize], ids[right as usize]],
+                );
             }
             _ => {}
         }
@@ -414,7 +447,7 @@ impl<'a> Speller<'a> {
         if let Some(model::Region { min, max }) = render.clip {
             params.extend(reals(&[min, max]));
         }
-        self.record(1, 9999, &params);
+        self.record(1, RecordKind::Render, &params);
     }
 }
 
@@ -433,13 +466,13 @@ fn reals<'a, T: AsRef<[f64]>>(groups: &[T]) -> Vec<Param<'a>> {
 }
 
 /// The type of the record that makes a node of others.
-fn operation(node: &Node) -> Option<i32> {
+fn operation(node: &Node) -> Option<RecordKind> {
     Some(match node {
-        Node::Union { .. } => -101,
-        Node::Intersection { .. } => -102,
-        Node::Difference { .. } => -103,
-        Node::Complement { .. } => -104,
-        Node::Copy { .. } => -105,
+        Node::Union { .. } => RecordKind::Union,
+        Node::Intersection { .. } => RecordKind::Intersection,
+        Node::Difference { .. } => RecordKind::Difference,
+        Node::Complement { .. } => RecordKind::Complement,
+        Node::Copy { .. } => RecordKind::Copy,
         _ => return None,
     })
 }

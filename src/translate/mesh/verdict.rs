@@ -1,27 +1,57 @@
 //! What a mesh makes of each feature.
 
+use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::translate::{Effect, Feature, Verdict};
 
-/// `None` for a feature that this translation was never told about.
-pub fn verdict(target: &str, feature: Feature, tolerance: f64) -> Option<Verdict> {
-    Some(match feature {
-        Feature::Record(code) => record(target, code, tolerance)?,
+pub fn verdict(target: &str, feature: Feature, tolerance: f64) -> Verdict {
+    match feature {
+        Feature::Record(kind) => record(target, kind, tolerance),
         Feature::Effect(effect) => of_effect(target, effect),
-    })
+    }
 }
 
-fn record(target: &str, code: i32, tolerance: f64) -> Option<Verdict> {
+fn record(target: &str, kind: RecordKind, tolerance: f64) -> Verdict {
     let within = format!("within {tolerance:.3e}");
     let facets = Verdict::approximate(&within, "triangles");
-    Some(match code {
-        0 => Verdict::exact("there is nothing to draw"),
-        1 | 2 | 9..=11 | 14 | 16 | 17 => facets,
-        3 | 4 | 15 | 18..=21 => facets,
-        5..=8 | 12 | 13 => Verdict::exact("triangles"),
-        -4..=-1 => Verdict::exact("applied to the points"),
-        -104..=-101 => Verdict::approximate(&within, "cut and joined as meshes"),
-        -105 => Verdict::exact(""),
-        -203..=-201 => match target {
+    match kind {
+        RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
+        RecordKind::Shape(
+            ShapeKind::SurfaceOfRevolution
+            | ShapeKind::ColouredSurfaceOfRevolution
+            | ShapeKind::SphereAtOrigin
+            | ShapeKind::Ellipsoid
+            | ShapeKind::Sphere
+            | ShapeKind::Torus
+            | ShapeKind::Cone
+            | ShapeKind::DoubleCone,
+        ) => facets,
+        RecordKind::Shape(
+            ShapeKind::Plane
+            | ShapeKind::HalfSpace
+            | ShapeKind::Quadric
+            | ShapeKind::ParabolicCylinder
+            | ShapeKind::HyperbolicCylinder
+            | ShapeKind::Hyperboloid
+            | ShapeKind::HyperbolicParaboloid,
+        ) => facets,
+        RecordKind::Shape(
+            ShapeKind::Rectangle
+            | ShapeKind::Triangle
+            | ShapeKind::TriangleWithNormal
+            | ShapeKind::TriangleWithVertexNormals
+            | ShapeKind::Box
+            | ShapeKind::GeodesicSphere,
+        ) => Verdict::exact("triangles"),
+        RecordKind::Translation
+        | RecordKind::Rotation
+        | RecordKind::Scaling
+        | RecordKind::RotationMatrix => Verdict::exact("applied to the points"),
+        RecordKind::Union
+        | RecordKind::Intersection
+        | RecordKind::Difference
+        | RecordKind::Complement => Verdict::approximate(&within, "cut and joined as meshes"),
+        RecordKind::Copy => Verdict::exact(""),
+        RecordKind::Optics | RecordKind::OpticsRgb | RecordKind::RefractiveIndex => match target {
             "ply" => Verdict::dropped("a PLY file has colours only"),
             "obj" => Verdict::approximate("a material of MTL", "Kd, Ks, Tf, Ni"),
             _ => Verdict::approximate(
@@ -29,17 +59,25 @@ fn record(target: &str, code: i32, tolerance: f64) -> Option<Verdict> {
                 "metallic, roughness, transmission, index",
             ),
         },
-        -299 | -701 => Verdict::exact(""),
-        -301 | -399 if target != "ply" => {
+        RecordKind::Assignment | RecordKind::Colour => Verdict::exact(""),
+        RecordKind::ImageTexture | RecordKind::Checkerboard if target != "ply" => {
             Verdict::approximate("straight between the points of the mesh", "a picture")
         }
-        -301 | -302 | -399 => Verdict::approximate("one colour a triangle or point", ""),
-        -401 | -402 => Verdict::dropped("a mesh has no lights"),
-        -503..=-501 | -99 => Verdict::dropped("a mesh has no camera"),
-        -601 | -602 => Verdict::exact("left out: it never changes the picture"),
-        9999 => Verdict::exact(""),
-        _ => return None,
-    })
+        RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
+            Verdict::approximate("one colour a triangle or point", "")
+        }
+        RecordKind::AmbientLight | RecordKind::PointLight => {
+            Verdict::dropped("a mesh has no lights")
+        }
+        RecordKind::Camera
+        | RecordKind::MonoCamera
+        | RecordKind::StereoCamera
+        | RecordKind::ProjectionMatrix => Verdict::dropped("a mesh has no camera"),
+        RecordKind::BoundingBox | RecordKind::BoundingSphere => {
+            Verdict::exact("left out: it never changes the picture")
+        }
+        RecordKind::Render => Verdict::exact(""),
+    }
 }
 
 fn of_effect(target: &str, effect: Effect) -> Verdict {
@@ -61,19 +99,5 @@ fn of_effect(target: &str, effect: Effect) -> Verdict {
         }
         Effect::AutomaticCamera | Effect::Headlight => Verdict::exact("left to the viewer"),
         Effect::Depth | Effect::Cutoff => Verdict::exact("left to the viewer"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_feature_has_a_line() {
-        for target in ["ply", "obj", "glb"] {
-            for feature in Feature::all() {
-                assert!(verdict(target, feature, 0.1).is_some(), "{feature:?}");
-            }
-        }
     }
 }

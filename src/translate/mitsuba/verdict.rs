@@ -1,67 +1,100 @@
 //! What Mitsuba makes of each feature.
 
 use super::written::Written;
+use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::translate::{Effect, Feature, Verdict};
 
-/// `None` for a feature that this translation was never told about.
-pub fn verdict(feature: Feature, tolerance: f64, written: &Written) -> Option<Verdict> {
-    Some(match feature {
-        Feature::Record(code) => record(code, tolerance, written.counts(code))?,
+pub fn verdict(feature: Feature, tolerance: f64, written: &Written) -> Verdict {
+    match feature {
+        Feature::Record(kind) => record(kind, tolerance, written.counts(kind)),
         Feature::Effect(effect) => of_effect(effect),
-    })
+    }
 }
 
 /// How many of a type of record were written as Mitsuba's own, and how many as meshes.
 type Counts = [usize; 2];
 
-fn record(code: i32, tolerance: f64, counts: Counts) -> Option<Verdict> {
+fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> Verdict {
     let within = format!("within {tolerance:.3e}");
     let facets = |note: &'static str| Verdict::approximate(&within, note);
     let [exact, meshes] = counts;
-    Some(match code {
-        0 => Verdict::exact("there is nothing to draw"),
-        1 | 2 | 10 | 14..=21 => facets("a mesh"),
-        9 | 11 if meshes == 0 => Verdict::exact(made("sphere", counts)),
-        9 | 11 => Verdict::approximate(&within, made("sphere", counts)),
-        3 | 4 if exact == 0 && meshes > 0 => Verdict::exact("a mesh"),
-        3 | 4 => {
+    match kind {
+        RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
+        RecordKind::Shape(
+            ShapeKind::SurfaceOfRevolution
+            | ShapeKind::ColouredSurfaceOfRevolution
+            | ShapeKind::Ellipsoid
+            | ShapeKind::Torus
+            | ShapeKind::Quadric
+            | ShapeKind::Cone
+            | ShapeKind::DoubleCone
+            | ShapeKind::ParabolicCylinder
+            | ShapeKind::HyperbolicCylinder
+            | ShapeKind::Hyperboloid
+            | ShapeKind::HyperbolicParaboloid,
+        ) => facets("a mesh"),
+        RecordKind::Shape(ShapeKind::SphereAtOrigin | ShapeKind::Sphere) if meshes == 0 => {
+            Verdict::exact(made("sphere", counts))
+        }
+        RecordKind::Shape(ShapeKind::SphereAtOrigin | ShapeKind::Sphere) => {
+            Verdict::approximate(&within, made("sphere", counts))
+        }
+        RecordKind::Shape(ShapeKind::Plane | ShapeKind::HalfSpace) if exact == 0 && meshes > 0 => {
+            Verdict::exact("a mesh")
+        }
+        RecordKind::Shape(ShapeKind::Plane | ShapeKind::HalfSpace) => {
             let end = "ends at a thousand times the scene's size";
             let own = if meshes == 0 { "rectangles" } else { "plane" };
             Verdict::approximate(end, made(own, counts))
         }
-        5 => Verdict::exact(made("rectangle", counts)),
-        12 => Verdict::exact(made("cube", counts)),
-        6..=8 | 13 => Verdict::exact("a mesh of the same facets"),
-        -4..=-1 => Verdict::exact(""),
-        -99 => Verdict::approximate(
+        RecordKind::Shape(ShapeKind::Rectangle) => Verdict::exact(made("rectangle", counts)),
+        RecordKind::Shape(ShapeKind::Box) => Verdict::exact(made("cube", counts)),
+        RecordKind::Shape(
+            ShapeKind::Triangle
+            | ShapeKind::TriangleWithNormal
+            | ShapeKind::TriangleWithVertexNormals
+            | ShapeKind::GeodesicSphere,
+        ) => Verdict::exact("a mesh of the same facets"),
+        RecordKind::Translation
+        | RecordKind::Rotation
+        | RecordKind::Scaling
+        | RecordKind::RotationMatrix => Verdict::exact(""),
+        RecordKind::ProjectionMatrix => Verdict::approximate(
             "exact where rays are parallel, or pixels square",
             "orthographic, perspective with principal_point_offset",
         ),
-        -101 => Verdict::exact("shapes side by side; those of one clear medium are joined"),
-        -104..=-102 => facets("cut as meshes"),
-        -105 => Verdict::exact(""),
-        -201 | -202 => Verdict::approximate(
+        RecordKind::Union => {
+            Verdict::exact("shapes side by side; those of one clear medium are joined")
+        }
+        RecordKind::Intersection | RecordKind::Difference | RecordKind::Complement => {
+            facets("cut as meshes")
+        }
+        RecordKind::Copy => Verdict::exact(""),
+        RecordKind::Optics | RecordKind::OpticsRgb => Verdict::approximate(
             "a mixture by the strongest channel, with Fresnel's law where light is bent",
             "diffuse, conductor, dielectric",
         ),
-        -203 => Verdict::exact("int_ior, ext_ior"),
-        -299 | -701 => Verdict::exact(""),
-        -301 if meshes == 0 => Verdict::exact("bitmap"),
-        -301 => Verdict::approximate(STRAIGHT, laid("bitmap", counts)),
-        -302 => Verdict::approximate("one colour a triangle", "mesh_attribute"),
-        -399 if meshes == 0 => Verdict::exact("checkerboard"),
-        -399 => Verdict::approximate(STRAIGHT, laid("checkerboard", counts)),
-        -401 => Verdict::approximate("light that what is near keeps out", "a constant emitter"),
-        -402 => Verdict::approximate(
+        RecordKind::RefractiveIndex => Verdict::exact("int_ior, ext_ior"),
+        RecordKind::Assignment | RecordKind::Colour => Verdict::exact(""),
+        RecordKind::ImageTexture if meshes == 0 => Verdict::exact("bitmap"),
+        RecordKind::ImageTexture => Verdict::approximate(STRAIGHT, laid("bitmap", counts)),
+        RecordKind::SolidTexture => Verdict::approximate("one colour a triangle", "mesh_attribute"),
+        RecordKind::Checkerboard if meshes == 0 => Verdict::exact("checkerboard"),
+        RecordKind::Checkerboard => Verdict::approximate(STRAIGHT, laid("checkerboard", counts)),
+        RecordKind::AmbientLight => {
+            Verdict::approximate("light that what is near keeps out", "a constant emitter")
+        }
+        RecordKind::PointLight => Verdict::approximate(
             "as bright as ours at the scene's middle: it fades with distance",
             "a point emitter",
         ),
-        -501 | -502 => Verdict::exact("perspective"),
-        -503 => Verdict::exact("one file for each eye"),
-        -601 | -602 => Verdict::exact("left out: it never changes the picture"),
-        9999 => Verdict::exact(""),
-        _ => return None,
-    })
+        RecordKind::Camera | RecordKind::MonoCamera => Verdict::exact("perspective"),
+        RecordKind::StereoCamera => Verdict::exact("one file for each eye"),
+        RecordKind::BoundingBox | RecordKind::BoundingSphere => {
+            Verdict::exact("left out: it never changes the picture")
+        }
+        RecordKind::Render => Verdict::exact(""),
+    }
 }
 
 /// What surface coordinates are on a mesh.
@@ -134,19 +167,6 @@ fn of_effect(effect: Effect) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn every_feature_has_a_line() {
-        for feature in Feature::all() {
-            for counts in [[0, 0], [1, 0], [0, 1], [1, 1]] {
-                let line = match feature {
-                    Feature::Record(code) => record(code, 0.1, counts),
-                    Feature::Effect(effect) => Some(of_effect(effect)),
-                };
-                assert!(line.is_some(), "{feature:?}");
-            }
-        }
-    }
 
     #[test]
     fn shapes_are_counted() {

@@ -3,23 +3,24 @@
 use std::collections::{BTreeSet, HashMap};
 
 use crate::scene::{Scene, Texture};
+use crate::syntax::table::RecordKind;
 use crate::trace::graph::Graph;
 use crate::translate::mesh::Skin;
 
 /// The records of shapes that were written, by their types and those of textures on them.
 pub struct Written<'a> {
     graph: &'a Graph,
-    /// The type of each shape, by its ID.
-    types: HashMap<u32, i32>,
-    exact: BTreeSet<(i32, u32)>,
-    meshes: BTreeSet<(i32, u32)>,
+    /// The kind of each shape, by its ID.
+    types: HashMap<u32, RecordKind>,
+    exact: BTreeSet<(RecordKind, u32)>,
+    meshes: BTreeSet<(RecordKind, u32)>,
 }
 
 impl<'a> Written<'a> {
     pub fn new(scene: &Scene, graph: &'a Graph) -> Written<'a> {
         Written {
             graph,
-            types: scene.shapes.iter().map(|s| (s.id, s.ty.code)).collect(),
+            types: scene.shapes.iter().map(|s| (s.id, s.ty.kind)).collect(),
             exact: BTreeSet::new(),
             meshes: BTreeSet::new(),
         }
@@ -29,21 +30,21 @@ impl<'a> Written<'a> {
     pub fn note(&mut self, skin: &Skin, exact: bool) {
         let texture = skin.texture.as_ref();
         let laid = texture.and_then(|t| match &self.graph.textures[t.texture as usize] {
-            Texture::Checkerboard { .. } => Some(-399),
-            Texture::Image { .. } => Some(-301),
+            Texture::Checkerboard { .. } => Some(RecordKind::Checkerboard),
+            Texture::Image { .. } => Some(RecordKind::ImageTexture),
             _ => None,
         });
         let list = match exact {
             true => &mut self.exact,
             false => &mut self.meshes,
         };
-        for code in self.types.get(&skin.shape).copied().into_iter().chain(laid) {
-            list.insert((code, skin.shape));
+        for kind in self.types.get(&skin.shape).copied().into_iter().chain(laid) {
+            list.insert((kind, skin.shape));
         }
     }
 
     /// How many of a type are Mitsuba's own, and how many are meshes; some may be both.
-    pub fn counts(&self, code: i32) -> [usize; 2] {
-        [&self.exact, &self.meshes].map(|list| list.iter().filter(|(c, _)| *c == code).count())
+    pub fn counts(&self, kind: RecordKind) -> [usize; 2] {
+        [&self.exact, &self.meshes].map(|list| list.iter().filter(|(k, _)| *k == kind).count())
     }
 }
