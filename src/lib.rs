@@ -11,9 +11,9 @@
 //! - [`trace`]: the reference ray tracer.
 //! - [`lint`]: rules over the tree and the scene, one file a rule; those about geometry prove what they
 //!   say with the tracer's means.
+//! - [`analysis`]: a file's bytes to source, document, scene and findings, with the settings of its folder.
 //! - [`translate`]: the scene for other programs.
 //! - [`study`]: scenes under study: our picture beside that of another program.
-//! - [`analysis`]: a file's bytes to source, document, scene and findings, with the settings of its folder.
 //! - [`commands`]: one file per subcommand of the command line.
 
 pub mod analysis;

@@ -9,6 +9,7 @@ mod trace_support;
 
 pub use campaign::rng;
 
+mod architecture;
 mod check;
 mod cli;
 mod convert_json;

@@ -1,0 +1,241 @@
+//! The picture that `src/lib.rs` draws is the one that the imports draw.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use syn::visit::{self, Visit};
+
+/// Circles of imports that are known and wait to be opened.
+const KNOWN_CIRCLES: [&str; 2] = ["syntax", "translate::pov"];
+
+/// No more files than these may import each other in a circle.
+const LARGEST_CIRCLE: usize = 3;
+
+/// What unit tests share stands beside the layers.
+const ASIDE: &str = "testing";
+
+type Module = Vec<String>;
+
+/// What a module imports, each import as the path that is written.
+#[derive(Default)]
+struct Imports {
+    /// Outside of `#[cfg(test)]`.
+    code: Vec<Module>,
+    tests: Vec<Module>,
+    /// Whether what is visited is compiled for tests only, and how many modules of this file it is in.
+    in_tests: bool,
+    depth: usize,
+}
+
+impl Imports {
+    fn add(&mut self, mut path: Module) {
+        // Within `mod tests { … }` the first `super` is the file's own module.
+        for _ in 0..self.depth {
+            match path.first().map(String::as_str) {
+                Some("super") => drop(path.remove(0)),
+                _ => break,
+            }
+        }
+        match self.in_tests {
+            true => self.tests.push(path),
+            false => self.code.push(path),
+        }
+    }
+
+    fn add_tree(&mut self, tree: &syn::UseTree, mut path: Module) {
+        match tree {
+            syn::UseTree::Path(p) => {
+                path.push(p.ident.to_string());
+                self.add_tree(&p.tree, path);
+            }
+            syn::UseTree::Name(n) => {
+                path.push(n.ident.to_string());
+                self.add(path);
+            }
+            syn::UseTree::Rename(r) => {
+                path.push(r.ident.to_string());
+                self.add(path);
+            }
+            syn::UseTree::Glob(_) => self.add(path),
+            syn::UseTree::Group(g) => {
+                (g.items.iter()).for_each(|item| self.add_tree(item, path.clone()))
+            }
+        }
+    }
+
+    /// Visits what has these attributes.
+    fn within(&mut self, attributes: &[syn::Attribute], visit: impl FnOnce(&mut Imports)) {
+        let before = self.in_tests;
+        self.in_tests |= attributes.iter().any(|a| {
+            a.path().is_ident("cfg")
+                && (a.parse_args::<syn::Path>()).is_ok_and(|p| p.is_ident("test"))
+        });
+        visit(self);
+        self.in_tests = before;
+    }
+}
+
+impl<'a> Visit<'a> for Imports {
+    fn visit_item_use(&mut self, item: &'a syn::ItemUse) {
+        self.within(&item.attrs, |all| all.add_tree(&item.tree, Module::new()));
+    }
+
+    fn visit_item_mod(&mut self, item: &'a syn::ItemMod) {
+        self.within(&item.attrs, |all| {
+            all.depth += 1;
+            visit::visit_item_mod(all, item);
+            all.depth -= 1;
+        });
+    }
+
+    fn visit_path(&mut self, path: &'a syn::Path) {
+        let names: Module = path.segments.iter().map(|s| s.ident.to_string()).collect();
+        if names.len() > 1 && matches!(names[0].as_str(), "crate" | "super") {
+            self.add(names);
+        }
+        visit::visit_path(self, path);
+    }
+
+    // `pub(in crate::trace)` is no import.
+    fn visit_visibility(&mut self, _: &'a syn::Visibility) {}
+}
+
+/// The modules of the library and what each imports.
+fn modules() -> BTreeMap<Module, Imports> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut all = BTreeMap::new();
+    for entry in ignore::Walk::new(&root).map(Result::unwrap) {
+        let path = entry.path();
+        if path.extension().is_none_or(|e| e != "rs") || path.ends_with("main.rs") {
+            continue;
+        }
+        let within = path.strip_prefix(&root).unwrap().with_extension("");
+        let mut module: Module = (within.iter())
+            .map(|part| part.to_str().unwrap().to_owned())
+            .collect();
+        module.pop_if(|last| matches!(last.as_str(), "mod" | "lib"));
+        let file = syn::parse_file(&fs::read_to_string(path).unwrap()).unwrap();
+        let mut imports = Imports::default();
+        imports.visit_file(&file);
+        all.insert(module, imports);
+    }
+    all
+}
+
+/// The module that a path in another module leads to; `None` for other crates.
+fn module_of(all: &BTreeMap<Module, Imports>, from: &Module, path: &Module) -> Option<Module> {
+    let mut full = from.clone();
+    let ups = path.iter().take_while(|part| *part == "super").count();
+    match path.first()?.as_str() {
+        "crate" => full.clear(),
+        "super" => full.truncate(from.len() - ups),
+        "self" => {}
+        child => {
+            let child = [from.as_slice(), &[child.to_owned()]].concat();
+            all.contains_key(&child).then_some(())?;
+        }
+    }
+    let names = path
+        .iter()
+        .filter(|p| !matches!(p.as_str(), "crate" | "super" | "self"));
+    full.extend(names.cloned());
+    while !all.contains_key(&full) {
+        full.pop()?;
+    }
+    Some(full)
+}
+
+/// The layers as the head of `src/lib.rs` lists them, the lowest first.
+fn layers() -> Vec<String> {
+    let text =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs")).unwrap();
+    let names = text.lines().filter_map(|line| {
+        let name = line.strip_prefix("//! - [`")?.split_once('`')?.0;
+        Some(name.trim_start_matches("mod@").to_owned())
+    });
+    names.collect()
+}
+
+#[test]
+fn imports_go_one_way() {
+    let (all, layers) = (modules(), layers());
+    let rank = |m: &Module| m.first().map(|top| layers.iter().position(|l| l == top));
+    let mut wrong = Vec::new();
+    for (module, imports) in &all {
+        let Some(own) = rank(module) else { continue };
+        if module[0] == ASIDE {
+            continue;
+        }
+        let own = own.unwrap_or_else(|| panic!("src/lib.rs does not list {}", module[0]));
+        for path in imports.code.iter().chain(&imports.tests) {
+            let other = module_of(&all, module, path).filter(|m| !m.is_empty() && m[0] != ASIDE);
+            let Some(other) = other else { continue };
+            if rank(&other).flatten().is_some_and(|other| other > own) {
+                wrong.push(format!(
+                    "{} imports {}",
+                    module.join("::"),
+                    other.join("::")
+                ));
+            }
+        }
+    }
+    assert!(
+        wrong.is_empty(),
+        "against the order of src/lib.rs:\n{}",
+        wrong.join("\n")
+    );
+}
+
+#[test]
+fn circles_are_small() {
+    let all = modules();
+    let imports = |module: &Module| -> BTreeSet<Module> {
+        let named = all[module].code.iter();
+        named
+            .filter_map(|path| module_of(&all, module, path))
+            .collect()
+    };
+    let graph: BTreeMap<&Module, BTreeSet<Module>> =
+        all.keys().map(|module| (module, imports(module))).collect();
+    let reached = |from: &Module| {
+        let (mut seen, mut open) = (BTreeSet::new(), vec![from.clone()]);
+        while let Some(module) = open.pop() {
+            for next in &graph[&module] {
+                if seen.insert(next.clone()) {
+                    open.push(next.clone());
+                }
+            }
+        }
+        seen
+    };
+    let below: BTreeMap<&Module, BTreeSet<Module>> =
+        all.keys().map(|module| (module, reached(module))).collect();
+    let mut circles = BTreeSet::new();
+    for (module, reached) in &below {
+        let circle: Vec<String> = (reached.iter())
+            .filter(|other| below[other].contains(*module))
+            .map(|m| m.join("::"))
+            .collect();
+        let known = |m: &String| KNOWN_CIRCLES.iter().any(|k| m.starts_with(k));
+        if circle.len() > LARGEST_CIRCLE && !circle.iter().all(known) {
+            circles.insert(circle);
+        }
+    }
+    assert!(
+        circles.is_empty(),
+        "import each other in a circle: {circles:#?}"
+    );
+}
+
+/// README and CONTRIBUTING name the layers in the order of `src/lib.rs`.
+#[test]
+fn pages_draw_the_same_picture() {
+    let line = layers().join(" → ");
+    for page in ["README.md", "CONTRIBUTING.md"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(page);
+        let text = fs::read_to_string(path).unwrap();
+        let plain = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(plain.contains(&line), "{page} does not say: {line}");
+    }
+}
