@@ -1,11 +1,14 @@
 //! The command line.
 
+mod machine;
+
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
 use zpg::commands::{
-    LookChoice, check, completions, convert, crosscheck, explain, fmt, plan, probe, render, usage,
+    LookChoice, Status, check, completions, convert, crosscheck, explain, fmt, plan, probe, render,
+    usage,
 };
 
 /// Tools for scenes in the ZPG scene language
@@ -51,6 +54,18 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    match machine::suffices() {
+        Ok(()) => run(),
+        Err(missing) => {
+            eprintln!("{missing}");
+            Status::Failure.into()
+        }
+    }
+}
+
+/// Kept apart from [`main`], which has to run on any machine.
+#[inline(never)]
+fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => return usage::refuse(&error, std::env::args_os()).into(),

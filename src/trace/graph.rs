@@ -3,7 +3,7 @@
 //! Complements have been driven down to the shapes, chains of one operation flattened, and each
 //! chain of transformations and properties above a part folded into one placement and one paint.
 
-use super::image::Bitmap;
+use super::bitmap::Bitmap;
 use super::room::Room;
 use super::shapes::Primitive;
 use crate::geometry::Matrix;

@@ -13,10 +13,12 @@
 //! shapes ask once more in quad-double.
 
 pub mod adaptive;
+pub mod bitmap;
 pub mod camera;
 mod compile;
 pub mod costs;
 mod crowd;
+mod decode;
 pub mod film;
 pub mod graph;
 pub mod image;

@@ -1,0 +1,117 @@
+//! PNG and JPEG files decoded.
+
+use crate::diagnostics::Complaint;
+use std::fmt::Display;
+use std::fs;
+use std::io::Cursor;
+use std::path::Path;
+use zune_jpeg::JpegDecoder;
+use zune_jpeg::zune_core::bytestream::ZCursor;
+use zune_jpeg::zune_core::colorspace::ColorSpace;
+use zune_jpeg::zune_core::options::DecoderOptions;
+
+/// Row by row from the top, three numbers a pixel.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Pixels {
+    Eight(Vec<u8>),
+    Sixteen(Vec<u16>),
+}
+
+/// Width, height and pixels of a file; grey becomes RGB, and alpha is not looked at. No side may be longer
+/// than `side`, and the pixels may take `bytes` at most.
+///
+/// # Errors
+///
+/// The file cannot be read or decoded, or the picture is too large.
+pub fn decode(path: &Path, side: u32, bytes: u64) -> Result<([u32; 2], Pixels), Complaint> {
+    let file = fs::read(path).map_err(|e| Complaint::from(&e))?;
+    let limits = Limits { side, bytes };
+    match file.starts_with(b"\x89PNG") {
+        true => png(&file, &limits),
+        false => jpeg(&file, &limits),
+    }
+}
+
+struct Limits {
+    side: u32,
+    bytes: u64,
+}
+
+impl Limits {
+    /// Refuses a picture of a size whose samples take so many bytes each.
+    fn check(&self, [width, height]: [u32; 2], sample: u64) -> Result<(), Complaint> {
+        if width.max(height) > self.side {
+            return Err(Complaint::new("picture-too-wide")
+                .with("width", width.to_string())
+                .with("height", height.to_string())
+                .with("side", self.side.to_string()));
+        }
+        match 3 * sample * u64::from(width) * u64::from(height) > self.bytes {
+            true => Err(Complaint::new("pictures-too-large")),
+            false => Ok(()),
+        }
+    }
+}
+
+fn broken(why: impl Display) -> Complaint {
+    Complaint::quoted(why)
+}
+
+fn png(file: &[u8], limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {
+    let mut decoder = png::Decoder::new(Cursor::new(file));
+    // Palettes become colours, and samples of less than 8 bits take 8.
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(broken)?;
+    let size = [reader.info().width, reader.info().height];
+    let (colour, depth) = reader.output_color_type();
+    let sample = if depth == png::BitDepth::Sixteen {
+        2
+    } else {
+        1
+    };
+    limits.check(size, sample)?;
+    let length = reader.output_buffer_size();
+    let mut data = vec![0; length.ok_or_else(|| Complaint::new("pictures-too-large"))?];
+    let frame = reader.next_frame(&mut data).map_err(broken)?;
+    data.truncate(frame.buffer_size());
+    let samples = colour.samples();
+    let pixels = match depth {
+        png::BitDepth::Sixteen => {
+            let wide: Vec<u16> = (data.chunks_exact(2))
+                .map(|pair| u16::from_be_bytes([pair[0], pair[1]]))
+                .collect();
+            Pixels::Sixteen(rgb(&wide, samples))
+        }
+        _ => Pixels::Eight(rgb(&data, samples)),
+    };
+    Ok((size, pixels))
+}
+
+/// The colours of pixels that are grey, grey and alpha, RGB, or RGB and alpha.
+fn rgb<T: Copy>(data: &[T], samples: usize) -> Vec<T> {
+    let pixels = data.chunks_exact(samples);
+    match samples {
+        1 | 2 => pixels.flat_map(|p| [p[0]; 3]).collect(),
+        _ => pixels.flat_map(|p| [p[0], p[1], p[2]]).collect(),
+    }
+}
+
+fn jpeg(file: &[u8], limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {
+    let options = DecoderOptions::default()
+        .set_strict_mode(false)
+        .set_max_width(usize::MAX)
+        .set_max_height(usize::MAX);
+    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(file), options);
+    decoder.decode_headers().map_err(broken)?;
+    let (width, height) = decoder.dimensions().unwrap_or_default();
+    // Sides of JPEG are numbers of 16 bits.
+    let size = [width as u32, height as u32];
+    limits.check(size, 1)?;
+    let (colours, samples) = match decoder.input_colorspace() {
+        Some(ColorSpace::Luma) => (ColorSpace::Luma, 1),
+        _ => (ColorSpace::RGB, 3),
+    };
+    decoder.set_options(options.jpeg_set_out_colorspace(colours));
+    let data = decoder.decode().map_err(broken)?;
+    Ok((size, Pixels::Eight(rgb(&data, samples))))
+}
