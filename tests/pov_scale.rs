@@ -1,7 +1,5 @@
 //! Translations of scenes that are shared or deep beyond all measure.
 
-use std::time::{Duration, Instant};
-
 use zpg::diagnostics::Span;
 use zpg::geometry::Matrix;
 use zpg::scene::{Geometry, Node, NodeId, Optics, Paint, Render, Scene, Shape, Texture};
@@ -65,9 +63,7 @@ fn chain(link: impl Fn(u32, NodeId, NodeId) -> Node) -> String {
     for i in 1..LONG {
         last = push(&mut scene, link(i, last, i));
     }
-    let start = Instant::now();
     let text = translate(scene);
-    assert!(start.elapsed() < Duration::from_secs(60));
     assert!(nesting(&text) < 10, "{}", nesting(&text));
     text
 }
@@ -151,9 +147,7 @@ fn long_chains_of_common_moves() {
         }
     }
     push(&mut scene, Node::Union(both[0], both[1]));
-    let start = Instant::now();
     let text = translate(scene);
-    assert!(start.elapsed() < Duration::from_secs(60));
     assert!(text.len() < 10_000, "{text}");
 }
 

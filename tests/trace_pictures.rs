@@ -1,16 +1,13 @@
 //! Whole pictures, checked pixel by pixel where the answer is known.
 
 use crate::trace_support;
-use std::time::Instant;
 use trace_support::*;
 use zpg::geometry::Matrix;
 use zpg::scene::*;
 
 fn save(name: &str, scene: &Scene, settings: &zpg::trace::Settings) {
     if let Ok(dir) = std::env::var("ZPG_TEST_PICTURES") {
-        let start = Instant::now();
         let picture = picture(scene, settings);
-        eprintln!("{name}: {:?} {:?}", start.elapsed(), picture.counts);
         let file = std::fs::File::create(format!("{dir}/{name}.png")).unwrap();
         picture.film.write_png(file).unwrap();
     }
@@ -110,9 +107,7 @@ fn many_spheres() {
     b.light([100.0, 200.0, 300.0], 0.9);
     b.ambient(0.1);
     let scene = b.render(root, [0.3, 0.5, 0.8]);
-    let start = Instant::now();
     let t = zpg::trace::Tracer::new(&scene).unwrap();
-    eprintln!("build {:?}", start.elapsed());
     drop(t);
     save("million", &scene, &small(640, 480));
 }

@@ -1,16 +1,12 @@
-//! Scenes of twenty thousand objects that make rules work hardest: whatever is done for each pair of
-//! objects, or for all of them each time, takes minutes here.
+//! Scenes of twenty thousand objects that make rules work hardest. Whatever is done for each pair of
+//! objects, or for all of them each time, takes minutes here. `benches/lint.rs` measures the time.
 
 use std::fmt::Write;
-use std::time::{Duration, Instant};
 
 use zpg::analysis::Analysis;
 use zpg::diagnostics::render::human::{self, Look};
 
 const N: u32 = 20_000;
-
-/// Several times what any of these takes on a slow machine without optimisation.
-const SOON: Duration = Duration::from_secs(20);
 
 /// Where the IDs of results begin.
 const RESULTS: u32 = 10_000_000;
@@ -33,12 +29,9 @@ fn check(object: impl Fn(u32) -> String, join: &str) -> Vec<&'static str> {
         (root, next) = (next, next + 1);
     }
     writeln!(text, "1 9999 {root} 0").unwrap();
-    let start = Instant::now();
     let loaded = Analysis::new("scene.zpg", text.into_bytes());
     let mut out = Vec::new();
     human::write(&mut out, &loaded.source, loaded.findings(), Look::default()).unwrap();
-    let time = start.elapsed();
-    assert!(time < SOON, "{time:?}");
     assert!(out.len() < 1_000_000, "{} bytes", out.len());
     let mut codes: Vec<_> = loaded.findings().iter().map(|d| d.code.as_str()).collect();
     codes.sort_unstable();
