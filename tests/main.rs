@@ -47,6 +47,7 @@ mod pre_commit;
 mod probe;
 mod projections;
 mod random_lines;
+mod readme;
 mod recovery;
 mod render_output;
 mod robustness;

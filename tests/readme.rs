@@ -1,0 +1,187 @@
+//! The README and the pages beside it: their commands print what the pages show, and their links lead
+//! somewhere.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The README is read in a few minutes.
+const MOST_WORDS: usize = 900;
+
+/// What stands for the rest of a line or of the output.
+const REST: &str = "…";
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn page(name: &str) -> String {
+    fs::read_to_string(root().join(name)).unwrap()
+}
+
+/// The fenced blocks of a page: what stands in the last line before each, its language, its text.
+fn blocks(page: &str) -> Vec<(&str, &str, String)> {
+    let mut lines = page.lines();
+    let (mut blocks, mut before) = (Vec::new(), "");
+    while let Some(line) = lines.next() {
+        if let Some(language) = line.strip_prefix("```") {
+            let text = lines.by_ref().take_while(|l| !l.starts_with("```"));
+            let text = text.map(|l| l.to_owned() + "\n").collect();
+            blocks.push((before, language, text));
+        } else if !line.trim().is_empty() {
+            before = line;
+        }
+    }
+    blocks
+}
+
+/// The words of a command; quotes hold words together.
+fn words(command: &str) -> Vec<String> {
+    let mut words = Vec::new();
+    for (i, part) in command.split('"').enumerate() {
+        match i % 2 {
+            0 => words.extend(part.split_whitespace().map(str::to_owned)),
+            _ => words.push(part.to_owned()),
+        }
+    }
+    words
+}
+
+/// Runs a command of the page in a folder; both of its outputs.
+fn run(folder: &Path, command: &str) -> String {
+    let words = words(command);
+    let arguments = match words.iter().position(|w| w == "--") {
+        Some(at) if words[0] == "cargo" => &words[at + 1..],
+        _ if words[0] == "zpg" => &words[1..],
+        _ => panic!("an unknown program: {command}"),
+    };
+    let output = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    let said = [output.stdout, output.stderr].concat();
+    String::from_utf8(said).unwrap()
+}
+
+/// Whether an output is as it is shown.
+fn is_as_shown(real: &str, shown: &str) -> bool {
+    let mut real = real.lines();
+    let mut shown = shown.lines();
+    loop {
+        match (shown.next(), real.next()) {
+            (None, None) => return true,
+            (Some(REST), _) => return shown.next().is_none(),
+            (Some(shown), Some(real)) => match shown.strip_suffix(REST) {
+                Some(start) if real.starts_with(start) => {}
+                None if shown == real => {}
+                _ => return false,
+            },
+            _ => return false,
+        }
+    }
+}
+
+/// A folder with the scenes that a page shows under a name: ``this is `first.zpg`:``.
+fn folder_of(page: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (before, _, text) in blocks(page) {
+        let name = before.split('`').find(|part| part.ends_with(".zpg"));
+        if let Some(name) = name.filter(|_| before.ends_with(':')) {
+            fs::write(folder.path().join(name), text).unwrap();
+        }
+    }
+    folder
+}
+
+#[test]
+fn the_readme_is_short() {
+    let count = page("README.md").split_whitespace().count();
+    assert!(count <= MOST_WORDS, "{count} words");
+}
+
+#[test]
+fn commands_print_what_is_shown() {
+    let readme = page("README.md");
+    let folder = folder_of(&readme);
+    let consoles = blocks(&readme).into_iter().filter(|b| b.1 == "console");
+    let mut count = 0;
+    for (_, _, text) in consoles {
+        for command in text.split("$ ").skip(1) {
+            let (command, shown) = command.split_once('\n').unwrap();
+            let real = run(folder.path(), command);
+            assert!(
+                is_as_shown(&real, shown),
+                "$ {command}\n{real}\nbut the README shows\n{shown}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count >= 6, "{count}");
+    // One of them has drawn the picture.
+    let decoded = |path: PathBuf| image::open(path).unwrap().into_rgb8();
+    let drawn = decoded(folder.path().join("first.png"));
+    assert!(drawn == decoded(root().join("docs/pictures/first.png")));
+}
+
+/// The first command of all draws a scene of the gallery and prints nothing.
+#[test]
+fn the_first_command_draws() {
+    let readme = page("README.md");
+    let start = blocks(&readme).into_iter().find(|b| b.1 == "sh").unwrap().2;
+    let command = start.lines().next().unwrap();
+    let scene = command.split_whitespace().last().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let copy = folder.path().join(scene);
+    fs::create_dir_all(copy.parent().unwrap()).unwrap();
+    fs::copy(root().join(scene), &copy).unwrap();
+    assert_eq!(run(folder.path(), command), "");
+    let picture = Path::new(scene).with_extension("png");
+    let picture = folder.path().join(picture.file_name().unwrap());
+    assert!(image::open(picture).unwrap().width() > 100);
+    assert!(root().join(start.lines().nth(1).unwrap()).exists());
+}
+
+/// What GitHub calls a heading in a link.
+fn anchor(heading: &str) -> String {
+    let kept = heading.trim_start_matches('#').trim().to_lowercase();
+    kept.chars()
+        .filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'))
+        .map(|c| if c == ' ' { '-' } else { c })
+        .collect()
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let mut pages: Vec<PathBuf> = ["README.md", "CONTRIBUTING.md"].map(PathBuf::from).into();
+    for entry in fs::read_dir(root().join("docs")).unwrap() {
+        let name = entry.unwrap().file_name();
+        if name.to_str().unwrap().ends_with(".md") {
+            pages.push(Path::new("docs").join(name));
+        }
+    }
+    assert!(pages.len() > 5);
+    let mut count = 0;
+    for name in pages {
+        let text = fs::read_to_string(root().join(&name)).unwrap();
+        for link in text.split("](").skip(1) {
+            let link = link.split(')').next().unwrap();
+            if link.starts_with("http") {
+                continue;
+            }
+            let (file, heading) = link.split_once('#').unwrap_or((link, ""));
+            let target = match file {
+                "" => root().join(&name),
+                file => root().join(name.parent().unwrap()).join(file),
+            };
+            assert!(target.exists(), "{}: {link}", name.display());
+            if !heading.is_empty() {
+                let text = fs::read_to_string(&target).unwrap();
+                let mut headings = text.lines().filter(|l| l.starts_with('#')).map(anchor);
+                assert!(headings.any(|h| h == heading), "{}: {link}", name.display());
+            }
+            count += 1;
+        }
+    }
+    assert!(count > 20, "{count}");
+}
