@@ -9,14 +9,25 @@ use fluent_syntax::ast::{
 use zpg::diagnostics::{Code, Language, Value};
 use zpg::syntax::table::{Effect, Kind, ParamKind, RECORD_TYPES};
 
-const ENGLISH: &str = concat!(
-    include_str!("../src/diagnostics/messages/en.ftl"),
-    include_str!("../src/diagnostics/messages/complaints.en.ftl"),
-);
-const CZECH: &str = concat!(
-    include_str!("../src/diagnostics/messages/cs.ftl"),
-    include_str!("../src/diagnostics/messages/complaints.cs.ftl"),
-);
+/// All messages of a language: those of the diagnostics and those in the folders of rules.
+fn messages_of(tag: &str) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files: Vec<_> = (ignore::Walk::new(root).map(|e| e.unwrap().into_path()))
+        .filter(|path| {
+            let name = path
+                .file_name()
+                .and_then(|n| n.to_str())
+                .unwrap_or_default();
+            name == format!("{tag}.ftl") || name == format!("complaints.{tag}.ftl")
+        })
+        .collect();
+    files.sort();
+    let texts = files
+        .iter()
+        .map(|path| std::fs::read_to_string(path).unwrap());
+    texts.collect()
+}
+
 const CZECH_TERMS: &str = include_str!("../src/diagnostics/messages/terms.cs.ftl");
 
 /// Messages and, as `message.attribute`, their attributes; with the places of each.
@@ -109,7 +120,7 @@ fn all_places(catalogue: &Catalogue, name: &str) -> BTreeSet<String> {
 
 #[test]
 fn every_message_is_there_in_every_language() {
-    let (english, czech) = (catalogue(ENGLISH), catalogue(CZECH));
+    let (english, czech) = (catalogue(&messages_of("en")), catalogue(&messages_of("cs")));
     let names = |c: &Catalogue| c.keys().cloned().collect::<Vec<_>>();
     assert_eq!(names(&english), names(&czech));
     let base = |place: &str| {
@@ -205,7 +216,7 @@ fn literals(text: &'static str, opening: &str) -> Vec<&'static str> {
 fn every_message_is_used() {
     let sources = sources();
     let all = sources.concat();
-    let english = catalogue(ENGLISH);
+    let english = catalogue(&messages_of("en"));
     let literal = |name: &str| all.contains(&format!("\"{name}\""));
     let referred: BTreeSet<&String> = english.values().flatten().collect();
     for name in english.keys() {

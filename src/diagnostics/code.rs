@@ -21,15 +21,43 @@ impl Severity {
     }
 }
 
-/// What the registry keeps of a code. The explanation is the file `explain/CODE.md`.
+/// What the registry keeps of a code.
 struct Entry {
     code: &'static str,
     name: &'static str,
+    /// The file `explain/CODE.md`; of a rule `explain.md` in its folder.
     explanation: &'static str,
+    /// The messages of a rule in English and Czech. Those of other codes stand in `messages/`.
+    messages: Option<[&'static str; 2]>,
+}
+
+/// A file in the folder of a lint rule.
+macro_rules! of_rule {
+    ($rule:literal, $file:literal) => {
+        include_str!(concat!("../lint/rules/", $rule, "/", $file))
+    };
+}
+
+macro_rules! explanation {
+    ($code:ident) => {
+        include_str!(concat!("explain/", stringify!($code), ".md"))
+    };
+    ($code:ident $rule:literal) => {
+        of_rule!($rule, "explain.md")
+    };
+}
+
+macro_rules! messages {
+    () => {
+        None
+    };
+    ($rule:literal) => {
+        Some([of_rule!($rule, "en.ftl"), of_rule!($rule, "cs.ftl")])
+    };
 }
 
 macro_rules! codes {
-    ($($code:ident $name:literal;)*) => {
+    ($($code:ident $name:literal $(of rule $rule:literal)?;)*) => {
         /// The codes of all findings.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Code { $($code),* }
@@ -43,7 +71,8 @@ macro_rules! codes {
                     $(Code::$code => Entry {
                         code: stringify!($code),
                         name: $name,
-                        explanation: include_str!(concat!("explain/", stringify!($code), ".md")),
+                        explanation: explanation!($code $($rule)?),
+                        messages: messages!($($rule)?),
                     }),*
                 }
             }
@@ -84,34 +113,34 @@ codes! {
     E208 "negative-profile-radius";
     E209 "unsafe-path";
     E210 "unreadable-file";
-    W301 "colour-out-of-range";
-    W302 "energy-gain";
-    W303 "not-a-rotation";
-    W304 "asymmetric-quadric";
-    W305 "degenerate-shape";
-    W306 "no-real-points";
-    W307 "overlapping-union";
-    W308 "mixed-intersection";
-    W309 "stale-operand";
-    W310 "unused-definition";
-    W311 "bound-too-small";
-    W312 "scene-box-cuts";
-    W313 "surface-operand";
+    W301 "colour-out-of-range" of rule "colour_out_of_range";
+    W302 "energy-gain" of rule "energy_gain";
+    W303 "not-a-rotation" of rule "not_a_rotation";
+    W304 "asymmetric-quadric" of rule "asymmetric_quadric";
+    W305 "degenerate-shape" of rule "degenerate_shape";
+    W306 "no-real-points" of rule "no_real_points";
+    W307 "overlapping-union" of rule "overlapping_union";
+    W308 "mixed-intersection" of rule "mixed_intersection";
+    W309 "stale-operand" of rule "stale_operand";
+    W310 "unused-definition" of rule "unused_definition";
+    W311 "bound-too-small" of rule "bound_too_small";
+    W312 "scene-box-cuts" of rule "scene_box_cuts";
+    W313 "surface-operand" of rule "surface_operand";
     W314 "suspicious-line-break";
-    W315 "comment-hides-records";
-    W316 "several-cameras";
-    W318 "pointless-index";
-    W319 "empty-result";
-    W320 "self-intersecting";
-    W321 "coincident-faces";
-    W322 "ill-scaled";
+    W315 "comment-hides-records" of rule "comment_hides_records";
+    W316 "several-cameras" of rule "several_cameras";
+    W318 "pointless-index" of rule "pointless_index";
+    W319 "empty-result" of rule "empty_result";
+    W320 "self-intersecting" of rule "self_intersecting";
+    W321 "coincident-faces" of rule "coincident_faces";
+    W322 "ill-scaled" of rule "ill_scaled";
     N601 "not-utf8";
-    N602 "no-camera";
-    N603 "no-light";
+    N602 "no-camera" of rule "no_camera";
+    N603 "no-light" of rule "no_light";
     N604 "utf16";
-    S501 "notation-separator";
-    S502 "bare-comment";
-    S503 "several-records-per-line";
+    S501 "notation-separator" of rule "notation_separator";
+    S502 "bare-comment" of rule "bare_comment";
+    S503 "several-records-per-line" of rule "several_records_per_line";
     S504 "unused-allow";
 }
 
@@ -129,6 +158,11 @@ impl Code {
     /// The page that `zpg explain` shows: what it does, why it matters, an example, the fix.
     pub fn explanation(self) -> &'static str {
         self.entry().explanation
+    }
+
+    /// The messages of a lint rule, in English and in Czech.
+    pub(super) fn messages(self) -> Option<[&'static str; 2]> {
+        self.entry().messages
     }
 
     /// The severity that the code's letter stands for.

@@ -1,7 +1,8 @@
 //! What findings say, in words.
 //!
 //! The words stand in catalogues, a file a language, in the form of [Project
-//! Fluent](https://projectfluent.org): `messages/en.ftl` and `messages/cs.ftl`. A message is named
+//! Fluent](https://projectfluent.org): `messages/en.ftl` and `messages/cs.ftl`, and files of these names in
+//! the folders of lint rules. A message is named
 //! by a code and, where a code has several, the case; its attributes are the label at the primary
 //! place, a note, help, and whatever else a rule names. Such a name is a *phrase*: an attribute of
 //! the finding's own message, or a message of its own that several share.
@@ -20,6 +21,7 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 
 use fluent_syntax::ast::Pattern;
 
+use super::code::Code;
 use super::complaint::Complaint;
 use super::diagnostic::Diagnostic;
 
@@ -127,9 +129,11 @@ impl Language {
             let mut bundle = FluentBundle::new_concurrent(tag.parse().into_iter().collect());
             // No marks around what fills a place: everything is read from left to right.
             bundle.set_use_isolating(false);
-            for text in texts {
+            let rules = Code::ALL.iter().filter_map(|code| code.messages());
+            let rules = rules.map(|messages| messages[self as usize]);
+            for text in texts.iter().copied().chain(rules) {
                 // What is wrong in a catalogue is left out; tests look for that.
-                let resource = FluentResource::try_new((*text).to_owned()).unwrap_or_else(|e| e.0);
+                let resource = FluentResource::try_new(text.to_owned()).unwrap_or_else(|e| e.0);
                 let _ = bundle.add_resource(resource);
             }
             bundle

@@ -1,4 +1,4 @@
-//! Rules over the tree and the scene, one file a rule. A rule never speaks about a record that is
+//! Rules over the tree and the scene, one folder a rule in [`rules`]. A rule never speaks about a record that is
 //! broken: the parser or the resolver has done so.
 
 mod allow;
@@ -96,47 +96,16 @@ pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
     tops.map(|i| i as NodeId).collect()
 }
 
-type Rule = fn(&Context, &mut Vec<Diagnostic>);
-
-/// Every rule. Those that may take longest come first: they are begun in this order.
-const RULES: &[Rule] = &[
-    rules::coincident_faces::check,
-    rules::overlapping_union::check,
-    rules::bound_too_small::check,
-    rules::scene_box_cuts::check,
-    rules::empty_result::check,
-    rules::mixed_intersection::check,
-    rules::unused_definition::check,
-    rules::stale_operand::check,
-    rules::colour_out_of_range::check,
-    rules::energy_gain::check,
-    rules::not_a_rotation::check,
-    rules::asymmetric_quadric::check,
-    rules::degenerate_shape::check,
-    rules::no_real_points::check,
-    rules::surface_operand::check,
-    rules::comment_hides_records::check,
-    rules::several_cameras::check,
-    rules::pointless_index::check,
-    rules::self_intersecting::check,
-    rules::ill_scaled::check,
-    rules::no_camera::check,
-    rules::no_light::check,
-    rules::notation_separator::check,
-    rules::bare_comment::check,
-    rules::several_records_per_line::check,
-];
-
 /// Runs all rules, side by side; the findings are added to those of the parser and the resolver, and
 /// what comments allow is taken out.
 pub fn run(context: &Context, out: &mut Vec<Diagnostic>) {
-    let found = |(i, rule): (usize, &Rule)| {
+    let found = |(i, rule): (usize, &rules::Rule)| {
         let mut found = Vec::new();
         rule(context, &mut found);
         (i, found)
     };
     // Whoever is free takes the next one.
-    let rules = RULES.iter().enumerate().par_bridge();
+    let rules = rules::RULES.iter().enumerate().par_bridge();
     let mut all: Vec<(usize, Vec<Diagnostic>)> = rules.map(found).collect();
     all.sort_unstable_by_key(|(i, _)| *i);
     out.extend(all.into_iter().flat_map(|(_, found)| found));

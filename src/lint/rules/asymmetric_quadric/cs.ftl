@@ -1,0 +1,14 @@
+W304 = matice kvadriky { $id } není symetrická: { $first } je { $first-number }, ale { $mirror } je { $mirror-number }{ $more ->
+    [0] {""}
+    [one] {" "}a liší se ještě { $more } dvojice
+    [few] {" "}a liší se ještě { $more } dvojice
+   *[other] {" "}a liší se ještě { $more } dvojic
+}
+    .label = { $first }
+    .other = { $mirror }
+    .note = záleží jen na součtu obou: kvadrika se kreslí, jako by obě čísla byla jejich průměr
+    .fix = { $pairs ->
+        [one] napsat na obě místa jejich průměr
+        [few] napsat průměr ve všech { $pairs } dvojicích
+       *[other] napsat průměr ve všech { $pairs } dvojicích
+    }

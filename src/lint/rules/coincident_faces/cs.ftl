@@ -1,0 +1,56 @@
+W321 = { $operation } { $id }: { W321.the-tool } končí přesně na povrchu, který má { W321.the-other }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+    .label = { $tool-face ->
+        [side] stěna { $tool-name }
+        [boundary] hraniční rovina
+        [base] podstava
+        [mantle] plášť
+        [disc] kruh, který uzavírá tento konec
+        [piece] tento úsek
+       *[all] povrch
+    }
+    .other = { $other-face ->
+        [side] stěna { $other-name }
+        [boundary] hraniční rovina
+        [base] podstava
+        [mantle] plášť
+        [disc] kruh, který uzavírá tento konec
+        [piece] tento úsek
+       *[all] povrch
+    }
+    .operation = { $operation }
+    .note = zda tam zbude stěna nulové tloušťky, záleží na zaokrouhlení
+    .help = protáhněte nástroj o kousek za stěnu, kterou prořezává
+    .fix = protáhnout nástroj o kousek dál
+    .the-tool = { $tool-copy ->
+        [none] { $tool } { $tool-id }{ $tool-in ->
+            [none] {""}
+           *[other] {" "}v { $tool-in }
+        }
+       *[other] { $tool } { $tool-id } v kopii { $tool-copy }
+    }
+    .the-other = { $other-copy ->
+        [none] { $other } { $other-id }{ $other-in ->
+            [none] {""}
+           *[other] {" "}v { $other-in }
+        }
+       *[other] { $other } { $other-id } v kopii { $other-copy }
+    }
+W321-round = { W321 }
+    .label = { W321.label }
+    .other = { W321.other }
+    .operation = { W321.operation }
+    .note = { W321.note }
+    .help = udělejte tam nástroj o kousek větší než to, co řeže, nebo zapište obojí stejně: o stejných tvarech na jednom místě se rozhoduje přesně
+    .fix = { W321.fix }
+W321-holes = { $operation } { $id }: { W321.the-tool } řeže až tam, kam { W321.the-other }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+    .label = { W321.label }
+    .other = { W321.other }
+    .operation = { W321.operation }
+    .note = zda mezi nimi zbude stěna nulové tloušťky, záleží na zaokrouhlení
+    .help = nechte jeden z nich zasahovat o kousek do druhého
+    .fix = { W321.fix }
+W321-touch = { $operation } { $id }: { W321.the-tool } a { W321.the-other } se jen dotýkají: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+    .label = { W321.label }
+    .other = { W321.other }
+    .operation = { W321.operation }
+    .note = co tam mají společného, je plocha nulové tloušťky; zda je vidět, záleží na zaokrouhlení

@@ -1,0 +1,17 @@
+W301 = složky barvy leží mezi 0 a 1; zde je { $parts }
+    .label = použije se tak, jak je
+    .note = složka větší než 1 činí povrch jasnějším než světlo, které na něj dopadá, záporná světlo ubírá; světlo má kromě barvy i intenzitu
+    .bytes = vypadá to na čísla od 0 do 255
+    .divide = vydělit číslem 255
+    .fix = napsat nejbližší přípustnou hodnotu
+W301-point = složky barvy leží mezi 0 a 1; v bodě profilu { $point } je { $parts }{ $others ->
+    [0] {""}
+    [one] {" "}a mimo rozsah je ještě { $others } barva
+    [few] {" "}a mimo rozsah jsou ještě { $others } barvy
+   *[other] {" "}a mimo rozsah je ještě { $others } barev
+}
+    .label = { W301.label }
+    .note = { W301.note }
+    .bytes = { W301.bytes }
+    .divide = { W301.divide }
+    .fix = { W301.fix }

@@ -1,0 +1,16 @@
+W301 = the parts of a colour lie between 0 and 1; here { $parts }
+    .label = taken as it is
+    .note = a part above 1 makes a surface brighter than the light that falls on it, a negative one takes light away; a light has an intensity besides its colour
+    .bytes = these look like numbers from 0 to 255
+    .divide = divide by 255
+    .fix = write the nearest that is in range
+W301-point = the parts of a colour lie between 0 and 1; at profile point { $point }, { $parts }{ $others ->
+    [0] {""}
+    [one] , and { $others } more colour is out of range
+   *[other] , and { $others } more colours are out of range
+}
+    .label = { W301.label }
+    .note = { W301.note }
+    .bytes = { W301.bytes }
+    .divide = { W301.divide }
+    .fix = { W301.fix }

@@ -1,0 +1,12 @@
+W322 = { $type } { $id } má příliš rozdílné rozměry: { $large } je { $large-size }, { $small } jen { $small-size }
+    .label = délky, které se liší více než 1e8krát
+    .note = na obojí šestnáct číslic nestačí: průsečíky na malých částech jsou vedle o velkou část jejich rozměru a hrany vyjdou roztřepené
+    .help = přibližte rozměry k sobě, nebo přesuňte objekt blíže k počátku
+W322-moved = { $type } { $id } má po přesunutí a natažení příliš rozdílné rozměry: { $large } je { $large-size }, { $small } jen { $small-size }
+    .label = { W322.label }
+    .note = { W322.note }
+    .help = { W322.help }
+W322-stretched = { $type } { $id } má po přesunutí a natažení příliš rozdílné rozměry: { $large } podél vlastní osy { $large-axis } je { $large-size }, { $small } podél vlastní osy { $small-axis } jen { $small-size }
+    .label = { W322.label }
+    .note = { W322.note }
+    .help = { W322.help }

@@ -1,0 +1,12 @@
+W322 = the { $type } { $id } is ill-scaled: { $large } is { $large-size }, { $small } only { $small-size }
+    .label = lengths that differ by more than 1e8
+    .note = sixteen digits are too few for both: hits on the small parts are off by a good part of their size, and edges come out ragged
+    .help = bring the sizes nearer together, or move the object nearer to the origin
+W322-moved = the { $type } { $id }, as it is moved and stretched, is ill-scaled: { $large } is { $large-size }, { $small } only { $small-size }
+    .label = { W322.label }
+    .note = { W322.note }
+    .help = { W322.help }
+W322-stretched = the { $type } { $id }, as it is moved and stretched, is ill-scaled: { $large } along its { $large-axis } axis is { $large-size }, { $small } along its { $small-axis } axis only { $small-size }
+    .label = { W322.label }
+    .note = { W322.note }
+    .help = { W322.help }

@@ -1,0 +1,14 @@
+W306 = kvadrice { $id } nevyhovuje žádný bod
+    .label = tato matice
+    .note = xᵀQx je všude větší než 0: objekt je prázdný, nic z něj se nezobrazí, a odečtením od jiného se nic nezmění
+W306-ball = { W306 }
+    .label = { W306.label }
+    .note = { W306.note }
+    .help = koule s poloměrem r má na místech m11 až m33 čísla 1 a m44 je -r²
+    .fix = obrátit znaménko m44
+W306-full = kvadrice { $id } vyhovuje každý bod
+    .label = { W306.label }
+    .note = xᵀQx není nikde větší než 0: objekt vyplňuje celý prostor, nemá povrch, který by šlo zobrazit, a z čeho se odečte, z toho nic nezbude
+W306-zero = kvadrice { $id } vyhovuje každý bod
+    .label = { W306.label }
+    .note = xᵀQx je všude 0: objekt vyplňuje celý prostor a nemá povrch, který by šlo zobrazit

@@ -1,0 +1,14 @@
+W306 = no point satisfies the quadric { $id }
+    .label = this matrix
+    .note = xᵀQx is greater than 0 everywhere: the object is empty, nothing of it is drawn, and taking it away from another one changes nothing
+W306-ball = { W306 }
+    .label = { W306.label }
+    .note = { W306.note }
+    .help = for a ball of radius r, m11 to m33 are 1 and m44 is -r²
+    .fix = turn the sign of m44
+W306-full = every point satisfies the quadric { $id }
+    .label = { W306.label }
+    .note = xᵀQx is nowhere greater than 0: the object fills all of space, has no surface that could be drawn, and leaves nothing of what it is taken away from
+W306-zero = every point satisfies the quadric { $id }
+    .label = { W306.label }
+    .note = xᵀQx is 0 everywhere: the object fills all of space and has no surface that could be drawn

@@ -1,0 +1,14 @@
+W307 = in the union { $id }, the { $one } { $one-id } and the { $two } { $two-id } overlap, and they are of different media: ({ $x }, { $y }, { $z }) is in both
+    .label = the first operand owns what both hold
+    .first = the { $one }
+    .second = the { $two }
+    .note = the surface of the second one is not seen where the first one is: the picture depends on the order of the operands
+    .help = take one away from the other, or write the overlap as a part with properties of its own
+    .fix = write it as (A ∩ B) ∪ (A − B) ∪ (B − A)
+W307-open = in the union { $id }, the { $one } { $one-id } and the { $two } { $two-id } overlap, look different, and are cut open: at ({ $x }, { $y }, { $z }) the cut goes through both
+    .label = { W307.label }
+    .first = { W307.first }
+    .second = { W307.second }
+    .note = the cut face looks like the first one where both are: the picture depends on the order of the operands
+    .help = { W307.help }
+    .fix = { W307.fix }

@@ -1,0 +1,6 @@
+S503 = { $count ->
+    [one] další záznam na tomtéž řádku
+    [few] { $count } další záznamy na tomtéž řádku
+   *[other] { $count } dalších záznamů na tomtéž řádku
+}
+    .fix = jeden záznam na řádek

@@ -1,0 +1,32 @@
+W313 = the { $operand } { $operand-id } { $what ->
+    [whole] is a surface: of it,
+   *[part] has a surface in it: of that,
+} the intersection { $id } keeps what is inside the { $other } { $other-id }
+    .label = this operand
+    .surface = the { $shape } { $shape-id } is a surface: it has no inside
+    .help = operations are made for solids: a half-space (type 4) has the inside that a plane (type 3) lacks, a thin box that of a rectangle
+W313-outside = the { $operand } { $operand-id } { $what ->
+    [whole] is a surface: of it,
+   *[part] has a surface in it: of that,
+} the difference { $id } keeps what is outside the { $other } { $other-id }
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+W313-tool = the { $operand } { $operand-id } { $what ->
+    [whole] is a surface: taking it away
+   *[part] has a surface in it: taking that away
+} from the { $other } { $other-id } changes nothing
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+W313-both = the { $operand } { $operand-id } and the { $other } { $other-id } are surfaces: their intersection { $id } is empty
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }
+W313-complement = the { $operand } { $operand-id } { $what ->
+    [whole] is a surface: its complement { $id } is all of space
+   *[part] has a surface in it: the complement { $id } ignores that
+}
+    .label = { W313.label }
+    .surface = { W313.surface }
+    .help = { W313.help }

@@ -1,0 +1,9 @@
+W310 = the { $type } { $id } is never used
+    .label = nothing that is drawn has it
+    .help = assign it with `ID -299 TEXTURE OPTICS`, or remove it
+W310-object = the { $type } { $id } is not part of what is drawn
+    .label = nothing that is drawn is made of it
+    .help = join it to the scene with a union, or remove it
+W310-placeholder = { $id } is declared, but neither defined nor used
+    .label = a placeholder of nothing
+    .help = define it below, or remove the declaration
