@@ -12,6 +12,9 @@ const KNOWN_CIRCLES: [&str; 2] = ["syntax", "translate::pov"];
 /// No more files than these may import each other in a circle.
 const LARGEST_CIRCLE: usize = 3;
 
+/// Files of the program, which is above all of the library.
+const PROGRAM: [&str; 2] = ["main.rs", "machine.rs"];
+
 /// What unit tests share stands beside the layers.
 const ASIDE: &str = "testing";
 
@@ -107,7 +110,8 @@ fn modules() -> BTreeMap<Module, Imports> {
     let mut all = BTreeMap::new();
     for entry in ignore::Walk::new(&root).map(Result::unwrap) {
         let path = entry.path();
-        if path.extension().is_none_or(|e| e != "rs") || path.ends_with("main.rs") {
+        let of_program = PROGRAM.iter().any(|file| path == root.join(file));
+        if path.extension().is_none_or(|e| e != "rs") || of_program {
             continue;
         }
         let within = path.strip_prefix(&root).unwrap().with_extension("");

@@ -28,6 +28,7 @@ mod invariance;
 mod lint_generated;
 mod lint_large;
 mod lint_overlaps;
+mod lint_rules;
 mod memory;
 mod mesh;
 mod messages;

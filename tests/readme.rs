@@ -27,7 +27,7 @@ fn blocks(page: &str) -> Vec<(&str, &str, String)> {
         if let Some(language) = line.strip_prefix("```") {
             let text = lines.by_ref().take_while(|l| !l.starts_with("```"));
             let text = text.map(|l| l.to_owned() + "\n").collect();
-            blocks.push((before, language, text));
+            blocks.push((std::mem::take(&mut before), language, text));
         } else if !line.trim().is_empty() {
             before = line;
         }

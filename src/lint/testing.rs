@@ -1,6 +1,6 @@
-//! Rules tested as data: a scene, what is found in it, and what a fix makes of it.
+//! What is found in scenes that tests make. Scenes that are written down stand in the folders of the rules.
 
-use crate::diagnostics::{self, Applicability, Code, Diagnostic, Language, SourceFile};
+use crate::diagnostics::{self, Code, Diagnostic, Language, SourceFile};
 use crate::{scene, syntax};
 
 /// What is found in a few records, but for the lack of a render record, a camera and a light.
@@ -36,33 +36,4 @@ pub fn found(scene: &str) -> Vec<String> {
 pub fn messages(scene: &str) -> Vec<String> {
     let words = |d: &Diagnostic| d.wording(Language::English).message;
     findings(scene).1.iter().map(words).collect()
-}
-
-/// Titles and applicabilities of all fixes.
-pub fn fixes(scene: &str) -> Vec<(String, Applicability)> {
-    let titles = |d: Diagnostic| {
-        let words = d.wording(Language::English);
-        words.fixes.into_iter().zip(d.fixes)
-    };
-    let all = findings(scene).1.into_iter().flat_map(titles);
-    all.map(|(title, f)| (title, f.applicability)).collect()
-}
-
-/// The scene with the first fix of every finding applied. No two edits may overlap.
-pub fn fixed(scene: &str) -> String {
-    let all = findings(scene).1;
-    let mut edits: Vec<_> = all
-        .into_iter()
-        .filter_map(|d| d.fixes.into_iter().next())
-        .flat_map(|f| f.edits)
-        .collect();
-    edits.sort_by_key(|e| e.span);
-    let mut text = String::new();
-    let mut at = 0;
-    for e in &edits {
-        text += &scene[at..e.span.start as usize];
-        text += &e.text;
-        at = e.span.end as usize;
-    }
-    text + &scene[at..]
 }

@@ -5,7 +5,9 @@
 //! - `mod.rs`: `check`, which looks at a scene and adds its findings;
 //! - `explain.md`: the page of `zpg explain`, with a scene that is wrong and one that is right, both of which
 //!   a test checks; `explain.cs.md` is the place of the Czech page;
-//! - `en.ftl` and `cs.ftl`: its messages.
+//! - `en.ftl` and `cs.ftl`: its messages;
+//! - `tests/*.zpg`: scenes, and beside each a snapshot of all that is printed about it and of what fixes make
+//!   of it (`tests/lint_rules.rs` runs them).
 //!
 //! Three lines name the folder: the code's in `diagnostics/code.rs`, and two here.
 

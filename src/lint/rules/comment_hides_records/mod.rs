@@ -102,40 +102,7 @@ fn read(text: &str, block: Span, hidden: &mut Vec<(Span, &'static str, u32)>) {
 
 #[cfg(test)]
 mod tests {
-    use crate::lint::testing::{found, messages};
-
-    #[test]
-    fn records_in_a_comment() {
-        let scene = "2 9 1 # a ball\n3 11 0 0 0 5\n4 -101 2 3\nand a union #\n";
-        assert_eq!(found(scene), ["W315 1:7"]);
-        assert_eq!(
-            messages(scene),
-            ["this comment hides 2 records, from the sphere 3 on"]
-        );
-        assert_eq!(found("2 9 1\n0 #\n3 11 0 0 0 5\n#"), ["W315 2:3"]);
-        // On the line of either end, over several lines, several on one line.
-        assert_eq!(found("2 9 1 # 3 11 0 0 0 5\n#"), ["W315 1:7"]);
-        assert_eq!(found("2 9 1 #\n3 11 0 0 0 5#"), ["W315 1:7"]);
-        let matrix = "0 # turn\n2 -4\n 0 -1 0 0\n 1 0 0 0\n 0 0 1 0\n 0 0 0 1\n#";
-        assert_eq!(found(matrix), ["W315 1:3"]);
-        assert!(messages("0 #\n2 9 1 3 9 2\n#")[0].contains("hides 2 records"));
-    }
-
-    #[test]
-    fn prose_and_single_lines() {
-        for comment in [
-            "# 3 11 0 0 0 5 #",
-            "# two\nlines #",
-            "# sizes:\n3 11 0 0 0 5 of the ball\n#",
-            "# table:\n1 0\n2 0\n#",
-            "# dice\n1 2 3\n4 5 6\n#",
-            "# version\n1.5\n#",
-            "# the ball 3 11 0 0 0 5\nis not here #",
-        ] {
-            let scene = format!("0 {comment}\n2 9 1\n");
-            assert!(found(&scene).is_empty(), "{comment}: {:?}", found(&scene));
-        }
-    }
+    use crate::lint::testing::found;
 
     #[test]
     fn within_the_budget() {

@@ -155,69 +155,6 @@ fn edits(p: &Params, written: &Matrix3, nearest: &Matrix3) -> Vec<Edit> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lint::testing::{fixed, fixes, found};
-
-    const BOX: &str = "2 12 -1 -1 -1 1 1 1\n";
-
-    fn turned(rows: &str) -> String {
-        format!("{BOX}2 -4 {rows}  0 0 0 1\n")
-    }
-
-    #[test]
-    fn cut_off_digits_are_completed() {
-        let scene = turned("0.707 0 0.707 0  0 1 0 0  -0.707 0 0.707 0");
-        assert_eq!(found(&scene), ["W303 2:6"]);
-        assert_eq!(
-            fixes(&scene),
-            [("write the nearest rotation".into(), Applicability::Unsafe)]
-        );
-        // √½ = 0.70710678118655 by any table.
-        let right = turned(
-            "0.707106781187 0 0.707106781187 0  0 1 0 0  -0.707106781187 0 0.707106781187 0",
-        );
-        assert_eq!(fixed(&scene), right);
-        assert!(found(&right).is_empty());
-    }
-
-    #[test]
-    fn a_scaling_or_a_shear_is_removed() {
-        for rows in [
-            "2 0 0 0  0 2 0 0  0 0 2 0",
-            "1 1 0 0  -1 1 0 0  0 0 1 0",
-            "1 0.05 0 0  0 1 0 0  0 0 1 0",
-        ] {
-            let scene = turned(rows);
-            assert_eq!(found(&scene), ["W303 2:6"]);
-            assert!(found(&fixed(&scene)).is_empty());
-        }
-        assert_eq!(
-            fixed(&turned("2 0 0 0  0 2 0 0  0 0 2 0")),
-            turned("1 0 0 0  0 1 0 0  0 0 1 0")
-        );
-    }
-
-    #[test]
-    fn a_mirror_image_has_no_fix() {
-        let scene = turned("-1 0 0 0  0 1 0 0  0 0 1 0");
-        assert_eq!(found(&scene), ["W303 2:6"]);
-        assert!(fixes(&scene).is_empty());
-    }
-
-    #[test]
-    fn the_edge_of_the_tolerance() {
-        assert!(found(&turned("1.0000009 0 0 0  0 1 0 0  0 0 1 0")).is_empty());
-        assert_eq!(
-            found(&turned("1.0000011 0 0 0  0 1 0 0  0 0 1 0")),
-            ["W303 2:6"]
-        );
-        // Six decimals of 30°, and a rotation that also moves.
-        assert!(found(&turned("0.866025 0 0.5 7  0 1 0 0  -0.5 0 0.866025 0")).is_empty());
-    }
-
-    #[test]
-    fn singular_matrices_are_somebody_elses() {
-        assert_eq!(found(&turned("1 0 0 0  0 0 0 0  0 0 1 0")), ["E204 2:6"]);
-    }
 
     #[test]
     fn the_polar_factor_is_orthogonal_and_undoes_a_stretch() {

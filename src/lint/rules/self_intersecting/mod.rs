@@ -150,26 +150,6 @@ fn side(a: Point, b: Point, p: Point) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lint::testing::{fixed, found, messages};
-
-    #[test]
-    fn a_spindle_torus() {
-        let scene = "2 14 0.25 # R # 1\n";
-        assert_eq!(found(scene), ["W320 1:17"]);
-        assert_eq!(fixed(scene), "2 14 1 # R # 0.25\n");
-        assert!(found("2 14 1 1\n").is_empty());
-    }
-
-    #[test]
-    fn a_bow_tie_profile() {
-        let bow = "2 1 5  1 0  3 2  3 0  1 2  1 0\n";
-        assert_eq!(found(bow), ["W320 1:8"]);
-        assert_eq!(
-            messages(bow),
-            ["the profile of the surface of revolution 2 crosses itself near x = 2, y = 1"]
-        );
-        assert!(found("2 1 5  1 0  3 0  3 2  1 2  1 0\n").is_empty());
-    }
 
     #[test]
     fn touching_is_not_crossing() {

@@ -45,38 +45,3 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         None => d,
     });
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::lint::testing::{fixed, found, messages};
-
-    const TWO: &str =
-        "8 -501 0 0 9 0 0 -1 0 1 0 45 # front #\n9 -501 0 9 0 0 -1 0 0 0 1 45 # top #\n";
-
-    #[test]
-    fn nothing_selected() {
-        assert_eq!(found(TWO), ["W316 2:1"]);
-        assert_eq!(
-            messages(TWO),
-            ["there are 2 cameras and none is selected: 9, the last one, takes the picture"]
-        );
-        // A copy and a projection are cameras, too.
-        assert_eq!(found(&(TWO.to_owned() + "7 -105 8")), ["W316 3:1"]);
-        let projection = "3 -99 1 0 0 0 0 1 0 0 0 0 -1 -2 0 0 -1 0";
-        assert_eq!(found(&(TWO.to_owned() + projection)), ["W316 3:1"]);
-        assert_eq!(fixed(TWO), TWO.replace("# top #\n", "# top #\n10 -502 9\n"));
-        assert!(found(&fixed(TWO)).is_empty());
-    }
-
-    #[test]
-    fn selected_or_alone() {
-        for end in ["60 -502 8", "60 -503 8 9"] {
-            let all = found(&(TWO.to_owned() + end));
-            assert!(!all.iter().any(|f| f.starts_with("W316")), "{end}: {all:?}");
-        }
-        assert!(found(&TWO[..TWO.find('\n').unwrap()]).is_empty());
-        // What cannot be read may be the selection.
-        let broken = found(&(TWO.to_owned() + "60 -502"));
-        assert!(!broken.iter().any(|f| f.starts_with("W316")), "{broken:?}");
-    }
-}
