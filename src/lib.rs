@@ -9,7 +9,7 @@
 //! - [`scene`]: the tree read as a program of assignments: nodes in an arena, lights, cameras.
 //! - [`solids`]: what is true of solids without a ray.
 //! - [`trace`]: the reference ray tracer.
-//! - [`lint`]: rules over the tree and the scene, one file a rule; those about geometry prove what they
+//! - [`lint`]: rules over the tree and the scene, one folder a rule; those about geometry prove what they
 //!   say with the tracer's means.
 //! - [`analysis`]: a file's bytes to source, document, scene and findings, with the settings of its folder.
 //! - [`translate`]: the scene for other programs.

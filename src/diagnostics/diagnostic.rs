@@ -8,7 +8,7 @@ use super::wording::Value;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Label {
     pub span: Span,
-    /// A phrase; see [`wording`].
+    /// A phrase; see [`wording`](super::wording).
     pub phrase: &'static str,
 }
 
@@ -32,7 +32,7 @@ pub struct Edit {
 /// A set of edits that belong together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fix {
-    /// A phrase, what the fix does; see [`wording`].
+    /// A phrase, what the fix does; see [`wording`](super::wording).
     pub title: &'static str,
     pub applicability: Applicability,
     /// In order of their spans, which do not overlap.
@@ -58,7 +58,7 @@ impl Fix {
     }
 }
 
-/// One finding, in no language yet: [`wording`] says it in words.
+/// One finding, in no language yet: [`wording`](super::wording) says it in words.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     pub code: Code,

@@ -1,6 +1,6 @@
 //! Places in a text.
 
-/// A stretch of a source text: byte offsets into [`SourceFile::text`], half-open.
+/// A stretch of a source text: byte offsets into [`SourceFile::text`](super::source::SourceFile::text), half-open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Span {
     pub start: u32,

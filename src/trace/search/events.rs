@@ -9,7 +9,7 @@ use crate::trace::shapes::Root;
 pub struct Place<R> {
     pub leaf: Leaf,
     pub root: Root<R>,
-    /// A rough bound on the error of its t; see [`Walker::rough`].
+    /// A rough bound on the error of its t; see [`Walker::rough`](super::walk::Walker::rough).
     pub error: R,
 }
 
