@@ -380,6 +380,7 @@ fn pictures_of_the_scene_stay() {
 
 /// The validator of the Khronos group finds nothing to say.
 #[test]
+#[ignore = "needs the Khronos validator"]
 fn glb_is_valid() {
     const VERSION: &str = "2.0.0-dev.3.10";
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap();

@@ -41,6 +41,7 @@ fn text(bytes: &[u8]) -> String {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn a_scene_agrees() {
     let dir = folder(SCENE);
     let args = ["crosscheck", "a.zpg", "--with", "povray", "--size", "96x72"];
@@ -69,6 +70,7 @@ fn a_scene_agrees() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn other_pictures_differ() {
     // A program that always takes the picture of a darker scene.
     let dir = folder(SCENE);
@@ -111,6 +113,7 @@ fn other_pictures_differ() {
 }
 
 #[test]
+#[ignore = "needs Mitsuba"]
 fn geometry_agrees_with_mitsuba() {
     let dir = folder(SCENE);
     let python = mitsuba::python();
@@ -164,6 +167,7 @@ fn geometry_agrees_with_mitsuba() {
 
 /// A matrix for pictures that are half as wide again as they are high.
 #[test]
+#[ignore = "needs POV-Ray"]
 fn pixels_that_are_no_squares() {
     let look = |matrix: &str, size: &str| {
         let camera = "2 9 1\n9 -501 0 0 8 0 0 -1 0 1 0 40\n1 9999 2 0\n9 -99 ";
@@ -234,6 +238,7 @@ fn what_is_missing_is_said() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn files_may_be_called_anything() {
     let dir = folder(SCENE);
     for name in ["-two words", "kůň.v1", "it's \"<&>\" %20"] {
@@ -252,6 +257,7 @@ fn files_may_be_called_anything() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn a_scene_from_standard_input() {
     let dir = folder("");
     for (with, path) in programs() {
@@ -266,6 +272,7 @@ fn a_scene_from_standard_input() {
 
 /// Each after one that succeeded, into the same folder.
 #[test]
+#[ignore = "needs POV-Ray and Mitsuba"]
 fn programs_that_fail() {
     for (with, path) in programs() {
         let dir = folder(SCENE);

@@ -287,7 +287,9 @@ fn try_kind(kind: usize, cases: u32) -> (u32, u32, Option<String>) {
 #[test]
 fn nothing_undefined_leaves_the_tracer() {
     let cases = std::env::var("PROPTEST_CASES").ok();
-    let cases = cases.and_then(|n| n.parse().ok()).unwrap_or(100);
+    let cases = cases
+        .and_then(|n| n.parse().ok())
+        .unwrap_or(crate::support::cases(15, 100));
     let (mut all, mut seen, mut faults) = (0, 0, Vec::new());
     for kind in 0..shapes().len() {
         let (valid, met, fault) = try_kind(kind, cases);
@@ -297,7 +299,7 @@ fn nothing_undefined_leaves_the_tracer() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     println!("{all} scenes, something in {seen} pixels");
-    assert!(all > 1000 && seen > 1000, "{all} {seen}");
+    assert!(all > 150 && seen > 150, "{all} {seen}");
 }
 
 /// Whether the origin is inside, and t, the point and the way of each crossing.

@@ -12,6 +12,7 @@ mod programs;
 mod sets;
 
 use crate::exact;
+use crate::support::cases;
 use crate::trace_support;
 use ask::{Precision, Ray, ask, data, exact as exact_of, held, orderly};
 use serde_json::Value;

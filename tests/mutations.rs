@@ -138,11 +138,7 @@ fn outcome(name: &str, text: &str) -> (BTreeMap<&'static str, Tally>, String) {
     let mut misses = String::new();
     let original = Analysis::new(name, text.as_bytes().to_vec());
     assert!(original.is_sound(), "{name} is not valid");
-    // Every third of them; all on request: MUTATIONS=all.
-    let step = match std::env::var("MUTATIONS") {
-        Ok(_) => 1,
-        Err(_) => 3,
-    };
+    let step = crate::support::cases(13, 1);
     for m in mutants(text, &original.document).iter().step_by(step) {
         let mut mutated = text.to_owned();
         mutated.replace_range(m.at..m.to, &m.with);

@@ -122,6 +122,7 @@ const GREEN: [f64; 3] = [0.2, 0.8, 0.3];
 const BLUE: [f64; 3] = [0.2, 0.3, 0.9];
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn opaque_shapes() {
     let mut m = Make::lit();
     let a = m.sphere([-1.2, 0.0, 0.0], 1.0);
@@ -139,6 +140,7 @@ fn opaque_shapes() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn mirrors() {
     let mut m = Make::lit();
     let a = m.sphere([-1.0, 0.0, 0.0], 1.2);
@@ -152,6 +154,7 @@ fn mirrors() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn glass_with_index() {
     let mut m = Make::lit();
     let a = m.sphere([0.0; 3], 1.2);
@@ -163,6 +166,7 @@ fn glass_with_index() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn dispersion() {
     let mut m = Make::lit();
     let a = m.sphere([0.0; 3], 1.2);
@@ -173,6 +177,7 @@ fn dispersion() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn coloured_transmission_and_shadows() {
     let mut m = Make::lit();
     let a = m.sphere([0.3, 0.6, 0.5], 1.0);
@@ -187,6 +192,7 @@ fn coloured_transmission_and_shadows() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn checkers_on_each_shape() {
     let mut m = Make::lit();
     let a = m.sphere([0.3, 0.2, 0.0], 0.9);
@@ -209,6 +215,7 @@ fn checkers_on_each_shape() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn all_faces_of_a_box() {
     for (name, turn) in [
         ("box_below", Matrix::rotation(110.0, 0)),
@@ -224,6 +231,7 @@ fn all_faces_of_a_box() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn solid_texture_stays_where_it_was_given() {
     let mut m = Make::lit();
     let a = m.cube([-1.0; 3], [1.0; 3]);
@@ -247,6 +255,7 @@ fn solid_texture_stays_where_it_was_given() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn operations_on_painted_operands() {
     let mut m = Make::lit();
     let a = m.sphere([-1.2, 0.0, 0.0], 1.0);
@@ -265,6 +274,7 @@ fn operations_on_painted_operands() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn a_painted_union_is_cut() {
     let mut m = Make::lit();
     let a = m.sphere([-0.7, 0.0, 0.0], 1.0);
@@ -283,6 +293,7 @@ fn a_painted_union_is_cut() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn complements_and_half_spaces() {
     let mut m = Make::lit();
     let a = m.sphere([0.0; 3], 1.3);
@@ -299,6 +310,7 @@ fn complements_and_half_spaces() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn surfaces_in_operations() {
     let mut m = Make::lit();
     let s = m.rectangle([-2.0, -1.0], [2.0, 1.5]);
@@ -331,6 +343,7 @@ fn surfaces_in_operations() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn transparent_unions_and_differences() {
     let mut m = Make::lit();
     let a = m.sphere([-0.5, 0.0, 0.0], 0.9);
@@ -350,6 +363,7 @@ fn transparent_unions_and_differences() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn transparent_parts_of_two_colours() {
     let mut m = Make::lit();
     let a = m.sphere([-0.5, 0.0, 0.0], 0.9);
@@ -363,6 +377,7 @@ fn transparent_parts_of_two_colours() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn media_in_each_other() {
     let mut m = Make::lit();
     // An opaque core in glass, and glass that bites into an opaque box.
@@ -383,6 +398,7 @@ fn media_in_each_other() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn coloured_and_bright_lights() {
     let mut m = Make::default();
     m.camera([1.0, 1.5, 6.0], [-1.0, -1.5, -6.0]);
@@ -397,6 +413,7 @@ fn coloured_and_bright_lights() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn automatic_camera_headlight_and_box() {
     let mut m = Make::default();
     let a = m.sphere([10.0, 20.0, -5.0], 30.0);
@@ -501,23 +518,24 @@ fn random_scenes(name: &str, seeds: std::ops::Range<u64>, transparent: bool) {
         );
         let root = m.on_floor(object);
         let scene = m.done(root);
-        let _ = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-            compare(&format!("{name}_{seed}"), &scene);
-        }));
+        compare(&format!("{name}_{seed}"), &scene);
     }
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn random_opaque_scenes() {
-    random_scenes("random_opaque", 1..11, false);
+    random_scenes("random_opaque", 1..crate::support::cases(5, 11), false);
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn random_transparent_scenes() {
-    random_scenes("random_transparent", 1..11, true);
+    random_scenes("random_transparent", 1..crate::support::cases(5, 11), true);
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn both_eyes() {
     let mut m = Make::lit();
     let a = m.sphere([0.0; 3], 1.0);
@@ -549,6 +567,7 @@ fn both_eyes() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn large_and_small_scenes() {
     for (name, size) in [("huge", 1e5), ("tiny", 1e-5)] {
         let mut m = Make::default();
@@ -562,6 +581,7 @@ fn large_and_small_scenes() {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn the_scenes_of_the_handout() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/handout");
     let mut count = 0;

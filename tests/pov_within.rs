@@ -80,6 +80,7 @@ fn scene(rng: &mut Rng) -> (String, Vec3) {
 }
 
 #[test]
+#[ignore = "needs POV-Ray"]
 fn what_is_called_exact_is() {
     let (mut walled, mut exact) = (0, 0);
     for seed in seeds("POV_WITHIN", 0..40) {
@@ -102,6 +103,7 @@ fn what_is_called_exact_is() {
 /// A bore through two bodies that overlap, seen from within one of them: POV-Ray shows where the one begins in
 /// the other. From outside nobody sees that, and all is exact.
 #[test]
+#[ignore = "needs POV-Ray"]
 fn a_bore_through_two_seen_from_within() {
     let scene = |from: &str| {
         load(&format!(

@@ -9,11 +9,16 @@ use zpg::analysis::Analysis;
 /// Address space of the process, in KiB, for inputs of a few megabytes.
 const MEMORY_KIB: u32 = 4 << 20;
 
+/// Stack of its first thread, in KiB: small enough that any recursion on the depth of a scene is found.
+const STACK_KIB: u32 = 1 << 10;
+
 /// Runs a command on standard input with limited memory and gives its exit status and errors.
 fn run(arguments: &[&str], input: &[u8]) -> (i32, String) {
     let mut child = Command::new("sh")
         .arg("-c")
-        .arg(format!("ulimit -v {MEMORY_KIB}; exec \"$0\" \"$@\""))
+        .arg(format!(
+            "ulimit -v {MEMORY_KIB}; ulimit -s {STACK_KIB}; exec \"$0\" \"$@\""
+        ))
         .arg(env!("CARGO_BIN_EXE_zpg"))
         .args(arguments)
         .env("RUST_BACKTRACE", "0")
@@ -36,7 +41,6 @@ fn answers(name: &str, input: &[u8]) {
     for arguments in [
         &["check", "-"][..],
         &["check", "-", "--format", "json"],
-        &["check", "-", "--format", "short"],
         &["fmt", "-"],
         &["convert", "-", "--to", "pov"],
         &["render", "-", "-o", "-", "--size", "8x6"],
@@ -74,7 +78,7 @@ fn chain(record: impl Fn(u32, u32) -> String, n: u32) -> Vec<u8> {
 #[test]
 fn bytes_that_are_no_scene() {
     let mut state = 1u64;
-    let noise: Vec<u8> = (0..200_000)
+    let noise: Vec<u8> = (0..50_000)
         .map(|_| {
             state = state
                 .wrapping_mul(6364136223846793005)
@@ -84,12 +88,12 @@ fn bytes_that_are_no_scene() {
         .collect();
     answers("noise", &noise);
     answers("nothing", b"");
-    answers("NULs", &vec![0; 200_000]);
+    answers("NULs", &vec![0; 50_000]);
     answers("digits", "9".repeat(2_000_000).as_bytes());
-    answers("zeros", "0 ".repeat(200_000).as_bytes());
-    answers("ones", "1 ".repeat(200_000).as_bytes());
+    answers("zeros", "0 ".repeat(50_000).as_bytes());
+    answers("ones", "1 ".repeat(50_000).as_bytes());
     answers("number signs", "#\n".repeat(100_001).as_bytes());
-    answers("one long line", "2 9 1 x ".repeat(100_000).as_bytes());
+    answers("one long line", "2 9 1 x ".repeat(25_000).as_bytes());
 }
 
 #[test]
@@ -114,7 +118,7 @@ fn claims_that_no_file_can_hold() {
 
 #[test]
 fn long_chains() {
-    const N: u32 = 300_000;
+    const N: u32 = 20_000;
     for op in [-101, -102, -103] {
         answers(
             &op.to_string(),
@@ -151,7 +155,7 @@ fn sixty_doublings() {
 
 #[test]
 fn many_mistakes() {
-    let lines = |f: &dyn Fn(u32) -> String| (2..50_000).map(f).collect::<String>().into_bytes();
+    let lines = |f: &dyn Fn(u32) -> String| (2..4_000).map(f).collect::<String>().into_bytes();
     answers(
         "undefined",
         &lines(&|i| format!("{i} -101 {} {}\n", i + 500_000, i + 600_000)),

@@ -332,7 +332,7 @@ fn a_billion_spheres_from_thirty_moved_copies() {
 /// Chains as long as files can make them: nothing may recurse on them.
 #[test]
 fn long_chains() {
-    const N: usize = 300_000;
+    const N: usize = 60_000;
     let settings = small(16, 12);
     let chain = |b: &mut Builder, operation: fn(&mut Builder, NodeId, NodeId) -> NodeId| {
         let mut r = Random(9);

@@ -1,6 +1,7 @@
 //! Rows that are many rays about shapes.
 
 use super::ask::{Precision, Ray, Said, Written, all_held, ask, data, exact, held, orderly};
+use super::cases;
 use super::exact::algebra::to_f64;
 use super::trace_support::Random;
 use zpg::geometry::vec::Vec3;
@@ -182,7 +183,11 @@ pub fn row_34_seams_of_a_lathe(precision: Precision) {
     let (records, profile) = vase(1000);
     let scene = Written::new(&records);
     // Pairs of doubles take their time.
-    let count = if precision == Precision::Dd { 60 } else { 1000 };
+    let count = if precision == Precision::Dd {
+        cases(20, 60)
+    } else {
+        cases(300, 1000)
+    };
     let rays = through_seams(&mut r, &profile, count);
     let said = ask(&scene.path, None, &rays, precision);
     let mut met = 0;
@@ -327,10 +332,14 @@ pub fn row_38_scaled_moved_turned(precision: Precision) {
         turns(2),
         turns(3),
     ];
+    let (count, exact_of) = match precision {
+        Precision::Dd => cases((8, 2), (40, 6)),
+        _ => cases((20, 3), (40, 6)),
+    };
     let mut met = 0;
     for shape in SHAPES {
         let plain = Written::new(shape);
-        let rays: Vec<Ray> = (0..40).map(|_| towards(&mut r, 4.0, 1.2)).collect();
+        let rays: Vec<Ray> = (0..count).map(|_| towards(&mut r, 4.0, 1.2)).collect();
         let before = ask(&plain.path, None, &rays, precision);
         for Change {
             records,
@@ -355,7 +364,7 @@ pub fn row_38_scaled_moved_turned(precision: Precision) {
             // get long.
             if !shape.starts_with("2 13") {
                 let exact = exact(&changed.path);
-                for (ray, said) in seen.iter().zip(&after).take(6) {
+                for (ray, said) in seen.iter().zip(&after).take(exact_of) {
                     held(&exact, *ray, said, precision, shape);
                 }
             }
@@ -375,7 +384,7 @@ pub fn row_38_scaled_moved_turned(precision: Precision) {
             }
         }
     }
-    assert!(met > 3000, "{met}");
+    assert!(met > 75 * count, "{met}");
 }
 
 /// Whether no crossing is so slanting that the rounding of the inputs could move it by more than a

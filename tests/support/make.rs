@@ -3,8 +3,8 @@
 use zpg::diagnostics::Span;
 use zpg::geometry::Matrix;
 use zpg::scene::{
-    AmbientLight, Camera, Entity, Geometry, Node, NodeId, Optics, Paint, PointLight, Render, Rgb,
-    Scene, Shape, Texture, Vec3, View,
+    AmbientLight, Camera, Entity, Geometry, Node, NodeId, Optics, Origin, Paint, PointLight,
+    Render, Rgb, Scene, Shape, Texture, Vec3, View,
 };
 use zpg::syntax::table::{Kind, RecordType};
 
@@ -64,6 +64,8 @@ impl Make {
 
     fn node(&mut self, node: Node) -> NodeId {
         self.scene.nodes.push(node);
+        let (id, span) = (self.next, Span::new(0, 0));
+        self.scene.origins.push(Origin { id, span });
         self.scene.nodes.len() as NodeId - 1
     }
 

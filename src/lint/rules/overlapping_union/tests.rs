@@ -12,7 +12,7 @@ fn found(scene: &str) -> Vec<String> {
 /// however deep that lies.
 #[test]
 fn chains_of_unions() {
-    const PAIRS: usize = 5000;
+    const PAIRS: usize = 1500;
     let mut scene = String::from("2 -201 0 0 1\n");
     let mut expected = Vec::new();
     let mut chain = 0;
