@@ -14,14 +14,18 @@
 //! - [`analysis`]: a file's bytes to source, document, scene and findings, with the settings of its folder.
 //! - [`translate`]: the scene for other programs.
 //! - [`study`]: scenes under study: our picture beside that of another program.
+//! - [`features`]: what an editor shows of a scene, without a protocol.
+//! - [`lsp`]: the language server: the protocol's types, the open files and the loop.
 //! - [`commands`]: one file per subcommand of the command line.
 
 pub mod analysis;
 pub mod commands;
 pub mod diagnostics;
+pub mod features;
 pub mod format;
 pub mod geometry;
 pub mod lint;
+pub mod lsp;
 pub mod scene;
 pub mod solids;
 pub mod study;

@@ -7,8 +7,8 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use zpg::commands::{
-    LookChoice, Status, check, completions, convert, crosscheck, explain, fmt, plan, probe, render,
-    usage,
+    LookChoice, Status, check, completions, convert, crosscheck, explain, fmt, lsp, plan, probe,
+    render, usage,
 };
 
 /// Tools for scenes in the ZPG scene language
@@ -50,6 +50,7 @@ enum Command {
     Probe(probe::Args),
     Plan(plan::Args),
     Explain(explain::Args),
+    Lsp(lsp::Args),
     Completions(completions::Args),
 }
 
@@ -79,6 +80,7 @@ fn run() -> ExitCode {
         Command::Probe(args) => probe::run(args, cli.look),
         Command::Plan(args) => plan::run(args, cli.look),
         Command::Explain(args) => explain::run(args, cli.look),
+        Command::Lsp(args) => lsp::run(args, cli.look),
         Command::Completions(args) => completions::run(args, Cli::command(), cli.look),
     };
     status.into()

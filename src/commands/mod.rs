@@ -14,6 +14,7 @@ pub mod draft;
 pub mod explain;
 pub mod fmt;
 pub mod load;
+pub mod lsp;
 pub mod memory;
 mod numbers;
 pub mod paths;
