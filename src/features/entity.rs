@@ -49,9 +49,12 @@ pub fn name(analysis: &Analysis, id: u32) -> Option<String> {
     Some(comment(analysis, record).unwrap_or_else(|| record.ty.title.to_owned()))
 }
 
-/// The record's type and, where there is one, its comment: "sphere, a ball".
+/// The record's type and, where there is one, its comment: "sphere, a ball". Where the record cannot be read,
+/// what it makes.
 pub fn described(analysis: &Analysis, id: u32) -> Option<String> {
-    let record = analysis.definition(id)?;
+    let Some(record) = analysis.definition(id) else {
+        return Some(entity(analysis, id)?.kind?.name().to_owned());
+    };
     let title = record.ty.title;
     Some(match comment(analysis, record) {
         Some(comment) => format!("{title}, {comment}"),

@@ -3,9 +3,9 @@
 use crate::analysis::Analysis;
 use crate::diagnostics::Span;
 use crate::lint::spelling::rough;
+use crate::syntax::Record;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Param, ParamKind, RecordKind, RecordType, ShapeKind};
-use crate::syntax::{Item, Record};
 
 use super::{entity, place};
 
@@ -68,8 +68,8 @@ impl Wanted {
 pub fn hints(analysis: &Analysis, visible: Span, wanted: Wanted) -> Vec<Hint> {
     let mut out = Vec::new();
     for item in &analysis.document.items[place::items_in(&analysis.document, visible)] {
-        if let Item::Record(record) = item {
-            of_record(analysis, record, visible, &mut out);
+        if let Some(record) = place::readable(analysis, item) {
+            of_record(analysis, &record, visible, &mut out);
         }
     }
     out.retain(|hint| wanted.wants(hint.kind));

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Language, Span};
 use crate::geometry::Aabb;
-use crate::lint::spelling::rough;
+use crate::lint::spelling::{near, rough};
 use crate::syntax::Record;
 use crate::syntax::table::{Param, RecordType};
 use crate::trace::film::srgb8;
@@ -127,7 +127,7 @@ fn about_param(
         place.record.params,
         crate::diagnostics::wording::with_article(ty.title),
     );
-    if let Some(id) = id {
+    if let Some(id) = id.filter(|&id| analysis.definition(id).is_some()) {
         divide(&mut out);
         out.push_str(&about_entity(analysis, id));
     }
@@ -188,11 +188,17 @@ fn bounds_text(all: &Aabb) -> String {
     if all.is_empty() {
         return "Bounds: empty".to_owned();
     }
+    let size = |i: usize| all.max[i] - all.min[i];
+    // Boxes are never too small: what is below a thousandth of the size is rounding.
+    let size = (0..3)
+        .map(size)
+        .filter(|x| x.is_finite())
+        .fold(0.0, f64::max);
     let side = |i: usize, name| {
         let end = |x: f64| match x {
             x if x == f64::INFINITY => "∞".to_owned(),
             x if x == f64::NEG_INFINITY => "−∞".to_owned(),
-            x => rough(x),
+            x => near(x, size),
         };
         format!("{name} {} to {}", end(all.min[i]), end(all.max[i]))
     };

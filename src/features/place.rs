@@ -59,6 +59,38 @@ pub fn items_in(document: &Document, span: Span) -> std::ops::Range<usize> {
     start..end.max(start)
 }
 
+/// A record that can be read, or one whose ID and type are known at least: its parameters are taken in their
+/// order.
+pub fn readable(analysis: &Analysis, item: &Item) -> Option<Record> {
+    let broken = match item {
+        Item::Record(record) => return Some(*record),
+        Item::Broken(broken) => broken,
+        Item::Void { .. } => return None,
+    };
+    let (document, text) = (&analysis.document, &analysis.source.text);
+    let ty = broken.ty?;
+    let mut tokens = document.significant(broken.first, broken.last);
+    let id = tokens.next()?.integer(text)?;
+    if tokens.next()?.integer(text)? != i64::from(ty.code) {
+        return None;
+    }
+    let values: Vec<&Token> = tokens.collect();
+    let count_at = ty.params.iter().position(|p| p.kind == ParamKind::Count);
+    let count = count_at
+        .and_then(|i| values.get(i)?.integer(text))
+        .unwrap_or(0);
+    let params = values.len() as u32;
+    Some(Record {
+        id: u32::try_from(id).ok()?,
+        ty,
+        first: broken.first,
+        last: broken.last,
+        params,
+        // A profile has no more points than there are numbers.
+        count: u32::try_from(count).unwrap_or(0).min(params),
+    })
+}
+
 /// The record around an offset, its end included.
 pub fn record_at(analysis: &Analysis, offset: u32) -> Option<&Record> {
     let document = &analysis.document;
@@ -180,7 +212,10 @@ fn first_token(analysis: &Analysis, offset: u32) -> usize {
         }
         Some(Item::Broken(broken)) => {
             let start = tokens[broken.first as usize].start;
-            match start >= line_start || tokens[broken.last as usize].end() >= offset {
+            // Profiles are long; whatever else has several lines may be what somebody has only begun.
+            let is_long = broken.ty.is_some_and(RecordType::is_counted);
+            let goes_on = is_long && tokens[broken.last as usize].end() >= offset;
+            match start >= line_start || goes_on {
                 true => broken.first as usize,
                 false => on_line,
             }

@@ -62,6 +62,15 @@ pub fn rename(analysis: &Analysis, offset: u32, new: &str) -> Result<Vec<Edit>, 
         .collect())
 }
 
+/// Whether all entities can be numbered anew: everything can be read.
+pub fn can_renumber(analysis: &Analysis) -> bool {
+    !analysis
+        .document
+        .items
+        .iter()
+        .any(|i| matches!(i, Item::Broken(_)))
+}
+
 /// Numbers all entities anew, in the order of the file: 2, 3, 4 …; the render record keeps 1. Nothing where
 /// something cannot be read, as it may name any ID.
 pub fn renumber(analysis: &Analysis) -> Option<Vec<Edit>> {

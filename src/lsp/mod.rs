@@ -32,6 +32,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
+use std::time::{Duration, Instant};
 
 use crossbeam_channel::{Sender, unbounded};
 use gen_lsp_types::{
@@ -71,12 +72,19 @@ pub fn run(language: Language) -> io::Result<Ending> {
     let (connection, writer) = stdio::connect();
     let ending = serve(&connection, language);
     drop(connection);
-    // What is still being answered holds the output open; nobody is there to read it.
-    if ending == Ending::Clean && writer.is_finished() {
-        return writer.join().unwrap_or(Ok(())).map(|()| ending);
+    // The last answers are written; what takes long yet, nobody reads any more.
+    let end = Instant::now() + LAST_WORDS;
+    while !writer.is_finished() && Instant::now() < end {
+        thread::sleep(Duration::from_millis(1));
     }
-    Ok(ending)
+    match writer.is_finished() {
+        true => writer.join().unwrap_or(Ok(())).map(|()| ending),
+        false => Ok(ending),
+    }
 }
+
+/// How long the last answers may take.
+const LAST_WORDS: Duration = Duration::from_secs(1);
 
 /// Serves one client until it is gone.
 pub fn serve(connection: &Connection, language: Language) -> Ending {
@@ -410,4 +418,46 @@ fn start_answering() -> Sender<Job> {
         thread::spawn(move || jobs.iter().for_each(|job| job()));
     }
     sender
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A request that we make a mistake in is answered with an error, and the next one as ever.
+    #[test]
+    fn it_outlives_a_panic() {
+        let (server, client) = Connection::memory();
+        let serving = thread::spawn(move || serve(&server, Language::English));
+        let ask = |id: i32, method: &str, params: Value| {
+            let (id, method) = (RequestId::from(id), method.to_owned());
+            let request = Request { id, method, params };
+            client.sender.send(request.into()).unwrap();
+            loop {
+                if let Message::Response(response) = client.receiver.recv().unwrap() {
+                    return response.response_result;
+                }
+            }
+        };
+        let tell = |method: &str| {
+            let (method, params) = (method.to_owned(), json!({}));
+            client
+                .sender
+                .send(Notification { method, params }.into())
+                .unwrap();
+        };
+        let start = json!({ "processId": null, "rootUri": null, "capabilities": {} });
+        ask(1, "initialize", start).unwrap();
+        tell("initialized");
+        // More often than there are threads to lose.
+        for id in 2..2 + 2 * ANSWERING as i32 {
+            let error = ask(id, "test/panic", json!({})).unwrap_err();
+            assert_eq!(error.code, ErrorCode::InternalError as i32);
+        }
+        let error = ask(99, "textDocument/codeLens", json!({})).unwrap_err();
+        assert_eq!(error.code, ErrorCode::InvalidParams as i32);
+        ask(100, "shutdown", Value::Null).unwrap();
+        tell("exit");
+        assert_eq!(serving.join().unwrap(), Ending::Clean);
+    }
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
 /// How often it is looked after.
-const STEP: Duration = Duration::from_secs(3);
+const STEP: Duration = Duration::from_secs(1);
 
 /// Ends this program soon after the process with this number has ended, if it does not end by itself.
 pub fn end_with(process: i32) {

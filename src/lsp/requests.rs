@@ -30,6 +30,10 @@ pub enum Lane {
 
 /// The handler of a method; `None` if there is none.
 pub fn handler(method: &str) -> Option<(Lane, Handler)> {
+    #[cfg(test)]
+    if method == "test/panic" {
+        return Some((Lane::Quick, Box::new(|_, _| panic!("as it was asked for"))));
+    }
     let mut find = Find {
         method,
         found: None,
@@ -250,7 +254,7 @@ fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionR
     if wants("quickfix") {
         let span = convert.places.span(p.range);
         for action in actions::actions(analysis, span, language) {
-            out.push(action_of(ask, &convert, &p.context.diagnostics, action).into());
+            out.push(action_of(&convert, &p.context.diagnostics, action).into());
         }
     }
     // Those about the whole file are offered when they are asked for by kind, or renumbering by hand.
@@ -260,19 +264,15 @@ fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionR
         let title = language.say("lsp-fix-all", &[]);
         out.push(whole_file(ask, &convert, title, FIX_ALL).into());
     }
-    if wants(RENUMBER) && p.context.trigger_kind != Some(CodeActionTriggerKind::Automatic) {
+    let by_hand = p.context.trigger_kind != Some(CodeActionTriggerKind::Automatic);
+    if wants(RENUMBER) && by_hand && rename::can_renumber(analysis) {
         let title = language.say("lsp-renumber", &[]);
         out.push(whole_file(ask, &convert, title, RENUMBER).into());
     }
     Ok(Some(out))
 }
 
-fn action_of(
-    ask: &Ask,
-    convert: &Convert,
-    shown: &[Diagnostic],
-    action: actions::Action,
-) -> CodeAction {
+fn action_of(convert: &Convert, shown: &[Diagnostic], action: actions::Action) -> CodeAction {
     let kind = Some(CodeActionKind::QuickFix);
     let findings = convert.file.analysis().findings();
     // The diagnostic that the client has for it.
@@ -308,24 +308,13 @@ fn action_of(
             command: Some(Command {
                 title: title.clone(),
                 tooltip: None,
-                command: ask.explain_command().to_owned(),
+                command: programs::EXPLAIN.to_owned(),
                 arguments: Some(vec![json!(code.as_str())]),
             }),
             title,
             kind,
             ..CodeAction::default()
         },
-    }
-}
-
-impl Ask {
-    /// The client's own way to show a page, where it has one.
-    fn explain_command(&self) -> &'static str {
-        let own = "zpg.showPage";
-        match self.preferences.commands.iter().any(|c| c == own) {
-            true => own,
-            false => programs::EXPLAIN,
-        }
     }
 }
 
