@@ -2,6 +2,7 @@
 //!
 //! The modules, in the order they may import each other (each only what stands before it):
 //!
+//! - [`parallel`]: work that all threads share.
 //! - [`diagnostics`]: findings with stable codes, spans, fixes; printed for people and machines.
 //! - [`syntax`]: bytes to tokens to a typed tree. `syntax/table.rs` is *the* table of record types.
 //! - [`mod@format`]: the pretty-printer; it needs the syntax alone.
@@ -22,6 +23,7 @@ pub mod diagnostics;
 pub mod format;
 pub mod geometry;
 pub mod lint;
+pub mod parallel;
 pub mod scene;
 pub mod solids;
 pub mod study;
