@@ -2,6 +2,7 @@
 //!
 //! The modules, in the order they may import each other (each only what stands before it):
 //!
+//! - [`parallel`]: runs work on all threads, a thin layer over rayon.
 //! - [`diagnostics`]: findings with stable codes, spans, fixes; printed for people and machines.
 //! - [`syntax`]: bytes to tokens to a typed tree. `syntax/table.rs` is *the* table of record types.
 //! - [`mod@format`]: the pretty-printer; it needs the syntax alone.
@@ -13,7 +14,7 @@
 //!   say with the tracer's means.
 //! - [`analysis`]: a file's bytes to source, document, scene and findings, with the settings of its folder.
 //! - [`translate`]: the scene for other programs.
-//! - [`study`]: scenes under study: our picture beside that of another program.
+//! - [`study`]: runs POV-Ray or Mitsuba on a translation and compares what it draws with our picture.
 //! - [`features`]: what an editor shows of a scene, without a protocol.
 //! - [`lsp`]: the language server: the protocol's types, the open files and the loop.
 //! - [`commands`]: one file per subcommand of the command line.
@@ -26,6 +27,7 @@ pub mod format;
 pub mod geometry;
 pub mod lint;
 pub mod lsp;
+pub mod parallel;
 pub mod scene;
 pub mod solids;
 pub mod study;

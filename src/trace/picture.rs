@@ -9,14 +9,14 @@ use super::plan::Effect;
 use super::precision::Precision;
 use super::ray::Ray;
 use super::sampling::sample;
-use super::shade::{DISPERSION, GLASS, Limits, MIRROR, SHADOWS, Shader};
+use super::shade::{Features, Limits, Shader};
 use super::stats::Counts;
 use super::tracer::{Light, Tracer};
 use crate::diagnostics::{Error, Span};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
-use crate::scene::{Camera, Rgb, Scene, frame};
-use rayon::prelude::*;
+use crate::parallel;
+use crate::scene::{Camera, Scene, frame};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -125,18 +125,16 @@ pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
 }
 
 impl Tracer {
-    /// What the plan calls for, as bits. From inside of a lone shape its other side is in the way.
-    fn features(&self, outside: bool) -> u8 {
+    /// What the plan calls for. From inside of a lone shape its other side is in the way.
+    fn features(&self, outside: bool) -> Features {
         let plan = &self.plan;
         let inside = plan.lone_convex && !outside;
-        [
-            (SHADOWS, plan.on(Effect::Shadows) || inside),
-            (GLASS, plan.on(Effect::Refraction)),
-            (MIRROR, plan.on(Effect::Reflection)),
-            (DISPERSION, plan.on(Effect::Dispersion)),
-        ]
-        .into_iter()
-        .fold(0, |bits, (bit, on)| if on { bits | bit } else { bits })
+        Features {
+            shadows: plan.on(Effect::Shadows) || inside,
+            glass: plan.on(Effect::Refraction),
+            mirrors: plan.on(Effect::Reflection),
+            dispersion: plan.on(Effect::Dispersion),
+        }
     }
 
     /// Takes a picture. `progress` is told of every finished row, from any thread.
@@ -154,9 +152,9 @@ impl Tracer {
         progress: impl Fn() + Sync,
     ) -> Result<Picture, Error> {
         match settings.numbers {
-            Numbers::F32 => self.render_in::<f32>(camera, settings, progress),
-            Numbers::F64 => self.render_in::<f64>(camera, settings, progress),
-            Numbers::Dd => self.render_in::<Dd>(camera, settings, progress),
+            Numbers::F32 => self.render_in::<f32>(camera, settings, &progress),
+            Numbers::F64 => self.render_in::<f64>(camera, settings, &progress),
+            Numbers::Dd => self.render_in::<Dd>(camera, settings, &progress),
         }
     }
 
@@ -164,7 +162,7 @@ impl Tracer {
         &self,
         camera: &Camera,
         settings: &Settings,
-        progress: impl Fn() + Sync,
+        progress: &(dyn Fn() + Sync),
     ) -> Result<Picture, Error> {
         let Settings { width, height, .. } = *settings;
         let view = View::new(camera, width, height)
@@ -180,13 +178,13 @@ impl Tracer {
         let outside = self.clip.is_none()
             && view.is_pinhole()
             && !self.holds(&mut self.walker::<f64>(), view.position());
-        let drawing = Drawing::<R> {
+        let drawing = Drawing {
             tracer: self,
             lights: self.lights.as_deref().unwrap_or(&headlight),
             limits,
             outside,
             shift: settings.shift,
-            radiance: radiance(self.features(outside)),
+            features: self.features(outside),
             view,
             wanted: settings.wanted.as_deref(),
             width,
@@ -200,7 +198,7 @@ impl Tracer {
         });
         let mut counts = Counts::default();
         let pixels = match settings.tolerance {
-            None => drawing.rows(crop, &progress, &mut counts, |pen, x, y| {
+            None => drawing.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
                 pen.fixed(x, y, settings.samples.max(1))
             }),
             Some(tolerance) => {
@@ -212,8 +210,10 @@ impl Tracer {
                     width: (crop.x + crop.width).saturating_add(1).min(width) - left,
                     height: (crop.y + crop.height).saturating_add(1).min(height) - top,
                 };
-                let first = drawing.rows(around, &|| (), &mut counts, |pen, x, y| pen.first(x, y));
-                drawing.rows(crop, &progress, &mut counts, |pen, x, y| {
+                let first = drawing.rows(around, &|| (), &mut counts, &|pen: &mut Pen<R>, x, y| {
+                    pen.first(x, y)
+                });
+                drawing.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
                     let (x0, y0) = (x - left, y - top);
                     let at =
                         |x: u32, y: u32| &first[y as usize * around.width as usize + x as usize];
@@ -249,22 +249,21 @@ impl Tracer {
 }
 
 /// What the rows of a picture have in common.
-struct Drawing<'t, R: Precision> {
+struct Drawing<'t> {
     tracer: &'t Tracer,
     lights: &'t [Light],
     limits: Limits,
     view: View,
     outside: bool,
     shift: [f64; 2],
-    /// The shading code for what the plan calls for.
-    radiance: Radiance<'t, R>,
+    features: Features,
     wanted: Option<&'t [bool]>,
     /// Of the whole picture.
     width: u32,
     stop: Option<&'t AtomicBool>,
 }
 
-impl<'t, R: Precision> Drawing<'t, R> {
+impl Drawing<'_> {
     fn is_wanted(&self, x: u32, y: u32) -> bool {
         let at = y as usize * self.width as usize + x as usize;
         self.wanted
@@ -279,37 +278,36 @@ impl<'t, R: Precision> Drawing<'t, R> {
 
     /// Draws row by row, in parallel. Once it is to stop, no row is begun any more, and what comes
     /// back is black.
-    fn rows<T: Send + Default + Clone>(
+    fn rows<R: Precision, T: Send + Default + Clone>(
         &self,
         part: Crop,
-        progress: &(impl Fn() + Sync),
+        progress: &(dyn Fn() + Sync),
         counts: &mut Counts,
-        draw: impl Fn(&mut Pen<R>, u32, u32) -> T + Sync,
+        draw: Draw<R, T>,
     ) -> Vec<T> {
-        let rows: Vec<(Vec<T>, Counts)> = (part.y..part.y + part.height)
-            .into_par_iter()
-            .map_init(
-                || Pen {
-                    shader: Shader::new(self.tracer, self.lights, self.limits),
-                    drawing: self,
-                },
-                |pen, y| {
-                    if self.is_to_stop() {
-                        let black = vec![T::default(); part.width as usize];
-                        return (black, Counts::default());
-                    }
-                    pen.shader.reset();
-                    let columns = part.x..part.x + part.width;
-                    let draw = |x| match self.is_wanted(x, y) && !self.is_to_stop() {
-                        true => draw(pen, x, y),
-                        false => T::default(),
-                    };
-                    let row = columns.map(draw).collect();
-                    progress();
-                    (row, pen.shader.counts())
-                },
-            )
-            .collect();
+        let rows = parallel::map_with(
+            part.height as usize,
+            || Pen {
+                shader: Shader::new(self.tracer, self.lights, self.limits, self.features),
+                drawing: self,
+            },
+            |pen, row| {
+                let y = part.y + row as u32;
+                if self.is_to_stop() {
+                    let black = vec![T::default(); part.width as usize];
+                    return (black, Counts::default());
+                }
+                pen.shader.reset();
+                let columns = part.x..part.x + part.width;
+                let draw = |x| match self.is_wanted(x, y) && !self.is_to_stop() {
+                    true => draw(pen, x, y),
+                    false => T::default(),
+                };
+                let row = columns.map(draw).collect();
+                progress();
+                (row, pen.shader.counts())
+            },
+        );
         let mut all = Vec::with_capacity(part.width as usize * part.height as usize);
         for (row, cost) in rows {
             all.extend(row);
@@ -331,7 +329,7 @@ struct Pixel {
 /// What draws pixels on one thread.
 struct Pen<'d, 't, R: Precision> {
     shader: Shader<'t, R>,
-    drawing: &'d Drawing<'t, R>,
+    drawing: &'d Drawing<'t>,
 }
 
 impl<R: Precision> Pen<'_, '_, R> {
@@ -359,7 +357,7 @@ impl<R: Precision> Pen<'_, '_, R> {
             Some(ray) if ray.cast::<R>().line.is_sound() => {
                 let mut ray: Ray<R> = ray.cast();
                 ray.outside = self.drawing.outside;
-                Vec3((self.drawing.radiance)(&mut self.shader, ray))
+                Vec3(self.shader.radiance(ray))
             }
             _ => Vec3::ZERO,
         }
@@ -412,15 +410,5 @@ impl<R: Precision> Pen<'_, '_, R> {
     }
 }
 
-type Radiance<'t, R> = fn(&mut Shader<'t, R>, Ray<R>) -> Rgb;
-
-/// The shading code for these features.
-fn radiance<'t, R: Precision>(features: u8) -> Radiance<'t, R> {
-    macro_rules! table {
-        ($($f:literal)*) => {
-            [$(Shader::radiance::<$f>),*]
-        };
-    }
-    let table: [Radiance<'t, R>; 16] = table!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
-    table[usize::from(features) % table.len()]
-}
+/// Draws the pixel in a column and a row.
+type Draw<'a, R, T> = &'a (dyn Fn(&mut Pen<'_, '_, R>, u32, u32) -> T + Sync);

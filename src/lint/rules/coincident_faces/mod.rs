@@ -10,13 +10,13 @@
 
 mod fix;
 
-use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::roots;
 use crate::lint::spelling::near;
 use crate::lint::{Context, live_nodes};
+use crate::parallel;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Node, NodeId, OperationRecord, Scene};
 use crate::solids::contacts::face::Part;
@@ -54,12 +54,13 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     found.sort_by_key(group);
     let parents = Parents::new(scene, &live);
     let groups: Vec<&[Found]> = found.chunk_by(|a, b| group(a) == group(b)).collect();
-    let findings = groups.par_iter().filter_map(|pairs| {
+    let findings = parallel::map(groups.len(), |i| {
+        let pairs = groups[i];
         let (operation, _, case) = group(&pairs[0]);
         let record = operation_of(scene, operation)?;
         finding(context, record, case, pairs, &parents)
     });
-    out.par_extend(findings);
+    out.extend(findings.into_iter().flatten());
 }
 
 fn finding(

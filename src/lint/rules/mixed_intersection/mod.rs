@@ -1,12 +1,12 @@
 //! W308: an intersection whose surface is made of pieces with different properties.
 
-use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::lint::parts::parts;
 use crate::lint::properties::{ASPECTS, Properties, sets};
+use crate::parallel;
 use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Geometry, Node, NodeId, Scene, Texture};
 use crate::solids::proofs::{Proofs, Reason};
 
@@ -204,5 +204,6 @@ fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagno
         }
         Some(d)
     };
-    out.par_extend(mixed.par_iter().filter_map(finding));
+    let findings = parallel::map(mixed.len(), |i| finding(&mixed[i]));
+    out.extend(findings.into_iter().flatten());
 }
