@@ -226,3 +226,28 @@ fn emacs() {
             .starts_with("77 11  0 1 0  1  # ball #\n")
     );
 }
+
+/// As editors/helix/README.md says.
+#[test]
+#[ignore = "needs Helix and tmux"]
+fn helix() {
+    let (home, scene, path) = home();
+    let settings = home.path().join(".config/helix");
+    std::fs::create_dir_all(&settings).unwrap();
+    let languages = root().join("editors/helix/languages.toml");
+    std::fs::copy(languages, settings.join("languages.toml")).unwrap();
+    let hints = "[editor.lsp]\ndisplay-inlay-hints = true\n";
+    std::fs::write(settings.join("config.toml"), hints).unwrap();
+    let output = Command::new("bash")
+        .arg(root().join("tests/editors/helix.sh"))
+        .arg(installed("hx"))
+        .arg(&scene)
+        .env("HOME", home.path())
+        .env("XDG_CONFIG_HOME", home.path().join(".config"))
+        .env("XDG_CACHE_HOME", home.path().join("cache"))
+        .env("PATH", path)
+        .output()
+        .unwrap();
+    has_passed(&output);
+    all_kept_to_the_protocol(home.path());
+}

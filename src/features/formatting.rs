@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use imara_diff::{Algorithm, Diff, InternedInput};
+use imara_diff::{Algorithm, Diff, Hunk, InternedInput, Token};
 
 use crate::analysis::Analysis;
 use crate::diagnostics::{Edit, Span};
@@ -35,12 +35,8 @@ pub fn on_line_break(analysis: &Analysis, options: &Options, offset: u32) -> Vec
 
 /// The edits, in whole lines, that make one text of another.
 pub fn edits(before: &str, after: &str) -> Vec<Edit> {
-    if before == after {
-        return Vec::new();
-    }
     let input = InternedInput::new(before, after);
-    let diff = Diff::compute(Algorithm::Histogram, &input);
-    let starts = |lines: &[imara_diff::Token]| -> Vec<u32> {
+    let starts = |lines: &[Token]| -> Vec<u32> {
         let mut at = 0;
         let mut out = vec![0];
         for line in lines {
@@ -50,7 +46,14 @@ pub fn edits(before: &str, after: &str) -> Vec<Edit> {
         out
     };
     let (old, new) = (starts(&input.before), starts(&input.after));
-    let edit = |hunk: imara_diff::Hunk| {
+    let hunks: Vec<Hunk> = match input.before.len() == input.after.len() {
+        // As many lines as there were: each stays where it is, as a rule.
+        true => runs(&input.before, &input.after),
+        false => Diff::compute(Algorithm::Histogram, &input)
+            .hunks()
+            .collect(),
+    };
+    let edit = |hunk: Hunk| {
         let span = Span::new(
             old[hunk.before.start as usize],
             old[hunk.before.end as usize],
@@ -61,5 +64,23 @@ pub fn edits(before: &str, after: &str) -> Vec<Edit> {
             text: after[text].to_owned(),
         }
     };
-    diff.hunks().map(edit).collect()
+    hunks.into_iter().map(edit).collect()
+}
+
+/// The lines that are not the same in the same place.
+fn runs(before: &[Token], after: &[Token]) -> Vec<Hunk> {
+    let mut out: Vec<Hunk> = Vec::new();
+    for (i, _) in (0..)
+        .zip(before.iter().zip(after))
+        .filter(|(_, (a, b))| a != b)
+    {
+        match out.last_mut().filter(|hunk| hunk.before.end == i) {
+            Some(hunk) => (hunk.before.end, hunk.after.end) = (i + 1, i + 1),
+            None => out.push(Hunk {
+                before: i..i + 1,
+                after: i..i + 1,
+            }),
+        }
+    }
+    out
 }

@@ -180,6 +180,9 @@ fn profile(analysis: &Analysis, record: &Record, at: u32) -> Option<Hint> {
             _ => (low, high) = (low.min(x), high.max(x)),
         }
     }
+    if low > high {
+        return None;
+    }
     let [radius, low, high] = [radius, low, high].map(rough);
     Some(Hint {
         at,

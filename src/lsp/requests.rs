@@ -257,14 +257,13 @@ fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionR
             out.push(action_of(&convert, &p.context.diagnostics, action).into());
         }
     }
-    // Those about the whole file are offered when they are asked for by kind, or renumbering by hand.
-    let names_source =
-        (p.context.only.iter().flatten()).any(|k| k.to_string().starts_with("source"));
-    if names_source && wants(FIX_ALL) && actions::has_safe_fixes(analysis) {
+    // Those about the whole file are offered when they are asked for, by kind or by hand.
+    let is_automatic = p.context.trigger_kind == Some(CodeActionTriggerKind::Automatic);
+    let by_hand = p.context.only.is_some() || !is_automatic;
+    if wants(FIX_ALL) && by_hand && actions::has_safe_fixes(analysis) {
         let title = language.say("lsp-fix-all", &[]);
         out.push(whole_file(ask, &convert, title, FIX_ALL).into());
     }
-    let by_hand = p.context.trigger_kind != Some(CodeActionTriggerKind::Automatic);
     if wants(RENUMBER) && by_hand && rename::can_renumber(analysis) {
         let title = language.say("lsp-renumber", &[]);
         out.push(whole_file(ask, &convert, title, RENUMBER).into());
