@@ -15,9 +15,9 @@ use std::sync::OnceLock;
 use rayon::prelude::*;
 
 use crate::diagnostics::{Diagnostic, Span};
-use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::syntax::{Document, Item};
 
 /// What a rule may look at.

@@ -6,13 +6,12 @@
 //! Shared operands are shared nodes; nothing is ever copied or expanded, and children always have
 //! smaller indices than their parents.
 
-pub mod bounds;
 mod camera;
 mod change;
+mod checks;
 mod define;
 mod entity;
-pub mod frame;
-mod geometry;
+pub mod geometry;
 pub(crate) mod image_file;
 pub mod model;
 mod proposals;
@@ -21,5 +20,6 @@ mod references;
 mod resolve;
 pub mod sight;
 
+pub use geometry::{Geometry, TriangleNormals};
 pub use model::*;
 pub use resolve::resolve;

@@ -6,8 +6,8 @@ use super::extent::ball;
 use super::support::extent;
 use crate::geometry::array::{cross, length, unit};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::within::{CLEAR, Standing, far};
 
 /// How many of a list are kept, the first ones: what a chain begins with is what is cut.

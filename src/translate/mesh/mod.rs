@@ -42,5 +42,6 @@ pub use material::{Coloured, Material};
 pub use model::{Model, model, report};
 pub use options::{DEFAULT_TOLERANCE, Options};
 pub use parts::Parts;
+pub use shape::is_faceted;
 pub use skin::Skin;
 pub use soup::Mesh;
