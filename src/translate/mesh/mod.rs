@@ -30,6 +30,7 @@ pub mod shape;
 mod shared;
 mod skin;
 mod soup;
+pub mod target;
 #[cfg(test)]
 mod tests;
 mod unite;

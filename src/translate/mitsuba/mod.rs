@@ -12,6 +12,7 @@ mod meshes;
 mod options;
 mod output;
 mod scenery;
+pub mod target;
 mod verdict;
 mod written;
 mod xml;

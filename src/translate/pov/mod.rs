@@ -44,6 +44,7 @@ mod shape;
 mod sheets;
 mod spread;
 mod standing;
+pub mod target;
 mod text;
 mod triangle;
 mod turned;
