@@ -348,6 +348,7 @@ impl<'a> Proofs<'a> {
                 let offset = (0..3).map(|i| factors[i] * rows[i].1).sum::<f64>() + d;
                 reaches((normal, offset)).is_some_and(|(_, high)| high < 0.0)
             }
+            // Of others nothing is proved.
             _ => false,
         }
     }

@@ -150,6 +150,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     _ => changed,
                 };
                 let geometry = other.as_ref().unwrap_or(geometry);
+                // What the primitives of two shapes need besides.
                 match geometry {
                     Geometry::GeodesicSphere { splits, .. } => {
                         self.geodesics.insert(*splits);

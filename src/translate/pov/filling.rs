@@ -122,6 +122,7 @@ impl Builder<'_> {
     pub(super) fn filling(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
         let mut stand = Stand::default();
         let scene = self.scene;
+        // What is filled, and what fills it, are profiles: others are put a hair apart like all solids.
         let profile = |shape: Option<u32>| match &scene.shapes[shape? as usize].geometry {
             Geometry::Revolution { profile, .. } => Some(&profile[..]),
             _ => None,

@@ -264,7 +264,7 @@ impl Pigments<'_> {
                 rgb(c)
             }
         };
-        // A lathe's measure of itself.
+        // A lathe's measure of itself; all others have functions of the point.
         let lathe = matches!(self.shape, Some(Geometry::Revolution { .. }));
         let mapped = match &self.pattern {
             Pattern::Profile(..) => "uv_mapping ",

@@ -18,12 +18,12 @@ pub fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) -> Option
     for (plane, by) in planes {
         let now = out.as_ref().unwrap_or(geometry);
         let near = |a: f64, b: f64| (a - b).abs() <= NEAR * by;
-        if let Geometry::HalfSpace([a, b, c, d]) = now {
-            let n = [*a, *b, *c];
-            let here = Plane::of(n, *d)?;
+        if let (Some([a, b, c, d]), true) = (now.plane(), now.is_solid()) {
+            let n = [a, b, c];
+            let here = Plane::of(n, d)?;
             if length(sub(here.n, plane.n)) <= FLAT && near(here.d, plane.d) {
                 let d = d - by * length(n);
-                out = Some(Geometry::HalfSpace([*a, *b, *c, d]));
+                out = Some(Geometry::HalfSpace([a, b, c, d]));
             }
             continue;
         }
