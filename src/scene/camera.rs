@@ -1,8 +1,8 @@
 //! Cameras and transformation records.
 
-use super::checks;
 use super::model::{Camera, Vec3};
 use super::record::Params;
+use super::{checks, matrices};
 use crate::diagnostics::{Code, Diagnostic};
 use crate::geometry::array::{cross, unit};
 use crate::geometry::{Matrix, exact};
@@ -80,6 +80,6 @@ pub fn transformation(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
         RecordKind::Translation => Some(Matrix::translation(x, y, z)),
         RecordKind::Rotation => Some(Matrix::rotation(x, p.integer(1) as usize - 1)),
         RecordKind::Scaling => Some(Matrix::scaling(x, y, z)),
-        _ => checks::affine(p, out),
+        _ => matrices::affine(p, out),
     }
 }

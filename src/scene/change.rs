@@ -1,10 +1,10 @@
 //! What changing records do: transformations, properties, textures, colours, bounding volumes.
 
-use super::checks;
 use super::entity::{OpticsParts, State};
 use super::model::*;
 use super::record::Params;
 use super::resolve::Resolver;
+use super::{checks, matrices};
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::geometry::Matrix;
 use crate::syntax::table::{Kind, RecordKind};
@@ -25,7 +25,7 @@ impl Resolver<'_> {
                 }
             }
             RecordKind::ProjectionMatrix => {
-                let m = checks::projection(p, &mut self.out);
+                let m = matrices::projection(p, &mut self.out);
                 if let (Some(m), Some(State::Camera(c))) = (m, self.entities.get_mut(&p.id)) {
                     c.projection = Some(m);
                 }

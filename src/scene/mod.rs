@@ -13,6 +13,7 @@ mod define;
 mod entity;
 pub mod geometry;
 pub(crate) mod image_file;
+mod matrices;
 pub mod model;
 mod proposals;
 pub(crate) mod record;
