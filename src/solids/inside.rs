@@ -1,4 +1,5 @@
-//! Whether a point is in an object: an answer only where it is certain enough to build on.
+//! Whether a point is in an object, as far as the steps last. Shapes decide exactly on the point that the
+//! matrices lead to; what those round, whoever asks has to leave room for.
 
 use super::tree::{both, either};
 use crate::geometry::Matrix;

@@ -53,7 +53,8 @@ pub fn holds(profile: &[[f64; 2]], p: Vec3) -> bool {
             true => [w[0], w[1]],
             false => [w[1], w[0]],
         };
-        if !(low[1]..=high[1]).contains(&p[1]) {
+        // The axis is no surface.
+        if !(low[1]..=high[1]).contains(&p[1]) || (low[0] == 0.0 && high[0] == 0.0) {
             continue;
         }
         if low[1] == high[1] {
@@ -75,14 +76,19 @@ fn is_on(piece: [[f64; 2]; 2], p: Vec3) -> bool {
 /// Whether a point lies on the surface. Where pieces lie in one another an even number of times there is
 /// none, nor is there on the axis: what counts is how many leave the point in each direction.
 fn is_on_surface(profile: &[[f64; 2]], p: Vec3) -> bool {
-    let closed = closed(profile);
+    let (Some(&first), Some(&last)) = (profile.first(), profile.last()) else {
+        return false;
+    };
+    let discs = [[[0.0, first[1]], first], [last, [0.0, last[1]]]];
+    let discs = discs.iter().filter(|_| first != last);
+    let pieces = profile.windows(2).map(|w| [w[0], w[1]]);
     let square = Exact::of(p[0]).square() + Exact::of(p[2]).square();
     // How far a point at the same height is from the axis, compared with this one.
     let side = |x: f64| Exact::of(x).square().cmp(&square);
     // Pieces that go up from here, and down, each by its direction.
     let mut leaving: [Vec<[Exact; 2]>; 2] = [Vec::new(), Vec::new()];
     let mut level = [false; 2];
-    for w in closed.windows(2) {
+    for w in pieces.chain(discs.copied()) {
         let [low, high] = match w[0][1] <= w[1][1] {
             true => [w[0], w[1]],
             false => [w[1], w[0]],
@@ -169,7 +175,7 @@ pub fn nearest(profile: &[[f64; 2]], x: f64, y: f64) -> (f64, f64, f64) {
     best
 }
 
-/// The points of a profile, closed as the language closes it.
+/// The points of a profile and those on the axis that close it, in no order.
 pub fn closed(profile: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let ends = match (profile.first(), profile.last()) {
         (Some(first), Some(last)) if first != last => vec![[0.0, first[1]], [0.0, last[1]]],
@@ -284,6 +290,12 @@ mod tests {
         let finned = [[1.0, 0.0], [1.0, 1.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0]];
         assert!(holds(&finned, [1.0, 1.0, 0.0]) && holds(&finned, [0.0, 2.0, 0.5]));
         assert!(!holds(&finned, [1.5, 1.0, 0.0]) && !holds(&finned, [2.0, 1.0, 0.0]));
+        // The axis is no surface, whether it is written or not.
+        let along = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
+        for y in [0.0, 0.5, 1.0] {
+            assert!(holds(&along, [0.0, y, 0.0]) && holds(&along[2..], [0.0, y, 0.0]));
+        }
+        assert!(!holds(&along, [0.0, 1.5, 0.0]));
         // A wall in two pieces, and one that goes back down in itself.
         let straight = [[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]];
         assert!(holds(&straight, [1.0, 1.0, 0.0]));
