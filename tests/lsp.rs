@@ -527,6 +527,11 @@ fn commands_make_what_they_say() {
     run(&mut s, "zpg.convert", json!(["pov"]));
     let pov = std::fs::read_to_string(folder.path().join("a.pov")).unwrap();
     assert!(pov.contains("sphere"));
+    for target in ["zpg", "../x", "nothing"] {
+        let params = json!({ "command": "zpg.convert", "arguments": [uri, target] });
+        let error = s.try_ask("workspace/executeCommand", params).unwrap_err();
+        assert_eq!(error["code"], -32602, "{target}");
+    }
     let plan = run(&mut s, "zpg.plan", Value::Null);
     assert!(plan["text"].as_str().unwrap().starts_with("ambient"));
     let explain = json!({ "command": "zpg.explain", "arguments": ["W310"] });

@@ -6,9 +6,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::analysis::Analysis;
 use crate::diagnostics::Error;
-use crate::scene::bounds::NodeBounds;
-use crate::scene::frame::{automatic_camera, seen_box, selected_cameras};
 use crate::scene::{Camera, NodeId, Render, Scene, Vec3, View};
+use crate::solids::bounds::NodeBounds;
+use crate::solids::frame::{automatic_camera, seen_box, selected_cameras};
 use crate::trace::plan::Plan;
 use crate::trace::{Images, Settings, Tracer};
 

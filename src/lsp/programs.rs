@@ -20,6 +20,7 @@ use super::uri::{path_of, uri_of};
 use crate::diagnostics::{Code, Complaint, Language};
 use crate::features::pages;
 use crate::syntax::table::RecordType;
+use crate::translate::registry;
 
 /// Shows the page of a code or of a type of records.
 pub const EXPLAIN: &str = "zpg.explain";
@@ -55,9 +56,11 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
         }
         "zpg.convert" => {
             let target = text(1).unwrap_or("pov");
-            let extension = match target {
-                "mitsuba" => "xml",
-                other => other,
+            let extension = match registry::named(target).map(|t| t.name()) {
+                // The scene itself is not overwritten.
+                None | Some("zpg") => return Err(refusal(ErrorCode::InvalidParams, target)),
+                Some("mitsuba") => "xml",
+                Some(name) => name,
             };
             let out = job.beside(extension);
             let to = ["convert", "-", "--to", target, "-o"].map(Into::into);
