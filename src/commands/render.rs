@@ -6,8 +6,8 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use serde::Serialize;
@@ -15,7 +15,7 @@ use serde::Serialize;
 use super::draft::{Draft, unwritable};
 use super::memory::{self, Memory};
 use super::size::Size;
-use super::terminal::{progress_bar, tell, warn};
+use super::terminal::{progress_bar, stop_on_interrupt, tell};
 use super::{LookChoice, Status, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error, Span};
@@ -428,21 +428,6 @@ fn write_maps(
     let scale = Complaint::new("heatmap-scale").with("max", max.to_string());
     tell(&scale.wording(look.language()));
     Ok(())
-}
-
-/// A flag that Ctrl-C sets, so that the drawing ends and drafts of files are removed.
-fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let flag = stop.clone();
-    let handler = move || flag.store(true, Ordering::Relaxed);
-    if let Err(e) = ctrlc::set_handler(handler) {
-        let reason = e.to_string();
-        warn(
-            look,
-            &Complaint::new("ctrl-c-leaves").with("reason", reason),
-        );
-    }
-    stop
 }
 
 fn write_stats(path: &Path, stats: &Stats) -> Result<(), Error> {

@@ -4,6 +4,7 @@
 //! chain of transformations and properties above a part folded into one placement and one paint.
 
 use super::bitmap::Bitmap;
+use super::pixels::{Solver, Without};
 use super::room::Room;
 use super::shapes::Primitive;
 use crate::geometry::Matrix;
@@ -148,6 +149,10 @@ pub struct Graph {
     pub root: u32,
     /// How many objects a ray may enter.
     pub room: Room,
+    /// What is taken out, for those who measure what it costs.
+    pub without: Without,
+    /// What finds crossings in doubles instead of the shapes themselves, for those who compare.
+    pub solver: Option<Box<dyn Solver>>,
 }
 
 impl Graph {

@@ -24,6 +24,7 @@ pub mod graph;
 pub mod image;
 pub mod membership;
 mod picture;
+pub mod pixels;
 pub mod plan;
 pub mod precision;
 mod probe;

@@ -127,13 +127,17 @@ pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
 impl Tracer {
     /// What the plan calls for, as bits. From inside of a lone shape its other side is in the way.
     fn features(&self, outside: bool) -> u8 {
-        let plan = &self.plan;
+        let (plan, without) = (&self.plan, &self.graph.without);
         let inside = plan.lone_convex && !outside;
+        let shadows = plan.on(Effect::Shadows) || inside;
         [
-            (SHADOWS, plan.on(Effect::Shadows) || inside),
-            (GLASS, plan.on(Effect::Refraction)),
-            (MIRROR, plan.on(Effect::Reflection)),
-            (DISPERSION, plan.on(Effect::Dispersion)),
+            (SHADOWS, shadows && !without.shadows),
+            (GLASS, plan.on(Effect::Refraction) && !without.refraction),
+            (MIRROR, plan.on(Effect::Reflection) && !without.reflection),
+            (
+                DISPERSION,
+                plan.on(Effect::Dispersion) && !without.dispersion,
+            ),
         ]
         .into_iter()
         .fold(0, |bits, (bit, on)| if on { bits | bit } else { bits })
@@ -166,6 +170,18 @@ impl Tracer {
         settings: &Settings,
         progress: impl Fn() + Sync,
     ) -> Result<Picture, Error> {
+        self.drawing::<R, _>(camera, settings, |drawing| {
+            drawing.picture(settings, &progress)
+        })
+    }
+
+    /// Sets up what all pixels of a picture have in common.
+    pub(super) fn drawing<R: Precision, T>(
+        &self,
+        camera: &Camera,
+        settings: &Settings,
+        draw: impl FnOnce(&Drawing<R>) -> T,
+    ) -> Result<T, Error> {
         let Settings { width, height, .. } = *settings;
         let view = View::new(camera, width, height)
             .ok_or_else(|| cannot_draw("draw-projection", Span::default(), camera.id))?;
@@ -180,7 +196,7 @@ impl Tracer {
         let outside = self.clip.is_none()
             && view.is_pinhole()
             && !self.holds(&mut self.walker::<f64>(), view.position());
-        let drawing = Drawing::<R> {
+        Ok(draw(&Drawing::<R> {
             tracer: self,
             lights: self.lights.as_deref().unwrap_or(&headlight),
             limits,
@@ -191,7 +207,30 @@ impl Tracer {
             wanted: settings.wanted.as_deref(),
             width,
             stop: settings.stop.as_deref(),
-        };
+        }))
+    }
+}
+
+/// What the rows of a picture have in common.
+pub(super) struct Drawing<'t, R: Precision> {
+    pub(super) tracer: &'t Tracer,
+    lights: &'t [Light],
+    limits: Limits,
+    pub(super) view: View,
+    pub(super) outside: bool,
+    shift: [f64; 2],
+    /// The shading code for what the plan calls for.
+    radiance: Radiance<'t, R>,
+    wanted: Option<&'t [bool]>,
+    /// Of the whole picture.
+    width: u32,
+    stop: Option<&'t AtomicBool>,
+}
+
+impl<'t, R: Precision> Drawing<'t, R> {
+    /// The whole of a picture, or what is drawn of it.
+    fn picture(&self, settings: &Settings, progress: &(impl Fn() + Sync)) -> Picture {
+        let Settings { width, height, .. } = *settings;
         let crop = settings.crop.unwrap_or(Crop {
             x: 0,
             y: 0,
@@ -200,7 +239,7 @@ impl Tracer {
         });
         let mut counts = Counts::default();
         let pixels = match settings.tolerance {
-            None => drawing.rows(crop, &progress, &mut counts, |pen, x, y| {
+            None => self.rows(crop, progress, &mut counts, |pen, x, y| {
                 pen.fixed(x, y, settings.samples.max(1))
             }),
             Some(tolerance) => {
@@ -212,8 +251,8 @@ impl Tracer {
                     width: (crop.x + crop.width).saturating_add(1).min(width) - left,
                     height: (crop.y + crop.height).saturating_add(1).min(height) - top,
                 };
-                let first = drawing.rows(around, &|| (), &mut counts, |pen, x, y| pen.first(x, y));
-                drawing.rows(crop, &progress, &mut counts, |pen, x, y| {
+                let first = self.rows(around, &|| (), &mut counts, |pen, x, y| pen.first(x, y));
+                self.rows(crop, progress, &mut counts, |pen, x, y| {
                     let (x0, y0) = (x - left, y - top);
                     let at =
                         |x: u32, y: u32| &first[y as usize * around.width as usize + x as usize];
@@ -226,7 +265,7 @@ impl Tracer {
             }
         };
         let numbers = || pixels.iter().map(|p: &Pixel| p.samples);
-        Ok(Picture {
+        Picture {
             film: Film {
                 width: crop.width,
                 height: crop.height,
@@ -244,27 +283,17 @@ impl Tracer {
             },
             total_reflection: pixels.iter().map(|p| p.total_reflection).collect(),
             counts,
-        })
+        }
     }
-}
 
-/// What the rows of a picture have in common.
-struct Drawing<'t, R: Precision> {
-    tracer: &'t Tracer,
-    lights: &'t [Light],
-    limits: Limits,
-    view: View,
-    outside: bool,
-    shift: [f64; 2],
-    /// The shading code for what the plan calls for.
-    radiance: Radiance<'t, R>,
-    wanted: Option<&'t [bool]>,
-    /// Of the whole picture.
-    width: u32,
-    stop: Option<&'t AtomicBool>,
-}
+    /// What draws pixels on one thread.
+    pub(super) fn pen(&self) -> Pen<'_, 't, R> {
+        Pen {
+            shader: Shader::new(self.tracer, self.lights, self.limits),
+            drawing: self,
+        }
+    }
 
-impl<'t, R: Precision> Drawing<'t, R> {
     fn is_wanted(&self, x: u32, y: u32) -> bool {
         let at = y as usize * self.width as usize + x as usize;
         self.wanted
@@ -289,10 +318,7 @@ impl<'t, R: Precision> Drawing<'t, R> {
         let rows: Vec<(Vec<T>, Counts)> = (part.y..part.y + part.height)
             .into_par_iter()
             .map_init(
-                || Pen {
-                    shader: Shader::new(self.tracer, self.lights, self.limits),
-                    drawing: self,
-                },
+                || self.pen(),
                 |pen, y| {
                     if self.is_to_stop() {
                         let black = vec![T::default(); part.width as usize];
@@ -329,9 +355,9 @@ struct Pixel {
 }
 
 /// What draws pixels on one thread.
-struct Pen<'d, 't, R: Precision> {
-    shader: Shader<'t, R>,
-    drawing: &'d Drawing<'t, R>,
+pub(super) struct Pen<'d, 't, R: Precision> {
+    pub(super) shader: Shader<'t, R>,
+    pub(super) drawing: &'d Drawing<'t, R>,
 }
 
 impl<R: Precision> Pen<'_, '_, R> {
@@ -352,7 +378,7 @@ impl<R: Precision> Pen<'_, '_, R> {
 
     /// The light of sample `i` of `n`; where a projection has no ray, or none in
     /// the range of the precision, there is nothing to be seen.
-    fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
+    pub(super) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
         let [dx, dy] = sample(x, y, i, n);
         let [dx, dy] = [dx + self.drawing.shift[0], dy + self.drawing.shift[1]];
         match self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy) {
@@ -381,7 +407,7 @@ impl<R: Precision> Pen<'_, '_, R> {
     }
 
     /// The first samples of a pixel that may get more.
-    fn first(&mut self, x: u32, y: u32) -> First {
+    pub(super) fn first(&mut self, x: u32, y: u32) -> First {
         let (before, total) = (self.tests(), self.total());
         let samples = [0, 1, 2, 3].map(|i| developed(self.sample(x, y, i, MOST).0));
         First {
@@ -394,6 +420,23 @@ impl<R: Precision> Pen<'_, '_, R> {
     /// As many samples as the tolerance asks for, given the first ones.
     fn adaptive(&mut self, x: u32, y: u32, first: &First, contrast: f64, tolerance: f64) -> Pixel {
         let (before, total) = (self.tests(), self.total());
+        let estimate = self.estimate(x, y, first, contrast, tolerance);
+        Pixel {
+            colour: developed(estimate.mean.0),
+            samples: estimate.samples(),
+            tests: first.tests.saturating_add(self.tests_since(before)),
+            total_reflection: first.total_reflection || self.total() > total,
+        }
+    }
+
+    pub(super) fn estimate(
+        &mut self,
+        x: u32,
+        y: u32,
+        first: &First,
+        contrast: f64,
+        tolerance: f64,
+    ) -> Estimate {
         let mean = |batch: [Vec3; FIRST as usize]| {
             batch.into_iter().fold(Vec3::ZERO, |sum, s| sum + s) / f64::from(FIRST)
         };
@@ -403,12 +446,7 @@ impl<R: Precision> Pen<'_, '_, R> {
             let n = estimate.samples();
             estimate.add(mean([0, 1, 2, 3].map(|i| self.sample(x, y, n + i, MOST))));
         }
-        Pixel {
-            colour: developed(estimate.mean.0),
-            samples: estimate.samples(),
-            tests: first.tests.saturating_add(self.tests_since(before)),
-            total_reflection: first.total_reflection || self.total() > total,
-        }
+        estimate
     }
 }
 

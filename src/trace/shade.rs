@@ -163,6 +163,9 @@ impl<'t, R: Precision> Shader<'t, R> {
         let ray = hit.leave(way, false);
         match F & GLASS {
             0 => self.walkers.visibility::<false>(&ray),
+            _ if self.tracer.graph.without.transparent_shadows => {
+                self.walkers.visibility::<false>(&ray)
+            }
             _ => self.walkers.visibility::<true>(&ray),
         }
     }

@@ -22,6 +22,9 @@ pub mod support;
 mod torus;
 mod triangle;
 
+/// Set in a face of a surface of revolution where the line crosses it against its outward normal.
+pub use revolution::FLIPPED;
+
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
@@ -62,16 +65,19 @@ impl<R: Traced> Roots<R> {
 
     /// In another kind of number, rounded.
     pub fn cast<S: Traced>(&self) -> Roots<S> {
-        let cast = |root: &Root<R>| Root {
-            t: S::of_parts(root.t.parts()),
+        let mut roots = Roots::default();
+        roots.copy_from(self);
+        roots
+    }
+
+    /// Takes what was found in another kind of number.
+    pub fn copy_from<S: Traced>(&mut self, other: &Roots<S>) {
+        (self.inside, self.uncertain, self.along) = (other.inside, other.uncertain, other.along);
+        self.list.clear();
+        self.list.extend(other.list.iter().map(|root| Root {
+            t: R::of_parts(root.t.parts()),
             face: root.face,
-        };
-        Roots {
-            inside: self.inside,
-            uncertain: self.uncertain,
-            along: self.along,
-            list: self.list.iter().map(cast).collect(),
-        }
+        }));
     }
 
     fn push(&mut self, t: R, face: u32) {
