@@ -6,6 +6,7 @@ use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use super::draft::{Draft, unwritable};
@@ -17,7 +18,7 @@ use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error, Language};
 use crate::study::accuracy::print::terminal;
 use crate::study::accuracy::rungs::Axis;
-use crate::study::accuracy::{self, Options, Report, run::BUDGET};
+use crate::study::accuracy::{self, Options, Report, run::BUDGET, shapes};
 use crate::trace::{Images, selected_camera};
 
 /// Tell what accuracy costs in time: what each setting brings to the picture of a scene, and what it takes
@@ -271,6 +272,35 @@ impl Shown {
     }
 }
 
-fn shapes(_args: &Args, _look: LookChoice) -> Status {
-    Status::Failure
+/// The table without a scene.
+fn shapes(args: &Args, look: LookChoice) -> Status {
+    let seconds = args.budget.map_or(60.0, |b| b.0);
+    let stop = stop_on_interrupt(look);
+    let bar = progress_bar(1000);
+    let entries = shapes::run(seconds, &stop, &|share| {
+        bar.set_position((share * 1000.0) as u64)
+    });
+    bar.finish_and_clear();
+    let table = shapes::table(&entries, &look.language().say("accuracy-shapes-head", &[]));
+    let json = serde_json::to_string_pretty(&entries).unwrap_or_default() + "\n";
+    if let Some(folder) = &args.output {
+        let write = |name: &str, text: &str| -> Result<(), Complaint> {
+            let path = folder.join(name);
+            fs::create_dir_all(folder)
+                .and_then(|()| Draft::create(&path))
+                .and_then(|draft| draft.finish(&path, |out| out.write_all(text.as_bytes())))
+                .map_err(|e| unwritable(&path, &e))
+        };
+        let written = write("shapes.json", &json).and_then(|()| write("shapes.md", &table));
+        if let Err(complaint) = written {
+            complain(look, &complaint);
+            return Status::Failure;
+        }
+    }
+    let status = match stop.load(Ordering::Relaxed) {
+        true => Status::Interrupted,
+        false => Status::Clean,
+    };
+    let text = if args.json { json } else { table };
+    print(look, status, |out| out.write_all(text.as_bytes()))
 }

@@ -4,9 +4,9 @@
 //! chain of transformations and properties above a part folded into one placement and one paint.
 
 use super::bitmap::Bitmap;
-use super::pixels::{Solver, Without};
 use super::room::Room;
 use super::shapes::Primitive;
+use super::switches::{Solver, Without};
 use crate::geometry::Matrix;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Placement;

@@ -37,6 +37,7 @@ pub mod shade;
 pub mod shapes;
 pub mod stats;
 pub mod surfaces;
+pub mod switches;
 mod tracer;
 
 pub use costs::CostMap;

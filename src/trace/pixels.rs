@@ -1,51 +1,20 @@
-//! Pixels one by one, in doubles, and a tracer with parts taken out: for those who measure what a
-//! picture costs and how good it is.
+//! Pixels one by one, in doubles: for those who measure what a picture costs and how good it is.
 //!
-//! This is all that [`study`](crate::study) asks of the kernel besides pictures and probes.
+//! With the [`switches`](super::switches) this is all that [`study`](crate::study) asks of the kernel besides
+//! pictures and probes.
 
 use super::adaptive::{First, contrast};
 use super::picture::{Numbers, Pen, Settings};
 use super::precision::Precision;
 use super::ray::Ray;
 use super::search::escalate::Walkers;
-use super::shapes::Roots;
 use super::stats::Counts;
 use super::tracer::Tracer;
 use crate::diagnostics::Error;
 use crate::geometry::dd::Dd;
-use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::scene::{Camera, Rgb};
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::fmt::Debug;
-
-/// Effects that are taken out of a tracer, although its scene calls for them. Those for which the
-/// shading code is compiled with and without go by that; the others are asked for at run time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Without {
-    /// Every light is seen from everywhere.
-    pub shadows: bool,
-    /// Whatever is in the way of a light blocks it.
-    pub transparent_shadows: bool,
-    /// Nothing is mirrored, nor totally reflected.
-    pub reflection: bool,
-    /// Nothing goes through a surface.
-    pub refraction: bool,
-    /// All channels go the way of the first one.
-    pub dispersion: bool,
-    /// Patterns, pictures and colours along profiles are white.
-    pub textures: bool,
-    /// Light is reckoned with the geometric normal.
-    pub smooth_normals: bool,
-}
-
-/// Finds crossings in place of shapes, in doubles alone.
-pub trait Solver: Debug + Send + Sync {
-    /// Appends all crossings of a line with the shape of this number in
-    /// [`Graph::primitives`](super::graph::Graph::primitives), in the shape's space and ascending, to the
-    /// cleared `roots`; `false` where the shape is to do so itself.
-    fn crossings(&self, primitive: u32, line: &Line, roots: &mut Roots) -> bool;
-}
 
 /// What is seen first through a point of the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]

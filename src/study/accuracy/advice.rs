@@ -196,7 +196,7 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
             // The next round number above.
             let above = match rest {
                 r if r < 0.01 => 0.01,
-                r => (r * 100.0).ceil() / 100.0,
+                r => ((r * 100.0).floor() + 1.0) / 100.0,
             };
             text += &say(
                 language,
@@ -284,6 +284,15 @@ fn change(report: &Report, language: Language) -> Option<Advice> {
     Some(Advice { what, text })
 }
 
+/// Whether the advice speaks of a row.
+pub fn names(report: &Report, row: &Row) -> bool {
+    let option = format!("`{}`", row.option);
+    report
+        .advice_parts
+        .iter()
+        .any(|part| part.text.contains(&option))
+}
+
 /// Which numbers.
 fn numbers(report: &Report, language: Language) -> Option<Advice> {
     let of = |name: &str| {
@@ -295,8 +304,8 @@ fn numbers(report: &Report, language: Language) -> Option<Advice> {
         let dd = of("dd").and_then(|r| r.times_default);
         let dd = dd.map(|t| words::times(language, t));
         let error = f64_row.error.as_ref()?;
-        said.push(match (error.pixels_differ, error.pixels_off, dd) {
-            (0, _, Some(dd)) => say(language, "accuracy-numbers-same", &[("times", dd.into())]),
+        said.push(match (error.is_same(), error.pixels_off, dd) {
+            (true, _, Some(dd)) => say(language, "accuracy-numbers-same", &[("times", dd.into())]),
             (_, 0, Some(dd)) => say(language, "accuracy-numbers-unseen", &[("times", dd.into())]),
             (_, 0, None) => say(language, "accuracy-numbers-untimed", &[]),
             (_, n, _) => say(language, "accuracy-numbers-report", &[("off", count(n))]),

@@ -4,8 +4,8 @@ use super::rungs::Axis;
 use super::stage::Stage;
 use crate::scene::Geometry;
 use crate::study::plain::{self, solver};
-use crate::trace::pixels::Without;
 use crate::trace::plan::{Effect, Plan};
+use crate::trace::switches::Without;
 
 /// Why an axis is not run, as the name of a message; `None` where it is.
 pub fn skipped(axis: Axis, stage: &Stage) -> Option<&'static str> {

@@ -20,7 +20,7 @@ accuracy-price-none = bez měřitelného času navíc
 accuracy-advice-repair = `{ $option }` opraví { $right } z { $off } chybných pixelů, z { $pixels } prohlédnutých, { $price }.
 accuracy-advice-save = `{ $option }` ušetří { $percent } % času a o krok se neliší žádný pixel navíc.
 accuracy-advice-no-change = Žádné levnější nastavení neušetří desetinu času, aniž by to bylo vidět.
-accuracy-numbers-same = Čísla s dvojitou přesností jsou tu přesná: double-double stojí { $times }násobek a dává totéž.
+accuracy-numbers-same = Čísla s dvojitou přesností jsou tu přesná: double-double stojí { $times }násobek a dává tentýž obrázek.
 accuracy-numbers-unseen = Čísla s dvojitou přesností jsou přesná na pohled: double-double stojí { $times }násobek a neopraví žádný pixel.
 accuracy-numbers-untimed = Čísla s dvojitou přesností nepokazí žádný pixel.
 accuracy-numbers-report = Čísla s dvojitou přesností se mýlí v { $off ->
@@ -95,3 +95,65 @@ accuracy-reference-edges = reference { $samples } vzorků, vlastní chyba { $err
 accuracy-checked = ověřeno { $pixels } pixelů a { $rays } paprsků ve 71 číslicích, rozdíl nejvýše { $largest }
 accuracy-load = zátěž { $load }
 accuracy-written = Stránka je { $path }
+
+accuracy-panels-alt = Diagramy práce a přesnosti: chyba na x, čas na y, obojí logaritmicky, pro každý druh chyby jeden
+accuracy-head-edges = Hrany
+accuracy-head-light = Uříznuté světlo
+accuracy-head-numbers = Zaokrouhlování
+accuracy-head-facets = Plošky
+accuracy-sub-edges = kolik vzorků má pixel
+accuracy-sub-light = hloubka paprsků, práh vah
+accuracy-sub-numbers = jaká čísla, jaký řešič
+accuracy-sub-facets = rovné kousky místo křivých ploch
+accuracy-own-error = vlastní chyba reference
+accuracy-none = nic
+accuracy-table-head = | nastavení | čas CPU | × výchozí | chyba | FLIP | o > 1 | |
+accuracy-default = výchozí
+accuracy-front = na čele
+accuracy-recommended = doporučeno
+accuracy-same-as = tentýž výpočet jako { $other }
+accuracy-below-reference = pod vlastní chybou reference
+accuracy-wrong-object = { $wrong ->
+    [one] { $wrong } pixel vidí jiný objekt
+    [few] { $wrong } pixely vidí jiný objekt
+   *[other] { $wrong } pixelů vidí jiný objekt
+}
+accuracy-ulps = vzdálenosti se liší o { $ulps } jednotky posledního místa (medián)
+accuracy-uncertain = { $rays ->
+    [one] { $rays } nejistý paprsek
+    [few] { $rays } nejisté paprsky
+   *[other] { $rays } nejistých paprsků
+}
+accuracy-tile-change = Co ještě nastavit
+accuracy-tile-numbers = Která čísla
+accuracy-tile-sure = Jak jisté to je
+accuracy-section-panels = Každý druh chyby v jednom měřítku
+accuracy-note-panels = Vlevo je přesnější, dole rychlejší. Každý diagram mění jeden druh nastavení a ostatní drží. Plné: nic vyzkoušeného není rychlejší a zároveň přesnější. Kroužek: výchozí. Čárkovaně: cíl. „nic“: tentýž obrázek jako reference.
+accuracy-section-table = Co nastavit
+accuracy-note-table = Chyba: střední kvadratická v krocích 1/255 obrázku, s intervalem, v němž pro celý obrázek leží s 95 %. O > 1: pixely, v nichž se některý kanál liší o víc než krok. Čas CPU: celého obrázku na jednom vlákně.
+accuracy-more-rows = Dalších { $left } vyzkoušených nastavení je v accuracy.json.
+accuracy-section-pictures = Podívejte se
+accuracy-note-pictures = Část obrázku, kde je chyba každého druhu nejhorší: s výchozím nastavením (u zaokrouhlování v jednoduché přesnosti), s nejpřesnějším vyzkoušeným a rozdíl.
+accuracy-difference = rozdíl × { $factor }; největší { $largest } kroku; pixelů mimo o víc než krok: { $wrong }
+accuracy-section-shares = Kde je čas a kde chyba
+accuracy-note-shares = Pixel se počítá k tomu, co vidí jeho střed. Efekty jsou vyňaty po jednom; překrývají se, takže podíly nedají dohromady celek.
+accuracy-objects-head = | co je vidět | pixely | čas | chyba | µs na vzorek |
+accuracy-effects-head = | vyňato | ušetřený čas | ušetřené paprsky | obrázek se změní o |
+accuracy-within-noise = v šumu
+accuracy-map-time = Čas vzorku, až { $most } µs
+accuracy-map-error = Chyba na hranách, až { $most } kroku
+accuracy-section-skipped = Co se neměřilo a proč
+accuracy-section-how = Jak se měřilo
+accuracy-note-how = Časy jsou nejmenší časy CPU na jednom vlákně z několika běhů v zamíchaném pořadí. Výchozí nastavení se měřilo čtyřikrát: to, o kolik se liší, je šum. Chyby se měří v dvojité přesnosti, na malých dlaždicích rozložených po celém obrázku.
+accuracy-shapes-head = | těleso | jak | přímky | ns na přímku | chybně | medián chyby | největší chyba | nejisté |
+
+cost-camera = paprsky kamery
+cost-shadow = stínové paprsky
+cost-reflection = zrcadlené paprsky
+cost-refraction = prošlé paprsky
+cost-boxes = testy s kvádry
+cost-shapes = testy s tělesy
+cost-uncertain = paprsky rozhodnuté v double-double
+cost-phases = čas
+cost-objects = nejdražší z toho, co je vidět
+cost-effect = nejdražší efekt, vyňatý sám

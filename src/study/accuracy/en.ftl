@@ -20,7 +20,7 @@ accuracy-price-none = for no measurable time
 accuracy-advice-repair = `{ $option }` puts { $right } of { $off } wrong pixels right, of { $pixels } that were looked at, { $price }.
 accuracy-advice-save = `{ $option }` saves { $percent } % of the time, and no more pixels are off by a step.
 accuracy-advice-no-change = No cheaper setting saves a tenth of the time unseen.
-accuracy-numbers-same = Doubles are exact here: double-double costs { $times } times as much and gives the same numbers.
+accuracy-numbers-same = Doubles are exact here: double-double costs { $times } times as much and gives the same picture.
 accuracy-numbers-unseen = Doubles are exact to the eye: double-double costs { $times } times as much and puts no pixel right.
 accuracy-numbers-untimed = Doubles put no pixel wrong.
 accuracy-numbers-report = Doubles are wrong in { $off ->
@@ -93,3 +93,63 @@ accuracy-reference-edges = reference { $samples } samples, own error { $error } 
 accuracy-checked = { $pixels } pixels, { $rays } rays checked in 71 digits, off by { $largest } at most
 accuracy-load = load { $load }
 accuracy-written = The page is { $path }
+
+accuracy-panels-alt = Work-precision diagrams: error on x, time on y, both logarithmic, one panel for each kind of error
+accuracy-head-edges = Edges
+accuracy-head-light = Cut light
+accuracy-head-numbers = Rounding
+accuracy-head-facets = Facets
+accuracy-sub-edges = how many samples a pixel has
+accuracy-sub-light = depth of rays, cutoff of weights
+accuracy-sub-numbers = which numbers, which solver
+accuracy-sub-facets = flat pieces for curved surfaces
+accuracy-own-error = reference’s own error
+accuracy-none = none
+accuracy-table-head = | setting | CPU time | × default | error | FLIP | off > 1 | |
+accuracy-default = the default
+accuracy-front = on the front
+accuracy-recommended = recommended
+accuracy-same-as = the same computation as { $other }
+accuracy-below-reference = below the reference’s own error
+accuracy-wrong-object = { $wrong ->
+    [one] { $wrong } pixel sees another object
+   *[other] { $wrong } pixels see another object
+}
+accuracy-ulps = distances off by { $ulps } units in the last place (median)
+accuracy-uncertain = { $rays ->
+    [one] { $rays } uncertain ray
+   *[other] { $rays } uncertain rays
+}
+accuracy-tile-change = What else to set
+accuracy-tile-numbers = Which numbers
+accuracy-tile-sure = How sure
+accuracy-section-panels = Each kind of error, on one scale
+accuracy-note-panels = Left is more accurate, down is faster. Each panel changes one kind of setting and holds the others. Filled: nothing tried is both faster and more accurate. Ring: the default. Dashed: the goal. “none”: the same picture as the reference.
+accuracy-section-table = What to set
+accuracy-note-table = Error: root mean square in steps of 1/255 of the picture, with the interval that holds it for the whole picture with 95 %. Off > 1: pixels in which a channel differs by more than a step. CPU time: of the whole picture on one thread.
+accuracy-more-rows = { $left } more settings that were tried are in accuracy.json.
+accuracy-section-pictures = See it
+accuracy-note-pictures = The part of the picture where the error of each kind is worst: with the default (for rounding: in single precision), with the most accurate setting that was tried, and the difference.
+accuracy-difference = difference × { $factor }; largest { $largest } steps; { $wrong } pixels off by more than a step
+accuracy-section-shares = Where time and error are
+accuracy-note-shares = A pixel counts for what its centre sees. Effects are taken out one at a time; they overlap, so that the shares do not add up.
+accuracy-objects-head = | seen first | pixels | time | error | µs a sample |
+accuracy-effects-head = | taken out | time saved | rays saved | picture changes by |
+accuracy-within-noise = within the noise
+accuracy-map-time = Time of a sample, up to { $most } µs
+accuracy-map-error = Error at edges, up to { $most } steps
+accuracy-section-skipped = Not run, and why
+accuracy-section-how = How this was measured
+accuracy-note-how = Times are the least CPU time on one thread of several runs in shuffled order. The default was timed four times over: what these differ by is the noise. Errors are measured in doubles, on small tiles spread evenly over the full picture.
+accuracy-shapes-head = | shape | how | lines | ns a line | wrong | median error | largest error | uncertain |
+
+cost-camera = rays of the camera
+cost-shadow = shadow rays
+cost-reflection = mirrored rays
+cost-refraction = rays that went through
+cost-boxes = tests with boxes
+cost-shapes = tests with shapes
+cost-uncertain = rays decided in double-double
+cost-phases = time
+cost-objects = dearest of what is seen first
+cost-effect = dearest effect, taken out alone

@@ -74,9 +74,9 @@ pub struct Machine {
 #[derive(Debug, Clone, Serialize)]
 pub struct Budget {
     pub asked_seconds: f64,
-    /// For the timed runs, by the pilot.
+    /// CPU time of the timed runs, by the pilot.
     pub predicted_seconds: f64,
-    /// By the timed runs.
+    /// What they took.
     pub timed_seconds: f64,
     pub spent_seconds: f64,
     /// Of the picture's pixels, those that errors are measured on.
@@ -118,6 +118,8 @@ pub struct Checked {
     pub pixels: usize,
     pub rays: u64,
     pub wrong: usize,
+    /// Pixels that differ no more than rounding the camera's rays to doubles explains.
+    pub swaying: usize,
     /// The largest difference of a channel, linear.
     pub largest: f64,
     /// Where: the first few wrong pixels.
@@ -173,6 +175,17 @@ pub struct RowError {
     /// Distances of what is seen first, in units of the last place of the numbers.
     pub median_ulp: Option<f64>,
     pub max_ulp: Option<f64>,
+}
+
+/// Differences that are smaller, linear, are far below what a film of single precision rounds: the pictures
+/// are the same.
+const SAME: f64 = 1e-9;
+
+impl RowError {
+    /// Whether the picture is the same as the reference's.
+    pub fn is_same(&self) -> bool {
+        self.pixels_differ == 0 || self.max <= SAME
+    }
 }
 
 impl From<Measured> for RowError {

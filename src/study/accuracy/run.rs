@@ -58,6 +58,8 @@ pub type Progress<'p> = &'p dyn Fn(&'static str, f64);
 struct Known {
     /// Seconds a pixel, on one thread.
     cost: f64,
+    /// Seconds a ray, by the pilot.
+    per_ray: f64,
     drawn: Option<Drawn>,
     /// How many tiles that are.
     tiles: usize,
@@ -252,7 +254,7 @@ impl Run<'_> {
     /// Each rung once on a few tiles.
     fn pilot(&mut self) -> Result<(), Error> {
         let few = (self.tiles.len() / 16).clamp(4.min(self.tiles.len()), 40);
-        let mut costs: Vec<(Settings, f64)> = Vec::new();
+        let mut costs: Vec<(Settings, [f64; 2])> = Vec::new();
         let deadline = self.seconds(0.15);
         let pixels = self.pixels(few) as f64;
         for i in 0..self.rungs.len() + self.effects.len() {
@@ -284,7 +286,8 @@ impl Run<'_> {
                     };
                     let tiles = &self.tiles[..few];
                     let timed = self.stage.time(&asked, tiles)?;
-                    let cost = timed.cpu / pixels;
+                    let rays = rays(&timed.drawn.counts.rays).max(1) as f64;
+                    let cost = [timed.cpu / pixels, timed.cpu / rays];
                     costs.push((asked, cost));
                     cost
                 }
@@ -293,7 +296,7 @@ impl Run<'_> {
                 true => &mut self.known[i],
                 false => &mut self.effects[i - self.rungs.len()].2,
             };
-            known.cost = cost * times;
+            (known.cost, known.per_ray) = (cost[0] * times, cost[1]);
             if self.is_stopped() {
                 break;
             }
@@ -675,7 +678,6 @@ impl Run<'_> {
                 .push(say(self.options.language, "accuracy-cut-runs"));
         }
         self.predicted = predicted;
-        let start = Instant::now();
         let mut order: Vec<usize> = (0..entries.len()).collect();
         let mut done = 0;
         'all: for round in 0..runs {
@@ -691,6 +693,7 @@ impl Run<'_> {
                 };
                 let list = self.tiles[..tiles[e]].to_vec();
                 let mut timed = self.stage.time(&settings, &list)?;
+                self.timed += timed.cpu;
                 // The pixels are known.
                 timed.drawn.colours = Vec::new();
                 match entries[e] {
@@ -709,15 +712,28 @@ impl Run<'_> {
                 (self.progress)("accuracy-step-times", 0.55 + 0.4 * behind);
             }
         }
-        self.timed = start.elapsed().as_secs_f64();
         Ok(())
     }
 
+    /// Seconds a pixel of what is to be timed: by the rays of the pixels that were drawn, of which there are
+    /// more than in the pilot.
     fn entry_cost(&self, entry: &Entry) -> f64 {
-        match entry {
-            Entry::Rung(i) => self.known[*i].cost,
-            Entry::Effect(i) => self.effects[*i].2.cost,
-            Entry::Default(_) => self.cost(&Settings::default()),
+        let known = match entry {
+            Entry::Rung(i) => Some(&self.known[*i]),
+            Entry::Effect(i) => Some(&self.effects[*i].2),
+            Entry::Default(_) => {
+                let default = self.rungs.iter().position(|r| r.is_default());
+                default.map(|i| &self.known[i])
+            }
+        };
+        let by_rays = known.and_then(|known| {
+            let rays = rays(&known.drawn.as_ref()?.counts.rays) as f64;
+            Some(known.per_ray * rays / self.pixels(known.tiles).max(1) as f64)
+        });
+        match (by_rays, known) {
+            (Some(cost), _) => cost,
+            (None, Some(known)) => known.cost,
+            (None, None) => self.cost(&Settings::default()),
         }
     }
 

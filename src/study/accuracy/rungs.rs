@@ -1,7 +1,7 @@
 //! What is tried: rungs on the ladders of settings.
 
 use crate::trace::Numbers;
-use crate::trace::pixels::Without;
+use crate::trace::switches::Without;
 
 /// A kind of error; kinds are never mixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

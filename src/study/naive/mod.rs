@@ -18,7 +18,8 @@ pub use number::{Number, Wide};
 pub use solid::Unfit;
 
 use crate::scene::{Camera, Rgb, Scene, Texture};
-use crate::trace::Images;
+use crate::trace::film::developed;
+use crate::trace::{Film, Images};
 use light::{Lens, RayCounts, Scenery, radiance};
 use rayon::prelude::*;
 use solid::Solids;
@@ -28,6 +29,7 @@ pub struct Naive<'s, T: Number> {
     scene: &'s Scene,
     images: &'s Images,
     lens: Lens<T>,
+    size: [u32; 2],
     depth: u32,
     cutoff: f64,
 }
@@ -56,6 +58,7 @@ impl<'s, T: Number> Naive<'s, T> {
             scene,
             images,
             lens: Lens::new(camera, width, height).ok_or(Unfit::Singular)?,
+            size: [width, height],
             depth,
             cutoff,
         })
@@ -72,6 +75,47 @@ impl<'s, T: Number> Naive<'s, T> {
             })
             .collect();
         Ok((scenery, solids))
+    }
+
+    /// The whole picture; what is no number is black.
+    ///
+    /// # Errors
+    ///
+    /// What is too much for it.
+    pub fn film(&self) -> Result<Film, Unfit> {
+        let [width, height] = self.size;
+        let pixels: Vec<[u32; 2]> = (0..width * height)
+            .map(|i| [i % width, i / width])
+            .collect();
+        let colours = self.pixels(&pixels)?.colours;
+        Ok(Film {
+            width,
+            height,
+            pixels: colours.into_iter().map(developed).collect(),
+        })
+    }
+
+    /// By how much the colour of a pixel changes, at most, where the direction of its ray is off by what
+    /// doubles round it by.
+    ///
+    /// # Errors
+    ///
+    /// What is too much for it.
+    pub fn sway(&self, [x, y]: [u32; 2]) -> Result<f64, Unfit> {
+        let (scenery, mut solids) = self.ready()?;
+        let mut rays = RayCounts::default();
+        let ray = self.lens.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let middle = radiance(&scenery, &mut solids, ray, false, &mut rays);
+        let mut most = 0.0;
+        for i in 0..6 {
+            let mut ray = ray;
+            let by = f64::EPSILON * if i < 3 { 1.0 } else { -1.0 };
+            ray.direction[i % 3] = ray.direction[i % 3] + T::of(by);
+            let beside = radiance(&scenery, &mut solids, ray, false, &mut rays);
+            let off = (0..3).map(|c| (middle[c] - beside[c]).abs());
+            most = off.fold(most, f64::max);
+        }
+        Ok(most)
     }
 
     /// Follows the rays through the centres of pixels, on all threads.

@@ -71,8 +71,15 @@ number!(f32, 1e-4, 1e-6);
 number!(f64, 1e-6, 1e-9);
 
 /// About 71 digits.
-#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
 pub struct Wide(f256);
+
+/// Rounded to doubles: all digits would bring large tables along.
+impl std::fmt::Debug for Wide {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:?}", self.wide())
+    }
+}
 
 const fn power_of_two(exponent: i32) -> Wide {
     Wide(f256::from_bits((((262_143 + exponent) as u128) << 108, 0)))

@@ -179,6 +179,17 @@ impl<'s, T: Number> Solids<'s, T> {
             id: record.id,
         });
         let sheet = !record.geometry.is_solid();
+        if !T::TEXTBOOK && !sheet {
+            // A touch has no inside.
+            let tie = self.trail.frames[frame as usize].ray.offset();
+            let mut kept: Vec<(T, u32)> = Vec::with_capacity(self.roots.list.len());
+            for &root in &self.roots.list {
+                if kept.pop_if(|last| root.0 - last.0 <= tie).is_none() {
+                    kept.push(root);
+                }
+            }
+            self.roots.list = kept;
+        }
         let mut inside = self.roots.inside != negated && !sheet;
         let state = |inside: bool| inside.then_some(leaf);
         let start = state(inside);
@@ -208,7 +219,8 @@ impl<T: Number> World<T> for Solids<'_, T> {
     fn events(&mut self, ray: &Ray<T>, _: T, _: T) -> List<T> {
         self.trail.begin(ray);
         let tie = match T::TEXTBOOK {
-            true => T::of(0.0),
+            // Textbooks take one crossing at a time.
+            true => T::of(-1.0),
             false => ray.offset(),
         };
         self.list(self.root, 0, Look::default(), tie)

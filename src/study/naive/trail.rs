@@ -170,7 +170,7 @@ impl<T: Number> Trail<T> {
         normal
     }
 
-    /// Joins two lists. `tie`: what is no farther apart, in t, is in one place.
+    /// Joins two lists. `tie`: what is no farther apart, in t, is in one place; below 0 nothing is.
     pub fn join(&self, operation: Operation, a: List<T>, b: List<T>, tie: T) -> List<T> {
         if operation == Operation::Union {
             if a.is_nothing() {
@@ -211,7 +211,16 @@ impl<T: Number> Trail<T> {
             let (i0, j0) = (i, j);
             let mut last = first;
             loop {
-                let near = |e: Option<&Event<T>>| e.is_some_and(|e| e.t - last <= tie);
+                let taken = i + j > i0 + j0;
+                let near = |e: Option<&Event<T>>| {
+                    e.is_some_and(|e| {
+                        if taken {
+                            e.t - last <= tie
+                        } else {
+                            e.t <= last
+                        }
+                    })
+                };
                 if near(a.events.get(i)) {
                     last = a.events[i].t;
                     i += 1;

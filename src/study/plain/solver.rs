@@ -9,8 +9,8 @@ use crate::study::naive::form::{self, Form};
 use crate::study::naive::number::{Ray, dot};
 use crate::study::naive::polynomial::Few;
 use crate::trace::Tracer;
-use crate::trace::pixels::Solver;
 use crate::trace::shapes::{FLIPPED, Primitive, Root, Roots};
+use crate::trace::switches::Solver;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {

@@ -22,14 +22,16 @@ pub mod support;
 mod torus;
 mod triangle;
 
-/// Set in a face of a surface of revolution where the line crosses it against its outward normal.
-pub use revolution::FLIPPED;
-
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
 use support::Support;
+
+/// Set in a face of a surface of revolution where the outward normal is the opposite of the segment's own: of
+/// (h, −w) for a segment that rises by h over w, and of (0, 1) for a flat one. In a profile that crosses itself
+/// both sides of one segment may be the outer one in different places.
+pub const FLIPPED: u32 = 1 << 31;
 
 /// One crossing of a line with a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]

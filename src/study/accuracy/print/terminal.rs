@@ -1,5 +1,6 @@
 //! The report in some 35 lines.
 
+use super::super::advice::names;
 use super::super::report::{Report, Row};
 use super::super::rungs::{Axis, Kind};
 use super::super::words::{self, local, say};
@@ -8,8 +9,8 @@ use std::fmt::Write as _;
 use unicode_width::UnicodeWidthStr as _;
 
 const WIDTH: usize = 100;
-/// Rows of each kind, besides the default and the ends.
-const MOST_ROWS: usize = 7;
+/// Rows of each kind, unless more are needed.
+const MOST_ROWS: usize = 5;
 
 /// The text; `page` says where the page is, if it was written.
 pub fn text(report: &Report, language: Language, page: Option<&str>) -> String {
@@ -99,23 +100,20 @@ fn heading(kind: Kind, rows: &[&Row], language: Language) -> String {
 
 /// The default, the ends, the front; of the numbers all.
 fn kept<'r>(rows: &[&'r Row], report: &Report) -> Vec<&'r Row> {
-    let best = super::super::advice::recommended(report).map(Row::name);
-    let is_end = |i: usize| {
-        let axis = rows[i].axis;
-        i == 0
-            || i + 1 == rows.len()
-            || rows[i - 1].axis != axis
-            || rows[i + 1].axis != axis
-            || rows[i].is_on(Axis::Precision)
-    };
+    // Of the ways to write the default one is enough.
+    let default = rows.iter().position(|r| r.default);
     let needed = |i: usize| {
         let row = rows[i];
-        row.default || is_end(i) || best.as_deref() == Some(&row.name())
+        Some(i) == default
+            || i == 0
+            || i + 1 == rows.len() && !row.default
+            || row.is_on(Axis::Precision)
+            || names(report, row)
     };
     let mut room = MOST_ROWS.saturating_sub((0..rows.len()).filter(|&i| needed(i)).count());
     (0..rows.len())
         .filter(|&i| {
-            let takes = rows[i].pareto && rows[i].same_as.is_none() && room > 0;
+            let takes = rows[i].pareto && rows[i].same_as.is_none() && !rows[i].default && room > 0;
             if !needed(i) && takes {
                 room -= 1;
             }
@@ -234,9 +232,7 @@ fn summaries(out: &mut String, report: &Report, language: Language) {
     let skipped: Vec<String> = (report.skipped.iter())
         .map(|s| format!("{}: {}", s.axis, s.why))
         .collect();
-    for text in skipped {
-        list("accuracy-not-run", vec![text]);
-    }
+    list("accuracy-not-run", skipped);
     list("accuracy-cut", report.budget.cut.clone());
     line(out, &sureness(report, language));
 }
