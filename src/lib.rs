@@ -2,6 +2,7 @@
 //!
 //! The modules, in the order they may import each other (each only what stands before it):
 //!
+//! - [`parallel`]: runs work on all threads, a thin layer over rayon.
 //! - [`diagnostics`]: findings with stable codes, spans, fixes; printed for people and machines.
 //! - [`syntax`]: bytes to tokens to a typed tree. `syntax/table.rs` is *the* table of record types.
 //! - [`mod@format`]: the pretty-printer; it needs the syntax alone.
@@ -13,7 +14,7 @@
 //!   say with the tracer's means.
 //! - [`analysis`]: a file's bytes to source, document, scene and findings, with the settings of its folder.
 //! - [`translate`]: the scene for other programs.
-//! - [`study`]: scenes under study: our picture beside that of another program.
+//! - [`study`]: runs POV-Ray or Mitsuba on a translation and compares what it draws with our picture.
 //! - [`commands`]: one file per subcommand of the command line.
 
 pub mod analysis;
@@ -22,6 +23,7 @@ pub mod diagnostics;
 pub mod format;
 pub mod geometry;
 pub mod lint;
+pub mod parallel;
 pub mod scene;
 pub mod solids;
 pub mod study;

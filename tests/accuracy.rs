@@ -251,7 +251,7 @@ fn effects_that_are_taken_out_do_no_work() {
 
 /// A report of these rows: option, times the default, steps, pixels off; the first of each kind is the
 /// default.
-fn report_of(rows: &[(Axis, &str, f64, f64, usize)]) -> Report {
+fn report_of(rows: &[(Axis, &'static str, f64, f64, usize)]) -> Report {
     let row = |&(axis, label, times, steps, off): &(Axis, &'static str, f64, f64, usize),
                default| Row {
         kind: axis.kind().name(),

@@ -5,14 +5,13 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use rayon::prelude::*;
-
 use super::rewrite::{bytes_of, diff, replace};
 use super::{LookChoice, Status, complain, paths, terminal};
 use crate::analysis::config::{ConfigError, Configs};
 use crate::analysis::file::{self, STDIN};
 use crate::diagnostics::{Complaint, Value};
 use crate::format::{format, format_range};
+use crate::parallel;
 use crate::syntax::{self, preserved, recognise};
 
 /// Format scenes: one record a line, numbers and comments under each other
@@ -97,20 +96,15 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     }
     let configs = Configs::default();
-    let formatted: Vec<Formatted> = found
-        .files
-        .par_iter()
-        .map(|path| match format_file(path, args, &configs, look) {
-            Ok(formatted) => formatted,
-            Err(complaint) => {
-                complain(look, &complaint);
-                Formatted {
-                    outcome: Outcome::Failed,
-                    output: Vec::new(),
-                }
+    let formatted = parallel::map(found.files.len(), |i| {
+        format_file(&found.files[i], args, &configs, look).unwrap_or_else(|complaint| {
+            complain(look, &complaint);
+            Formatted {
+                outcome: Outcome::Failed,
+                output: Vec::new(),
             }
         })
-        .collect();
+    });
 
     let count = |of: fn(&Outcome) -> bool| formatted.iter().filter(|f| of(&f.outcome)).count();
     let changed = count(|o| matches!(o, Outcome::Changed));

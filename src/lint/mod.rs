@@ -12,12 +12,11 @@ mod spelling;
 
 use std::sync::OnceLock;
 
-use rayon::prelude::*;
-
 use crate::diagnostics::{Diagnostic, Span};
-use crate::scene::bounds::{NodeBounds, node_bounds};
+use crate::parallel;
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::syntax::{Document, Item};
 
 /// What a rule may look at.
@@ -99,16 +98,12 @@ pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
 /// Runs all rules, side by side; the findings are added to those of the parser and the resolver, and
 /// what comments allow is taken out.
 pub fn run(context: &Context, out: &mut Vec<Diagnostic>) {
-    let found = |(i, rule): (usize, &rules::Rule)| {
+    let found = parallel::map(rules::RULES.len(), |i| {
         let mut found = Vec::new();
-        rule(context, &mut found);
-        (i, found)
-    };
-    // Whoever is free takes the next one.
-    let rules = rules::RULES.iter().enumerate().par_bridge();
-    let mut all: Vec<(usize, Vec<Diagnostic>)> = rules.map(found).collect();
-    all.sort_unstable_by_key(|(i, _)| *i);
-    out.extend(all.into_iter().flat_map(|(_, found)| found));
+        rules::RULES[i](context, &mut found);
+        found
+    });
+    out.extend(found.into_iter().flatten());
     allow::apply(context, out);
 }
 

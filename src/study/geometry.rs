@@ -3,13 +3,13 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use serde::Serialize;
 
 use super::mitsuba::CHANNELS;
 use crate::geometry::Aabb;
 use crate::geometry::array::{dot, sub};
+use crate::parallel;
 use crate::scene::{Camera, Vec3};
 use crate::trace::camera::View;
 use crate::trace::ray::Ray;
@@ -33,11 +33,12 @@ pub fn seen(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> Ve
     let Some(view) = View::new(camera, width, height) else {
         return vec![None; width as usize * height as usize];
     };
-    let rows = (0..height).into_par_iter().map_init(
+    let rows = parallel::map_with(
+        height as usize,
         || tracer.walker(),
         |walkers: &mut Walkers<f64>, y| {
             let pixel = |x: u32| {
-                let ray = view.ray(f64::from(x) + 0.5, f64::from(y) + 0.5)?;
+                let ray = view.ray(f64::from(x) + 0.5, y as f64 + 0.5)?;
                 let probe = tracer.probe(walkers, &ray);
                 probe.crossings.first().map(|c| Seen {
                     point: c.hit.point.0,
@@ -50,7 +51,7 @@ pub fn seen(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> Ve
             (0..width).map(pixel).collect::<Vec<_>>()
         },
     );
-    rows.flatten().collect()
+    rows.concat()
 }
 
 /// Positions may differ by so much of the scene's size on exact shapes.
@@ -180,11 +181,12 @@ pub fn compare(
         rounded: ROUNDED * largest([all.min, all.max].map(|p| frame.place(p))) / frame.scale,
         in_one_place: IN_ONE_PLACE * largest([all.min, all.max]),
     };
-    let pixels = (0..ours.len()).into_par_iter();
     let mut comparison = Comparison {
-        map: pixels
-            .map_init(|| tracer.walker(), |walkers, i| sight.pixel(i, walkers))
-            .collect(),
+        map: parallel::map_with(
+            ours.len(),
+            || tracer.walker(),
+            |walkers, i| sight.pixel(i, walkers),
+        ),
         pixels: ours.len(),
         silhouettes: 0,
         cut_off: 0,

@@ -9,14 +9,15 @@ use super::plan::Effect;
 use super::precision::Precision;
 use super::ray::Ray;
 use super::sampling::sample;
-use super::shade::{DISPERSION, GLASS, Limits, MIRROR, SHADOWS, Shader};
+use super::shade::{Features, Limits, Shader};
 use super::stats::Counts;
 use super::tracer::{Light, Tracer};
 use crate::diagnostics::{Error, Span};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
-use crate::scene::{Camera, Rgb, Scene, frame};
-use rayon::prelude::*;
+use crate::parallel;
+use crate::scene::{Camera, Scene};
+use crate::solids::frame;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -125,22 +126,16 @@ pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
 }
 
 impl Tracer {
-    /// What the plan calls for, as bits. From inside of a lone shape its other side is in the way.
-    fn features(&self, outside: bool) -> u8 {
+    /// What the plan calls for. From inside of a lone shape its other side is in the way.
+    fn features(&self, outside: bool) -> Features {
         let (plan, without) = (&self.plan, &self.graph.without);
         let inside = plan.lone_convex && !outside;
-        let shadows = plan.on(Effect::Shadows) || inside;
-        [
-            (SHADOWS, shadows && !without.shadows),
-            (GLASS, plan.on(Effect::Refraction) && !without.refraction),
-            (MIRROR, plan.on(Effect::Reflection) && !without.reflection),
-            (
-                DISPERSION,
-                plan.on(Effect::Dispersion) && !without.dispersion,
-            ),
-        ]
-        .into_iter()
-        .fold(0, |bits, (bit, on)| if on { bits | bit } else { bits })
+        Features {
+            shadows: (plan.on(Effect::Shadows) || inside) && !without.shadows,
+            glass: plan.on(Effect::Refraction) && !without.refraction,
+            mirrors: plan.on(Effect::Reflection) && !without.reflection,
+            dispersion: plan.on(Effect::Dispersion) && !without.dispersion,
+        }
     }
 
     /// Takes a picture. `progress` is told of every finished row, from any thread.
@@ -158,9 +153,9 @@ impl Tracer {
         progress: impl Fn() + Sync,
     ) -> Result<Picture, Error> {
         match settings.numbers {
-            Numbers::F32 => self.render_in::<f32>(camera, settings, progress),
-            Numbers::F64 => self.render_in::<f64>(camera, settings, progress),
-            Numbers::Dd => self.render_in::<Dd>(camera, settings, progress),
+            Numbers::F32 => self.render_in::<f32>(camera, settings, &progress),
+            Numbers::F64 => self.render_in::<f64>(camera, settings, &progress),
+            Numbers::Dd => self.render_in::<Dd>(camera, settings, &progress),
         }
     }
 
@@ -168,19 +163,19 @@ impl Tracer {
         &self,
         camera: &Camera,
         settings: &Settings,
-        progress: impl Fn() + Sync,
+        progress: &(dyn Fn() + Sync),
     ) -> Result<Picture, Error> {
-        self.drawing::<R, _>(camera, settings, |drawing| {
-            drawing.picture(settings, &progress)
+        self.drawing(camera, settings, |drawing| {
+            drawing.picture::<R>(settings, progress)
         })
     }
 
     /// Sets up what all pixels of a picture have in common.
-    pub(super) fn drawing<R: Precision, T>(
+    pub(super) fn drawing<T>(
         &self,
         camera: &Camera,
         settings: &Settings,
-        draw: impl FnOnce(&Drawing<R>) -> T,
+        draw: impl FnOnce(&Drawing) -> T,
     ) -> Result<T, Error> {
         let Settings { width, height, .. } = *settings;
         let view = View::new(camera, width, height)
@@ -196,13 +191,13 @@ impl Tracer {
         let outside = self.clip.is_none()
             && view.is_pinhole()
             && !self.holds(&mut self.walker::<f64>(), view.position());
-        Ok(draw(&Drawing::<R> {
+        Ok(draw(&Drawing {
             tracer: self,
             lights: self.lights.as_deref().unwrap_or(&headlight),
             limits,
             outside,
             shift: settings.shift,
-            radiance: radiance(self.features(outside)),
+            features: self.features(outside),
             view,
             wanted: settings.wanted.as_deref(),
             width,
@@ -212,24 +207,23 @@ impl Tracer {
 }
 
 /// What the rows of a picture have in common.
-pub(super) struct Drawing<'t, R: Precision> {
+pub(super) struct Drawing<'t> {
     pub(super) tracer: &'t Tracer,
     lights: &'t [Light],
     limits: Limits,
     pub(super) view: View,
     pub(super) outside: bool,
     shift: [f64; 2],
-    /// The shading code for what the plan calls for.
-    radiance: Radiance<'t, R>,
+    features: Features,
     wanted: Option<&'t [bool]>,
     /// Of the whole picture.
     width: u32,
     stop: Option<&'t AtomicBool>,
 }
 
-impl<'t, R: Precision> Drawing<'t, R> {
+impl<'t> Drawing<'t> {
     /// The whole of a picture, or what is drawn of it.
-    fn picture(&self, settings: &Settings, progress: &(impl Fn() + Sync)) -> Picture {
+    fn picture<R: Precision>(&self, settings: &Settings, progress: &(dyn Fn() + Sync)) -> Picture {
         let Settings { width, height, .. } = *settings;
         let crop = settings.crop.unwrap_or(Crop {
             x: 0,
@@ -239,7 +233,7 @@ impl<'t, R: Precision> Drawing<'t, R> {
         });
         let mut counts = Counts::default();
         let pixels = match settings.tolerance {
-            None => self.rows(crop, progress, &mut counts, |pen, x, y| {
+            None => self.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
                 pen.fixed(x, y, settings.samples.max(1))
             }),
             Some(tolerance) => {
@@ -251,8 +245,10 @@ impl<'t, R: Precision> Drawing<'t, R> {
                     width: (crop.x + crop.width).saturating_add(1).min(width) - left,
                     height: (crop.y + crop.height).saturating_add(1).min(height) - top,
                 };
-                let first = self.rows(around, &|| (), &mut counts, |pen, x, y| pen.first(x, y));
-                self.rows(crop, progress, &mut counts, |pen, x, y| {
+                let first = self.rows(around, &|| (), &mut counts, &|pen: &mut Pen<R>, x, y| {
+                    pen.first(x, y)
+                });
+                self.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
                     let (x0, y0) = (x - left, y - top);
                     let at =
                         |x: u32, y: u32| &first[y as usize * around.width as usize + x as usize];
@@ -287,9 +283,9 @@ impl<'t, R: Precision> Drawing<'t, R> {
     }
 
     /// What draws pixels on one thread.
-    pub(super) fn pen(&self) -> Pen<'_, 't, R> {
+    pub(super) fn pen<R: Precision>(&self) -> Pen<'_, 't, R> {
         Pen {
-            shader: Shader::new(self.tracer, self.lights, self.limits),
+            shader: Shader::new(self.tracer, self.lights, self.limits, self.features),
             drawing: self,
         }
     }
@@ -308,34 +304,33 @@ impl<'t, R: Precision> Drawing<'t, R> {
 
     /// Draws row by row, in parallel. Once it is to stop, no row is begun any more, and what comes
     /// back is black.
-    fn rows<T: Send + Default + Clone>(
+    fn rows<R: Precision, T: Send + Default + Clone>(
         &self,
         part: Crop,
-        progress: &(impl Fn() + Sync),
+        progress: &(dyn Fn() + Sync),
         counts: &mut Counts,
-        draw: impl Fn(&mut Pen<R>, u32, u32) -> T + Sync,
+        draw: Draw<R, T>,
     ) -> Vec<T> {
-        let rows: Vec<(Vec<T>, Counts)> = (part.y..part.y + part.height)
-            .into_par_iter()
-            .map_init(
-                || self.pen(),
-                |pen, y| {
-                    if self.is_to_stop() {
-                        let black = vec![T::default(); part.width as usize];
-                        return (black, Counts::default());
-                    }
-                    pen.shader.reset();
-                    let columns = part.x..part.x + part.width;
-                    let draw = |x| match self.is_wanted(x, y) && !self.is_to_stop() {
-                        true => draw(pen, x, y),
-                        false => T::default(),
-                    };
-                    let row = columns.map(draw).collect();
-                    progress();
-                    (row, pen.shader.counts())
-                },
-            )
-            .collect();
+        let rows = parallel::map_with(
+            part.height as usize,
+            || self.pen(),
+            |pen, row| {
+                let y = part.y + row as u32;
+                if self.is_to_stop() {
+                    let black = vec![T::default(); part.width as usize];
+                    return (black, Counts::default());
+                }
+                pen.shader.reset();
+                let columns = part.x..part.x + part.width;
+                let draw = |x| match self.is_wanted(x, y) && !self.is_to_stop() {
+                    true => draw(pen, x, y),
+                    false => T::default(),
+                };
+                let row = columns.map(draw).collect();
+                progress();
+                (row, pen.shader.counts())
+            },
+        );
         let mut all = Vec::with_capacity(part.width as usize * part.height as usize);
         for (row, cost) in rows {
             all.extend(row);
@@ -357,7 +352,7 @@ struct Pixel {
 /// What draws pixels on one thread.
 pub(super) struct Pen<'d, 't, R: Precision> {
     pub(super) shader: Shader<'t, R>,
-    pub(super) drawing: &'d Drawing<'t, R>,
+    pub(super) drawing: &'d Drawing<'t>,
 }
 
 impl<R: Precision> Pen<'_, '_, R> {
@@ -385,7 +380,7 @@ impl<R: Precision> Pen<'_, '_, R> {
             Some(ray) if ray.cast::<R>().line.is_sound() => {
                 let mut ray: Ray<R> = ray.cast();
                 ray.outside = self.drawing.outside;
-                Vec3((self.drawing.radiance)(&mut self.shader, ray))
+                Vec3(self.shader.radiance(ray))
             }
             _ => Vec3::ZERO,
         }
@@ -450,15 +445,5 @@ impl<R: Precision> Pen<'_, '_, R> {
     }
 }
 
-type Radiance<'t, R> = fn(&mut Shader<'t, R>, Ray<R>) -> Rgb;
-
-/// The shading code for these features.
-fn radiance<'t, R: Precision>(features: u8) -> Radiance<'t, R> {
-    macro_rules! table {
-        ($($f:literal)*) => {
-            [$(Shader::radiance::<$f>),*]
-        };
-    }
-    let table: [Radiance<'t, R>; 16] = table!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
-    table[usize::from(features) % table.len()]
-}
+/// Draws the pixel in a column and a row.
+type Draw<'a, R, T> = &'a (dyn Fn(&mut Pen<'_, '_, R>, u32, u32) -> T + Sync);

@@ -75,10 +75,10 @@ impl Tracer {
         settings: &Settings,
         draw: impl FnOnce(&mut dyn Pixels) -> T,
     ) -> Result<T, Error> {
-        self.drawing::<R, _>(camera, settings, |drawing| {
+        self.drawing(camera, settings, |drawing| {
             draw(&mut Single {
-                pen: drawing.pen(),
-                walkers: drawing.tracer.walker(),
+                pen: drawing.pen::<R>(),
+                walkers: drawing.tracer.walker::<R>(),
                 tolerance: settings.tolerance.unwrap_or(0.0),
                 size: [settings.width, settings.height],
                 first: FxHashMap::default(),

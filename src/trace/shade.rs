@@ -19,12 +19,15 @@ pub struct Limits {
     pub cutoff: f64,
 }
 
-/// Parts of the shading code that a plan calls for, as bits: code for what is off is left out.
-pub const SHADOWS: u8 = 1;
-pub const GLASS: u8 = 2;
-/// Mirrors and total reflection.
-pub const MIRROR: u8 = 4;
-pub const DISPERSION: u8 = 8;
+/// The parts of the shading code that a plan calls for. The others do not run.
+#[derive(Debug, Clone, Copy)]
+pub struct Features {
+    pub shadows: bool,
+    pub glass: bool,
+    /// Mirrors and total reflection.
+    pub mirrors: bool,
+    pub dispersion: bool,
+}
 
 /// A ray still to be followed, and how much its light counts, per channel.
 #[derive(Debug, Clone, Copy)]
@@ -41,6 +44,7 @@ pub struct Shader<'t, R: Precision = f64> {
     ambient: Vec3,
     lights: &'t [Light],
     limits: Limits,
+    features: Features,
     walkers: Walkers<'t, R>,
     rays: Rays,
     /// Rays in some of the channels, and changes of the medium.
@@ -50,12 +54,18 @@ pub struct Shader<'t, R: Precision = f64> {
 }
 
 impl<'t, R: Precision> Shader<'t, R> {
-    pub fn new(tracer: &'t Tracer, lights: &'t [Light], limits: Limits) -> Shader<'t, R> {
+    pub fn new(
+        tracer: &'t Tracer,
+        lights: &'t [Light],
+        limits: Limits,
+        features: Features,
+    ) -> Shader<'t, R> {
         Shader {
             tracer,
             ambient: tracer.ambient,
             lights,
             limits,
+            features,
             walkers: tracer.walker(),
             rays: Rays::default(),
             parted: 0,
@@ -108,7 +118,7 @@ impl<'t, R: Precision> Shader<'t, R> {
     ///
     /// Rays that are reflected and refracted wait on a stack with their weights, so no depth is
     /// too deep.
-    pub fn radiance<const F: u8>(&mut self, ray: Ray<R>) -> Rgb {
+    pub fn radiance(&mut self, ray: Ray<R>) -> Rgb {
         self.rays.camera += 1;
         let mut sum = Vec3::ZERO;
         self.branches.push(Branch {
@@ -117,16 +127,16 @@ impl<'t, R: Precision> Shader<'t, R> {
             depth: 0,
         });
         while let Some(branch) = self.branches.pop() {
-            let hit = match F & GLASS {
-                0 => self.walkers.first_hit::<false>(&branch.ray),
-                _ => self.walkers.first_hit::<true>(&branch.ray),
+            let hit = match self.features.glass {
+                false => self.walkers.first_hit::<false>(&branch.ray),
+                true => self.walkers.first_hit::<true>(&branch.ray),
             };
             let light = match hit {
                 Some(hit) => {
-                    if F & (GLASS | MIRROR) != 0 {
-                        self.follow::<F>(&branch, &hit);
+                    if self.features.glass || self.features.mirrors {
+                        self.follow(&branch, &hit);
                     }
-                    self.direct::<F>(&hit)
+                    self.direct(&hit)
                 }
                 None => self.tracer.background,
             };
@@ -136,7 +146,7 @@ impl<'t, R: Precision> Shader<'t, R> {
     }
 
     /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V)
-    fn direct<const F: u8>(&mut self, hit: &Hit<R>) -> Vec3 {
+    fn direct(&mut self, hit: &Hit<R>) -> Vec3 {
         let albedo = Vec3(hit.optics.kd).times(Vec3(hit.colour));
         if !albedo.any() {
             return Vec3::ZERO;
@@ -147,7 +157,7 @@ impl<'t, R: Precision> Shader<'t, R> {
             let way = position.cast() - hit.point;
             let cosine = normal.dot(way.unit()).to_f64();
             if cosine > 0.0 && power.any() {
-                let seen = self.visibility::<F>(hit, way);
+                let seen = self.visibility(hit, way);
                 light = light + power.times(seen) * cosine;
             }
         }
@@ -155,34 +165,32 @@ impl<'t, R: Precision> Shader<'t, R> {
     }
 
     /// The share of light that gets through from hit + way.
-    fn visibility<const F: u8>(&mut self, hit: &Hit<R>, way: Vec3<R>) -> Vec3 {
-        if F & SHADOWS == 0 || (self.tracer.plan.lone_convex && !hit.inside[0]) {
+    fn visibility(&mut self, hit: &Hit<R>, way: Vec3<R>) -> Vec3 {
+        if !self.features.shadows || (self.tracer.plan.lone_convex && !hit.inside[0]) {
             return Vec3::ONE;
         }
         self.rays.shadow += 1;
         let ray = hit.leave(way, false);
-        match F & GLASS {
-            0 => self.walkers.visibility::<false>(&ray),
-            _ if self.tracer.graph.without.transparent_shadows => {
-                self.walkers.visibility::<false>(&ray)
-            }
-            _ => self.walkers.visibility::<true>(&ray),
+        let clear = self.features.glass && !self.tracer.graph.without.transparent_shadows;
+        match clear {
+            false => self.walkers.visibility::<false>(&ray),
+            true => self.walkers.visibility::<true>(&ray),
         }
     }
 
     /// Sends on what is mirrored and what goes through.
-    fn follow<const F: u8>(&mut self, branch: &Branch<R>, hit: &Hit<R>) {
+    fn follow(&mut self, branch: &Branch<R>, hit: &Hit<R>) {
         let direction = branch.ray.line.direction;
         let mut mirrored = Vec3(hit.optics.ks);
-        let mut todo = match F & GLASS {
-            0 => Vec3::ZERO,
-            _ => Vec3(hit.optics.kt),
+        let mut todo = match self.features.glass {
+            false => Vec3::ZERO,
+            true => Vec3(hit.optics.kt),
         };
         while let Some(c) = (0..3).find(|&c| todo[c] != 0.0) {
             // The channels that go the same way go together.
             let ratio = |c: usize| (hit.indices[0][c], hit.indices[1][c]);
             let mut through = Vec3::ZERO;
-            if F & DISPERSION == 0 {
+            if !self.features.dispersion {
                 through = std::mem::replace(&mut todo, Vec3::ZERO);
             } else {
                 let all = todo;
@@ -210,7 +218,7 @@ impl<'t, R: Precision> Shader<'t, R> {
                 self.rays.total += 1;
             }
         }
-        if F & MIRROR != 0 && mirrored.any() {
+        if self.features.mirrors && mirrored.any() {
             let normal = hit.shading;
             let reflected = direction - normal * (R::of(2.0) * normal.dot(direction));
             let ray = hit.leave(reflected.unit(), false);

@@ -7,8 +7,6 @@ mod watch;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
-
 use super::memory::Memory;
 use super::rewrite::{bytes_of, diff, replace};
 use super::{LookChoice, Status, complain, paths, terminal};
@@ -19,6 +17,7 @@ use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::Look;
 use crate::diagnostics::{Code, Complaint, Value};
 use crate::lint::levels::{Choice, Selector};
+use crate::parallel;
 use report::{Format, Output};
 use statistics::Statistics;
 
@@ -140,7 +139,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
             deny: args.deny.clone(),
         },
     };
-    let results: Vec<_> = files.files.par_iter().map(|p| checker.check(p)).collect();
+    let results = parallel::map(files.files.len(), |i| checker.check(&files.files[i]));
 
     let mut failed = files.failed;
     let mut all = Vec::new();

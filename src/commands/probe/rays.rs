@@ -4,14 +4,13 @@ use std::io::{self, BufRead, BufReader, Read, Write};
 
 use std::path::Path;
 
-use rayon::prelude::*;
-
 use super::answer::{self, RayAnswer};
 use crate::commands::Status;
 use crate::commands::numbers::Writable;
 use crate::commands::terminal::{LookChoice, complain, unprintable};
 use crate::diagnostics::Complaint;
 use crate::geometry::vec::Vec3;
+use crate::parallel;
 use crate::syntax::quote;
 use crate::trace::{Ray, Tracer};
 
@@ -205,31 +204,30 @@ impl Lines<'_> {
 
 /// The answers to a batch, and the lines that have none.
 fn trace<R: Writable>(tracer: &Tracer, batch: &[Asked]) -> (Vec<u8>, Vec<BadRay>) {
-    let shares: Vec<(Vec<u8>, Vec<BadRay>)> = batch
-        .par_chunks(SHARE)
-        .map_init(
-            || tracer.walker::<R>(),
-            |walkers, asked| {
-                let (mut text, mut bad) = (Vec::new(), Vec::new());
-                for (line, ray) in asked {
-                    let answer = ray
-                        .as_ref()
-                        .map_err(Complaint::clone)
-                        .and_then(|ray| RayAnswer::new(tracer, walkers, ray));
-                    let answered = answer.and_then(|answer| {
-                        answer::write(&mut text, &answer).map_err(Complaint::quoted)
+    let asked: Vec<&[Asked]> = batch.chunks(SHARE).collect();
+    let shares = parallel::map_with(
+        asked.len(),
+        || tracer.walker::<R>(),
+        |walkers, i| {
+            let (mut text, mut bad) = (Vec::new(), Vec::new());
+            for (line, ray) in asked[i] {
+                let answer = ray
+                    .as_ref()
+                    .map_err(Complaint::clone)
+                    .and_then(|ray| RayAnswer::new(tracer, walkers, ray));
+                let answered = answer.and_then(|answer| {
+                    answer::write(&mut text, &answer).map_err(Complaint::quoted)
+                });
+                if let Err(reason) = answered {
+                    bad.push(BadRay {
+                        line: *line,
+                        reason,
                     });
-                    if let Err(reason) = answered {
-                        bad.push(BadRay {
-                            line: *line,
-                            reason,
-                        });
-                    }
                 }
-                (text, bad)
-            },
-        )
-        .collect();
+            }
+            (text, bad)
+        },
+    );
     let (mut all, mut bad) = (Vec::new(), Vec::new());
     for (text, unanswered) in shares {
         all.extend(text);

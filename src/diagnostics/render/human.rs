@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use ariadne::{Cache, CharSet, Color, Config, Fmt, IndexType, Label, Report, ReportKind, Source};
-use rayon::prelude::*;
 
 use super::excerpt::{self, Excerpt};
 use super::visible;
@@ -13,6 +12,7 @@ use crate::diagnostics::wording::Wording;
 use crate::diagnostics::{
     Applicability, Diagnostic, Fix, Language, Severity, SourceFile, Span, Value,
 };
+use crate::parallel;
 
 /// A second place so many lines away gets a section of its own: ariadne walks through all the lines
 /// of a section.
@@ -70,9 +70,9 @@ pub fn write(
         .collect();
     // Errors are as many as there are: side by side, and not all of their texts at once.
     for some in shown.chunks(16 * TOGETHER) {
-        let texts = some.par_chunks(TOGETHER).map(|part| printer.texts(part));
-        for text in texts.collect::<io::Result<Vec<_>>>()? {
-            out.write_all(&text)?;
+        let parts: Vec<_> = some.chunks(TOGETHER).collect();
+        for text in parallel::map(parts.len(), |i| printer.texts(parts[i])) {
+            out.write_all(&text?)?;
         }
     }
     for (code, fold) in &folds {

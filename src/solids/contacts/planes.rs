@@ -1,13 +1,12 @@
 //! Which faces may lie in one another: faces filed by their planes, and there by their outlines.
 
-use rayon::prelude::*;
-
 use super::face::{Face, Form, QUADRIC};
 use super::sample::SLIVER;
 use super::search::{NEAR, ROUNDING};
 use crate::geometry::Aabb;
 use crate::geometry::array::dot;
 use crate::geometry::boxes::Boxes;
+use crate::parallel;
 use crate::scene::Vec3;
 use crate::solids::tree::Tree;
 
@@ -20,9 +19,6 @@ const PAIRS: usize = 500_000;
 
 /// What it costs to find the operation that joins two shapes, in steps.
 const JOIN_COST: usize = 8;
-
-/// Fewer faces than this are not worth to be shared among threads.
-const MANY: usize = 2048;
 
 /// Fewer faces than this in one plane are looked at one by one.
 const FEW: usize = 16;
@@ -231,7 +227,7 @@ impl<'a> Planes<'a> {
                 (self.steps, self.pairs) = (0, 0);
             }
         }
-        out.par_sort_unstable();
+        out.sort_unstable();
         out
     }
 
@@ -242,8 +238,8 @@ impl<'a> Planes<'a> {
 
     /// The faces in the order of their planes.
     fn entries(&self, faces: &[Face]) -> Vec<Entry> {
-        let numbered = faces.par_iter().enumerate().with_min_len(MANY);
-        let filed = numbered.map(|(i, face)| {
+        let mut filed = parallel::map(faces.len(), |i| {
+            let face = &faces[i];
             let turned = self.turned(face);
             let (cell, at, magnitude) = key(&face.form, turned);
             Filed {
@@ -254,10 +250,10 @@ impl<'a> Planes<'a> {
                 magnitude,
             }
         });
-        let mut filed: Vec<Filed> = filed.filter(|f| f.at.is_finite()).collect();
-        filed.par_sort_unstable_by_key(Filed::order);
+        filed.retain(|f| f.at.is_finite());
+        filed.sort_unstable_by_key(Filed::order);
         let filed = self.opposed(filed);
-        let entry = |filed: Filed| {
+        let entry = |filed: &Filed| {
             let face = &faces[filed.face as usize];
             let size = self.tree.leaves[face.leaf as usize].size;
             let normal = match &face.form {
@@ -282,8 +278,7 @@ impl<'a> Planes<'a> {
                 bounds: outline(self.tree, face),
             }
         };
-        let filed = filed.into_par_iter().with_min_len(MANY);
-        filed.map(entry).collect()
+        parallel::map(filed.len(), |i| entry(&filed[i]))
     }
 
     /// Of sorted faces the round ones, and those flat ones that may have a flat one against them: in

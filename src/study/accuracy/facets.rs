@@ -3,8 +3,8 @@
 use super::rungs::{Axis, Rung, Settings, variant};
 use super::stage::Stage;
 use crate::diagnostics::{Error, Span};
-use crate::scene::bounds::node_bounds;
 use crate::scene::{Geometry, Node, Paint, Scene, Shape, Texture, TriangleNormals};
+use crate::solids::bounds::node_bounds;
 use crate::syntax::table::{RECORD_TYPES, RecordKind, ShapeKind};
 use crate::trace::plan::Effect;
 use crate::translate::mesh::{self, Options, Skin};

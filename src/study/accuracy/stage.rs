@@ -3,6 +3,7 @@
 use super::rungs::{Kernel, Roots, Settings};
 use super::tiles::Tile;
 use crate::diagnostics::Error;
+use crate::parallel;
 use crate::scene::{Camera, Rgb, Scene};
 use crate::study::plain::Plain;
 use crate::study::plain::solver;
@@ -11,7 +12,6 @@ use crate::trace::plan::Plan;
 use crate::trace::stats::Counts;
 use crate::trace::{self, Images, Numbers, Tracer};
 use cpu_time::ThreadTime;
-use rayon::prelude::*;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -134,18 +134,18 @@ impl<'i> Stage<'i> {
     /// As [`Tracer::render`].
     pub fn draw(&mut self, settings: &Settings, tiles: &[Tile]) -> Result<Drawn, Error> {
         let ready = self.prepare(settings)?;
-        let parts = (tiles.par_chunks(4))
-            .map(|tiles| {
-                ready.pixels(|pixels| {
-                    let mut drawn = Drawn::default();
-                    tiles
-                        .iter()
-                        .for_each(|t| ready.tile(pixels, *t, &mut drawn));
-                    drawn.counts = pixels.counts();
-                    drawn
-                })
+        let chunks: Vec<&[Tile]> = tiles.chunks(4).collect();
+        let parts = parallel::map_each(chunks, |tiles| {
+            ready.pixels(|pixels| {
+                let mut drawn = Drawn::default();
+                tiles
+                    .iter()
+                    .for_each(|t| ready.tile(pixels, *t, &mut drawn));
+                drawn.counts = pixels.counts();
+                drawn
             })
-            .collect::<Result<Vec<Drawn>, Error>>()?;
+        });
+        let parts = parts.into_iter().collect::<Result<Vec<Drawn>, Error>>()?;
         let mut all = Drawn::default();
         for part in parts {
             all.colours.extend(part.colours);
@@ -202,14 +202,13 @@ impl<'i> Stage<'i> {
         samples: std::ops::Range<u32>,
     ) -> Result<Vec<Rgb>, Error> {
         let ready = self.prepare(settings)?;
-        let parts = (tiles.par_iter())
-            .map(|tile| {
-                ready.pixels(|pixels| {
-                    let sum = |[x, y]: [u32; 2]| pixels.sum(x, y, samples.clone(), u32::MAX);
-                    tile.pixels().map(sum).collect::<Vec<_>>()
-                })
+        let parts = parallel::map_each(tiles.to_vec(), |tile| {
+            ready.pixels(|pixels| {
+                let sum = |[x, y]: [u32; 2]| pixels.sum(x, y, samples.clone(), u32::MAX);
+                tile.pixels().map(sum).collect::<Vec<_>>()
             })
-            .collect::<Result<Vec<_>, Error>>()?;
+        });
+        let parts = parts.into_iter().collect::<Result<Vec<_>, Error>>()?;
         Ok(parts.concat())
     }
 
@@ -224,14 +223,14 @@ impl<'i> Stage<'i> {
         tiles: &[Tile],
     ) -> Result<Vec<Option<Seen>>, Error> {
         let ready = self.prepare(settings)?;
-        let parts = (tiles.par_chunks(4))
-            .map(|tiles| {
-                ready.pixels(|pixels| {
-                    let all = tiles.iter().flat_map(|t| t.pixels());
-                    all.map(|[x, y]| pixels.seen(x, y)).collect::<Vec<_>>()
-                })
+        let chunks: Vec<&[Tile]> = tiles.chunks(4).collect();
+        let parts = parallel::map_each(chunks, |tiles| {
+            ready.pixels(|pixels| {
+                let all = tiles.iter().flat_map(|t| t.pixels());
+                all.map(|[x, y]| pixels.seen(x, y)).collect::<Vec<_>>()
             })
-            .collect::<Result<Vec<_>, Error>>()?;
+        });
+        let parts = parts.into_iter().collect::<Result<Vec<_>, Error>>()?;
         Ok(parts.concat())
     }
 

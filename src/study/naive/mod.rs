@@ -17,11 +17,11 @@ pub mod trail;
 pub use number::{Number, Wide};
 pub use solid::Unfit;
 
+use crate::parallel;
 use crate::scene::{Camera, Rgb, Scene, Texture};
 use crate::trace::film::developed;
 use crate::trace::{Film, Images};
 use light::{Lens, RayCounts, Scenery, radiance};
-use rayon::prelude::*;
 use solid::Solids;
 
 /// A scene made ready, with its camera.
@@ -125,25 +125,25 @@ impl<'s, T: Number> Naive<'s, T> {
     /// What is too much for it.
     pub fn pixels(&self, pixels: &[[u32; 2]]) -> Result<Checked, Unfit> {
         let chunk = pixels.len().div_ceil(rayon::current_num_threads()).max(1);
-        let parts = (pixels.par_chunks(chunk))
-            .map(|pixels| {
-                let (scenery, mut solids) = self.ready()?;
-                let mut rays = RayCounts::default();
-                let colours = (pixels.iter())
-                    .map(|&[x, y]| {
-                        let ray = self.lens.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
-                        radiance(&scenery, &mut solids, ray, false, &mut rays)
-                    })
-                    .collect();
-                match solids.is_exhausted() {
-                    true => Err(Unfit::TooManyParts),
-                    false => Ok(Checked {
-                        colours,
-                        rays: rays.iter().sum(),
-                    }),
-                }
-            })
-            .collect::<Result<Vec<Checked>, Unfit>>()?;
+        let chunks: Vec<&[[u32; 2]]> = pixels.chunks(chunk).collect();
+        let parts = parallel::map_each(chunks, |pixels| {
+            let (scenery, mut solids) = self.ready()?;
+            let mut rays = RayCounts::default();
+            let colours = (pixels.iter())
+                .map(|&[x, y]| {
+                    let ray = self.lens.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
+                    radiance(&scenery, &mut solids, ray, false, &mut rays)
+                })
+                .collect();
+            match solids.is_exhausted() {
+                true => Err(Unfit::TooManyParts),
+                false => Ok(Checked {
+                    colours,
+                    rays: rays.iter().sum(),
+                }),
+            }
+        });
+        let parts = parts.into_iter().collect::<Result<Vec<Checked>, Unfit>>()?;
         let mut all = Checked::default();
         for part in parts {
             all.colours.extend(part.colours);

@@ -6,8 +6,8 @@ use super::light::{World, back};
 use super::number::{Number, Ray, V};
 use super::trail::{Event, Leaf, List, Look, Media, Operation, Trail};
 use crate::geometry::Matrix;
-use crate::scene::bounds::shape_bounds;
 use crate::scene::{DEFAULT_INDEX, Geometry, Node, NodeId, Scene, Texture};
+use crate::solids::shapes::facts::Facts as _;
 use rustc_hash::FxHashMap;
 
 enum Solid<T> {
@@ -391,7 +391,7 @@ impl<'s, T: Number> Build<'s, T> {
         let limits = match (negated, geometry) {
             (true, _) | (_, Geometry::Plane(_)) => Bounds::ALL,
             _ => {
-                let b = shape_bounds(geometry, &Matrix::scaling(1.0, 1.0, 1.0));
+                let b = geometry.bounds(&Matrix::IDENTITY);
                 Bounds(b.min, b.max)
             }
         };

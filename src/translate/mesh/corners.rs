@@ -1,11 +1,10 @@
 //! Corners of triangles as files have them: with the true surface's normal, and with surface
 //! coordinates where there is a picture on them.
 
-use rayon::prelude::*;
-
 use super::skin::Skin;
 use super::soup::Mesh;
 use crate::geometry::array::{cross, length, sub};
+use crate::parallel;
 use crate::scene::Vec3;
 use crate::trace::graph::Graph;
 
@@ -66,5 +65,5 @@ pub fn corners(
             }
         })
     };
-    (0..mesh.triangles.len()).into_par_iter().map(of).collect()
+    parallel::map(mesh.triangles.len(), of)
 }

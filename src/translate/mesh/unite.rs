@@ -3,14 +3,13 @@
 
 use std::ops::ControlFlow;
 
-use rayon::prelude::*;
-
 use super::budget::{Budget, Crowd};
 use super::crowds::{Crowds, tree};
 use super::csg::{Operation, combine};
 use super::shape::DROPPED;
 use super::soup::Mesh;
 use crate::geometry::Aabb;
+use crate::parallel;
 
 /// Closed meshes that lie apart from each other, with their bounds.
 #[derive(Debug, Default)]
@@ -99,12 +98,10 @@ fn round(group: Vec<Member>) -> (Vec<Member>, u64) {
     while let Some(a) = rest.next() {
         pairs.push((a, rest.next()));
     }
-    let made: Vec<(Member, bool)> = (pairs.into_par_iter())
-        .map(|(a, b)| match b {
-            Some(b) => a.with(b),
-            None => (a, true),
-        })
-        .collect();
+    let made = parallel::map_each(pairs, |(a, b)| match b {
+        Some(b) => a.with(b),
+        None => (a, true),
+    });
     let failures = made.iter().filter(|(_, joined)| !joined).count() as u64;
     (made.into_iter().map(|(m, _)| m).collect(), failures)
 }
@@ -128,10 +125,7 @@ fn trial(group: &[Member]) -> Vec<f64> {
     let mut before: usize = triangles(&blocks);
     (0..BLOCK.ilog2())
         .map(|_| {
-            blocks = std::mem::take(&mut blocks)
-                .into_par_iter()
-                .map(|block| round(block).0)
-                .collect();
+            blocks = parallel::map_each(std::mem::take(&mut blocks), |block| round(block).0);
             let after: usize = triangles(&blocks);
             let left = after as f64 / before.max(1) as f64;
             before = after;

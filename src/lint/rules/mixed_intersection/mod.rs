@@ -1,14 +1,15 @@
 //! W308: an intersection whose surface is made of pieces with different properties.
 
-use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::lint::parts::parts;
 use crate::lint::properties::{ASPECTS, Properties, sets};
-use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Geometry, Node, NodeId, Scene, Texture};
+use crate::parallel;
+use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Node, NodeId, Scene, Texture};
 use crate::solids::proofs::{Proofs, Reason};
+use crate::solids::shapes::facts::Facts;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -80,8 +81,7 @@ fn looks(scene: &Scene) -> Vec<[Source; ASPECTS]> {
         let of = |n: NodeId| looks[n as usize];
         looks.push(match *node {
             Node::Shape(s) => {
-                let coloured = matches!(&scene.shapes[s as usize].geometry,
-                    Geometry::Revolution { colours, .. } if !colours.is_empty());
+                let coloured = scene.shapes[s as usize].geometry.character().has_colours;
                 let texture = match coloured {
                     true => Source::Profile(s),
                     false => Source::Default,
@@ -204,5 +204,6 @@ fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagno
         }
         Some(d)
     };
-    out.par_extend(mixed.par_iter().filter_map(finding));
+    let findings = parallel::map(mixed.len(), |i| finding(&mixed[i]));
+    out.extend(findings.into_iter().flatten());
 }

@@ -11,12 +11,11 @@ mod search;
 mod split;
 mod unions;
 
-use rayon::prelude::*;
-
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::properties::Properties;
 use crate::lint::roots;
 use crate::lint::{Context, live_nodes};
+use crate::parallel;
 use crate::scene::record::Params;
 use crate::scene::{Node, OperationRecord, Optics};
 use crate::solids::operation_of;
@@ -47,17 +46,18 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let pieces = found.iter().map(|f| splitter.pieces(f.union));
     let pieces: Vec<Option<Pieces>> = pieces.collect();
     let properties = Properties::new(context);
-    let said = found.par_iter().zip(pieces).filter_map(|(found, pieces)| {
+    let said = parallel::map(found.len(), |i| {
+        let found = &found[i];
         let record = operation_of(scene, found.union)?;
         let p = context.params(record.span)?;
         let d = finding(&unions, &p, record, found);
-        let fix = pieces.and_then(|pieces| pieces.fix(context, &properties, &p));
+        let fix = (pieces[i].as_ref()).and_then(|pieces| pieces.fix(context, &properties, &p));
         Some(match fix {
             Some(fix) => d.fix(fix),
             None => d,
         })
     });
-    out.par_extend(said);
+    out.extend(said.into_iter().flatten());
 }
 
 fn finding(unions: &Unions, p: &Params, record: &OperationRecord, found: &Found) -> Diagnostic {

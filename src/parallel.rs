@@ -1,0 +1,107 @@
+//! Work that all threads share.
+//!
+//! The iterators of rayon are made anew for each use, about 10 kB of code each time. These functions ask it for one
+//! thing alone: to run a function on each thread.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+/// The results of `work` for each of `0..count`, in order.
+pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    map_with(count, || (), |(), i| work(i))
+}
+
+/// [`map`], with a state that `work` may change. Each thread that takes part makes one.
+pub fn map_with<S, T: Send>(
+    count: usize,
+    state: impl Fn() -> S + Sync,
+    work: impl Fn(&mut S, usize) -> T + Sync,
+) -> Vec<T> {
+    let threads = rayon::current_num_threads().min(count);
+    if threads <= 1 {
+        let mut state = state();
+        return (0..count).map(|i| work(&mut state, i)).collect();
+    }
+    // Whoever is free takes the next share: few enough that taking one costs nothing, many enough that
+    // nobody waits long for the last one.
+    let size = (count / (512 * threads)).max(1);
+    let shares: Vec<Mutex<Vec<T>>> = (0..count.div_ceil(size))
+        .map(|_| Mutex::default())
+        .collect();
+    let next = AtomicUsize::new(0);
+    on_each_thread(threads, &|| {
+        let mut state = state();
+        loop {
+            let share = next.fetch_add(1, Ordering::Relaxed);
+            let Some(slot) = shares.get(share) else {
+                return;
+            };
+            let range = share * size..count.min((share + 1) * size);
+            let done = range.map(|i| work(&mut state, i)).collect();
+            *slot.lock().unwrap_or_else(|e| e.into_inner()) = done;
+        }
+    });
+    let mut all = Vec::with_capacity(count);
+    for share in shares {
+        all.append(&mut share.into_inner().unwrap_or_else(|e| e.into_inner()));
+    }
+    all
+}
+
+/// What `work` makes of each of the items, in order.
+pub fn map_each<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync) -> Vec<T> {
+    let items: Vec<Mutex<Option<I>>> = items.into_iter().map(|i| Mutex::new(Some(i))).collect();
+    let take = |i: usize| items[i].lock().ok().and_then(|mut item| item.take());
+    // Each is taken once.
+    let made = map(items.len(), |i| take(i).map(&work));
+    made.into_iter().flatten().collect()
+}
+
+/// Runs `work` that many times, side by side where there are threads for it.
+fn on_each_thread(threads: usize, work: &(dyn Fn() + Sync)) {
+    let each = (0..threads).into_par_iter().with_max_len(1);
+    each.for_each(|_| work());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_are_in_order() {
+        for count in [0, 1, 2, 3, 1000, 5000, 100_001] {
+            let squares = map(count, |i| i * i);
+            assert!(squares.into_iter().eq((0..count).map(|i| i * i)));
+        }
+    }
+
+    #[test]
+    fn a_state_belongs_to_one_thread() {
+        let states = AtomicUsize::new(0);
+        let new = || states.fetch_add(1, Ordering::Relaxed);
+        let calls = map_with(
+            10_000,
+            || (new(), 0),
+            |state, _| {
+                state.1 += 1;
+                *state
+            },
+        );
+        // Each state counts its calls without a gap.
+        for state in 0..states.into_inner() {
+            let of = calls.iter().filter(|(s, _)| *s == state);
+            assert!(
+                of.map(|(_, n)| *n)
+                    .eq(1..=calls.iter().filter(|(s, _)| *s == state).count())
+            );
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "the seventh")]
+    fn a_panic_reaches_the_caller() {
+        map(100, |i| assert_ne!(i, 7, "the seventh"));
+    }
+}
