@@ -9,6 +9,7 @@ mod trace_support;
 
 pub use campaign::rng;
 
+mod accuracy;
 mod architecture;
 mod check;
 mod cli;

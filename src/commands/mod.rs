@@ -6,6 +6,7 @@
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
 //! is wrong with arguments.
 
+pub mod accuracy;
 pub mod check;
 pub mod completions;
 pub mod convert;

@@ -153,6 +153,7 @@ impl Language {
                 &[
                     include_str!("messages/en.ftl"),
                     include_str!("messages/complaints.en.ftl"),
+                    include_str!("../study/accuracy/en.ftl"),
                 ],
             ),
             Language::Czech => (
@@ -160,6 +161,7 @@ impl Language {
                 &[
                     include_str!("messages/cs.ftl"),
                     include_str!("messages/complaints.cs.ftl"),
+                    include_str!("../study/accuracy/cs.ftl"),
                     include_str!("messages/terms.cs.ftl"),
                 ],
             ),

@@ -196,6 +196,9 @@ expected-difference = očekává se číslo větší než 0, nejvýše 255
 expected-tolerance = očekává se číslo větší než 0, nejvýše 1
 expected-cutoff = očekává se číslo od 0 do 1
 expected-samples = očekává se celé číslo od 1 do 1048576
+expected-time = očekává se čas jako 90s, 2m nebo 1h, nejvýše den
+expected-runs = očekává se počet běhů od 1 do 100
+expected-goal = očekává se počet kroků nad 0, nejvýše 255
 
 ## Editory
 

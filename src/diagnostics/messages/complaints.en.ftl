@@ -191,6 +191,9 @@ expected-difference = expected a number above 0, up to 255
 expected-tolerance = expected a number above 0, up to 1
 expected-cutoff = expected a number from 0 to 1
 expected-samples = expected a whole number from 1 to 1048576
+expected-time = expected a time such as 90s, 2m or 1h, up to a day
+expected-runs = expected a number of runs from 1 to 100
+expected-goal = expected a number of steps above 0, up to 255
 
 ## Editors
 
