@@ -194,7 +194,7 @@ fn sources() -> Vec<&'static str> {
                 walk(&path, out);
             } else if path.extension().is_some_and(|e| e == "rs") {
                 let text = std::fs::read_to_string(&path).unwrap();
-                let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+                let code = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
                 out.push(code.to_owned().leak());
             }
         }
