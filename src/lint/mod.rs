@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
-use crate::diagnostics::{Diagnostic, Span};
+use crate::diagnostics::{Code, Diagnostic, Span};
 use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId, Scene};
@@ -96,21 +96,38 @@ pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
     tops.map(|i| i as NodeId).collect()
 }
 
-/// Runs all rules, side by side; the findings are added to those of the parser and the resolver, and
-/// what comments allow is taken out.
-pub fn run(context: &Context, out: &mut Vec<Diagnostic>) {
+/// Runs the rules that are asked for, side by side; the findings are added to those of the parser and the
+/// resolver, and what comments allow is taken out. A rule that asks for records that the scene does not have does
+/// not run.
+pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec<Diagnostic>) {
+    let contents = &context.document.contents;
+    // What a comment allows must be looked for, if only to know that it is there.
+    let all = allow::any(context);
+    let has = |rule: &&rules::Rule| {
+        (all || asked(rule.code)) && rule.asks_for.iter().all(|kinds| contents.has(kinds))
+    };
+    let rules: Vec<&rules::Rule> = rules::RULES.iter().filter(has).collect();
     let found = |(i, rule): (usize, &rules::Rule)| {
         let mut found = Vec::new();
-        rule(context, &mut found);
+        (rule.check)(context, &mut found);
         (i, found)
     };
-    // Whoever is free takes the next one.
-    let rules = rules::RULES.iter().enumerate().par_bridge();
-    let mut all: Vec<(usize, Vec<Diagnostic>)> = rules.map(found).collect();
-    all.sort_unstable_by_key(|(i, _)| *i);
-    out.extend(all.into_iter().flat_map(|(_, found)| found));
+    if context.document.items.len() < FEW {
+        // To share them out would take longer.
+        let all = rules.into_iter().enumerate().map(found);
+        out.extend(all.flat_map(|(_, found)| found));
+    } else {
+        // Whoever is free takes the next one.
+        let rules = rules.into_iter().enumerate().par_bridge();
+        let mut all: Vec<(usize, Vec<Diagnostic>)> = rules.map(found).collect();
+        all.sort_unstable_by_key(|(i, _)| *i);
+        out.extend(all.into_iter().flat_map(|(_, found)| found));
+    }
     allow::apply(context, out);
 }
+
+/// Scenes of fewer records are looked at by one thread.
+const FEW: usize = 64;
 
 #[cfg(test)]
 pub(crate) mod testing;

@@ -150,7 +150,7 @@ fn place(p: &Params, geometry: &Geometry, part: Part) -> (Span, &'static str, &'
         (_, Part::Cap(i)) => (p.span_of(1 + 2 * i, 2), "disc", ""),
         (_, Part::Piece(i)) => (p.span_of(1 + 2 * i, 4), "piece", ""),
         // Some types have no parameters.
-        (_, Part::All) if p.len() == 0 => (p.span, "all", ""),
+        (_, Part::All) if p.len() == 0 => (p.span(), "all", ""),
         (_, Part::All) => (p.span_of(0, p.len()), "all", ""),
     }
 }

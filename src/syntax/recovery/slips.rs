@@ -1,8 +1,9 @@
 //! Lines that would be records of their own but for a slip, and tables whose rows are none. Where the
 //! same mistake stands on many lines, no line is right, and these are the witnesses.
 
-use super::faults::{Verdict, expected_end, has_lost_id, is_counted, judge, lost_sign};
-use super::stream::Stream;
+use super::faults::{expected_end, has_lost_id, is_counted, judge, lost_sign};
+use super::stretch::Stretch;
+use super::verdict::Verdict;
 
 /// Whether a line would be a record of its own but for a slip: a number more or less, one that is
 /// malformed, a word for the type, a lost ID or sign.
@@ -15,7 +16,7 @@ pub enum Slip {
 }
 
 /// What a line looks like by itself; a line that may be a row of a table must have a type that no row has.
-pub fn slip(stream: &Stream, line: usize, in_table: bool) -> Slip {
+pub fn slip(stream: &Stretch, line: usize, in_table: bool) -> Slip {
     let (start, end) = (stream.line_start(line), stream.line_end(line));
     let code = stream.sigs[start + 1..end]
         .first()
@@ -71,7 +72,7 @@ const SLIP_MAX: usize = 2;
 
 /// One past the last line of the table that the record at the head of a line claims to have; the
 /// line itself where it claims none, or most of it stands on the line.
-pub fn rows_expected(stream: &Stream, line: usize) -> usize {
+pub fn rows_expected(stream: &Stretch, line: usize) -> usize {
     let (start, end) = (stream.line_start(line), stream.line_end(line));
     if stream.sigs[start].int.is_none_or(|id| id <= 0) {
         return line;

@@ -6,8 +6,6 @@
 //! text that cannot be code, records that would be hidden, and comments that are given up at their
 //! line's end all have a price.
 
-use super::lexer::{Token, TokenKind};
-
 /// The price of giving a comment up at the end of its line: an error.
 const UNCLOSED: u32 = 110;
 /// The price of a line with words where code should be: an error too, and the likelier one.
@@ -24,21 +22,6 @@ const INSIDE_OUT: u32 = 2 * UNCLOSED + 5;
 /// States: 0 is code, 1 + h a comment that has hidden h records so far.
 const STATES: usize = 2 + HIDDEN_MAX;
 const NEVER: u32 = u32::MAX / 2;
-
-/// Whether the plain pairing of a text looks wrong enough to search for a better one.
-pub fn in_trouble(tokens: &[Token], text: &str) -> bool {
-    let mut bad_word = false;
-    let mut spans_lines = false;
-    for t in tokens {
-        match t.kind {
-            TokenKind::UnterminatedComment => return true,
-            TokenKind::Comment => spans_lines |= t.text(text).contains(['\n', '\r']),
-            TokenKind::Word | TokenKind::Invalid => bad_word = true,
-            _ => {}
-        }
-    }
-    bad_word && spans_lines
-}
 
 /// How a line was read, to walk back along the cheapest way.
 #[derive(Clone, Copy, Default)]

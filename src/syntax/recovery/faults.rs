@@ -1,71 +1,25 @@
 //! What is wrong with a stretch of tokens that is no record, and how to say it.
 
-use super::ast::{Broken, Item};
-use super::layout::{FAULT, Piece};
-use super::lexer::TokenKind;
-use super::reader::{self, Reading, fits};
-use super::stream::Stream;
-use super::table::{Constraint, Param, ParamKind, RecordType};
-use super::witness::{LONG, record_type};
-
-/// What a piece of the text is.
-#[derive(Debug, Clone, Copy)]
-pub enum Verdict {
-    Void,
-    Whole(Reading),
-    /// A record with the right number of parameters, some of them reported by themselves; tokens
-    /// that can be no parameter are passed over.
-    Damaged {
-        ty: &'static RecordType,
-    },
-    /// A line that is a record but for integers that are spelled as reals, `2.0 9.0 1`.
-    Reals {
-        ty: &'static RecordType,
-    },
-    /// Too few or too many parameters.
-    Count {
-        ty: &'static RecordType,
-        got: usize,
-        expected: usize,
-    },
-    /// The count of a counted type is missing or cannot be used.
-    BadCount {
-        ty: &'static RecordType,
-    },
-    /// There is no such type.
-    UnknownType,
-    /// The token in the type's place is no integer.
-    BadType,
-    /// Nothing behind the ID.
-    MissingType,
-    /// A complete record but for the ID in front.
-    LostId {
-        ty: &'static RecordType,
-    },
-    /// The render record with ID and type in each other's place.
-    Swapped,
-    /// The token in the ID's place cannot be one; the rest may be right.
-    BadId {
-        ty: Option<&'static RecordType>,
-    },
-    /// The record was cut off by a comment that nobody closed, which is error enough.
-    CutOff {
-        ty: Option<&'static RecordType>,
-    },
-}
+use super::super::ast::{self, Broken, Item, Record};
+use super::super::lexer::TokenKind;
+use super::super::signature::{allows, fits};
+use super::super::table::{ParamKind, RecordType};
+use super::stretch::{LONG, Stretch};
+use super::verdict::{FAULT, Piece, Verdict};
 
 /// The type that a token stands for, also where it is spelled as a real (`9.0`) or with a sign or
 /// letter glued to it (`11?`).
-fn type_at(stream: &Stream, i: usize) -> Option<&'static RecordType> {
-    record_type(stream, i)
+fn type_at(stream: &Stretch, i: usize) -> Option<&'static RecordType> {
+    stream
+        .record_type(i)
         .or_else(|| RecordType::by_code(integral(stream, i).or_else(|| spoiled(stream, i))?))
 }
 
 /// The integer in a token with one sign or letter glued to it. An `e` is half an exponent.
-fn spoiled(stream: &Stream, i: usize) -> Option<i64> {
+fn spoiled(stream: &Stretch, i: usize) -> Option<i64> {
     let word = |k| matches!(k, TokenKind::MalformedNumber | TokenKind::Word);
     stream.sigs.get(i).filter(|s| word(s.kind))?;
-    let text = stream.token(i).text(stream.text);
+    let text = stream.token(i).text(stream.text());
     let glue = |c: char| !c.is_ascii_digit() && !"+-.eE".contains(c);
     text.strip_prefix(glue)
         .or_else(|| text.strip_suffix(glue))?
@@ -74,21 +28,21 @@ fn spoiled(stream: &Stream, i: usize) -> Option<i64> {
 }
 
 /// The type that follows a sign or word that stands in its place.
-fn type_behind_stray(stream: &Stream, i: usize) -> Option<&'static RecordType> {
+fn type_behind_stray(stream: &Stretch, i: usize) -> Option<&'static RecordType> {
     let stray = |k| matches!(k, TokenKind::Word | TokenKind::Invalid);
     stream.sigs.get(i).filter(|s| stray(s.kind))?;
     type_at(stream, i + 1)
 }
 
 /// The value of a token that is a real with a whole value.
-fn integral(stream: &Stream, i: usize) -> Option<i64> {
-    let s = stream.sigs.get(i).filter(|s| s.kind == TokenKind::Real)?;
-    let x = stream.tokens[s.token as usize].number(stream.text)?;
+fn integral(stream: &Stretch, i: usize) -> Option<i64> {
+    stream.sigs.get(i).filter(|s| s.kind == TokenKind::Real)?;
+    let x = stream.value(i);
     (x.fract() == 0.0 && x.abs() < 1e9).then_some(x as i64)
 }
 
 /// The count parameter of the counted record at `i`: `Err` where it cannot be used.
-fn count(stream: &Stream, i: usize) -> Result<u64, ()> {
+fn count(stream: &Stretch, i: usize) -> Result<u64, ()> {
     let s = stream.sigs.get(i).ok_or(())?;
     let n = s.int.map(i64::from).or_else(|| integral(stream, i));
     u64::try_from(n.ok_or(())?)
@@ -98,12 +52,12 @@ fn count(stream: &Stream, i: usize) -> Result<u64, ()> {
 }
 
 /// Whether the record at `i` is of a type whose length depends on a count.
-pub fn is_counted(stream: &Stream, i: usize) -> bool {
+pub fn is_counted(stream: &Stretch, i: usize) -> bool {
     type_at(stream, i + 1).is_some_and(RecordType::is_counted)
 }
 
 /// Where a record should end whose parameters begin at `first`: `None` where nobody can tell.
-fn end_of(stream: &Stream, first: usize, ty: &RecordType) -> Option<u64> {
+fn end_of(stream: &Stretch, first: usize, ty: &RecordType) -> Option<u64> {
     let n = match ty.is_counted() {
         true => count(stream, first).ok()?,
         false => 0,
@@ -112,14 +66,14 @@ fn end_of(stream: &Stream, first: usize, ty: &RecordType) -> Option<u64> {
 }
 
 /// Where the record that begins at `i` with an ID should end, perhaps behind the end of the text.
-pub fn expected_end(stream: &Stream, i: usize) -> Option<usize> {
+pub fn expected_end(stream: &Stretch, i: usize) -> Option<usize> {
     let end = end_of(stream, i + 2, type_at(stream, i + 1)?)?;
     Some(usize::try_from(end).unwrap_or(usize::MAX))
 }
 
 /// Where the record that begins at `i` should end, by all ways to understand its head; never
 /// behind the end of the text.
-pub fn expected_ends(stream: &Stream, i: usize) -> Vec<usize> {
+pub fn expected_ends(stream: &Stretch, i: usize) -> Vec<usize> {
     let mut out = Vec::new();
     let mut add = |first: usize, ty: Option<&'static RecordType>| {
         let end = ty.and_then(|ty| end_of(stream, first, ty));
@@ -151,7 +105,7 @@ pub fn expected_ends(stream: &Stream, i: usize) -> Vec<usize> {
 
 /// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
 pub fn judge(
-    stream: &Stream,
+    stream: &Stretch,
     start: usize,
     end: usize,
     is_id: impl Fn(i32) -> bool,
@@ -162,7 +116,7 @@ pub fn judge(
 }
 
 fn likeliest(
-    stream: &Stream,
+    stream: &Stretch,
     start: usize,
     end: usize,
     is_id: impl Fn(i32) -> bool,
@@ -242,7 +196,7 @@ fn likeliest(
 const IN_ORDER: u32 = 40;
 
 /// Whether a line begins with the next number after that which the line before begins with.
-fn follows(stream: &Stream, start: usize) -> bool {
+fn follows(stream: &Stretch, start: usize) -> bool {
     let line = stream.line(start);
     let first = |line: usize| stream.sigs[stream.line_start(line)].int.map(i64::from);
     line > 0
@@ -258,7 +212,7 @@ pub const LEAST: u32 = REALS;
 
 /// The price of the bad tokens among `from..to`: the same in every reading, lest one that swallows them
 /// is the cheaper for it.
-fn bad_price(stream: &Stream, from: usize, to: usize) -> u32 {
+fn bad_price(stream: &Stretch, from: usize, to: usize) -> u32 {
     FAULT * stream.bad(from, to).min(BAD_MAX)
 }
 
@@ -266,7 +220,7 @@ fn bad_price(stream: &Stream, from: usize, to: usize) -> u32 {
 const BAD_MAX: u32 = 1_000_000;
 
 /// The type of the record that a whole line is, if all that is wrong are integers spelled as reals.
-fn all_but_reals(stream: &Stream, start: usize, end: usize) -> Option<&'static RecordType> {
+fn all_but_reals(stream: &Stretch, start: usize, end: usize) -> Option<&'static RecordType> {
     let whole = |i: usize| integral(stream, i).is_some();
     let line = start + 1 < end && stream.starts_line(start) && stream.ends_line(end);
     if !line || stream.line(start) != stream.line(end - 1) {
@@ -303,12 +257,12 @@ fn all_but_reals(stream: &Stream, start: usize, end: usize) -> Option<&'static R
 }
 
 /// A line `9999 1 …` that would be the render record with its first two numbers swapped.
-fn swapped(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> {
+fn swapped(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
     let whole_line = stream.starts_line(start) && stream.ends_line(end);
     if !whole_line || stream.line(start) != stream.line(end - 1) || end < start + 2 {
         return None;
     }
-    let ty = record_type(stream, start).filter(|t| t.code == RENDER)?;
+    let ty = stream.record_type(start).filter(|t| t.code == RENDER)?;
     let got = end - start - 2;
     let exact = got == ty.params.len() || got == ty.params.len() + ty.optional.len();
     let right = stream.sigs[start + 1].int == Some(1)
@@ -321,7 +275,7 @@ fn swapped(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> 
 const RENDER: i32 = 9999;
 
 /// Whether a record of unknown type would be right with a minus sign before the type.
-pub fn lost_sign(stream: &Stream, start: usize, end: usize) -> bool {
+pub fn lost_sign(stream: &Stretch, start: usize, end: usize) -> bool {
     let code = stream.sigs[start + 1].int.map(i64::from);
     let ty = code
         .filter(|&c| c > 0)
@@ -329,7 +283,7 @@ pub fn lost_sign(stream: &Stream, start: usize, end: usize) -> bool {
     ty.is_some_and(|ty| end_of(stream, start + 2, ty) == Some(end as u64))
 }
 
-fn untyped(stream: &Stream, start: usize, end: usize) -> (Verdict, u32) {
+fn untyped(stream: &Stretch, start: usize, end: usize) -> (Verdict, u32) {
     let Some(t) = stream.sigs.get(start + 1).filter(|_| start + 1 < end) else {
         let cut = stream.has_unclosed_comment(start, end);
         return match cut {
@@ -356,7 +310,7 @@ const NOTHING_WRONG: u32 = 1_000 * FAULT;
 
 /// The parameters `first..end` of a record whose type is known.
 fn judge_params(
-    stream: &Stream,
+    stream: &Stretch,
     ty: &'static RecordType,
     first: usize,
     end: usize,
@@ -428,7 +382,7 @@ fn judge_params(
 }
 
 /// The token that is the file name of a record that has one: a word, and no bad one.
-pub fn file_name(stream: &Stream, ty: &RecordType, first: usize, end: usize) -> Option<usize> {
+pub fn file_name(stream: &Stretch, ty: &RecordType, first: usize, end: usize) -> Option<usize> {
     if ty.params.first()?.kind != ParamKind::FileName {
         return None;
     }
@@ -436,7 +390,7 @@ pub fn file_name(stream: &Stream, ty: &RecordType, first: usize, end: usize) -> 
 }
 
 /// How many parameters are numbers of the wrong kind (a real for an integer, a number for a name).
-fn wrong_kinds(stream: &Stream, ty: &'static RecordType, first: usize, end: usize) -> u32 {
+fn wrong_kinds(stream: &Stretch, ty: &'static RecordType, first: usize, end: usize) -> u32 {
     stream.sigs[first..end]
         .iter()
         .zip(ty.params.iter().chain(ty.optional))
@@ -445,12 +399,12 @@ fn wrong_kinds(stream: &Stream, ty: &'static RecordType, first: usize, end: usiz
 }
 
 /// Whether the tokens would be a whole record if an ID stood in front.
-pub fn has_lost_id(stream: &Stream, start: usize, end: usize) -> bool {
+pub fn has_lost_id(stream: &Stretch, start: usize, end: usize) -> bool {
     lost_id(stream, start, end).is_some()
 }
 
-fn lost_id(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> {
-    let ty = record_type(stream, start).filter(|t| t.code != 0)?;
+fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+    let ty = stream.record_type(start).filter(|t| t.code != 0)?;
     // A negative number can be nothing but a type; others are one only for a whole line.
     if ty.code > 0 && !(stream.starts_line(start) && stream.ends_line(end)) {
         return None;
@@ -470,7 +424,9 @@ fn lost_id(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> 
             .enumerate()
             .all(|(i, at)| {
                 let param = ty.param(i, n as usize);
-                param.is_some_and(|p| fits(stream.sigs[at].kind, p.kind) && allows(stream, at, p))
+                param.is_some_and(|p| {
+                    fits(stream.sigs[at].kind, p.kind) && allows(p, stream.value(at))
+                })
             })
     };
     (exact && right()).then_some((Verdict::LostId { ty }, FAULT - 10))
@@ -479,32 +435,9 @@ fn lost_id(stream: &Stream, start: usize, end: usize) -> Option<(Verdict, u32)> 
 /// How many values of a long record are looked at to judge whether it is plausible.
 const VALUES_MAX: usize = 64;
 
-/// Whether the values of a record are such as its type allows.
-pub fn values_allowed(stream: &Stream, start: usize, r: &Reading) -> bool {
-    (start + 2..r.end.min(start + 2 + VALUES_MAX))
-        .enumerate()
-        .all(|(i, at)| (r.ty.param(i, r.count as usize)).is_none_or(|p| allows(stream, at, p)))
-}
-
-/// Whether the value of a token is one that the parameter may have.
-fn allows(stream: &Stream, i: usize, param: &Param) -> bool {
-    let Some(x) = stream.token(i).number(stream.text) else {
-        return true;
-    };
-    match param.constraint {
-        Constraint::Any => !matches!(param.kind, ParamKind::Reference { .. }) || x >= 0.0,
-        Constraint::Positive => x > 0.0,
-        Constraint::ProfileRadius => x >= 0.0,
-        Constraint::NonZeroScale => x != 0.0,
-        Constraint::Between(a, b) | Constraint::Within(a, b) => a <= x && x <= b,
-        Constraint::AtLeast(a) => x >= a,
-        Constraint::Axis => (1.0..=3.0).contains(&x),
-    }
-}
-
 impl Piece {
     /// The piece as an item of the tree.
-    pub fn item(&self, stream: &Stream) -> Item {
+    pub fn item(&self, stream: &Stretch) -> Item {
         let sig = |i: usize| stream.sigs[i];
         let mut broken = Broken {
             first: sig(self.start).token,
@@ -514,13 +447,21 @@ impl Piece {
                 .and_then(|id| u32::try_from(id).ok())
                 .filter(|&id| id > 0),
             ty: None,
-            fault: super::ast::Fault::Form,
+            fault: ast::Fault::Form,
         };
         match self.verdict {
             Verdict::Void => Item::Void {
                 token: sig(self.start).token,
             },
-            Verdict::Whole(r) => Item::Record(reader::whole(stream, self.start, &r)),
+            Verdict::Whole(r) => Item::Record(Record {
+                id: stream.sigs[self.start].int.unwrap_or(0) as u32,
+                ty: r.ty,
+                first: broken.first,
+                last: broken.last,
+                params: (r.end - self.start - 2) as u32,
+                count: r.count,
+                value: stream.value_index(self.start + 2),
+            }),
             Verdict::Damaged { ty }
             | Verdict::Reals { ty }
             | Verdict::Count { ty, .. }
@@ -531,7 +472,7 @@ impl Piece {
             Verdict::LostId { ty } => {
                 broken.id = (ty.code == 9999).then_some(1);
                 broken.ty = Some(ty);
-                broken.fault = super::ast::Fault::LostId;
+                broken.fault = ast::Fault::LostId;
                 Item::Broken(broken)
             }
             Verdict::Swapped => {
@@ -540,7 +481,7 @@ impl Piece {
                 Item::Broken(broken)
             }
             Verdict::UnknownType => {
-                broken.fault = super::ast::Fault::UnknownType;
+                broken.fault = ast::Fault::UnknownType;
                 Item::Broken(broken)
             }
             Verdict::BadId { ty } => {
@@ -548,7 +489,7 @@ impl Piece {
                 broken.id = spoiled.or(broken.id).filter(|&id| id > 0);
                 broken.ty = ty;
                 if broken.id.is_none() {
-                    broken.fault = super::ast::Fault::LostId;
+                    broken.fault = ast::Fault::LostId;
                 }
                 Item::Broken(broken)
             }

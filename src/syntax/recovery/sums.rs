@@ -1,10 +1,9 @@
 //! Sums and marks over the lines and tokens of a text, so that any stretch is judged at once, however
 //! long it is.
 
-use super::reader;
 use super::slips::LEAST_HEAD;
-use super::stream::Stream;
-use super::witness::{Witnesses, record_type};
+use super::stretch::Stretch;
+use super::witness::Witnesses;
 
 pub struct Sums {
     /// How many lines before each one say that they are records of their own.
@@ -25,7 +24,7 @@ impl Sums {
         self.own_before[line + 1] > self.own_before[line]
     }
 
-    pub fn new(stream: &Stream, witnesses: &Witnesses) -> Sums {
+    pub fn new(stream: &Stretch, witnesses: &Witnesses) -> Sums {
         let lines = 0..stream.line_count();
         let length = |l: usize| stream.line_end(l) - stream.line_start(l);
         let own =
@@ -56,14 +55,14 @@ impl Sums {
 }
 
 /// For each token (and the end): whether its line is whole records up to it, and from it on.
-fn whole(stream: &Stream) -> (Vec<bool>, Vec<bool>) {
+fn whole(stream: &Stretch) -> (Vec<bool>, Vec<bool>) {
     let n = stream.len();
     let (mut until, mut from) = (vec![false; n + 1], vec![false; n + 1]);
     let step = |i: usize| {
         if stream.sigs[i].int == Some(0) {
             return stream.sigs[i].before_comment.then_some(i + 1);
         }
-        let end = reader::read(stream, i)?.end;
+        let end = stream.read(i)?.end;
         (end > i + 2 && end <= stream.line_end(stream.line(i))).then_some(end)
     };
     for i in (0..n).rev() {
@@ -92,8 +91,10 @@ fn sums(flags: impl Iterator<Item = bool>) -> Vec<u32> {
 }
 
 /// Whether a line begins like a record that no table of numbers would begin like.
-fn looks_like_a_head(stream: &Stream, line: usize) -> bool {
+fn looks_like_a_head(stream: &Stretch, line: usize) -> bool {
     let start = stream.line_start(line);
     let id = stream.sigs[start].int.is_some_and(|id| id > 0);
-    id && record_type(stream, start + 1).is_some_and(|t| t.code <= LEAST_HEAD || t.code == 9999)
+    id && stream
+        .record_type(start + 1)
+        .is_some_and(|t| t.code <= LEAST_HEAD || t.code == 9999)
 }

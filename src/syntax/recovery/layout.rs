@@ -7,15 +7,14 @@
 //! that begins behind another one and ends on a later line costs little where the text is free-form,
 //! and more than a fault where a line says that it is a record of its own.
 
-use super::faults::{self, Verdict};
-use super::reader::{self, Reading};
-use super::stream::Stream;
+use super::super::signature::Reading;
+use super::super::table::Effect;
+use super::faults;
+use super::stretch::Stretch;
 use super::sums::Sums;
-use super::table::Effect;
-use super::witness::{Witnesses, record_type};
+use super::verdict::{FAULT, Piece, Verdict};
+use super::witness::Witnesses;
 
-/// The price of one error. All other prices are in relation to this one.
-pub const FAULT: u32 = 1000;
 /// The price of what is likelier a mistake than meant: more than one error, less than two.
 const IMPLAUSIBLE: u32 = 1200;
 /// The price of a reading that only a second look would doubt: a little less than an error.
@@ -30,33 +29,11 @@ const OWN_LINES_MAX: u32 = 1_000_000;
 const TWO_SLIPS: u32 = 2 * FAULT + FAULT / 10;
 /// Prices are added up above this many bits, which count what tells equal readings apart.
 const HINT_BITS: u32 = 24;
-/// One piece of the text: tokens `start..end`.
-#[derive(Debug, Clone, Copy)]
-pub struct Piece {
-    pub start: usize,
-    pub end: usize,
-    pub verdict: Verdict,
-}
-
 /// No record without a count has more tokens.
 const LONGEST_FIXED: usize = 20;
-/// A reading without faults as pieces.
-pub fn whole_pieces(stream: &Stream, extents: impl Iterator<Item = (usize, usize)>) -> Vec<Piece> {
-    extents
-        .map(|(start, end)| Piece {
-            start,
-            end,
-            verdict: match reader::read(stream, start) {
-                Some(r) if r.end == end => Verdict::Whole(r),
-                _ => Verdict::Void,
-            },
-        })
-        .collect()
-}
-
 /// The reading with the least damage. `strict` are the pieces of the reading without faults, if there is one.
 pub fn cut(
-    stream: &Stream,
+    stream: &Stretch,
     witnesses: &Witnesses,
     strict: Option<&[Piece]>,
     doubt_takeovers: bool,
@@ -74,8 +51,8 @@ pub fn cut(
 }
 
 struct Search<'a, 's> {
-    stream: &'a Stream<'s>,
-    witnesses: &'a Witnesses,
+    stream: &'a Stretch<'s>,
+    witnesses: &'a Witnesses<'a>,
     sums: Sums,
     doubt_takeovers: bool,
 }
@@ -92,7 +69,7 @@ impl Search<'_, '_> {
                 continue;
             }
             ends.clear();
-            let exact = reader::read(self.stream, i);
+            let exact = self.stream.read(i);
             let mut offer = |end: usize, p: u32| {
                 // In the low bits, to choose among equals: pieces that do not begin with a line.
                 let hint = u64::from(!self.stream.starts_line(i));
@@ -150,8 +127,8 @@ impl Search<'_, '_> {
         {
             return Verdict::Void;
         }
-        match reader::read(self.stream, start) {
-            Some(r) if r.end == end && self.record_price(start, &r) <= fault.1 => Verdict::Whole(r),
+        match self.stream.read(start) {
+            Some(r) if r.end == end && self.record_price(start, r) <= fault.1 => Verdict::Whole(*r),
             _ => fault.0,
         }
     }
@@ -187,8 +164,8 @@ impl Search<'_, '_> {
             // One of several definitions of an ID, on a line that also reads well without its ID.
             let id = stream.sigs[start].int.unwrap_or(0);
             let too_many = matches!(r.ty.effect, Effect::Defines(_))
-                && (self.witnesses.heads.get(&id)).is_some_and(|h| {
-                    h.definitions > 1 && (h.may_be_lost == 1 || h.first_line < first)
+                && (self.witnesses.head(stream, id)).is_some_and(|h| {
+                    h.definitions > 1 && (h.may_be_lost == 1 || h.first_line < Some(first))
                 });
             return if too_many && faults::has_lost_id(stream, start, r.end) {
                 FAULT
@@ -236,11 +213,14 @@ impl Search<'_, '_> {
             price += 600;
         }
         let line = self.stream.line(start);
-        let elsewhere = (self.witnesses.heads.get(&id)).is_some_and(|h| h.first_line != line);
-        if matches!(r.ty.effect, Effect::Defines(_)) && elsewhere {
+        let elsewhere = || {
+            let head = self.witnesses.head(self.stream, id);
+            head.is_some_and(|h| h.first_line != Some(line))
+        };
+        if matches!(r.ty.effect, Effect::Defines(_)) && elsewhere() {
             price += 700;
         }
-        if !faults::values_allowed(self.stream, start, r) {
+        if !self.stream.values_allowed(start, r) {
             price += 500;
         }
         price.min(DOUBTFUL)
@@ -273,7 +253,9 @@ impl Search<'_, '_> {
         if matches!(verdict, Verdict::UnknownType | Verdict::BadType) {
             let strong = |p: usize| {
                 self.sums.whole_from[p]
-                    && record_type(stream, p + 1).is_some_and(|t| t.code < 0 || t.code == 9999)
+                    && stream
+                        .record_type(p + 1)
+                        .is_some_and(|t| t.code < 0 || t.code == 9999)
             };
             if (start + 2..end.min(start + 40)).any(strong) {
                 price += 50;
@@ -308,7 +290,7 @@ impl Search<'_, '_> {
         // Where another record could begin.
         let reach = expected.iter().copied().max().unwrap_or(i + 2) + 6;
         for end in i + 1..reach.min(i + 40).min(stream.len()) {
-            if end != line_end && reader::read(stream, end).is_some() {
+            if end != line_end && stream.read(end).is_some() {
                 ends.push(end);
             }
         }
@@ -339,40 +321,6 @@ impl Search<'_, '_> {
             // The table of points may be of any length.
             let l = self.sums.table_end[line] as usize;
             ends.push(stream.line_end(l));
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use chumsky::Parser;
-
-    use super::super::{lexer, parser, plain};
-    use super::*;
-
-    proptest::proptest! {
-        #![proptest_config(proptest::test_runner::Config::with_cases(4_000))]
-
-        /// Where it is not searched, the search would have found the same.
-        #[test]
-        fn a_cheap_reading_is_the_cheapest(
-            pieces in proptest::collection::vec(proptest::sample::select(plain::PIECES), 0..12),
-        ) {
-            let text = pieces.join(" ");
-            let tokens = lexer::lex(&text, &[]);
-            let stream = Stream::new(&text, &tokens);
-            let strict = reader::records(&stream).parse(&stream.sigs).into_output();
-            let Some(items) = strict else { return Ok(()) };
-            let strict = whole_pieces(&stream, parser::extents(&items));
-            let witnesses = Witnesses::new(&stream);
-            for doubt_takeovers in [false, true] {
-                let sums = Sums::new(&stream, &witnesses);
-                let search = Search { stream: &stream, witnesses: &witnesses, sums, doubt_takeovers };
-                if search.is_cheap(&strict) {
-                    let found = search.run();
-                    proptest::prop_assert_eq!(format!("{:?}", found), format!("{:?}", strict));
-                }
-            }
         }
     }
 }

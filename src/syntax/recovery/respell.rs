@@ -2,10 +2,11 @@
 //! notation of points stands in it; `0-1` and `1.2.3` may have lost a space. They are two where that
 //! gives the record on the line as many numbers as it takes, and one token each does not.
 
-use super::ast::{Broken, Fault, Item};
-use super::lexer::{self, Token, TokenKind};
-use super::table::{ParamKind, RecordType};
-use super::witness::LONG;
+use super::super::ast::{Broken, Fault, Item};
+use super::super::lexer::{self, Token, TokenKind};
+use super::super::quote;
+use super::super::table::{ParamKind, RecordType};
+use super::stretch::LONG;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 
 /// Which tokens are taken for several numbers.
@@ -307,8 +308,8 @@ pub fn report(text: &str, tokens: &[Token], glued: &[Span], out: &mut Vec<Diagno
         out.push(
             Diagnostic::new(Code::E003, span)
                 .case("glued")
-                .with("text", super::report::quote(word))
-                .with("number", super::report::quote(&apart))
+                .with("text", quote(word))
+                .with("number", quote(&apart))
                 .fix(Fix {
                     title: "fix",
                     applicability,

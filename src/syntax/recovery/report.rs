@@ -1,38 +1,17 @@
 //! Findings of the parser: what is wrong with the broken pieces of a text, in words.
 
-use super::faults::{self, Verdict};
-use super::layout::Piece;
-use super::lexer::{Token, TokenKind};
-use super::reader::fits;
-use super::stream::Stream;
-use super::table::{ParamKind, RecordType};
+use super::super::lexer::{Token, TokenKind};
+use super::super::quote;
+use super::super::signature::fits;
+use super::super::table::{ParamKind, RecordType};
+use super::faults;
+use super::stretch::Stretch;
+use super::verdict::{Piece, Verdict};
 use super::witness::Witnesses;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 
 /// The most numbers that one record may claim to have.
 const NUMBERS_MAX: usize = 100_000_000;
-
-/// The longest stretch of the user's text that a message quotes, in characters.
-const QUOTE_MAX: usize = 24;
-
-/// A token's text for a message: shortened, control characters made visible.
-pub fn quote(text: &str) -> String {
-    let mut out: String = text
-        .chars()
-        .take(QUOTE_MAX)
-        .flat_map(|c| {
-            if c.is_control() {
-                c.escape_default().collect::<Vec<_>>()
-            } else {
-                vec![c]
-            }
-        })
-        .collect();
-    if text.chars().nth(QUOTE_MAX).is_some() {
-        out.push('…');
-    }
-    format!("`{out}`")
-}
 
 fn header(ty: &RecordType) -> String {
     match ty.signature() {
@@ -56,7 +35,7 @@ pub fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
 }
 
 /// Reports everything that is wrong with the pieces of a text.
-pub fn pieces(stream: &Stream, witnesses: &Witnesses, all: &[Piece], out: &mut Vec<Diagnostic>) {
+pub fn pieces(stream: &Stretch, witnesses: &Witnesses, all: &[Piece], out: &mut Vec<Diagnostic>) {
     let reporter = Reporter { stream };
     for piece in all {
         match piece.verdict {
@@ -75,7 +54,7 @@ pub fn pieces(stream: &Stream, witnesses: &Witnesses, all: &[Piece], out: &mut V
 }
 
 struct Reporter<'a, 's> {
-    stream: &'a Stream<'s>,
+    stream: &'a Stretch<'s>,
 }
 
 impl Reporter<'_, '_> {
@@ -85,7 +64,7 @@ impl Reporter<'_, '_> {
     }
 
     fn text(&self, i: usize) -> &str {
-        self.stream.token(i).text(self.stream.text)
+        self.stream.token(i).text(self.stream.text())
     }
 
     fn line_break(&self, piece: &Piece, ty: &RecordType) -> Diagnostic {
@@ -96,7 +75,7 @@ impl Reporter<'_, '_> {
             .with("type", Value::Term(ty.title))
             .with(
                 "line",
-                quote(&self.stream.text[self.span(head, line_end).range()]),
+                quote(&self.stream.text()[self.span(head, line_end).range()]),
             )
             .with("header", header(ty))
             .label(self.span(piece.start, head), "begin")
@@ -221,7 +200,7 @@ impl Reporter<'_, '_> {
             return None;
         }
         let span = self.span(name, end);
-        let text = &stream.text[span.range()];
+        let text = &stream.text()[span.range()];
         let apart = text.contains(['#', '"']);
         (!apart).then(|| {
             let quoted = format!("\"{text}\"");
@@ -269,7 +248,7 @@ impl Reporter<'_, '_> {
         let d = Diagnostic::new(Code::E010, span)
             .with("text", quote(text))
             .with("parameter", Value::Term(what));
-        let value = self.stream.token(i).number(self.stream.text);
+        let value = self.stream.token(i).number(self.stream.text());
         match value.filter(|x| x.fract() == 0.0 && x.abs() < 1e15) {
             Some(x) => {
                 let whole = format!("{}", x as i64);
@@ -448,7 +427,7 @@ impl Reporter<'_, '_> {
                 new(Code::E004).case("id")
             }
             TokenKind::Integer => new(Code::E005).case("negative"),
-            TokenKind::Real => match self.stream.token(i).number(self.stream.text) {
+            TokenKind::Real => match self.stream.token(i).number(self.stream.text()) {
                 Some(x) if x.fract() == 0.0 && x > 0.0 => self.not_an_integer(i, "an ID"),
                 _ => new(Code::E005),
             },

@@ -2,19 +2,17 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::faults::{self, Verdict};
-use super::layout::Piece;
-use super::reader::{self, Reading};
-use super::references;
+use super::super::signature::Reading;
+use super::super::table::Effect;
+use super::damage;
+use super::faults;
 use super::slips::{self, Slip};
-use super::stream::Stream;
-use super::table::{Effect, RecordType};
-
-/// Records with at least this many parameters are often laid out over several lines.
-pub const LONG: usize = 9;
+use super::stretch::{LONG, Stretch};
+use super::surroundings::Surroundings;
+use super::verdict::{Piece, Verdict};
 
 /// What the lines of a text say about its layout.
-pub struct Witnesses {
+pub struct Witnesses<'a> {
     /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
     /// Holds one past the record's last token, 0 where the line is no witness.
     pub ends: Vec<u32>,
@@ -23,19 +21,22 @@ pub struct Witnesses {
     pub slips: Vec<bool>,
     /// The text is laid out with records beginning and ending with lines.
     pub in_lines: bool,
-    /// What the witness lines say about each ID they define.
-    pub heads: FxHashMap<i32, Head>,
+    /// What the witness lines say about each ID they define, and the rest of the text.
+    heads: FxHashMap<i32, Head>,
     /// The IDs that witness lines use or change.
     used: FxHashSet<i32>,
+    around: &'a Surroundings,
     /// A line begins with a type that can be no ID: other lines may have lost theirs as well.
     ids_lost: bool,
     /// Comments behind a record on its line are introduced by `0` here.
     pub voids_behind_records: bool,
 }
 
-/// The witness lines that define one ID.
+/// The lines that define one ID.
+#[derive(Debug, Clone, Copy)]
 pub struct Head {
-    pub first_line: usize,
+    /// `None` if it stands before the stretch.
+    pub first_line: Option<usize>,
     /// How many can only be definitions, so that all but one are too many; and how many of these
     /// also read well as a record without its ID.
     pub definitions: u32,
@@ -45,15 +46,15 @@ pub struct Head {
 impl Head {
     fn at(first_line: usize) -> Head {
         Head {
-            first_line,
+            first_line: Some(first_line),
             definitions: 0,
             may_be_lost: 0,
         }
     }
 }
 
-impl Witnesses {
-    pub fn new(stream: &Stream) -> Witnesses {
+impl<'a> Witnesses<'a> {
+    pub fn new(stream: &Stretch, around: &'a Surroundings) -> Witnesses<'a> {
         let lines = stream.line_count();
         let mut ends = vec![0u32; lines];
         let mut heads = FxHashMap::default();
@@ -64,8 +65,8 @@ impl Witnesses {
                 if alone && stream.sigs[start].before_comment {
                     *end = start as u32 + 1;
                 }
-            } else if let Some(r) = reader::read(stream, start)
-                && testifies(stream, start, &r)
+            } else if let Some(r) = stream.read(start)
+                && testifies(stream, start, r)
             {
                 *end = r.end as u32;
             }
@@ -92,7 +93,7 @@ impl Witnesses {
                             slips[line] = true;
                             slipped += 1;
                             let (start, end) = (stream.line_start(line), stream.line_end(line));
-                            used.extend(references::of_record(stream, start, end));
+                            used.extend(damage::of_record(stream, start, end));
                         }
                         Slip::Maybe => perhaps.push(line),
                         Slip::No => {}
@@ -105,7 +106,7 @@ impl Witnesses {
                 end => {
                     let start = stream.line_start(line);
                     let id = stream.sigs[start].int.unwrap_or(0);
-                    match record_type(stream, start + 1).map(|t| t.effect) {
+                    match stream.record_type(start + 1).map(|t| t.effect) {
                         Some(Effect::Defines(_)) => {
                             let lost = faults::has_lost_id(stream, start, end as usize);
                             let head = heads.entry(id).or_insert(Head::at(line));
@@ -120,7 +121,7 @@ impl Witnesses {
                         }
                         None => {}
                     }
-                    used.extend(references::of_record(stream, start, end as usize));
+                    used.extend(damage::of_record(stream, start, end as usize));
                     stream.line(end as usize - 1) + 1
                 }
             };
@@ -130,12 +131,19 @@ impl Witnesses {
             covered += next - line;
             line = next;
         }
-        let mostly = 20 * covered >= 13 * lines || (stretches <= 1 && steps >= 4) || lines < 12;
         for line in perhaps {
             let id = stream.sigs[stream.line_start(line)].int.unwrap_or(0);
-            slips[line] = used.contains(&id) && !heads.contains_key(&id);
+            let elsewhere = u32::try_from(id).unwrap_or(0);
+            slips[line] = (used.contains(&id) || around.is_used(elsewhere))
+                && !(heads.contains_key(&id) || around.is_defined(elsewhere));
             slipped += usize::from(slips[line]);
         }
+        // The rest of the text is laid out in lines, but for the other stretches.
+        let lines = lines + around.lines;
+        covered += around.lines;
+        steps += around.records;
+        stretches += around.stretches.saturating_sub(1);
+        let mostly = 20 * covered >= 13 * lines || (stretches <= 1 && steps >= 4) || lines < 12;
         // The same mistake on every line leaves no line as a witness that it was laid out in lines.
         let slips_in_lines = slipped > 0 && 20 * (covered + slipped) >= 17 * lines;
         let in_lines = steps > 0 && steps + 2 >= 3 * stretches && mostly || slips_in_lines;
@@ -152,28 +160,53 @@ impl Witnesses {
             heads,
             used,
             ids_lost,
-            voids_behind_records: voids_behind_records(stream),
+            voids_behind_records: around.voids_behind_records
+                || voids_behind_records(stream, around),
+            around,
         }
+    }
+
+    /// What is known of the lines that define an ID.
+    pub fn head(&self, stream: &Stretch, id: i32) -> Option<Head> {
+        let here = self.heads.get(&id).copied();
+        let elsewhere = u32::try_from(id).ok().filter(|_| self.in_lines);
+        let Some((at, ty)) = elsewhere.and_then(|id| stream.defined_elsewhere(self.around, id))
+        else {
+            return here;
+        };
+        let mut head = here.unwrap_or(Head {
+            first_line: None,
+            definitions: 0,
+            may_be_lost: 0,
+        });
+        head.definitions += u32::from(matches!(ty.effect, Effect::Defines(_)));
+        if stream.is_behind(at) {
+            head.first_line = None;
+        }
+        Some(head)
     }
 
     /// Whether a number is used as an ID elsewhere and defined by no line of its own: if a record
     /// begins with it, then it is that record's ID.
     pub fn is_missing(&self, id: i32) -> bool {
-        !self.ids_lost && self.used.contains(&id) && !self.heads.contains_key(&id)
+        let elsewhere = u32::try_from(id).unwrap_or(0);
+        !self.ids_lost
+            && (self.used.contains(&id) || self.in_lines && self.around.is_used(elsewhere))
+            && !(self.heads.contains_key(&id) || self.around.is_defined(elsewhere))
     }
 
     /// Whether a line would be a complete record by itself.
-    pub fn is_complete_line(&self, stream: &Stream, line: usize) -> bool {
+    pub fn is_complete_line(&self, stream: &Stretch, line: usize) -> bool {
         self.ends[line] as usize == stream.line_end(line)
     }
 
-    pub fn is_void_line(&self, stream: &Stream, line: usize) -> bool {
+    pub fn is_void_line(&self, stream: &Stretch, line: usize) -> bool {
         self.ends[line] > 0 && stream.sigs[stream.line_start(line)].int == Some(0)
     }
 
     /// Whether the record at tokens `start..end` takes its last parameters from the head of a line
     /// that says it is a record of its own. A line in a table of equally long lines says nothing.
-    pub fn takes_over(&self, stream: &Stream, start: usize, end: usize) -> bool {
+    pub fn takes_over(&self, stream: &Stretch, start: usize, end: usize) -> bool {
         let (first, last) = (stream.line(start), stream.line(end - 1));
         if first == last || self.ends[last] == 0 {
             return first != last && self.slips[last];
@@ -186,7 +219,7 @@ impl Witnesses {
 /// Whether a record that begins with a line says something about the layout: it ends with a line
 /// too, and it is no row of a table by chance. Short records over several lines are rare, and so is
 /// an ID 1 without the type 9999.
-fn testifies(stream: &Stream, start: usize, r: &Reading) -> bool {
+fn testifies(stream: &Stretch, start: usize, r: &Reading) -> bool {
     let one_line = stream.line(start) == stream.line(r.end - 1);
     let long = r.ty.is_counted() || r.ty.params.len() >= LONG;
     let render = (stream.sigs[start].int == Some(1)) == (r.ty.code == 9999);
@@ -194,17 +227,17 @@ fn testifies(stream: &Stream, start: usize, r: &Reading) -> bool {
         && r.end - start > 2
         && (one_line || long)
         && render
-        && faults::values_allowed(stream, start, r)
+        && stream.values_allowed(start, r)
 }
 
 /// Whether people here write `2 9 1 0 # a sphere #`: several do, or nobody does without the `0`.
-fn voids_behind_records(stream: &Stream) -> bool {
-    let (mut with, mut without) = (0, 0);
+fn voids_behind_records(stream: &Stretch, around: &Surroundings) -> bool {
+    let (mut with, mut without) = (0, usize::from(around.records > 0));
     for line in 0..stream.line_count() {
         let (start, end) = (stream.line_start(line), stream.line_end(line));
         let last = &stream.sigs[end - 1];
         if end - start > 2 && last.before_comment {
-            let read = |end: usize| reader::read(stream, start).is_some_and(|r| r.end == end);
+            let read = |end: usize| stream.read(start).is_some_and(|r| r.end == end);
             if last.int == Some(0) && read(end - 1) {
                 with += 1;
             } else if read(end) {
@@ -215,18 +248,14 @@ fn voids_behind_records(stream: &Stream) -> bool {
     with > 1 || without == 0
 }
 
-pub fn record_type(stream: &Stream, i: usize) -> Option<&'static RecordType> {
-    RecordType::by_code(stream.sigs.get(i)?.int?.into())
-}
-
 /// Whether a line is a row of several records that ends with its last one.
-fn run_to_line_end(stream: &Stream, line: usize) -> bool {
+fn run_to_line_end(stream: &Stretch, line: usize) -> bool {
     let (mut i, end) = (stream.line_start(line), stream.line_end(line));
     while i < end {
         let sig = &stream.sigs[i];
         if sig.int == Some(0) && sig.before_comment {
             i += 1;
-        } else if let Some(r) = reader::read(stream, i).filter(|r| r.end <= end && r.end > i + 2) {
+        } else if let Some(r) = stream.read(i).filter(|r| r.end <= end && r.end > i + 2) {
             i = r.end;
         } else {
             return false;
@@ -235,45 +264,10 @@ fn run_to_line_end(stream: &Stream, line: usize) -> bool {
     true
 }
 
-/// Whether a reading without faults leaves nothing to ask the layout: every record begins with a
-/// line, and none takes over the head of a line that says it is a record of its own.
-pub fn is_undisturbed(stream: &Stream, starts: impl Iterator<Item = (usize, usize)>) -> bool {
-    let mut previous_void = false;
-    let mut definitions = Vec::new();
-    for (start, end) in starts {
-        if let Some(Effect::Defines(_)) = record_type(stream, start + 1).map(|t| t.effect)
-            && end > start + 1
-        {
-            definitions.push((stream.sigs[start].int, start as u32, end as u32));
-        }
-        if !stream.starts_line(start) && !previous_void {
-            return false;
-        }
-        previous_void = end == start + 1 && stream.sigs[start].before_comment;
-        let last = stream.line(end - 1);
-        if last != stream.line(start) {
-            let head = stream.line_start(last);
-            let looks = stream.sigs[head].int == Some(0) && stream.sigs[head].before_comment
-                || reader::read(stream, head).is_some_and(|r| stream.ends_line(r.end));
-            if looks {
-                return false;
-            }
-        }
-    }
-    // Most files have their IDs in order.
-    if !definitions.is_sorted_by(|a, b| a.0 < b.0) {
-        definitions.sort_by_key(|d| d.0);
-    }
-    let lost = |&(_, start, end): &(_, u32, u32)| {
-        faults::has_lost_id(stream, start as usize, end as usize)
-    };
-    !(definitions.windows(2)).any(|two| two[0].0 == two[1].0 && two.iter().any(lost))
-}
-
 /// Whether a reading without faults has something in it that people do not write in a text laid out
 /// in lines: a record that straddles, a VOID without a comment behind a record, a heading's `0`
 /// taken for a number.
-pub fn is_odd(stream: &Stream, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
+pub fn is_odd(stream: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
     witnesses.in_lines
         && pieces.iter().any(|p| {
             let behind = !stream.starts_line(p.start);
