@@ -21,6 +21,8 @@ pub struct Lost {
     pub ty: Option<&'static RecordType>,
     /// Its first token, where the parser's finding points.
     pub span: Span,
+    /// What it may refer to: its ID is none of these.
+    pub names: Vec<u32>,
 }
 
 /// An ID that is used and defined nowhere, or perhaps by a record that lost its ID.
@@ -95,12 +97,13 @@ impl References {
         dangling.sort_by_key(|d| d.kinds.len());
         for d in dangling {
             let is_found = *found.entry(d.id).or_insert_with(|| {
+                let may_be = |l: &Lost| !l.names.contains(&d.id);
                 let first = lost
                     .iter_mut()
                     .filter(|(kind, _)| kind.is_none_or(|k| d.kinds.contains(&k)))
-                    .filter(|(_, queue)| !queue.is_empty())
-                    .min_by_key(|(_, queue)| queue.front().map(|l| l.span.start));
-                let Some(record) = first.and_then(|(_, queue)| queue.pop_front()) else {
+                    .filter_map(|(_, queue)| Some((queue.iter().position(may_be)?, queue)))
+                    .min_by_key(|(at, queue)| queue[*at].span.start);
+                let Some(record) = first.and_then(|(at, queue)| queue.remove(at)) else {
                     return false;
                 };
                 if let Some(f) = finding_at(diagnostics, record.span) {

@@ -10,7 +10,7 @@ use super::references::{Lost, References};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile, Span, Value};
 use crate::syntax::ast::{Broken, Fault};
 use crate::syntax::ids::IdTable;
-use crate::syntax::table::{Effect, Kind, RecordKind};
+use crate::syntax::table::{Effect, Family, Kind, RecordKind};
 use crate::syntax::{Document, Item, Record};
 
 /// Reads a tree as a program of assignments. `diagnostics` holds the parser's findings; the
@@ -241,11 +241,25 @@ impl<'a> Resolver<'a> {
         if broken.fault == Fault::UnknownType {
             self.propose_type(broken, diagnostics);
         }
-        if broken.fault == Fault::LostId {
+        // Whose ID another record has, may have lost its own.
+        let taken = broken.fault != Fault::LostId
+            && broken.id.is_some_and(|id| {
+                let render = broken.ty.is_some_and(|t| t.kind == RecordKind::Render);
+                let changes = broken
+                    .ty
+                    .is_some_and(|t| matches!(t.effect, Effect::Changes(_)));
+                id == 1 && !render || self.exists(id) && !changes
+            });
+        if taken || broken.fault == Fault::LostId {
             let tokens = self.document.tokens[broken.first as usize].span();
+            let operation = broken.ty.is_some_and(|t| t.family == Family::Operation);
+            let names = self.document.significant(broken.first, broken.last);
+            let names = names.filter_map(|t| u32::try_from(t.integer(self.text)?).ok());
             self.references.lost.push(Lost {
-                ty: broken.ty,
+                // Its type may be what was meant for the ID.
+                ty: broken.ty.filter(|_| !taken),
                 span: tokens,
+                names: names.filter(|_| operation).collect(),
             });
         }
         let Some(id) = broken.id else { return };
@@ -262,7 +276,9 @@ impl<'a> Resolver<'a> {
             node: None,
             span: self.document.tokens[broken.first as usize].span(),
         };
-        self.push(entity, State::Broken(kind));
+        // Where the type may be another one's, nothing is said of what refers to it.
+        let certain = broken.fault != Fault::Number;
+        self.push(entity, State::Broken(kind.filter(|_| certain)));
     }
 
     fn finish(mut self, diagnostics: &mut Vec<Diagnostic>) -> Scene {

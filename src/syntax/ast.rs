@@ -64,8 +64,10 @@ pub struct Broken {
 /// What is wrong with a [`Broken`] stretch, as far as it matters to what others make of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
-    /// The number or form of its parameters.
+    /// The form of its parameters.
     Form,
+    /// The number of its parameters: its type may be another one's.
+    Number,
     /// There is no such type.
     UnknownType,
     /// It has lost its ID: one undefined reference may mean it.

@@ -9,6 +9,7 @@ use chumsky::error::Cheap;
 use chumsky::extra::{self, SimpleState};
 use chumsky::input::InputRef;
 use chumsky::prelude::*;
+use rayon::prelude::*;
 
 use super::ast::{Document, Item, Record};
 use super::contents::Contents;
@@ -16,7 +17,7 @@ use super::lexer::{Lexed, Sig};
 use super::recovery::{self, Surroundings};
 use super::signature::{self, Columns, Reading};
 use super::table::{Effect, RecordKind, RecordType};
-use crate::diagnostics::{self, Diagnostic};
+use crate::diagnostics::{self, Code, Diagnostic, Value};
 
 /// Parses a scene text. It never fails: what cannot be read is in the findings, sorted by place,
 /// and every character of the text is still in the document.
@@ -45,6 +46,8 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     let mut plan = Plan::of(columns);
     if !plan.gaps.is_empty() {
         plan.fill(&mut findings);
+    }
+    if !glued.is_empty() {
         recovery::respell::broken(&mut plan.items, &lexed.tokens, &glued);
     }
     findings.append(&mut plan.notes);
@@ -183,6 +186,7 @@ impl<'s> Plan<'s> {
             self.defined.push(c.int(start)? as u32);
         }
         self.items.push(Item::Record(whole(&c, start, &reading)));
+        self.notes.extend(two_ways(&c, start, &reading));
         Some(reading.end)
     }
 
@@ -325,26 +329,38 @@ impl<'s> Plan<'s> {
         (n, false)
     }
 
-    /// Whether hardly any line of a text that can be read by arity begins and ends with a record.
+    /// Whether a line is a record but for a number or two.
+    fn is_nearly_a_record(&self, line: usize, end: usize) -> bool {
+        const FEW: u64 = 2;
+        let c = &self.columns;
+        let id = c.int(line).is_some_and(|id| id > 0);
+        let code = c.int(line + 1).filter(|_| end > line + 2);
+        let ty = code
+            .and_then(|code| RecordType::by_code(code.into()))
+            .filter(|_| id);
+        ty.is_some_and(|ty| {
+            let count = c.int(line + 2).filter(|_| ty.is_counted()).unwrap_or(0);
+            let arity = ty.arity(u64::try_from(count).unwrap_or(0));
+            let got = (end - line - 2) as u64;
+            let off = got
+                .abs_diff(arity)
+                .min(got.abs_diff(arity + ty.optional.len() as u64));
+            off <= FEW && 2 * off <= got
+        })
+    }
+
+    /// Whether hardly any line of a text is a record.
     fn has_no_layout(&self) -> bool {
         let c = &self.columns;
         let (mut lines, mut own) = (0, 0);
-        let (mut at, mut line_is_own) = (0, false);
-        while at < c.len() {
-            let end = match c.int(at) {
-                Some(0) => at + 1,
-                _ => signature::read(c, at, c.len()).map_or(c.len(), |r| r.end),
-            };
-            line_is_own |= c.starts_line(at);
-            let breaks = (at + 1..end).filter(|&i| c.starts_line(i)).count();
-            lines += breaks;
-            line_is_own &= breaks == 0;
-            if c.ends_line(end) {
-                lines += 1;
-                own += usize::from(line_is_own);
-                line_is_own = false;
-            }
-            at = end;
+        let mut line = 0;
+        while line < c.len() {
+            let next = (line + 1..c.len())
+                .find(|&i| c.starts_line(i))
+                .unwrap_or(c.len());
+            lines += 1;
+            own += usize::from(self.is_nearly_a_record(line, next));
+            line = next;
         }
         3 * own < lines
     }
@@ -369,6 +385,7 @@ impl<'s> Plan<'s> {
                 self.defined.extend(c.int(at).map(|id| id as u32));
             }
             self.items.push(Item::Record(whole(&c, at, &reading)));
+            self.notes.extend(two_ways(&c, at, &reading));
             let last_line = (at + 1..reading.end).rev().find(|&i| c.starts_line(i));
             if last_line.is_some_and(|line| self.takes_lines(line, reading.end)) {
                 recovery::line_break(c, (at, reading.end), &mut self.notes);
@@ -443,16 +460,70 @@ impl<'s> Plan<'s> {
         let in_gaps: usize = self.gaps.iter().map(|g| lines(g.from, g.to)).sum();
         let outside = lines(0, c.len()) - in_gaps;
         let around = Surroundings::new(&c, &self.items, outside, self.gaps.len());
+        let parts: Vec<(usize, usize)> = (self.gaps.iter())
+            .flat_map(|gap| self.parts(gap.from, gap.to))
+            .collect();
+        let read: Vec<(Vec<Item>, Vec<Diagnostic>)> = (parts.par_iter().with_min_len(PARTS))
+            .map(|&part| {
+                let mut found = Vec::new();
+                (recovery::recover(c, part, &around, &mut found), found)
+            })
+            .collect();
+        let mut read = parts.into_iter().zip(read).peekable();
         let mut items = Vec::with_capacity(self.items.len() + self.gaps.len());
         let mut done = 0;
         for gap in &self.gaps {
             items.extend_from_slice(&self.items[done..gap.item]);
             done = gap.item;
-            items.extend(recovery::recover(c, (gap.from, gap.to), &around, findings));
+            while let Some((_, (more, mut found))) = read.next_if(|(part, _)| part.1 <= gap.to) {
+                items.extend(more);
+                findings.append(&mut found);
+            }
         }
         items.extend_from_slice(&self.items[done..]);
         self.items = items;
     }
+
+    /// A gap in parts that are not too long, cut between lines that are records each, but for a number or two.
+    fn parts(&self, from: usize, to: usize) -> Vec<(usize, usize)> {
+        let c = &self.columns;
+        let mut parts = Vec::new();
+        let mut start = from;
+        while to - start > LONGEST_PART {
+            let lines = (start + LONGEST_PART / 2..to).filter(|&i| c.starts_line(i));
+            let lines: Vec<usize> = lines.take(LINES_TRIED).collect();
+            let alone = |i: usize| self.is_nearly_a_record(lines[i], lines[i + 1]);
+            let cut = (2..lines.len()).find(|&i| alone(i - 2) && alone(i - 1));
+            let Some(cut) = cut else { break };
+            parts.push((start, lines[cut - 1]));
+            start = lines[cut - 1];
+        }
+        parts.push((start, to));
+        parts
+    }
+}
+
+/// How many gaps one thread reads at least.
+const PARTS: usize = 16;
+/// Gaps with more significant tokens are cut, if there is a place.
+const LONGEST_PART: usize = 30_000;
+const LINES_TRIED: usize = 200;
+
+/// N605: an optional group that could be there as well as not. Of numbers on the next line nothing is said.
+fn two_ways(c: &Columns, start: usize, reading: &Reading) -> Option<Diagnostic> {
+    if !reading.two_ways {
+        return None;
+    }
+    let base = start + 2 + reading.ty.params.len();
+    let there = reading.end > base;
+    if !there && c.starts_line(base) {
+        return None;
+    }
+    let last = base + reading.ty.optional.len() - 1;
+    let span = c.token(base).span().to(c.token(last).span());
+    let case = if there { "" } else { "apart" };
+    let note = Diagnostic::new(Code::N605, span).case(case);
+    Some(note.with("type", Value::Term(reading.ty.title)))
 }
 
 /// Whether records of a type define something that has an ID of its own.

@@ -226,7 +226,7 @@ fn is_number(text: &str) -> bool {
     if !number.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
         return false;
     }
-    let ends = |c: char| c.is_whitespace() || "#,;<>(){}\"".contains(c);
+    let ends = |c: char| c.is_whitespace() || "#,;<>(){}⟨⟩〈〉〈〉‹›\"".contains(c);
     let word = number.split(ends).next().unwrap_or_default();
     matches!(
         Tokens::new(word, &[]).next().map(|t| t.kind),

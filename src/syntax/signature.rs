@@ -158,18 +158,20 @@ fn group(c: &Columns, reading: &mut Reading, limit: usize) -> Option<()> {
         && (end..with)
             .zip(optional)
             .all(|(at, p)| allows(p, c.lexed.values[at]));
-    let there = match (
-        fits_here && goes_well(c, end, with, limit),
-        goes_well(c, end, end, limit),
-    ) {
-        (true, false) => true,
-        (false, true) => false,
-        (true, true) => {
+    let followed = (follow(c, end, with, limit), follow(c, end, end, limit));
+    let there = match followed {
+        _ if !fits_here => own_line && followed.1.is_err(),
+        (Ok(()), Err(_)) => true,
+        (Err(_), Ok(())) => false,
+        (Ok(()), Ok(())) => {
             reading.two_ways = true;
             own_line
         }
-        // Something else is wrong.
-        (false, false) => own_line,
+        // Something else is wrong. Where there are no lines, what comes further before it is likelier.
+        (Err(there), Err(not)) if there != not && !own_line && !stands_alone(c, end, limit) => {
+            there > not
+        }
+        (Err(_), Err(_)) => own_line,
     };
     if there {
         if !are_right(c, end, optional) {
@@ -180,31 +182,51 @@ fn group(c: &Columns, reading: &mut Reading, limit: usize) -> Option<()> {
     Some(())
 }
 
-/// How many records are followed.
+/// How many records are followed, in all ways to read their own groups.
 const FOLLOWED: usize = 8;
+const FOLLOWED_IN_ALL: usize = 40;
 /// So many tokens of one line are no pieces of records that are laid out in any way.
 const OWN_LINE: usize = 3;
 
-/// Whether the text can be read from token `at` on, for some records. `end` is where the record before may end.
-fn goes_well(c: &Columns, end: usize, mut at: usize, limit: usize) -> bool {
-    let stands_alone = |at: usize| {
-        c.starts_line(at)
-            && (at + 1..at + OWN_LINE).all(|next| next < limit && !c.starts_line(next))
-    };
-    for _ in 0..FOLLOWED {
-        if at >= limit || at > end && stands_alone(at) {
-            return true;
+/// Whether a token begins a line that is not too short.
+fn stands_alone(c: &Columns, at: usize, limit: usize) -> bool {
+    c.starts_line(at) && (at + 1..at + OWN_LINE).all(|next| next < limit && !c.starts_line(next))
+}
+
+/// Whether the text can be read from token `at` on, for some records; if not, the furthest place that it can be read
+/// to. `end` is where the record before may end.
+fn follow(c: &Columns, end: usize, at: usize, limit: usize) -> Result<(), usize> {
+    // Where to go on, and behind how many records.
+    let mut open = vec![(at, 0)];
+    let mut furthest = at;
+    for _ in 0..FOLLOWED_IN_ALL {
+        let Some((at, behind)) = open.pop() else {
+            return Err(furthest);
+        };
+        furthest = furthest.max(at);
+        if at >= limit || at > end && stands_alone(c, at, limit) || behind == FOLLOWED {
+            return Ok(());
         }
         if c.int(at) == Some(0) {
-            at += 1;
+            open.push((at + 1, behind + 1));
             continue;
         }
-        match read_base(c, at, limit) {
-            Some(next) if !is_odd(c, at, &next) => at = next.end,
-            _ => return false,
+        let Some(next) = read_base(c, at, limit).filter(|next| !is_odd(c, at, next)) else {
+            continue;
+        };
+        let (optional, with) = (next.ty.optional, next.end + next.ty.optional.len());
+        if !optional.is_empty()
+            && with <= limit
+            && are_right(c, next.end, optional)
+            && (next.end..with)
+                .zip(optional)
+                .all(|(at, p)| allows(p, c.lexed.values[at]))
+        {
+            open.push((with, behind + 1));
         }
+        open.push((next.end, behind + 1));
     }
-    true
+    Ok(())
 }
 
 /// How many values of a long record are looked at to judge whether it is plausible.

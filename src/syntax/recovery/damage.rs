@@ -41,6 +41,10 @@ pub fn damage(stream: &Stretch, around: &Surroundings, pieces: &[Piece]) -> usiz
                 faults += 1;
                 lost += 1;
             }
+            Verdict::Surplus { .. } => {
+                faults += 1;
+                defined.extend(stream.sigs[p.start + 1].int);
+            }
             _ => {
                 faults += 1;
                 defined.extend(id);

@@ -103,24 +103,41 @@ pub fn expected_ends(stream: &Stretch, i: usize) -> Vec<usize> {
     out
 }
 
+/// What is known of the text around a piece.
+pub trait Known {
+    /// Whether a number is used as an ID elsewhere and defined by no line of its own.
+    fn is_missing(&self, id: i32) -> bool;
+    /// Whether an ID is defined elsewhere.
+    fn is_defined(&self, id: i32) -> bool;
+    /// Whether some other ID is used elsewhere and defined by no line of its own.
+    fn misses_another(&self, id: i32) -> bool;
+}
+
+/// Nothing is known.
+pub struct Unknown;
+
+impl Known for Unknown {
+    fn is_missing(&self, _: i32) -> bool {
+        false
+    }
+
+    fn is_defined(&self, _: i32) -> bool {
+        false
+    }
+
+    fn misses_another(&self, _: i32) -> bool {
+        true
+    }
+}
+
 /// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
-pub fn judge(
-    stream: &Stretch,
-    start: usize,
-    end: usize,
-    is_id: impl Fn(i32) -> bool,
-) -> (Verdict, u32) {
-    let found = likeliest(stream, start, end, is_id);
+pub fn judge(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
+    let found = likeliest(stream, start, end, known);
     debug_assert!(found.1 >= LEAST, "{found:?}");
     found
 }
 
-fn likeliest(
-    stream: &Stretch,
-    start: usize,
-    end: usize,
-    is_id: impl Fn(i32) -> bool,
-) -> (Verdict, u32) {
+fn likeliest(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
     let id = &stream.sigs[start];
     if end == start + 1 && id.kind.is_bad() {
         return (Verdict::BadId { ty: None }, FAULT + 10);
@@ -145,8 +162,26 @@ fn likeliest(
         (None, _) => untyped(stream, start, end),
     };
     if good_id {
-        let lost = lost_id(stream, start, end).filter(|_| !id.int.is_some_and(is_id));
-        let in_order = if follows(stream, start) { IN_ORDER } else { 0 };
+        if let Some(sign) = sign_of_known_type(stream, start, end, known) {
+            return sign;
+        }
+        if let Some(surplus) = surplus(stream, start, end, known) {
+            return surplus;
+        }
+        let lost = lost_id(stream, start, end).filter(|_| {
+            let missing = id.int.is_some_and(|id| known.is_missing(id));
+            // `5 0 1 2 3` is an undefined object, unless something else must be here.
+            let undefined = ty.is_some_and(|t| t.code == 0)
+                && is_between(stream, start)
+                && !id.int.is_some_and(|id| known.misses_another(id));
+            !missing && !undefined
+        });
+        let taken = id.int.is_some_and(|id| known.is_defined(id));
+        let in_order = if follows(stream, start) && !taken {
+            IN_ORDER
+        } else {
+            0
+        };
         return match lost {
             Some((verdict, price)) if price + in_order < with_id.1 => (verdict, price + in_order),
             _ => with_id,
@@ -192,6 +227,73 @@ fn likeliest(
     }
 }
 
+/// A number in front of a whole record, whose ID something else needs.
+fn surplus(
+    stream: &Stretch,
+    start: usize,
+    end: usize,
+    known: &impl Known,
+) -> Option<(Verdict, u32)> {
+    let r = stream
+        .read(start + 1)
+        .filter(|r| r.end == end && r.ty.code != 0)?;
+    let needed = stream.sigs[start + 1]
+        .int
+        .is_some_and(|id| known.is_missing(id));
+    let own = stream.sigs[start]
+        .int
+        .is_some_and(|id| known.is_missing(id));
+    let whole_line = stream.starts_line(start) && stream.ends_line(end);
+    (needed && !own && whole_line && stream.values_allowed(start + 1, r)).then(|| {
+        let expected = end - start - 3;
+        (Verdict::Surplus { ty: r.ty, expected }, FAULT - 20)
+    })
+}
+
+/// A whole line that would be right if its type had a minus sign: a rotation `ID 2 30 1`, which reads as the head
+/// of a surface of revolution with 30 points. Where the type as it stands might have lost a number as well, the ID
+/// must be one that can be changed.
+fn sign_of_known_type(
+    stream: &Stretch,
+    start: usize,
+    end: usize,
+    known: &impl Known,
+) -> Option<(Verdict, u32)> {
+    let ty = stream.record_type(start + 1).filter(|_| start + 2 < end)?;
+    let meant = RecordType::by_code(-i64::from(ty.code)).filter(|t| t.code < 0)?;
+    let whole_line = stream.starts_line(start)
+        && stream.ends_line(end)
+        && stream.line(start) == stream.line(end - 1);
+    let got = end - start - 2;
+    let right = whole_line
+        && got as u64 == meant.arity(0)
+        && (start + 2..end)
+            .zip(meant.params)
+            .all(|(at, p)| fits(stream.sigs[at].kind, p.kind) && allows(p, stream.value(at)));
+    if !right {
+        return None;
+    }
+    let n = match ty.is_counted() {
+        true => count(stream, start + 2).unwrap_or(0),
+        false => 0,
+    };
+    let expected = ty.arity(n);
+    let changes = stream.sigs[start]
+        .int
+        .is_some_and(|id| known.is_defined(id));
+    let far = expected > 2 * got as u64 + 2;
+    (expected > got as u64 && (far || changes)).then(|| {
+        let expected = usize::try_from(expected).unwrap_or(usize::MAX);
+        let verdict = Verdict::LostSign {
+            ty,
+            meant,
+            got,
+            expected,
+        };
+        (verdict, FAULT - 20)
+    })
+}
+
 /// What it costs more to take the next number after the ID of the line before for a type.
 const IN_ORDER: u32 = 40;
 
@@ -202,6 +304,17 @@ fn follows(stream: &Stretch, start: usize) -> bool {
     line > 0
         && stream.starts_line(start)
         && first(line - 1).filter(|&id| id > 0).map(|id| id + 1) == first(line)
+}
+
+/// Whether a line begins with a number between those that the lines before and behind begin with. The render
+/// record is behind all.
+fn is_between(stream: &Stretch, start: usize) -> bool {
+    let line = stream.line(start);
+    let first = |line: usize| stream.sigs[stream.line_start(line)].int;
+    let id = first(line);
+    let rises = line == 0 || first(line - 1) < id;
+    let next = (line + 1 < stream.line_count()).then(|| first(line + 1));
+    rises && next.is_none_or(|next| next == Some(1) || next > id)
 }
 
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have
@@ -405,10 +518,18 @@ pub fn has_lost_id(stream: &Stretch, start: usize, end: usize) -> bool {
 
 fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
     let ty = stream.record_type(start).filter(|t| t.code != 0)?;
-    // A negative number can be nothing but a type; others are one only for a whole line.
-    if ty.code > 0 && !(stream.starts_line(start) && stream.ends_line(end)) {
+    // A negative number can be nothing but a type; others are one only for a whole line, or where there are no
+    // lines and another record follows.
+    let whole_line = stream.starts_line(start) && stream.ends_line(end);
+    let follows = stream.is_free && (end == stream.len() || stream.read(end).is_some());
+    if ty.code > 0 && !(whole_line || follows) {
         return None;
     }
+    let price = if ty.code > 0 && !whole_line {
+        FAULT + 50
+    } else {
+        FAULT - 10
+    };
     let n = match ty.is_counted() {
         true => count(stream, start + 1).ok()?,
         false => 0,
@@ -416,7 +537,7 @@ fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)>
     let got = (end - start - 1) as u64;
     let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
     let over_lines = stream.line(start) != stream.line(end - 1);
-    if over_lines && !(ty.is_counted() || ty.params.len() >= LONG) {
+    if over_lines && !stream.is_free && !(ty.is_counted() || ty.params.len() >= LONG) {
         return None;
     }
     let right = || {
@@ -429,7 +550,7 @@ fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)>
                 })
             })
     };
-    (exact && right()).then_some((Verdict::LostId { ty }, FAULT - 10))
+    (exact && right()).then_some((Verdict::LostId { ty }, price))
 }
 
 /// How many values of a long record are looked at to judge whether it is plausible.
@@ -462,10 +583,14 @@ impl Piece {
                 count: r.count,
                 value: stream.value_index(self.start + 2),
             }),
+            Verdict::Count { ty, .. } | Verdict::BadCount { ty } => {
+                broken.ty = Some(ty);
+                broken.fault = ast::Fault::Number;
+                Item::Broken(broken)
+            }
             Verdict::Damaged { ty }
             | Verdict::Reals { ty }
-            | Verdict::Count { ty, .. }
-            | Verdict::BadCount { ty } => {
+            | Verdict::LostSign { meant: ty, .. } => {
                 broken.ty = Some(ty);
                 Item::Broken(broken)
             }
@@ -473,6 +598,13 @@ impl Piece {
                 broken.id = (ty.code == 9999).then_some(1);
                 broken.ty = Some(ty);
                 broken.fault = ast::Fault::LostId;
+                Item::Broken(broken)
+            }
+            Verdict::Surplus { ty, .. } => {
+                broken.id = sig(self.start + 1)
+                    .int
+                    .and_then(|id| u32::try_from(id).ok());
+                broken.ty = Some(ty);
                 Item::Broken(broken)
             }
             Verdict::Swapped => {

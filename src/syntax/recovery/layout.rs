@@ -12,6 +12,7 @@ use super::super::table::Effect;
 use super::faults;
 use super::stretch::Stretch;
 use super::sums::Sums;
+use super::trusted::Trusted;
 use super::verdict::{FAULT, Piece, Verdict};
 use super::witness::Witnesses;
 
@@ -37,12 +38,14 @@ pub fn cut(
     witnesses: &Witnesses,
     strict: Option<&[Piece]>,
     doubt_takeovers: bool,
+    trusted: Option<&Trusted>,
 ) -> Vec<Piece> {
     let search = Search {
         stream,
         witnesses,
         sums: Sums::new(stream, witnesses),
         doubt_takeovers,
+        trusted,
     };
     match strict {
         Some(strict) if search.is_cheap(strict) => strict.to_vec(),
@@ -55,6 +58,8 @@ struct Search<'a, 's> {
     witnesses: &'a Witnesses<'a>,
     sums: Sums,
     doubt_takeovers: bool,
+    /// What a first reading says, if this is a second one.
+    trusted: Option<&'a Trusted<'a>>,
 }
 
 impl Search<'_, '_> {
@@ -65,7 +70,7 @@ impl Search<'_, '_> {
         price[0] = 0;
         let mut ends = Vec::new();
         for i in 0..n {
-            if price[i] == u64::MAX {
+            if price[i] == u64::MAX || !self.sums.may_begin[i] {
                 continue;
             }
             ends.clear();
@@ -203,7 +208,8 @@ impl Search<'_, '_> {
             }
         }
         // What the resolver would object to counts too, but never as much as a fault of form.
-        price + self.objections(start, r)
+        let disagrees = self.trusted.map_or(0, |t| t.record(stream, start, r.end));
+        price + self.objections(start, r).max(disagrees)
     }
 
     fn objections(&self, start: usize, r: &Reading) -> u32 {
@@ -229,8 +235,7 @@ impl Search<'_, '_> {
     /// The price of tokens `start..end` as one broken stretch, and what is wrong with it.
     fn fault(&self, start: usize, end: usize) -> (Verdict, u32) {
         let stream = self.stream;
-        let is_id = |id: i32| self.witnesses.is_missing(id);
-        let (verdict, mut price) = faults::judge(stream, start, end, is_id);
+        let (verdict, mut price) = faults::judge(stream, start, end, self.witnesses);
         let (first, last) = (stream.line(start), stream.line(end - 1));
         // A single token that can be nothing is passed over wherever it stands. Else a fault is
         // likelier to be a whole line, unless the rest of the line is whole records.
@@ -276,6 +281,10 @@ impl Search<'_, '_> {
                 stream.starts_line(start) && self.witnesses.is_complete_line(stream, first),
             );
             price += OWN_LINE * own.min(OWN_LINES_MAX);
+        }
+        if let Some(trusted) = self.trusted {
+            let (more, less) = trusted.fault(stream, start);
+            price = (price + more).saturating_sub(less).max(faults::LEAST);
         }
         (verdict, price)
     }

@@ -7,6 +7,8 @@
 //!                     │
 //!                  layout         the cheapest way to cut it into pieces      ◄─ faults: what a piece costs
 //!                     │
+//!                  trusted        free form only: once more, with the IDs of what is far from the faults
+//!                     │
 //!                  damage         against the reading by arity, if there is one: which leaves fewer errors
 //!                     │
 //!                  report         the pieces that are no records, in words
@@ -28,6 +30,7 @@ mod slips;
 mod stretch;
 mod sums;
 mod surroundings;
+mod trusted;
 mod verdict;
 mod witness;
 
@@ -36,6 +39,7 @@ use super::signature::Columns;
 use crate::diagnostics::Diagnostic;
 use stretch::Stretch;
 pub use surroundings::Surroundings;
+use trusted::Trusted;
 use verdict::{Piece, Verdict};
 use witness::Witnesses;
 
@@ -46,8 +50,9 @@ pub fn recover(
     around: &Surroundings,
     out: &mut Vec<Diagnostic>,
 ) -> Vec<Item> {
-    let stretch = Stretch::new(columns, from, to);
+    let mut stretch = Stretch::new(columns, from, to);
     let witnesses = Witnesses::new(&stretch, around);
+    stretch.is_free = !witnesses.in_lines;
     let pieces = pieces(&stretch, &witnesses, around);
     report::pieces(&stretch, &witnesses, &pieces, out);
     pieces.iter().map(|p| p.item(&stretch)).collect()
@@ -78,9 +83,12 @@ pub fn has_lost_id(columns: Columns, from: usize, to: usize) -> bool {
     faults::has_lost_id(&stretch, 0, to - from)
 }
 
+/// How often a free-form stretch is read once more with what the reading before says.
+const LOOKS: usize = 2;
+
 fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Vec<Piece> {
     let strict = by_arity(stretch);
-    let mut pieces = layout::cut(stretch, witnesses, strict.as_deref(), false);
+    let mut pieces = layout::cut(stretch, witnesses, strict.as_deref(), false, None);
     let takes_over = |p: &Piece| {
         matches!(p.verdict, Verdict::Whole(_)) && witnesses.takes_over(stretch, p.start, p.end)
     };
@@ -88,10 +96,22 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
     if damage > 0 && pieces.iter().any(takes_over) {
         // A record took numbers from a line that looks like one of its own. As something is
         // missing now, believe the line.
-        let doubting = layout::cut(stretch, witnesses, strict.as_deref(), true);
+        let doubting = layout::cut(stretch, witnesses, strict.as_deref(), true, None);
         let other = damage::damage(stretch, around, &doubting);
         if other <= damage {
             (pieces, damage) = (doubting, other);
+        }
+    }
+    let is_whole = |p: &Piece| matches!(p.verdict, Verdict::Whole(_) | Verdict::Void);
+    for _ in 0..LOOKS {
+        if witnesses.in_lines || damage == 0 || pieces.iter().all(is_whole) {
+            break;
+        }
+        let trusted = Trusted::new(stretch, around, &pieces);
+        let again = layout::cut(stretch, witnesses, strict.as_deref(), false, Some(&trusted));
+        let other = damage::damage(stretch, around, &again);
+        if other <= damage {
+            (pieces, damage) = (again, other);
         }
     }
     if damage > 0

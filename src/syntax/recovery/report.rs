@@ -1,7 +1,7 @@
 //! Findings of the parser: what is wrong with the broken pieces of a text, in words.
 
 use super::super::lexer::{Token, TokenKind};
-use super::super::quote;
+use super::super::quote::quote;
 use super::super::signature::fits;
 use super::super::table::{ParamKind, RecordType};
 use super::faults;
@@ -101,6 +101,25 @@ impl Reporter<'_, '_> {
                 self.bad_tokens(ty, start + 2, end, out);
                 out.push(self.count(piece, ty, got, expected));
             }
+            Verdict::Surplus { ty, expected } => {
+                let span = self.stream.token(start).span();
+                let count = |n: usize| Value::Count(n as u64);
+                out.push(
+                    Diagnostic::new(Code::E009, span)
+                        .with("type", Value::Term(ty.title))
+                        .with("got", count(expected + 1))
+                        .with("off", count(1))
+                        .with("wanted", count(expected))
+                        .with("fewer", "none")
+                        .with("header", header(ty)),
+                );
+            }
+            Verdict::LostSign {
+                ty,
+                meant,
+                got,
+                expected,
+            } => out.push(self.lost_sign(piece, (ty, meant), got, expected)),
             Verdict::BadCount { ty } => {
                 self.real_type(start, out);
                 self.bad_count(ty, start, end, out);
@@ -362,6 +381,28 @@ impl Reporter<'_, '_> {
             .min_by_key(|&r| uneven(r))?;
         let from = stream.line_start(first + best).max(piece.start);
         Some((from, rows[best].1))
+    }
+
+    fn lost_sign(
+        &self,
+        piece: &Piece,
+        (ty, meant): (&RecordType, &'static RecordType),
+        got: usize,
+        expected: usize,
+    ) -> Diagnostic {
+        let count = |n: usize| Value::Count(n as u64);
+        let span = self.span(piece.start + 1, piece.start + 2);
+        Diagnostic::new(Code::E008, span)
+            .case("sign")
+            .with("type", Value::Term(ty.title))
+            .with("got", count(got))
+            .with("off", count(expected.abs_diff(got)))
+            .with("wanted", count(expected))
+            .with("fewer", "none")
+            .with("meant", Value::Term(meant.title))
+            .with("header", header(meant))
+            .with("number", quote(&meant.code.to_string()))
+            .fix(write(Applicability::Unsafe, span, meant.code.to_string()))
     }
 
     fn bad_count(&self, ty: &RecordType, start: usize, end: usize, out: &mut Vec<Diagnostic>) {

@@ -4,7 +4,7 @@
 
 use super::super::ast::{Broken, Fault, Item};
 use super::super::lexer::{self, Token, TokenKind};
-use super::super::quote;
+use super::super::quote::quote;
 use super::super::table::{ParamKind, RecordType};
 use super::stretch::LONG;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};

@@ -1,7 +1,7 @@
 //! Lines that would be records of their own but for a slip, and tables whose rows are none. Where the
 //! same mistake stands on many lines, no line is right, and these are the witnesses.
 
-use super::faults::{expected_end, has_lost_id, is_counted, judge, lost_sign};
+use super::faults::{Unknown, expected_end, has_lost_id, is_counted, judge, lost_sign};
 use super::stretch::Stretch;
 use super::verdict::Verdict;
 
@@ -22,8 +22,7 @@ pub fn slip(stream: &Stretch, line: usize, in_table: bool) -> Slip {
         .first()
         .and_then(|s| s.int)
         .unwrap_or(0);
-    let none = |_| false;
-    let (ty, slip) = match judge(stream, start, end, none).0 {
+    let (ty, slip) = match judge(stream, start, end, &Unknown).0 {
         Verdict::Damaged { ty } | Verdict::Reals { ty } => (Some(ty), Slip::Yes),
         Verdict::LostId { ty } => {
             return if in_table && ty.code > LEAST_HEAD {
@@ -33,6 +32,8 @@ pub fn slip(stream: &Stretch, line: usize, in_table: bool) -> Slip {
             };
         }
         Verdict::Swapped => (None, Slip::Yes),
+        Verdict::Surplus { ty, .. } => (Some(ty), Slip::Yes),
+        Verdict::LostSign { meant, .. } => (Some(meant), Slip::Yes),
         Verdict::BadId { ty: Some(ty) } if stream.sigs[start].kind.is_bad() => {
             (Some(ty), Slip::Yes)
         }

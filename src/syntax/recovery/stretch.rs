@@ -40,6 +40,8 @@ pub struct Stretch<'s> {
     odd_before: Vec<u32>,
     /// For each token the record that can be read from there on.
     readings: Vec<Option<Reading>>,
+    /// It is known that the text is not laid out in lines.
+    pub is_free: bool,
 }
 
 impl<'s> Stretch<'s> {
@@ -100,6 +102,7 @@ impl<'s> Stretch<'s> {
             line_starts,
             unclosed_lines,
             odd_before,
+            is_free: false,
         }
     }
 
@@ -144,6 +147,15 @@ impl<'s> Stretch<'s> {
             ..*r
         };
         signature::values_allowed(&self.columns, start + self.from, &r)
+    }
+
+    /// Whether a record has the ID or the values of none.
+    pub fn is_odd(&self, start: usize, r: &Reading) -> bool {
+        let r = Reading {
+            end: r.end + self.from,
+            ..*r
+        };
+        signature::is_odd(&self.columns, start + self.from, &r)
     }
 
     pub fn text(&self) -> &'s str {

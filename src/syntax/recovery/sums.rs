@@ -17,6 +17,8 @@ pub struct Sums {
     /// For each token: its line is whole records up to it, or from it on.
     pub whole_until: Vec<bool>,
     pub whole_from: Vec<bool>,
+    /// For each token whether a piece may begin there.
+    pub may_begin: Vec<bool>,
 }
 
 impl Sums {
@@ -44,6 +46,7 @@ impl Sums {
         }
         let (whole_until, whole_from) = whole(stream);
         Sums {
+            may_begin: may_begin(stream, witnesses, &whole_from),
             whole_until,
             whole_from,
             own_before: sums(lines.clone().map(own)),
@@ -77,6 +80,54 @@ fn whole(stream: &Stretch) -> (Vec<bool>, Vec<bool>) {
         }
     }
     (until, from)
+}
+
+/// Where pieces may begin. In a text laid out in lines, nothing begins in the middle of a line that begins as a
+/// record does, unless the line is a row of whole records: a number too many is not the ID of another record.
+fn may_begin(stream: &Stretch, witnesses: &Witnesses, whole_from: &[bool]) -> Vec<bool> {
+    let mut out = vec![true; stream.len() + 1];
+    if !witnesses.in_lines {
+        return out;
+    }
+    for line in 0..stream.line_count() {
+        let (start, end) = (stream.line_start(line), stream.line_end(line));
+        // What can be nothing may stand before the record.
+        let head = (start..end)
+            .find(|&i| !stream.sigs[i].kind.is_bad())
+            .unwrap_or(end);
+        let headed = stream
+            .sigs
+            .get(head)
+            .and_then(|s| s.int)
+            .is_some_and(|id| id > 0)
+            && head + 1 < end
+            && stream.record_type(head + 1).is_some_and(|t| t.code != 0);
+        if !headed || is_row_of_records(stream, head, end, whole_from) {
+            continue;
+        }
+        for i in head + 1..end {
+            let sig = &stream.sigs[i];
+            let heading = sig.int == Some(0) && sig.before_comment;
+            out[i] = heading || sig.kind.is_bad();
+        }
+    }
+    out
+}
+
+/// Whether tokens `start..end` are whole records with nothing odd about them.
+fn is_row_of_records(stream: &Stretch, start: usize, end: usize, whole_from: &[bool]) -> bool {
+    let mut at = start;
+    while at < end {
+        if !whole_from[at] {
+            return false;
+        }
+        at = match stream.read(at) {
+            Some(r) if !stream.is_odd(at, r) => r.end,
+            Some(_) => return false,
+            None => at + 1,
+        };
+    }
+    true
 }
 
 /// How often it was true before each place, and in all.

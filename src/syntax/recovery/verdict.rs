@@ -34,6 +34,18 @@ pub enum Verdict {
         got: usize,
         expected: usize,
     },
+    /// A number in front of a whole record.
+    Surplus {
+        ty: &'static RecordType,
+        expected: usize,
+    },
+    /// A record of another type but for the sign of its type.
+    LostSign {
+        ty: &'static RecordType,
+        meant: &'static RecordType,
+        got: usize,
+        expected: usize,
+    },
     /// The count of a counted type is missing or cannot be used.
     BadCount {
         ty: &'static RecordType,

@@ -5,7 +5,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::super::signature::Reading;
 use super::super::table::Effect;
 use super::damage;
-use super::faults;
+use super::faults::{self, Known};
 use super::slips::{self, Slip};
 use super::stretch::{LONG, Stretch};
 use super::surroundings::Surroundings;
@@ -166,6 +166,10 @@ impl<'a> Witnesses<'a> {
         }
     }
 
+    fn elsewhere(&self, id: i32) -> Option<u32> {
+        u32::try_from(id).ok().filter(|_| self.in_lines)
+    }
+
     /// What is known of the lines that define an ID.
     pub fn head(&self, stream: &Stretch, id: i32) -> Option<Head> {
         let here = self.heads.get(&id).copied();
@@ -186,15 +190,6 @@ impl<'a> Witnesses<'a> {
         Some(head)
     }
 
-    /// Whether a number is used as an ID elsewhere and defined by no line of its own: if a record
-    /// begins with it, then it is that record's ID.
-    pub fn is_missing(&self, id: i32) -> bool {
-        let elsewhere = u32::try_from(id).unwrap_or(0);
-        !self.ids_lost
-            && (self.used.contains(&id) || self.in_lines && self.around.is_used(elsewhere))
-            && !(self.heads.contains_key(&id) || self.around.is_defined(elsewhere))
-    }
-
     /// Whether a line would be a complete record by itself.
     pub fn is_complete_line(&self, stream: &Stretch, line: usize) -> bool {
         self.ends[line] as usize == stream.line_end(line)
@@ -213,6 +208,26 @@ impl<'a> Witnesses<'a> {
         }
         let length = |l: usize| stream.line_end(l) - stream.line_start(l);
         !(last > first + 1 && length(last) == length(last - 1))
+    }
+}
+
+/// If a record begins with the number of an ID that is missing, then it is that record's ID.
+impl Known for Witnesses<'_> {
+    fn is_missing(&self, id: i32) -> bool {
+        let used =
+            self.used.contains(&id) || self.elsewhere(id).is_some_and(|id| self.around.is_used(id));
+        !self.ids_lost && used && !self.is_defined(id)
+    }
+
+    fn is_defined(&self, id: i32) -> bool {
+        self.heads.contains_key(&id)
+            || (u32::try_from(id)).is_ok_and(|id| self.around.is_defined(id))
+    }
+
+    fn misses_another(&self, id: i32) -> bool {
+        let dangling = self.around.dangling.iter().map(|&id| id as i32);
+        (dangling.chain(self.used.iter().copied()))
+            .any(|other| other != id && !self.is_defined(other))
     }
 }
 
