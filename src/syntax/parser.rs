@@ -509,21 +509,21 @@ const PARTS: usize = 16;
 const LONGEST_PART: usize = 30_000;
 const LINES_TRIED: usize = 200;
 
-/// N605: an optional group that could be there as well as not. Of numbers on the next line nothing is said.
+/// N605: an optional group on the record's line that could be whole records as well.
 fn two_ways(c: &Columns, start: usize, reading: &Reading) -> Option<Diagnostic> {
-    if !reading.two_ways {
-        return None;
-    }
     let base = start + 2 + reading.ty.params.len();
-    let there = reading.end > base;
-    if !there && c.starts_line(base) {
+    if !reading.two_ways || reading.end == base {
         return None;
     }
-    let last = base + reading.ty.optional.len() - 1;
-    let span = c.token(base).span().to(c.token(last).span());
-    let case = if there { "" } else { "apart" };
-    let note = Diagnostic::new(Code::N605, span).case(case);
-    Some(note.with("type", Value::Term(reading.ty.title)))
+    let mut at = base;
+    while at < reading.end {
+        at = match c.int(at)? {
+            0 => at + 1,
+            _ => signature::read(c, at, reading.end)?.end,
+        };
+    }
+    let span = c.token(base).span().to(c.token(reading.end - 1).span());
+    Some(Diagnostic::new(Code::N605, span).with("type", Value::Term(reading.ty.title)))
 }
 
 /// Whether records of a type define something that has an ID of its own.

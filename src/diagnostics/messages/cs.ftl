@@ -251,9 +251,6 @@ N604-incomplete = soubor je v UTF-16 a něco v něm není znak; nezapisuje se do
 N605 = čísla za záznamem ({ $type }) lze číst dvěma způsoby
     .label = čte se jako součást záznamu
     .help = mohla by to být samostatná čísla jiných záznamů: ty stojí na vlastních řádcích
-N605-apart = { N605 }
-    .label = čte se jako další záznamy
-    .help = mají-li patřit k záznamu ({ $type }), musí být zbytkem jeho řádku
 
 ## ID
 

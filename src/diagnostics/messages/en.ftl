@@ -242,9 +242,6 @@ N604-incomplete = the file is UTF-16 with something in it that is no character; 
 N605 = the numbers behind this { $type } can be read in two ways
     .label = read as part of the { $type }
     .help = they could be records of their own: these stand on lines of their own
-N605-apart = { N605 }
-    .label = read as records of their own
-    .help = to be part of the { $type }, they must be the rest of its line
 
 ## IDs
 

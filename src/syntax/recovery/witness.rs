@@ -28,6 +28,8 @@ pub struct Witnesses<'a> {
     around: &'a Surroundings,
     /// A line begins with a type that can be no ID: other lines may have lost theirs as well.
     ids_lost: bool,
+    /// How many lines are records but for a slip.
+    slipped: usize,
     /// Comments behind a record on its line are introduced by `0` here.
     pub voids_behind_records: bool,
 }
@@ -160,6 +162,7 @@ impl<'a> Witnesses<'a> {
             heads,
             used,
             ids_lost,
+            slipped,
             voids_behind_records: around.voids_behind_records
                 || voids_behind_records(stream, around),
             around,
@@ -225,9 +228,12 @@ impl Known for Witnesses<'_> {
     }
 
     fn misses_another(&self, id: i32) -> bool {
+        // The same may have happened to other lines.
+        let others = self.ids_lost || self.slipped > 1;
         let dangling = self.around.dangling.iter().map(|&id| id as i32);
-        (dangling.chain(self.used.iter().copied()))
-            .any(|other| other != id && !self.is_defined(other))
+        others
+            || (dangling.chain(self.used.iter().copied()))
+                .any(|other| other != id && !self.is_defined(other))
     }
 }
 
