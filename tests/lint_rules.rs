@@ -64,16 +64,19 @@ fn report(path: &Path) -> String {
     report
 }
 
+/// Compares all that is to be seen of a scene with the snapshot beside it.
+pub fn snapshot(path: &Path) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(path.parent().unwrap());
+    settings.set_prepend_module_to_snapshot(false);
+    settings.remove_snapshot_suffix();
+    settings.set_omit_expression(true);
+    settings.remove_input_file();
+    let name = path.file_name().unwrap().to_str().unwrap();
+    settings.bind(|| insta::assert_snapshot!(name, report(path)));
+}
+
 #[test]
 fn scenes_of_rules() {
-    insta::glob!("../src/lint", "**/tests/*.zpg", |path| {
-        let mut settings = insta::Settings::clone_current();
-        settings.set_snapshot_path(path.parent().unwrap());
-        settings.set_prepend_module_to_snapshot(false);
-        settings.remove_snapshot_suffix();
-        settings.set_omit_expression(true);
-        settings.remove_input_file();
-        let name = path.file_name().unwrap().to_str().unwrap();
-        settings.bind(|| insta::assert_snapshot!(name, report(path)));
-    });
+    insta::glob!("../src/lint", "**/tests/*.zpg", snapshot);
 }

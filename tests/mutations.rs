@@ -9,7 +9,9 @@ use zpg::analysis::Analysis;
 use zpg::syntax::table::ParamKind;
 use zpg::syntax::{Document, Item};
 
+mod measure;
 mod repeated;
+mod scenes;
 
 const FIRST_ON_LINE: f64 = 0.99;
 const EXACTLY_ONE: f64 = 0.97;

@@ -59,7 +59,7 @@ impl Analysis {
         let Stranger { source, finding } = stranger;
         let document = Document {
             tokens: lexer::lex(&source.text, &[]),
-            items: Vec::new(),
+            ..Document::default()
         };
         Analysis {
             source,
@@ -168,13 +168,13 @@ impl Analysis {
     }
 
     fn find(&self) -> Vec<Diagnostic> {
+        let Settings { levels, choice } = &self.settings;
         let mut all = self.read.clone();
         if self.is_scene {
             let context = lint::Context::new(&self.source.text, &self.document, &self.scene);
-            lint::run(&context, &mut all);
+            lint::run(&context, |code| levels.is_on(choice, code), &mut all);
             diagnostics::sort(&mut all);
         }
-        let Settings { levels, choice } = &self.settings;
         levels.apply(choice, &mut all);
         all
     }

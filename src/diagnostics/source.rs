@@ -1,6 +1,7 @@
 //! A scene file in memory: the text the tools read, and the way back to the bytes on disk.
 
 use std::path::Path;
+use std::sync::OnceLock;
 
 use super::Span;
 
@@ -20,15 +21,15 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// Tells from a file's bytes.
+    /// Tells from a file's bytes. What is neither UTF-16 nor UTF-8 is Windows-1250.
     fn of(bytes: &[u8]) -> Encoding {
         match bytes {
             [0xff, 0xfe, ..] => Encoding::Utf16Le,
             [0xfe, 0xff, ..] => Encoding::Utf16Be,
-            _ if bytes.contains(&0) && is_half_nul(bytes, 1) => Encoding::Utf16Le,
-            _ if bytes.contains(&0) && is_half_nul(bytes, 0) => Encoding::Utf16Be,
-            _ if std::str::from_utf8(bytes).is_ok() => Encoding::Utf8,
-            _ => Encoding::Windows1250,
+            _ if memchr::memchr(0, bytes).is_none() => Encoding::Utf8,
+            _ if is_half_nul(bytes, 1) => Encoding::Utf16Le,
+            _ if is_half_nul(bytes, 0) => Encoding::Utf16Be,
+            _ => Encoding::Utf8,
         }
     }
 
@@ -129,10 +130,39 @@ pub struct SourceFile {
     pub encoding: Encoding,
     /// Whether the text stands for all bytes of the file; half a character of UTF-16 is lost.
     pub is_whole: bool,
-    /// Byte offset in `text` of each line's start.
-    line_starts: Vec<u32>,
+    lines: OnceLock<Lines>,
+}
+
+#[derive(Debug)]
+struct Lines {
+    /// Byte offset in the text of each line's start.
+    starts: Vec<u32>,
     /// The same on disk; empty for UTF-8, where the two agree.
-    line_starts_on_disk: Vec<u32>,
+    starts_on_disk: Vec<u32>,
+}
+
+impl Lines {
+    fn new(text: &str, encoding: Encoding) -> Lines {
+        let bytes = text.as_bytes();
+        let is_end = |&i: &usize| bytes[i] == b'\n' || bytes.get(i + 1) != Some(&b'\n');
+        let ends = memchr::memchr2_iter(b'\n', b'\r', bytes).filter(is_end);
+        let starts: Vec<u32> = std::iter::once(0)
+            .chain(ends.map(|i| i as u32 + 1))
+            .collect();
+        let mut starts_on_disk = Vec::new();
+        if encoding != Encoding::Utf8 {
+            let mut on_disk = 0;
+            for (i, &start) in starts.iter().enumerate() {
+                starts_on_disk.push(on_disk);
+                let end = starts.get(i + 1).map_or(text.len(), |&e| e as usize);
+                on_disk += encoding.width(&text[start as usize..end]);
+            }
+        }
+        Lines {
+            starts,
+            starts_on_disk,
+        }
+    }
 }
 
 impl SourceFile {
@@ -140,7 +170,16 @@ impl SourceFile {
     /// never fails.
     pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> SourceFile {
         let encoding = Encoding::of(&bytes);
-        let (text, is_whole) = encoding.decode(bytes);
+        let (encoding, (text, is_whole)) = match encoding {
+            Encoding::Utf8 => match String::from_utf8(bytes) {
+                Ok(text) => (encoding, (text, true)),
+                Err(e) => (
+                    Encoding::Windows1250,
+                    Encoding::Windows1250.decode(e.into_bytes()),
+                ),
+            },
+            _ => (encoding, encoding.decode(bytes)),
+        };
         SourceFile::decoded(path.into(), text, encoding, is_whole)
     }
 
@@ -150,30 +189,19 @@ impl SourceFile {
     }
 
     fn decoded(path: String, text: String, encoding: Encoding, is_whole: bool) -> SourceFile {
-        let mut line_starts = vec![0u32];
-        let bytes = text.as_bytes();
-        for (i, &b) in bytes.iter().enumerate() {
-            if b == b'\n' || (b == b'\r' && bytes.get(i + 1) != Some(&b'\n')) {
-                line_starts.push(i as u32 + 1);
-            }
-        }
-        let mut line_starts_on_disk = Vec::new();
-        if encoding != Encoding::Utf8 {
-            let mut on_disk = 0;
-            for (i, &start) in line_starts.iter().enumerate() {
-                line_starts_on_disk.push(on_disk);
-                let end = line_starts.get(i + 1).map_or(text.len(), |&e| e as usize);
-                on_disk += encoding.width(&text[start as usize..end]);
-            }
-        }
         SourceFile {
             path,
             text,
             encoding,
             is_whole,
-            line_starts,
-            line_starts_on_disk,
+            lines: OnceLock::new(),
         }
+    }
+
+    /// Where lines start. Most scenes are right, and nobody asks.
+    fn lines(&self) -> &Lines {
+        self.lines
+            .get_or_init(|| Lines::new(&self.text, self.encoding))
     }
 
     /// The folder the file lies in, the current one for standard input; `None` for texts that are no files.
@@ -206,18 +234,19 @@ impl SourceFile {
 
     /// The number of the line a text offset lies on, from 0.
     pub fn line_index(&self, offset: u32) -> usize {
-        self.line_starts.partition_point(|&s| s <= offset) - 1
+        self.lines().starts.partition_point(|&s| s <= offset) - 1
     }
 
     /// The span of a line (from 0) without its line break.
     pub fn line_span(&self, line: usize) -> Span {
-        let start = self
-            .line_starts
+        let lines = self.lines();
+        let start = lines
+            .starts
             .get(line)
             .copied()
             .unwrap_or(self.text.len() as u32);
-        let end = self
-            .line_starts
+        let end = lines
+            .starts
             .get(line + 1)
             .map_or(self.text.len(), |&e| e as usize);
         let text = self.text[start as usize..end].trim_end_matches(['\r', '\n']);
@@ -225,13 +254,13 @@ impl SourceFile {
     }
 
     pub fn line_count(&self) -> usize {
-        self.line_starts.len()
+        self.lines().starts.len()
     }
 
     /// Line, column and byte on disk of a text offset.
     pub fn position(&self, offset: u32) -> Position {
         let line = self.line_index(offset);
-        let start = self.line_starts[line];
+        let start = self.lines().starts[line];
         let before = &self.text[start as usize..(offset as usize).min(self.text.len())];
         // A byte order mark is no character of the first line.
         let column = before.trim_start_matches('\u{feff}').chars().count() as u32;
@@ -245,11 +274,11 @@ impl SourceFile {
     /// The byte of the file on disk that a text offset stands for.
     pub fn byte_on_disk(&self, offset: u32) -> u32 {
         let line = self.line_index(offset);
-        match self.line_starts_on_disk.get(line) {
+        match self.lines().starts_on_disk.get(line) {
             None => offset,
             Some(start) => {
                 let inside =
-                    self.line_starts[line] as usize..(offset as usize).min(self.text.len());
+                    self.lines().starts[line] as usize..(offset as usize).min(self.text.len());
                 start + self.encoding.width(&self.text[inside])
             }
         }
@@ -298,7 +327,7 @@ impl<'a> Locator<'a> {
         let file = self.file;
         let offset = file.floor(offset);
         let line = file.line_index(offset);
-        let start = file.line_starts[line];
+        let start = file.lines().starts[line];
         let extent = |from: u32, to: u32| {
             let text = &file.text[from as usize..to as usize];
             Extent {
@@ -326,7 +355,12 @@ impl<'a> Locator<'a> {
         self.offset = offset;
         // A byte order mark is no character of the first line.
         let mark = u32::from(line == 0 && offset > 0 && file.text.starts_with('\u{feff}'));
-        let start_on_disk = file.line_starts_on_disk.get(line).copied().unwrap_or(start);
+        let start_on_disk = file
+            .lines()
+            .starts_on_disk
+            .get(line)
+            .copied()
+            .unwrap_or(start);
         Position {
             offset: start_on_disk + self.before.on_disk,
             line: line as u32 + 1,

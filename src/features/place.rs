@@ -80,6 +80,9 @@ pub fn readable(analysis: &Analysis, item: &Item) -> Option<Record> {
         .and_then(|i| values.get(i)?.integer(text))
         .unwrap_or(0);
     let params = values.len() as u32;
+    // Each token but trivia has a value; the ID's and the type's come first.
+    let before = (document.tokens[..broken.first as usize].iter()).filter(|t| !t.kind.is_trivia());
+    let value = before.count() as u32 + 2;
     Some(Record {
         id: u32::try_from(id).ok()?,
         ty,
@@ -88,6 +91,7 @@ pub fn readable(analysis: &Analysis, item: &Item) -> Option<Record> {
         params,
         // A profile has no more points than there are numbers.
         count: u32::try_from(count).unwrap_or(0).min(params),
+        value,
     })
 }
 

@@ -1,9 +1,7 @@
 //! Whether two scenes say the same, whatever they look like.
 
-use std::cell::Cell;
-
-use crate::syntax::lexer::{Token, Tokens};
-use crate::syntax::plain::{Doubt, Reader};
+use crate::syntax::lexer::Token;
+use crate::syntax::parser;
 use crate::syntax::{Document, Item, Record};
 
 /// Whether two scenes have the same records with the same values to the bit, the same comments, and
@@ -13,58 +11,40 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
 }
 
 /// Whether a text plainly says the same as a scene: `true` means what [`same_content`] says of the two, `false`
-/// nothing.
-///
-/// The text is not parsed, but read by the reader that the parser asks first (`syntax::plain`), token by token.
-/// What that reads without a doubt is what the parser makes of the text, to the token; so its records
-/// are compared as they come, and nothing is kept of them.
+/// nothing. Values are compared as the parser read them, not as they are spelled.
 pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
-    let mut comments = document.comments();
-    let same_comments = Cell::new(true);
-    let tokens = Tokens::new(new, &[]).inspect(|t| {
-        if t.kind.is_comment() {
-            let same = (comments.next()).is_some_and(|other| other.text(old) == t.text(new));
-            same_comments.set(same_comments.get() && same);
-        }
-    });
-    let Ok(mut reader) = Reader::new(new, tokens) else {
+    let Some(other) = parser::parse_plain(new) else {
         return false;
     };
-    let mut items = document
-        .items
-        .iter()
-        .filter(|i| !matches!(i, Item::Void { .. }));
-    loop {
-        let item = items.next();
-        let record = match item {
-            Some(Item::Record(record)) => Some(record),
-            None => None,
-            Some(Item::Void { .. } | Item::Broken(_)) => return false,
-        };
-        let mut values = record
-            .into_iter()
-            .flat_map(|r| document.significant(r.first, r.last));
-        let mut same = true;
-        let mut each = |t: &Token| {
-            let value = values.next();
-            same &= value.is_some_and(|v| same_value((old, v), (new, t)));
-        };
-        let other = loop {
-            match reader.item(&mut each) {
-                Ok(Some(Item::Void { .. })) => {}
-                Ok(other) => break other,
-                Err(Doubt) => return false,
-            }
-        };
-        match (record, other) {
-            (Some(x), Some(Item::Record(y))) if same && same_head(x, &y) => {}
-            (None, None) => break,
-            _ => return false,
+    let says = |item: &&Item| !matches!(item, Item::Void { .. });
+    let mut others = other.items.iter().filter(says);
+    let mut items = document.items.iter().filter(says);
+    let same = |(x, y): (&Item, &Item)| match (x, y) {
+        (Item::Record(x), Item::Record(y)) => same_record((old, document, x), (new, &other, y)),
+        _ => false,
+    };
+    let all = loop {
+        match (items.next(), others.next()) {
+            (Some(x), Some(y)) if same((x, y)) => {}
+            (None, None) => break true,
+            _ => break false,
         }
-    }
-    drop(reader);
-    same_comments.get() && comments.next().is_none()
+    };
+    all && comments((old, document)).eq(comments((new, &other)))
 }
+
+/// Whether two records have the same values to the bit.
+fn same_record(a: (&str, &Document, &Record), b: (&str, &Document, &Record)) -> bool {
+    let (x, y) = (a.1.values(a.2), b.1.values(b.2));
+    // Where a double is not all that an integer says, or there is none, the spelling counts.
+    let told = |x: &f64, y: &f64| x.to_bits() == y.to_bits() && x.abs() < INTEGERS;
+    same_head(a.2, b.2)
+        && (x.iter().zip(y).all(|(x, y)| told(x, y))
+            || (a.1.params(a.2).zip(b.1.params(b.2))).all(|(s, t)| same_value((a.0, s), (b.0, t))))
+}
+
+/// Integers below 2⁵³ are doubles.
+const INTEGERS: f64 = 9_007_199_254_740_992.0;
 
 /// The items of the first scene that are not the same in the second, or not in the same place among
 /// its numbers.
@@ -123,13 +103,7 @@ fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
         text[document.item_span(item).range()].to_owned()
     };
     match (a.2, b.2) {
-        (Item::Record(x), Item::Record(y)) => {
-            same_head(x, y)
-                && a.1
-                    .params(x)
-                    .zip(b.1.params(y))
-                    .all(|(s, t)| same_value((a.0, s), (b.0, t)))
-        }
+        (Item::Record(x), Item::Record(y)) => same_record((a.0, a.1, x), (b.0, b.1, y)),
         (Item::Broken(x), Item::Broken(y)) => {
             x.id == y.id && x.ty.map(|t| t.kind) == y.ty.map(|t| t.kind) && text(a) == text(b)
         }

@@ -245,6 +245,8 @@ fn what_says_the_same() {
     for other in [
         "2 11 0 0 1.5 1\n# h # # c #\n3 20\n4 -101 2 3",
         "2 11 # h #\n0 0 1.50 +1 # c #\n0\n3 20\n4 -101 2 3\n0",
+        // No half-axis is negative: these are two records.
+        "2 11 0 0 1.5 1\n# h # # c #\n3 20 4 -101 2 3",
     ] {
         assert!(same(text, other), "{other}");
     }
@@ -253,7 +255,7 @@ fn what_says_the_same() {
         text.replace("# c #", "# d #"),
         text.replace("# c #", ""),
         text.replace("3 20", "3 19"),
-        text.replace("3 20\n", "3 20 "),
+        text.replace("3 20\n4 -101", "3 20 4 0.101"),
         text.replace("4 -101", "5 -101"),
         text.replace("4 -101 2 3", ""),
         text.to_owned() + "5 9 1",

@@ -11,16 +11,29 @@ use super::levels::Selector;
 use crate::diagnostics::{self, Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::syntax::Item;
 use crate::syntax::directive::{self, PREFIX, is_directive, without_word};
-use crate::syntax::lexer::TokenKind;
+use crate::syntax::lexer::{Token, TokenKind};
+
+/// The comments that say so, as tokens.
+fn comments<'a>(context: &'a Context) -> impl Iterator<Item = u32> + 'a {
+    let tokens = match context.document.contents.comments {
+        true => context.document.tokens.as_slice(),
+        false => &[],
+    };
+    let is_one = |t: &Token| t.kind == TokenKind::Comment && is_directive(t, context.text);
+    (0..)
+        .zip(tokens)
+        .filter(move |(_, t)| is_one(t))
+        .map(|(i, _)| i)
+}
+
+/// Whether there are such comments.
+pub fn any(context: &Context) -> bool {
+    comments(context).next().is_some()
+}
 
 /// Takes out what comments allow, and adds what is wrong with the comments. Sorts the findings.
 pub fn apply(context: &Context, out: &mut Vec<Diagnostic>) {
-    let tokens = &context.document.tokens;
-    let is_one = |i: &u32| {
-        let t = &tokens[*i as usize];
-        t.kind == TokenKind::Comment && is_directive(t, context.text)
-    };
-    let comments: Vec<u32> = (0..tokens.len() as u32).filter(is_one).collect();
+    let comments: Vec<u32> = comments(context).collect();
     if comments.is_empty() {
         return;
     }

@@ -161,30 +161,7 @@ impl Levels {
             if d.is_error() {
                 return true;
             }
-            let narrowest = |list: &[Selector]| -> Option<usize> {
-                let holding = list.iter().filter(|s| s.holds(d.code));
-                holding.map(Selector::breadth).min()
-            };
-            let selected = narrowest(&choice.select);
-            let denied = narrowest(&choice.deny);
-            let own = self.0.iter().find(|(code, _)| *code == d.code);
-            let mut level = own.map(|(_, level)| *level);
-            if selected.is_some() {
-                // Chosen by name, it is on.
-                level = level.filter(|&l| l != Level::Off);
-            } else if !choice.select.is_empty() {
-                level = Some(Level::Off);
-            }
-            if denied.is_some() {
-                level = Some(Level::Error);
-            }
-            let wanted = selected.into_iter().chain(denied).min();
-            if let Some(ignored) = narrowest(&choice.ignore)
-                && wanted.is_none_or(|wanted| ignored <= wanted)
-            {
-                level = Some(Level::Off);
-            }
-            match level {
+            match self.level(choice, d.code) {
                 Some(Level::Off) => return false,
                 Some(Level::Error) => d.severity = Severity::Error,
                 Some(Level::Warning) => d.severity = Severity::Warning,
@@ -193,6 +170,39 @@ impl Levels {
             }
             true
         });
+    }
+
+    /// Whether findings of a code that are no errors of the language are reported at all.
+    pub fn is_on(&self, choice: &Choice, code: Code) -> bool {
+        self.level(choice, code) != Some(Level::Off)
+    }
+
+    /// The level of a code, if it is not its own.
+    fn level(&self, choice: &Choice, code: Code) -> Option<Level> {
+        let narrowest = |list: &[Selector]| -> Option<usize> {
+            let holding = list.iter().filter(|s| s.holds(code));
+            holding.map(Selector::breadth).min()
+        };
+        let selected = narrowest(&choice.select);
+        let denied = narrowest(&choice.deny);
+        let own = self.0.iter().find(|(c, _)| *c == code);
+        let mut level = own.map(|(_, level)| *level);
+        if selected.is_some() {
+            // Chosen by name, it is on.
+            level = level.filter(|&l| l != Level::Off);
+        } else if !choice.select.is_empty() {
+            level = Some(Level::Off);
+        }
+        if denied.is_some() {
+            level = Some(Level::Error);
+        }
+        let wanted = selected.into_iter().chain(denied).min();
+        if let Some(ignored) = narrowest(&choice.ignore)
+            && wanted.is_none_or(|wanted| ignored <= wanted)
+        {
+            level = Some(Level::Off);
+        }
+        level
     }
 }
 

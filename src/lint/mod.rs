@@ -12,7 +12,7 @@ pub mod spelling;
 
 use std::sync::OnceLock;
 
-use crate::diagnostics::{Diagnostic, Span};
+use crate::diagnostics::{Code, Diagnostic, Span};
 use crate::parallel;
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId, Scene};
@@ -95,17 +95,33 @@ pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
     tops.map(|i| i as NodeId).collect()
 }
 
-/// Runs all rules, side by side; the findings are added to those of the parser and the resolver, and
-/// what comments allow is taken out.
-pub fn run(context: &Context, out: &mut Vec<Diagnostic>) {
-    let found = parallel::map(rules::RULES.len(), |i| {
+/// Runs the rules that are asked for, side by side; the findings are added to those of the parser and the
+/// resolver, and what comments allow is taken out. A rule that asks for records that the scene does not have does
+/// not run.
+pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec<Diagnostic>) {
+    let contents = &context.document.contents;
+    // What a comment allows must be looked for, if only to know that it is there.
+    let all = allow::any(context);
+    let has = |rule: &&rules::Rule| {
+        (all || asked(rule.code)) && rule.asks_for.iter().all(|kinds| contents.has(kinds))
+    };
+    let rules: Vec<&rules::Rule> = rules::RULES.iter().filter(has).collect();
+    let found = |i: usize| {
         let mut found = Vec::new();
-        rules::RULES[i](context, &mut found);
+        (rules[i].check)(context, &mut found);
         found
-    });
+    };
+    let found = match context.document.items.len() < FEW {
+        // To share them out would take longer.
+        true => (0..rules.len()).map(found).collect(),
+        false => parallel::map(rules.len(), found),
+    };
     out.extend(found.into_iter().flatten());
     allow::apply(context, out);
 }
+
+/// Scenes of fewer records are looked at by one thread.
+const FEW: usize = 64;
 
 #[cfg(test)]
 pub(crate) mod testing;

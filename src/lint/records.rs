@@ -21,8 +21,7 @@ impl<'a> Context<'a> {
     /// Whether something stands in the file that could not be read. It may use, change or define
     /// anything.
     pub fn has_broken(&self) -> bool {
-        let broken = |item: &Item| matches!(item, Item::Broken(_));
-        self.document.items.iter().any(broken)
+        self.document.contents.broken
     }
 
     pub fn record_params(&self, record: &Record) -> Params<'a> {
@@ -30,16 +29,13 @@ impl<'a> Context<'a> {
     }
 
     /// The IDs that a record refers to, without those that are 0.
-    pub fn references(&self, record: &'a Record) -> impl Iterator<Item = u32> {
-        let (document, text) = (self.document, self.text);
+    pub fn references(&self, record: &'a Record) -> impl Iterator<Item = u32> + use<'a> {
         let refers = |p: &Param| matches!(p.kind, ParamKind::Reference { .. });
-        let any = (record.ty.params.iter().chain(record.ty.optional)).any(refers);
-        let tokens = any.then(|| document.params(record).enumerate());
-        (tokens.into_iter().flatten()).filter_map(move |(i, token)| {
-            let param = record.ty.param(i, record.count as usize)?;
-            let id = token.integer(text).filter(|_| refers(param))?;
-            u32::try_from(id).ok().filter(|&id| id > 0)
-        })
+        let params = record.ty.params.iter().chain(record.ty.optional);
+        // No type has both repeated parameters and references.
+        (params.zip(self.document.values(record)))
+            .filter(move |(p, value)| refers(p) && (1.0..=f64::from(u32::MAX)).contains(*value))
+            .map(|(_, &value)| value as u32)
     }
 
     /// An ID that is free: one above the largest of the file, if there is one.

@@ -26,7 +26,7 @@ impl Resolver<'_> {
             }
             RecordKind::ProjectionMatrix => {
                 let m = matrices::projection(p, &mut self.out);
-                if let (Some(m), Some(State::Camera(c))) = (m, self.entities.get_mut(&p.id)) {
+                if let (Some(m), Some(State::Camera(c))) = (m, self.state_mut(p.id)) {
                     c.projection = Some(m);
                 }
             }
@@ -38,7 +38,7 @@ impl Resolver<'_> {
                 if self.optics(p, &mut parts).is_some() {
                     match state {
                         State::Optics(_) => {
-                            self.entities.insert(p.id, State::Optics(Box::new(parts)));
+                            self.set_state(p.id, State::Optics(Box::new(parts)));
                         }
                         _ => self.paint(p.id, |paint| {
                             paint.optics = parts.optics.or(paint.optics);
@@ -52,8 +52,7 @@ impl Resolver<'_> {
                 if let Some(texture) = self.texture(p) {
                     match state {
                         State::Texture(_) => {
-                            self.entities
-                                .insert(p.id, State::Texture(Box::new(texture)));
+                            self.set_state(p.id, State::Texture(Box::new(texture)));
                         }
                         _ => self.paint(p.id, |paint| paint.texture = Some(texture)),
                     }
@@ -61,8 +60,8 @@ impl Resolver<'_> {
             }
             RecordKind::Colour => {
                 let rgb = p.numbers(0);
-                match self.entities.get_mut(&p.id) {
-                    Some(State::Colour(c)) => *c = rgb,
+                match self.state_mut(p.id) {
+                    Some(State::Colour(c)) => **c = rgb,
                     Some(State::AmbientLight(l)) => l.colour = rgb,
                     Some(State::PointLight(l)) => l.colour = rgb,
                     _ => self.paint(p.id, |paint| paint.texture = Some(Texture::Colour(rgb))),
@@ -94,7 +93,7 @@ impl Resolver<'_> {
                 id: p.id,
                 node,
                 volume,
-                span: p.span,
+                span: p.span(),
             });
         }
     }
@@ -106,12 +105,12 @@ impl Resolver<'_> {
         let (Some(texture), Some(optics)) = (texture, optics) else {
             return;
         };
-        let texture = match texture.and_then(|id| self.entities.get(&id)) {
+        let texture = match texture.and_then(|id| self.state(id)) {
             Some(State::Texture(t)) => Texture::clone(t),
-            Some(State::Colour(c)) => Texture::Colour(*c),
+            Some(State::Colour(c)) => Texture::Colour(**c),
             _ => Texture::Colour(DEFAULT_COLOUR),
         };
-        let parts = match optics.and_then(|id| self.entities.get(&id)) {
+        let parts = match optics.and_then(|id| self.state(id)) {
             Some(State::Optics(parts)) => **parts,
             _ => OpticsParts::default(),
         };
@@ -124,7 +123,7 @@ impl Resolver<'_> {
 
     /// Puts properties on the object with this ID.
     fn paint(&mut self, id: u32, set: impl FnOnce(&mut Paint)) {
-        let Some(State::Object(node)) = self.entities.get(&id) else {
+        let Some(State::Object(node)) = self.state(id) else {
             return;
         };
         let node = *node;
@@ -154,7 +153,7 @@ impl Resolver<'_> {
             let step = from.map(|from| (painted, Step { from, matrix }));
             self.scene.steps.extend(step);
         }
-        self.entities.insert(id, State::Object(painted));
+        self.set_state(id, State::Object(painted));
     }
 
     /// The index of one more matrix.
@@ -206,11 +205,11 @@ impl Resolver<'_> {
         };
         match moved {
             Some(state) => {
-                self.entities.insert(p.id, state);
+                self.set_state(p.id, state);
             }
             None if matches!(state, State::Broken(_)) => {}
             None => self.out.push(
-                Diagnostic::new(Code::E204, p.span)
+                Diagnostic::new(Code::E204, p.span())
                     .case("product")
                     .with("type", Value::Term(p.ty.title))
                     .with("id", p.id.to_string()),

@@ -16,7 +16,7 @@ impl Resolver<'_> {
                 self.scene.shapes.push(Shape {
                     id: p.id,
                     ty: p.ty,
-                    span: p.span,
+                    span: p.span(),
                     geometry,
                 });
                 let shape = self.scene.shapes.len() as u32 - 1;
@@ -34,7 +34,7 @@ impl Resolver<'_> {
                 self.scene.operations.push(OperationRecord {
                     id: p.id,
                     node,
-                    span: p.span,
+                    span: p.span(),
                 });
                 Some(State::Object(node))
             }
@@ -44,7 +44,7 @@ impl Resolver<'_> {
             }
             RecordKind::Copy => {
                 let original = self.reference(p, 0, false)??;
-                let mut state = self.entities.get(&original)?.clone();
+                let mut state = self.state(original)?.clone();
                 match &mut state {
                     State::Object(child) => {
                         let copy = Node::Copy {
@@ -95,7 +95,7 @@ impl Resolver<'_> {
             RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
                 self.texture(p).map(|t| State::Texture(Box::new(t)))
             }
-            RecordKind::Colour => Some(State::Colour(p.numbers(0))),
+            RecordKind::Colour => Some(State::Colour(Box::new(p.numbers(0)))),
             RecordKind::ProjectionMatrix => {
                 let m = matrices::projection(p, &mut self.out)?;
                 Some(State::Camera(Box::new(super::camera::projecting(p.id, m))))

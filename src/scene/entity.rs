@@ -17,7 +17,7 @@ pub enum State {
     Object(NodeId),
     Optics(Box<OpticsParts>),
     Texture(Box<Texture>),
-    Colour(Rgb),
+    Colour(Box<Rgb>),
     AmbientLight(Box<AmbientLight>),
     PointLight(Box<PointLight>),
     Camera(Box<Camera>),
@@ -25,6 +25,8 @@ pub enum State {
     Render,
     /// Defined by a record that could not be read: references to it are no errors.
     Broken(Option<Kind>),
+    /// It is in the scene already.
+    Stored,
 }
 
 impl State {
@@ -41,6 +43,7 @@ impl State {
             State::Selection => Kind::Selection,
             State::Render => Kind::Render,
             State::Broken(kind) => return *kind,
+            State::Stored => return None,
         })
     }
 }

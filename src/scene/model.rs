@@ -5,6 +5,7 @@ use rustc_hash::FxHashMap;
 use super::geometry::Geometry;
 use crate::diagnostics::Span;
 use crate::geometry::Matrix;
+use crate::syntax::ids::IdTable;
 use crate::syntax::table::{Kind, RecordType};
 
 pub type Vec3 = [f64; 3];
@@ -35,6 +36,8 @@ pub struct Scene {
     pub operations: Vec<OperationRecord>,
     /// Every entity, in the order of definition.
     pub entities: Vec<Entity>,
+    /// A number for every ID that is defined, from 0 on in the order of first definition.
+    pub ids: IdTable,
     /// Of transformations and paints that go on from one which others need as it is: how they do so.
     pub steps: FxHashMap<NodeId, Step>,
 }

@@ -48,7 +48,7 @@ impl Resolver<'_> {
     }
 
     fn fits(&self, ty: &RecordType, id: Option<u32>, params: &[&Token]) -> bool {
-        let state = id.and_then(|id| self.entities.get(&id));
+        let state = id.and_then(|id| self.state(id));
         let kind = state.and_then(State::kind);
         let applies = match (ty.effect, state) {
             (Effect::Defines(Kind::Render), _) => id == Some(1),
@@ -108,7 +108,7 @@ impl Resolver<'_> {
                 Some(0) => or_none,
                 Some(id) => u32::try_from(id)
                     .ok()
-                    .and_then(|id| self.entities.get(&id)?.kind())
+                    .and_then(|id| self.state(id)?.kind())
                     .is_some_and(|k| kinds.contains(&k)),
                 None => false,
             },

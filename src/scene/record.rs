@@ -2,45 +2,54 @@
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::Token;
-use crate::syntax::table::{Constraint, Param, ParamKind, RecordType};
+use crate::syntax::table::{Constraint, Param, RecordType};
 use crate::syntax::{Document, Record};
 
-/// A record with its parameter tokens at hand.
+/// A record with its values at hand. They are borrowed from the document's column.
 pub struct Params<'a> {
     pub text: &'a str,
+    document: &'a Document,
+    record: Record,
+    values: &'a [f64],
     pub ty: &'static RecordType,
     pub id: u32,
-    pub id_span: Span,
-    /// From the ID to the last parameter.
-    pub span: Span,
-    pub tokens: Vec<Token>,
     pub count: usize,
 }
 
+/// Integers below 2⁵³ are doubles.
+const INTEGERS: f64 = 9_007_199_254_740_992.0;
+
 impl<'a> Params<'a> {
-    pub fn new(document: &Document, text: &'a str, record: &Record) -> Params<'a> {
-        let mut tokens: Vec<Token> = Vec::with_capacity(record.params as usize);
-        // Behind the ID and the type.
-        tokens.extend(document.significant(record.first, record.last).skip(2));
+    pub fn new(document: &'a Document, text: &'a str, record: &Record) -> Params<'a> {
         Params {
             text,
+            document,
+            record: *record,
+            values: document.values(record),
             ty: record.ty,
             id: record.id,
-            id_span: document.id_token(record).span(),
-            span: document.span(record.first, record.last),
-            tokens,
             count: record.count as usize,
         }
     }
 
+    pub fn id_span(&self) -> Span {
+        self.document.id_token(&self.record).span()
+    }
+
+    /// From the ID to the last parameter.
+    pub fn span(&self) -> Span {
+        self.document.span(self.record.first, self.record.last)
+    }
+
     pub fn len(&self) -> usize {
-        self.tokens.len()
+        self.values.len()
     }
 
     pub fn number(&self, i: usize) -> f64 {
-        self.tokens
+        self.values
             .get(i)
-            .and_then(|t| t.number(self.text))
+            .copied()
+            .filter(|x| !x.is_nan())
             .unwrap_or(0.0)
     }
 
@@ -48,23 +57,40 @@ impl<'a> Params<'a> {
         std::array::from_fn(|i| self.number(first + i))
     }
 
+    /// The value of an integer parameter, cut off at the limits of `i64`.
     pub fn integer(&self, i: usize) -> i64 {
-        self.tokens
-            .get(i)
-            .and_then(|t| t.integer(self.text))
-            .unwrap_or(0)
+        match self.values.get(i) {
+            Some(x) if x.abs() < INTEGERS => *x as i64,
+            _ => (self.token(i))
+                .and_then(|t| t.integer(self.text))
+                .unwrap_or(0),
+        }
+    }
+
+    fn token(&self, i: usize) -> Option<&'a Token> {
+        // Where nothing stands between the tokens, each is in its place.
+        let dense = self.record.last - self.record.first == self.record.params + 1;
+        match dense {
+            true if i < self.len() => {
+                Some(&self.document.tokens[self.record.first as usize + 2 + i])
+            }
+            true => None,
+            false => self.document.params(&self.record).nth(i),
+        }
     }
 
     pub fn text_of(&self, i: usize) -> &'a str {
-        self.tokens.get(i).map_or("", |t| t.text(self.text))
+        self.token(i).map_or("", |t| t.text(self.text))
     }
 
     /// The span of parameters `first..first + n`; that of the record where there are none.
     pub fn span_of(&self, first: usize, n: usize) -> Span {
-        match self.tokens.get(first..first + n) {
-            Some([a, .., b]) => a.span().to(b.span()),
-            Some([a]) => a.span(),
-            _ => self.span,
+        match (
+            self.token(first),
+            n.checked_sub(1).and_then(|n| self.token(first + n)),
+        ) {
+            (Some(a), Some(b)) => a.span().to(b.span()),
+            _ => self.span(),
         }
     }
 
@@ -75,13 +101,16 @@ impl<'a> Params<'a> {
     /// Checks each value against the table; `true` if all are right.
     pub fn check_constraints(&self, out: &mut Vec<Diagnostic>) -> bool {
         let before = out.len();
-        for i in 0..self.len() {
-            if let Some(p) = self.param(i)
-                && !matches!(p.kind, ParamKind::FileName | ParamKind::Reference { .. })
-                && let Some(d) = self.violation(i, p)
-            {
-                out.push(d);
+        let constrained = |group: &[Param]| group.iter().any(|p| p.constraint != Constraint::Any);
+        let fixed = self.ty.params.len();
+        for (i, p) in self.ty.params.iter().enumerate() {
+            if p.constraint != Constraint::Any {
+                out.extend(self.violation(i, p));
             }
+        }
+        let rest = self.ty.repeats.iter().any(|g| constrained(g)) || constrained(self.ty.optional);
+        for i in fixed..if rest { self.len() } else { fixed } {
+            out.extend(self.param(i).and_then(|p| self.violation(i, p)));
         }
         out.len() == before
     }

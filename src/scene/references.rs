@@ -21,6 +21,8 @@ pub struct Lost {
     pub ty: Option<&'static RecordType>,
     /// Its first token, where the parser's finding points.
     pub span: Span,
+    /// What it may refer to: its ID is none of these.
+    pub names: Vec<u32>,
 }
 
 /// An ID that is used and defined nowhere, or perhaps by a record that lost its ID.
@@ -30,48 +32,48 @@ struct Dangling {
     finding: Diagnostic,
 }
 
+#[derive(Default)]
 pub struct References {
-    /// For each ID, the index of the entity it defines.
-    entity: FxHashMap<u32, usize>,
-    /// For each ID, where it is first defined, to tell "later" from "nowhere".
-    definition: FxHashMap<u32, Span>,
+    /// For each number of an ID, the index of the entity that it defines.
+    entity: Vec<u32>,
+    /// For each ID, where it is first defined, to tell "later" from "nowhere". Only few scenes ask.
+    definition: Option<FxHashMap<u32, Span>>,
     pub lost: Vec<Lost>,
     dangling: Vec<Dangling>,
     comparisons: usize,
 }
 
+/// Where each ID is first defined, perhaps by a record that is broken.
+fn definitions(document: &Document) -> FxHashMap<u32, Span> {
+    let mut definition = FxHashMap::default();
+    for item in &document.items {
+        let (id, first) = match item {
+            Item::Record(r) if !matches!(r.ty.effect, Effect::Changes(_)) => (Some(r.id), r.first),
+            Item::Broken(b) => (b.id, b.first),
+            _ => continue,
+        };
+        if let Some(id) = id {
+            let span = document.tokens[first as usize].span();
+            definition.entry(id).or_insert(span);
+        }
+    }
+    definition
+}
+
 impl References {
-    pub fn new(document: &Document) -> References {
-        let mut definition =
-            FxHashMap::with_capacity_and_hasher(document.items.len(), Default::default());
-        for item in &document.items {
-            let (id, first) = match item {
-                Item::Record(r) if !matches!(r.ty.effect, Effect::Changes(_)) => {
-                    (Some(r.id), r.first)
-                }
-                Item::Broken(b) => (b.id, b.first),
-                _ => continue,
-            };
-            if let Some(id) = id {
-                let span = document.tokens[first as usize].span();
-                definition.entry(id).or_insert(span);
-            }
+    pub fn defined(&mut self, number: Option<u32>, entity: usize) {
+        let Some(number) = number.map(|n| n as usize) else {
+            return;
+        };
+        if self.entity.len() <= number {
+            self.entity.resize(number + 1, u32::MAX);
         }
-        References {
-            entity: FxHashMap::with_capacity_and_hasher(definition.len(), Default::default()),
-            definition,
-            lost: Vec::new(),
-            dangling: Vec::new(),
-            comparisons: 0,
-        }
+        self.entity[number] = entity as u32;
     }
 
-    pub fn defined(&mut self, id: u32, entity: usize) {
-        self.entity.insert(id, entity);
-    }
-
-    pub fn entity(&self, id: u32) -> Option<usize> {
-        self.entity.get(&id).copied()
+    pub fn entity(&self, number: u32) -> Option<usize> {
+        let index = *self.entity.get(number as usize)?;
+        (index != u32::MAX).then_some(index as usize)
     }
 
     /// At the end: each record that lost its ID accounts for one undefined ID; what is left is E101.
@@ -95,12 +97,13 @@ impl References {
         dangling.sort_by_key(|d| d.kinds.len());
         for d in dangling {
             let is_found = *found.entry(d.id).or_insert_with(|| {
+                let may_be = |l: &Lost| !l.names.contains(&d.id);
                 let first = lost
                     .iter_mut()
                     .filter(|(kind, _)| kind.is_none_or(|k| d.kinds.contains(&k)))
-                    .filter(|(_, queue)| !queue.is_empty())
-                    .min_by_key(|(_, queue)| queue.front().map(|l| l.span.start));
-                let Some(record) = first.and_then(|(_, queue)| queue.pop_front()) else {
+                    .filter_map(|(_, queue)| Some((queue.iter().position(may_be)?, queue)))
+                    .min_by_key(|(at, queue)| queue[*at].span.start);
+                let Some(record) = first.and_then(|(at, queue)| queue.remove(at)) else {
                     return false;
                 };
                 if let Some(f) = finding_at(diagnostics, record.span) {
@@ -155,7 +158,7 @@ impl Resolver<'_> {
             self.out.push(no_id(span, value));
             return None;
         }
-        let finding = match self.entities.get(&id) {
+        let finding = match self.state(id) {
             Some(state) => match state.kind() {
                 None => return None,
                 Some(kind) if kinds.contains(&kind) => {
@@ -177,7 +180,7 @@ impl Resolver<'_> {
         };
         let finding = self.showing(finding.with("id", id.to_string()), id);
         let finding = self.with_proposal(finding, id, span, kinds, &used(p));
-        match self.entities.get(&id).cloned() {
+        match self.state(id).cloned() {
             Some(state) => self.say_unless_lost(state, finding, id, kinds),
             None => self.out.push(finding),
         }
@@ -212,15 +215,20 @@ impl Resolver<'_> {
             Code::E108 => "declared-here",
             _ => "defined-here",
         };
-        match self.references.entity(id) {
-            Some(i) => finding.label(self.scene.entities[i].span, phrase),
+        match self.entity(id) {
+            Some(e) => finding.label(e.span, phrase),
             None => finding,
         }
     }
 
     /// E107 or E101.
     fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, used: &[u32]) {
-        if let (false, Some(&at)) = (late, self.references.definition.get(&id)) {
+        let document = self.document;
+        let definition = self
+            .references
+            .definition
+            .get_or_insert_with(|| definitions(document));
+        if let (false, Some(&at)) = (late, definition.get(&id)) {
             let finding = Diagnostic::new(Code::E107, span)
                 .with("id", id.to_string())
                 .label(at, "later");
@@ -242,15 +250,15 @@ impl Resolver<'_> {
 
     /// The state of the entity that a record changes, if it may.
     pub fn changed(&mut self, p: &Params, kinds: &'static [Kind]) -> Option<State> {
-        let Some(state) = self.entities.get(&p.id) else {
-            self.undefined(p.id, p.id_span, kinds, false, &[]);
+        let Some(state) = self.state(p.id) else {
+            self.undefined(p.id, p.id_span(), kinds, false, &[]);
             return None;
         };
         let finding = match state.kind() {
             None => return Some(State::Broken(None)),
             Some(kind) if kinds.contains(&kind) => return Some(state.clone()),
-            Some(Kind::Undefined) => Diagnostic::new(Code::E108, p.id_span).case("changed"),
-            Some(kind) => Diagnostic::new(Code::E103, p.id_span)
+            Some(Kind::Undefined) => Diagnostic::new(Code::E108, p.id_span()).case("changed"),
+            Some(kind) => Diagnostic::new(Code::E103, p.id_span())
                 .case("changed")
                 .with("kind", Value::Term(kind.name()))
                 .with("kinds", one_of(kinds)),
@@ -263,7 +271,7 @@ impl Resolver<'_> {
 
     pub fn object(&mut self, p: &Params, i: usize) -> Option<NodeId> {
         let id = self.reference(p, i, false)??;
-        match self.entities.get(&id)? {
+        match self.state(id)? {
             State::Object(node) => Some(*node),
             _ => None,
         }
@@ -271,8 +279,8 @@ impl Resolver<'_> {
 
     pub fn colour(&mut self, p: &Params, i: usize) -> Option<Rgb> {
         let id = self.reference(p, i, false)??;
-        match self.entities.get(&id)? {
-            State::Colour(c) => Some(*c),
+        match self.state(id)? {
+            State::Colour(c) => Some(**c),
             _ => None,
         }
     }

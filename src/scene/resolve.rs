@@ -1,6 +1,5 @@
 //! The pass over a tree, in file order, that gives every ID its meaning.
 
-use rustc_hash::FxHashMap;
 use std::path::Path;
 
 use super::checks;
@@ -10,7 +9,8 @@ use super::record::Params;
 use super::references::{Lost, References};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile, Span, Value};
 use crate::syntax::ast::{Broken, Fault};
-use crate::syntax::table::{Effect, Kind, RecordKind};
+use crate::syntax::ids::IdTable;
+use crate::syntax::table::{Effect, Family, Kind, RecordKind};
 use crate::syntax::{Document, Item, Record};
 
 /// Reads a tree as a program of assignments. `diagnostics` holds the parser's findings; the
@@ -27,10 +27,13 @@ pub fn resolve(
         document,
         text,
         folder: source.folder(),
-        scene: Scene::default(),
-        entities: FxHashMap::with_capacity_and_hasher(document.items.len(), Default::default()),
-        taken: Vec::new(),
-        references: References::new(document),
+        scene: Scene {
+            ids: IdTable::new(document.items.len()),
+            ..Scene::default()
+        },
+        states: Vec::with_capacity(document.items.len()),
+        taken: Vec::with_capacity(document.items.len()),
+        references: References::default(),
         render: None,
         has_render: false,
         selection: None,
@@ -57,7 +60,8 @@ pub(super) struct Resolver<'a> {
     pub(super) text: &'a str,
     pub(super) folder: Option<&'a Path>,
     pub(super) scene: Scene,
-    pub(super) entities: FxHashMap<u32, State>,
+    /// What each ID stands for, by its number in [`Scene::ids`].
+    states: Vec<State>,
     /// Of each node whether something needs it as it is.
     pub(super) taken: Vec<bool>,
     pub(super) references: References,
@@ -110,9 +114,40 @@ impl<'a> Resolver<'a> {
         }
     }
 
+    /// What an ID stands for.
+    pub(super) fn state(&self, id: u32) -> Option<&State> {
+        self.states.get(self.scene.ids.get(id)? as usize)
+    }
+
+    pub(super) fn state_mut(&mut self, id: u32) -> Option<&mut State> {
+        self.states.get_mut(self.scene.ids.get(id)? as usize)
+    }
+
+    pub(super) fn set_state(&mut self, id: u32, state: State) {
+        let next = self.states.len() as u32;
+        match self.scene.ids.get_or_insert(id, next) {
+            number if number == next => self.states.push(state),
+            number => self.states[number as usize] = state,
+        }
+    }
+
+    /// One more entity, and what its ID stands for from now on.
+    fn push(&mut self, entity: Entity, state: State) {
+        self.set_state(entity.id, state);
+        self.references
+            .defined(self.scene.ids.get(entity.id), self.scene.entities.len());
+        self.scene.entities.push(entity);
+    }
+
+    /// The entity that an ID defines, the last one if there are several.
+    pub(super) fn entity(&self, id: u32) -> Option<&Entity> {
+        let index = self.references.entity(self.scene.ids.get(id)?)?;
+        self.scene.entities.get(index)
+    }
+
     /// Whether the ID stands for something other than a placeholder.
     fn exists(&self, id: u32) -> bool {
-        !matches!(self.entities.get(&id), None | Some(State::Undefined))
+        !matches!(self.state(id), None | Some(State::Undefined))
     }
 
     fn define(&mut self, p: &Params, state: State) {
@@ -120,11 +155,9 @@ impl<'a> Resolver<'a> {
             id: p.id,
             kind: state.kind(),
             node: None,
-            span: p.id_span,
+            span: p.id_span(),
         };
-        self.references.defined(p.id, self.scene.entities.len());
-        self.scene.entities.push(entity);
-        self.entities.insert(p.id, state);
+        self.push(entity, state);
     }
 
     /// E105: ID 1 is for the render record and the render record for ID 1.
@@ -135,14 +168,14 @@ impl<'a> Resolver<'a> {
         }
         let d = if is_render {
             self.has_render = true;
-            Diagnostic::new(Code::E105, p.id_span).fix(Fix::replace(
+            Diagnostic::new(Code::E105, p.id_span()).fix(Fix::replace(
                 "fix",
                 Applicability::Safe,
-                p.id_span,
+                p.id_span(),
                 "1",
             ))
         } else {
-            Diagnostic::new(Code::E105, p.id_span)
+            Diagnostic::new(Code::E105, p.id_span())
                 .case("other")
                 .with("type", Value::Term(p.ty.title))
         };
@@ -152,7 +185,7 @@ impl<'a> Resolver<'a> {
 
     /// E102: a second definition.
     fn duplicate(&mut self, p: &Params) -> bool {
-        let Some(state) = self.entities.get(&p.id) else {
+        let Some(state) = self.state(p.id) else {
             return false;
         };
         // A placeholder may be defined, and so may what a broken record may have meant.
@@ -170,7 +203,7 @@ impl<'a> Resolver<'a> {
             Effect::Defines(Kind::Object | Kind::AmbientLight | Kind::PointLight)
         );
         let too_early = property && bears;
-        let mut d = Diagnostic::new(Code::E102, p.id_span)
+        let mut d = Diagnostic::new(Code::E102, p.id_span())
             .case(match p.ty.kind {
                 _ if too_early => "property",
                 RecordKind::Render => "render",
@@ -180,9 +213,9 @@ impl<'a> Resolver<'a> {
             .with("type", Value::Term(p.ty.title));
         if too_early {
             // What follows may change the one or the other.
-            self.entities.insert(p.id, State::Broken(None));
+            self.set_state(p.id, State::Broken(None));
         }
-        if let Some(e) = self.references.entity(p.id).map(|i| self.scene.entities[i]) {
+        if let Some(e) = self.entity(p.id) {
             d = d.label(e.span, "first");
         }
         self.out.push(d);
@@ -208,11 +241,25 @@ impl<'a> Resolver<'a> {
         if broken.fault == Fault::UnknownType {
             self.propose_type(broken, diagnostics);
         }
-        if broken.fault == Fault::LostId {
+        // Whose ID another record has, may have lost its own.
+        let taken = broken.fault != Fault::LostId
+            && broken.id.is_some_and(|id| {
+                let render = broken.ty.is_some_and(|t| t.kind == RecordKind::Render);
+                let changes = broken
+                    .ty
+                    .is_some_and(|t| matches!(t.effect, Effect::Changes(_)));
+                id == 1 && !render || self.exists(id) && !changes
+            });
+        if taken || broken.fault == Fault::LostId {
             let tokens = self.document.tokens[broken.first as usize].span();
+            let operation = broken.ty.is_some_and(|t| t.family == Family::Operation);
+            let names = self.document.significant(broken.first, broken.last);
+            let names = names.filter_map(|t| u32::try_from(t.integer(self.text)?).ok());
             self.references.lost.push(Lost {
-                ty: broken.ty,
+                // Its type may be what was meant for the ID.
+                ty: broken.ty.filter(|_| !taken),
                 span: tokens,
+                names: names.filter(|_| operation).collect(),
             });
         }
         let Some(id) = broken.id else { return };
@@ -223,14 +270,15 @@ impl<'a> Resolver<'a> {
             Effect::Defines(kind) | Effect::DefinesOrChanges(kind, _) => Some(kind),
             Effect::Changes(_) => None,
         });
-        self.references.defined(id, self.scene.entities.len());
-        self.scene.entities.push(Entity {
+        let entity = Entity {
             id,
             kind,
             node: None,
             span: self.document.tokens[broken.first as usize].span(),
-        });
-        self.entities.insert(id, State::Broken(kind));
+        };
+        // Where the type may be another one's, nothing is said of what refers to it.
+        let certain = broken.fault != Fault::Number;
+        self.push(entity, State::Broken(kind.filter(|_| certain)));
     }
 
     fn finish(mut self, diagnostics: &mut Vec<Diagnostic>) -> Scene {
@@ -244,8 +292,12 @@ impl<'a> Resolver<'a> {
         }
         References::settle(&mut self, diagnostics);
         for i in 0..self.scene.entities.len() {
-            let entity = self.scene.entities[i];
-            if let Some(state) = self.entities.remove(&entity.id) {
+            // A placeholder and what has become of it have one state; it is the first one's.
+            let Some(number) = self.scene.ids.get(self.scene.entities[i].id) else {
+                continue;
+            };
+            let state = std::mem::replace(&mut self.states[number as usize], State::Stored);
+            if !matches!(state, State::Stored) {
                 self.store(i, state);
             }
         }
@@ -269,19 +321,19 @@ impl<'a> Resolver<'a> {
                 }
                 false => None,
             };
-            let background = targets[1].and_then(|id| self.entities.get(&id));
+            let background = targets[1].and_then(|id| self.state(id));
             if let Some(root_id) = targets[0]
-                && let Some(State::Object(root)) = self.entities.get(&root_id)
+                && let Some(State::Object(root)) = self.state(root_id)
             {
                 self.scene.render = Some(Render {
                     root: *root,
                     root_id,
                     background: match background {
-                        Some(State::Colour(c)) => *c,
+                        Some(State::Colour(c)) => **c,
                         _ => [0.0; 3],
                     },
                     clip,
-                    span: p.span,
+                    span: p.span(),
                 });
             }
             return;
@@ -303,8 +355,7 @@ impl<'a> Resolver<'a> {
     /// Where a camera will stand in [`Scene::cameras`]: cameras are stored in the order of definition.
     fn camera_position(&self, id: u32) -> Option<usize> {
         let cameras = self.scene.entities.iter().filter(|e| {
-            e.kind == Some(Kind::Camera)
-                && matches!(self.entities.get(&e.id), Some(State::Camera(_)))
+            e.kind == Some(Kind::Camera) && matches!(self.state(e.id), Some(State::Camera(_)))
         });
         cameras.into_iter().position(|e| e.id == id)
     }

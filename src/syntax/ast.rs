@@ -1,6 +1,7 @@
 //! The typed syntax tree. Nothing of the source is lost in it: a [`Document`] keeps the whole token
 //! stream, comments and all, and its items are ranges of it.
 
+use super::contents::Contents;
 use super::lexer::Token;
 use super::table::RecordType;
 use crate::diagnostics::Span;
@@ -12,6 +13,11 @@ pub struct Document {
     pub tokens: Vec<Token>,
     /// Records in file order, whole and broken; comments between them are found in `tokens`.
     pub items: Vec<Item>,
+    /// The values of the significant tokens, each read once; NaN where one is no number. Those of a record's
+    /// parameters stand one behind the other, from [`Record::value`] on.
+    pub values: Vec<f64>,
+    /// What kinds of things there are.
+    pub contents: Contents,
 }
 
 /// Something that stands in the file in the place of a record.
@@ -39,6 +45,8 @@ pub struct Record {
     pub params: u32,
     /// The value of the count parameter, 0 where the type has none.
     pub count: u32,
+    /// Where the value of its first parameter is in [`Document::values`].
+    pub value: u32,
 }
 
 /// A stretch of tokens that is no record.
@@ -56,8 +64,10 @@ pub struct Broken {
 /// What is wrong with a [`Broken`] stretch, as far as it matters to what others make of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
-    /// The number or form of its parameters.
+    /// The form of its parameters.
     Form,
+    /// The number of its parameters: its type may be another one's.
+    Number,
     /// There is no such type.
     UnknownType,
     /// It has lost its ID: one undefined reference may mean it.
@@ -110,6 +120,12 @@ impl Document {
     /// The record's parameter tokens, in order.
     pub fn params(&self, record: &Record) -> impl Iterator<Item = &Token> {
         self.significant(record.first, record.last).skip(2)
+    }
+
+    /// The values of the record's parameters, in order; NaN for a file name.
+    pub fn values(&self, record: &Record) -> &[f64] {
+        let first = record.value as usize;
+        &self.values[first..first + record.params as usize]
     }
 
     /// The text again, character by character, from the tokens and what lies between them.

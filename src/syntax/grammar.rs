@@ -108,8 +108,9 @@ const LEXICAL: &str = r##"(* The ZPG scene language, version 1, in ISO 14977 EBN
 
    Between any two terminals of a record there may be white space, comments and line breaks, and
    between two numbers there must be something. A group marked with "× count" stands as often as
-   the count says. Parameters in brackets are there exactly when just as many are left on the line;
-   a line ends at a line break outside of a comment. EBNF can express neither. *)
+   the count says. Parameters in brackets are there when what follows can only be read so; where it
+   can be read in both ways, they are there exactly when just as many are left on the line, which ends
+   at a line break outside of a comment. EBNF can express neither. *)
 
 scene = { record | void | comment } ;
 

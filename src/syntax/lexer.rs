@@ -29,7 +29,7 @@ pub enum TokenKind {
     Comment,
     /// A comment that is taken to end with its line.
     UnterminatedComment,
-    /// `, ; < > ( ) { }`: read as white space.
+    /// `, ; < > ( ) { }`, and `⟨ ⟩` as the handout prints them (and `〈 〉 ‹ ›`): read as white space.
     Separator,
     Newline,
     /// U+FEFF at the start of the text.
@@ -153,12 +153,12 @@ enum Raw<'s> {
     DecimalComma,
     #[regex(r#""[^"\r\n]*""#, priority = 20)]
     Quoted,
-    #[regex(r"[,;<>(){}]")]
+    #[regex(r"[,;<>(){}⟨⟩〈〉〈〉‹›]")]
     Separator,
     /// Its end is found by hand: where it is depends on the comments before.
     #[token("#", comment)]
     Comment(bool),
-    #[regex(r##"[^\p{White_Space}#,;<>(){}"]+"##, priority = 1)]
+    #[regex(r##"[^\p{White_Space}#,;<>(){}⟨⟩〈〉〈〉‹›"]+"##, priority = 1)]
     #[token("\"", priority = 1)]
     Word,
     // Only there to carry the lifetime of the extras.
@@ -198,6 +198,130 @@ pub fn lex(text: &str, unclosed: &[u32]) -> Vec<Token> {
     tokens
 }
 
+/// A text's tokens, and of the significant ones what every reader asks for, in columns.
+#[derive(Debug, Default)]
+pub struct Lexed {
+    /// All tokens.
+    pub tokens: Vec<Token>,
+    /// The significant ones.
+    pub sigs: Vec<Sig>,
+    /// Their values, as long as `sigs`; NaN where one is no number.
+    pub values: Vec<f64>,
+    /// The significant tokens that are no plain numbers, ascending.
+    odd: Vec<u32>,
+    /// There is a comment, a separator, a word, a comment over several lines, a comment that nobody closes, a token that can never be
+    /// right.
+    pub has_comment: bool,
+    pub has_separator: bool,
+    pub has_word: bool,
+    pub has_long_comment: bool,
+    pub has_unclosed: bool,
+    pub has_bad: bool,
+    /// No significant token has come since the last line break.
+    at_line_start: bool,
+}
+
+/// A significant token: its index among all tokens, and whether it is the first one of its line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Sig(u32);
+
+impl Sig {
+    /// A file has fewer than 2³¹ bytes, and so fewer tokens.
+    const STARTS_LINE: u32 = 1 << 31;
+
+    fn new(index: usize, starts_line: bool) -> Sig {
+        Sig(index as u32 | if starts_line { Sig::STARTS_LINE } else { 0 })
+    }
+
+    /// The index among all tokens.
+    pub fn token(self) -> u32 {
+        self.0 & !Sig::STARTS_LINE
+    }
+
+    pub fn starts_line(self) -> bool {
+        self.0 & Sig::STARTS_LINE != 0
+    }
+}
+
+impl Lexed {
+    /// Cuts a text and reads its numbers. For `unclosed` see [`lex`].
+    pub fn new(text: &str, unclosed: &[u32]) -> Lexed {
+        let mut lexed = Lexed {
+            tokens: Vec::with_capacity(text.len() / 4),
+            sigs: Vec::with_capacity(text.len() / 5),
+            values: Vec::with_capacity(text.len() / 5),
+            at_line_start: true,
+            ..Lexed::default()
+        };
+        let mut tokens = Tokens::new(text, unclosed);
+        loop {
+            // Most tokens are plain numbers.
+            let (token, value) = match tokens.comma {
+                None => match tokens.plain() {
+                    Some(found) => found,
+                    None => match tokens.other() {
+                        Some(token) => (token, token.number(text).unwrap_or(f64::NAN)),
+                        None => break,
+                    },
+                },
+                Some(comma) => {
+                    tokens.comma = None;
+                    (comma, f64::NAN)
+                }
+            };
+            lexed.push(text, token, value);
+        }
+        lexed
+    }
+
+    /// The columns of tokens that were cut before.
+    pub fn of(text: &str, tokens: Vec<Token>) -> Lexed {
+        let mut lexed = Lexed {
+            tokens: Vec::with_capacity(tokens.len()),
+            at_line_start: true,
+            ..Lexed::default()
+        };
+        for token in tokens {
+            let value = token.number(text).unwrap_or(f64::NAN);
+            lexed.push(text, token, value);
+        }
+        lexed
+    }
+
+    #[inline(always)]
+    fn push(&mut self, text: &str, token: Token, value: f64) {
+        let index = self.tokens.len();
+        self.tokens.push(token);
+        match token.kind {
+            TokenKind::Newline => self.at_line_start = true,
+            TokenKind::Comment => {
+                let comment = &text.as_bytes()[token.span().range()];
+                self.has_comment = true;
+                self.has_long_comment |= memchr::memchr2(b'\n', b'\r', comment).is_some();
+            }
+            TokenKind::UnterminatedComment => self.has_unclosed = true,
+            TokenKind::Separator => self.has_separator = true,
+            TokenKind::ByteOrderMark => {}
+            kind => {
+                if !matches!(kind, TokenKind::Integer | TokenKind::Real) {
+                    self.odd.push(self.sigs.len() as u32);
+                    self.has_word |= matches!(kind, TokenKind::Word | TokenKind::Invalid);
+                    self.has_bad |= !matches!(kind, TokenKind::Word | TokenKind::Quoted);
+                }
+                self.sigs.push(Sig::new(index, self.at_line_start));
+                self.values.push(value);
+                self.at_line_start = false;
+            }
+        }
+    }
+
+    /// Whether significant tokens `from..to` are plain numbers, all of them.
+    pub fn all_numbers(&self, from: usize, to: usize) -> bool {
+        let next = self.odd.partition_point(|&i| (i as usize) < from);
+        self.odd.get(next).is_none_or(|&i| i as usize >= to)
+    }
+}
+
 /// The tokens of a text, one after another.
 pub struct Tokens<'s> {
     text: &'s str,
@@ -222,53 +346,86 @@ impl<'s> Tokens<'s> {
         }
     }
 
-    /// The next token, if it is what most are: a line break, or a number without an exponent between
-    /// white space. It is what the automaton would say, and sooner.
-    fn plain(&mut self) -> Option<Token> {
+    /// The next token and its value, if it is what most are: a line break, a comment that is closed, or a
+    /// number without an exponent between white space. It is what the automaton would say, and sooner.
+    #[inline]
+    fn plain(&mut self) -> Option<(Token, f64)> {
         let bytes = self.text.as_bytes();
-        let byte = |i: usize| bytes.get(i).copied();
+        let byte = |i: usize| bytes.get(i).copied().unwrap_or(b'\n');
         let mut at = self.at;
-        while let Some(b' ' | b'\t') = byte(at) {
+        while let b' ' | b'\t' = byte(at) {
             at += 1;
         }
         self.at = at;
         let start = at;
-        let kind = match byte(at)? {
+        let first = *bytes.get(at)?;
+        let newline = |end| (Token::new(TokenKind::Newline, start, end), f64::NAN);
+        match first {
             b'\n' => {
-                at += 1;
-                TokenKind::Newline
+                self.at = at + 1;
+                return Some(newline(at + 1));
             }
             b'\r' => {
-                at += if byte(at + 1) == Some(b'\n') { 2 } else { 1 };
-                TokenKind::Newline
+                self.at = at
+                    + if bytes.get(at + 1) == Some(&b'\n') {
+                        2
+                    } else {
+                        1
+                    };
+                return Some(newline(self.at));
             }
-            b'0'..=b'9' | b'+' | b'-' | b'.' => {
-                let digits = |from: usize| {
-                    let rest = bytes.get(from..).unwrap_or_default();
-                    rest.iter().take_while(|b| b.is_ascii_digit()).count()
-                };
-                at += usize::from(matches!(bytes[at], b'+' | b'-'));
-                let mut count = digits(at);
-                at += count;
-                let mut kind = TokenKind::Integer;
-                if byte(at) == Some(b'.') {
-                    let fraction = digits(at + 1);
-                    at += 1 + fraction;
-                    count += fraction;
-                    kind = TokenKind::Real;
-                }
-                let ends = matches!(byte(at), None | Some(b' ' | b'\t' | b'\n' | b'\r' | b'#'));
-                if count == 0 || !ends || at - start >= SURELY_FINITE {
-                    return None;
-                }
-                kind
+            b'#' if self.raw.extras.0.is_empty() => {
+                self.at = at + 2 + memchr::memchr(b'#', &bytes[at + 1..])?;
+                return Some((Token::new(TokenKind::Comment, start, self.at), f64::NAN));
             }
+            b'0'..=b'9' | b'+' | b'-' | b'.' => {}
             _ => return None,
-        };
+        }
+        at += usize::from(matches!(first, b'+' | b'-'));
+        let mut digits = 0u64;
+        let from = at;
+        while let d @ b'0'..=b'9' = byte(at) {
+            digits = digits.wrapping_mul(10).wrapping_add(u64::from(d - b'0'));
+            at += 1;
+        }
+        let mut count = at - from;
+        let mut kind = TokenKind::Integer;
+        let mut decimals = 0;
+        if byte(at) == b'.' {
+            at += 1;
+            let point = at;
+            while let d @ b'0'..=b'9' = byte(at) {
+                digits = digits.wrapping_mul(10).wrapping_add(u64::from(d - b'0'));
+                at += 1;
+            }
+            decimals = at - point;
+            count += decimals;
+            kind = TokenKind::Real;
+        }
+        let ends = matches!(byte(at), b' ' | b'\t' | b'\n' | b'\r' | b'#');
+        if count == 0 || !ends || at - start >= SURELY_FINITE {
+            return None;
+        }
         self.at = at;
-        Some(Token::new(kind, start, at))
+        // Both are exact, and so the quotient is rounded once (W. D. Clinger, How to read floating point
+        // numbers accurately, PLDI 1990).
+        let value = if count <= EXACT_DIGITS && decimals < POWERS.len() {
+            let magnitude = digits as f64 / POWERS[decimals];
+            if first == b'-' { -magnitude } else { magnitude }
+        } else {
+            self.text[start..at].parse().unwrap_or(f64::NAN)
+        };
+        Some((Token::new(kind, start, at), value))
     }
 }
+
+/// Numbers of so many digits are less than 2⁵³.
+const EXACT_DIGITS: usize = 15;
+
+/// Powers of ten; those up to 10²² are exact.
+const POWERS: [f64; 16] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+];
 
 /// A number of fewer characters and no exponent is finite.
 const SURELY_FINITE: usize = 300;
@@ -280,7 +437,10 @@ impl Iterator for Tokens<'_> {
         if let Some(comma) = self.comma.take() {
             return Some(comma);
         }
-        self.plain().or_else(|| self.other())
+        match self.plain() {
+            Some((token, _)) => Some(token),
+            None => self.other(),
+        }
     }
 }
 
@@ -437,13 +597,20 @@ mod tests {
     }
 
     proptest::proptest! {
-        /// The short way says what the automaton says.
+        /// The short way says what the automaton says, and what the standard library makes of numbers.
         #[test]
         fn plain_tokens_are_those_of_the_automaton(text in "[0-9+.,eE# \\n\\r\\t\\-\"x]{0,40}") {
             let mut tokens = Tokens::new(&text, &[]);
             let automaton: Vec<Token> =
                 std::iter::from_fn(|| tokens.comma.take().or_else(|| tokens.other())).collect();
-            proptest::prop_assert_eq!(lex(&text, &[]), automaton);
+            proptest::prop_assert_eq!(lex(&text, &[]), automaton.clone());
+            let lexed = Lexed::new(&text, &[]);
+            proptest::prop_assert_eq!(&lexed.tokens, &automaton);
+            for (sig, value) in lexed.sigs.iter().zip(&lexed.values) {
+                let token = &automaton[sig.token() as usize];
+                let number = token.number(&text).unwrap_or(f64::NAN);
+                proptest::prop_assert_eq!(number.to_bits(), value.to_bits());
+            }
         }
     }
 

@@ -1,32 +1,40 @@
-//! Text to records: the record [`table`], the [`lexer`], the [`parser`] with its recovery, and the
+//! Text to records: the record [`table`], the [`lexer`], the [`parser`] with its [recovery], and the
 //! typed syntax tree ([`ast`]) that still holds every character of the source; and what is
 //! made of the table: words ([`describe`]), the reference and the EBNF ([`grammar`]).
+//!
+//! ```text
+//!   text ──lexer──► columns: tokens, significant tokens, values        logos; each number is read once
+//!                      │
+//!                   parser  (void | record | gap)*                     chumsky
+//!                      │      │                 ╲
+//!                      │   signature             ╲  lines that cannot be read by arity, or whose reading
+//!                      │   THE reader of a record ╲ goes across lines that are records of their own
+//!                      │                           ▼
+//!                      │                        recovery (stretch, what the rest says) → records, findings
+//!                      ▼                           │
+//!                  Document { tokens, items, values, contents }  + findings
+//! ```
+//!
+//! A scene that is right never enters recovery, unless a record goes from the middle of a line to another one.
 
 pub mod ast;
 pub mod captions;
-mod comments;
+pub mod contents;
 pub mod describe;
 pub mod directive;
-mod faults;
 pub mod grammar;
-mod layout;
+pub mod ids;
 pub mod lexer;
 pub mod parser;
-pub mod plain;
 pub mod preserved;
-mod reader;
+mod quote;
 pub mod recognise;
-mod references;
-mod report;
-mod respell;
-mod slips;
-mod stream;
-mod sums;
+mod recovery;
+mod signature;
 pub mod table;
-mod witness;
 
 pub use ast::{Document, Item, Record};
 pub use captions::Captions;
 pub use directive::is_directive;
 pub use parser::parse;
-pub use report::quote;
+pub use quote::quote;

@@ -1,97 +1,553 @@
-//! Text to tree: lex, read what is plain; else read by arity, and where that fails or looks odd, let the layout testify.
+//! Text to tree.
+//!
+//! [chumsky](https://docs.rs/chumsky) drives a grammar of three: `(void | record | gap)*`. A record is read by
+//! [`signature`](super::signature); it is taken if the layout agrees: it begins with a line and ends with one, or is
+//! one of several on a line that ends with its last. A gap is everything else. It is only measured here, up to where
+//! records agree with the layout again, and read by [`recovery`](super::recovery) when the rest of the text is known.
 
-use chumsky::Parser;
+use chumsky::error::Cheap;
+use chumsky::extra::{self, SimpleState};
+use chumsky::input::InputRef;
+use chumsky::prelude::*;
+use rayon::prelude::*;
 
-use super::ast::{Document, Item};
-use super::faults::Verdict;
-use super::layout::{self, Piece};
-use super::lexer::{self, Token, TokenKind};
-use super::stream::Stream;
-use super::witness::{self, Witnesses};
-use super::{comments, plain, reader, references, report, respell};
-use crate::diagnostics::{self, Diagnostic};
+use super::ast::{Document, Item, Record};
+use super::contents::Contents;
+use super::lexer::{Lexed, Sig};
+use super::recovery::{self, Surroundings};
+use super::signature::{self, Columns, Reading};
+use super::table::{Effect, RecordKind, RecordType};
+use crate::diagnostics::{self, Code, Diagnostic, Value};
 
 /// Parses a scene text. It never fails: what cannot be read is in the findings, sorted by place,
 /// and every character of the text is still in the document.
 pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
-    let tokens = lexer::lex(text, &[]);
-    match plain::items(text, &tokens) {
-        Some(items) => (Document { tokens, items }, Vec::new()),
-        None => in_full(text, tokens),
-    }
-}
-
-/// Reads a text of which nothing is known.
-pub(super) fn in_full(text: &str, mut tokens: Vec<Token>) -> (Document, Vec<Diagnostic>) {
-    if comments::in_trouble(&tokens, text) {
-        let unclosed = comments::unclosed(text);
+    let mut findings = Vec::new();
+    let mut lexed = Lexed::new(text, &[]);
+    if lexed.has_unclosed || lexed.has_word && lexed.has_long_comment {
+        let unclosed = recovery::comments::unclosed(text);
         if !unclosed.is_empty() {
-            tokens = lexer::lex(text, &unclosed);
+            lexed = Lexed::new(text, &unclosed);
         }
+        recovery::report::comments(text, &lexed.tokens, &mut findings);
     }
-    let mut diagnostics = Vec::new();
-    report::comments(text, &tokens, &mut diagnostics);
-    let (tokens, glued) = respell::respell(text, tokens);
-    respell::report(text, &tokens, &glued, &mut diagnostics);
-    let mut items = items(text, &tokens, &mut diagnostics);
-    respell::broken(&mut items, &tokens, &glued);
-    diagnostics::sort(&mut diagnostics);
-    (Document { tokens, items }, diagnostics)
-}
-
-fn items(text: &str, tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Vec<Item> {
-    let stream = Stream::new(text, tokens);
-    let strict = reader::records(&stream).parse(&stream.sigs).into_output();
-    if let Some(items) = &strict
-        && witness::is_undisturbed(&stream, extents(items))
-    {
-        // The reading is right and the layout agrees: there is nothing more to ask.
-        return strict.unwrap_or_default();
+    let mut glued = Vec::new();
+    if lexed.has_bad {
+        let tokens = std::mem::take(&mut lexed.tokens);
+        let (tokens, spans) = recovery::respell::respell(text, tokens);
+        lexed = Lexed::of(text, tokens);
+        glued = spans;
+        recovery::respell::report(text, &lexed.tokens, &glued, &mut findings);
     }
-    let witnesses = Witnesses::new(&stream);
-    let strict: Option<Vec<Piece>> =
-        strict.map(|items| layout::whole_pieces(&stream, extents(&items)));
-    let mut pieces = layout::cut(&stream, &witnesses, strict.as_deref(), false);
-    let takes_over = |p: &Piece| {
-        matches!(p.verdict, Verdict::Whole(_)) && witnesses.takes_over(&stream, p.start, p.end)
+    let columns = Columns {
+        text,
+        lexed: &lexed,
     };
-    let mut damage = references::damage(&stream, &pieces);
-    if damage > 0 && pieces.iter().any(takes_over) {
-        // A record took numbers from a line that looks like one of its own. As something is
-        // missing now, believe the line.
-        let doubting = layout::cut(&stream, &witnesses, strict.as_deref(), true);
-        let other = references::damage(&stream, &doubting);
-        if other <= damage {
-            (pieces, damage) = (doubting, other);
-        }
+    let mut plan = Plan::of(columns);
+    if !plan.gaps.is_empty() {
+        plan.fill(&mut findings);
     }
-    let cut_off = tokens
-        .iter()
-        .any(|t| t.kind == TokenKind::UnterminatedComment);
-    if damage > 0
-        && !cut_off
-        && let Some(strict) = strict
-    {
-        // The arity has a reading without faults. If nothing is undefined or defined twice in it,
-        // it stands against two errors, and against one where no line was crossed.
-        let sound = references::damage(&stream, &strict) == 0;
-        if sound && (damage > 1 || !witness::is_odd(&stream, &witnesses, &strict)) {
-            pieces = strict;
-        }
+    if !glued.is_empty() {
+        recovery::respell::broken(&mut plan.items, &lexed.tokens, &glued);
     }
-    report::pieces(&stream, &witnesses, &pieces, diagnostics);
-    pieces.iter().map(|p| p.item(&stream)).collect()
+    findings.append(&mut plan.notes);
+    diagnostics::sort(&mut findings);
+    let items = plan.items;
+    (document(lexed, items), findings)
 }
 
-/// The items' tokens, as half-open ranges of significant tokens.
-pub(super) fn extents(items: &[Item]) -> impl Iterator<Item = (usize, usize)> {
-    let mut start = 0;
-    items.iter().map(move |item| {
-        let length = match item {
-            Item::Record(r) => 2 + r.params as usize,
-            Item::Void { .. } | Item::Broken(_) => 1,
+/// The items of a text that needs no recovery; `None` for any other.
+pub fn parse_plain(text: &str) -> Option<Document> {
+    let lexed = Lexed::new(text, &[]);
+    if lexed.has_unclosed || lexed.has_bad || lexed.has_word && lexed.has_long_comment {
+        return None;
+    }
+    let columns = Columns {
+        text,
+        lexed: &lexed,
+    };
+    let Plan { items, gaps, .. } = Plan::of(columns);
+    gaps.is_empty().then(|| document(lexed, items))
+}
+
+fn document(lexed: Lexed, items: Vec<Item>) -> Document {
+    Document {
+        contents: Contents::new(&items, &lexed),
+        tokens: lexed.tokens,
+        items,
+        values: lexed.values,
+    }
+}
+
+/// What was read, and where it could not be.
+struct Plan<'s> {
+    columns: Columns<'s>,
+    items: Vec<Item>,
+    gaps: Vec<Gap>,
+    notes: Vec<Diagnostic>,
+    /// The IDs that are defined, in the order of the file.
+    defined: Vec<u32>,
+    /// Up to here the records on the line follow one another.
+    run_to: usize,
+    /// How many more tokens may be looked at in search of the ends of gaps.
+    budget: usize,
+}
+
+/// Significant tokens that are not read, and behind which item.
+#[derive(Debug, Clone, Copy)]
+struct Gap {
+    from: usize,
+    to: usize,
+    item: usize,
+}
+
+type Extra<'s> = extra::Full<Cheap, SimpleState<Plan<'s>>, ()>;
+type Input<'s, 'p> = InputRef<'s, 'p, &'s [Sig], Extra<'s>>;
+
+/// The grammar. What it reads is in the state.
+fn scene<'s>() -> impl Parser<'s, &'s [Sig], (), Extra<'s>> {
+    let part = |read: fn(&mut Plan<'s>, usize) -> Option<usize>| {
+        custom(move |input: &mut Input<'s, '_>| {
+            let before = input.cursor();
+            let start = *before.inner();
+            let Some(end) = read(input.state(), start) else {
+                return Err(Cheap::new(input.span_since(&before)));
+            };
+            for _ in start..end {
+                input.skip();
+            }
+            Ok(())
+        })
+    };
+    choice((part(Plan::record), part(Plan::void), part(Plan::gap)))
+        .repeated()
+        .then_ignore(end())
+}
+
+/// How many lines in a row must be records of their own, to end a gap.
+const AGREEING: usize = 3;
+/// How many items before a gap, and behind it, are read once more with it.
+const CONTEXT: usize = 2;
+/// A reading by arity that goes on for so many records without agreeing with the layout is of a text that has none.
+const WITHOUT_LAYOUT: usize = 12;
+/// How often a token may be looked at in search of the ends of gaps.
+const LOOKS: usize = 16;
+
+impl<'s> Plan<'s> {
+    fn of(columns: Columns<'s>) -> Plan<'s> {
+        let plan = Plan {
+            columns,
+            items: Vec::with_capacity(columns.len() / 6),
+            gaps: Vec::new(),
+            notes: Vec::new(),
+            defined: Vec::new(),
+            run_to: 0,
+            budget: LOOKS * columns.len() + 1000,
         };
-        start += length;
-        (start - length, start)
-    })
+        let mut state = SimpleState::from(plan);
+        let sigs = columns.lexed.sigs.as_slice();
+        let done = scene().parse_with_state(sigs, &mut state);
+        debug_assert!(!done.has_errors(), "a gap takes anything");
+        let mut plan = state.0;
+        if plan.lost_an_id() {
+            plan.items.clear();
+            plan.notes.clear();
+            plan.gaps = vec![Gap {
+                from: 0,
+                to: columns.len(),
+                item: 0,
+            }];
+        }
+        plan
+    }
+
+    /// `0`, alone.
+    fn void(&mut self, start: usize) -> Option<usize> {
+        let c = &self.columns;
+        let there = c.int(start)? == 0 && (c.starts_line(start) || start < self.run_to);
+        there.then(|| {
+            let token = c.lexed.sigs[start].token();
+            self.items.push(Item::Void { token });
+            start + 1
+        })
+    }
+
+    /// A record with which the layout agrees.
+    fn record(&mut self, start: usize) -> Option<usize> {
+        let c = self.columns;
+        let reading = signature::read(&c, start, c.len())?;
+        if start >= self.run_to {
+            if !c.starts_line(start) && !self.follows_void(start) {
+                return None;
+            }
+            self.run_to = self.agrees(start, &reading)?;
+        }
+        if defines(reading.ty) {
+            self.defined.push(c.int(start)? as u32);
+        }
+        self.items.push(Item::Record(whole(&c, start, &reading)));
+        self.notes.extend(two_ways(&c, start, &reading));
+        Some(reading.end)
+    }
+
+    /// A `0` before a comment may stand before a record on its line.
+    fn follows_void(&self, start: usize) -> bool {
+        let c = &self.columns;
+        start > 0
+            && c.int(start - 1) == Some(0)
+            && c.before_comment(start - 1)
+            && matches!(self.items.last(), Some(Item::Void { .. }))
+    }
+
+    /// Whether the layout agrees with a record that begins with a line; says where the records on its last line
+    /// end.
+    fn agrees(&self, start: usize, reading: &Reading) -> Option<usize> {
+        let c = &self.columns;
+        let first_break = (start + 1..reading.end).find(|&i| c.starts_line(i));
+        if let Some(second_line) = first_break {
+            let whole = c.ends_line(reading.end) && !self.takes_lines(second_line, reading.end);
+            return whole.then_some(reading.end);
+        }
+        let mut end = reading.end;
+        while !c.ends_line(end) {
+            // Several records on the line, or headings.
+            if c.int(end) == Some(0) {
+                if !c.before_comment(end) {
+                    return None;
+                }
+                end += 1;
+                continue;
+            }
+            let next = signature::read(c, end, c.len())?;
+            let crosses = (end + 1..next.end).any(|i| c.starts_line(i));
+            if crosses || next.end == end + 2 || signature::is_odd(c, end, &next) {
+                return None;
+            }
+            end = next.end;
+        }
+        Some(end)
+    }
+
+    /// Whether a record whose second line begins at a token has lines among its own that say they are records.
+    fn takes_lines(&self, second_line: usize, end: usize) -> bool {
+        let c = &self.columns;
+        let mut line = second_line;
+        let mut length_before = 0;
+        loop {
+            let next = (line + 1..end).find(|&i| c.starts_line(i)).unwrap_or(end);
+            let last = next == end;
+            let looks = match c.int(line) {
+                Some(0) => last && c.before_comment(line),
+                Some(1..) => signature::read(c, line, c.len()).is_some_and(|r| match last {
+                    true => c.ends_line(r.end),
+                    false => r.end == next && next - line != length_before && r.ty.code < 0,
+                }),
+                _ => false,
+            };
+            if looks || last {
+                return looks;
+            }
+            length_before = next - line;
+            line = next;
+        }
+    }
+
+    /// Everything else. What was read just before is read once more with it.
+    fn gap(&mut self, start: usize) -> Option<usize> {
+        if start == self.columns.len() {
+            return None;
+        }
+        let mut from = start;
+        let least = self.gaps.last().map_or(0, |g| g.to);
+        // Back to the beginning of a line, and some items further.
+        let mut context = CONTEXT;
+        while from > least && (context > 0 || !self.columns.starts_line(from)) {
+            let Some(item) = self.items.pop() else { break };
+            from -= significant(&item);
+            if matches!(item, Item::Record(r) if defines(r.ty)) {
+                self.defined.pop();
+            }
+            context = context.saturating_sub(usize::from(self.columns.starts_line(from)));
+        }
+        let (to, by_arity) = self.end_of_gap(start);
+        if from == 0 && to == self.columns.len() && by_arity && self.has_no_layout() {
+            self.take_all();
+            self.run_to = to;
+            return Some(to);
+        }
+        match self.gaps.last_mut() {
+            // Nothing lies between the two.
+            Some(last) if last.to == from => last.to = to,
+            _ => self.gaps.push(Gap {
+                from,
+                to,
+                item: self.items.len(),
+            }),
+        }
+        self.run_to = to;
+        Some(to)
+    }
+
+    /// Where a gap ends that begins at a token: where the reading by arity agrees with the layout again, else
+    /// where lines are records again. Whether the reading by arity got there.
+    fn end_of_gap(&mut self, start: usize) -> (usize, bool) {
+        let c = self.columns;
+        let n = c.len();
+        let (mut at, mut records) = (start, 0);
+        loop {
+            if at > start
+                && c.starts_line(at)
+                && let Some(end) = self.agreeing(at)
+            {
+                return (end, true);
+            }
+            if at >= n || self.budget == 0 {
+                return (n, at >= n);
+            }
+            self.budget = self.budget.saturating_sub(1);
+            if c.int(at) == Some(0) {
+                at += 1;
+            } else if let Some(r) = signature::read(&c, at, n) {
+                at = r.end;
+                records += 1;
+            } else {
+                break;
+            }
+        }
+        if records > WITHOUT_LAYOUT {
+            return (n, false);
+        }
+        let lines = (start + 1..n).filter(|&i| c.starts_line(i));
+        for line in lines {
+            if let Some(end) = self.agreeing(line) {
+                return (end, false);
+            }
+            if self.budget == 0 {
+                break;
+            }
+        }
+        (n, false)
+    }
+
+    /// Whether a line is a record but for a number or two.
+    fn is_nearly_a_record(&self, line: usize, end: usize) -> bool {
+        const FEW: u64 = 2;
+        let c = &self.columns;
+        let id = c.int(line).is_some_and(|id| id > 0);
+        let code = c.int(line + 1).filter(|_| end > line + 2);
+        let ty = code
+            .and_then(|code| RecordType::by_code(code.into()))
+            .filter(|_| id);
+        ty.is_some_and(|ty| {
+            let count = c.int(line + 2).filter(|_| ty.is_counted()).unwrap_or(0);
+            let arity = ty.arity(u64::try_from(count).unwrap_or(0));
+            let got = (end - line - 2) as u64;
+            let off = got
+                .abs_diff(arity)
+                .min(got.abs_diff(arity + ty.optional.len() as u64));
+            off <= FEW && 2 * off <= got
+        })
+    }
+
+    /// Whether hardly any line of a text is a record.
+    fn has_no_layout(&self) -> bool {
+        let c = &self.columns;
+        let (mut lines, mut own) = (0, 0);
+        let mut line = 0;
+        while line < c.len() {
+            let next = (line + 1..c.len())
+                .find(|&i| c.starts_line(i))
+                .unwrap_or(c.len());
+            lines += 1;
+            own += usize::from(self.is_nearly_a_record(line, next));
+            line = next;
+        }
+        3 * own < lines
+    }
+
+    /// Reads all of a text by arity.
+    fn take_all(&mut self) {
+        let c = self.columns;
+        self.items.clear();
+        self.defined.clear();
+        let mut at = 0;
+        loop {
+            if c.int(at) == Some(0) {
+                let token = c.lexed.sigs[at].token();
+                self.items.push(Item::Void { token });
+                at += 1;
+                continue;
+            }
+            let Some(reading) = signature::read(&c, at, c.len()) else {
+                break;
+            };
+            if defines(reading.ty) {
+                self.defined.extend(c.int(at).map(|id| id as u32));
+            }
+            self.items.push(Item::Record(whole(&c, at, &reading)));
+            self.notes.extend(two_ways(&c, at, &reading));
+            let last_line = (at + 1..reading.end).rev().find(|&i| c.starts_line(i));
+            if last_line.is_some_and(|line| self.takes_lines(line, reading.end)) {
+                recovery::line_break(c, (at, reading.end), &mut self.notes);
+            }
+            at = reading.end;
+        }
+    }
+
+    /// If some items from the beginning of a line on agree with the layout: where the first of them end.
+    fn agreeing(&mut self, line: usize) -> Option<usize> {
+        let c = self.columns;
+        let mut at = line;
+        let mut context = line;
+        for k in 0..AGREEING {
+            if at == c.len() {
+                break;
+            }
+            self.budget = self.budget.saturating_sub(8);
+            let end = match c.int(at) {
+                Some(0) => c.ends_line(at + 1).then_some(at + 1)?,
+                _ => {
+                    let r = signature::read(&c, at, c.len())?;
+                    self.budget = self.budget.saturating_sub(r.end - at);
+                    if signature::is_odd(&c, at, &r) || r.end == at + 2 {
+                        return None;
+                    }
+                    self.agrees(at, &r)?
+                }
+            };
+            at = end;
+            if k < CONTEXT {
+                context = at;
+            }
+        }
+        Some(context)
+    }
+
+    /// Whether something is defined twice by records one of which may have lost its ID.
+    fn lost_an_id(&self) -> bool {
+        // Most files have their IDs in order.
+        if self.defined.is_sorted_by(|a, b| a < b) {
+            return false;
+        }
+        let mut sorted = self.defined.clone();
+        sorted.sort_unstable();
+        let mut twice: Vec<u32> = (sorted.windows(2))
+            .filter(|two| two[0] == two[1])
+            .map(|two| two[0])
+            .collect();
+        if twice.is_empty() {
+            return false;
+        }
+        twice.dedup();
+        self.items.iter().any(|item| match item {
+            Item::Record(r) => {
+                let start = r.value as usize - 2;
+                defines(r.ty)
+                    && twice.binary_search(&r.id).is_ok()
+                    && recovery::has_lost_id(self.columns, start, start + significant(item))
+            }
+            _ => false,
+        })
+    }
+
+    /// Reads the gaps.
+    fn fill(&mut self, findings: &mut Vec<Diagnostic>) {
+        let c = self.columns;
+        let lines = |from: usize, to: usize| {
+            let sigs = &c.lexed.sigs[from..to];
+            sigs.iter().filter(|s| s.starts_line()).count()
+        };
+        let in_gaps: usize = self.gaps.iter().map(|g| lines(g.from, g.to)).sum();
+        let outside = lines(0, c.len()) - in_gaps;
+        let around = Surroundings::new(&c, &self.items, outside, self.gaps.len());
+        let parts: Vec<(usize, usize)> = (self.gaps.iter())
+            .flat_map(|gap| self.parts(gap.from, gap.to))
+            .collect();
+        let read: Vec<(Vec<Item>, Vec<Diagnostic>)> = (parts.par_iter().with_min_len(PARTS))
+            .map(|&part| {
+                let mut found = Vec::new();
+                (recovery::recover(c, part, &around, &mut found), found)
+            })
+            .collect();
+        let mut read = parts.into_iter().zip(read).peekable();
+        let mut items = Vec::with_capacity(self.items.len() + self.gaps.len());
+        let mut done = 0;
+        for gap in &self.gaps {
+            items.extend_from_slice(&self.items[done..gap.item]);
+            done = gap.item;
+            while let Some((_, (more, mut found))) = read.next_if(|(part, _)| part.1 <= gap.to) {
+                items.extend(more);
+                findings.append(&mut found);
+            }
+        }
+        items.extend_from_slice(&self.items[done..]);
+        self.items = items;
+    }
+
+    /// A gap in parts that are not too long, cut between lines that are records each, but for a number or two.
+    fn parts(&self, from: usize, to: usize) -> Vec<(usize, usize)> {
+        let c = &self.columns;
+        let mut parts = Vec::new();
+        let mut start = from;
+        while to - start > LONGEST_PART {
+            let lines = (start + LONGEST_PART / 2..to).filter(|&i| c.starts_line(i));
+            let lines: Vec<usize> = lines.take(LINES_TRIED).collect();
+            let alone = |i: usize| self.is_nearly_a_record(lines[i], lines[i + 1]);
+            let cut = (2..lines.len()).find(|&i| alone(i - 2) && alone(i - 1));
+            let Some(cut) = cut else { break };
+            parts.push((start, lines[cut - 1]));
+            start = lines[cut - 1];
+        }
+        parts.push((start, to));
+        parts
+    }
+}
+
+/// How many gaps one thread reads at least.
+const PARTS: usize = 16;
+/// Gaps with more significant tokens are cut, if there is a place.
+const LONGEST_PART: usize = 30_000;
+const LINES_TRIED: usize = 200;
+
+/// N605: an optional group on the record's line that could be whole records as well.
+fn two_ways(c: &Columns, start: usize, reading: &Reading) -> Option<Diagnostic> {
+    let base = start + 2 + reading.ty.params.len();
+    if !reading.two_ways || reading.end == base {
+        return None;
+    }
+    let mut at = base;
+    while at < reading.end {
+        at = match c.int(at)? {
+            0 => at + 1,
+            _ => signature::read(c, at, reading.end)?.end,
+        };
+    }
+    let span = c.token(base).span().to(c.token(reading.end - 1).span());
+    Some(Diagnostic::new(Code::N605, span).with("type", Value::Term(reading.ty.title)))
+}
+
+/// Whether records of a type define something that has an ID of its own.
+fn defines(ty: &RecordType) -> bool {
+    matches!(ty.effect, Effect::Defines(_)) && ty.kind != RecordKind::Render
+}
+
+/// How many significant tokens an item has that was read.
+fn significant(item: &Item) -> usize {
+    match item {
+        Item::Record(r) => 2 + r.params as usize,
+        Item::Void { .. } | Item::Broken(_) => 1,
+    }
+}
+
+/// The tree's record for a reading.
+fn whole(c: &Columns, start: usize, reading: &Reading) -> Record {
+    Record {
+        id: c.int(start).unwrap_or(0) as u32,
+        ty: reading.ty,
+        first: c.lexed.sigs[start].token(),
+        last: c.lexed.sigs[reading.end - 1].token(),
+        params: (reading.end - start - 2) as u32,
+        count: reading.count,
+        value: start as u32 + 2,
+    }
 }

@@ -90,9 +90,15 @@ fn kind(format: FileFormat) -> &'static str {
 /// Whether a text has characters that no text has, given how long it is on disk.
 fn is_binary(text: &str, characters: usize) -> bool {
     let is_control = |b: &u8| b.is_ascii_control() && !(b'\t'..=b'\r').contains(b);
-    let controls = text.bytes().filter(|b| is_control(b)).count();
+    // Without a branch for each byte.
+    let has = |bytes: &[u8]| bytes.iter().fold(false, |any, b| any | is_control(b));
+    let bytes = text.as_bytes();
+    if !bytes.chunks(1 << 12).any(has) {
+        return false;
+    }
+    let controls = bytes.iter().filter(|b| is_control(b)).count();
     let end_of_file = usize::from(text.ends_with('\u{1a}'));
-    controls > 0 && (text.contains('\0') || (controls - end_of_file) * 100 > characters)
+    text.contains('\0') || (controls - end_of_file) * 100 > characters
 }
 
 /// What a text is that is no scene.
@@ -101,8 +107,13 @@ fn text(text: &str, finding: Diagnostic) -> Option<Diagnostic> {
         return Some(finding.case(case));
     }
     let mut lines = Lines::default();
-    for line in text.split(BREAKS) {
-        lines.count(opening(line, false));
+    let mut start = 0;
+    for end in memchr::memchr2_iter(b'\n', b'\r', text.as_bytes()).chain([text.len()]) {
+        match begins_with_digits(&text.as_bytes()[start..end]) {
+            true => lines.count(Opening::Number),
+            false => lines.count(opening(&text[start..end], false)),
+        }
+        start = end + 1;
     }
     // Most scenes are known by now.
     if lines.are_records() || Lines::across(text).are_records() {
@@ -180,6 +191,12 @@ enum Opening {
     Nothing,
 }
 
+/// Whether a line begins with digits and a space, as nearly all records do.
+fn begins_with_digits(line: &[u8]) -> bool {
+    let digits = line.iter().take_while(|b| b.is_ascii_digit()).count();
+    (1..20).contains(&digits) && line.get(digits) == Some(&b' ')
+}
+
 /// How a line begins, comments left out. One that is not closed on the line goes on if it may.
 fn opening(line: &str, goes_on: bool) -> Opening {
     let mut rest = line.trim_start_matches(is_blank);
@@ -209,7 +226,7 @@ fn is_number(text: &str) -> bool {
     if !number.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
         return false;
     }
-    let ends = |c: char| c.is_whitespace() || "#,;<>(){}\"".contains(c);
+    let ends = |c: char| c.is_whitespace() || "#,;<>(){}⟨⟩〈〉〈〉‹›\"".contains(c);
     let word = number.split(ends).next().unwrap_or_default();
     matches!(
         Tokens::new(word, &[]).next().map(|t| t.kind),

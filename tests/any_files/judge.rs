@@ -126,7 +126,8 @@ fn known(bytes: &[u8]) -> Option<bool> {
         let comment = ["//", ";", "--", "/*"].iter().any(|c| line.starts_with(c));
         if !line.is_empty() && !comment {
             all += 1;
-            let word = line.split(|c: char| c.is_whitespace() || ",;<>(){}\"".contains(c));
+            let word =
+                line.split(|c: char| c.is_whitespace() || ",;<>(){}⟨⟩〈〉〈〉‹›\"".contains(c));
             let word = word.into_iter().next().unwrap_or_default();
             let digits = word.trim_start_matches(['+', '-']);
             let begins = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
@@ -143,7 +144,8 @@ fn known(bytes: &[u8]) -> Option<bool> {
 /// The words of a text. A `#` is one by itself, and notation marks are none.
 fn words(text: &str) -> Vec<&str> {
     let mut words = Vec::new();
-    let blank = |c: char| c.is_whitespace() || c == '\u{feff}' || ",;<>(){}".contains(c);
+    let blank =
+        |c: char| c.is_whitespace() || c == '\u{feff}' || ",;<>(){}⟨⟩〈〉〈〉‹›".contains(c);
     for piece in text.split(blank) {
         for (i, part) in piece.split('#').enumerate() {
             words.extend((i > 0).then_some("#"));

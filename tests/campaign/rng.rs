@@ -1,6 +1,7 @@
 //! A generator of random numbers that gives the same ones everywhere, and what is drawn from it.
 
 /// SplitMix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014).
+#[derive(Clone)]
 pub struct Rng(u64);
 
 impl Rng {

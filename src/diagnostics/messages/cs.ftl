@@ -157,6 +157,10 @@ E008-row = { E008 }
     .label = tento řádek jich má méně než ostatní
     .help = { E008.help }
     .begin = { $type } začíná zde
+E008-sign = { E008 }
+    .label = typ ztratil znaménko
+    .help = se znaménkem je záznam správně: { $meant-capital } { $header }
+    .fix = { fix-write }
 E008-count = { $type }: chybí počet bodů
     .label = za typem chybí N
     .help = { E008.help }
@@ -243,6 +247,10 @@ N604 = soubor je v UTF-16; tak se čte i zapisuje
 N604-incomplete = soubor je v UTF-16 a něco v něm není znak; nezapisuje se do něj
     .label = začátek souboru
     .help = uložte soubor v UTF-8
+
+N605 = čísla za záznamem ({ $type }) lze číst dvěma způsoby
+    .label = čte se jako součást záznamu
+    .help = mohla by to být samostatná čísla jiných záznamů: ty stojí na vlastních řádcích
 
 ## ID
 

@@ -151,6 +151,10 @@ E008-row = { E008 }
     .label = this line has fewer than the others
     .help = { E008.help }
     .begin = the { $type } begins here
+E008-sign = { E008 }
+    .label = the type has lost its sign
+    .help = with a sign it is right: { $meant-capital } { $header }
+    .fix = { fix-write }
 E008-count = this { $type } has no number of points
     .label = N is missing behind the type
     .help = { E008.help }
@@ -234,6 +238,10 @@ N604 = the file is UTF-16; it is read as such, and stays so when it is written
 N604-incomplete = the file is UTF-16 with something in it that is no character; it is not written to
     .label = the file begins here
     .help = save the file as UTF-8
+
+N605 = the numbers behind this { $type } can be read in two ways
+    .label = read as part of the { $type }
+    .help = they could be records of their own: these stand on lines of their own
 
 ## IDs
 

@@ -38,44 +38,188 @@ mod surface_operand;
 mod unused_definition;
 
 use super::Context;
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Code, Diagnostic};
+use crate::syntax::table::{RecordKind, ShapeKind};
 
-/// Looks at a scene and adds its findings.
-pub type Rule = fn(&Context, &mut Vec<Diagnostic>);
+/// One rule.
+pub struct Rule {
+    pub code: Code,
+    /// Looks at a scene and adds its findings.
+    pub check: fn(&Context, &mut Vec<Diagnostic>),
+    /// A scene that has no record of one of these groups has nothing for the rule.
+    pub asks_for: &'static [&'static [RecordKind]],
+}
+
+use RecordKind as R;
+use ShapeKind as S;
+
+const CUTS: &[RecordKind] = &[R::Intersection, R::Difference];
+const UNIONS: &[RecordKind] = &[R::Union];
+const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
+const SOLID_OPERATIONS: &[RecordKind] = &[R::Intersection, R::Difference, R::Complement];
+const BOUNDS: &[RecordKind] = &[R::BoundingBox, R::BoundingSphere];
+const RENDER: &[RecordKind] = &[R::Render];
+const OPTICS: &[RecordKind] = &[R::Optics, R::OpticsRgb];
+const INDICES: &[RecordKind] = &[R::RefractiveIndex];
+const ROTATION_MATRICES: &[RecordKind] = &[R::RotationMatrix];
+const QUADRICS: &[RecordKind] = &[R::Shape(S::Quadric)];
+const COLOURS: &[RecordKind] = &[R::Colour, R::Shape(S::ColouredSurfaceOfRevolution)];
+const SURFACES: &[RecordKind] = &[
+    R::Shape(S::Plane),
+    R::Shape(S::Rectangle),
+    R::Shape(S::Triangle),
+    R::Shape(S::TriangleWithNormal),
+    R::Shape(S::TriangleWithVertexNormals),
+];
+const RINGS: &[RecordKind] = &[
+    R::Shape(S::Torus),
+    R::Shape(S::SurfaceOfRevolution),
+    R::Shape(S::ColouredSurfaceOfRevolution),
+];
+const THIN_SHAPES: &[RecordKind] = &[
+    R::Shape(S::Box),
+    R::Shape(S::Rectangle),
+    R::Shape(S::Triangle),
+    R::Shape(S::TriangleWithNormal),
+    R::Shape(S::TriangleWithVertexNormals),
+    R::Shape(S::Cone),
+    R::Shape(S::Quadric),
+    R::Shape(S::SurfaceOfRevolution),
+    R::Shape(S::ColouredSurfaceOfRevolution),
+];
 
 /// Every rule. Those that may take longest come first: they are begun in this order.
 pub const RULES: &[Rule] = &[
-    coincident_faces::check,
-    overlapping_union::check,
-    bound_too_small::check,
-    scene_box_cuts::check,
-    empty_result::check,
-    mixed_intersection::check,
-    unused_definition::check,
-    stale_operand::check,
-    colour_out_of_range::check,
-    energy_gain::check,
-    not_a_rotation::check,
-    asymmetric_quadric::check,
-    degenerate_shape::check,
-    no_real_points::check,
-    surface_operand::check,
-    comment_hides_records::check,
-    several_cameras::check,
-    pointless_index::check,
-    self_intersecting::check,
-    ill_scaled::check,
-    no_camera::check,
-    no_light::check,
-    notation_separator::check,
-    bare_comment::check,
-    several_records_per_line::check,
+    Rule {
+        code: Code::W321,
+        check: coincident_faces::check,
+        asks_for: &[CUTS],
+    },
+    Rule {
+        code: Code::W307,
+        check: overlapping_union::check,
+        asks_for: &[UNIONS],
+    },
+    Rule {
+        code: Code::W311,
+        check: bound_too_small::check,
+        asks_for: &[BOUNDS],
+    },
+    Rule {
+        code: Code::W312,
+        check: scene_box_cuts::check,
+        asks_for: &[RENDER],
+    },
+    Rule {
+        code: Code::W319,
+        check: empty_result::check,
+        asks_for: &[CUTS],
+    },
+    Rule {
+        code: Code::W308,
+        check: mixed_intersection::check,
+        asks_for: &[INTERSECTIONS],
+    },
+    Rule {
+        code: Code::W310,
+        check: unused_definition::check,
+        asks_for: &[RENDER],
+    },
+    Rule {
+        code: Code::W309,
+        check: stale_operand::check,
+        asks_for: &[],
+    },
+    Rule {
+        code: Code::W301,
+        check: colour_out_of_range::check,
+        asks_for: &[COLOURS],
+    },
+    Rule {
+        code: Code::W302,
+        check: energy_gain::check,
+        asks_for: &[OPTICS],
+    },
+    Rule {
+        code: Code::W303,
+        check: not_a_rotation::check,
+        asks_for: &[ROTATION_MATRICES],
+    },
+    Rule {
+        code: Code::W304,
+        check: asymmetric_quadric::check,
+        asks_for: &[QUADRICS],
+    },
+    Rule {
+        code: Code::W305,
+        check: degenerate_shape::check,
+        asks_for: &[THIN_SHAPES],
+    },
+    Rule {
+        code: Code::W306,
+        check: no_real_points::check,
+        asks_for: &[QUADRICS],
+    },
+    Rule {
+        code: Code::W313,
+        check: surface_operand::check,
+        asks_for: &[SOLID_OPERATIONS, SURFACES],
+    },
+    Rule {
+        code: Code::W315,
+        check: comment_hides_records::check,
+        asks_for: &[],
+    },
+    Rule {
+        code: Code::W316,
+        check: several_cameras::check,
+        asks_for: &[],
+    },
+    Rule {
+        code: Code::W318,
+        check: pointless_index::check,
+        asks_for: &[INDICES],
+    },
+    Rule {
+        code: Code::W320,
+        check: self_intersecting::check,
+        asks_for: &[RINGS],
+    },
+    Rule {
+        code: Code::W322,
+        check: ill_scaled::check,
+        asks_for: &[],
+    },
+    Rule {
+        code: Code::N602,
+        check: no_camera::check,
+        asks_for: &[],
+    },
+    Rule {
+        code: Code::N603,
+        check: no_light::check,
+        asks_for: &[],
+    },
+    Rule {
+        code: Code::S501,
+        check: notation_separator::check,
+        asks_for: &[],
+    },
+    Rule {
+        code: Code::S502,
+        check: bare_comment::check,
+        asks_for: &[],
+    },
+    Rule {
+        code: Code::S503,
+        check: several_records_per_line::check,
+        asks_for: &[],
+    },
 ];
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostics::Code;
     use std::fs;
     use std::path::Path;
 
@@ -96,6 +240,7 @@ mod tests {
             let code = Code::ALL.iter().find(|c| c.name() == name);
             let page = fs::read_to_string(path.join("explain.md")).unwrap();
             assert!(code.is_some_and(|c| c.explanation() == page), "{name}");
+            assert!(RULES.iter().any(|r| Some(&r.code) == code), "{name}");
             count += 1;
         }
         assert_eq!(count, RULES.len());

@@ -10,14 +10,16 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut items = context.document.items.iter().peekable();
     // The item that ended last before the token at hand.
     let mut previous: Option<&Item> = None;
-    for (i, t) in tokens.iter().enumerate() {
+    let comments = (tokens.iter().enumerate())
+        .filter(|(_, t)| context.document.contents.comments && t.kind == TokenKind::Comment);
+    for (i, t) in comments {
         while let Some(item) = items.next_if(|item| (item.ends().1 as usize) < i) {
             previous = Some(item);
         }
         let inside = items
             .peek()
             .is_some_and(|item| (item.ends().0 as usize) < i);
-        if t.kind != TokenKind::Comment || inside || !stands_alone(tokens, i) {
+        if inside || !stands_alone(tokens, i) {
             continue;
         }
         let introduced = matches!(previous, Some(Item::Void { token })

@@ -145,7 +145,7 @@ fn place(p: &Params, geometry: &Geometry, part: Part) -> (Span, &'static str, &'
     let span = match written.params {
         Some((first, count)) => p.span_of(first, count),
         // Some types have no parameters.
-        None if p.len() == 0 => p.span,
+        None if p.len() == 0 => p.span(),
         None => p.span_of(0, p.len()),
     };
     let name = |i: usize| p.param(i).map_or("", |q| q.name);

@@ -11,6 +11,9 @@ use crate::syntax::{self, Item};
 const BYTES_MAX: usize = 1 << 18;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    if !context.document.contents.long_comments {
+        return;
+    }
     let mut budget = BYTES_MAX;
     for t in &context.document.tokens {
         if t.kind != TokenKind::Comment || t.len < 2 {

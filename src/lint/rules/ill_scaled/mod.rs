@@ -24,6 +24,9 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
     }
     // Shapes that come out like that only by what moves and stretches them.
+    if scene.matrices.is_empty() {
+        return;
+    }
     for (node, _) in scene.nodes.iter().zip(live_nodes(scene)).filter(|n| n.1) {
         if let Node::Transform { child, matrix } = *node
             && let Node::Shape(s) = scene.nodes[child as usize]
@@ -62,6 +65,13 @@ fn finding(context: &Context, shape: &Shape, small: Length, large: Length) -> Di
 
 /// The smallest and the largest length of a shape moved by a matrix, where they are too different.
 fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
+    if let (Geometry::Sphere { centre, radius }, true) = (geometry, *m == Matrix::IDENTITY) {
+        // Nearly all spheres are not far away in any direction.
+        const FAR: f64 = RATIO_MAX / 2.0;
+        if *radius > 0.0 && centre.iter().all(|x| x.abs() < FAR * radius) {
+            return None;
+        }
+    }
     let mut small: Option<Length> = None;
     let mut large: Option<Length> = None;
     let mut take = |length: Length| {

@@ -187,7 +187,7 @@ fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagno
             [false, true, true] => "optics-index",
             _ => "all",
         };
-        let mut d = Diagnostic::new(Code::W308, p.span)
+        let mut d = Diagnostic::new(Code::W308, p.span())
             .with("id", origin.id.to_string())
             .with("first", first)
             .with("first-id", operands[0].to_string())
@@ -197,7 +197,7 @@ fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagno
         let children = context.scene.nodes[node as usize].children();
         for (id, child) in operands.into_iter().zip(children.into_iter().flatten()) {
             if let Some(lines) = properties.again(context, id, child, origin.id, differ) {
-                let fix: Fix = context.add_behind(p.span, "fix", Applicability::Unsafe, &lines);
+                let fix: Fix = context.add_behind(p.span(), "fix", Applicability::Unsafe, &lines);
                 d = d.with("source", id.to_string()).fix(fix);
                 break;
             }

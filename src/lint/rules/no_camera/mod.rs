@@ -10,6 +10,11 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = context.scene.render else {
         return;
     };
+    let contents = &context.document.contents;
+    if !contents.broken && !contents.has(&[RecordKind::Camera, RecordKind::ProjectionMatrix]) {
+        out.push(Diagnostic::new(Code::N602, render.span));
+        return;
+    }
     // A camera that could not be read is no reason to say there is none.
     let broken = |item: &Item| matches!(item, Item::Broken(b) if b.ty.is_none_or(|t| matches!(t.kind, RecordKind::Camera | RecordKind::ProjectionMatrix)));
     if context.scene.view == View::Automatic

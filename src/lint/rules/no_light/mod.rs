@@ -19,11 +19,16 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         Item::Void { .. } => false,
     };
-    if scene.ambient_lights.is_empty()
-        && scene.point_lights.is_empty()
-        && !scene.entities.iter().any(|e| light(e.kind))
-        && !context.document.items.iter().any(meant)
-    {
+    let contents = &context.document.contents;
+    let certain =
+        !contents.broken && !contents.has(&[RecordKind::AmbientLight, RecordKind::PointLight]);
+    let none = || {
+        scene.ambient_lights.is_empty()
+            && scene.point_lights.is_empty()
+            && !scene.entities.iter().any(|e| light(e.kind))
+            && !context.document.items.iter().any(meant)
+    };
+    if certain || none() {
         out.push(Diagnostic::new(Code::N603, render.span));
     }
 }

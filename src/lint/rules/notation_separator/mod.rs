@@ -5,6 +5,9 @@ use crate::lint::Context;
 use crate::syntax::lexer::{Token, TokenKind};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    if !context.document.contents.separators {
+        return;
+    }
     // One finding a line is enough.
     for line in context
         .document

@@ -103,7 +103,7 @@ impl Pieces {
             }
         };
         let edit = |span, text| Edit { span, text };
-        let front = Span::new(p.id_span.start, p.id_span.start);
+        let front = Span::new(p.id_span().start, p.id_span().start);
         Some(Fix {
             title: "fix",
             applicability: Applicability::Unsafe,

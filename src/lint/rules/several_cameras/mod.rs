@@ -38,7 +38,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     // The picture stays the same, but only its author knows whether it is the right one.
     let selection = (context.params(camera.span).zip(context.free_id())).map(|(p, id)| {
         let line = format!("{id} -502 {used}");
-        context.add_behind(p.span, "fix", Applicability::Unsafe, &[line])
+        context.add_behind(p.span(), "fix", Applicability::Unsafe, &[line])
     });
     out.push(match selection {
         Some(fix) => d.fix(fix),

@@ -7,15 +7,14 @@
 //! was copied: that is what copies are for. What holds for operands holds for properties, too, which an
 //! assignment takes as they are, and for the colours of a texture.
 
-use rustc_hash::{FxHashMap, FxHashSet};
-
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::syntax::Record;
-use crate::syntax::table::{Effect, Family, RecordKind};
+use crate::syntax::ids::IdTable;
+use crate::syntax::table::{Effect, Family, RecordKind, RecordType};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    if context.has_broken() {
+    if context.has_broken() || !context.document.contents.any(changes) {
         return;
     }
     let late = late(context);
@@ -58,56 +57,62 @@ struct Late<'a> {
     more: u64,
 }
 
-#[derive(Default)]
+/// What is known of an ID.
+#[derive(Clone, Default)]
 struct Entry<'a> {
+    /// What is not there yet is not taken, and the record that defines it changes nothing.
+    defined: bool,
+    /// It is taken as it is at the end of the file.
+    at_the_end: bool,
     taker: Option<&'a Record>,
     change: Option<&'a Record>,
     more: u64,
 }
 
 fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
-    let mut entries: FxHashMap<u32, Entry> = FxHashMap::default();
-    // What is not there yet is not taken, and the record that defines it changes nothing.
-    let mut defined: FxHashSet<u32> = FxHashSet::default();
-    // What these name is taken at the end of the file.
-    let mut at_the_end: FxHashSet<u32> = FxHashSet::default();
+    let mut ids = IdTable::new(context.document.items.len());
+    let mut entries: Vec<Entry> = Vec::new();
+    fn entry<'e, 'a>(
+        ids: &mut IdTable,
+        entries: &'e mut Vec<Entry<'a>>,
+        id: u32,
+    ) -> &'e mut Entry<'a> {
+        let number = ids.get_or_insert(id, entries.len() as u32) as usize;
+        if number == entries.len() {
+            entries.push(Entry::default());
+        }
+        &mut entries[number]
+    }
     for record in context.records() {
         let kind = record.ty.kind;
         if matches!(
             kind,
             RecordKind::Render | RecordKind::MonoCamera | RecordKind::StereoCamera
         ) {
-            at_the_end.extend(context.references(record));
+            for id in context.references(record) {
+                entry(&mut ids, &mut entries, id).at_the_end = true;
+            }
             continue;
         }
-        for id in context.references(record).filter(|id| defined.contains(id)) {
-            entries.insert(
-                id,
-                Entry {
-                    taker: Some(record).filter(|_| kind != RecordKind::Copy),
-                    ..Entry::default()
-                },
-            );
-        }
-        // A promise changes nothing.
-        let changes =
-            !matches!(record.ty.effect, Effect::Defines(_)) && record.ty.family != Family::Bound;
-        if changes
-            && let Some(entry) = entries.get_mut(&record.id)
-            && entry.taker.is_some()
-        {
-            match entry.change {
-                None => entry.change = Some(record),
-                Some(_) => entry.more += 1,
+        for id in context.references(record) {
+            let taken = entry(&mut ids, &mut entries, id);
+            if taken.defined {
+                taken.taker = Some(record).filter(|_| kind != RecordKind::Copy);
+                (taken.change, taken.more) = (None, 0);
             }
         }
-        if kind != RecordKind::Undefined {
-            defined.insert(record.id);
+        let own = entry(&mut ids, &mut entries, record.id);
+        if changes(record.ty) && own.taker.is_some() {
+            match own.change {
+                None => own.change = Some(record),
+                Some(_) => own.more += 1,
+            }
         }
+        own.defined |= kind != RecordKind::Undefined;
     }
     let mut late: Vec<Late> = (entries.into_iter())
-        .filter(|(id, _)| !at_the_end.contains(id))
-        .filter_map(|(_, e)| {
+        .filter(|e| !e.at_the_end)
+        .filter_map(|e| {
             Some(Late {
                 change: e.change?,
                 taker: e.taker?,
@@ -117,4 +122,9 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
         .collect();
     late.sort_by_key(|l| l.change.first);
     late
+}
+
+/// Whether records of a type change something; a promise does not.
+fn changes(ty: &RecordType) -> bool {
+    !matches!(ty.effect, Effect::Defines(_)) && ty.family != Family::Bound
 }

@@ -1,22 +1,18 @@
 //! W310: something that is defined and not needed for the picture.
 
-use rustc_hash::FxHashMap;
-
-use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
+use crate::scene::Entity;
 use crate::syntax::table::{Effect, Kind, RecordKind};
 
-/// What an ID stands for and which others its records name, whether they define or change it.
+/// What is known of an ID besides the entity: whether an object could be made of it (otherwise something
+/// else has been said about it), whether it is used, and whether something else that is not used names it.
+#[derive(Clone, Copy, Default)]
 struct Definition {
-    id: u32,
-    kind: Option<Kind>,
-    /// Whether an object could be made of it; otherwise something else has been said about it.
+    /// Index into the scene's entities, the last one where there are several.
+    entity: u32,
     sound: bool,
-    span: Span,
-    title: &'static str,
-    names: Vec<u32>,
     used: bool,
-    /// Named by something else that is not used.
     held: bool,
 }
 
@@ -24,97 +20,129 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if context.scene.render.is_none() || context.has_broken() {
         return;
     }
-    let Some(mut all) = definitions(context) else {
+    let mut all = definitions(context);
+    // What seems to be unused may be what was meant where a record names what is not there.
+    let Some(names) = Names::new(context, &mut all) else {
         return;
     };
-    follow(&mut all);
+    follow(&names, &mut all);
     // What only an unused thing needs goes with it.
     for i in 0..all.len() {
-        for name in std::mem::take(&mut all[i].names) {
+        for &name in names.of(i) {
             if !all[i].used && name as usize != i {
                 all[name as usize].held = true;
             }
         }
     }
+    let entity = |d: &Definition| context.scene.entities[d.entity as usize];
     let reported = all.iter().filter(|d| d.sound && !d.used && !d.held);
     out.extend(reported.filter_map(|d| {
-        let case = match d.kind? {
+        let entity = entity(d);
+        let case = match entity.kind? {
             Kind::Object => "object",
             Kind::Undefined => "placeholder",
             Kind::Optics | Kind::Texture | Kind::Colour => "",
             _ => return None,
         };
+        let title = context.params(entity.span).map_or("object", |p| p.ty.title);
         Some(
-            Diagnostic::new(Code::W310, d.span)
+            Diagnostic::new(Code::W310, entity.span)
                 .case(case)
-                .with("type", Value::Term(d.title))
-                .with("id", d.id.to_string()),
+                .with("type", Value::Term(title))
+                .with("id", entity.id.to_string()),
         )
     }));
 }
 
-/// Every definition, its names as indices; `None` if a record names what is not there: what seems
-/// to be unused may be what was meant.
-fn definitions(context: &Context) -> Option<Vec<Definition>> {
-    let mut at: FxHashMap<u32, usize> = FxHashMap::default();
-    let mut all: Vec<Definition> = Vec::new();
-    for e in &context.scene.entities {
+/// A definition for each number of an ID.
+fn definitions(context: &Context) -> Vec<Definition> {
+    let scene = context.scene;
+    let mut all: Vec<Definition> = Vec::with_capacity(scene.entities.len());
+    for (i, e) in scene.entities.iter().enumerate() {
+        let Some(number) = scene.ids.get(e.id) else {
+            continue;
+        };
         let new = Definition {
-            id: e.id,
-            kind: e.kind,
+            entity: i as u32,
             sound: e.kind != Some(Kind::Object) || e.node.is_some(),
-            span: e.span,
-            title: "object",
-            names: Vec::new(),
-            // Lights and cameras are asked for by nobody; the render record is the beginning.
-            used: matches!(
-                e.kind,
-                None | Some(
-                    Kind::AmbientLight
-                        | Kind::PointLight
-                        | Kind::Camera
-                        | Kind::Selection
-                        | Kind::Render
-                )
-            ),
+            used: is_asked_for_by_nobody(e),
             held: false,
         };
-        match at.get(&e.id) {
+        match all.get_mut(number as usize) {
             // A placeholder and what has become of it.
-            Some(&i) => {
-                let sound = all[i].sound || new.sound;
-                all[i] = Definition { sound, ..new };
+            Some(old) => {
+                let sound = old.sound || new.sound;
+                *old = Definition { sound, ..new };
             }
-            None => {
-                at.insert(e.id, all.len());
-                all.push(new);
-            }
+            None => all.push(new),
         }
     }
-    for record in context.records() {
-        let &own = at.get(&record.id)?;
-        if context.document.id_token(record).span() == all[own].span {
-            all[own].title = record.ty.title;
-        } else if record.ty.kind != RecordKind::Undefined
-            && matches!(record.ty.effect, Effect::Defines(_))
-        {
-            // Defined twice: which of the two was meant is not known.
-            all[own].used = true;
+    all
+}
+
+/// Lights and cameras are; the render record is the beginning.
+fn is_asked_for_by_nobody(entity: &Entity) -> bool {
+    matches!(
+        entity.kind,
+        None | Some(
+            Kind::AmbientLight | Kind::PointLight | Kind::Camera | Kind::Selection | Kind::Render
+        )
+    )
+}
+
+/// Who names whom: for each ID those that its records name, whether they define or change it, as numbers.
+struct Names {
+    /// Where the names of each ID begin; one more at the end.
+    starts: Vec<u32>,
+    names: Vec<u32>,
+}
+
+impl Names {
+    /// Marks what is defined twice as used: which of the two was meant is not known. `None` if a record names what
+    /// is not there.
+    fn new(context: &Context, all: &mut [Definition]) -> Option<Names> {
+        let scene = context.scene;
+        let tokens = &context.document.tokens;
+        let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(context.document.items.len());
+        let mut starts = vec![0; all.len() + 1];
+        for record in context.records() {
+            let own = scene.ids.get(record.id)?;
+            let definition = &mut all[own as usize];
+            let defines = matches!(record.ty.effect, Effect::Defines(_))
+                && record.ty.kind != RecordKind::Undefined;
+            let entity = scene.entities[definition.entity as usize];
+            if defines && tokens[record.first as usize].start != entity.span.start {
+                definition.used = true;
+            }
+            for name in context.references(record) {
+                pairs.push((own, scene.ids.get(name)?));
+                starts[own as usize + 1] += 1;
+            }
         }
-        for name in context.references(record) {
-            let &named = at.get(&name)?;
-            all[own].names.push(named as u32);
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
         }
+        let mut names = vec![0; pairs.len()];
+        let mut next = starts.clone();
+        for (own, name) in pairs {
+            let at = &mut next[own as usize];
+            names[*at as usize] = name;
+            *at += 1;
+        }
+        Some(Names { starts, names })
     }
-    Some(all)
+
+    fn of(&self, i: usize) -> &[u32] {
+        &self.names[self.starts[i] as usize..self.starts[i + 1] as usize]
+    }
 }
 
 /// Marks as used what the used ones name.
-fn follow(all: &mut [Definition]) {
+fn follow(names: &Names, all: &mut [Definition]) {
     let mut open: Vec<usize> = (0..all.len()).filter(|&i| all[i].used).collect();
     while let Some(i) = open.pop() {
-        for k in 0..all[i].names.len() {
-            let name = all[i].names[k] as usize;
+        for &name in names.of(i) {
+            let name = name as usize;
             if !std::mem::replace(&mut all[name].used, true) {
                 open.push(name);
             }

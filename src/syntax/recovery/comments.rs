@@ -1,0 +1,195 @@
+//! Which `#` closes which.
+//!
+//! Comments do not nest, so one forgotten `#` pairs with the next comment's opening one and turns
+//! every later comment inside out. Where the plain reading is in trouble, this finds the pairing
+//! with the least damage: a walk over the lines with the states "in code" and "in a comment", where
+//! text that cannot be code, records that would be hidden, and comments that are given up at their
+//! line's end all have a price.
+
+/// The price of giving a comment up at the end of its line: an error.
+const UNCLOSED: u32 = 110;
+/// The price of a line with words where code should be: an error too, and the likelier one.
+const GARBAGE: u32 = 100;
+/// The price of a record inside a comment, for the first [`HIDDEN_MAX`] of a comment; people do
+/// put whole blocks into comments.
+const HIDDEN: u32 = 45;
+const HIDDEN_MAX: usize = 2;
+/// The price of a comment that hides a record, with words behind its closing sign: comments turned
+/// inside out, as where a `#` on each line is meant to comment the rest of the line. More than two
+/// signs that are given up.
+const INSIDE_OUT: u32 = 2 * UNCLOSED + 5;
+
+/// States: 0 is code, 1 + h a comment that has hidden h records so far.
+const STATES: usize = 2 + HIDDEN_MAX;
+const NEVER: u32 = u32::MAX / 2;
+
+/// How a line was read, to walk back along the cheapest way.
+#[derive(Clone, Copy, Default)]
+struct Step {
+    from: u8,
+    /// The `#` that is given up on this line, as its offset in the text + 1; 0 is none.
+    unclosed: u32,
+}
+
+/// The offsets of the `#` to be given up, ascending.
+pub fn unclosed(text: &str) -> Vec<u32> {
+    let mut cost = [NEVER; STATES];
+    cost[0] = 0;
+    let mut steps: Vec<[Step; STATES]> = Vec::new();
+    let mut start = 0;
+    for line in text.split_inclusive(['\n', '\r']) {
+        let mut next = [NEVER; STATES];
+        let mut step = [Step::default(); STATES];
+        let mut offer = |to: usize, price: u32, from: usize, unclosed: Option<usize>| {
+            if price < next[to] {
+                next[to] = price;
+                step[to] = Step {
+                    from: from as u8,
+                    unclosed: unclosed.map_or(0, |o| (start + o) as u32 + 1),
+                };
+            }
+        };
+        let hashes = line.matches('#').count();
+        for state in (0..STATES).filter(|&s| cost[s] < NEVER) {
+            let reading = Reading::of(line, state);
+            let price = cost[state].saturating_add(reading.price);
+            offer(reading.end_state, price, state, None);
+            // Given up: the comment that is open at the line's end, or the first one that opens.
+            if reading.end_state != 0 && (state == 0 || hashes > 0) {
+                offer(0, price.saturating_add(UNCLOSED), state, line.rfind('#'));
+            }
+            if state == 0 && hashes > 1 {
+                let first = line.find('#').unwrap_or(0);
+                let price = cost[0].saturating_add(garbage(&line[..first]));
+                offer(0, price.saturating_add(UNCLOSED + 1), 0, Some(first));
+            }
+        }
+        cost = next;
+        steps.push(step);
+        start += line.len();
+    }
+    // At the end of the text every comment must be closed or given up.
+    let mut out = Vec::new();
+    let mut state = 0;
+    for step in steps.iter().rev() {
+        let s = step[state];
+        if s.unclosed > 0 {
+            out.push(s.unclosed - 1);
+        }
+        state = s.from as usize;
+    }
+    out.reverse();
+    out
+}
+
+/// One line read from one state with its `#` in plain alternation.
+struct Reading {
+    price: u32,
+    end_state: usize,
+}
+
+impl Reading {
+    fn of(line: &str, state: usize) -> Reading {
+        let mut price = 0;
+        let mut now = state;
+        for (i, part) in line.split('#').enumerate() {
+            let at_hash = now;
+            if i > 0 {
+                now = if now == 0 { 1 } else { 0 };
+            }
+            if now == 0 {
+                let hidden = i == 1 && at_hash > 1;
+                price = price.max(match garbage(part) {
+                    0 => 0,
+                    _ if hidden => INSIDE_OUT,
+                    garbage => garbage,
+                });
+            } else if i == 0 && now <= HIDDEN_MAX && looks_like_a_record(part) {
+                price += HIDDEN;
+                now += 1;
+            }
+        }
+        Reading {
+            price,
+            end_state: now,
+        }
+    }
+}
+
+/// The price of a stretch of code: whether there is a word in it that is no number.
+fn garbage(part: &str) -> u32 {
+    // File names are words.
+    let is_code = |w: &str| w.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    let names_a_file = part.split_whitespace().any(|w| w == "-301");
+    if names_a_file || part.split_whitespace().all(is_code) {
+        0
+    } else {
+        GARBAGE
+    }
+}
+
+/// Whether a stretch of comment is three numbers or more, the first two of them integers.
+fn looks_like_a_record(part: &str) -> bool {
+    let mut words = part.split_whitespace();
+    let id = words.next().is_some_and(|w| w.parse::<u32>().is_ok());
+    let code = words.next().is_some_and(|w| w.parse::<i32>().is_ok());
+    let mut rest = words.peekable();
+    id && code && rest.peek().is_some() && rest.all(|w| w.parse::<f64>().is_ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The lines (from 1) whose comment is given up.
+    fn lines(text: &str) -> Vec<usize> {
+        unclosed(text)
+            .iter()
+            .map(|&o| text[..o as usize].matches('\n').count() + 1)
+            .collect()
+    }
+
+    #[test]
+    fn balanced_texts_are_left_alone() {
+        assert!(lines("2 9 1 # a # \n# b\nc # 3 9 2\n").is_empty());
+        assert!(lines("# 2 9 1\n3 9 1\n4 9 1\n5 9 1 #\n6 9 1 # x #\n").is_empty());
+    }
+
+    #[test]
+    fn the_line_of_the_forgotten_sign() {
+        assert_eq!(lines("2 9 1 # a\n3 9 2 # b #\n4 9 1 # c #\n"), [1]);
+        assert_eq!(lines("2 9 1 # a #\n3 9 2 # b \n4 9 1 # c #\n"), [2]);
+        assert_eq!(lines("2 9 1 # a #\n3 9 2 # b #\n4 9 1 # c \n"), [3]);
+    }
+
+    #[test]
+    fn among_comments_over_several_lines() {
+        let text = "# head\n more #\n2 9 1 # a\n3 9 2 # b #\n# tail\n end #\n4 9 1\n";
+        assert_eq!(lines(text), [3]);
+        let text = "# 2 9 1\n3 9 2\n4 9 3\n5 9 1 #\n6 9 1 # x\n7 9 1 # y #\n";
+        assert_eq!(lines(text), [5]);
+    }
+
+    #[test]
+    fn a_sign_for_the_rest_of_the_line() {
+        for n in 2..12 {
+            let text: String = (0..n)
+                .map(|i| format!("{} 11 {i} 0 0 1 # ball\n", i + 2))
+                .collect();
+            let all: Vec<usize> = (1..=n).collect();
+            assert_eq!(lines(&format!("{text}40 -101 2 3\n")), all);
+            // With headings, and with comments that are closed.
+            let text: String = (0..n)
+                .map(|i| format!("# ball\n{} 11 {i} 0 0 1\n", i + 2))
+                .collect();
+            let all: Vec<usize> = (0..n).map(|i| 2 * i + 1).collect();
+            assert_eq!(lines(&text), all);
+            assert!(lines(&text.replace("ball", "ball #")).is_empty());
+        }
+    }
+
+    #[test]
+    fn a_stray_sign() {
+        assert_eq!(lines("2 9 1 # a #\n3 # 9 2 # b #\n4 9 1 # c #\n"), [2]);
+    }
+}

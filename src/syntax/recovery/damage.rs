@@ -1,0 +1,57 @@
+//! References that lead nowhere, as a witness for how a text is to be read.
+
+use rustc_hash::FxHashSet;
+
+use super::super::table::{Effect, ParamKind};
+use super::stretch::Stretch;
+use super::surroundings::Surroundings;
+use super::verdict::{Piece, Verdict};
+
+/// The IDs that the record at tokens `start..end` refers to.
+pub fn of_record(stream: &Stretch, start: usize, end: usize) -> impl Iterator<Item = i32> {
+    let params = stream.record_type(start + 1).map_or(&[][..], |t| t.params);
+    (start + 2..end)
+        .zip(params)
+        .filter(|(_, p)| matches!(p.kind, ParamKind::Reference { .. }))
+        .filter_map(|(i, _)| stream.sigs[i].int.filter(|&id| id > 0))
+}
+
+/// How many errors a reading of a stretch amounts to: its faults, the IDs that are defined
+/// twice, and those that are used and defined nowhere; each record that lost its ID accounts for one of these.
+pub fn damage(stream: &Stretch, around: &Surroundings, pieces: &[Piece]) -> usize {
+    let mut defined = FxHashSet::default();
+    let mut used = FxHashSet::default();
+    let (mut faults, mut lost, mut twice) = (0, 0, 0);
+    let elsewhere = |id: i32| around.is_defined(id as u32);
+    for p in pieces {
+        let id = stream.sigs[p.start].int.filter(|&id| id > 0);
+        match p.verdict {
+            Verdict::Void => {}
+            Verdict::Whole(r) => {
+                let changes = matches!(r.ty.effect, Effect::Changes(_));
+                let again = !changes && id.is_some_and(|id| !defined.insert(id) || elsewhere(id));
+                match r.ty.effect {
+                    Effect::Defines(_) => twice += usize::from(again),
+                    Effect::Changes(_) => used.extend(id),
+                    Effect::DefinesOrChanges(..) => {}
+                }
+                used.extend(of_record(stream, p.start, r.end));
+            }
+            Verdict::LostId { .. } | Verdict::BadId { .. } => {
+                faults += 1;
+                lost += 1;
+            }
+            Verdict::Surplus { .. } => {
+                faults += 1;
+                defined.extend(stream.sigs[p.start + 1].int);
+            }
+            _ => {
+                faults += 1;
+                defined.extend(id);
+            }
+        }
+    }
+    used.extend(around.dangling.iter().map(|&id| id as i32));
+    let nowhere = (used.difference(&defined)).filter(|&&id| !elsewhere(id));
+    faults + twice + nowhere.count().saturating_sub(lost)
+}

@@ -1,0 +1,635 @@
+//! What is wrong with a stretch of tokens that is no record, and how to say it.
+
+use super::super::ast::{self, Broken, Item, Record};
+use super::super::lexer::TokenKind;
+use super::super::signature::{allows, fits};
+use super::super::table::{ParamKind, RecordType};
+use super::stretch::{LONG, Stretch};
+use super::verdict::{FAULT, Piece, Verdict};
+
+/// The type that a token stands for, also where it is spelled as a real (`9.0`) or with a sign or
+/// letter glued to it (`11?`).
+fn type_at(stream: &Stretch, i: usize) -> Option<&'static RecordType> {
+    stream
+        .record_type(i)
+        .or_else(|| RecordType::by_code(integral(stream, i).or_else(|| spoiled(stream, i))?))
+}
+
+/// The integer in a token with one sign or letter glued to it. An `e` is half an exponent.
+fn spoiled(stream: &Stretch, i: usize) -> Option<i64> {
+    let word = |k| matches!(k, TokenKind::MalformedNumber | TokenKind::Word);
+    stream.sigs.get(i).filter(|s| word(s.kind))?;
+    let text = stream.token(i).text(stream.text());
+    let glue = |c: char| !c.is_ascii_digit() && !"+-.eE".contains(c);
+    text.strip_prefix(glue)
+        .or_else(|| text.strip_suffix(glue))?
+        .parse()
+        .ok()
+}
+
+/// The type that follows a sign or word that stands in its place.
+fn type_behind_stray(stream: &Stretch, i: usize) -> Option<&'static RecordType> {
+    let stray = |k| matches!(k, TokenKind::Word | TokenKind::Invalid);
+    stream.sigs.get(i).filter(|s| stray(s.kind))?;
+    type_at(stream, i + 1)
+}
+
+/// The value of a token that is a real with a whole value.
+fn integral(stream: &Stretch, i: usize) -> Option<i64> {
+    stream.sigs.get(i).filter(|s| s.kind == TokenKind::Real)?;
+    let x = stream.value(i);
+    (x.fract() == 0.0 && x.abs() < 1e9).then_some(x as i64)
+}
+
+/// The count parameter of the counted record at `i`: `Err` where it cannot be used.
+fn count(stream: &Stretch, i: usize) -> Result<u64, ()> {
+    let s = stream.sigs.get(i).ok_or(())?;
+    let n = s.int.map(i64::from).or_else(|| integral(stream, i));
+    u64::try_from(n.ok_or(())?)
+        .ok()
+        .filter(|&n| n >= 2)
+        .ok_or(())
+}
+
+/// Whether the record at `i` is of a type whose length depends on a count.
+pub fn is_counted(stream: &Stretch, i: usize) -> bool {
+    type_at(stream, i + 1).is_some_and(RecordType::is_counted)
+}
+
+/// Where a record should end whose parameters begin at `first`: `None` where nobody can tell.
+fn end_of(stream: &Stretch, first: usize, ty: &RecordType) -> Option<u64> {
+    let n = match ty.is_counted() {
+        true => count(stream, first).ok()?,
+        false => 0,
+    };
+    Some((first as u64).saturating_add(ty.arity(n)))
+}
+
+/// Where the record that begins at `i` with an ID should end, perhaps behind the end of the text.
+pub fn expected_end(stream: &Stretch, i: usize) -> Option<usize> {
+    let end = end_of(stream, i + 2, type_at(stream, i + 1)?)?;
+    Some(usize::try_from(end).unwrap_or(usize::MAX))
+}
+
+/// Where the record that begins at `i` should end, by all ways to understand its head; never
+/// behind the end of the text.
+pub fn expected_ends(stream: &Stretch, i: usize) -> Vec<usize> {
+    let mut out = Vec::new();
+    let mut add = |first: usize, ty: Option<&'static RecordType>| {
+        let end = ty.and_then(|ty| end_of(stream, first, ty));
+        if let Some(end) = end.filter(|&e| e <= stream.len() as u64 + 8) {
+            out.push((end as usize).min(stream.len()));
+        }
+    };
+    add(i + 2, type_at(stream, i + 1));
+    add(i + 1, type_at(stream, i));
+    if let Some(ty) = type_behind_stray(stream, i + 1) {
+        add(i + 3, Some(ty));
+    }
+    if type_at(stream, i + 1).is_none() {
+        // Of an unknown type all that is known is how long records over several lines are.
+        for params in [9, 10, 12, 16, 18] {
+            out.push((i + 2 + params).min(stream.len()));
+        }
+        if let Ok(n) = count(stream, i + 2) {
+            for per in [2, 5] {
+                let end = (i as u64 + 3).saturating_add(n.saturating_mul(per));
+                if end <= stream.len() as u64 {
+                    out.push(end as usize);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// What is known of the text around a piece.
+pub trait Known {
+    /// Whether a number is used as an ID elsewhere and defined by no line of its own.
+    fn is_missing(&self, id: i32) -> bool;
+    /// Whether an ID is defined elsewhere.
+    fn is_defined(&self, id: i32) -> bool;
+    /// Whether some other ID is used elsewhere and defined by no line of its own.
+    fn misses_another(&self, id: i32) -> bool;
+}
+
+/// Nothing is known.
+pub struct Unknown;
+
+impl Known for Unknown {
+    fn is_missing(&self, _: i32) -> bool {
+        false
+    }
+
+    fn is_defined(&self, _: i32) -> bool {
+        false
+    }
+
+    fn misses_another(&self, _: i32) -> bool {
+        true
+    }
+}
+
+/// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
+pub fn judge(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
+    let found = likeliest(stream, start, end, known);
+    debug_assert!(found.1 >= LEAST, "{found:?}");
+    found
+}
+
+fn likeliest(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
+    let id = &stream.sigs[start];
+    if end == start + 1 && id.kind.is_bad() {
+        return (Verdict::BadId { ty: None }, FAULT + 10);
+    }
+    if let Some(ty) = all_but_reals(stream, start, end) {
+        return (Verdict::Reals { ty }, REALS);
+    }
+    if let Some(swapped) = swapped(stream, start, end) {
+        return swapped;
+    }
+    let good_id = id.int.is_some_and(|id| id > 0);
+    let ty = (start + 1 < end)
+        .then(|| type_at(stream, start + 1))
+        .flatten();
+    let behind_stray = type_behind_stray(stream, start + 1).filter(|_| start + 2 < end);
+    let with_id = match (ty, behind_stray) {
+        (Some(ty), _) => judge_params(stream, ty, start + 2, end),
+        // The error is the stray token; if the rest is right, it is the only one.
+        (None, Some(ty)) if end_of(stream, start + 3, ty) == Some(end as u64) => {
+            (Verdict::BadType, FAULT)
+        }
+        (None, _) => untyped(stream, start, end),
+    };
+    if good_id {
+        if let Some(sign) = sign_of_known_type(stream, start, end, known) {
+            return sign;
+        }
+        if let Some(surplus) = surplus(stream, start, end, known) {
+            return surplus;
+        }
+        let lost = lost_id(stream, start, end).filter(|_| {
+            let missing = id.int.is_some_and(|id| known.is_missing(id));
+            // `5 0 1 2 3` is an undefined object, unless something else must be here.
+            let undefined = ty.is_some_and(|t| t.code == 0)
+                && is_between(stream, start)
+                && !id.int.is_some_and(|id| known.misses_another(id));
+            !missing && !undefined
+        });
+        let taken = id.int.is_some_and(|id| known.is_defined(id));
+        let in_order = if follows(stream, start) && !taken {
+            IN_ORDER
+        } else {
+            0
+        };
+        return match lost {
+            Some((verdict, price)) if price + in_order < with_id.1 => (verdict, price + in_order),
+            _ => with_id,
+        };
+    }
+    if let Some(lost) = lost_id(stream, start, end) {
+        return lost;
+    }
+    // The ID itself is the fault; what is behind it may be right. A `0` that introduces a comment
+    // is no ID gone wrong.
+    let void = if id.int == Some(0) && id.before_comment {
+        FAULT
+    } else {
+        0
+    };
+    // One that is spelled as a real is an ID all the same: what else is wrong with the record is said, and
+    // what refers to it, refers to it.
+    let spelled = integral(stream, start).is_some_and(|id| id > 0);
+    let of_record = with_id.0;
+    let (verdict, price) = match with_id {
+        (Verdict::Damaged { ty }, _) => {
+            // A mere sign or word is likelier to stand in front of the ID than in its place.
+            let extra = matches!(id.kind, TokenKind::Word | TokenKind::Invalid);
+            // Nor is a number too many likely to be an undefined object's.
+            let extra = extra || ty.code == 0;
+            let price = FAULT + bad_price(stream, start + 2, end) + if extra { 50 } else { 0 };
+            (Verdict::BadId { ty: Some(ty) }, price + void)
+        }
+        (Verdict::CutOff { ty }, price) => (Verdict::BadId { ty }, price + FAULT + void),
+        (_, price) => {
+            let ty = ty.filter(|t| t.code != 0);
+            let bad = bad_price(stream, start + 1, end);
+            (
+                Verdict::BadId { ty },
+                FAULT + 200 + price.min(200) + bad + void,
+            )
+        }
+    };
+    match of_record {
+        Verdict::CutOff { .. } => (verdict, price),
+        of_record if spelled => (of_record, price),
+        _ => (verdict, price),
+    }
+}
+
+/// A number in front of a whole record, whose ID something else needs.
+fn surplus(
+    stream: &Stretch,
+    start: usize,
+    end: usize,
+    known: &impl Known,
+) -> Option<(Verdict, u32)> {
+    let r = stream
+        .read(start + 1)
+        .filter(|r| r.end == end && r.ty.code != 0)?;
+    let needed = stream.sigs[start + 1]
+        .int
+        .is_some_and(|id| known.is_missing(id));
+    let own = stream.sigs[start]
+        .int
+        .is_some_and(|id| known.is_missing(id));
+    let whole_line = stream.starts_line(start) && stream.ends_line(end);
+    (needed && !own && whole_line && stream.values_allowed(start + 1, r)).then(|| {
+        let expected = end - start - 3;
+        (Verdict::Surplus { ty: r.ty, expected }, FAULT - 20)
+    })
+}
+
+/// A whole line that would be right if its type had a minus sign: a rotation `ID 2 30 1`, which reads as the head
+/// of a surface of revolution with 30 points. Where the type as it stands might have lost a number as well, the ID
+/// must be one that can be changed.
+fn sign_of_known_type(
+    stream: &Stretch,
+    start: usize,
+    end: usize,
+    known: &impl Known,
+) -> Option<(Verdict, u32)> {
+    let ty = stream.record_type(start + 1).filter(|_| start + 2 < end)?;
+    let meant = RecordType::by_code(-i64::from(ty.code)).filter(|t| t.code < 0)?;
+    let whole_line = stream.starts_line(start)
+        && stream.ends_line(end)
+        && stream.line(start) == stream.line(end - 1);
+    let got = end - start - 2;
+    let right = whole_line
+        && got as u64 == meant.arity(0)
+        && (start + 2..end)
+            .zip(meant.params)
+            .all(|(at, p)| fits(stream.sigs[at].kind, p.kind) && allows(p, stream.value(at)));
+    if !right {
+        return None;
+    }
+    let n = match ty.is_counted() {
+        true => count(stream, start + 2).unwrap_or(0),
+        false => 0,
+    };
+    let expected = ty.arity(n);
+    let changes = stream.sigs[start]
+        .int
+        .is_some_and(|id| known.is_defined(id));
+    let far = expected > 2 * got as u64 + 2;
+    (expected > got as u64 && (far || changes)).then(|| {
+        let expected = usize::try_from(expected).unwrap_or(usize::MAX);
+        let verdict = Verdict::LostSign {
+            ty,
+            meant,
+            got,
+            expected,
+        };
+        (verdict, FAULT - 20)
+    })
+}
+
+/// What it costs more to take the next number after the ID of the line before for a type.
+const IN_ORDER: u32 = 40;
+
+/// Whether a line begins with the next number after that which the line before begins with.
+fn follows(stream: &Stretch, start: usize) -> bool {
+    let line = stream.line(start);
+    let first = |line: usize| stream.sigs[stream.line_start(line)].int.map(i64::from);
+    line > 0
+        && stream.starts_line(start)
+        && first(line - 1).filter(|&id| id > 0).map(|id| id + 1) == first(line)
+}
+
+/// Whether a line begins with a number between those that the lines before and behind begin with. The render
+/// record is behind all.
+fn is_between(stream: &Stretch, start: usize) -> bool {
+    let line = stream.line(start);
+    let first = |line: usize| stream.sigs[stream.line_start(line)].int;
+    let id = first(line);
+    let rises = line == 0 || first(line - 1) < id;
+    let next = (line + 1 < stream.line_count()).then(|| first(line + 1));
+    rises && next.is_none_or(|next| next == Some(1) || next > id)
+}
+
+/// The price of a line that is a record but for integers that are spelled as reals. A program may have
+/// written all lines like that: it is less than what three numbers too many cost.
+const REALS: u32 = 50;
+/// No fault costs less.
+pub const LEAST: u32 = REALS;
+
+/// The price of the bad tokens among `from..to`: the same in every reading, lest one that swallows them
+/// is the cheaper for it.
+fn bad_price(stream: &Stretch, from: usize, to: usize) -> u32 {
+    FAULT * stream.bad(from, to).min(BAD_MAX)
+}
+
+/// How many bad tokens of one stretch are counted at most.
+const BAD_MAX: u32 = 1_000_000;
+
+/// The type of the record that a whole line is, if all that is wrong are integers spelled as reals.
+fn all_but_reals(stream: &Stretch, start: usize, end: usize) -> Option<&'static RecordType> {
+    let whole = |i: usize| integral(stream, i).is_some();
+    let line = start + 1 < end && stream.starts_line(start) && stream.ends_line(end);
+    if !line || stream.line(start) != stream.line(end - 1) {
+        return None;
+    }
+    let id = stream.sigs[start]
+        .int
+        .map(i64::from)
+        .or_else(|| integral(stream, start));
+    id.filter(|&id| id > 0)?;
+    let code = stream.sigs[start + 1].int.map(i64::from);
+    let ty = RecordType::by_code(code.or_else(|| integral(stream, start + 1))?)?;
+    let n = match ty.is_counted() {
+        true => count(stream, start + 2).ok()?,
+        false => 0,
+    };
+    let got = (end - start - 2) as u64;
+    let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
+    if !exact {
+        return None;
+    }
+    // Where no integer is spelled as a real, nothing of this kind is wrong.
+    let mut respelled = stream.sigs[start].int.is_none() || code.is_none();
+    for i in start + 2..end {
+        let param = ty.param(i - start - 2, n as usize)?;
+        if !fits(stream.sigs[i].kind, param.kind) {
+            if param.kind == ParamKind::FileName || !whole(i) {
+                return None;
+            }
+            respelled = true;
+        }
+    }
+    respelled.then_some(ty)
+}
+
+/// A line `9999 1 …` that would be the render record with its first two numbers swapped.
+fn swapped(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+    let whole_line = stream.starts_line(start) && stream.ends_line(end);
+    if !whole_line || stream.line(start) != stream.line(end - 1) || end < start + 2 {
+        return None;
+    }
+    let ty = stream.record_type(start).filter(|t| t.code == RENDER)?;
+    let got = end - start - 2;
+    let exact = got == ty.params.len() || got == ty.params.len() + ty.optional.len();
+    let right = stream.sigs[start + 1].int == Some(1)
+        && exact
+        && wrong_kinds(stream, ty, start + 2, end) == 0;
+    right.then_some((Verdict::Swapped, FAULT - 20))
+}
+
+/// The type of the render record, which has ID 1.
+const RENDER: i32 = 9999;
+
+/// Whether a record of unknown type would be right with a minus sign before the type.
+pub fn lost_sign(stream: &Stretch, start: usize, end: usize) -> bool {
+    let code = stream.sigs[start + 1].int.map(i64::from);
+    let ty = code
+        .filter(|&c| c > 0)
+        .and_then(|c| RecordType::by_code(-c));
+    ty.is_some_and(|ty| end_of(stream, start + 2, ty) == Some(end as u64))
+}
+
+fn untyped(stream: &Stretch, start: usize, end: usize) -> (Verdict, u32) {
+    let Some(t) = stream.sigs.get(start + 1).filter(|_| start + 1 < end) else {
+        let cut = stream.has_unclosed_comment(start, end);
+        return match cut {
+            true => (Verdict::CutOff { ty: None }, FAULT / 10),
+            false => (Verdict::MissingType, FAULT + 60),
+        };
+    };
+    let length = 10 * (end - start).min(20) as u32;
+    // Over several lines only what is as long as such records are.
+    let over_lines = stream.line(end - 1) > stream.line(start);
+    let plausible = !over_lines || expected_ends(stream, start).contains(&end);
+    let penalty = if plausible { 0 } else { 2 * FAULT };
+    let bad = bad_price(stream, start + 2, end);
+    match t.int {
+        // A lost sign is likelier than a lost ID.
+        Some(_) if lost_sign(stream, start, end) => (Verdict::UnknownType, FAULT - 20 + bad),
+        Some(_) => (Verdict::UnknownType, FAULT + 30 + penalty + bad),
+        None => (Verdict::BadType, FAULT + 30 + length / 10 + penalty + bad),
+    }
+}
+
+/// The price of a record as a fault that has none: it is to be read as it stands.
+const NOTHING_WRONG: u32 = 1_000 * FAULT;
+
+/// The parameters `first..end` of a record whose type is known.
+fn judge_params(
+    stream: &Stretch,
+    ty: &'static RecordType,
+    first: usize,
+    end: usize,
+) -> (Verdict, u32) {
+    let got = end - first;
+    let cut_off = || stream.has_unclosed_comment(first - 1, end.max(first));
+    let mut real_type = 0;
+    if stream.sigs[first - 1].int.is_none() {
+        real_type = FAULT;
+    }
+    let n = match ty.is_counted() {
+        true if got == 0 => {
+            return match cut_off() {
+                true => (Verdict::CutOff { ty: Some(ty) }, FAULT / 10),
+                false => (Verdict::BadCount { ty }, FAULT + real_type),
+            };
+        }
+        true => match count(stream, first) {
+            Ok(n) if stream.line(first) == stream.line(first - 1) => n,
+            Ok(n) if ty.arity(n) == got as u64 => n,
+            _ => {
+                let bad = bad_price(stream, first + 1, end);
+                return (Verdict::BadCount { ty }, FAULT + real_type + bad);
+            }
+        },
+        false => 0,
+    };
+    let named = file_name(stream, ty, first, end).is_some();
+    let bad = stream.bad(first, end) as usize - usize::from(named);
+    let base = ty.arity(n);
+    let full = base + ty.optional.len() as u64;
+    for expected in [base, full] {
+        let (got, bad) = (got as u64, bad as u64);
+        if got.saturating_sub(bad) <= expected && expected <= got {
+            let kinds = wrong_kinds(stream, ty, first, end);
+            let mistakes = (bad.min(u64::from(BAD_MAX)) as u32).max(kinds) * FAULT + real_type;
+            if mistakes > 0 {
+                return (Verdict::Damaged { ty }, mistakes);
+            }
+            if ty.optional.is_empty() {
+                return (Verdict::Damaged { ty }, NOTHING_WRONG);
+            }
+            // Nothing is wrong with it but where its line ends: its optional parameters are not the
+            // last of the line, or they are just those that follow.
+            let (got, other) = (end - first, if expected == base { full } else { base });
+            let expected = usize::try_from(other).unwrap_or(usize::MAX);
+            return (Verdict::Count { ty, got, expected }, 2 * FAULT);
+        }
+    }
+    if cut_off() && (got as u64) < full {
+        return (Verdict::CutOff { ty: Some(ty) }, FAULT / 10);
+    }
+    let expected = match full.abs_diff(got as u64) < base.abs_diff(got as u64) {
+        true => full,
+        false => base,
+    };
+    // A little more or less is a slip of the pen; hundreds are other records.
+    let off = expected.abs_diff(got as u64).min(100_000) as u32;
+    let off = if ty.is_counted() { off.min(40) } else { off };
+    let verdict = Verdict::Count {
+        ty,
+        got,
+        expected: usize::try_from(expected).unwrap_or(usize::MAX),
+    };
+    (
+        verdict,
+        FAULT + real_type + 20 * off + FAULT * (bad as u32).min(BAD_MAX),
+    )
+}
+
+/// The token that is the file name of a record that has one: a word, and no bad one.
+pub fn file_name(stream: &Stretch, ty: &RecordType, first: usize, end: usize) -> Option<usize> {
+    if ty.params.first()?.kind != ParamKind::FileName {
+        return None;
+    }
+    (first..end).find(|&i| fits(stream.sigs[i].kind, ParamKind::FileName))
+}
+
+/// How many parameters are numbers of the wrong kind (a real for an integer, a number for a name).
+fn wrong_kinds(stream: &Stretch, ty: &'static RecordType, first: usize, end: usize) -> u32 {
+    stream.sigs[first..end]
+        .iter()
+        .zip(ty.params.iter().chain(ty.optional))
+        .filter(|(s, p)| !fits(s.kind, p.kind))
+        .count() as u32
+}
+
+/// Whether the tokens would be a whole record if an ID stood in front.
+pub fn has_lost_id(stream: &Stretch, start: usize, end: usize) -> bool {
+    lost_id(stream, start, end).is_some()
+}
+
+fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+    let ty = stream.record_type(start).filter(|t| t.code != 0)?;
+    // A negative number can be nothing but a type; others are one only for a whole line, or where there are no
+    // lines and another record follows.
+    let whole_line = stream.starts_line(start) && stream.ends_line(end);
+    let follows = stream.is_free && (end == stream.len() || stream.read(end).is_some());
+    if ty.code > 0 && !(whole_line || follows) {
+        return None;
+    }
+    let price = if ty.code > 0 && !whole_line {
+        FAULT + 50
+    } else {
+        FAULT - 10
+    };
+    let n = match ty.is_counted() {
+        true => count(stream, start + 1).ok()?,
+        false => 0,
+    };
+    let got = (end - start - 1) as u64;
+    let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
+    let over_lines = stream.line(start) != stream.line(end - 1);
+    if over_lines && !stream.is_free && !(ty.is_counted() || ty.params.len() >= LONG) {
+        return None;
+    }
+    let right = || {
+        (start + 1..end.min(start + 1 + VALUES_MAX))
+            .enumerate()
+            .all(|(i, at)| {
+                let param = ty.param(i, n as usize);
+                param.is_some_and(|p| {
+                    fits(stream.sigs[at].kind, p.kind) && allows(p, stream.value(at))
+                })
+            })
+    };
+    (exact && right()).then_some((Verdict::LostId { ty }, price))
+}
+
+/// How many values of a long record are looked at to judge whether it is plausible.
+const VALUES_MAX: usize = 64;
+
+impl Piece {
+    /// The piece as an item of the tree.
+    pub fn item(&self, stream: &Stretch) -> Item {
+        let sig = |i: usize| stream.sigs[i];
+        let mut broken = Broken {
+            first: sig(self.start).token,
+            last: sig(self.end - 1).token,
+            id: (sig(self.start).int.map(i64::from))
+                .or_else(|| integral(stream, self.start))
+                .and_then(|id| u32::try_from(id).ok())
+                .filter(|&id| id > 0),
+            ty: None,
+            fault: ast::Fault::Form,
+        };
+        match self.verdict {
+            Verdict::Void => Item::Void {
+                token: sig(self.start).token,
+            },
+            Verdict::Whole(r) => Item::Record(Record {
+                id: stream.sigs[self.start].int.unwrap_or(0) as u32,
+                ty: r.ty,
+                first: broken.first,
+                last: broken.last,
+                params: (r.end - self.start - 2) as u32,
+                count: r.count,
+                value: stream.value_index(self.start + 2),
+            }),
+            Verdict::Count { ty, .. } | Verdict::BadCount { ty } => {
+                broken.ty = Some(ty);
+                broken.fault = ast::Fault::Number;
+                Item::Broken(broken)
+            }
+            Verdict::Damaged { ty }
+            | Verdict::Reals { ty }
+            | Verdict::LostSign { meant: ty, .. } => {
+                broken.ty = Some(ty);
+                Item::Broken(broken)
+            }
+            Verdict::LostId { ty } => {
+                broken.id = (ty.code == 9999).then_some(1);
+                broken.ty = Some(ty);
+                broken.fault = ast::Fault::LostId;
+                Item::Broken(broken)
+            }
+            Verdict::Surplus { ty, .. } => {
+                broken.id = sig(self.start + 1)
+                    .int
+                    .and_then(|id| u32::try_from(id).ok());
+                broken.ty = Some(ty);
+                Item::Broken(broken)
+            }
+            Verdict::Swapped => {
+                broken.id = Some(1);
+                broken.ty = RecordType::by_code(RENDER.into());
+                Item::Broken(broken)
+            }
+            Verdict::UnknownType => {
+                broken.fault = ast::Fault::UnknownType;
+                Item::Broken(broken)
+            }
+            Verdict::BadId { ty } => {
+                let spoiled = spoiled(stream, self.start).and_then(|id| u32::try_from(id).ok());
+                broken.id = spoiled.or(broken.id).filter(|&id| id > 0);
+                broken.ty = ty;
+                if broken.id.is_none() {
+                    broken.fault = ast::Fault::LostId;
+                }
+                Item::Broken(broken)
+            }
+            Verdict::CutOff { ty } => {
+                broken.ty = ty;
+                Item::Broken(broken)
+            }
+            Verdict::BadType | Verdict::MissingType => Item::Broken(broken),
+        }
+    }
+}

@@ -1,0 +1,335 @@
+//! Arity first, layout as witness: what to make of a text that cannot be read by arity alone, or
+//! whose reading looks odd.
+//!
+//! A missing or extra number shifts everything behind it, and the shifted numbers may even parse.
+//! So all readings compete: the text is cut into records, VOIDs and broken stretches at the least
+//! total price, found by dynamic programming over the tokens. A fault costs [`FAULT`]; a record
+//! that begins behind another one and ends on a later line costs little where the text is free-form,
+//! and more than a fault where a line says that it is a record of its own.
+
+use super::super::signature::Reading;
+use super::super::table::Effect;
+use super::faults;
+use super::stretch::Stretch;
+use super::sums::Sums;
+use super::trusted::Trusted;
+use super::verdict::{FAULT, Piece, Verdict};
+use super::witness::Witnesses;
+
+/// The price of what is likelier a mistake than meant: more than one error, less than two.
+const IMPLAUSIBLE: u32 = 1200;
+/// The price of a reading that only a second look would doubt: a little less than an error.
+const DOUBTFUL: u32 = 900;
+/// The price of a line that says it is a record of its own and is swallowed by another: more than an
+/// error, as it would be one by itself at most.
+const OWN_LINE: u32 = FAULT + FAULT / 2;
+/// How many of these are counted at most.
+const OWN_LINES_MAX: u32 = 1_000_000;
+/// The price of a record that ends within a line that is one of its own but for a slip: more than
+/// what the two are worth as errors.
+const TWO_SLIPS: u32 = 2 * FAULT + FAULT / 10;
+/// Prices are added up above this many bits, which count what tells equal readings apart.
+const HINT_BITS: u32 = 24;
+/// No record without a count has more tokens.
+const LONGEST_FIXED: usize = 20;
+/// The reading with the least damage. `strict` are the pieces of the reading without faults, if there is one.
+pub fn cut(
+    stream: &Stretch,
+    witnesses: &Witnesses,
+    strict: Option<&[Piece]>,
+    doubt_takeovers: bool,
+    trusted: Option<&Trusted>,
+) -> Vec<Piece> {
+    let search = Search {
+        stream,
+        witnesses,
+        sums: Sums::new(stream, witnesses),
+        doubt_takeovers,
+        trusted,
+    };
+    match strict {
+        Some(strict) if search.is_cheap(strict) => strict.to_vec(),
+        _ => search.run(),
+    }
+}
+
+struct Search<'a, 's> {
+    stream: &'a Stretch<'s>,
+    witnesses: &'a Witnesses<'a>,
+    sums: Sums,
+    doubt_takeovers: bool,
+    /// What a first reading says, if this is a second one.
+    trusted: Option<&'a Trusted<'a>>,
+}
+
+impl Search<'_, '_> {
+    fn run(&self) -> Vec<Piece> {
+        let n = self.stream.len();
+        let mut price = vec![u64::MAX; n + 1];
+        let mut from = vec![0u32; n + 1];
+        price[0] = 0;
+        let mut ends = Vec::new();
+        for i in 0..n {
+            if price[i] == u64::MAX || !self.sums.may_begin[i] {
+                continue;
+            }
+            ends.clear();
+            let exact = self.stream.read(i);
+            let mut offer = |end: usize, p: u32| {
+                // In the low bits, to choose among equals: pieces that do not begin with a line.
+                let hint = u64::from(!self.stream.starts_line(i));
+                let total = price[i] + (u64::from(p) << HINT_BITS) + hint;
+                if total < price[end] {
+                    price[end] = total;
+                    from[end] = i as u32;
+                }
+            };
+            if self.stream.sigs[i].int == Some(0) {
+                offer(i + 1, self.void_price(i));
+            }
+            if let Some(r) = &exact {
+                offer(r.end, self.record_price(i, r));
+            }
+            self.fault_ends(i, &mut ends);
+            for &end in &ends {
+                offer(end, self.fault(i, end).1);
+            }
+        }
+        let mut pieces = Vec::new();
+        let mut end = n;
+        while end > 0 {
+            let start = from[end] as usize;
+            pieces.push(Piece {
+                start,
+                end,
+                verdict: self.verdict(start, end),
+            });
+            end = start;
+        }
+        pieces.reverse();
+        pieces
+    }
+
+    /// Whether a reading without faults costs less than any fault. Every other reading has a fault in it: a
+    /// piece that begins with a `0` is a VOID and any other a record, and these end where they end.
+    fn is_cheap(&self, strict: &[Piece]) -> bool {
+        let mut total = 0;
+        strict.iter().all(|piece| {
+            total += match &piece.verdict {
+                Verdict::Whole(r) => self.record_price(piece.start, r),
+                _ => self.void_price(piece.start),
+            };
+            total < faults::LEAST
+        })
+    }
+
+    /// The verdict behind a step of the cheapest way.
+    fn verdict(&self, start: usize, end: usize) -> Verdict {
+        let fault = self.fault(start, end);
+        if end == start + 1
+            && self.stream.sigs[start].int == Some(0)
+            && self.void_price(start) <= fault.1
+        {
+            return Verdict::Void;
+        }
+        match self.stream.read(start) {
+            Some(r) if r.end == end && self.record_price(start, r) <= fault.1 => Verdict::Whole(*r),
+            _ => fault.0,
+        }
+    }
+
+    fn in_lines(&self) -> bool {
+        self.witnesses.in_lines
+    }
+
+    fn void_price(&self, i: usize) -> u32 {
+        let behind = !self.stream.starts_line(i);
+        if self.stream.sigs[i].before_comment {
+            let odd = behind && self.in_lines() && !self.witnesses.voids_behind_records;
+            return if odd && self.stream.ends_line(i + 1) {
+                IMPLAUSIBLE
+            } else {
+                0
+            };
+        }
+        match (self.in_lines(), behind) {
+            (true, true) => IMPLAUSIBLE,
+            (true, false) if self.stream.ends_line(i + 1) => 20,
+            (true, false) => 150,
+            (false, _) => 0,
+        }
+    }
+
+    /// The price of a record that is right in form.
+    fn record_price(&self, start: usize, r: &Reading) -> u32 {
+        let stream = self.stream;
+        let (first, last) = (stream.line(start), stream.line(r.end - 1));
+        let behind = !stream.starts_line(start);
+        if !behind && first == last && stream.ends_line(r.end) {
+            // One of several definitions of an ID, on a line that also reads well without its ID.
+            let id = stream.sigs[start].int.unwrap_or(0);
+            let too_many = matches!(r.ty.effect, Effect::Defines(_))
+                && (self.witnesses.head(stream, id)).is_some_and(|h| {
+                    h.definitions > 1 && (h.may_be_lost == 1 || h.first_line < Some(first))
+                });
+            return if too_many && faults::has_lost_id(stream, start, r.end) {
+                FAULT
+            } else {
+                0
+            };
+        }
+        let mut price = 0;
+        if behind {
+            // The low bits of the sum count what begins behind something else.
+            if r.end == start + 2 && r.ty.code == 0 && self.in_lines() {
+                price += 400;
+            }
+        }
+        if last > first {
+            let witness = self.witnesses.takes_over(stream, start, r.end);
+            let slip = witness && self.witnesses.slips[last];
+            price += match (self.in_lines(), behind, witness) {
+                _ if slip => TWO_SLIPS,
+                (true, true, true) => IMPLAUSIBLE,
+                (true, false, true) if self.witnesses.is_void_line(stream, last) => IMPLAUSIBLE,
+                (true, false, true) if self.doubt_takeovers => IMPLAUSIBLE,
+                (true, false, true) if r.end == stream.line_end(last) => DOUBTFUL,
+                (true, false, true) => IMPLAUSIBLE,
+                (true, true, false) => 300,
+                (true, false, false) if !stream.ends_line(r.end) => 200,
+                (false, ..) | (true, false, false) => 0,
+            };
+            if self.in_lines() {
+                // Complete records among its lines.
+                let swallowed =
+                    self.sums.complete_before[last] - self.sums.complete_before[first + 1];
+                let slips = self.sums.slips_before[last] - self.sums.slips_before[first + 1];
+                price += 400 * swallowed.min(8) + OWN_LINE * slips.min(OWN_LINES_MAX);
+            }
+        }
+        // What the resolver would object to counts too, but never as much as a fault of form.
+        let disagrees = self.trusted.map_or(0, |t| t.record(stream, start, r.end));
+        price + self.objections(start, r).max(disagrees)
+    }
+
+    fn objections(&self, start: usize, r: &Reading) -> u32 {
+        let id = self.stream.sigs[start].int.unwrap_or(0);
+        let mut price = 0;
+        if (id == 1) != (r.ty.code == 9999) {
+            price += 600;
+        }
+        let line = self.stream.line(start);
+        let elsewhere = || {
+            let head = self.witnesses.head(self.stream, id);
+            head.is_some_and(|h| h.first_line != Some(line))
+        };
+        if matches!(r.ty.effect, Effect::Defines(_)) && elsewhere() {
+            price += 700;
+        }
+        if !self.stream.values_allowed(start, r) {
+            price += 500;
+        }
+        price.min(DOUBTFUL)
+    }
+
+    /// The price of tokens `start..end` as one broken stretch, and what is wrong with it.
+    fn fault(&self, start: usize, end: usize) -> (Verdict, u32) {
+        let stream = self.stream;
+        let (verdict, mut price) = faults::judge(stream, start, end, self.witnesses);
+        let (first, last) = (stream.line(start), stream.line(end - 1));
+        // A single token that can be nothing is passed over wherever it stands. Else a fault is
+        // likelier to be a whole line, unless the rest of the line is whole records.
+        let passed_over = end == start + 1 && stream.sigs[start].kind.is_bad();
+        if !passed_over {
+            price += match (stream.starts_line(start), self.in_lines()) {
+                (true, _) => 0,
+                (false, true) if self.sums.whole_until[start] => 30,
+                (false, true) => 300,
+                (false, false) => 20,
+            };
+            price += match (stream.ends_line(end), self.in_lines()) {
+                (true, _) => 0,
+                (false, true) if self.sums.whole_from[end] => 30,
+                (false, true) => 150,
+                (false, false) => 20,
+            };
+        }
+        // An unknown type ends with its line, unless whole records follow on it.
+        if matches!(verdict, Verdict::UnknownType | Verdict::BadType) {
+            let strong = |p: usize| {
+                self.sums.whole_from[p]
+                    && stream
+                        .record_type(p + 1)
+                        .is_some_and(|t| t.code < 0 || t.code == 9999)
+            };
+            if (start + 2..end.min(start + 40)).any(strong) {
+                price += 50;
+            }
+            price += (end - start).saturating_sub(LONGEST_FIXED).min(100_000) as u32;
+        }
+        if matches!(verdict, Verdict::BadCount { .. }) {
+            price += (end - start).min(1_000_000) as u32 / 4;
+        }
+        if last > first {
+            price += 5 * (last - first).min(12) as u32;
+            if self.in_lines() && !(stream.starts_line(start) && stream.ends_line(end)) {
+                price += 300;
+            }
+            // Lines that say they are records of their own.
+            let mut own = self.sums.own_before[last + 1] - self.sums.own_before[first + 1];
+            own += u32::from(
+                stream.starts_line(start) && self.witnesses.is_complete_line(stream, first),
+            );
+            price += OWN_LINE * own.min(OWN_LINES_MAX);
+        }
+        if let Some(trusted) = self.trusted {
+            let (more, less) = trusted.fault(stream, start);
+            price = (price + more).saturating_sub(less).max(faults::LEAST);
+        }
+        (verdict, price)
+    }
+
+    /// Where a broken stretch that begins at `i` may end.
+    fn fault_ends(&self, i: usize, ends: &mut Vec<usize>) {
+        let stream = self.stream;
+        let line = stream.line(i);
+        let line_end = stream.line_end(line);
+        ends.push(line_end);
+        let expected = faults::expected_ends(stream, i);
+        // Where another record could begin.
+        let reach = expected.iter().copied().max().unwrap_or(i + 2) + 6;
+        for end in i + 1..reach.min(i + 40).min(stream.len()) {
+            if end != line_end && stream.read(end).is_some() {
+                ends.push(end);
+            }
+        }
+        // At the end of a later line, if the record was laid out over several.
+        let on_line = line_end - i;
+        for &e in &expected {
+            if e <= line_end + 3 || 2 * on_line > (e - i) + 4 {
+                continue;
+            }
+            let at = stream.line(e.min(stream.len()) - 1);
+            for l in [at.saturating_sub(1), at, at + 1] {
+                if l > line && l < stream.line_count() {
+                    ends.push(stream.line_end(l));
+                }
+            }
+        }
+        // What is left of a short record may stand on the next line.
+        if line + 1 < stream.line_count() && !self.sums.is_own(line + 1) {
+            let next = stream.line_end(line + 1);
+            let near = |&e: &usize| e.abs_diff(next) <= 1;
+            if next - line_end <= 3 && expected.iter().any(near) {
+                ends.push(next);
+            }
+        }
+        if faults::is_counted(stream, i)
+            && faults::expected_end(stream, i).is_none_or(|e| e > line_end)
+        {
+            // The table of points may be of any length.
+            let l = self.sums.table_end[line] as usize;
+            ends.push(stream.line_end(l));
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! What to make of a stretch of text that cannot be read by arity alone, or whose reading looks odd.
+//!
+//! ```text
+//!                  stretch        significant tokens of whole lines, and the record readable from each
+//!                     │
+//!   surroundings ─► witness       what its lines say: which are records of their own, perhaps but for a slip
+//!                     │
+//!                  layout         the cheapest way to cut it into pieces      ◄─ faults: what a piece costs
+//!                     │
+//!                  trusted        free form only: once more, with the IDs of what is far from the faults
+//!                     │
+//!                  damage         against the reading by arity, if there is one: which leaves fewer errors
+//!                     │
+//!                  report         the pieces that are no records, in words
+//! ```
+//!
+//! A lost or surplus number is decided on in [`faults::judge`], which says what is wrong with a piece and what that
+//! costs, and in [`layout`], which chooses the pieces.
+//!
+//! Before there are stretches, two things are looked at that concern tokens: which `#` closes which
+//! ([`comments`]), and which words are several numbers ([`respell`]).
+
+pub mod comments;
+mod damage;
+mod faults;
+mod layout;
+pub mod report;
+pub mod respell;
+mod slips;
+mod stretch;
+mod sums;
+mod surroundings;
+mod trusted;
+mod verdict;
+mod witness;
+
+use super::ast::Item;
+use super::signature::Columns;
+use crate::diagnostics::Diagnostic;
+use stretch::Stretch;
+pub use surroundings::Surroundings;
+use trusted::Trusted;
+use verdict::{Piece, Verdict};
+use witness::Witnesses;
+
+/// Reads significant tokens `from..to`, which begin and end with lines. What cannot be read is told to `out`.
+pub fn recover(
+    columns: Columns,
+    (from, to): (usize, usize),
+    around: &Surroundings,
+    out: &mut Vec<Diagnostic>,
+) -> Vec<Item> {
+    let mut stretch = Stretch::new(columns, from, to);
+    let witnesses = Witnesses::new(&stretch, around);
+    stretch.is_free = !witnesses.in_lines;
+    let pieces = pieces(&stretch, &witnesses, around);
+    report::pieces(&stretch, &witnesses, &pieces, out);
+    pieces.iter().map(|p| p.item(&stretch)).collect()
+}
+
+/// Warns of a record at significant tokens `from..to` that ends within a line which would be a record of its own.
+pub fn line_break(columns: Columns, (from, to): (usize, usize), out: &mut Vec<Diagnostic>) {
+    let mut line_end = to;
+    while !columns.ends_line(line_end) {
+        line_end += 1;
+    }
+    let stretch = Stretch::new(columns, from, line_end);
+    let around = Surroundings::default();
+    let witnesses = Witnesses::new(&stretch, &around);
+    if let Some(&reading) = stretch.read(0) {
+        let piece = Piece {
+            start: 0,
+            end: reading.end,
+            verdict: Verdict::Whole(reading),
+        };
+        report::pieces(&stretch, &witnesses, &[piece], out);
+    }
+}
+
+/// Whether a record that can be read would be one without its ID, too.
+pub fn has_lost_id(columns: Columns, from: usize, to: usize) -> bool {
+    let stretch = Stretch::new(columns, from, to);
+    faults::has_lost_id(&stretch, 0, to - from)
+}
+
+/// How often a free-form stretch is read once more with what the reading before says.
+const LOOKS: usize = 2;
+
+fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Vec<Piece> {
+    let strict = by_arity(stretch);
+    let mut pieces = layout::cut(stretch, witnesses, strict.as_deref(), false, None);
+    let takes_over = |p: &Piece| {
+        matches!(p.verdict, Verdict::Whole(_)) && witnesses.takes_over(stretch, p.start, p.end)
+    };
+    let mut damage = damage::damage(stretch, around, &pieces);
+    if damage > 0 && pieces.iter().any(takes_over) {
+        // A record took numbers from a line that looks like one of its own. As something is
+        // missing now, believe the line.
+        let doubting = layout::cut(stretch, witnesses, strict.as_deref(), true, None);
+        let other = damage::damage(stretch, around, &doubting);
+        if other <= damage {
+            (pieces, damage) = (doubting, other);
+        }
+    }
+    let is_whole = |p: &Piece| matches!(p.verdict, Verdict::Whole(_) | Verdict::Void);
+    for _ in 0..LOOKS {
+        if witnesses.in_lines || damage == 0 || pieces.iter().all(is_whole) {
+            break;
+        }
+        let trusted = Trusted::new(stretch, around, &pieces);
+        let again = layout::cut(stretch, witnesses, strict.as_deref(), false, Some(&trusted));
+        let other = damage::damage(stretch, around, &again);
+        if other <= damage {
+            (pieces, damage) = (again, other);
+        }
+    }
+    if damage > 0
+        && !stretch.has_unclosed_comment(0, stretch.len())
+        && let Some(strict) = strict
+    {
+        // The arity has a reading without faults. If nothing is undefined or defined twice in it,
+        // it stands against two errors, and against one where no line was crossed.
+        let sound = damage::damage(stretch, around, &strict) == 0;
+        if sound && (damage > 1 || !witness::is_odd(stretch, witnesses, &strict)) {
+            pieces = strict;
+        }
+    }
+    pieces
+}
+
+/// The stretch read by arity, if that leaves nothing over.
+fn by_arity(stretch: &Stretch) -> Option<Vec<Piece>> {
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    while start < stretch.len() {
+        let (end, verdict) = match stretch.sigs[start].int {
+            Some(0) => (start + 1, Verdict::Void),
+            _ => stretch.read(start).map(|r| (r.end, Verdict::Whole(*r)))?,
+        };
+        pieces.push(Piece {
+            start,
+            end,
+            verdict,
+        });
+        start = end;
+    }
+    Some(pieces)
+}

@@ -1,0 +1,507 @@
+//! Findings of the parser: what is wrong with the broken pieces of a text, in words.
+
+use super::super::lexer::{Token, TokenKind};
+use super::super::quote::quote;
+use super::super::signature::fits;
+use super::super::table::{ParamKind, RecordType};
+use super::faults;
+use super::stretch::Stretch;
+use super::verdict::{Piece, Verdict};
+use super::witness::Witnesses;
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
+
+/// The most numbers that one record may claim to have.
+const NUMBERS_MAX: usize = 100_000_000;
+
+fn header(ty: &RecordType) -> String {
+    match ty.signature() {
+        s if s.is_empty() => format!("`ID {}`", ty.code),
+        s => format!("`ID {} {s}`", ty.code),
+    }
+}
+
+/// The comments that nobody closes.
+pub fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
+    for t in tokens {
+        if t.kind == TokenKind::UnterminatedComment {
+            let end = t.start + t.text(text).trim_end().len() as u32;
+            out.push(
+                Diagnostic::new(Code::E002, Span::new(t.start, end.max(t.start + 1))).fix(
+                    Fix::replace("fix", Applicability::Safe, Span::new(end, end), " #"),
+                ),
+            );
+        }
+    }
+}
+
+/// Reports everything that is wrong with the pieces of a text.
+pub fn pieces(stream: &Stretch, witnesses: &Witnesses, all: &[Piece], out: &mut Vec<Diagnostic>) {
+    let reporter = Reporter { stream };
+    for piece in all {
+        match piece.verdict {
+            Verdict::Void => {}
+            Verdict::Whole(r) => {
+                let last = stream.line(r.end - 1);
+                if witnesses.is_complete_line(stream, last)
+                    && witnesses.takes_over(stream, piece.start, r.end)
+                {
+                    out.push(reporter.line_break(piece, r.ty));
+                }
+            }
+            _ => reporter.broken(piece, out),
+        }
+    }
+}
+
+struct Reporter<'a, 's> {
+    stream: &'a Stretch<'s>,
+}
+
+impl Reporter<'_, '_> {
+    fn span(&self, start: usize, end: usize) -> Span {
+        let last = self.stream.token(end.max(start + 1) - 1);
+        self.stream.token(start).span().to(last.span())
+    }
+
+    fn text(&self, i: usize) -> &str {
+        self.stream.token(i).text(self.stream.text())
+    }
+
+    fn line_break(&self, piece: &Piece, ty: &RecordType) -> Diagnostic {
+        let last = self.stream.line(piece.end - 1);
+        let head = self.stream.line_start(last);
+        let line_end = self.stream.line_end(last);
+        Diagnostic::new(Code::W314, self.span(head, piece.end))
+            .with("type", Value::Term(ty.title))
+            .with(
+                "line",
+                quote(&self.stream.text()[self.span(head, line_end).range()]),
+            )
+            .with("header", header(ty))
+            .label(self.span(piece.start, head), "begin")
+    }
+
+    fn broken(&self, piece: &Piece, out: &mut Vec<Diagnostic>) {
+        let (start, end) = (piece.start, piece.end);
+        let is_record = !matches!(
+            piece.verdict,
+            Verdict::BadId { .. } | Verdict::LostId { .. } | Verdict::CutOff { .. }
+        );
+        if is_record && self.stream.sigs[start].kind == TokenKind::Real {
+            out.push(self.not_an_integer(start, "an ID"));
+        }
+        match piece.verdict {
+            Verdict::Void | Verdict::Whole(_) | Verdict::CutOff { .. } => {}
+            Verdict::Damaged { ty } | Verdict::Reals { ty } => {
+                self.real_type(start, out);
+                self.params(ty, start + 2, end, out);
+            }
+            Verdict::Count { ty, got, expected } => {
+                self.real_type(start, out);
+                self.bad_tokens(ty, start + 2, end, out);
+                out.push(self.count(piece, ty, got, expected));
+            }
+            Verdict::Surplus { ty, expected } => {
+                let span = self.stream.token(start).span();
+                let count = |n: usize| Value::Count(n as u64);
+                out.push(
+                    Diagnostic::new(Code::E009, span)
+                        .with("type", Value::Term(ty.title))
+                        .with("got", count(expected + 1))
+                        .with("off", count(1))
+                        .with("wanted", count(expected))
+                        .with("fewer", "none")
+                        .with("header", header(ty)),
+                );
+            }
+            Verdict::LostSign {
+                ty,
+                meant,
+                got,
+                expected,
+            } => out.push(self.lost_sign(piece, (ty, meant), got, expected)),
+            Verdict::BadCount { ty } => {
+                self.real_type(start, out);
+                self.bad_count(ty, start, end, out);
+                self.commas(start + 3, end, out);
+            }
+            Verdict::UnknownType => {
+                out.push(self.unknown_type(start + 1));
+                self.commas(start + 2, end, out);
+            }
+            Verdict::BadType => {
+                self.bad_type(start + 1, out);
+                self.commas(start + 2, end, out);
+            }
+            Verdict::MissingType => out.push(self.missing_type(start)),
+            Verdict::LostId { ty } => out.push(
+                Diagnostic::new(Code::E005, self.stream.token(start).span())
+                    .case("lost")
+                    .with("type", Value::Term(ty.title))
+                    .with("number", ty.code.to_string())
+                    .with("header", header(ty)),
+            ),
+            Verdict::Swapped => {
+                let span = self.span(start, start + 2);
+                out.push(
+                    Diagnostic::new(Code::E005, span)
+                        .case("swapped")
+                        .with("text", quote(self.text(start)))
+                        .with("number", "`1 9999`")
+                        .fix(write(Applicability::Unsafe, span, "1 9999".to_owned())),
+                );
+            }
+            Verdict::BadId { ty } => {
+                self.bad_id(start, out);
+                if let Some(ty) = ty {
+                    self.bad_tokens(ty, start + 2, end, out);
+                }
+            }
+        }
+    }
+
+    /// A token that can be nothing at all, reported by its own form. `false` if it is none.
+    fn bad_token(&self, i: usize, out: &mut Vec<Diagnostic>) -> bool {
+        let token = self.stream.token(i);
+        let text = self.text(i);
+        let span = token.span();
+        let new = |code| Diagnostic::new(code, span).with("text", quote(text));
+        let d = match token.kind {
+            TokenKind::DecimalComma => {
+                let point = text.replace(',', ".");
+                new(Code::E003)
+                    .case("decimal-comma")
+                    .with("number", quote(&point))
+                    .fix(write(Applicability::Safe, span, point))
+            }
+            TokenKind::HugeNumber => new(Code::E004),
+            TokenKind::MalformedNumber => match repaired(text) {
+                Some(r) => new(Code::E003).with("number", quote(&r)).fix(write(
+                    Applicability::Unsafe,
+                    span,
+                    r,
+                )),
+                None => new(Code::E003),
+            },
+            TokenKind::Word | TokenKind::Quoted => new(Code::E012),
+            TokenKind::Invalid => new(Code::E001),
+            _ => return false,
+        };
+        out.push(d);
+        true
+    }
+
+    fn bad_tokens(&self, ty: &RecordType, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
+        let name = faults::file_name(self.stream, ty, first, end);
+        if let Some(d) = name.and_then(|name| self.spaced_name(name, end)) {
+            out.push(d);
+            return;
+        }
+        for i in (first..end).filter(|&i| Some(i) != name) {
+            self.bad_token(i, out);
+        }
+    }
+
+    /// A file name with spaces in it, from token `name` to the end of its record.
+    fn spaced_name(&self, name: usize, end: usize) -> Option<Diagnostic> {
+        let stream = self.stream;
+        let dotted = |i: usize| self.text(i).contains('.');
+        let word = |i: usize| {
+            let kind = stream.sigs[i].kind;
+            kind.is_number() || matches!(kind, TokenKind::Word | TokenKind::MalformedNumber)
+        };
+        let one_name = end > name + 1
+            && stream.line(name) == stream.line(end - 1)
+            && (name..end).all(word)
+            && dotted(end - 1)
+            && !(name..end - 1).any(dotted);
+        if !one_name {
+            return None;
+        }
+        let span = self.span(name, end);
+        let text = &stream.text()[span.range()];
+        let apart = text.contains(['#', '"']);
+        (!apart).then(|| {
+            let quoted = format!("\"{text}\"");
+            Diagnostic::new(Code::E012, span)
+                .case("file-name")
+                .with("text", quote(text))
+                .with("number", quote(&quoted))
+                .fix(write(Applicability::Unsafe, span, quoted))
+        })
+    }
+
+    /// The decimal commas among tokens that nothing else is said of.
+    fn commas(&self, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
+        for i in first..end {
+            if self.stream.sigs[i].kind == TokenKind::DecimalComma {
+                self.bad_token(i, out);
+            }
+        }
+    }
+
+    /// Parameters of a record with the right number of them (but for bad tokens).
+    fn params(&self, ty: &'static RecordType, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
+        let before = out.len();
+        self.bad_tokens(ty, first, end, out);
+        if out.len() > before {
+            return;
+        }
+        for (i, p) in (first..end).zip(ty.params.iter().chain(ty.optional)) {
+            let span = self.stream.token(i).span();
+            if fits(self.stream.sigs[i].kind, p.kind) {
+                continue;
+            }
+            out.push(if p.kind == ParamKind::FileName {
+                Diagnostic::new(Code::E011, span)
+                    .with("text", quote(self.text(i)))
+                    .with("parameter", Value::Term(p.doc))
+            } else {
+                self.not_an_integer(i, p.doc)
+            });
+        }
+    }
+
+    fn not_an_integer(&self, i: usize, what: &'static str) -> Diagnostic {
+        let (text, span) = (self.text(i), self.stream.token(i).span());
+        let d = Diagnostic::new(Code::E010, span)
+            .with("text", quote(text))
+            .with("parameter", Value::Term(what));
+        let value = self.stream.token(i).number(self.stream.text());
+        match value.filter(|x| x.fract() == 0.0 && x.abs() < 1e15) {
+            Some(x) => {
+                let whole = format!("{}", x as i64);
+                d.with("number", quote(&whole))
+                    .fix(write(Applicability::Safe, span, whole))
+            }
+            None => d,
+        }
+    }
+
+    /// Reports a type that can be understood though it is not written as an integer.
+    fn real_type(&self, start: usize, out: &mut Vec<Diagnostic>) {
+        if self.stream.sigs[start + 1].int.is_none() {
+            self.bad_type(start + 1, out);
+        }
+    }
+
+    fn count(&self, piece: &Piece, ty: &RecordType, got: usize, expected: usize) -> Diagnostic {
+        let (start, end) = (piece.start, piece.end);
+        let count = |n: usize| Value::Count(n as u64);
+        if expected > NUMBERS_MAX {
+            let n = piece.start + 2;
+            return Diagnostic::new(Code::E013, self.span(n, n + 1))
+                .with("text", self.text(n).to_owned())
+                .with("got", count(got - 1));
+        }
+        let row = self.odd_row(piece, ty, got, expected);
+        let few = got < expected;
+        let (from, to) = row.unwrap_or(match few {
+            true => (start, end),
+            false => ((start + 2 + expected).min(end - 1), end),
+        });
+        let d = Diagnostic::new(
+            if few { Code::E008 } else { Code::E009 },
+            self.span(from, to),
+        )
+        .with("type", Value::Term(ty.title))
+        .with("got", count(got))
+        .with("off", count(got.abs_diff(expected)))
+        .with("header", header(ty));
+        let d = match ty.optional.len() {
+            0 => d.with("wanted", count(expected)).with("fewer", "none"),
+            all => d
+                .with("wanted", count(ty.params.len() + all))
+                .with("fewer", ty.params.len().to_string()),
+        };
+        match row {
+            Some(_) => d.case("row").label(self.span(start, start + 2), "begin"),
+            None => d,
+        }
+    }
+
+    /// In a record laid out over lines: the line whose length deviates from the others by just what
+    /// the whole record deviates.
+    fn odd_row(
+        &self,
+        piece: &Piece,
+        ty: &RecordType,
+        got: usize,
+        expected: usize,
+    ) -> Option<(usize, usize)> {
+        let stream = self.stream;
+        let (first, last) = (stream.line(piece.start), stream.line(piece.end - 1));
+        if first == last {
+            return None;
+        }
+        // The numbers of the head line behind ID, type and count.
+        let head = piece.start + 2 + usize::from(ty.is_counted());
+        let rows: Vec<(usize, usize)> = (first..=last)
+            .map(|l| {
+                let from = if l == first {
+                    head
+                } else {
+                    stream.line_start(l)
+                };
+                let to = stream.line_end(l).min(piece.end);
+                (from.min(to), to)
+            })
+            .collect();
+        let off = got as i64 - expected as i64;
+        let lengths: Vec<i64> = rows.iter().map(|r| (r.1 - r.0) as i64).collect();
+        if lengths[0] == off && off > 0 {
+            return Some((piece.start, rows[0].1));
+        }
+        // How uneven the table is with row `r` put right: how often the length changes from row to
+        // row (a short last row is none), and whether points and colours part at a row's end.
+        let points = ty.repeats.first().map_or(0, |g| g.len() as i64);
+        let points = points * stream.sigs[(head - 1).min(piece.end - 1)].int.unwrap_or(0) as i64;
+        let uneven = |r: usize| {
+            let right = |i: usize| lengths[i] - if i == r { off } else { 0 };
+            let begin = usize::from(lengths[0] == 0);
+            let changes = (begin + 1..lengths.len())
+                .filter(|&i| {
+                    let (before, now) = (right(i - 1), right(i));
+                    now > before || now < before && i + 1 < lengths.len()
+                })
+                .count();
+            let mut sum = 0;
+            let parted = (0..lengths.len()).any(|i| {
+                sum += right(i);
+                sum == points
+            });
+            let mut distinct: Vec<i64> = (begin..lengths.len()).map(right).collect();
+            distinct.sort_unstable();
+            distinct.dedup();
+            (!parted, changes, distinct.len(), r + 1 == lengths.len())
+        };
+        let first_row = usize::from(lengths[0] == 0);
+        let best = (first_row..rows.len())
+            .filter(|&r| lengths[r] - off > 0)
+            .min_by_key(|&r| uneven(r))?;
+        let from = stream.line_start(first + best).max(piece.start);
+        Some((from, rows[best].1))
+    }
+
+    fn lost_sign(
+        &self,
+        piece: &Piece,
+        (ty, meant): (&RecordType, &'static RecordType),
+        got: usize,
+        expected: usize,
+    ) -> Diagnostic {
+        let count = |n: usize| Value::Count(n as u64);
+        let span = self.span(piece.start + 1, piece.start + 2);
+        Diagnostic::new(Code::E008, span)
+            .case("sign")
+            .with("type", Value::Term(ty.title))
+            .with("got", count(got))
+            .with("off", count(expected.abs_diff(got)))
+            .with("wanted", count(expected))
+            .with("fewer", "none")
+            .with("meant", Value::Term(meant.title))
+            .with("header", header(meant))
+            .with("number", quote(&meant.code.to_string()))
+            .fix(write(Applicability::Unsafe, span, meant.code.to_string()))
+    }
+
+    fn bad_count(&self, ty: &RecordType, start: usize, end: usize, out: &mut Vec<Diagnostic>) {
+        let on_line = self.stream.line(start + 1);
+        let Some(n) =
+            (start + 2 < end && self.stream.line(start + 2) == on_line).then_some(start + 2)
+        else {
+            out.push(
+                Diagnostic::new(Code::E008, self.span(start, start + 2))
+                    .case("count")
+                    .with("type", Value::Term(ty.title))
+                    .with("header", header(ty)),
+            );
+            return;
+        };
+        if self.bad_token(n, out) {
+            return;
+        }
+        let sig = &self.stream.sigs[n];
+        let new = |code| Diagnostic::new(code, self.stream.token(n).span()).case("count");
+        out.push(match sig.int {
+            Some(value) => new(Code::E206)
+                .with("type", Value::Term(ty.title))
+                .with("value", value.to_string()),
+            None if sig.kind == TokenKind::Integer => {
+                new(Code::E004).with("text", quote(self.text(n)))
+            }
+            None => self.not_an_integer(n, "N, the number of profile points,"),
+        });
+    }
+
+    fn unknown_type(&self, i: usize) -> Diagnostic {
+        Diagnostic::new(Code::E007, self.stream.token(i).span()).with("text", quote(self.text(i)))
+    }
+
+    fn bad_type(&self, i: usize, out: &mut Vec<Diagnostic>) {
+        let token = self.stream.token(i);
+        match token.kind {
+            TokenKind::Word | TokenKind::Quoted => out.push(
+                Diagnostic::new(Code::E006, token.span())
+                    .case("word")
+                    .with("text", quote(self.text(i))),
+            ),
+            TokenKind::Integer => out.push(self.unknown_type(i)),
+            TokenKind::Real => out.push(self.not_an_integer(i, "a record type")),
+            _ => {
+                self.bad_token(i, out);
+            }
+        }
+    }
+
+    fn missing_type(&self, start: usize) -> Diagnostic {
+        Diagnostic::new(Code::E006, self.stream.token(start).span())
+            .with("text", quote(self.text(start)))
+    }
+
+    fn bad_id(&self, i: usize, out: &mut Vec<Diagnostic>) {
+        let sig = &self.stream.sigs[i];
+        let (text, span) = (self.text(i), self.stream.token(i).span());
+        let new = |code| Diagnostic::new(code, span).with("text", quote(text));
+        let d = match sig.kind {
+            TokenKind::Integer if sig.int.is_none() && !text.starts_with('-') => {
+                new(Code::E004).case("id")
+            }
+            TokenKind::Integer => new(Code::E005).case("negative"),
+            TokenKind::Real => match self.stream.token(i).number(self.stream.text()) {
+                Some(x) if x.fract() == 0.0 && x > 0.0 => self.not_an_integer(i, "an ID"),
+                _ => new(Code::E005),
+            },
+            _ => {
+                self.bad_token(i, out);
+                return;
+            }
+        };
+        out.push(d);
+    }
+}
+
+/// A fix that writes something else, which is in the place `number`.
+fn write(applicability: Applicability, span: Span, text: String) -> Fix {
+    Fix::replace("fix", applicability, span, text)
+}
+
+/// The number that a malformed one was likely meant to be: what is left without the characters that
+/// spoil it, or the value of a fraction.
+fn repaired(text: &str) -> Option<String> {
+    if text.contains(['/', '*']) {
+        let (a, b) = text.split_once('/')?;
+        let value = a.parse::<f64>().ok()? / b.parse::<f64>().ok()?;
+        return value.is_finite().then(|| value.to_string());
+    }
+    let plain = text.replace(['−', '–'], "-");
+    let kept: String = plain
+        .chars()
+        .filter(|c| c.is_alphanumeric() || "+-.".contains(*c))
+        .collect();
+    [plain, kept].into_iter().find(|t| {
+        t.len() < 40
+            && t.parse::<f64>().is_ok_and(f64::is_finite)
+            && t.contains(|c: char| c.is_ascii_digit())
+    })
+}

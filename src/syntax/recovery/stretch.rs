@@ -1,0 +1,216 @@
+//! The significant tokens of a stretch of text, with what recovery asks of them all the time: the line they
+//! stand on, their value if they are integers, and the record that can be read from each on.
+
+use super::super::lexer::{Token, TokenKind};
+use super::super::signature::{self, Columns, Reading};
+use super::super::table::RecordType;
+use super::surroundings::Surroundings;
+
+/// A significant token.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sig {
+    /// Index into the document's tokens.
+    pub token: u32,
+    /// Number of its line, counting only lines with significant tokens. Line breaks inside comments
+    /// do not end a line.
+    pub line: u32,
+    /// Its value, if it is an integer literal that fits.
+    pub int: Option<i32>,
+    pub kind: TokenKind,
+    /// The next token that is no line break is a comment.
+    pub before_comment: bool,
+}
+
+/// Records with at least this many parameters are often laid out over several lines.
+pub const LONG: usize = 9;
+
+/// The significant tokens of a stretch, from the beginning of a line to the end of one. They are counted from
+/// its beginning.
+#[derive(Debug)]
+pub struct Stretch<'s> {
+    columns: Columns<'s>,
+    /// Its first token among the significant ones of the text.
+    from: usize,
+    pub sigs: Vec<Sig>,
+    /// For each line the index of its first significant token, and one more for the end.
+    line_starts: Vec<u32>,
+    /// The lines on which a comment is given up.
+    unclosed_lines: Vec<u32>,
+    /// For each token how many before it are no plain numbers, and so bad, unless one is a file name.
+    odd_before: Vec<u32>,
+    /// For each token the record that can be read from there on.
+    readings: Vec<Option<Reading>>,
+    /// It is known that the text is not laid out in lines.
+    pub is_free: bool,
+}
+
+impl<'s> Stretch<'s> {
+    /// Significant tokens `from..to` of a text.
+    pub fn new(columns: Columns<'s>, from: usize, to: usize) -> Stretch<'s> {
+        let tokens = &columns.lexed.tokens;
+        let mut sigs: Vec<Sig> = Vec::with_capacity(to - from);
+        let mut line_starts = Vec::new();
+        let mut unclosed_lines = Vec::new();
+        let mut odd_before = Vec::with_capacity(to - from + 1);
+        let mut odd = 0;
+        odd_before.push(0);
+        for i in from..to {
+            if i == from || columns.starts_line(i) {
+                line_starts.push(sigs.len() as u32);
+            }
+            let token = columns.lexed.sigs[i].token();
+            let kind = tokens[token as usize].kind;
+            odd += u32::from(!matches!(kind, TokenKind::Integer | TokenKind::Real));
+            odd_before.push(odd);
+            let (mut broken, mut before_comment) = (false, None);
+            for t in &tokens[token as usize + 1..] {
+                match t.kind {
+                    TokenKind::Newline => broken = true,
+                    kind if kind.is_comment() => {
+                        // The mark is for a token whose next token, line breaks aside, is the comment.
+                        before_comment.get_or_insert(true);
+                        if kind == TokenKind::UnterminatedComment && !broken {
+                            unclosed_lines.push(line_starts.len() as u32 - 1);
+                        }
+                    }
+                    kind if kind.is_trivia() => {
+                        before_comment.get_or_insert(false);
+                    }
+                    _ => break,
+                }
+            }
+            sigs.push(Sig {
+                token,
+                line: line_starts.len() as u32 - 1,
+                int: columns.int(i),
+                kind,
+                before_comment: before_comment == Some(true),
+            });
+        }
+        line_starts.push(sigs.len() as u32);
+        let read = |i| {
+            signature::read(&columns, i, to).map(|r| Reading {
+                end: r.end - from,
+                ..r
+            })
+        };
+        Stretch {
+            columns,
+            from,
+            readings: (from..to).map(read).collect(),
+            sigs,
+            line_starts,
+            unclosed_lines,
+            odd_before,
+            is_free: false,
+        }
+    }
+
+    /// The record that begins at token `i`, if there is one without any fault of form.
+    pub fn read(&self, i: usize) -> Option<&Reading> {
+        self.readings.get(i)?.as_ref()
+    }
+
+    /// The type whose number stands at a token.
+    pub fn record_type(&self, i: usize) -> Option<&'static RecordType> {
+        RecordType::by_code(self.sigs.get(i)?.int?.into())
+    }
+
+    /// Where the rest of the text defines an ID first, and with a record of which type.
+    pub fn defined_elsewhere(
+        &self,
+        around: &Surroundings,
+        id: u32,
+    ) -> Option<(usize, &'static RecordType)> {
+        around.definition(&self.columns, id)
+    }
+
+    /// Whether the stretch stands behind a significant token of the text.
+    pub fn is_behind(&self, token: usize) -> bool {
+        token < self.from
+    }
+
+    /// The value of a token; NaN if it is no number.
+    pub fn value(&self, i: usize) -> f64 {
+        self.columns.lexed.values[self.from + i]
+    }
+
+    /// Where the value of a token is in the text's column.
+    pub fn value_index(&self, i: usize) -> u32 {
+        (self.from + i) as u32
+    }
+
+    /// Whether the values of a record are such as its type allows.
+    pub fn values_allowed(&self, start: usize, r: &Reading) -> bool {
+        let r = Reading {
+            end: r.end + self.from,
+            ..*r
+        };
+        signature::values_allowed(&self.columns, start + self.from, &r)
+    }
+
+    /// Whether a record has the ID or the values of none.
+    pub fn is_odd(&self, start: usize, r: &Reading) -> bool {
+        let r = Reading {
+            end: r.end + self.from,
+            ..*r
+        };
+        signature::is_odd(&self.columns, start + self.from, &r)
+    }
+
+    pub fn text(&self) -> &'s str {
+        self.columns.text
+    }
+
+    /// Whether tokens `from..to` are plain numbers, all of them.
+    pub fn all_numbers(&self, from: usize, to: usize) -> bool {
+        self.bad(from, to) == 0
+    }
+
+    /// How many of tokens `from..to` are no plain numbers.
+    pub fn bad(&self, from: usize, to: usize) -> u32 {
+        self.odd_before[to] - self.odd_before[from.min(to)]
+    }
+
+    pub fn len(&self) -> usize {
+        self.sigs.len()
+    }
+
+    pub fn line_count(&self) -> usize {
+        self.line_starts.len() - 1
+    }
+
+    pub fn line(&self, i: usize) -> usize {
+        self.sigs[i].line as usize
+    }
+
+    /// The first token of a line.
+    pub fn line_start(&self, line: usize) -> usize {
+        self.line_starts[line] as usize
+    }
+
+    /// One past the last token of a line.
+    pub fn line_end(&self, line: usize) -> usize {
+        self.line_starts[line + 1] as usize
+    }
+
+    pub fn starts_line(&self, i: usize) -> bool {
+        self.line_start(self.line(i)) == i
+    }
+
+    /// Whether a stretch that stops before token `end` stops at the end of a line.
+    pub fn ends_line(&self, end: usize) -> bool {
+        end > 0 && self.line_end(self.line(end - 1)) == end
+    }
+
+    /// Whether a comment was given up on one of the lines of tokens `from..to`.
+    pub fn has_unclosed_comment(&self, from: usize, to: usize) -> bool {
+        let (first, last) = (self.line(from) as u32, self.line(to - 1) as u32);
+        let i = self.unclosed_lines.partition_point(|&l| l < first);
+        self.unclosed_lines.get(i).is_some_and(|&l| l <= last)
+    }
+
+    pub fn token(&self, i: usize) -> &Token {
+        self.columns.token(self.from + i)
+    }
+}

@@ -1,0 +1,151 @@
+//! Sums and marks over the lines and tokens of a text, so that any stretch is judged at once, however
+//! long it is.
+
+use super::slips::LEAST_HEAD;
+use super::stretch::Stretch;
+use super::witness::Witnesses;
+
+pub struct Sums {
+    /// How many lines before each one say that they are records of their own.
+    pub own_before: Vec<u32>,
+    /// How many of those are complete, and no row of a table of equally long lines.
+    pub complete_before: Vec<u32>,
+    /// How many lines before each one are a record but for a slip.
+    pub slips_before: Vec<u32>,
+    /// The last line of the table of numbers that begins behind each line; the line itself if none.
+    pub table_end: Vec<u32>,
+    /// For each token: its line is whole records up to it, or from it on.
+    pub whole_until: Vec<bool>,
+    pub whole_from: Vec<bool>,
+    /// For each token whether a piece may begin there.
+    pub may_begin: Vec<bool>,
+}
+
+impl Sums {
+    pub fn is_own(&self, line: usize) -> bool {
+        self.own_before[line + 1] > self.own_before[line]
+    }
+
+    pub fn new(stream: &Stretch, witnesses: &Witnesses) -> Sums {
+        let lines = 0..stream.line_count();
+        let length = |l: usize| stream.line_end(l) - stream.line_start(l);
+        let own =
+            |l: usize| witnesses.ends[l] > 0 || witnesses.slips[l] || looks_like_a_head(stream, l);
+        let complete = |l: usize| {
+            witnesses.is_complete_line(stream, l)
+                && !witnesses.is_void_line(stream, l)
+                && (l == 0 || length(l) != length(l - 1))
+        };
+        let mut table_end: Vec<u32> = lines.clone().map(|l| l as u32).collect();
+        for l in lines.clone().rev().skip(1) {
+            let row =
+                !own(l + 1) && stream.all_numbers(stream.line_start(l + 1), stream.line_end(l + 1));
+            if row {
+                table_end[l] = table_end[l + 1];
+            }
+        }
+        let (whole_until, whole_from) = whole(stream);
+        Sums {
+            may_begin: may_begin(stream, witnesses, &whole_from),
+            whole_until,
+            whole_from,
+            own_before: sums(lines.clone().map(own)),
+            complete_before: sums(lines.map(complete)),
+            slips_before: sums(witnesses.slips.iter().copied()),
+            table_end,
+        }
+    }
+}
+
+/// For each token (and the end): whether its line is whole records up to it, and from it on.
+fn whole(stream: &Stretch) -> (Vec<bool>, Vec<bool>) {
+    let n = stream.len();
+    let (mut until, mut from) = (vec![false; n + 1], vec![false; n + 1]);
+    let step = |i: usize| {
+        if stream.sigs[i].int == Some(0) {
+            return stream.sigs[i].before_comment.then_some(i + 1);
+        }
+        let end = stream.read(i)?.end;
+        (end > i + 2 && end <= stream.line_end(stream.line(i))).then_some(end)
+    };
+    for i in (0..n).rev() {
+        from[i] = step(i).is_some_and(|end| stream.ends_line(end) || from[end]);
+    }
+    for i in 0..n {
+        until[i] |= stream.starts_line(i);
+        if until[i]
+            && let Some(end) = step(i).filter(|&e| e < n && !stream.starts_line(e))
+        {
+            until[end] = true;
+        }
+    }
+    (until, from)
+}
+
+/// Where pieces may begin. In a text laid out in lines, nothing begins in the middle of a line that begins as a
+/// record does, unless the line is a row of whole records: a number too many is not the ID of another record.
+fn may_begin(stream: &Stretch, witnesses: &Witnesses, whole_from: &[bool]) -> Vec<bool> {
+    let mut out = vec![true; stream.len() + 1];
+    if !witnesses.in_lines {
+        return out;
+    }
+    for line in 0..stream.line_count() {
+        let (start, end) = (stream.line_start(line), stream.line_end(line));
+        // What can be nothing may stand before the record.
+        let head = (start..end)
+            .find(|&i| !stream.sigs[i].kind.is_bad())
+            .unwrap_or(end);
+        let headed = stream
+            .sigs
+            .get(head)
+            .and_then(|s| s.int)
+            .is_some_and(|id| id > 0)
+            && head + 1 < end
+            && stream.record_type(head + 1).is_some_and(|t| t.code != 0);
+        if !headed || is_row_of_records(stream, head, end, whole_from) {
+            continue;
+        }
+        for i in head + 1..end {
+            let sig = &stream.sigs[i];
+            let heading = sig.int == Some(0) && sig.before_comment;
+            out[i] = heading || sig.kind.is_bad();
+        }
+    }
+    out
+}
+
+/// Whether tokens `start..end` are whole records with nothing odd about them.
+fn is_row_of_records(stream: &Stretch, start: usize, end: usize, whole_from: &[bool]) -> bool {
+    let mut at = start;
+    while at < end {
+        if !whole_from[at] {
+            return false;
+        }
+        at = match stream.read(at) {
+            Some(r) if !stream.is_odd(at, r) => r.end,
+            Some(_) => return false,
+            None => at + 1,
+        };
+    }
+    true
+}
+
+/// How often it was true before each place, and in all.
+fn sums(flags: impl Iterator<Item = bool>) -> Vec<u32> {
+    let mut n = 0;
+    std::iter::once(0)
+        .chain(flags.map(|f| {
+            n += u32::from(f);
+            n
+        }))
+        .collect()
+}
+
+/// Whether a line begins like a record that no table of numbers would begin like.
+fn looks_like_a_head(stream: &Stretch, line: usize) -> bool {
+    let start = stream.line_start(line);
+    let id = stream.sigs[start].int.is_some_and(|id| id > 0);
+    id && stream
+        .record_type(start + 1)
+        .is_some_and(|t| t.code <= LEAST_HEAD || t.code == 9999)
+}

@@ -1,0 +1,307 @@
+//! What the lines of a text say about its layout.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use super::super::signature::Reading;
+use super::super::table::Effect;
+use super::damage;
+use super::faults::{self, Known};
+use super::slips::{self, Slip};
+use super::stretch::{LONG, Stretch};
+use super::surroundings::Surroundings;
+use super::verdict::{Piece, Verdict};
+
+/// What the lines of a text say about its layout.
+pub struct Witnesses<'a> {
+    /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
+    /// Holds one past the record's last token, 0 where the line is no witness.
+    pub ends: Vec<u32>,
+    /// For each line: it would be a record of its own, but for a slip. Nothing is said of the lines of
+    /// a longer record.
+    pub slips: Vec<bool>,
+    /// The text is laid out with records beginning and ending with lines.
+    pub in_lines: bool,
+    /// What the witness lines say about each ID they define, and the rest of the text.
+    heads: FxHashMap<i32, Head>,
+    /// The IDs that witness lines use or change.
+    used: FxHashSet<i32>,
+    around: &'a Surroundings,
+    /// A line begins with a type that can be no ID: other lines may have lost theirs as well.
+    ids_lost: bool,
+    /// How many lines are records but for a slip.
+    slipped: usize,
+    /// Comments behind a record on its line are introduced by `0` here.
+    pub voids_behind_records: bool,
+}
+
+/// The lines that define one ID.
+#[derive(Debug, Clone, Copy)]
+pub struct Head {
+    /// `None` if it stands before the stretch.
+    pub first_line: Option<usize>,
+    /// How many can only be definitions, so that all but one are too many; and how many of these
+    /// also read well as a record without its ID.
+    pub definitions: u32,
+    pub may_be_lost: u32,
+}
+
+impl Head {
+    fn at(first_line: usize) -> Head {
+        Head {
+            first_line: Some(first_line),
+            definitions: 0,
+            may_be_lost: 0,
+        }
+    }
+}
+
+impl<'a> Witnesses<'a> {
+    pub fn new(stream: &Stretch, around: &'a Surroundings) -> Witnesses<'a> {
+        let lines = stream.line_count();
+        let mut ends = vec![0u32; lines];
+        let mut heads = FxHashMap::default();
+        for (line, end) in ends.iter_mut().enumerate() {
+            let start = stream.line_start(line);
+            if stream.sigs[start].int == Some(0) {
+                let alone = stream.line_end(line) == start + 1;
+                if alone && stream.sigs[start].before_comment {
+                    *end = start as u32 + 1;
+                }
+            } else if let Some(r) = stream.read(start)
+                && testifies(stream, start, r)
+            {
+                *end = r.end as u32;
+            }
+        }
+        // How much of the text is laid out in lines: a walk from record to record. One disturbed
+        // stretch is what one mistake makes, however long the record is that it spoils.
+        let (mut line, mut covered, mut stretches, mut disturbed) = (0, 0, 0, false);
+        let mut steps = 0;
+        let mut used = FxHashSet::default();
+        let mut slips = vec![false; lines];
+        let mut ids_lost = false;
+        let (mut slipped, mut table_to, mut perhaps) = (0, 0, Vec::new());
+        while line < lines {
+            let next = match ends[line] {
+                0 if run_to_line_end(stream, line) => line + 1,
+                0 => {
+                    if line >= table_to {
+                        table_to = slips::rows_expected(stream, line);
+                    }
+                    match slips::slip(stream, line, line < table_to) {
+                        Slip::Yes => {
+                            let head = &stream.sigs[stream.line_start(line)];
+                            ids_lost |= head.int.is_some_and(|code| code < 0);
+                            slips[line] = true;
+                            slipped += 1;
+                            let (start, end) = (stream.line_start(line), stream.line_end(line));
+                            used.extend(damage::of_record(stream, start, end));
+                        }
+                        Slip::Maybe => perhaps.push(line),
+                        Slip::No => {}
+                    }
+                    stretches += usize::from(!disturbed);
+                    disturbed = true;
+                    line += 1;
+                    continue;
+                }
+                end => {
+                    let start = stream.line_start(line);
+                    let id = stream.sigs[start].int.unwrap_or(0);
+                    match stream.record_type(start + 1).map(|t| t.effect) {
+                        Some(Effect::Defines(_)) => {
+                            let lost = faults::has_lost_id(stream, start, end as usize);
+                            let head = heads.entry(id).or_insert(Head::at(line));
+                            head.definitions += 1;
+                            head.may_be_lost += u32::from(lost);
+                        }
+                        Some(Effect::DefinesOrChanges(..)) => {
+                            heads.entry(id).or_insert(Head::at(line));
+                        }
+                        Some(Effect::Changes(_)) => {
+                            used.insert(id);
+                        }
+                        None => {}
+                    }
+                    used.extend(damage::of_record(stream, start, end as usize));
+                    stream.line(end as usize - 1) + 1
+                }
+            };
+            disturbed = false;
+            table_to = 0;
+            steps += 1;
+            covered += next - line;
+            line = next;
+        }
+        for line in perhaps {
+            let id = stream.sigs[stream.line_start(line)].int.unwrap_or(0);
+            let elsewhere = u32::try_from(id).unwrap_or(0);
+            slips[line] = (used.contains(&id) || around.is_used(elsewhere))
+                && !(heads.contains_key(&id) || around.is_defined(elsewhere));
+            slipped += usize::from(slips[line]);
+        }
+        // The rest of the text is laid out in lines, but for the other stretches.
+        let lines = lines + around.lines;
+        covered += around.lines;
+        steps += around.records;
+        stretches += around.stretches.saturating_sub(1);
+        let mostly = 20 * covered >= 13 * lines || (stretches <= 1 && steps >= 4) || lines < 12;
+        // The same mistake on every line leaves no line as a witness that it was laid out in lines.
+        let slips_in_lines = slipped > 0 && 20 * (covered + slipped) >= 17 * lines;
+        let in_lines = steps > 0 && steps + 2 >= 3 * stretches && mostly || slips_in_lines;
+        if !in_lines {
+            // What looks like a record at the head of a line is one by chance.
+            heads.clear();
+            used.clear();
+            slips.fill(false);
+        }
+        Witnesses {
+            in_lines,
+            ends,
+            slips,
+            heads,
+            used,
+            ids_lost,
+            slipped,
+            voids_behind_records: around.voids_behind_records
+                || voids_behind_records(stream, around),
+            around,
+        }
+    }
+
+    fn elsewhere(&self, id: i32) -> Option<u32> {
+        u32::try_from(id).ok().filter(|_| self.in_lines)
+    }
+
+    /// What is known of the lines that define an ID.
+    pub fn head(&self, stream: &Stretch, id: i32) -> Option<Head> {
+        let here = self.heads.get(&id).copied();
+        let elsewhere = u32::try_from(id).ok().filter(|_| self.in_lines);
+        let Some((at, ty)) = elsewhere.and_then(|id| stream.defined_elsewhere(self.around, id))
+        else {
+            return here;
+        };
+        let mut head = here.unwrap_or(Head {
+            first_line: None,
+            definitions: 0,
+            may_be_lost: 0,
+        });
+        head.definitions += u32::from(matches!(ty.effect, Effect::Defines(_)));
+        if stream.is_behind(at) {
+            head.first_line = None;
+        }
+        Some(head)
+    }
+
+    /// Whether a line would be a complete record by itself.
+    pub fn is_complete_line(&self, stream: &Stretch, line: usize) -> bool {
+        self.ends[line] as usize == stream.line_end(line)
+    }
+
+    pub fn is_void_line(&self, stream: &Stretch, line: usize) -> bool {
+        self.ends[line] > 0 && stream.sigs[stream.line_start(line)].int == Some(0)
+    }
+
+    /// Whether the record at tokens `start..end` takes its last parameters from the head of a line
+    /// that says it is a record of its own. A line in a table of equally long lines says nothing.
+    pub fn takes_over(&self, stream: &Stretch, start: usize, end: usize) -> bool {
+        let (first, last) = (stream.line(start), stream.line(end - 1));
+        if first == last || self.ends[last] == 0 {
+            return first != last && self.slips[last];
+        }
+        let length = |l: usize| stream.line_end(l) - stream.line_start(l);
+        !(last > first + 1 && length(last) == length(last - 1))
+    }
+}
+
+/// If a record begins with the number of an ID that is missing, then it is that record's ID.
+impl Known for Witnesses<'_> {
+    fn is_missing(&self, id: i32) -> bool {
+        let used =
+            self.used.contains(&id) || self.elsewhere(id).is_some_and(|id| self.around.is_used(id));
+        !self.ids_lost && used && !self.is_defined(id)
+    }
+
+    fn is_defined(&self, id: i32) -> bool {
+        self.heads.contains_key(&id)
+            || (u32::try_from(id)).is_ok_and(|id| self.around.is_defined(id))
+    }
+
+    fn misses_another(&self, id: i32) -> bool {
+        // The same may have happened to other lines.
+        let others = self.ids_lost || self.slipped > 1;
+        let dangling = self.around.dangling.iter().map(|&id| id as i32);
+        others
+            || (dangling.chain(self.used.iter().copied()))
+                .any(|other| other != id && !self.is_defined(other))
+    }
+}
+
+/// Whether a record that begins with a line says something about the layout: it ends with a line
+/// too, and it is no row of a table by chance. Short records over several lines are rare, and so is
+/// an ID 1 without the type 9999.
+fn testifies(stream: &Stretch, start: usize, r: &Reading) -> bool {
+    let one_line = stream.line(start) == stream.line(r.end - 1);
+    let long = r.ty.is_counted() || r.ty.params.len() >= LONG;
+    let render = (stream.sigs[start].int == Some(1)) == (r.ty.code == 9999);
+    stream.ends_line(r.end)
+        && r.end - start > 2
+        && (one_line || long)
+        && render
+        && stream.values_allowed(start, r)
+}
+
+/// Whether people here write `2 9 1 0 # a sphere #`: several do, or nobody does without the `0`.
+fn voids_behind_records(stream: &Stretch, around: &Surroundings) -> bool {
+    let (mut with, mut without) = (0, usize::from(around.records > 0));
+    for line in 0..stream.line_count() {
+        let (start, end) = (stream.line_start(line), stream.line_end(line));
+        let last = &stream.sigs[end - 1];
+        if end - start > 2 && last.before_comment {
+            let read = |end: usize| stream.read(start).is_some_and(|r| r.end == end);
+            if last.int == Some(0) && read(end - 1) {
+                with += 1;
+            } else if read(end) {
+                without += 1;
+            }
+        }
+    }
+    with > 1 || without == 0
+}
+
+/// Whether a line is a row of several records that ends with its last one.
+fn run_to_line_end(stream: &Stretch, line: usize) -> bool {
+    let (mut i, end) = (stream.line_start(line), stream.line_end(line));
+    while i < end {
+        let sig = &stream.sigs[i];
+        if sig.int == Some(0) && sig.before_comment {
+            i += 1;
+        } else if let Some(r) = stream.read(i).filter(|r| r.end <= end && r.end > i + 2) {
+            i = r.end;
+        } else {
+            return false;
+        }
+    }
+    true
+}
+
+/// Whether a reading without faults has something in it that people do not write in a text laid out
+/// in lines: a record that straddles, a VOID without a comment behind a record, a heading's `0`
+/// taken for a number.
+pub fn is_odd(stream: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
+    witnesses.in_lines
+        && pieces.iter().any(|p| {
+            let behind = !stream.starts_line(p.start);
+            let last = stream.line(p.end - 1);
+            let over_lines = stream.line(p.start) != last;
+            match p.verdict {
+                Verdict::Void => behind,
+                _ => {
+                    (behind && (over_lines || p.end == p.start + 2))
+                        || over_lines
+                            && witnesses.is_void_line(stream, last)
+                            && witnesses.takes_over(stream, p.start, p.end)
+                }
+            }
+        })
+}

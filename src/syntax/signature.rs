@@ -1,0 +1,247 @@
+//! The grammar of one record, by arity: its ID, its type, and as many parameters as the type takes. This is
+//! the only place that says what a record is; the parser and recovery both ask here.
+//!
+//! # Optional groups
+//!
+//! A group is there when what follows can only be read so, wherever the line breaks are: both ways are
+//! followed for some records, up to a line that stands for itself. Where both go well, or neither, the
+//! group is there exactly when it is the rest of the record's line.
+
+use super::lexer::{Lexed, Token, TokenKind};
+use super::table::{Constraint, Param, ParamKind, RecordKind, RecordType};
+
+/// A text and the columns of its tokens.
+#[derive(Debug, Clone, Copy)]
+pub struct Columns<'s> {
+    pub text: &'s str,
+    pub lexed: &'s Lexed,
+}
+
+impl Columns<'_> {
+    /// How many significant tokens there are.
+    pub fn len(&self) -> usize {
+        self.lexed.sigs.len()
+    }
+
+    pub fn token(&self, i: usize) -> &Token {
+        &self.lexed.tokens[self.lexed.sigs[i].token() as usize]
+    }
+
+    pub fn kind(&self, i: usize) -> TokenKind {
+        self.token(i).kind
+    }
+
+    /// The value of an integer that fits, as IDs, types and counts do.
+    pub fn int(&self, i: usize) -> Option<i32> {
+        let value = *self.lexed.values.get(i)?;
+        let int = value as i32;
+        (f64::from(int) == value && self.kind(i) == TokenKind::Integer).then_some(int)
+    }
+
+    pub fn starts_line(&self, i: usize) -> bool {
+        self.lexed.sigs.get(i).is_some_and(|s| s.starts_line())
+    }
+
+    /// Whether what stops before token `end` stops at the end of a line.
+    pub fn ends_line(&self, end: usize) -> bool {
+        end == self.len() || self.starts_line(end)
+    }
+
+    /// Whether the next token that is no line break is a comment.
+    pub fn before_comment(&self, i: usize) -> bool {
+        let rest = &self.lexed.tokens[self.lexed.sigs[i].token() as usize + 1..];
+        let next = rest.iter().find(|t| t.kind != TokenKind::Newline);
+        next.is_some_and(|t| t.kind.is_comment())
+    }
+}
+
+/// A record that can be read from some token on.
+#[derive(Debug, Clone, Copy)]
+pub struct Reading {
+    /// One past its last token.
+    pub end: usize,
+    pub ty: &'static RecordType,
+    pub count: u32,
+    /// Whether the optional group could be there as well as not.
+    pub two_ways: bool,
+}
+
+/// Whether a token can stand for a parameter of this kind.
+pub fn fits(kind: TokenKind, param: ParamKind) -> bool {
+    match param {
+        ParamKind::Real => matches!(kind, TokenKind::Integer | TokenKind::Real),
+        ParamKind::Integer | ParamKind::Count | ParamKind::Reference { .. } => {
+            kind == TokenKind::Integer
+        }
+        ParamKind::FileName => matches!(
+            kind,
+            TokenKind::Word | TokenKind::MalformedNumber | TokenKind::Quoted
+        ),
+    }
+}
+
+/// Whether a value is one that the parameter may have.
+pub fn allows(param: &Param, x: f64) -> bool {
+    match param.constraint {
+        // It is no number.
+        _ if x.is_nan() => true,
+        Constraint::Any => !matches!(param.kind, ParamKind::Reference { .. }) || x >= 0.0,
+        Constraint::Positive => x > 0.0,
+        Constraint::ProfileRadius => x >= 0.0,
+        Constraint::NonZeroScale => x != 0.0,
+        Constraint::Between(a, b) | Constraint::Within(a, b) => a <= x && x <= b,
+        Constraint::AtLeast(a) => x >= a,
+        Constraint::Axis => (1.0..=3.0).contains(&x),
+    }
+}
+
+/// Reads the record that begins at token `i` and ends before token `limit`, if there is one without any fault
+/// of form.
+#[inline]
+pub fn read(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
+    let mut reading = read_base(c, i, limit)?;
+    if !reading.ty.optional.is_empty() {
+        group(c, &mut reading, limit)?;
+    }
+    Some(reading)
+}
+
+/// The same without an optional group.
+#[inline]
+fn read_base(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
+    if limit < i + 2 {
+        return None;
+    }
+    c.int(i).filter(|&id| id > 0)?;
+    let ty = RecordType::by_code(c.int(i + 1)?.into())?;
+    let first = i + 2;
+    let mut count = 0;
+    if ty.is_counted() {
+        if first >= limit {
+            return None;
+        }
+        count = c.int(first).filter(|&n| n >= 2)? as u32;
+    }
+    // Compared as 64-bit numbers: a count may claim more than any file can hold.
+    if ty.arity(count.into()) > (limit - first) as u64 {
+        return None;
+    }
+    let end = first + ty.arity(count.into()) as usize;
+    let head = first + ty.params.len();
+    // Repeated parameters are real, all of them.
+    let right = are_right(c, first, ty.params) && c.lexed.all_numbers(head, end);
+    right.then_some(Reading {
+        end,
+        ty,
+        count,
+        two_ways: false,
+    })
+}
+
+/// Whether the tokens from `first` on can stand for these parameters.
+#[inline]
+fn are_right(c: &Columns, first: usize, params: &[Param]) -> bool {
+    (first..)
+        .zip(params)
+        .all(|(at, p)| fits(c.kind(at), p.kind))
+}
+
+/// Decides whether the optional group is there; `None` if the record can be read in neither way.
+fn group(c: &Columns, reading: &mut Reading, limit: usize) -> Option<()> {
+    let (end, optional) = (reading.end, reading.ty.optional);
+    let with = end + optional.len();
+    let own_line = with <= limit
+        && (end..with).all(|at| !c.starts_line(at))
+        && (with == limit || c.ends_line(with));
+    let fits_here = with <= limit
+        && are_right(c, end, optional)
+        && (end..with)
+            .zip(optional)
+            .all(|(at, p)| allows(p, c.lexed.values[at]));
+    let followed = (follow(c, end, with, limit), follow(c, end, end, limit));
+    let there = match followed {
+        _ if !fits_here => own_line && followed.1.is_err(),
+        (Ok(()), Err(_)) => true,
+        (Err(_), Ok(())) => false,
+        (Ok(()), Ok(())) => {
+            reading.two_ways = true;
+            own_line
+        }
+        // Something else is wrong. Where there are no lines, what comes further before it is likelier.
+        (Err(there), Err(not)) if there != not && !own_line && !stands_alone(c, end, limit) => {
+            there > not
+        }
+        (Err(_), Err(_)) => own_line,
+    };
+    if there {
+        if !are_right(c, end, optional) {
+            return None;
+        }
+        reading.end = with;
+    }
+    Some(())
+}
+
+/// How many records are followed, in all ways to read their own groups.
+const FOLLOWED: usize = 8;
+const FOLLOWED_IN_ALL: usize = 40;
+/// So many tokens of one line are no pieces of records that are laid out in any way.
+const OWN_LINE: usize = 3;
+
+/// Whether a token begins a line that is not too short.
+fn stands_alone(c: &Columns, at: usize, limit: usize) -> bool {
+    c.starts_line(at) && (at + 1..at + OWN_LINE).all(|next| next < limit && !c.starts_line(next))
+}
+
+/// Whether the text can be read from token `at` on, for some records; if not, the furthest place that it can be read
+/// to. `end` is where the record before may end.
+fn follow(c: &Columns, end: usize, at: usize, limit: usize) -> Result<(), usize> {
+    // Where to go on, and behind how many records.
+    let mut open = vec![(at, 0)];
+    let mut furthest = at;
+    for _ in 0..FOLLOWED_IN_ALL {
+        let Some((at, behind)) = open.pop() else {
+            return Err(furthest);
+        };
+        furthest = furthest.max(at);
+        if at >= limit || at > end && stands_alone(c, at, limit) || behind == FOLLOWED {
+            return Ok(());
+        }
+        if c.int(at) == Some(0) {
+            open.push((at + 1, behind + 1));
+            continue;
+        }
+        let Some(next) = read_base(c, at, limit).filter(|next| !is_odd(c, at, next)) else {
+            continue;
+        };
+        let (optional, with) = (next.ty.optional, next.end + next.ty.optional.len());
+        if !optional.is_empty()
+            && with <= limit
+            && are_right(c, next.end, optional)
+            && (next.end..with)
+                .zip(optional)
+                .all(|(at, p)| allows(p, c.lexed.values[at]))
+        {
+            open.push((with, behind + 1));
+        }
+        open.push((next.end, behind + 1));
+    }
+    Ok(())
+}
+
+/// How many values of a long record are looked at to judge whether it is plausible.
+const VALUES_MAX: usize = 64;
+
+/// Whether a record that is right in form has the ID or the values of none.
+pub fn is_odd(c: &Columns, start: usize, r: &Reading) -> bool {
+    (c.int(start) == Some(1)) != (r.ty.kind == RecordKind::Render) || !values_allowed(c, start, r)
+}
+
+/// Whether the values of a record are such as its type allows.
+pub fn values_allowed(c: &Columns, start: usize, r: &Reading) -> bool {
+    (start + 2..r.end.min(start + 2 + VALUES_MAX))
+        .enumerate()
+        .all(|(i, at)| {
+            (r.ty.param(i, r.count as usize)).is_none_or(|p| allows(p, c.lexed.values[at]))
+        })
+}
