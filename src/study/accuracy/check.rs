@@ -105,7 +105,7 @@ pub fn check(
             let off = off.fold(0.0, f64::max);
             checked.pixels += 1;
             checked.largest = checked.largest.max(off);
-            if !(off <= WRONG) {
+            if off > WRONG || !colour.iter().all(|c| c.is_finite()) {
                 // The rays of a camera are doubles: where that alone shows, it is no mistake.
                 if naive.sway(*place).is_ok_and(|sway| off <= SWAY * sway) {
                     checked.swaying += 1;
