@@ -104,8 +104,7 @@ pub fn check(
             let off = (0..3).map(|c| (ours[c] - colour[c]).abs() / colour[c].abs().max(1.0));
             let off = off.fold(0.0, f64::max);
             checked.pixels += 1;
-            checked.largest = checked.largest.max(off);
-            if !(off <= WRONG) {
+            if off > WRONG || !colour.iter().all(|c| c.is_finite()) {
                 // The rays of a camera are doubles: where that alone shows, it is no mistake.
                 if naive.sway(*place).is_ok_and(|sway| off <= SWAY * sway) {
                     checked.swaying += 1;
@@ -116,6 +115,7 @@ pub fn check(
                     checked.wrong_pixels.push(*place);
                 }
             }
+            checked.largest = checked.largest.max(off);
         }
         // The next batch must fit, too.
         let each = start.elapsed().as_secs_f64() / checked.pixels.max(1) as f64;

@@ -86,7 +86,7 @@ pub fn meshes(stage: &mut Stage) -> Result<Option<Facets>, Error> {
             ..Options::default()
         };
         let Ok(model) = mesh::model(&whole, &stage.tracer().graph, &options) else {
-            break;
+            continue;
         };
         let triangles = model.mesh.triangles.len();
         if triangles > MAX_TRIANGLES {
@@ -97,7 +97,7 @@ pub fn meshes(stage: &mut Stage) -> Result<Option<Facets>, Error> {
             rungs.pop();
         }
         let Some(made) = scene_of(&whole, &model, stage) else {
-            break;
+            continue;
         };
         let number = stage.add(Arc::new(made))?;
         let digits = share * radius;
@@ -140,7 +140,10 @@ fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Stage) -> Option<Scene> 
     };
     let mut by_skin: Vec<Vec<usize>> = vec![Vec::new(); model.skins.len()];
     for (i, &label) in model.mesh.labels.iter().enumerate() {
-        by_skin.get_mut(label as usize)?.push(i);
+        // Faces that nobody made show nothing.
+        if let Some(own) = by_skin.get_mut(label as usize) {
+            own.push(i);
+        }
     }
     let origin = |id| crate::scene::Origin {
         id,

@@ -120,7 +120,7 @@ pub struct Checked {
     pub wrong: usize,
     /// Pixels that differ no more than rounding the camera's rays to doubles explains.
     pub swaying: usize,
-    /// The largest difference of a channel, linear.
+    /// The largest difference of a channel, linear, in pixels that do not sway.
     pub largest: f64,
     /// Where: the first few wrong pixels.
     pub wrong_pixels: Vec<[u32; 2]>,

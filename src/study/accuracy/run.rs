@@ -70,6 +70,12 @@ struct Known {
     timed_tiles: usize,
 }
 
+/// One of the steps from a scene to a report.
+type Step<R> = fn(&mut R) -> Result<(), Error>;
+
+/// Pixels that see something else, and the median and the largest distance in units of the last place.
+type Distances = (usize, f64, f64);
+
 /// Everything that is known while it runs.
 struct Run<'i> {
     options: &'i Options,
@@ -171,7 +177,7 @@ impl Run<'_> {
     }
 
     fn all(&mut self) -> Result<(), Error> {
-        let steps: [(&'static str, f64, fn(&mut Self) -> Result<(), Error>); 7] = [
+        let steps: [(&'static str, f64, Step<Self>); 7] = [
             ("accuracy-step-pilot", 0.0, Self::pilot),
             ("accuracy-step-numbers", 0.1, Self::reference_numbers),
             ("accuracy-step-light", 0.25, Self::reference_light),
@@ -902,7 +908,7 @@ impl Run<'_> {
 
     /// Of each rung of numbers: pixels that see another object, and distances in units of the last place,
     /// the median and the largest.
-    fn numbers_seen(&mut self, stopped: bool) -> Result<Vec<(usize, (usize, f64, f64))>, Error> {
+    fn numbers_seen(&mut self, stopped: bool) -> Result<Vec<(usize, Distances)>, Error> {
         let mut found = Vec::new();
         if stopped || self.exact.is_empty() {
             return Ok(found);

@@ -23,7 +23,7 @@ pub fn error(language: Language, steps: f64) -> String {
     local(
         language,
         match steps {
-            s if s == 0.0 => "0".into(),
+            0.0 => "0".into(),
             s if !s.is_finite() => "–".into(),
             s if s < 0.000_1 => format!("{s:.0e}"),
             s if s < 0.01 => format!("{s:.4}"),

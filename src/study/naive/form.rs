@@ -260,8 +260,11 @@ fn diagonal<T: Number>([a, b, c]: [T; 3], linear: f64, constant: f64) -> Form<T>
     ])
 }
 
+/// t, and which face.
+type Crossing<T> = (T, u32);
+
 fn slabs<T: Number>(min: &V<T>, max: &V<T>, ray: &Ray<T>, roots: &mut Roots<T>) {
-    let (mut near, mut far): (Option<(T, u32)>, Option<(T, u32)>) = (None, None);
+    let (mut near, mut far): (Option<Crossing<T>>, Option<Crossing<T>>) = (None, None);
     for i in 0..3 {
         let inverse = T::of(1.0) / ray.direction[i];
         let axis = 2 * i as u32;

@@ -11,6 +11,12 @@ pub struct Few<T> {
     count: usize,
 }
 
+impl<T: Number> Default for Few<T> {
+    fn default() -> Few<T> {
+        Few::new()
+    }
+}
+
 impl<T: Number> Few<T> {
     pub fn new() -> Few<T> {
         Few {
@@ -153,7 +159,7 @@ fn halved<T: Number>(polynomial: &[T], mut low: T, mut high: T) -> Option<T> {
         let next = x - here / value(&derived, x);
         let within = next > low && next < high;
         let next = if within { next } else { (low + high) * half };
-        if next == x || !(low < high) {
+        if next == x || low >= high {
             break;
         }
         let step = (next - x).abs();

@@ -260,7 +260,7 @@ impl<T: Number> Trail<T> {
             0 => (before.0.is_some(), after.0.is_some()),
             _ => (before.1.is_some(), after.1.is_some()),
         };
-        for list in 0..2 {
+        for (list, events) in here.iter().enumerate() {
             let (x, y) = inside(1 - list);
             let shown = match (operation, list) {
                 (Operation::Union, _) => true,
@@ -269,7 +269,7 @@ impl<T: Number> Trail<T> {
                 (Operation::Difference | Operation::Removal, 0) => !x || !y,
                 (Operation::Difference | Operation::Removal, _) => false,
             };
-            let sheets = here[list].iter().filter(|e| e.sheet && shown);
+            let sheets = events.iter().filter(|e| e.sheet && shown);
             (out.events).extend(sheets.map(|e| Event { after: was, ..*e }));
         }
         let solid = |list: usize| here[list].iter().find(|e| !e.sheet);

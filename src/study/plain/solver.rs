@@ -157,7 +157,8 @@ impl Known {
                 };
                 let step = value / slope;
                 // A touch has no slope.
-                if !(step.abs() <= Dd::of(1e-3 * root.t.abs())) {
+                let most = Dd::of(1e-3 * root.t.abs());
+                if step.abs() > most || step.to_f64().is_nan() {
                     break;
                 }
                 t -= step;

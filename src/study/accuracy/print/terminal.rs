@@ -169,7 +169,7 @@ fn percent(part: usize, all: usize, language: Language) -> String {
     local(
         language,
         match share {
-            s if s == 0.0 => "0".into(),
+            0.0 => "0".into(),
             s if s < 0.095 => format!("{s:.3} %"),
             s if s < 9.95 => format!("{s:.2} %"),
             s => format!("{s:.0} %"),
