@@ -6,6 +6,7 @@
 pub mod config;
 pub mod file;
 pub mod fixing;
+pub mod repair;
 mod worse;
 
 use std::sync::OnceLock;
@@ -107,12 +108,6 @@ impl Analysis {
     /// are run when this is first called.
     pub fn findings(&self) -> &[Diagnostic] {
         self.findings.get_or_init(|| self.find())
-    }
-
-    /// The text and what there is to say about it; the rest is not needed any more.
-    pub fn into_findings(mut self) -> (SourceFile, Vec<Diagnostic>) {
-        let findings = self.take_findings();
-        (self.source, findings)
     }
 
     /// The findings, which are looked for again when they are asked for next.

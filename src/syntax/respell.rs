@@ -311,6 +311,7 @@ pub fn report(text: &str, tokens: &[Token], glued: &[Span], out: &mut Vec<Diagno
                 .with("number", super::report::quote(&apart))
                 .fix(Fix {
                     title: "fix",
+                    values: Vec::new(),
                     applicability,
                     edits,
                 }),
