@@ -80,6 +80,14 @@ fn the_minus_of_all_types_is_lost() {
 }
 
 #[test]
+fn a_heading_without_signs() {
+    for heading in ["red balls", "0 red balls", "// red balls", "-- the scene", "; red balls: 2 of them"] {
+        let (_, fixed) = mended(&with(3, &format!("{heading}\n4 12 -3 -1 -3 3 0 3")));
+        assert_eq!(values(&fixed.replace("\n0 #", "\n#")), values(SCENE), "{heading}\n{fixed}");
+    }
+}
+
+#[test]
 fn definitions_that_need_each_other() {
     let errors = errors(&with(10, "7 -103 6 8"));
     assert_eq!(

@@ -31,11 +31,13 @@ pub fn text(records: &[Record]) -> String {
 struct Maker {
     records: Vec<Record>,
     next: u32,
+    /// IDs count by this.
+    step: u32,
 }
 
 impl Maker {
     fn new_id(&mut self) -> u32 {
-        self.next += 1;
+        self.next += self.step;
         self.next
     }
 
@@ -81,7 +83,7 @@ fn colour(rng: &mut Rng) -> [f64; 3] {
 fn shape(rng: &mut Rng, make: &mut Maker) -> u32 {
     let r = tenth(rng, 0.5, 1.0);
     let s = tenth(rng, 0.4, 0.9);
-    match rng.below(12) {
+    match rng.below(14) {
         0..=2 => make.define(11, &[0.0, tenth(rng, 0.0, 1.0), 0.0, r]),
         3 => make.define(9, &[r]),
         4 => make.define(10, &[r, s, tenth(rng, 0.4, 0.9)]),
@@ -89,6 +91,11 @@ fn shape(rng: &mut Rng, make: &mut Maker) -> u32 {
         8 => make.define(14, &[0.8, 0.2]),
         9 => make.define(16, &[-r, s]),
         10 => make.define(13, &[r, 2.0]),
+        11 => make.define(17, &[r, s]),
+        12 => {
+            let q = [1.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -r];
+            make.define(15, &q)
+        }
         _ => make.define(1, &[3.0, 0.0, 0.0, s, 0.5, 0.0, r]),
     }
 }
@@ -106,9 +113,14 @@ pub fn scene(rng: &mut Rng, most: usize) -> Vec<Record> {
 
 fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
     let mut make = Maker {
-        next: 1,
+        next: 10,
+        step: 10,
         ..Maker::default()
     };
+    // Some count by one, some by ten.
+    if rng.chance(0.7) {
+        (make.next, make.step) = (1, 1);
+    }
     let groups = 1 + rng.below((most / 7).max(1));
     // What several objects use.
     let mut textures: Vec<u32> = Vec::new();
@@ -132,8 +144,13 @@ fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
     let mut all: Option<u32> = None;
     for group in 0..groups {
         let at = 3.0 * group as f64 - 3.0 * (groups / 2) as f64;
-        let mut object = shape(rng, &mut make);
-        match rng.below(5) {
+        let surface = rng.chance(0.2);
+        let mut object = match surface {
+            true if rng.chance(0.5) => make.define(5, &[-1.0, 0.0, 1.0, 1.5]),
+            true => make.define(6, &[-1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.5, 0.5]),
+            false => shape(rng, &mut make),
+        };
+        match if surface { 5 } else { rng.below(5) } {
             // A ball that is hollow, or a corner cut off.
             0 => {
                 let hole = make.define(11, &[0.0, 0.0, 0.0, 0.3]);
@@ -157,13 +174,17 @@ fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
             let angle = *rng.pick(&[10.0, 20.0, 30.0, 45.0, 90.0, -30.0]);
             make.add(object, -2, &[angle, 1.0 + rng.below(3) as f64]);
         }
+        if rng.chance(0.1) {
+            let quarter = [0., 0., 1., 0., 0., 1., 0., 0., -1., 0., 0., 0., 0., 0., 0., 1.];
+            make.add(object, -4, &quarter);
+        }
         if rng.chance(0.2) {
             make.add(object, -3, &[1.2, 0.8, 1.2]);
         }
         if at != 0.0 {
             make.add(object, -1, &[at, tenth(rng, 0.0, 1.0), 0.0]);
         }
-        match rng.below(4) {
+        match rng.below(5) {
             0 => make.add(object, -701, &colour(rng)),
             1 if !optics.is_empty() => {
                 let t = if rng.chance(0.3) {
@@ -178,7 +199,14 @@ fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
                 let grey = shares(rng);
                 make.add(object, -201, &grey);
             }
+            3 => {
+                make.add(object, -201, &[0.1, 0.2, 0.7]);
+                make.add(object, -203, &[1.5, 1.5, 1.5]);
+            }
             _ => {}
+        }
+        if rng.chance(0.1) {
+            make.add(object, -602, &[at, 0.0, 0.0, 30.0]);
         }
         all = Some(match all {
             Some(before) => make.define_from(-101, [before, object]),

@@ -34,10 +34,10 @@ pub enum Habit {
     Reference,
     /// What the finding itself proposes.
     Proposed,
+    /// The record has another ID.
+    Id,
     /// It is a record of another type.
     Type,
-    /// The record changes something else.
-    Id,
 }
 
 /// A text that may have been meant.
@@ -175,8 +175,25 @@ impl<'a> Place<'a> {
         })
     }
 
-    /// What may have been meant, given a finding of this place.
-    pub fn candidates(&self, finding: &Diagnostic) -> Vec<Candidate> {
+    /// The names of the numbers that a record with too few has, and of those that it lacks, where that can be told:
+    /// it ends between two vectors of its type.
+    pub fn lacking(&self) -> Option<(String, String)> {
+        let ty = self.ty().filter(|ty| !ty.is_counted())?;
+        let n = self.params().len();
+        let mut ends = ty.vectors.iter().scan(0, |sum, n| {
+            *sum += n;
+            Some(*sum)
+        });
+        let between = ends.any(|end| end == n) && n < ty.params.len();
+        between.then(|| {
+            let names = |some: &[Param]| some.iter().map(|p| p.name).collect::<Vec<_>>().join(" ");
+            (names(&ty.params[..n]), names(&ty.params[n..]))
+        })
+    }
+
+    /// What may have been meant, given a finding of this place. `undefined` are the IDs that are used and
+    /// defined nowhere.
+    pub fn candidates(&self, finding: &Diagnostic, undefined: &[u32]) -> Vec<Candidate> {
         let mut out = Vec::new();
         if finding.is_error() {
             self.characters(&mut out);
@@ -187,7 +204,7 @@ impl<'a> Place<'a> {
             self.siblings(&mut out);
             self.types(finding, &mut out);
             self.references(finding, &mut out);
-            self.ids(finding, &mut out);
+            self.ids(finding, undefined, &mut out);
         } else if finding.code == Code::W319 {
             self.swapped(&mut out);
         }
@@ -360,7 +377,10 @@ impl<'a> Place<'a> {
                 continue;
             }
             let begin = self.all[i].start;
-            if begin <= self.line.start {
+            // A record has an ID and a type at least; a `0` may introduce a comment, and words alone are a heading.
+            let before = significant.iter().filter(|&&s| s < i).count();
+            let is_void = before == 1 && self.int(0) == Some(0);
+            if before == 1 && !is_void || before == 0 && !self.is_heading() {
                 continue;
             }
             let written = &self.text[begin as usize..self.line.end as usize];
@@ -374,6 +394,10 @@ impl<'a> Place<'a> {
             }
             let words: Vec<&str> = words.split_whitespace().collect();
             let comment = format!("# {} #", words.join(" "));
+            let comment = match before {
+                0 => format!("0 {comment}"),
+                _ => comment,
+            };
             let fix = Fix::replace(
                 "fix-comment",
                 Applicability::Unsafe,
@@ -386,6 +410,14 @@ impl<'a> Place<'a> {
                 ty: None,
             });
         }
+    }
+
+    /// Whether the line is words, the first one in the place of an ID.
+    fn is_heading(&self) -> bool {
+        let is_word = |t: &Token| matches!(t.kind, TokenKind::Word | TokenKind::Invalid);
+        let on_line = self.all.iter().filter(|t| !t.kind.is_trivia());
+        let (words, others): (Vec<&Token>, Vec<&Token>) = on_line.partition(|t| is_word(t));
+        words.len() > others.len() && self.tokens.first().is_some_and(is_word)
     }
 
     /// The minus of the type, which is lost or too many.
@@ -457,6 +489,17 @@ impl<'a> Place<'a> {
                 out.push(new("fix-lamp", format!("1\n{id} -701 {r} {g} {b}")));
             }
             (RecordKind::Scaling, &[s], _) => out.push(new("fix-write", format!("{s} {s} {s}"))),
+            (RecordKind::Render, &[one], _) => out.push(new("fix-write", format!("{one} 0"))),
+            (RecordKind::Union | RecordKind::Intersection | RecordKind::Difference, &[one], _) => {
+                let others = self.entities(&[Kind::Object]).map(|e| e.id);
+                let mut others: Vec<u32> = others.filter(|id| id.to_string() != one).collect();
+                // The last ones first.
+                others.reverse();
+                for id in others.into_iter().take(MOST / 2) {
+                    out.push(new("fix-write", format!("{one} {id}")));
+                    out.push(new("fix-write", format!("{id} {one}")));
+                }
+            }
             (RecordKind::Assignment, &[one], _) => {
                 out.push(new("fix-write", format!("0 {one}")));
                 out.push(new("fix-write", format!("{one} 0")));
@@ -574,7 +617,13 @@ impl<'a> Place<'a> {
     }
 
     /// Something else that the record may change.
-    fn ids(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+    fn ids(&self, finding: &Diagnostic, undefined: &[u32], out: &mut Vec<Candidate>) {
+        if finding.code == Code::E102 && finding.span == self.tokens[0].span() {
+            let head = self.tokens[0];
+            let new = undefined.iter().take(MOST / 2);
+            out.extend(new.filter_map(|id| self.write(Habit::Id, &[(head, id.to_string())])));
+            return;
+        }
         let (Some(ty), Some(id)) = (self.ty(), self.id()) else {
             return;
         };

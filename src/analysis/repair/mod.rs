@@ -36,6 +36,7 @@ pub fn proposals(analysis: &Analysis) -> Vec<Diagnostic> {
     if analysis.is_scene() && engine.findings.iter().any(is_tried) {
         engine.whole();
         engine.lines();
+        engine.lacking();
     }
     engine.findings
 }
@@ -127,10 +128,24 @@ impl Engine<'_> {
         }
     }
 
+    /// Says of records with too few numbers which these are.
+    fn lacking(&mut self) {
+        let few = |d: &&mut Diagnostic| d.code == Code::E008 && d.case.is_empty();
+        for d in self.findings.iter_mut().filter(few).take(TRIALS) {
+            let places = Place::both(self.analysis, d.span.start);
+            if let Some((have, missing)) = places.first().and_then(Place::lacking) {
+                d.values.push(("have", have.into()));
+                d.values.push(("missing", missing.into()));
+                d.notes.push("lack");
+            }
+        }
+    }
+
     /// Puts the fixes of a finding into order. Whether there is one that mends the line.
     fn mend(&mut self, at: usize, place: &Place) -> bool {
         let finding = self.findings[at].clone();
-        let mut candidates = place.candidates(&finding);
+        let undefined = undefined(&self.findings);
+        let mut candidates = place.candidates(&finding, &undefined);
         let is_new = candidates.iter().any(|c| {
             let same = |f: &Fix| f.edits == c.fix.edits;
             !finding.fixes.iter().any(same)
@@ -270,6 +285,22 @@ fn retell(finding: &mut Diagnostic, best: &[&Candidate]) {
             .retain(|v| v.0 != "number" || written.is_none());
         finding.values.extend(written);
     }
+}
+
+/// The IDs that are used and defined nowhere, the first ones.
+fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
+    let id = |d: &Diagnostic| match d.values.iter().find(|v| v.0 == "id") {
+        Some((_, Value::Text(text))) => text.parse().ok(),
+        _ => None,
+    };
+    let mut all: Vec<u32> = (findings.iter())
+        .filter(|d| d.code == Code::E101)
+        .filter_map(id)
+        .take(TRIALS)
+        .collect();
+    all.sort_unstable();
+    all.dedup();
+    all
 }
 
 fn has_safe_fix(d: &Diagnostic) -> bool {

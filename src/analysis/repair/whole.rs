@@ -143,7 +143,12 @@ fn largest(analysis: &Analysis) -> u32 {
 fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let is_other = |d: &&Diagnostic| d.code == Code::E105 && d.case == "other";
     let first = findings.iter().find(is_other)?.clone();
-    let new = largest(analysis).checked_add(1)?.max(2).to_string();
+    // What is used and defined nowhere may be just that object.
+    let new = match super::undefined(findings)[..] {
+        [id] => id,
+        _ => largest(analysis).checked_add(1)?.max(2),
+    };
+    let new = new.to_string();
     let mut edits: Vec<Edit> = Vec::new();
     let mut spans: Vec<Span> = Vec::new();
     for record in records(analysis) {

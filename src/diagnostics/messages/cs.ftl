@@ -86,6 +86,7 @@ fix-write = napsat { $number }
 fix-type = napsat `{ $number }` ({ $type })
 fix-comment = udělat ze slov komentář
 fix-doubled = vynechat čísla, která jsou tu dvakrát
+lack = čísla zde mohou být { $have }; chybí { $missing }
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 defined-here = { $id } je definováno zde
 declared-here = { $id } je ohlášeno zde

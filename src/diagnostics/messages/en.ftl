@@ -81,6 +81,7 @@ fix-write = write { $number }
 fix-type = write `{ $number }` ({ $type })
 fix-comment = make the words a comment
 fix-doubled = drop the numbers that stand there twice
+lack = the numbers here may be { $have }; missing are { $missing }
 fix-lamp = write the intensity 1, and the colour as a record of its own
 defined-here = { $id } is defined here
 declared-here = { $id } is declared here
@@ -161,6 +162,7 @@ E008 = too few numbers: { $type-a } takes { $fewer ->
     [one] { $wanted } number
    *[other] { $wanted } numbers
 }, here { $got ->
+    [0] are none
     [one] is { $got }
    *[other] are { $got }
 }
@@ -184,6 +186,7 @@ E009 = too many numbers: { $type-a } takes { $fewer ->
     [one] { $wanted } number
    *[other] { $wanted } numbers
 }, here { $got ->
+    [0] are none
     [one] is { $got }
    *[other] are { $got }
 }
@@ -291,7 +294,7 @@ E102-scenes = two scenes seem to stand in this file: { $count } IDs are defined 
     .fix = add { $number } to all IDs of the second scene, and draw both
 
 E103 = { $id } is { $kind-a }, not { $kinds }
-    .label = { $parameter } was expected here
+    .label = expected here: { $parameter }
 E103-changed = { $id } is { $kind-a }; { $type-a } applies only to { $kinds }
     .label = the ID of { $kinds } was expected
 
