@@ -9,8 +9,8 @@ use zpg::analysis::Analysis;
 use zpg::diagnostics::{Applicability, Code, Diagnostic, Value, fixes};
 use zpg::geometry::Aabb;
 use zpg::geometry::vec::Vec3;
-use zpg::scene::bounds::node_bounds;
 use zpg::scene::{Node, NodeId, Scene, Volume};
+use zpg::solids::bounds::node_bounds;
 use zpg::trace::{Images, Ray, Settings, Tracer, members, selected_camera};
 
 const SCENES: u64 = 500;

@@ -6,8 +6,8 @@ use zpg::analysis::Analysis;
 use zpg::diagnostics::{Code, Diagnostic, Value};
 use zpg::geometry::vec::Vec3;
 use zpg::geometry::{Aabb, Matrix};
-use zpg::scene::bounds::node_bounds;
 use zpg::scene::{NodeId, Scene};
+use zpg::solids::bounds::node_bounds;
 use zpg::trace::{Images, Ray, Tracer, members};
 
 use crate::campaign::rng::Rng;

@@ -6,9 +6,9 @@ use support::make::Make;
 use support::naive::Naive;
 use support::povray;
 use zpg::geometry::Matrix;
-use zpg::scene::bounds::node_bounds;
-use zpg::scene::frame::automatic_camera;
 use zpg::scene::{Camera, Scene, Texture, View};
+use zpg::solids::bounds::node_bounds;
+use zpg::solids::frame::automatic_camera;
 use zpg::trace::{Settings, Tracer};
 use zpg::translate::pov::{self, Options, Stereo, Translation};
 

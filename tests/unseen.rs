@@ -5,8 +5,8 @@ use super::trace_support::{Builder, Random, optics, small};
 use rayon::prelude::*;
 use zpg::analysis::Analysis;
 use zpg::geometry::Matrix;
-use zpg::scene::frame::selected_cameras;
 use zpg::scene::{Geometry, NodeId, Paint, Scene, Texture};
+use zpg::solids::frame::selected_cameras;
 use zpg::trace::plan::{Effect, Plan};
 use zpg::trace::{Images, Numbers, Settings, Tracer};
 

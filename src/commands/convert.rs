@@ -1,10 +1,6 @@
 //! `zpg convert`: the scene for other programs.
 
 mod input;
-mod mesh;
-mod mitsuba;
-mod pov;
-mod records;
 
 use std::collections::HashSet;
 use std::io::{self, Write};
@@ -18,9 +14,9 @@ use super::{LookChoice, Status, complain, refuse, usage};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::Texture;
-use crate::translate::Report;
-
-pub(super) use pov::pictures;
+use crate::translate::registry::{TARGETS, named};
+use crate::translate::target::{Options, Output, Prepared, Target};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// Translate a scene for another program
 #[derive(Debug, clap::Args)]
@@ -39,8 +35,8 @@ pub struct Args {
     file: PathBuf,
 
     /// What to translate it to
-    #[arg(long, value_enum)]
-    to: Target,
+    #[arg(long, value_name = "TO", value_parser = target())]
+    to: &'static dyn Target,
 
     /// Where to write. If not given: standard output, and a mesh to SCENE.ply (obj, glb) in the
     /// current folder. A stereo pair is written to NAME_left and NAME_right; on standard output it is
@@ -70,35 +66,15 @@ pub struct Args {
     report: Option<PathBuf>,
 }
 
-/// The programs there are translations for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Target {
-    /// POV-Ray 3.7
-    Pov,
-    /// Mitsuba 3: XML, with meshes beside it
-    Mitsuba,
-    /// Triangles: Stanford PLY, binary, with colours
-    Ply,
-    /// Triangles: Wavefront OBJ, with a library of materials beside it
-    Obj,
-    /// Triangles: glTF 2.0, binary
-    Glb,
-    /// The resolved scene, for programs
-    Json,
-    /// The resolved scene as records
-    Zpg,
+/// Takes the name of a target.
+fn target() -> impl TypedValueParser<Value = &'static dyn Target> {
+    let values = TARGETS.map(|t| PossibleValue::new(t.name()).help(t.help()));
+    PossibleValuesParser::new(values).try_map(|name| named(&name).ok_or("no such target"))
 }
 
 /// A length on the command line.
 pub(super) fn length(text: &str) -> Result<f64, Complaint> {
     usage::number(text, "expected-length", |x: f64| x > 0.0 && x.is_finite())
-}
-
-/// A finished translation.
-struct Made {
-    /// Where to write what; standard output where there is no path.
-    files: Vec<(Option<PathBuf>, Vec<u8>)>,
-    report: Report,
 }
 
 /// Reads the scene, translates it, says how well it went.
@@ -107,20 +83,20 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
-    let draws = !matches!(args.to, Target::Json | Target::Zpg);
-    let loaded = match input::load(&args.file, draws, look) {
+    let loaded = match input::load(&args.file, args.to.draws(), look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
-    let made = match args.to {
-        Target::Pov => pov::make(args, &loaded),
-        Target::Mitsuba => mitsuba::make(args, &loaded),
-        Target::Ply => mesh::make(args, mesh::Format::Ply, &loaded),
-        Target::Obj => mesh::make(args, mesh::Format::Obj, &loaded),
-        Target::Glb => mesh::make(args, mesh::Format::Glb, &loaded),
-        Target::Json => records::json(args, &loaded),
-        Target::Zpg => records::zpg(args, &loaded),
+    let options = Options {
+        size: (args.size.width, args.size.height),
+        depth: args.depth,
+        tolerance: args.tolerance,
+        memory: args.memory.for_triangles(),
+        confine: &|scene| args.memory.confine_scene(scene),
+        file: &args.file,
+        output: args.output.as_deref(),
     };
+    let made = args.to.write(&Prepared::new(&loaded), &options);
     match made.and_then(|made| spare_sources(args, &loaded, made)) {
         Ok(made) => deliver(args, &made, look),
         Err(error) => refuse(&loaded, error, look),
@@ -128,7 +104,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 }
 
 /// Refuses a translation that would be written over the scene itself or a picture that it names.
-fn spare_sources(args: &Args, loaded: &Analysis, made: Made) -> Result<Made, Error> {
+fn spare_sources(args: &Args, loaded: &Analysis, made: Output) -> Result<Output, Error> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
     let images: HashSet<PathBuf> = (loaded.scene.paints.iter())
         .filter_map(|paint| match &paint.texture {
@@ -156,7 +132,7 @@ fn spare_sources(args: &Args, loaded: &Analysis, made: Made) -> Result<Made, Err
 }
 
 /// Writes the translation and its report.
-fn deliver(args: &Args, made: &Made, look: LookChoice) -> Status {
+fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
     let written = (made.files.iter())
         .try_for_each(|(path, bytes)| match path {
             Some(path) => write_file(path, bytes),
@@ -188,18 +164,4 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     Draft::create(path)
         .and_then(|draft| draft.finish(path, |out| out.write_all(bytes)))
         .map_err(|e| unwritable(path, &e))
-}
-
-/// `NAME` and a suffix, before the extension.
-fn suffixed(path: &Path, suffix: &str) -> PathBuf {
-    if suffix.is_empty() {
-        return path.to_owned();
-    }
-    let mut name = path.file_stem().unwrap_or_default().to_owned();
-    name.push(suffix);
-    if let Some(extension) = path.extension() {
-        name.push(".");
-        name.push(extension);
-    }
-    path.with_file_name(name)
 }

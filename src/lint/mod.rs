@@ -14,9 +14,9 @@ use std::sync::OnceLock;
 
 use crate::diagnostics::{Diagnostic, Span};
 use crate::parallel;
-use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::syntax::{Document, Item};
 
 /// What a rule may look at.

@@ -1,8 +1,8 @@
 //! Cameras and transformation records.
 
-use super::geometry;
 use super::model::{Camera, Vec3};
 use super::record::Params;
+use super::{checks, matrices};
 use crate::diagnostics::{Code, Diagnostic};
 use crate::geometry::array::{cross, unit};
 use crate::geometry::{Matrix, exact};
@@ -19,8 +19,8 @@ pub fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {
         fovy: p.number(9),
         projection: None,
     };
-    geometry::non_zero(p, 3, "view direction", out)?;
-    geometry::non_zero(p, 6, "up vector", out)?;
+    checks::non_zero(p, 3, "view direction", out)?;
+    checks::non_zero(p, 6, "up vector", out)?;
     if parallel(camera.direction, camera.up) {
         let case = match exact::parallel(camera.direction, camera.up) {
             true => "",
@@ -80,6 +80,6 @@ pub fn transformation(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
         RecordKind::Translation => Some(Matrix::translation(x, y, z)),
         RecordKind::Rotation => Some(Matrix::rotation(x, p.integer(1) as usize - 1)),
         RecordKind::Scaling => Some(Matrix::scaling(x, y, z)),
-        _ => geometry::affine(p, out),
+        _ => matrices::affine(p, out),
     }
 }

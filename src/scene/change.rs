@@ -1,10 +1,10 @@
 //! What changing records do: transformations, properties, textures, colours, bounding volumes.
 
 use super::entity::{OpticsParts, State};
-use super::geometry;
 use super::model::*;
 use super::record::Params;
 use super::resolve::Resolver;
+use super::{checks, matrices};
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::geometry::Matrix;
 use crate::syntax::table::{Kind, RecordKind};
@@ -25,7 +25,7 @@ impl Resolver<'_> {
                 }
             }
             RecordKind::ProjectionMatrix => {
-                let m = geometry::projection(p, &mut self.out);
+                let m = matrices::projection(p, &mut self.out);
                 if let (Some(m), Some(State::Camera(c))) = (m, self.entities.get_mut(&p.id)) {
                     c.projection = Some(m);
                 }
@@ -75,7 +75,7 @@ impl Resolver<'_> {
     /// -601 and -602.
     fn promise(&mut self, p: &Params, state: &State) {
         let volume = match p.ty.kind {
-            RecordKind::BoundingBox => match geometry::ordered(p, 0, 3, &mut self.out) {
+            RecordKind::BoundingBox => match checks::ordered(p, 0, 3, &mut self.out) {
                 Some(()) => Volume::Box {
                     min: p.numbers(0),
                     max: p.numbers(3),

@@ -1,10 +1,10 @@
 //! What defining records make.
 
 use super::entity::{OpticsParts, State};
-use super::geometry;
 use super::model::*;
 use super::record::Params;
 use super::resolve::Resolver;
+use super::{geometry, matrices};
 use crate::syntax::table::RecordKind;
 
 impl Resolver<'_> {
@@ -97,7 +97,7 @@ impl Resolver<'_> {
             }
             RecordKind::Colour => Some(State::Colour(p.numbers(0))),
             RecordKind::ProjectionMatrix => {
-                let m = geometry::projection(p, &mut self.out)?;
+                let m = matrices::projection(p, &mut self.out)?;
                 Some(State::Camera(Box::new(super::camera::projecting(p.id, m))))
             }
             _ => None,

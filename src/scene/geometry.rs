@@ -1,11 +1,210 @@
-//! Shape records as geometry, with the checks that concern several parameters at once.
+//! The shapes of the language: each as a record makes it, and as a record of it.
 
-use super::model::{Geometry, TriangleNormals};
+use super::checks::{non_zero, ordered};
+use super::model::{Rgb, Vec3};
 use super::record::Params;
-use super::sight::{Blind, Sight};
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
-use crate::geometry::Matrix;
+use crate::diagnostics::Diagnostic;
 use crate::syntax::table::ShapeKind;
+
+/// The shapes of the language with their parameters as written.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Geometry {
+    /// Types 1 and 2: `profile[i]` is (x, y); `colours` is empty or as long as the profile.
+    Revolution {
+        profile: Vec<[f64; 2]>,
+        colours: Vec<Rgb>,
+    },
+    /// a, b, c, d of ax + by + cz + d = 0.
+    Plane([f64; 4]),
+    /// a, b, c, d of ax + by + cz + d ≤ 0.
+    HalfSpace([f64; 4]),
+    Rectangle {
+        min: [f64; 2],
+        max: [f64; 2],
+    },
+    /// Types 6 to 8: no normal, one normal for the whole triangle, or one a vertex.
+    Triangle {
+        vertices: [Vec3; 3],
+        normals: TriangleNormals,
+    },
+    /// Types 9 and 11.
+    Sphere {
+        centre: Vec3,
+        radius: f64,
+    },
+    Ellipsoid {
+        semi_axes: Vec3,
+    },
+    Box {
+        min: Vec3,
+        max: Vec3,
+    },
+    GeodesicSphere {
+        radius: f64,
+        splits: u32,
+    },
+    Torus {
+        major: f64,
+        minor: f64,
+    },
+    /// Q of xᵀQx ≤ 0, row by row as written.
+    Quadric([f64; 16]),
+    Cone {
+        height: f64,
+        radius: f64,
+    },
+    DoubleCone {
+        height: f64,
+        radius: f64,
+    },
+    ParabolicCylinder {
+        a: f64,
+    },
+    HyperbolicCylinder {
+        a: f64,
+        b: f64,
+    },
+    Hyperboloid {
+        a: f64,
+        b: f64,
+        c: f64,
+        sheets: u32,
+    },
+    HyperbolicParaboloid {
+        a: f64,
+        b: f64,
+    },
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TriangleNormals {
+    Flat,
+    One(Vec3),
+    PerVertex([Vec3; 3]),
+}
+
+/// A parameter of a record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Parameter {
+    Real(f64),
+    Integer(u32),
+}
+
+impl Geometry {
+    /// Whether the shape has an inside.
+    pub fn is_solid(&self) -> bool {
+        match self {
+            Geometry::Plane(_) | Geometry::Rectangle { .. } | Geometry::Triangle { .. } => false,
+            Geometry::Revolution { .. }
+            | Geometry::HalfSpace(_)
+            | Geometry::Sphere { .. }
+            | Geometry::Ellipsoid { .. }
+            | Geometry::Box { .. }
+            | Geometry::GeodesicSphere { .. }
+            | Geometry::Torus { .. }
+            | Geometry::Quadric(_)
+            | Geometry::Cone { .. }
+            | Geometry::DoubleCone { .. }
+            | Geometry::ParabolicCylinder { .. }
+            | Geometry::HyperbolicCylinder { .. }
+            | Geometry::Hyperboloid { .. }
+            | Geometry::HyperbolicParaboloid { .. } => true,
+        }
+    }
+
+    /// The name of the shape in plans.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Geometry::Revolution { .. } => "surface-of-revolution",
+            Geometry::Plane(_) => "plane",
+            Geometry::HalfSpace(_) => "half-space",
+            Geometry::Rectangle { .. } => "rectangle",
+            Geometry::Triangle { .. } => "triangle",
+            Geometry::Sphere { .. } => "sphere",
+            Geometry::Ellipsoid { .. } => "ellipsoid",
+            Geometry::Box { .. } => "box",
+            Geometry::GeodesicSphere { .. } => "geodesic-sphere",
+            Geometry::Torus { .. } => "torus",
+            Geometry::Quadric(_) => "quadric",
+            Geometry::Cone { .. } => "cone",
+            Geometry::DoubleCone { .. } => "double-cone",
+            Geometry::ParabolicCylinder { .. } => "parabolic-cylinder",
+            Geometry::HyperbolicCylinder { .. } => "hyperbolic-cylinder",
+            Geometry::Hyperboloid { .. } => "hyperboloid",
+            Geometry::HyperbolicParaboloid { .. } => "hyperbolic-paraboloid",
+        }
+    }
+
+    /// The type of the record that the shape is written as, and its parameters. A sphere at the origin is
+    /// of the type that has no centre.
+    pub fn record(&self) -> (ShapeKind, Vec<Parameter>) {
+        fn reals(parts: &[&[f64]]) -> Vec<Parameter> {
+            let all = parts.iter().copied().flatten();
+            all.map(|x| Parameter::Real(*x)).collect()
+        }
+        match self {
+            Geometry::Revolution { profile, colours } => {
+                let count = Parameter::Integer(profile.len() as u32);
+                let points = profile.iter().flatten().copied();
+                let all = points.chain(colours.iter().flatten().copied());
+                let params = std::iter::once(count).chain(all.map(Parameter::Real));
+                let kind = match colours.is_empty() {
+                    true => ShapeKind::SurfaceOfRevolution,
+                    false => ShapeKind::ColouredSurfaceOfRevolution,
+                };
+                (kind, params.collect())
+            }
+            Geometry::Plane(p) => (ShapeKind::Plane, reals(&[p])),
+            Geometry::HalfSpace(p) => (ShapeKind::HalfSpace, reals(&[p])),
+            Geometry::Rectangle { min, max } => (ShapeKind::Rectangle, reals(&[min, max])),
+            Geometry::Triangle { vertices, normals } => {
+                let (kind, normals) = match normals {
+                    TriangleNormals::Flat => (ShapeKind::Triangle, &[][..]),
+                    TriangleNormals::One(n) => {
+                        (ShapeKind::TriangleWithNormal, std::slice::from_ref(n))
+                    }
+                    TriangleNormals::PerVertex(all) => {
+                        (ShapeKind::TriangleWithVertexNormals, &all[..])
+                    }
+                };
+                (
+                    kind,
+                    reals(&[vertices.as_flattened(), normals.as_flattened()]),
+                )
+            }
+            Geometry::Sphere { centre, radius } if *centre == [0.0; 3] => {
+                (ShapeKind::SphereAtOrigin, reals(&[&[*radius]]))
+            }
+            Geometry::Sphere { centre, radius } => {
+                (ShapeKind::Sphere, reals(&[centre, &[*radius]]))
+            }
+            Geometry::Ellipsoid { semi_axes } => (ShapeKind::Ellipsoid, reals(&[semi_axes])),
+            Geometry::Box { min, max } => (ShapeKind::Box, reals(&[min, max])),
+            Geometry::GeodesicSphere { radius, splits } => (
+                ShapeKind::GeodesicSphere,
+                vec![Parameter::Real(*radius), Parameter::Integer(*splits)],
+            ),
+            Geometry::Torus { major, minor } => (ShapeKind::Torus, reals(&[&[*major, *minor]])),
+            Geometry::Quadric(q) => (ShapeKind::Quadric, reals(&[q])),
+            Geometry::Cone { height, radius } => (ShapeKind::Cone, reals(&[&[*height, *radius]])),
+            Geometry::DoubleCone { height, radius } => {
+                (ShapeKind::DoubleCone, reals(&[&[*height, *radius]]))
+            }
+            Geometry::ParabolicCylinder { a } => (ShapeKind::ParabolicCylinder, reals(&[&[*a]])),
+            Geometry::HyperbolicCylinder { a, b } => {
+                (ShapeKind::HyperbolicCylinder, reals(&[&[*a, *b]]))
+            }
+            Geometry::Hyperboloid { a, b, c, sheets } => {
+                let mut params = reals(&[&[*a, *b, *c]]);
+                params.push(Parameter::Integer(*sheets));
+                (ShapeKind::Hyperboloid, params)
+            }
+            Geometry::HyperbolicParaboloid { a, b } => {
+                (ShapeKind::HyperbolicParaboloid, reals(&[&[*a, *b]]))
+            }
+        }
+    }
+}
 
 /// The geometry of a shape record; findings go to `out`. A value comes back even so, where one can
 /// be made.
@@ -109,102 +308,4 @@ pub fn shape(kind: ShapeKind, p: &Params, out: &mut Vec<Diagnostic>) -> Option<G
 /// An optional parameter whose default is 1.
 fn or_one(p: &Params, i: usize) -> f64 {
     if i < p.len() { p.number(i) } else { 1.0 }
-}
-
-/// E203 unless the three parameters from `first` on make a vector with a direction.
-pub fn non_zero(
-    p: &Params,
-    first: usize,
-    what: &'static str,
-    out: &mut Vec<Diagnostic>,
-) -> Option<()> {
-    if p.numbers::<3>(first).iter().any(|&x| x != 0.0) {
-        return Some(());
-    }
-    out.push(
-        Diagnostic::new(Code::E203, p.span_of(first, 3))
-            .with("vector", Value::Term(what))
-            .with("type", Value::Term(p.ty.title)),
-    );
-    None
-}
-
-/// E202 unless each of `n` lower bounds from `first` on is below its upper bound, `n` further on.
-pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) -> Option<()> {
-    let inverted: Vec<usize> = (first..first + n)
-        .filter(|&i| p.number(i) > p.number(i + n))
-        .collect();
-    if inverted.is_empty() {
-        return Some(());
-    }
-    let name = |i: usize| p.param(i).map_or("", |q| q.name);
-    let mut edits: Vec<Edit> = (inverted.iter())
-        .flat_map(|&i| [(i, i + n), (i + n, i)])
-        .map(|(to, from)| Edit {
-            span: p.span_of(to, 1),
-            text: p.text_of(from).to_owned(),
-        })
-        .collect();
-    edits.sort_by_key(|e| e.span);
-    let at = inverted[0];
-    out.push(
-        Diagnostic::new(Code::E202, p.span_of(at, 1))
-            .with("lower", name(at))
-            .with("upper", name(at + n))
-            .with("type", Value::Term(p.ty.title))
-            .with("others", Value::Count(inverted.len() as u64 - 1))
-            .label(p.span_of(at + n, 1), "other")
-            .fix(Fix {
-                title: "fix",
-                values: Vec::new(),
-                applicability: Applicability::Safe,
-                edits,
-            }),
-    );
-    None
-}
-
-/// E204 unless the matrix is affine (last row 0 0 0 1) and can be inverted.
-pub fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
-    let m = Matrix::from_rows(&p.numbers(0));
-    if m.0[3] != [0.0, 0.0, 0.0, 1.0] {
-        out.push(Diagnostic::new(Code::E204, p.span_of(12, 4)).case("row"));
-        return None;
-    }
-    invertible(p, m, out)
-}
-
-/// The matrix of a -99 record: E204 unless it can be inverted, E207 unless it has a ray for every
-/// point of the picture.
-pub fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
-    let m = Matrix::from_rows(&p.numbers(0));
-    match Sight::of(&m) {
-        Ok(_) => Some(m),
-        Err(Blind::Singular) => {
-            singular(p, "", out);
-            None
-        }
-        Err(Blind::InPart) => {
-            out.push(Diagnostic::new(Code::E207, p.span_of(0, 16)).case("projection"));
-            None
-        }
-    }
-}
-
-/// E204 unless the matrix can be inverted.
-fn invertible(p: &Params, m: Matrix, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
-    match (m.is_singular(), m.inverse()) {
-        (false, Some(_)) => return Some(m),
-        (true, _) => singular(p, "", out),
-        (false, None) => singular(p, "rounded", out),
-    }
-    None
-}
-
-fn singular(p: &Params, case: &'static str, out: &mut Vec<Diagnostic>) {
-    out.push(
-        Diagnostic::new(Code::E204, p.span_of(0, 16))
-            .case(case)
-            .with("type", Value::Term(p.ty.title)),
-    );
 }

@@ -6,14 +6,14 @@
 //! Shared operands are shared nodes; nothing is ever copied or expanded, and children always have
 //! smaller indices than their parents.
 
-pub mod bounds;
 mod camera;
 mod change;
+mod checks;
 mod define;
 mod entity;
-pub mod frame;
-mod geometry;
+pub mod geometry;
 pub(crate) mod image_file;
+mod matrices;
 pub mod model;
 mod proposals;
 pub(crate) mod record;
@@ -21,5 +21,6 @@ mod references;
 mod resolve;
 pub mod sight;
 
+pub use geometry::{Geometry, TriangleNormals};
 pub use model::*;
 pub use resolve::resolve;

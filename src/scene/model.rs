@@ -2,6 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
+use super::geometry::Geometry;
 use crate::diagnostics::Span;
 use crate::geometry::Matrix;
 use crate::syntax::table::{Kind, RecordType};
@@ -103,93 +104,6 @@ pub struct Shape {
     pub ty: &'static RecordType,
     pub span: Span,
     pub geometry: Geometry,
-}
-
-/// The shapes of the language with their parameters as written.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Geometry {
-    /// Types 1 and 2: `profile[i]` is (x, y); `colours` is empty or as long as the profile.
-    Revolution {
-        profile: Vec<[f64; 2]>,
-        colours: Vec<Rgb>,
-    },
-    /// a, b, c, d of ax + by + cz + d = 0.
-    Plane([f64; 4]),
-    /// a, b, c, d of ax + by + cz + d ≤ 0.
-    HalfSpace([f64; 4]),
-    Rectangle {
-        min: [f64; 2],
-        max: [f64; 2],
-    },
-    /// Types 6 to 8: no normal, one normal for the whole triangle, or one a vertex.
-    Triangle {
-        vertices: [Vec3; 3],
-        normals: TriangleNormals,
-    },
-    /// Types 9 and 11.
-    Sphere {
-        centre: Vec3,
-        radius: f64,
-    },
-    Ellipsoid {
-        semi_axes: Vec3,
-    },
-    Box {
-        min: Vec3,
-        max: Vec3,
-    },
-    GeodesicSphere {
-        radius: f64,
-        splits: u32,
-    },
-    Torus {
-        major: f64,
-        minor: f64,
-    },
-    /// Q of xᵀQx ≤ 0, row by row as written.
-    Quadric([f64; 16]),
-    Cone {
-        height: f64,
-        radius: f64,
-    },
-    DoubleCone {
-        height: f64,
-        radius: f64,
-    },
-    ParabolicCylinder {
-        a: f64,
-    },
-    HyperbolicCylinder {
-        a: f64,
-        b: f64,
-    },
-    Hyperboloid {
-        a: f64,
-        b: f64,
-        c: f64,
-        sheets: u32,
-    },
-    HyperbolicParaboloid {
-        a: f64,
-        b: f64,
-    },
-}
-
-impl Geometry {
-    /// Whether the shape has an inside.
-    pub fn is_solid(&self) -> bool {
-        !matches!(
-            self,
-            Geometry::Plane(_) | Geometry::Rectangle { .. } | Geometry::Triangle { .. }
-        )
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum TriangleNormals {
-    Flat,
-    One(Vec3),
-    PerVertex([Vec3; 3]),
 }
 
 /// What a surface looks like before light falls on it.

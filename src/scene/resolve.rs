@@ -3,8 +3,8 @@
 use rustc_hash::FxHashMap;
 use std::path::Path;
 
+use super::checks;
 use super::entity::State;
-use super::geometry;
 use super::model::*;
 use super::record::Params;
 use super::references::{Lost, References};
@@ -264,8 +264,9 @@ impl<'a> Resolver<'a> {
             .collect();
         if p.ty.kind == RecordKind::Render {
             let clip = match p.len() > 2 {
-                true => geometry::ordered(&p, 2, 3, &mut self.out)
-                    .map(|()| (p.numbers(2), p.numbers(5))),
+                true => {
+                    checks::ordered(&p, 2, 3, &mut self.out).map(|()| (p.numbers(2), p.numbers(5)))
+                }
                 false => None,
             };
             let background = targets[1].and_then(|id| self.entities.get(&id));

@@ -1,10 +1,12 @@
-//! Whether a point is in an object: an answer only where it is certain enough to build on.
+//! Whether a point is in an object, as far as the steps last. Shapes decide exactly on the point that the
+//! matrices lead to; what those round, whoever asks has to leave room for.
 
 use super::tree::{both, either};
 use crate::geometry::Matrix;
-use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::containment::in_shape;
+use crate::solids::shapes::facts::Facts;
 
 /// Steps of all tests together: nodes visited and profile points compared. A second has room for
 /// many times that.
@@ -122,9 +124,7 @@ impl<'a> Inside<'a> {
 
     /// Whether a point, in the shape's coordinates, is in it.
     pub fn shape(&mut self, geometry: &Geometry, p: Vec3) -> Option<bool> {
-        if let Geometry::Revolution { profile, .. } = geometry {
-            self.left = self.left.checked_sub(profile.len())?;
-        }
-        in_shape(geometry, p)
+        self.left = self.left.checked_sub(geometry.pieces())?;
+        Some(in_shape(geometry, p))
     }
 }

@@ -1,8 +1,8 @@
 //! Shapes where they occur.
 
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::shape_bounds;
 use crate::scene::{NodeId, Scene};
+use crate::solids::shapes::facts::Facts;
 
 /// A shape where it occurs, or something that is known as a whole only.
 #[derive(Debug, Clone)]
@@ -36,12 +36,7 @@ impl Leaf {
         Leaf {
             shape: Some(shape),
             id: copy.unwrap_or(written.id),
-            ..Leaf::within(
-                node,
-                shape_bounds(&written.geometry, &matrix),
-                matrix,
-                place,
-            )
+            ..Leaf::within(node, written.geometry.bounds(&matrix), matrix, place)
         }
     }
 

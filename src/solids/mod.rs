@@ -2,12 +2,14 @@
 //! within them.
 
 pub mod ancestry;
+pub mod bounds;
 pub mod contacts;
 pub mod containment;
 pub mod definite;
 pub mod distance_field;
 pub mod extent;
 pub mod facet;
+pub mod frame;
 pub mod hull;
 pub mod inside;
 pub mod leaf;
@@ -15,6 +17,7 @@ pub mod lowest;
 pub mod outline;
 pub mod points;
 pub mod proofs;
+pub mod shapes;
 pub mod support;
 pub mod tree;
 pub mod within;

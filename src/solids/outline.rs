@@ -6,11 +6,12 @@ use super::ancestry::NONE;
 use super::extent::{WRITTEN, beyond, farthest_out, size};
 use super::inside::Inside;
 use super::leaf::Leaf;
-use super::support::{Support, directions, support_points};
+use super::shapes::facts::{Facts, Support};
+use super::support::{directions, support_points};
 use super::tree::Tree;
 use crate::geometry::Aabb;
-use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, NodeId, Scene, Vec3, Volume};
+use crate::solids::bounds::NodeBounds;
 
 /// A point of a surface.
 #[derive(Debug, Clone, Copy)]
@@ -124,7 +125,7 @@ impl Outline<'_> {
                 }
             };
             // Where the same piece of a profile is gone over twice there is nothing.
-            let plain = !matches!(self.geometry(leaf), Some(Geometry::Revolution { .. }));
+            let plain = !(self.geometry(leaf)).is_some_and(|g| g.character().may_cover_itself);
             let sheet = support.inwards.is_none();
             let held = match self.is_whole(leaf) && plain {
                 true => true,

@@ -6,8 +6,8 @@ use super::inside::Inside;
 use super::tree::{Answer, Tree};
 use crate::geometry::boxes::Boxes;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::NodeBounds;
 use crate::scene::{Scene, Vec3};
+use crate::solids::bounds::NodeBounds;
 
 /// Boxes looked at, for all points together: some tenths of a second.
 const STEPS: usize = 12_000_000;

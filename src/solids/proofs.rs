@@ -6,8 +6,8 @@ use super::extent::ball;
 use super::support::extent;
 use crate::geometry::array::{cross, length, unit};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::NodeBounds;
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::within::{CLEAR, Standing, far};
 
 /// How many of a list are kept, the first ones: what a chain begins with is what is cut.
@@ -348,6 +348,7 @@ impl<'a> Proofs<'a> {
                 let offset = (0..3).map(|i| factors[i] * rows[i].1).sum::<f64>() + d;
                 reaches((normal, offset)).is_some_and(|(_, high)| high < 0.0)
             }
+            // Of others nothing is proved.
             _ => false,
         }
     }

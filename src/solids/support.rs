@@ -3,17 +3,10 @@
 use std::cell::Cell;
 
 use super::extent::beyond;
+use super::shapes::facts::{Facts, Support};
+use crate::geometry::Matrix;
 use crate::geometry::array::dot;
-use crate::geometry::{Matrix, icosahedron};
 use crate::scene::{Geometry, Vec3, Volume};
-
-/// A point of a shape's surface.
-#[derive(Debug, Clone, Copy)]
-pub struct Support {
-    pub point: Vec3,
-    /// A way from there into the shape, of any length; `None` for surfaces.
-    pub inwards: Option<Vec3>,
-}
 
 /// How often a way outwards is corrected: each time the point found is at least as far out, and with
 /// corners it is there after two or three times.
@@ -74,156 +67,17 @@ pub fn directions(volume: &Volume) -> Vec<Vec3> {
 /// The point of a moved shape that is furthest in a direction.
 fn moved_support(geometry: &Geometry, m: &Matrix, d: Vec3) -> Option<Support> {
     let local = std::array::from_fn(|j| (0..3).map(|i| m.0[i][j] * d[i]).sum());
-    let support = support(geometry, local)?;
+    let support = geometry.support(local)?;
     Some(Support {
         point: m.point(support.point),
         inwards: support.inwards.map(|v| m.vector(v)),
     })
 }
 
-/// The point of a shape that is furthest in a direction, in the shape's coordinates. Of a geodesic
-/// sphere it is the corner that lies next to it.
-fn support(geometry: &Geometry, d: Vec3) -> Option<Support> {
-    let towards = |point: Vec3, middle: Vec3| Support {
-        point,
-        inwards: Some(std::array::from_fn(|i| middle[i] - point[i])),
-    };
-    let sheet = |point: Vec3| Support {
-        point,
-        inwards: None,
-    };
-    let side = |low: f64, high: f64, up: f64| if up < 0.0 { low } else { high };
-    let rim = |radius: f64, y: f64| {
-        let [x, z] = unit([d[0], d[2]]);
-        [radius * x, y, radius * z]
-    };
-    Some(match geometry {
-        Geometry::Sphere { centre, radius } => {
-            let n = unit(d);
-            towards(std::array::from_fn(|i| centre[i] + radius * n[i]), *centre)
-        }
-        Geometry::Ellipsoid { semi_axes } => {
-            let n: Vec3 = unit(std::array::from_fn(|i| semi_axes[i] * d[i]));
-            towards(std::array::from_fn(|i| semi_axes[i] * n[i]), [0.0; 3])
-        }
-        Geometry::GeodesicSphere { radius, splits } => {
-            towards(geodesic_corner(d, *splits).map(|x| radius * x), [0.0; 3])
-        }
-        Geometry::Box { min, max } => towards(
-            std::array::from_fn(|i| side(min[i], max[i], d[i])),
-            std::array::from_fn(|i| min[i] / 2.0 + max[i] / 2.0),
-        ),
-        Geometry::Rectangle { min, max } => {
-            sheet([side(min[0], max[0], d[0]), side(min[1], max[1], d[1]), 0.0])
-        }
-        Geometry::Triangle { vertices, .. } => {
-            let far = |a: &&Vec3, b: &&Vec3| dot(**a, d).total_cmp(&dot(**b, d));
-            sheet(*vertices.iter().max_by(far)?)
-        }
-        Geometry::Torus { major, minor } => {
-            let (core, n) = (rim(*major, 0.0), unit(d));
-            towards(std::array::from_fn(|i| core[i] + minor * n[i]), core)
-        }
-        Geometry::Cone { height, radius } => {
-            let base = rim(*radius, *height);
-            let point = if dot(base, d) > 0.0 { base } else { [0.0; 3] };
-            towards(point, [0.0, 0.75 * height, 0.0])
-        }
-        Geometry::DoubleCone { height, radius } => {
-            let y = side(-height, *height, d[1]);
-            towards(rim(*radius, y), [0.0, 0.75 * y, 0.0])
-        }
-        Geometry::Revolution { profile, .. } => {
-            let out = d[0].hypot(d[2]);
-            let far = |p: &[f64; 2]| out * p[0] + d[1] * p[1];
-            let indices = 0..profile.len();
-            let i = indices.max_by(|&i, &j| far(&profile[i]).total_cmp(&far(&profile[j])))?;
-            let [x, y] = profile[i];
-            let point = rim(x, y);
-            // Half-way between the two pieces that meet there.
-            let [a, b] = neighbours(profile, i).map(|q| unit([q[0] - x, q[1] - y]));
-            let [out, _, side] = rim(1.0, 0.0);
-            let inwards = [out * (a[0] + b[0]), a[1] + b[1], side * (a[0] + b[0])];
-            Support {
-                point,
-                inwards: Some(inwards),
-            }
-        }
-        _ => return None,
-    })
-}
-
-/// The points before and behind one of a profile, closed over the axis or in itself.
-fn neighbours(profile: &[[f64; 2]], i: usize) -> [[f64; 2]; 2] {
-    let last = profile.len() - 1;
-    let ring = profile[0] == profile[last];
-    let [x, y] = profile[i];
-    // On the axis the other side is the mirror image.
-    let closed = |other: usize| match x {
-        0.0 => [-profile[other][0], profile[other][1]],
-        _ => [0.0, y],
-    };
-    let before = match i {
-        0 if ring => profile[last.saturating_sub(1)],
-        0 => closed(1.min(last)),
-        i => profile[i - 1],
-    };
-    let behind = match i {
-        i if i == last && ring => profile[1.min(last)],
-        i if i == last => closed(last.saturating_sub(1)),
-        i => profile[i + 1],
-    };
-    [before, behind]
-}
-
-/// The corner next to a direction, of the sphere of radius 1.
-fn geodesic_corner(d: Vec3, splits: u32) -> Vec3 {
-    let mut corners = icosahedron::vertices();
-    let nearest_first = |a: &Vec3, b: &Vec3| dot(*b, d).total_cmp(&dot(*a, d));
-    corners.sort_by(nearest_first);
-    // The facet that the direction goes through, then the one of its four parts.
-    let first = corners[0];
-    let next_to = |a: Vec3, b: &Vec3| dot(a, *b) > 0.4 && dot(a, *b) < 0.9;
-    let second = corners.iter().copied().find(|c| next_to(first, c));
-    let second = second.unwrap_or(first);
-    let third = (corners.iter().copied()).find(|c| next_to(first, c) && next_to(second, c));
-    let mut facet = [first, second, third.unwrap_or(second)];
-    for _ in 0..splits {
-        let [a, b, c] = facet;
-        let middle = |p: Vec3, q: Vec3| -> Vec3 { unit(std::array::from_fn(|k| p[k] + q[k])) };
-        let (p, q, r) = (middle(a, b), middle(b, c), middle(c, a));
-        let along = |f: &[Vec3; 3]| -> f64 {
-            dot(
-                unit(std::array::from_fn(|k| f[0][k] + f[1][k] + f[2][k])),
-                d,
-            )
-        };
-        for part in [[a, p, r], [b, q, p], [c, r, q], [p, q, r]] {
-            if facet == [a, b, c] || along(&part) > along(&facet) {
-                facet = part;
-            }
-        }
-    }
-    facet.sort_by(nearest_first);
-    facet[0]
-}
-
-/// A vector of length 1 in the same direction; any for one without direction.
-fn unit<const N: usize>(v: [f64; N]) -> [f64; N] {
-    let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    if largest == 0.0 || !largest.is_finite() {
-        return std::array::from_fn(|i| f64::from(u8::from(i == 0)));
-    }
-    let v = v.map(|x| x / largest);
-    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    v.map(|x| x / length)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scene::Scene;
-    use crate::scene::bounds::shape_bounds;
     use crate::solids::inside::Inside;
 
     fn shapes() -> Vec<Geometry> {
@@ -273,7 +127,7 @@ mod tests {
         let mut inside = Inside::new(&scene, &[]);
         let back = m.inverse().unwrap();
         for g in shapes() {
-            let bounds = shape_bounds(&g, &m);
+            let bounds = g.bounds(&m);
             for i in 0..3 {
                 let d = std::array::from_fn(|k| f64::from(u8::from(k == i)));
                 let (low, high) = extent(&g, &m, d).unwrap();
@@ -288,28 +142,6 @@ mod tests {
                 };
                 assert_eq!(inside.shape(&g, step(1e-6)), Some(true), "{g:?}");
                 assert_eq!(inside.shape(&g, step(-1e-6)), Some(false), "{g:?}");
-            }
-        }
-    }
-
-    /// The corners of the language's icosahedron, and of what it is split into: all at distance 1, the
-    /// nearest one no further than half an edge's length away.
-    #[test]
-    fn corners_of_geodesic_spheres() {
-        let phi = (1.0 + 5f64.sqrt()) / 2.0;
-        let first = geodesic_corner([0.1, 1.0, phi], 0);
-        let expected = unit([0.0, 1.0, phi]);
-        let all_around = Volume::Sphere {
-            centre: [0.0; 3],
-            radius: 1.0,
-        };
-        (0..3).for_each(|i| assert!((first[i] - expected[i]).abs() < 1e-15));
-        for (splits, near) in [(0, 0.79), (1, 0.93), (2, 0.98), (5, 0.9995)] {
-            for d in directions(&all_around) {
-                let d = unit([d[0] + 0.1, d[1] + 0.2, d[2] - 0.3]);
-                let c = geodesic_corner(d, splits);
-                assert!((dot(c, c) - 1.0).abs() < 1e-12);
-                assert!(dot(c, d) > near, "{splits} {d:?} {}", dot(c, d));
             }
         }
     }

@@ -7,8 +7,8 @@
 use super::ancestry::{Ancestry, NONE};
 use super::leaf::Leaf;
 use crate::geometry::Matrix;
-use crate::scene::bounds::NodeBounds;
 use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::NodeBounds;
 
 /// Nodes gone through for the second time or more. Scenes that share parts without end would take
 /// more: parts beyond are known as a whole only.
@@ -385,7 +385,7 @@ pub fn both(a: Answer, b: Answer) -> Answer {
 mod tests {
     use super::*;
     use crate::diagnostics::SourceFile;
-    use crate::scene::bounds::node_bounds;
+    use crate::solids::bounds::node_bounds;
     use crate::testing::random;
     use crate::{scene, syntax};
 

@@ -5,11 +5,11 @@
 //! point, and whatever the matrices are rounded by is checked against it: a point that was taken into
 //! a shape's coordinates must come back to where it was.
 
-use super::containment::{HELD_BY_GEODESIC, in_shape};
-use super::hull::{ball_hull, hull, is_convex};
+use super::containment::in_shape;
+use super::hull::ball_hull;
+use super::shapes::facts::{self, Facts};
 use crate::geometry::array::length;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::shape_bounds;
 use crate::scene::{Geometry, Vec3};
 
 /// What must lie apart or within by this share of its size and place: more than the rounding of any
@@ -44,7 +44,7 @@ impl<'a> Standing<'a> {
         Some(Standing {
             geometry,
             back: matrix.inverse()?,
-            bounds: shape_bounds(geometry, &matrix),
+            bounds: geometry.bounds(&matrix),
             matrix,
         })
     }
@@ -54,7 +54,7 @@ impl<'a> Standing<'a> {
     pub fn holds(&self, thing: &Aabb, shape: Option<(&Geometry, &Matrix)>) -> bool {
         let bounded = thing.is_finite() && !thing.is_empty();
         // What holds the corners of a box has a box around it that holds the box.
-        if !bounded || !is_convex(self.geometry) || !self.bounds.holds(thing) {
+        if !bounded || !self.geometry.is_convex() || !self.bounds.holds(thing) {
             return false;
         }
         let room = room(thing);
@@ -71,7 +71,7 @@ impl<'a> Standing<'a> {
         ) {
             return outer.holds(&inner, room);
         }
-        let (points, m) = match (hull(geometry), Ball::around(geometry, matrix)) {
+        let (points, m) = match (geometry.hull(), Ball::around(geometry, matrix)) {
             (Some(points), _) => (points, *matrix),
             (None, Some(ball)) => (ball_hull(), ball.unit),
             (None, None) => return false,
@@ -83,7 +83,7 @@ impl<'a> Standing<'a> {
     fn has(&self, p: Vec3, room: f64) -> bool {
         around(p, room).iter().all(|&p| {
             let local = self.back.point(p);
-            in_shape(self.geometry, local) == Some(true) && self.comes_back(local, p, room)
+            in_shape(self.geometry, local) && self.comes_back(local, p, room)
         })
     }
 
@@ -98,7 +98,7 @@ impl<'a> Standing<'a> {
         let apart = |i| p[i] + room < self.bounds.min[i] || self.bounds.max[i] + room < p[i];
         let outside = |p: &Vec3| {
             let local = self.back.point(*p);
-            in_shape(self.geometry, local) == Some(false) && self.comes_back(local, *p, room)
+            !in_shape(self.geometry, local) && self.comes_back(local, *p, room)
         };
         (0..3).any(apart) || (outside(&p) && around(p, room).iter().all(outside))
     }
@@ -132,12 +132,11 @@ struct Ball {
 impl Ball {
     /// One that holds all of a shape and is hardly larger.
     fn around(geometry: &Geometry, m: &Matrix) -> Option<Ball> {
-        let (centre, axes) = match *geometry {
-            Geometry::Sphere { centre, radius } => (centre, [radius; 3]),
-            Geometry::Ellipsoid { semi_axes } => ([0.0; 3], semi_axes),
-            Geometry::GeodesicSphere { radius, .. } => ([0.0; 3], [radius; 3]),
-            _ => return None,
-        };
+        let facts::Ball {
+            centre,
+            semi_axes: axes,
+            ..
+        } = geometry.ball()?;
         let place = m.point(centre);
         let mut unit = *m;
         for (row, place) in unit.0.iter_mut().zip(place) {
@@ -152,10 +151,9 @@ impl Ball {
     /// One that a shape holds, and that is hardly smaller.
     fn within(geometry: &Geometry, m: &Matrix) -> Option<Ball> {
         let mut ball = Ball::around(geometry, m)?;
-        if let Geometry::GeodesicSphere { .. } = geometry {
-            for row in &mut ball.unit.0[..3] {
-                (0..3).for_each(|j| row[j] *= HELD_BY_GEODESIC);
-            }
+        let held = geometry.ball()?.held;
+        for row in &mut ball.unit.0[..3] {
+            (0..3).for_each(|j| row[j] *= held);
         }
         Some(ball)
     }
@@ -192,7 +190,7 @@ mod tests {
 
     fn held(outer: &Geometry, m: Matrix, inner: &Geometry, n: Matrix) -> bool {
         let standing = Standing::new(outer, m).unwrap();
-        standing.holds(&shape_bounds(inner, &n), Some((inner, &n)))
+        standing.holds(&inner.bounds(&n), Some((inner, &n)))
     }
 
     fn sphere(centre: Vec3, radius: f64) -> Geometry {
@@ -291,14 +289,14 @@ mod tests {
             let ((inner, n), (outer, m)) = (shape(0.4), shape(1.5));
             let back = m.inverse().unwrap();
             // Points of the hull reach furthest.
-            let (points, to) = match hull(&inner) {
+            let (points, to) = match inner.hull() {
                 Some(points) => (points, n),
                 None => (ball_hull(), Ball::around(&inner, &n).unwrap().unit),
             };
             let shrunk = |by: f64| {
                 let inside = |p: &Vec3| {
                     let p = back.point(to.point(p.map(|x| x * by)));
-                    in_shape(&outer, p) != Some(false)
+                    in_shape(&outer, p)
                 };
                 points.iter().all(inside)
             };

@@ -258,6 +258,21 @@ impl RecordType {
         self.optional.get(i)
     }
 
+    /// The position of the first red part among the parameters of a record with the given count; the rest of
+    /// the parameters are colours from there on.
+    pub fn first_colour(&self, count: usize) -> Option<usize> {
+        let is_red = |p: &Param| p.name == RGB[0].name && p.doc == RGB[0].doc;
+        if let Some(i) = self.params.iter().position(is_red) {
+            return Some(i);
+        }
+        let group = self
+            .repeats
+            .iter()
+            .position(|g| g.first().is_some_and(is_red))?;
+        let before = self.repeats[..group].iter().map(|g| g.len());
+        Some(self.params.len() + count * before.sum::<usize>())
+    }
+
     /// The parameters as a reader sees them: `x y z radius`, `N (x y)×N`, `[a b]`.
     pub fn signature(&self) -> String {
         let mut out = String::new();

@@ -3,8 +3,8 @@
 use super::ray::Ray;
 use crate::geometry::vec::Vec3;
 use crate::scene::Camera;
-use crate::scene::frame::Basis;
 use crate::scene::sight::Sight;
+use crate::solids::frame::Basis;
 
 /// A camera set up for pictures of one size.
 #[derive(Debug, Clone)]

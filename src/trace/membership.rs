@@ -5,13 +5,13 @@
 //! node has once answered for a point is not asked again.
 
 use super::graph::outermost;
-use super::shapes::Primitive;
 use crate::diagnostics::{Complaint, Error};
 use crate::geometry::sign::{Exact, Scalar};
 use crate::geometry::vec::Vec3;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::{NodeBounds, node_bounds};
+use crate::solids::containment::in_shape;
 use dashu_float::Context;
 use dashu_float::round::mode::HalfEven;
 use std::array;
@@ -48,7 +48,6 @@ pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, E
         reach: reaches(scene, root),
         ids: operation_ids(scene),
         inverses: HashMap::new(),
-        primitives: HashMap::new(),
         answers: HashMap::new(),
         values: Vec::new(),
         tasks: Vec::new(),
@@ -127,7 +126,6 @@ struct Walk<'a> {
     reach: Vec<Aabb>,
     ids: HashMap<NodeId, u32>,
     inverses: HashMap<u32, Inverse>,
-    primitives: HashMap<u32, Primitive>,
     answers: HashMap<Question, bool>,
     values: Vec<bool>,
     tasks: Vec<Task>,
@@ -244,11 +242,9 @@ impl Walk<'_> {
     }
 
     /// Whether a point of its space is in a shape, or on its boundary.
-    fn shape_holds(&mut self, shape: u32, point: Vec3) -> bool {
+    fn shape_holds(&self, shape: u32, point: Vec3) -> bool {
         let record = &self.scene.shapes[shape as usize];
-        let primitives = self.primitives.entry(shape);
-        let primitive = primitives.or_insert_with(|| Primitive::new(&record.geometry));
-        primitive.shape().holds(point)
+        in_shape(&record.geometry, point.0)
     }
 
     fn refusal(&self, reason: &'static str) -> Error {

@@ -16,7 +16,8 @@ use crate::diagnostics::{Error, Span};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
 use crate::parallel;
-use crate::scene::{Camera, Scene, frame};
+use crate::scene::{Camera, Scene};
+use crate::solids::frame;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -1,4 +1,4 @@
-//! The scene for other programs: one folder per target, and what each translation costs
+//! The scene for other programs: one folder per target ([`target`]), and what each translation costs
 //! ([`fidelity`]) of what scenes consist of ([`feature`]).
 
 pub mod feature;
@@ -8,6 +8,8 @@ pub mod mesh;
 pub mod mitsuba;
 pub mod names;
 pub mod pov;
+pub mod registry;
+pub mod target;
 
 pub use feature::{Effect, Feature};
 pub use fidelity::{Fidelity, Report, Verdict};

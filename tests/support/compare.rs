@@ -5,7 +5,7 @@ use std::path::Path;
 use super::{povray, takes_part};
 use zpg::analysis::Analysis;
 use zpg::scene::Scene;
-use zpg::scene::frame::selected_cameras;
+use zpg::solids::frame::selected_cameras;
 use zpg::study::compare::Comparison;
 use zpg::trace::{Images, Settings, Tracer};
 use zpg::translate::pov::{self, Options};

@@ -2,12 +2,12 @@
 
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Severity};
-use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Node, NodeId, Scene, View};
+use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::proofs::{Literals, Proofs};
 
 /// What weighs most first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Left {
     pub errors: usize,
     /// Objects that are empty, that nothing needs, that change nothing, or that no camera sees.

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::{Args, Compared, Outcome, Pictures};
 use super::{cameras, each_camera, failed, images, made_folder, program, stem};
 use crate::analysis::Analysis;
-use crate::commands::{convert, terminal};
+use crate::commands::terminal;
 use crate::diagnostics::Error;
 use crate::study::compare::Comparison;
 use crate::study::povray::{PROGRAM, render};
@@ -25,7 +25,7 @@ pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison
     let options = pov::Options {
         size,
         depth: args.depth,
-        pictures: convert::pictures(&args.file, None),
+        pictures: pov::target::pictures(&args.file, None),
         stereo: pov::Stereo::TwoFiles,
         captions: Captions::of(&loaded.document, &loaded.source.text),
     };

@@ -3,13 +3,9 @@
 
 use super::quadric;
 use crate::geometry::Matrix;
-use crate::geometry::array::{across, add, cross, dot, length, sub, unit};
-use crate::scene::{Geometry, Vec3};
-use crate::solids::containment::in_profile;
-
-/// Profiles with more points have no faces here: to tell the sides of each of their pieces takes
-/// the square of their number. The rule stays silent about them.
-const PROFILE_MAX: usize = 64;
+use crate::geometry::array::{add, cross, dot, sub, unit};
+use crate::scene::Vec3;
+use crate::solids::shapes::profile;
 
 /// Which part of a shape's surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -100,25 +96,7 @@ pub struct Face {
     pub own: bool,
 }
 
-/// Adds round faces once more as the quadrics that they lie in, from this one on.
-pub fn as_quadrics(geometry: &Geometry, m: &Matrix, from: usize, all: &mut Vec<Face>) {
-    for i in from..all.len() {
-        let Face { leaf, part, .. } = all[i];
-        let form = quadric::form_of_part(geometry, part);
-        if let Some(at) = form.and_then(|q| quadric::fingerprint(&q, m)) {
-            let form = quadric_form(at);
-            let own = false;
-            all.push(Face {
-                leaf,
-                part,
-                form,
-                own,
-            });
-        }
-    }
-}
-
-fn quadric_form(fingerprint: f64) -> Form {
+pub fn quadric_form(fingerprint: f64) -> Form {
     Form::Round {
         anchor: [fingerprint, 0.0, 0.0],
         scale: 0.0,
@@ -126,83 +104,10 @@ fn quadric_form(fingerprint: f64) -> Form {
     }
 }
 
-/// All faces of a shape that the search knows.
-pub fn faces(geometry: &Geometry, leaf: u32, m: &Matrix, out: &mut Vec<Face>) {
-    let mut faces = Faces { leaf, m, out };
-    match geometry {
-        Geometry::Box { min, max } => {
-            let centre: Vec3 = std::array::from_fn(|i| min[i] / 2.0 + max[i] / 2.0);
-            let half: Vec3 = std::array::from_fn(|i| max[i] / 2.0 - min[i] / 2.0);
-            let along = |i: usize, x: f64| -> Vec3 {
-                std::array::from_fn(|j| if i == j { x } else { 0.0 })
-            };
-            for axis in 0..3 {
-                let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-                for upper in [false, true] {
-                    let mut c = centre;
-                    c[axis] = if upper { max[axis] } else { min[axis] };
-                    let sides = (along(j, half[j]), along(k, half[k]));
-                    let outwards = along(axis, if upper { 1.0 } else { -1.0 });
-                    faces.flat(
-                        Part::Side { axis, upper },
-                        c,
-                        sides,
-                        outwards,
-                        Extent::Corners,
-                    );
-                }
-            }
-        }
-        Geometry::HalfSpace([a, b, c, d]) => {
-            let Some(n) = unit([*a, *b, *c]) else { return };
-            let point = n.map(|x| -x * (d / length([*a, *b, *c])));
-            // Any two directions in the plane.
-            faces.flat(Part::All, point, across(n).into(), n, Extent::Endless);
-        }
-        Geometry::Cone { height, radius } => {
-            faces.disc(
-                Part::Base { upper: true },
-                *height,
-                (0.0, *radius),
-                height.signum(),
-            );
-            faces.round(Part::Mantle, [0.0; 3], 0.0, CONE);
-        }
-        Geometry::DoubleCone { height, radius } => {
-            faces.disc(Part::Base { upper: true }, *height, (0.0, *radius), 1.0);
-            faces.disc(Part::Base { upper: false }, -*height, (0.0, *radius), -1.0);
-            faces.round(Part::Mantle, [0.0; 3], 0.0, CONE);
-        }
-        Geometry::Sphere { centre, radius } => faces.round(Part::All, *centre, *radius, BALL),
-        Geometry::Ellipsoid {
-            semi_axes: [a, b, c],
-        } => {
-            faces.round(Part::All, [0.0; 3], (a * b * c).cbrt(), BALL);
-        }
-        Geometry::Torus { major, minor } => {
-            faces.round(Part::All, [0.0; 3], major + minor, TORUS);
-        }
-        Geometry::Revolution { profile, .. } if profile.len() <= PROFILE_MAX => {
-            faces.revolution(profile);
-        }
-        _ => {
-            let form = quadric::form(geometry);
-            if let Some(at) = form.and_then(|q| quadric::fingerprint(&q, m)) {
-                faces.out.push(Face {
-                    leaf,
-                    part: Part::All,
-                    form: quadric_form(at),
-                    own: true,
-                });
-            }
-        }
-    }
-}
-
 // Surfaces of different classes are never equal.
-const BALL: u8 = 0;
-const TORUS: u8 = 1;
-const CONE: u8 = 2;
+pub const BALL: u8 = 0;
+pub const TORUS: u8 = 1;
+pub const CONE: u8 = 2;
 const CYLINDER: u8 = 3;
 /// These have a number that stands for their matrix in the place of an anchor.
 pub const QUADRIC: u8 = 4;
@@ -216,13 +121,36 @@ enum Extent {
     Ring(f64),
 }
 
-struct Faces<'a> {
-    leaf: u32,
-    m: &'a Matrix,
-    out: &'a mut Vec<Face>,
+/// Takes the faces of a leaf, in the coordinates of its shape.
+pub struct Faces<'a> {
+    pub leaf: u32,
+    pub m: &'a Matrix,
+    pub out: &'a mut Vec<Face>,
 }
 
 impl Faces<'_> {
+    /// The parallelogram centre ± sides.
+    pub fn parallelogram(&mut self, part: Part, centre: Vec3, sides: (Vec3, Vec3), outwards: Vec3) {
+        self.flat(part, centre, sides, outwards, Extent::Corners);
+    }
+
+    /// All of the plane through a point along two directions.
+    pub fn endless(&mut self, part: Part, point: Vec3, along: (Vec3, Vec3), outwards: Vec3) {
+        self.flat(part, point, along, outwards, Extent::Endless);
+    }
+
+    /// A surface that is one quadric.
+    pub fn quadric(&mut self, form: &quadric::Form) {
+        if let Some(at) = quadric::fingerprint(form, self.m) {
+            self.out.push(Face {
+                leaf: self.leaf,
+                part: Part::All,
+                form: quadric_form(at),
+                own: true,
+            });
+        }
+    }
+
     /// The parallelogram centre ± sides, what lies in it, or all of its plane.
     fn flat(
         &mut self,
@@ -254,7 +182,7 @@ impl Faces<'_> {
     }
 
     /// A disc or ring about the y axis.
-    fn disc(&mut self, part: Part, y: f64, (inner, outer): (f64, f64), up: f64) {
+    pub fn disc(&mut self, part: Part, y: f64, (inner, outer): (f64, f64), up: f64) {
         let middle = (inner / 2.0 + outer / 2.0) / outer;
         let sides = ([outer, 0.0, 0.0], [0.0, 0.0, outer]);
         self.flat(
@@ -266,7 +194,8 @@ impl Faces<'_> {
         );
     }
 
-    fn round(&mut self, part: Part, anchor: Vec3, scale: f64, class: u8) {
+    /// A round face, by what tells its surface from others of its class.
+    pub fn round(&mut self, part: Part, anchor: Vec3, scale: f64, class: u8) {
         self.out.push(Face {
             leaf: self.leaf,
             part,
@@ -280,16 +209,14 @@ impl Faces<'_> {
         });
     }
 
-    fn revolution(&mut self, profile: &[[f64; 2]]) {
-        let n = profile.len();
-        let top = profile.iter().fold(0.0f64, |m, p| m.max(p[1].abs()));
+    /// Those of a profile.
+    pub fn revolution(&mut self, points: &[[f64; 2]]) {
+        let n = points.len();
+        let top = points.iter().fold(0.0f64, |m, p| m.max(p[1].abs()));
         // Far enough from a level piece to be on one side of it for certain: the height of no other
         // level piece lies between.
         let step = |y: f64| {
-            let others = profile
-                .iter()
-                .map(|p| (p[1] - y).abs())
-                .filter(|d| *d > 0.0);
+            let others = points.iter().map(|p| (p[1] - y).abs()).filter(|d| *d > 0.0);
             others.fold(top.max(f64::MIN_POSITIVE), f64::min) / 2.0
         };
         let mut level = |part: Part, y: f64, (a, b): (f64, f64)| {
@@ -297,30 +224,26 @@ impl Faces<'_> {
             let middle = radii.0 / 2.0 + radii.1 / 2.0;
             let h = step(y).min((radii.1 - radii.0) / 4.0);
             let (above, below) = (
-                in_profile(profile, middle, y + h),
-                in_profile(profile, middle, y - h),
+                profile::holds(points, [middle, y + h, 0.0]),
+                profile::holds(points, [middle, y - h, 0.0]),
             );
             // Level pieces that lie in one another do not change sides.
             if above != below && radii.0 < radii.1 {
                 self.disc(part, y, radii, if below { 1.0 } else { -1.0 });
             }
         };
-        if profile[0] != profile[n - 1] {
-            level(Part::Cap(0), profile[0][1], (0.0, profile[0][0]));
-            level(
-                Part::Cap(n - 1),
-                profile[n - 1][1],
-                (0.0, profile[n - 1][0]),
-            );
+        if points[0] != points[n - 1] {
+            level(Part::Cap(0), points[0][1], (0.0, points[0][0]));
+            level(Part::Cap(n - 1), points[n - 1][1], (0.0, points[n - 1][0]));
         }
         for i in 0..n - 1 {
-            let ([x0, y0], [x1, y1]) = (profile[i], profile[i + 1]);
+            let ([x0, y0], [x1, y1]) = (points[i], points[i + 1]);
             if y0 == y1 {
                 level(Part::Piece(i), y0, (x0, x1));
             }
         }
         for i in 0..n - 1 {
-            let ([x0, y0], [x1, y1]) = (profile[i], profile[i + 1]);
+            let ([x0, y0], [x1, y1]) = (points[i], points[i + 1]);
             if y0 == y1 || (x0 == 0.0 && x1 == 0.0) {
                 continue;
             }

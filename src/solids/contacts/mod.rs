@@ -1,14 +1,15 @@
 //! Which faces are in one place: the faces of two operands that the boundary of an operation's result has
 //! to choose between.
 
+pub mod directions;
 pub mod face;
 mod planes;
-mod quadric;
+pub mod quadric;
 mod sample;
 pub mod search;
 
 use crate::scene::Scene;
-use crate::scene::bounds::NodeBounds;
+use crate::solids::bounds::NodeBounds;
 use search::search;
 
 /// Pairs of shapes in what is drawn of which faces are in one place where that is seen: indices of

@@ -1,70 +1,12 @@
 //! Quadrics as faces: the matrix that tells them from others, and points to try them at.
 
-use super::face::Part;
-use super::sample::Sample;
-use super::sample::direction;
+use super::directions::{Sample, direction};
 use crate::geometry::Matrix;
 use crate::geometry::array::{add, dot, length};
-use crate::scene::{Geometry, Vec3};
+use crate::scene::Vec3;
 
-type Form = [[f64; 4]; 4];
-
-/// The symmetric matrix of a shape of types 15 and 18 to 21.
-pub fn form(geometry: &Geometry) -> Option<Form> {
-    let square = |x: f64| 1.0 / (x * x);
-    let (diagonal, linear) = match *geometry {
-        Geometry::Quadric(q) => {
-            return Some(std::array::from_fn(|i| {
-                std::array::from_fn(|j| q[4 * i + j] / 2.0 + q[4 * j + i] / 2.0)
-            }));
-        }
-        Geometry::ParabolicCylinder { a } => ([square(a), 0.0, 0.0, 0.0], -0.5),
-        Geometry::HyperbolicCylinder { a, b } => ([square(a), -square(b), 0.0, -1.0], 0.0),
-        Geometry::Hyperboloid { a, b, c, sheets } => {
-            let last = if sheets == 1 { -1.0 } else { 1.0 };
-            ([square(a), -square(b), square(c), last], 0.0)
-        }
-        Geometry::HyperbolicParaboloid { a, b } => ([square(a), 0.0, -square(b), 0.0], -0.5),
-        _ => return None,
-    };
-    let mut out = [[0.0; 4]; 4];
-    (0..4).for_each(|i| out[i][i] = diagonal[i]);
-    (out[1][3], out[3][1]) = (linear, linear);
-    Some(out)
-}
-
-/// The symmetric matrix of a round face that lies in a quadric, of other shapes.
-pub fn form_of_part(geometry: &Geometry, part: Part) -> Option<Form> {
-    let mut out = [[0.0; 4]; 4];
-    // x² + z² = (slope·y + start)², about the y axis.
-    let mut about_y = |slope: f64, start: f64| {
-        (out[0][0], out[1][1], out[2][2]) = (1.0, -slope * slope, 1.0);
-        (out[1][3], out[3][1], out[3][3]) = (-slope * start, -slope * start, -start * start);
-    };
-    match (geometry, part) {
-        (Geometry::Cone { height, radius }, Part::Mantle)
-        | (Geometry::DoubleCone { height, radius }, Part::Mantle) => about_y(radius / height, 0.0),
-        (Geometry::Revolution { profile, .. }, Part::Piece(i)) => {
-            let ([x0, y0], [x1, y1]) = (*profile.get(i)?, *profile.get(i + 1)?);
-            let slope = (x1 - x0) / (y1 - y0);
-            about_y(slope, x0 - slope * y0);
-        }
-        (Geometry::Sphere { centre, radius }, Part::All) => {
-            let square: f64 = centre.iter().map(|c| c * c).sum();
-            (0..3).for_each(|i| {
-                out[i][i] = 1.0;
-                (out[i][3], out[3][i]) = (-centre[i], -centre[i]);
-            });
-            out[3][3] = square - radius * radius;
-        }
-        (Geometry::Ellipsoid { semi_axes }, Part::All) => {
-            (0..3).for_each(|i| out[i][i] = 1.0 / (semi_axes[i] * semi_axes[i]));
-            out[3][3] = -1.0;
-        }
-        _ => return None,
-    }
-    Some(out)
-}
+/// A symmetric matrix Q of xᵀQx = 0.
+pub type Form = [[f64; 4]; 4];
 
 /// A number that is the same for a matrix times any factor, once it is moved.
 pub fn fingerprint(form: &Form, m: &Matrix) -> Option<f64> {
@@ -132,6 +74,13 @@ pub fn samples(form: &Form) -> Vec<Sample> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Geometry;
+    use crate::solids::contacts::face::Part;
+    use crate::solids::shapes::facts::Facts;
+
+    fn form(geometry: &Geometry) -> Option<Form> {
+        geometry.quadric(Part::All)
+    }
 
     #[test]
     fn samples_lie_on_the_surface() {

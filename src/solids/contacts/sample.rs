@@ -1,13 +1,11 @@
 //! Points at which two faces are tried: where both can be, and nowhere special.
 
-use super::face::{Face, Form, Part};
-use super::quadric;
+use super::directions::{Sample, turn};
+use super::face::{Face, Form};
 use crate::geometry::array::{across, add, cross, dot, length, middle, sub, unit};
 use crate::scene::{Geometry, Vec3};
 use crate::solids::leaf::Leaf;
-
-/// A point of a surface and the direction at right angles to it, of length 1.
-pub type Sample = (Vec3, Vec3);
+use crate::solids::shapes::facts::{Facts, Mantle};
 
 /// Overlaps narrower than this share of the smaller shape may be rounding: silence.
 pub const SLIVER: f64 = 1e-6;
@@ -89,7 +87,7 @@ fn clipped(a: &[Vec3], by: &[Vec3], normal: Vec3) -> Vec<Vec3> {
 /// Points of a round face, in the coordinates of the search, at angles that no scene is built with.
 pub fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> Vec<Sample> {
     // The one that is a piece of its surface, if one is.
-    let own = |of: (&Face, &Leaf, &Geometry)| mantle(of.2, of.0.part).is_some();
+    let own = |of: (&Face, &Leaf, &Geometry)| of.2.mantle(of.0.part).is_some();
     let (one, two) = if own(two) && !own(one) {
         (two, one)
     } else {
@@ -99,21 +97,17 @@ pub fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> 
     let Some(back) = leaf.matrix.inverse() else {
         return Vec::new();
     };
-    let local = match geometry {
-        Geometry::Sphere { centre, radius } => ball(*centre, [*radius; 3]),
-        Geometry::Ellipsoid { semi_axes } => ball([0.0; 3], *semi_axes),
-        Geometry::Torus { major, minor } => torus(*major, *minor),
-        _ => match mantle(geometry, face.part) {
-            None => quadric::form(geometry).map_or(Vec::new(), |q| quadric::samples(&q)),
-            Some(own) => {
-                // The stretch of the axis that both have.
-                let there = back.after(&two.1.matrix);
-                let along = |(_, y): (f64, f64)| there.point([0.0, y, 0.0])[1];
-                let other = mantle(two.2, two.0.part).map(|m| (along(m.0), along(m.1)));
-                let (a, b) = other.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-                mantle_samples(own, (a.min(b), a.max(b)))
-            }
-        },
+    let local = match geometry.mantle(face.part) {
+        None => geometry.samples(),
+        Some(own) => {
+            // The stretch of the axis that both have.
+            let there = back.after(&two.1.matrix);
+            let along = |(_, y): (f64, f64)| there.point([0.0, y, 0.0])[1];
+            let other = two.2.mantle(two.0.part);
+            let other = other.map(|m| (along(m.0), along(m.1)));
+            let (a, b) = other.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+            mantle_samples(own, (a.min(b), a.max(b)))
+        }
     };
     let normal_out = |n: Vec3| -> Option<Vec3> {
         // Normals go by the transpose of the inverse.
@@ -127,63 +121,7 @@ pub fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> 
         .collect()
 }
 
-/// The sine and cosine of so many golden angles, and a little.
-fn turn(i: u32) -> (f64, f64) {
-    (f64::from(i) * 2.399_963 + 0.3).sin_cos()
-}
-
-/// Of `count` directions all around one.
-pub fn direction(i: u32, count: u32) -> Vec3 {
-    let y = 1.0 - (2.0 * f64::from(i) + 1.037) / f64::from(count);
-    let (sin, cos) = turn(i);
-    let ring = (1.0 - y * y).sqrt();
-    [ring * cos, y, ring * sin]
-}
-
-fn ball(centre: Vec3, axes: Vec3) -> Vec<Sample> {
-    const COUNT: u32 = 24;
-    (0..COUNT)
-        .map(|i| {
-            let d = direction(i, COUNT);
-            (
-                std::array::from_fn(|k| centre[k] + axes[k] * d[k]),
-                std::array::from_fn(|k| d[k] / axes[k]),
-            )
-        })
-        .collect()
-}
-
-fn torus(major: f64, minor: f64) -> Vec<Sample> {
-    (0..24)
-        .map(|i| {
-            let (su, cu) = turn(i);
-            let (sv, cv) = (f64::from(i) * 1.137 + 0.2).sin_cos();
-            let ring = major + minor * cv;
-            ([ring * cu, minor * sv, ring * su], [cv * cu, sv, cv * su])
-        })
-        .collect()
-}
-
-type Profile = ([f64; 2], [f64; 2]);
-
-/// A round face about the y axis as a piece of a profile: (radius, height) of its two ends.
-fn mantle(geometry: &Geometry, part: Part) -> Option<((f64, f64), (f64, f64))> {
-    let ends: Profile = match (geometry, part) {
-        (Geometry::Cone { height, radius }, Part::Mantle) => ([0.0, 0.0], [*radius, *height]),
-        // One half stands for both.
-        (Geometry::DoubleCone { height, radius }, Part::Mantle) => ([0.0, 0.0], [*radius, *height]),
-        (Geometry::Revolution { profile, .. }, Part::Piece(i)) => {
-            (*profile.get(i)?, *profile.get(i + 1)?)
-        }
-        _ => return None,
-    };
-    Some(((ends.0[0], ends.0[1]), (ends.1[0], ends.1[1])))
-}
-
-fn mantle_samples(
-    ((r0, y0), (r1, y1)): ((f64, f64), (f64, f64)),
-    within: (f64, f64),
-) -> Vec<Sample> {
+fn mantle_samples(((r0, y0), (r1, y1)): Mantle, within: (f64, f64)) -> Vec<Sample> {
     let (low, high) = (y0.min(y1).max(within.0), y0.max(y1).min(within.1));
     if low >= high {
         return Vec::new();

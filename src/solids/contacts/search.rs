@@ -2,17 +2,19 @@
 
 use rustc_hash::FxHashSet;
 
-use super::face::{Face, Form, Part, as_quadrics, faces};
+use super::directions::Sample;
+use super::face::{Face, Faces, Form, Part, QUADRIC, quadric_form};
 use super::planes::{Meeting, Planes};
 use super::quadric;
-use super::sample::{self, Sample};
-use crate::geometry::Aabb;
+use super::sample;
 use crate::geometry::array::{across, add};
-use crate::scene::bounds::NodeBounds;
+use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 use crate::solids::ancestry::NONE;
+use crate::solids::bounds::NodeBounds;
 use crate::solids::leaf::Leaf;
 use crate::solids::points::Points;
+use crate::solids::shapes::facts::Facts;
 use crate::solids::tree::{Answer, Tree};
 
 /// How near two faces must be, as a share of the smaller shape: the language's own bound.
@@ -77,7 +79,7 @@ pub fn search(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<Fou
     let tree = Tree::new(scene, bounds, roots);
     // Only where there are quadrics can others lie in them.
     let of = |leaf: &Leaf| Some(&scene.shapes[leaf.shape? as usize].geometry);
-    let is_quadric = |leaf: &Leaf| of(leaf).is_some_and(|g| quadric::form(g).is_some());
+    let is_quadric = |leaf: &Leaf| of(leaf).is_some_and(|g| g.character().is_quadric);
     let quadrics = tree.leaves.iter().any(is_quadric);
     let mut planes = Planes::new(&tree);
     let mut search = None;
@@ -97,7 +99,11 @@ pub fn search(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<Fou
         for (i, leaf) in (first..).zip(leaves) {
             if let Some(geometry) = of(leaf) {
                 let from = all.len();
-                faces(geometry, i, &leaf.matrix, &mut all);
+                geometry.faces(&mut Faces {
+                    leaf: i,
+                    m: &leaf.matrix,
+                    out: &mut all,
+                });
                 if quadrics {
                     as_quadrics(geometry, &leaf.matrix, from, &mut all);
                 }
@@ -110,6 +116,27 @@ pub fn search(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<Fou
         }
     }
     found
+}
+
+/// Adds round faces once more as the quadrics that they lie in, from this one on.
+fn as_quadrics(geometry: &Geometry, m: &Matrix, from: usize, all: &mut Vec<Face>) {
+    for i in from..all.len() {
+        let Face { leaf, part, .. } = all[i];
+        if matches!(all[i].form, Form::Round { class: QUADRIC, .. }) {
+            continue;
+        }
+        let form = geometry.quadric(part);
+        if let Some(at) = form.and_then(|q| quadric::fingerprint(&q, m)) {
+            let form = quadric_form(at);
+            let own = false;
+            all.push(Face {
+                leaf,
+                part,
+                form,
+                own,
+            });
+        }
+    }
 }
 
 /// A pair of faces as something is said of it once: the operation, the tool's shape and face, and

@@ -2,7 +2,8 @@
 
 use super::unseen::LeftOut;
 use crate::geometry::Aabb;
-use crate::scene::{Node, NodeId, Scene, bounds};
+use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds;
 
 /// An upper bound on the number of transparent solids that hold one point.
 ///

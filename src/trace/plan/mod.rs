@@ -11,7 +11,7 @@ mod reach;
 pub mod unseen;
 
 use crate::diagnostics::Span;
-use crate::scene::{Geometry, Node, NodeId, Rgb, Scene, View};
+use crate::scene::{Node, NodeId, Rgb, Scene, View};
 use reach::Reach;
 use std::collections::{BTreeMap, HashMap};
 use unseen::{Found, LeftOut, Unseen};
@@ -312,10 +312,7 @@ impl Plan {
     fn count(&mut self, scene: &Scene, reach: &Reach, root: NodeId) {
         for node in (0..=root).filter(|&n| reach.reaches(n)) {
             let (counts, name) = match scene.nodes[node as usize] {
-                Node::Shape(s) => (
-                    &mut self.shapes,
-                    shape_name(&scene.shapes[s as usize].geometry),
-                ),
+                Node::Shape(s) => (&mut self.shapes, scene.shapes[s as usize].geometry.name()),
                 Node::Union(..) => (&mut self.operations, "union"),
                 Node::Intersection(..) => (&mut self.operations, "intersection"),
                 Node::Difference(..) => (&mut self.operations, "difference"),
@@ -399,28 +396,5 @@ impl Decisions {
             because.span = self.spans.get(&because.id).copied().unwrap_or_default();
         }
         self.list
-    }
-}
-
-/// The name of a shape in counts and plans.
-fn shape_name(geometry: &Geometry) -> &'static str {
-    match geometry {
-        Geometry::Revolution { .. } => "surface-of-revolution",
-        Geometry::Plane(_) => "plane",
-        Geometry::HalfSpace(_) => "half-space",
-        Geometry::Rectangle { .. } => "rectangle",
-        Geometry::Triangle { .. } => "triangle",
-        Geometry::Sphere { .. } => "sphere",
-        Geometry::Ellipsoid { .. } => "ellipsoid",
-        Geometry::Box { .. } => "box",
-        Geometry::GeodesicSphere { .. } => "geodesic-sphere",
-        Geometry::Torus { .. } => "torus",
-        Geometry::Quadric(_) => "quadric",
-        Geometry::Cone { .. } => "cone",
-        Geometry::DoubleCone { .. } => "double-cone",
-        Geometry::ParabolicCylinder { .. } => "parabolic-cylinder",
-        Geometry::HyperbolicCylinder { .. } => "hyperbolic-cylinder",
-        Geometry::Hyperboloid { .. } => "hyperboloid",
-        Geometry::HyperbolicParaboloid { .. } => "hyperbolic-paraboloid",
     }
 }

@@ -6,6 +6,7 @@
 use super::unseen::LeftOut;
 use super::{MAX_SOURCES, Sources};
 use crate::scene::{DEFAULT_INDEX, Geometry, Node, NodeId, Optics, Scene, Texture};
+use crate::solids::shapes::facts::Facts;
 
 /// A set of ways in which a node occurs; a bit for each.
 ///
@@ -196,14 +197,12 @@ impl Reach {
             if way.lit.is_none() && default_lit {
                 self.diffuse.add(shape.id);
             }
-            let coloured = matches!(&shape.geometry, Geometry::Revolution { colours, .. } if !colours.is_empty());
+            let coloured = shape.geometry.character().has_colours;
             if coloured && !way.textured && way.lit.unwrap_or(default_lit) {
                 self.vertex_colour.add(shape.id);
             }
         }
-        use crate::scene::TriangleNormals::Flat;
-        let smooth =
-            matches!(&shape.geometry, Geometry::Triangle { normals, .. } if *normals != Flat);
+        let smooth = shape.geometry.character().is_smooth;
         if smooth && ways & !TOOL != 0 {
             self.smooth.add(shape.id);
         }
@@ -282,6 +281,5 @@ fn solids(scene: &Scene, root: NodeId) -> Vec<bool> {
 
 fn bounded(geometry: &Geometry) -> bool {
     use crate::geometry::Matrix;
-    use crate::scene::bounds::shape_bounds;
-    shape_bounds(geometry, &Matrix::IDENTITY).is_finite()
+    geometry.bounds(&Matrix::IDENTITY).is_finite()
 }

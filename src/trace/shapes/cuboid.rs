@@ -5,6 +5,8 @@ use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
+use crate::solids::shapes as solids;
+use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::support::Support;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -48,15 +50,27 @@ impl Shape for Cuboid {
         }
     }
 
-    fn holds(&self, point: Vec3) -> bool {
-        !self.flat && (0..3).all(|i| (self.min[i]..=self.max[i]).contains(&point[i]))
-    }
-
     fn support(&self, face: u32) -> Option<Support> {
         let end = [self.min, self.max][(face % 2) as usize];
         let axis = face as u8 / 2;
         let at = end[axis as usize];
         Some(Support::Level { axis, at })
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        solids::cuboid::Cuboid {
+            min: self.min.0,
+            max: self.max.0,
+        }
+        .holds(point.0)
+    }
+
+    fn is_convex(&self) -> bool {
+        true
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

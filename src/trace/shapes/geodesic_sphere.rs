@@ -14,6 +14,9 @@ use crate::geometry::icosahedron::FACES;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
+use crate::solids::shapes as solids;
+use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::support::Support;
 use std::f64::consts::{PI, TAU};
 
 /// The language allows no more splits.
@@ -279,13 +282,24 @@ impl Shape for GeodesicSphere {
         [libm::atan2(-p[2], p[0]).rem_euclid(TAU) / TAU, v]
     }
 
-    /// The line through the centre and the point passes through facets, never along them.
+    fn is_solid(&self) -> bool {
+        true
+    }
+
     fn holds(&self, point: Vec3) -> bool {
-        let line = Line::<Dd>::new(point.cast(), point.unit().cast());
-        let mut roots = Roots::default();
-        self.crossings(&line, &mut roots);
-        let span = (roots.list.first(), roots.list.last());
-        !point.any() || matches!(span, (Some(a), Some(b)) if a.t <= Dd::ZERO && Dd::ZERO <= b.t)
+        solids::geodesic_sphere::GeodesicSphere {
+            radius: self.radius,
+            splits: self.splits,
+        }
+        .holds(point.0)
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+
+    fn support(&self, _: u32) -> Option<Support> {
+        None
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -4,8 +4,9 @@ use super::plane::{Plane, Way};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
-use crate::geometry::sign::at_most_zero;
 use crate::geometry::vec::Vec3;
+use crate::solids::shapes as solids;
+use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::support::Support;
 
 /// ax + by + cz + d ≤ 0.
@@ -46,13 +47,24 @@ impl Shape for HalfSpace {
         self.face.uv(point, face)
     }
 
-    fn holds(&self, point: Vec3) -> bool {
-        let face = &self.face;
-        at_most_zero(face.value(point), || face.value(point))
-    }
-
     fn support(&self, face: u32) -> Option<Support> {
         self.face.support(face)
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        solids::half_space::HalfSpace {
+            abcd: self.face.abcd(),
+            solid: true,
+        }
+        .holds(point.0)
+    }
+
+    fn is_convex(&self) -> bool {
+        true
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -142,26 +142,18 @@ pub trait Shape {
     }
 
     /// Whether it has an inside.
-    fn is_solid(&self) -> bool {
-        true
-    }
+    fn is_solid(&self) -> bool;
 
     /// Whether a point of finite coordinates is in the solid or on its boundary, decided exactly on the
-    /// shape's numbers.
-    fn holds(&self, _point: Vec3) -> bool {
-        false
-    }
+    /// shape's numbers: see [`Facts::holds`](crate::solids::shapes::facts::Facts::holds).
+    fn holds(&self, point: Vec3) -> bool;
 
     /// Whether no straight line between two points outside that starts away from the shape, from a
     /// point on its surface, meets it again.
-    fn is_convex(&self) -> bool {
-        true
-    }
+    fn is_convex(&self) -> bool;
 
     /// The surface that a face is a part of, of kinds that faces of other shapes may be parts of too.
-    fn support(&self, _face: u32) -> Option<Support> {
-        None
-    }
+    fn support(&self, face: u32) -> Option<Support>;
 
     /// Feeds the numbers that make the shape what it is; equal shapes feed equal numbers.
     fn feed(&self, sink: &mut dyn FnMut(f64));

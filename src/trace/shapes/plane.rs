@@ -6,7 +6,6 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Slack;
 use crate::geometry::exponent::{exponent, shifted, shifted_vector};
 use crate::geometry::line::{Line, Traced};
-use crate::geometry::sign::Scalar;
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::support::Support;
 use std::cmp::Ordering;
@@ -26,11 +25,10 @@ impl Plane {
         }
     }
 
-    /// ax + by + cz + d at a point.
-    pub(super) fn value<N: Scalar>(&self, point: Vec3) -> N {
-        (0..3).fold(N::of(self.d), |sum, i| {
-            sum + N::of(self.normal[i]) * N::of(point[i])
-        })
+    /// a, b, c, d as written.
+    pub(super) fn abcd(&self) -> [f64; 4] {
+        let [a, b, c] = self.normal.0;
+        [a, b, c, self.d]
     }
 
     /// (a, b, c), of any length.
@@ -81,6 +79,14 @@ impl Shape for Plane {
     fn support(&self, _: u32) -> Option<Support> {
         let [a, b, c] = self.normal.0;
         Some(Support::plane([a, b, c, self.d]))
+    }
+
+    fn holds(&self, _: Vec3) -> bool {
+        false
+    }
+
+    fn is_convex(&self) -> bool {
+        true
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -47,6 +47,14 @@ impl Shape for Rectangle {
         Some(Support::Level { axis: 2, at: 0.0 })
     }
 
+    fn holds(&self, _: Vec3) -> bool {
+        false
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn feed(&self, sink: &mut dyn FnMut(f64)) {
         self.min.into_iter().for_each(&mut *sink);
         self.max.into_iter().for_each(&mut *sink);

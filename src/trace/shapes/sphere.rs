@@ -5,8 +5,9 @@ use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::exponent::{exponent, shifted, shifted_vector};
 use crate::geometry::line::{Line, Traced};
-use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::vec::Vec3;
+use crate::solids::shapes as solids;
+use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::support::Support;
 use std::f64::consts::{PI, TAU};
 
@@ -28,15 +29,6 @@ impl Sphere {
     }
 }
 
-impl Sphere {
-    fn power_of<N: Scalar>(&self, point: Vec3) -> N {
-        let radius = N::of(self.radius);
-        (0..3).fold(-radius.square(), |sum, i| {
-            sum + (N::of(point[i]) - N::of(self.centre[i])).square()
-        })
-    }
-}
-
 impl Shape for Sphere {
     fn bounds(&self) -> Aabb {
         let r = Vec3::ONE * self.radius;
@@ -49,16 +41,27 @@ impl Shape for Sphere {
         [libm::atan2(-p[2], p[0]).rem_euclid(TAU) / TAU, v]
     }
 
-    /// |p − c|² − r².
-    fn holds(&self, point: Vec3) -> bool {
-        at_most_zero(self.power_of(point), || self.power_of(point))
-    }
-
     fn support(&self, _: u32) -> Option<Support> {
         Some(Support::Sphere {
             centre: self.centre.0,
             radius: self.radius,
         })
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        solids::sphere::Sphere {
+            centre: self.centre.0,
+            radius: self.radius,
+        }
+        .holds(point.0)
+    }
+
+    fn is_convex(&self) -> bool {
+        true
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -17,9 +17,11 @@ use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::exponent::{exponent, shifted, shifted_vector};
 use crate::geometry::line::{Line, Traced};
-use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::vec::Vec3;
+use crate::solids::shapes as solids;
+use crate::solids::shapes::facts::Facts;
 use crate::trace::quartic::{Quartic, root_between};
+use crate::trace::shapes::support::Support;
 use std::f64::consts::TAU;
 
 /// Faces of a torus: the outer surface, and the one around the lemon.
@@ -139,18 +141,6 @@ impl Torus {
     }
 }
 
-impl Torus {
-    /// (x² + y² + z² + R² − r²)² − 4R²(x² + z²): at most zero in the tube and, by the even-odd rule, not
-    /// in the lemon.
-    fn quartic_at<N: Scalar>(&self, point: Vec3) -> N {
-        let [x, y, z] = point.0.map(|c| N::of(c).square());
-        let [major, minor] = [self.major, self.minor].map(|r| N::of(r).square());
-        let across = x + z;
-        let sum = across.clone() + y + major.clone() - minor;
-        sum.square() - N::of(4.0) * major * across
-    }
-}
-
 impl Shape for Torus {
     fn bounds(&self) -> Aabb {
         let reach = self.major + self.minor;
@@ -169,12 +159,24 @@ impl Shape for Torus {
         ]
     }
 
-    fn holds(&self, point: Vec3) -> bool {
-        at_most_zero(self.quartic_at(point), || self.quartic_at(point))
-    }
-
     fn is_convex(&self) -> bool {
         false
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        solids::torus::Torus {
+            major: self.major,
+            minor: self.minor,
+        }
+        .holds(point.0)
+    }
+
+    fn support(&self, _: u32) -> Option<Support> {
+        None
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -9,6 +9,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
 use crate::scene::TriangleNormals;
+use crate::trace::shapes::support::Support;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triangle {
@@ -160,6 +161,18 @@ impl Shape for Triangle {
 
     fn is_solid(&self) -> bool {
         false
+    }
+
+    fn holds(&self, _: Vec3) -> bool {
+        false
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+
+    fn support(&self, _: u32) -> Option<Support> {
+        None
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

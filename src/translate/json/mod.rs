@@ -7,6 +7,7 @@
 pub mod model;
 mod read;
 mod spell;
+pub mod target;
 mod unreadable;
 mod verdict;
 mod write;

@@ -3,6 +3,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::scene::{Geometry, TriangleNormals};
+
 pub type Vec3 = [f64; 3];
 /// Linear red, green, blue.
 pub type Rgb = [f64; 3];
@@ -171,6 +173,79 @@ pub enum Node {
 }
 
 impl Node {
+    /// A shape.
+    pub fn of(geometry: &Geometry) -> Node {
+        match geometry {
+            Geometry::Revolution { profile, colours } => Node::SurfaceOfRevolution {
+                profile: profile.clone(),
+                colours: colours.clone(),
+            },
+            &Geometry::Plane([a, b, c, d]) => Node::Plane { a, b, c, d },
+            &Geometry::HalfSpace([a, b, c, d]) => Node::HalfSpace { a, b, c, d },
+            &Geometry::Rectangle { min, max } => Node::Rectangle { min, max },
+            Geometry::Triangle { vertices, normals } => Node::Triangle {
+                vertices: *vertices,
+                normals: match normals {
+                    TriangleNormals::Flat => Vec::new(),
+                    TriangleNormals::One(n) => vec![*n],
+                    TriangleNormals::PerVertex(all) => all.to_vec(),
+                },
+            },
+            &Geometry::Sphere { centre, radius } => Node::Sphere { centre, radius },
+            &Geometry::Ellipsoid { semi_axes } => Node::Ellipsoid { semi_axes },
+            &Geometry::Box { min, max } => Node::Box { min, max },
+            &Geometry::GeodesicSphere { radius, splits } => Node::GeodesicSphere { radius, splits },
+            &Geometry::Torus { major, minor } => Node::Torus { major, minor },
+            &Geometry::Quadric(matrix) => Node::Quadric { matrix },
+            &Geometry::Cone { height, radius } => Node::Cone { height, radius },
+            &Geometry::DoubleCone { height, radius } => Node::DoubleCone { height, radius },
+            &Geometry::ParabolicCylinder { a } => Node::ParabolicCylinder { a },
+            &Geometry::HyperbolicCylinder { a, b } => Node::HyperbolicCylinder { a, b },
+            &Geometry::Hyperboloid { a, b, c, sheets } => Node::Hyperboloid { a, b, c, sheets },
+            &Geometry::HyperbolicParaboloid { a, b } => Node::HyperbolicParaboloid { a, b },
+        }
+    }
+
+    /// The shape that it is; `None` for all that is made of other nodes.
+    pub fn geometry(&self) -> Option<Geometry> {
+        Some(match self {
+            Node::SurfaceOfRevolution { profile, colours } => Geometry::Revolution {
+                profile: profile.clone(),
+                colours: colours.clone(),
+            },
+            &Node::Plane { a, b, c, d } => Geometry::Plane([a, b, c, d]),
+            &Node::HalfSpace { a, b, c, d } => Geometry::HalfSpace([a, b, c, d]),
+            &Node::Rectangle { min, max } => Geometry::Rectangle { min, max },
+            Node::Triangle { vertices, normals } => Geometry::Triangle {
+                vertices: *vertices,
+                normals: match normals[..] {
+                    [a, b, c] => TriangleNormals::PerVertex([a, b, c]),
+                    [n] => TriangleNormals::One(n),
+                    _ => TriangleNormals::Flat,
+                },
+            },
+            &Node::Sphere { centre, radius } => Geometry::Sphere { centre, radius },
+            &Node::Ellipsoid { semi_axes } => Geometry::Ellipsoid { semi_axes },
+            &Node::Box { min, max } => Geometry::Box { min, max },
+            &Node::GeodesicSphere { radius, splits } => Geometry::GeodesicSphere { radius, splits },
+            &Node::Torus { major, minor } => Geometry::Torus { major, minor },
+            &Node::Quadric { matrix } => Geometry::Quadric(matrix),
+            &Node::Cone { height, radius } => Geometry::Cone { height, radius },
+            &Node::DoubleCone { height, radius } => Geometry::DoubleCone { height, radius },
+            &Node::ParabolicCylinder { a } => Geometry::ParabolicCylinder { a },
+            &Node::HyperbolicCylinder { a, b } => Geometry::HyperbolicCylinder { a, b },
+            &Node::Hyperboloid { a, b, c, sheets } => Geometry::Hyperboloid { a, b, c, sheets },
+            &Node::HyperbolicParaboloid { a, b } => Geometry::HyperbolicParaboloid { a, b },
+            Node::Union { .. }
+            | Node::Intersection { .. }
+            | Node::Difference { .. }
+            | Node::Complement { .. }
+            | Node::Copy { .. }
+            | Node::Transform { .. }
+            | Node::Paint { .. } => return None,
+        })
+    }
+
     /// The nodes that it is made of.
     pub fn children(&self) -> [Option<u32>; 2] {
         match *self {
@@ -181,6 +256,7 @@ impl Node {
             | Node::Copy { of }
             | Node::Transform { of, .. }
             | Node::Paint { of, .. } => [Some(of), None],
+            // Shapes.
             _ => [None; 2],
         }
     }

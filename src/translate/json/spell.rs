@@ -8,9 +8,10 @@
 use std::collections::{HashMap, HashSet};
 use std::fmt::{self, Write};
 
-use super::model::{self, Item, Node, Rgb, Scene, Texture, Vec3, Volume};
+use super::model::{self, Item, Node, Rgb, Scene, Texture, Volume};
 use crate::geometry::Matrix;
-use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
+use crate::scene::geometry::Parameter;
+use crate::syntax::table::{RecordKind, RecordType};
 
 /// The largest ID.
 pub const ID_MAX: u32 = i32::MAX as u32;
@@ -293,67 +294,16 @@ impl<'a> Speller<'a> {
     }
 
     fn shape(&mut self, id: u32, node: &Node) {
-        let (kind, params) = match node {
-            Node::SurfaceOfRevolution { profile, colours } => {
-                let count = Param::Integer(profile.len() as u32);
-                let points = profile.iter().flatten().copied();
-                let all = points.chain(colours.iter().flatten().copied());
-                let params = std::iter::once(count).chain(all.map(Param::Real));
-                let kind = match colours.is_empty() {
-                    true => ShapeKind::SurfaceOfRevolution,
-                    false => ShapeKind::ColouredSurfaceOfRevolution,
-                };
-                (kind, params.collect())
-            }
-            &Node::Plane { a, b, c, d } => (ShapeKind::Plane, reals(&[[a, b, c, d]])),
-            &Node::HalfSpace { a, b, c, d } => (ShapeKind::HalfSpace, reals(&[[a, b, c, d]])),
-            &Node::Rectangle { min, max } => (ShapeKind::Rectangle, reals(&[min, max])),
-            Node::Triangle { vertices, normals } => {
-                let all: Vec<Vec3> = vertices.iter().chain(normals).copied().collect();
-                let kind = match normals.len() {
-                    0 => ShapeKind::Triangle,
-                    1 => ShapeKind::TriangleWithNormal,
-                    _ => ShapeKind::TriangleWithVertexNormals,
-                };
-                (kind, reals(&all))
-            }
-            &Node::Sphere { centre, radius } if centre == [0.0; 3] => {
-                (ShapeKind::SphereAtOrigin, reals(&[[radius]]))
-            }
-            &Node::Sphere {
-                centre: [x, y, z],
-                radius,
-            } => (ShapeKind::Sphere, reals(&[[x, y, z, radius]])),
-            &Node::Ellipsoid { semi_axes } => (ShapeKind::Ellipsoid, reals(&[semi_axes])),
-            &Node::Box { min, max } => (ShapeKind::Box, reals(&[min, max])),
-            &Node::GeodesicSphere { radius, splits } => (
-                ShapeKind::GeodesicSphere,
-                vec![Param::Real(radius), Param::Integer(splits)],
-            ),
-            &Node::Torus { major, minor } => (ShapeKind::Torus, reals(&[[major, minor]])),
-            &Node::Quadric { matrix } => (ShapeKind::Quadric, reals(&[matrix])),
-            &Node::Cone { height, radius } => (ShapeKind::Cone, reals(&[[height, radius]])),
-            &Node::DoubleCone { height, radius } => {
-                (ShapeKind::DoubleCone, reals(&[[height, radius]]))
-            }
-            &Node::ParabolicCylinder { a } => (ShapeKind::ParabolicCylinder, reals(&[[a]])),
-            &Node::HyperbolicCylinder { a, b } => (ShapeKind::HyperbolicCylinder, reals(&[[a, b]])),
-            &Node::Hyperboloid { a, b, c, sheets } => {
-                let mut params = reals(&[[a, b, c]]);
-                params.push(Param::Integer(sheets));
-                (ShapeKind::Hyperboloid, params)
-            }
-            &Node::HyperbolicParaboloid { a, b } => {
-                (ShapeKind::HyperbolicParaboloid, reals(&[[a, b]]))
-            }
-            Node::Union { .. }
-            | Node::Intersection { .. }
-            | Node::Difference { .. }
-            | Node::Complement { .. }
-            | Node::Copy { .. }
-            | Node::Transform { .. }
-            | Node::Paint { .. } => return,
+        let Some(geometry) = node.geometry() else {
+            return;
         };
+        let (kind, params) = geometry.record();
+        let params: Vec<Param> = (params.into_iter())
+            .map(|p| match p {
+                Parameter::Real(x) => Param::Real(x),
+                Parameter::Integer(n) => Param::Integer(n),
+            })
+            .collect();
         self.record(id, RecordKind::Shape(kind), &params);
     }
 

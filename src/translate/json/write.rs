@@ -2,7 +2,7 @@
 
 use super::model::{self, Item, Node};
 use crate::geometry::Matrix;
-use crate::scene::{self, Geometry, NodeId, Promise, Scene, Texture, TriangleNormals, Volume};
+use crate::scene::{self, NodeId, Promise, Scene, Texture, Volume};
 
 /// The scene with all that its records still stand for at the end of the file: states of objects that
 /// nothing names any more are left out.
@@ -104,7 +104,7 @@ fn item(scene: &Scene, i: usize, node: impl Fn(NodeId) -> u32) -> Item {
     let step = scene.steps.get(&(i as NodeId));
     let of = |child| node(step.map_or(child, |s| s.from));
     let made = match scene.nodes[i] {
-        N::Shape(s) => shape(&scene.shapes[s as usize].geometry),
+        N::Shape(s) => Node::of(&scene.shapes[s as usize].geometry),
         N::Union(a, b) => Node::Union {
             operands: pair(a, b),
         },
@@ -158,37 +158,5 @@ fn texture(texture: &Texture) -> model::Texture {
             size: *size,
         },
         Texture::Image { file, .. } => model::Texture::Image(file.clone()),
-    }
-}
-
-fn shape(geometry: &Geometry) -> Node {
-    match geometry {
-        Geometry::Revolution { profile, colours } => Node::SurfaceOfRevolution {
-            profile: profile.clone(),
-            colours: colours.clone(),
-        },
-        &Geometry::Plane([a, b, c, d]) => Node::Plane { a, b, c, d },
-        &Geometry::HalfSpace([a, b, c, d]) => Node::HalfSpace { a, b, c, d },
-        &Geometry::Rectangle { min, max } => Node::Rectangle { min, max },
-        Geometry::Triangle { vertices, normals } => Node::Triangle {
-            vertices: *vertices,
-            normals: match normals {
-                TriangleNormals::Flat => Vec::new(),
-                TriangleNormals::One(n) => vec![*n],
-                TriangleNormals::PerVertex(all) => all.to_vec(),
-            },
-        },
-        &Geometry::Sphere { centre, radius } => Node::Sphere { centre, radius },
-        &Geometry::Ellipsoid { semi_axes } => Node::Ellipsoid { semi_axes },
-        &Geometry::Box { min, max } => Node::Box { min, max },
-        &Geometry::GeodesicSphere { radius, splits } => Node::GeodesicSphere { radius, splits },
-        &Geometry::Torus { major, minor } => Node::Torus { major, minor },
-        &Geometry::Quadric(matrix) => Node::Quadric { matrix },
-        &Geometry::Cone { height, radius } => Node::Cone { height, radius },
-        &Geometry::DoubleCone { height, radius } => Node::DoubleCone { height, radius },
-        &Geometry::ParabolicCylinder { a } => Node::ParabolicCylinder { a },
-        &Geometry::HyperbolicCylinder { a, b } => Node::HyperbolicCylinder { a, b },
-        &Geometry::Hyperboloid { a, b, c, sheets } => Node::Hyperboloid { a, b, c, sheets },
-        &Geometry::HyperbolicParaboloid { a, b } => Node::HyperbolicParaboloid { a, b },
     }
 }

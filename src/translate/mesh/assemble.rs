@@ -14,7 +14,7 @@ use super::soup::Mesh;
 
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Scene;
-use crate::scene::bounds::shape_bounds;
+use crate::solids::shapes::facts::Facts;
 use crate::trace::graph::{self, Graph, Part, Target};
 
 /// The fewest triangles of a shape: those of a triangle as a slab.
@@ -270,7 +270,7 @@ impl<'a> Assembly<'a> {
         let region = self.regions[object].transformed(&back);
         let mut tolerance = self.tolerances[object] / shape::stretch(m);
         if self.scene.shapes.len() <= FEW {
-            let own = shape_bounds(&record.geometry, &Matrix::IDENTITY);
+            let own = record.geometry.bounds(&Matrix::IDENTITY);
             let longest = (0..3).fold(0.0f64, |l, i| l.max(own.max[i] - own.min[i]));
             tolerance = tolerance.min(longest / ROUND);
         }

@@ -2,9 +2,10 @@
 
 use super::options::{DEFAULT_TOLERANCE, Options};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::{NodeBounds, node_bounds, shape_bounds};
-use crate::scene::frame::seen_box;
 use crate::scene::{Geometry, Node, Scene, Texture, Vec3};
+use crate::solids::bounds::{NodeBounds, node_bounds};
+use crate::solids::frame::seen_box;
+use crate::solids::shapes::facts::Facts;
 
 /// How much larger than its bounded parts the region is that things without end are cut to: a floor that
 /// reaches beyond what stands on it.
@@ -94,8 +95,8 @@ fn grown(b: &Aabb, by: f64) -> Aabb {
 fn is_flat(scene: &Scene) -> bool {
     let is_solid = |t: &Texture| matches!(t, Texture::Solid { .. });
     let mut textures = scene.paints.iter().filter_map(|p| p.texture.as_ref());
-    let flat = |g: &Geometry| matches!(g, Geometry::Plane(_) | Geometry::HalfSpace(_));
-    let ends = |g: &Geometry| shape_bounds(g, &Matrix::IDENTITY).radius().is_finite();
+    let flat = |g: &Geometry| g.plane().is_some();
+    let ends = |g: &Geometry| g.bounds(&Matrix::IDENTITY).radius().is_finite();
     !textures.any(is_solid) && (scene.shapes.iter()).all(|s| flat(&s.geometry) || ends(&s.geometry))
 }
 
@@ -147,9 +148,7 @@ fn faces(scene: &Scene, bounds: &[NodeBounds], seen: &Aabb) -> Aabb {
 
 /// The point of a plane that is nearest to the origin.
 fn plane_foot(geometry: &Geometry) -> Option<Vec3> {
-    let (Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d])) = *geometry else {
-        return None;
-    };
+    let [a, b, c, d] = geometry.plane()?;
     let n = [a, b, c];
     let foot = n.map(|x| -d * x / (a * a + b * b + c * c));
     foot.iter().all(|x| x.is_finite()).then_some(foot)

@@ -30,6 +30,7 @@ pub mod shape;
 mod shared;
 mod skin;
 mod soup;
+pub mod target;
 #[cfg(test)]
 mod tests;
 mod unite;
@@ -42,5 +43,6 @@ pub use material::{Coloured, Material};
 pub use model::{Model, model, report};
 pub use options::{DEFAULT_TOLERANCE, Options};
 pub use parts::Parts;
+pub use shape::is_faceted;
 pub use skin::Skin;
 pub use soup::Mesh;

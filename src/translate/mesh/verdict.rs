@@ -1,6 +1,7 @@
 //! What a mesh makes of each feature.
 
-use crate::syntax::table::{RecordKind, ShapeKind};
+use super::shape;
+use crate::syntax::table::RecordKind;
 use crate::translate::{Effect, Feature, Verdict};
 
 pub fn verdict(target: &str, feature: Feature, tolerance: f64) -> Verdict {
@@ -12,36 +13,10 @@ pub fn verdict(target: &str, feature: Feature, tolerance: f64) -> Verdict {
 
 fn record(target: &str, kind: RecordKind, tolerance: f64) -> Verdict {
     let within = format!("within {tolerance:.3e}");
-    let facets = Verdict::approximate(&within, "triangles");
     match kind {
         RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
-        RecordKind::Shape(
-            ShapeKind::SurfaceOfRevolution
-            | ShapeKind::ColouredSurfaceOfRevolution
-            | ShapeKind::SphereAtOrigin
-            | ShapeKind::Ellipsoid
-            | ShapeKind::Sphere
-            | ShapeKind::Torus
-            | ShapeKind::Cone
-            | ShapeKind::DoubleCone,
-        ) => facets,
-        RecordKind::Shape(
-            ShapeKind::Plane
-            | ShapeKind::HalfSpace
-            | ShapeKind::Quadric
-            | ShapeKind::ParabolicCylinder
-            | ShapeKind::HyperbolicCylinder
-            | ShapeKind::Hyperboloid
-            | ShapeKind::HyperbolicParaboloid,
-        ) => facets,
-        RecordKind::Shape(
-            ShapeKind::Rectangle
-            | ShapeKind::Triangle
-            | ShapeKind::TriangleWithNormal
-            | ShapeKind::TriangleWithVertexNormals
-            | ShapeKind::Box
-            | ShapeKind::GeodesicSphere,
-        ) => Verdict::exact("triangles"),
+        RecordKind::Shape(kind) if shape::is_faceted(kind) => Verdict::exact("triangles"),
+        RecordKind::Shape(_) => Verdict::approximate(&within, "triangles"),
         RecordKind::Translation
         | RecordKind::Rotation
         | RecordKind::Scaling

@@ -97,6 +97,7 @@ pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, view: &Reach) -> Option
                     .collect()
             }
         },
+        // Mitsuba may know more, but as meshes they are right.
         _ => return None,
     };
     let plain = skin.plain_colour(graph).is_some();

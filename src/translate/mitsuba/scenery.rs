@@ -9,8 +9,8 @@ use super::options::{Integrator, Options};
 use super::xml::{number, rgb, transform, vector};
 use crate::diagnostics::Error;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::frame::{Basis, headlight};
 use crate::scene::{Camera, Scene};
+use crate::solids::frame::{Basis, headlight};
 use crate::translate::about_camera;
 
 /// Samples a pixel of a path-traced picture.

@@ -2,7 +2,7 @@
 
 use super::written::Written;
 use crate::syntax::table::{RecordKind, ShapeKind};
-use crate::translate::{Effect, Feature, Verdict};
+use crate::translate::{Effect, Feature, Verdict, mesh};
 
 pub fn verdict(feature: Feature, tolerance: f64, written: &Written) -> Verdict {
     match feature {
@@ -20,19 +20,6 @@ fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> Verdict {
     let [exact, meshes] = counts;
     match kind {
         RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
-        RecordKind::Shape(
-            ShapeKind::SurfaceOfRevolution
-            | ShapeKind::ColouredSurfaceOfRevolution
-            | ShapeKind::Ellipsoid
-            | ShapeKind::Torus
-            | ShapeKind::Quadric
-            | ShapeKind::Cone
-            | ShapeKind::DoubleCone
-            | ShapeKind::ParabolicCylinder
-            | ShapeKind::HyperbolicCylinder
-            | ShapeKind::Hyperboloid
-            | ShapeKind::HyperbolicParaboloid,
-        ) => facets("a mesh"),
         RecordKind::Shape(ShapeKind::SphereAtOrigin | ShapeKind::Sphere) if meshes == 0 => {
             Verdict::exact(made("sphere", counts))
         }
@@ -49,12 +36,11 @@ fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> Verdict {
         }
         RecordKind::Shape(ShapeKind::Rectangle) => Verdict::exact(made("rectangle", counts)),
         RecordKind::Shape(ShapeKind::Box) => Verdict::exact(made("cube", counts)),
-        RecordKind::Shape(
-            ShapeKind::Triangle
-            | ShapeKind::TriangleWithNormal
-            | ShapeKind::TriangleWithVertexNormals
-            | ShapeKind::GeodesicSphere,
-        ) => Verdict::exact("a mesh of the same facets"),
+        // All that are not in the table of Mitsuba's own shapes are meshes.
+        RecordKind::Shape(kind) if mesh::is_faceted(kind) => {
+            Verdict::exact("a mesh of the same facets")
+        }
+        RecordKind::Shape(_) => facets("a mesh"),
         RecordKind::Translation
         | RecordKind::Rotation
         | RecordKind::Scaling

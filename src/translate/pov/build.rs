@@ -17,8 +17,9 @@ use super::spread;
 use super::volumes::{self, Volumes};
 use crate::geometry::Aabb;
 use crate::geometry::vec::Vec3;
-use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Node, NodeId, Scene, View};
+use crate::solids::bounds::{NodeBounds, node_bounds};
+use crate::solids::shapes::facts::Facts as _;
 use crate::trace::members;
 use crate::translate::fidelity::{Fidelity, Report};
 use crate::translate::names;
@@ -245,7 +246,7 @@ impl<'a> Builder<'a> {
         };
         let flush = flush.filter(|f| match geometry.is_solid() {
             true => self.changes.changed(*f, geometry).is_some(),
-            false => self.changes.plate(*f).is_some() && sheets::is_flat(geometry),
+            false => self.changes.plate(*f).is_some() && geometry.character().is_flat,
         });
         if let Some(Change::Longer(_) | Change::Sides(..) | Change::Both(..)) =
             flush.map(|f| self.changes.get(f))
@@ -256,7 +257,7 @@ impl<'a> Builder<'a> {
         match state.look {
             // A texture that lies on shapes was handed down to here.
             Look::Own { texture, optics } => {
-                let own = if facts::has_colours(&record.geometry) {
+                let own = if record.geometry.character().has_colours {
                     TextureUse::here(PROFILE)
                 } else {
                     TextureUse::DEFAULT

@@ -3,11 +3,14 @@
 use std::collections::HashMap;
 
 use super::coplanar::Plane;
-use super::lengthen::{Cut, HAIR, lengthened, with_ends_moved, with_planes_moved};
 use super::matrices::Matrices;
-use super::offset::{offset, offset_profile, stretched};
+use super::offset::stretched;
+use super::planes_moved::with_planes_moved;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Geometry;
+use crate::solids::shapes::facts::Facts as _;
+use crate::solids::shapes::lengthen::{Cut, HAIR};
+use crate::solids::shapes::offset::offset_profile;
 
 /// How shapes are changed where nobody sees it.
 #[derive(Debug, Clone, Copy)]
@@ -185,8 +188,8 @@ impl Changes {
     /// The changed shape, if there is anything to change about it.
     pub fn changed(&self, number: u32, geometry: &Geometry) -> Option<Geometry> {
         match self.get(number) {
-            Change::Longer(cut) => lengthened(geometry, &cut),
-            Change::Offset(by) => offset(geometry, by),
+            Change::Longer(cut) => geometry.lengthened(&cut),
+            Change::Offset(by) => geometry.offset(by),
             // It is no shape of the language, or those coordinates are not the shape's.
             Change::Plate(..) | Change::Within(..) => None,
             Change::Planes(planes) => with_planes_moved(geometry, &self.planes[planes as usize]),
@@ -196,14 +199,15 @@ impl Changes {
                 second.or(first)
             }
             Change::One(by, shape) => match self.shapes[shape as usize] == *geometry {
-                true => offset(geometry, by),
+                true => geometry.offset(by),
                 false => None,
             },
             Change::Skin(around, by) => {
-                let within = with_ends_moved(geometry, around, -4.0 * by);
-                offset(within.as_ref().unwrap_or(geometry), by / 2.0)
+                let within = geometry.with_ends_moved(around, -4.0 * by);
+                within.as_ref().unwrap_or(geometry).offset(by / 2.0)
             }
             Change::Sides(by, sides) => {
+                // Made of what a surface of revolution is filled with, which is another.
                 let Geometry::Revolution { profile, colours } = geometry else {
                     return None;
                 };

@@ -7,12 +7,11 @@ use std::collections::HashMap;
 use super::build::Builder;
 use super::changes::Change;
 use super::piece::{Look, Part, State};
-use super::sheets::is_flat;
 use super::union::Kind;
-use crate::geometry::array::{cross, dot, length, sub};
+use crate::geometry::array::{length, sub};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::shape_bounds;
-use crate::scene::{Geometry, Node, NodeId, Vec3};
+use crate::scene::{Node, NodeId, Vec3};
+use crate::solids::shapes::facts::Facts as _;
 
 /// Unions of more parts are not searched.
 const MANY: usize = 1024;
@@ -284,7 +283,11 @@ impl Builder<'_> {
                         continue;
                     }
                     let Some(back) = m.inverse() else { continue };
-                    for (plane, around) in flat_faces(geometry, &m) {
+                    for face in geometry.flat_faces(&m) {
+                        let around = face.around;
+                        let Some(plane) = Plane::of(face.n, face.d) else {
+                            continue;
+                        };
                         faces.extend(plane.moved_back(&back).map(|(plane, _)| Face {
                             part,
                             plane: if way == Way::In {
@@ -310,78 +313,5 @@ impl Builder<'_> {
                 Node::Difference(a, b) => todo.extend([(b, m, way.turned()), (a, m, way)]),
             }
         }
-    }
-}
-
-/// The planes of the flat faces of a shape in its own coordinates, and boxes around the faces in those that
-/// a matrix leads to.
-fn flat_faces(geometry: &Geometry, m: &Matrix) -> Vec<(Plane, Aabb)> {
-    let axis =
-        |i: usize, sign: f64| -> Vec3 { std::array::from_fn(|k| if k == i { sign } else { 0.0 }) };
-    let face = |min: Vec3, max: Vec3| shape_bounds(&Geometry::Box { min, max }, m);
-    let disc = |y: f64, radius: f64, sign: f64| {
-        let plane = Plane {
-            n: axis(1, sign),
-            d: -sign * y,
-        };
-        (plane, face([-radius, y, -radius], [radius, y, radius]))
-    };
-    match geometry {
-        Geometry::Box { min, max } => {
-            let ends = (0..3).flat_map(|i| [(i, -1.0), (i, 1.0)]);
-            let faces = ends.map(|(i, sign)| {
-                let at = if sign > 0.0 { max[i] } else { min[i] };
-                let (mut low, mut high) = (*min, *max);
-                (low[i], high[i]) = (at, at);
-                (
-                    Plane {
-                        n: axis(i, sign),
-                        d: -sign * at,
-                    },
-                    face(low, high),
-                )
-            });
-            faces.collect()
-        }
-        Geometry::Cone { height, radius } => vec![disc(*height, *radius, height.signum())],
-        Geometry::Revolution { profile, .. } => {
-            let ends = [1.0, -1.0].map(|sign: f64| {
-                let y = profile
-                    .iter()
-                    .fold(f64::NEG_INFINITY, |y, p| y.max(sign * p[1]))
-                    * sign;
-                let level = profile.iter().filter(|p| p[1] == y);
-                disc(y, level.fold(0.0, |r, p| p[0].max(r)), sign)
-            });
-            ends.into()
-        }
-        _ => {
-            let around = match geometry {
-                Geometry::HalfSpace(p) => shape_bounds(&Geometry::Plane(*p), m),
-                _ => shape_bounds(geometry, m),
-            };
-            flat_plane(geometry)
-                .map(|p| (p, around))
-                .into_iter()
-                .collect()
-        }
-    }
-}
-
-/// The plane that a shape is or that bounds it.
-fn flat_plane(geometry: &Geometry) -> Option<Plane> {
-    match geometry {
-        Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d]) => {
-            Plane::of([*a, *b, *c], *d)
-        }
-        Geometry::Rectangle { .. } => Plane::of([0.0, 0.0, 1.0], 0.0),
-        Geometry::Triangle {
-            vertices: [p, q, r],
-            ..
-        } if is_flat(geometry) => {
-            let n = cross(sub(*q, *p), sub(*r, *p));
-            Plane::of(n, -dot(n, *p))
-        }
-        _ => None,
     }
 }

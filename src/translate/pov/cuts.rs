@@ -8,8 +8,8 @@ use super::aspects::Aspects;
 use super::facts::{Facts, facts};
 use super::rewrite::{Rewrite, Way, below};
 use crate::geometry::Aabb;
-use crate::scene::bounds::node_bounds;
 use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::node_bounds;
 
 /// Ends that are this near, as a part of the coordinates, may be flush; either order is right where they are not.
 const NEAR: f64 = 1e-9;

@@ -6,8 +6,7 @@ use std::collections::{BTreeSet, HashMap};
 use super::build::Builder;
 use super::changes::Change;
 use super::piece::{Body, Group, Key, Modifier, Piece, State};
-use super::shape::{Primitive, primitive};
-use super::sheets;
+use super::shape::{self, Primitive, primitive};
 use super::text::{commented, number, transformation, vector};
 use super::triangle;
 use crate::scene::{Geometry, NodeId, Rgb, TriangleNormals, Volume};
@@ -151,6 +150,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     _ => changed,
                 };
                 let geometry = other.as_ref().unwrap_or(geometry);
+                // What the primitives of two shapes need besides.
                 match geometry {
                     Geometry::GeodesicSphere { splits, .. } => {
                         self.geodesics.insert(*splits);
@@ -166,7 +166,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                     _ => {}
                 }
                 let plate = flush.and_then(|f| changes.plate(f));
-                let plate = plate.and_then(|(by, _)| sheets::plate(geometry, by));
+                let plate = plate.and_then(|(by, _)| shape::plate(geometry, by));
                 let Primitive { keyword, lines } = plate.unwrap_or_else(|| primitive(geometry));
                 (keyword, lines)
             }

@@ -2,7 +2,8 @@
 //! properties it shows, and how often it is used. Computed bottom-up in one pass over the arena.
 
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
-use crate::scene::{Geometry, Node, NodeId, Scene, TriangleNormals};
+use crate::scene::{Node, NodeId, Scene};
+use crate::solids::shapes::facts::Facts as _;
 
 /// A property of the solids of a node, taken from whoever owns a point: of several operands the
 /// first.
@@ -107,23 +108,14 @@ fn children(node: &Node) -> (Option<NodeId>, Option<NodeId>) {
     }
 }
 
-/// Whether a shape has shading normals of its own.
-pub fn is_smooth(geometry: &Geometry) -> bool {
-    matches!(geometry, Geometry::Triangle { normals, .. } if *normals != TriangleNormals::Flat)
-}
-
-/// Whether a shape has colours of its own.
-pub fn has_colours(geometry: &Geometry) -> bool {
-    matches!(geometry, Geometry::Revolution { colours, .. } if !colours.is_empty())
-}
-
 fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Facts {
     let of = |id: NodeId| done[id as usize];
     match *node {
         Node::Shape(shape) => {
             let geometry = &scene.shapes[shape as usize].geometry;
             let solid = geometry.is_solid();
-            let coloured = has_colours(geometry);
+            let character = geometry.character();
+            let coloured = character.has_colours;
             let texture = if coloured { PROFILE } else { DEFAULT };
             Facts {
                 has_solid: solid,
@@ -131,7 +123,7 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
                 has_texture: coloured,
                 texture: Owned::one(TextureUse::here(texture)),
                 // A triangle that is seen from the far side of its normals has a look of its own.
-                face_texture: (!is_smooth(geometry)).then_some(TextureUse::here(texture)),
+                face_texture: (!character.is_smooth).then_some(TextureUse::here(texture)),
                 ..BARE
             }
         }

@@ -3,11 +3,12 @@
 
 use super::build::Builder;
 use super::changes::Change;
-use super::offset::{offset, sides_within};
 use super::sets::{Place, Sets};
 use super::standing::Stand;
 use crate::geometry::Matrix;
 use crate::scene::{Geometry, Node, NodeId};
+use crate::solids::shapes::facts::Facts as _;
+use crate::solids::shapes::offset::sides_within;
 use std::collections::HashSet;
 
 /// So many nodes of a solid are looked at.
@@ -81,7 +82,7 @@ impl Builder<'_> {
         })?;
         let (node, side) = if own.inside { (a, own) } else { (b, other) };
         let geometry = &self.scene.shapes[side.shape as usize].geometry;
-        offset(geometry, by)?;
+        geometry.offset(by)?;
         Some((node, self.changes.of_one(by, geometry)))
     }
 
@@ -121,6 +122,7 @@ impl Builder<'_> {
     pub(super) fn filling(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
         let mut stand = Stand::default();
         let scene = self.scene;
+        // What is filled, and what fills it, are profiles: others are put a hair apart like all solids.
         let profile = |shape: Option<u32>| match &scene.shapes[shape? as usize].geometry {
             Geometry::Revolution { profile, .. } => Some(&profile[..]),
             _ => None,

@@ -4,10 +4,11 @@
 
 use super::build::Builder;
 use super::changes::{Change, moved_back};
-use super::lengthen::{Cut, HAIR, HALF, lengthened};
 use super::piece::State;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, NodeId};
+use crate::solids::shapes::facts::Facts as _;
+use crate::solids::shapes::lengthen::{Cut, HAIR, HALF};
 
 /// So many nodes of a tool are looked at.
 const PATIENCE: u32 = 4096;
@@ -36,7 +37,7 @@ impl Builder<'_> {
                 Node::Shape(shape) => {
                     let geometry = &self.scene.shapes[shape as usize].geometry;
                     let around = cut;
-                    if lengthened(geometry, &Cut { around, by, most }).is_some() {
+                    if geometry.lengthened(&Cut { around, by, most }).is_some() {
                         return Some(self.changes.number(Change::Longer(all)));
                     }
                 }
@@ -112,7 +113,7 @@ impl Builder<'_> {
 
     /// Whether a node is a box along the axes.
     fn is_box(&self, node: NodeId) -> bool {
-        matches!(self.along_the_axes(node), Some(Geometry::Box { .. }))
+        (self.along_the_axes(node)).is_some_and(|g| g.character().is_its_bounds)
     }
 
     /// The shape that a node is, if its axes are along those of the node.

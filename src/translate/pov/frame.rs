@@ -8,7 +8,7 @@ use super::camera::Eye;
 use super::reach::reach;
 use super::text::{number, vector};
 use crate::scene::Vec3;
-use crate::scene::frame::seen_box;
+use crate::solids::frame::seen_box;
 use crate::translate::fidelity::Fidelity;
 
 /// The size that the scene is scaled to: POV-Ray's tolerances, 1e-6 to 1e-3, are small beside that, and its

@@ -8,8 +8,9 @@ use std::collections::HashMap;
 
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
 use super::profile::Profile;
+use super::shape::coordinates;
 use super::text::{matrix, number, rgb};
-use super::uv::{self, Along};
+use super::uv::Along;
 use crate::geometry::Matrix;
 use crate::scene::{CELL_NUDGE, Geometry, Optics, Rgb, Scene, Texture};
 
@@ -241,7 +242,7 @@ impl Pigments<'_> {
             return String::new();
         };
         let name = self.name;
-        let coordinates = uv::coordinates(shape);
+        let coordinates = coordinates(shape);
         let v = match coordinates.v {
             Along::Expression(v) => format!("#declare {name}_v = function {{ {v} }}\n"),
             Along::Pattern(v) => format!(
@@ -263,7 +264,7 @@ impl Pigments<'_> {
                 rgb(c)
             }
         };
-        // A lathe's measure of itself.
+        // A lathe's measure of itself; all others have functions of the point.
         let lathe = matches!(self.shape, Some(Geometry::Revolution { .. }));
         let mapped = match &self.pattern {
             Pattern::Profile(..) => "uv_mapping ",

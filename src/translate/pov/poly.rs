@@ -3,35 +3,15 @@
 
 use super::shape::{Primitive, size_unit};
 use super::text::number;
-use crate::scene::Geometry;
 
 /// The largest coefficient: the tolerance is 1e-10 of it.
 const LARGE: f64 = 1e6;
 
-/// Q of xᵀQx ≤ 0.
-pub fn form(geometry: &Geometry) -> [f64; 16] {
-    let diagonal = |x: f64, y: f64, z: f64, linear: f64, constant: f64| {
-        let mut q = [0.0; 16];
-        (q[0], q[5], q[10], q[13], q[15]) = (x, y, z, linear, constant);
-        q
-    };
-    // Semi-axes are divided by the least of them, so that no square leaves the numbers' range.
-    let inverse = |a: f64| 1.0 / a / a;
-    match geometry {
-        Geometry::Quadric(q) => *q,
-        Geometry::ParabolicCylinder { a } => diagonal(inverse(*a), 0.0, 0.0, -1.0, 0.0),
-        Geometry::HyperbolicCylinder { a, b } => {
-            diagonal(inverse(*a), -inverse(*b), 0.0, 0.0, -1.0)
-        }
-        Geometry::Hyperboloid { a, b, c, sheets } => {
-            let constant = if *sheets == 2 { 1.0 } else { -1.0 };
-            diagonal(inverse(*a), -inverse(*b), inverse(*c), 0.0, constant)
-        }
-        Geometry::HyperbolicParaboloid { a, b } => {
-            diagonal(inverse(*a), 0.0, -inverse(*b), -1.0, 0.0)
-        }
-        _ => [0.0; 16],
-    }
+/// Q of xᵀQx ≤ 0: the factors of x², y², z² and y, and a constant.
+pub fn diagonal(x: f64, y: f64, z: f64, linear: f64, constant: f64) -> [f64; 16] {
+    let mut q = [0.0; 16];
+    (q[0], q[5], q[10], q[13], q[15]) = (x, y, z, linear, constant);
+    q
 }
 
 pub fn quadric(q: &[f64; 16]) -> Primitive {

@@ -6,6 +6,7 @@
 use super::shape::{Primitive, size_unit};
 use super::text::{number, vector};
 use crate::scene::Rgb;
+use crate::solids::shapes::offset::twice_area;
 
 /// So many entries fit into one of POV-Ray's maps.
 const MAP: usize = 256;
@@ -116,13 +117,6 @@ impl Profile {
         let values: Vec<String> = colours.iter().map(write).collect();
         self.pattern(&values)
     }
-}
-
-/// Twice the area that a closed polygon runs around, negative where it does so clockwise.
-pub fn twice_area(polygon: &[[f64; 2]]) -> f64 {
-    let n = polygon.len();
-    let sides = (0..n).map(|i| [polygon[i], polygon[(i + 1) % n]]);
-    sides.map(|[p, q]| p[0] * q[1] - q[0] * p[1]).sum()
 }
 
 /// `function { … } color_map { … }` over y, which is kept away from 1 where patterns begin again; a

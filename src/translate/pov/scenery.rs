@@ -3,8 +3,8 @@
 use super::camera::Eye;
 use super::frame::{Frame, power_of_two_about};
 use super::text::{entity, number, rgb, vector};
-use crate::scene::frame::headlight;
 use crate::scene::{Optics, Render, Rgb, Scene};
+use crate::solids::frame::headlight;
 use crate::syntax::Captions;
 
 /// The point lights, one a line; where there is no light at all, a headlight for each camera.

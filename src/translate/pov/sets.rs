@@ -6,7 +6,9 @@ use std::collections::{HashMap, HashSet};
 use super::matrices::Matrices;
 use crate::geometry::Matrix;
 use crate::geometry::array::{cross, dot, length};
-use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
+use crate::scene::geometry::Parameter;
+use crate::scene::{Geometry, Node, NodeId, Scene, TriangleNormals, Vec3};
+use crate::solids::shapes::facts::Facts as _;
 
 /// A solid at a place: what nodes are, whatever they look like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -70,7 +72,7 @@ impl Sets {
                 Node::Shape(s) => {
                     let (geometry, m) = standard(&scene.shapes[s as usize].geometry);
                     let core = Core::Shape(*shapes.entry(bits(&geometry)).or_insert(s));
-                    let m = match is_round(&geometry) {
+                    let m = match geometry.character().is_round {
                         true => unturned(&m),
                         false => m,
                     };
@@ -98,7 +100,7 @@ impl Sets {
             if number == next {
                 sets.cores.push(core);
                 if let Core::Shape(s) = core
-                    && is_round(&scene.shapes[s as usize].geometry)
+                    && scene.shapes[s as usize].geometry.character().is_round
                 {
                     sets.round.insert(number);
                 }
@@ -312,7 +314,8 @@ fn rounded(m: &Matrix) -> Matrix {
     out
 }
 
-/// A ball as the unit ball, a box as the unit cube, in its place: there are several records for them.
+/// A ball as the unit ball, a box as the unit cube, in its place: there are several records for them. All
+/// others have one, and stay what they are.
 fn standard(geometry: &Geometry) -> (Geometry, Matrix) {
     let ball = Geometry::Sphere {
         centre: [0.0; 3],
@@ -336,41 +339,27 @@ fn standard(geometry: &Geometry) -> (Geometry, Matrix) {
     }
 }
 
-/// Whether a shape is a solid of revolution about the y axis.
-fn is_round(geometry: &Geometry) -> bool {
-    matches!(
-        geometry,
-        Geometry::Sphere { .. }
-            | Geometry::Ellipsoid { .. }
-            | Geometry::Revolution { .. }
-            | Geometry::Torus { .. }
-            | Geometry::Cone { .. }
-            | Geometry::DoubleCone { .. }
-    )
-}
-
 /// A shape's type and numbers.
 fn bits(geometry: &Geometry) -> Vec<u64> {
-    let (tag, numbers): (u64, Vec<f64>) = match geometry {
-        Geometry::Revolution { profile, .. } => (1, profile.iter().flatten().copied().collect()),
-        Geometry::Plane(p) => (3, p.to_vec()),
-        Geometry::HalfSpace(p) => (4, p.to_vec()),
-        Geometry::Rectangle { min, max } => (5, [*min, *max].concat()),
-        Geometry::Triangle { vertices, .. } => (6, vertices.concat()),
-        Geometry::Sphere { centre, radius } => (11, vec![centre[0], centre[1], centre[2], *radius]),
-        Geometry::Ellipsoid { semi_axes } => (10, semi_axes.to_vec()),
-        Geometry::Box { min, max } => (12, [*min, *max].concat()),
-        Geometry::GeodesicSphere { radius, splits } => (13, vec![*radius, f64::from(*splits)]),
-        Geometry::Torus { major, minor } => (14, vec![*major, *minor]),
-        Geometry::Quadric(q) => (15, q.to_vec()),
-        Geometry::Cone { height, radius } => (16, vec![*height, *radius]),
-        Geometry::DoubleCone { height, radius } => (17, vec![*height, *radius]),
-        Geometry::ParabolicCylinder { a } => (18, vec![*a]),
-        Geometry::HyperbolicCylinder { a, b } => (19, vec![*a, *b]),
-        Geometry::Hyperboloid { a, b, c, sheets } => (20, vec![*a, *b, *c, f64::from(*sheets)]),
-        Geometry::HyperbolicParaboloid { a, b } => (21, vec![*a, *b]),
+    // Which points it holds, not how they look.
+    let (kind, numbers) = match geometry {
+        Geometry::Revolution { profile, .. } => Geometry::Revolution {
+            profile: profile.clone(),
+            colours: Vec::new(),
+        }
+        .record(),
+        Geometry::Triangle { vertices, .. } => Geometry::Triangle {
+            vertices: *vertices,
+            normals: TriangleNormals::Flat,
+        }
+        .record(),
+        all => all.record(),
     };
-    std::iter::once(tag)
-        .chain(numbers.iter().map(|x| (x + 0.0).to_bits()))
+    let bits = |p: &Parameter| match p {
+        Parameter::Real(x) => (x + 0.0).to_bits(),
+        Parameter::Integer(n) => u64::from(*n),
+    };
+    std::iter::once(kind as u64)
+        .chain(numbers.iter().map(bits))
         .collect()
 }

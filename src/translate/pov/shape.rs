@@ -1,11 +1,13 @@
-//! Shapes as POV-Ray's primitives.
+//! Shapes as POV-Ray has them: primitives, surface coordinates, and how exact they are.
 
 use super::frame::power_of_two_about;
 use super::profile::Profile;
 use super::text::{number, vector};
-use super::{poly, triangle};
+use super::{poly, triangle, uv};
 use crate::geometry::array::length;
 use crate::scene::{Geometry, TriangleNormals};
+use crate::syntax::table::ShapeKind;
+use crate::translate::fidelity::Verdict;
 
 /// A primitive in the shape's own coordinates: a keyword, and what stands between its braces, one
 /// line each.
@@ -33,6 +35,8 @@ impl Primitive {
 
 /// The primitive that is the shape.
 pub fn primitive(geometry: &Geometry) -> Primitive {
+    // Divided twice, so that no square leaves the numbers' range.
+    let inverse = |a: f64| 1.0 / a / a;
     match geometry {
         Geometry::Sphere { centre, radius } => {
             Primitive::new("sphere", format!("{}, {}", vector(centre), number(*radius)))
@@ -78,12 +82,168 @@ pub fn primitive(geometry: &Geometry) -> Primitive {
                 .map(|h| format!("cone {{ {} }}", cone_parameters(h, *radius)))
                 .into(),
         },
+        Geometry::Quadric(q) => poly::quadric(q),
+        Geometry::ParabolicCylinder { a } => {
+            poly::quadric(&poly::diagonal(inverse(*a), 0.0, 0.0, -1.0, 0.0))
+        }
+        Geometry::HyperbolicCylinder { a, b } => {
+            let q = poly::diagonal(inverse(*a), -inverse(*b), 0.0, 0.0, -1.0);
+            poly::quadric(&q)
+        }
+        Geometry::Hyperboloid { a, b, c, sheets } => {
+            let constant = if *sheets == 2 { 1.0 } else { -1.0 };
+            let [a, b, c] = [*a, *b, *c].map(inverse);
+            poly::quadric(&poly::diagonal(a, -b, c, 0.0, constant))
+        }
+        Geometry::HyperbolicParaboloid { a, b } => {
+            let q = poly::diagonal(inverse(*a), 0.0, -inverse(*b), -1.0, 0.0);
+            poly::quadric(&q)
+        }
+    }
+}
+
+/// What shading normals cost.
+pub const BEHIND: &str = "a light behind the triangle, but before its shading normal, is seen";
+
+/// How exact a shape is.
+pub fn verdict(kind: ShapeKind) -> Verdict {
+    match kind {
+        ShapeKind::SurfaceOfRevolution => Verdict::exact("lathe { linear_spline }"),
+        ShapeKind::ColouredSurfaceOfRevolution => {
+            Verdict::exact("lathe { linear_spline }, the colours as a pigment")
+        }
+        ShapeKind::Plane | ShapeKind::HalfSpace => Verdict::exact("plane"),
+        ShapeKind::Rectangle => Verdict::exact("polygon"),
+        ShapeKind::Triangle => Verdict::exact("triangle"),
+        ShapeKind::TriangleWithNormal | ShapeKind::TriangleWithVertexNormals => {
+            Verdict::approximate(BEHIND, "smooth_triangle")
+        }
+        ShapeKind::SphereAtOrigin | ShapeKind::Ellipsoid | ShapeKind::Sphere => {
+            Verdict::exact("sphere")
+        }
+        ShapeKind::Box => Verdict::exact("box"),
+        ShapeKind::GeodesicSphere => Verdict::exact("a mesh of the same facets"),
+        ShapeKind::Torus => Verdict::exact("torus"),
+
+        ShapeKind::Quadric
+        | ShapeKind::ParabolicCylinder
+        | ShapeKind::HyperbolicCylinder
+        | ShapeKind::Hyperboloid
+        | ShapeKind::HyperbolicParaboloid => Verdict::exact("poly { 2 }"),
+        ShapeKind::Cone | ShapeKind::DoubleCone => Verdict::exact("cone"),
+    }
+}
+
+/// The surface coordinates of a point on the shape.
+pub fn coordinates(geometry: &Geometry) -> uv::Coordinates {
+    let [u, v] = match geometry {
+        Geometry::Sphere { centre, radius } => {
+            let [x, y, z] = uv::from_centre(*centre);
+            [
+                uv::turn(&x, &z),
+                uv::polar(&format!("{y}/{}", number(*radius))),
+            ]
+        }
+        Geometry::Ellipsoid { semi_axes } => [
+            uv::around(),
+            uv::polar(&format!("y/{}", number(semi_axes[1]))),
+        ],
+        Geometry::GeodesicSphere { .. } => [uv::around(), uv::polar("y/sqrt(x*x + y*y + z*z)")],
+        Geometry::Box { min, max } => uv::box_faces(*min, *max),
+        Geometry::Rectangle { min, max } => [
+            uv::along("x", min[0], max[0]),
+            uv::along("y", min[1], max[1]),
+        ],
+        Geometry::Plane(p) | Geometry::HalfSpace(p) => uv::plane(p),
+        Geometry::Triangle { vertices, .. } => uv::weights(vertices),
+        Geometry::Torus { major, minor } => [uv::around(), uv::tube(*major, *minor)],
+        // On the side y/h is ρ/r.
+        Geometry::Cone { radius, .. } => [uv::around(), format!("{}/{}", uv::RHO, number(*radius))],
+        Geometry::DoubleCone { height, radius } => {
+            [uv::around(), uv::double_cone(*height, *radius)]
+        }
         Geometry::Quadric(_)
         | Geometry::ParabolicCylinder { .. }
         | Geometry::HyperbolicCylinder { .. }
         | Geometry::Hyperboloid { .. }
-        | Geometry::HyperbolicParaboloid { .. } => poly::quadric(&poly::form(geometry)),
+        | Geometry::HyperbolicParaboloid { .. } => [uv::around(), "y".to_owned()],
+        Geometry::Revolution { profile, .. } => {
+            return uv::Coordinates {
+                // A lathe counts the other way round.
+                u: "mod(1 - x, 1)".to_owned(),
+                v: uv::Along::Pattern(Profile::of(profile).arc_pattern()),
+            };
+        }
+    };
+    uv::Coordinates {
+        u,
+        v: uv::Along::Expression(v),
     }
+}
+
+/// A flat surface as a plate, so far from it on both sides.
+pub fn plate(geometry: &Geometry, by: f64) -> Option<Primitive> {
+    let pair = |of: [Geometry; 2]| {
+        let line = |g: &Geometry| {
+            let Primitive { keyword, lines } = primitive(g);
+            format!("{keyword} {{ {} }}", lines.join(" "))
+        };
+        of.iter().map(line).collect::<Vec<_>>()
+    };
+    Some(match geometry {
+        Geometry::Rectangle { min, max } => {
+            let corner = |c: &[f64; 2], z: f64| vector(&[c[0], c[1], z]);
+            Primitive::new("box", format!("{}, {}", corner(min, -by), corner(max, by)))
+        }
+        Geometry::Plane([a, b, c, d]) => {
+            let by = by * length([*a, *b, *c]);
+            let sides = [[*a, *b, *c, d - by], [-a, -b, -c, -d - by]];
+            Primitive {
+                keyword: "intersection",
+                lines: pair(sides.map(Geometry::HalfSpace)),
+            }
+        }
+        Geometry::Triangle {
+            vertices,
+            normals: TriangleNormals::Flat,
+        } => {
+            let [p, q, r] = *vertices;
+            let [u, v] = [q, r].map(|x| [x[0] - p[0], x[1] - p[1], x[2] - p[2]]);
+            let n = [
+                u[1] * v[2] - u[2] * v[1],
+                u[2] * v[0] - u[0] * v[2],
+                u[0] * v[1] - u[1] * v[0],
+            ];
+            let by = by / length(n);
+            if !by.is_finite() {
+                return None;
+            }
+            let side = |corners: [[f64; 3]; 3], by: f64| Geometry::Triangle {
+                vertices: corners.map(|x| std::array::from_fn(|i| x[i] + by * n[i])),
+                normals: TriangleNormals::Flat,
+            };
+            Primitive {
+                // Clockwise seen from outside, each; triangles by themselves forget that where they are moved.
+                keyword: "mesh",
+                lines: pair([side([p, r, q], by), side([p, q, r], -by)]),
+            }
+        }
+        Geometry::Triangle { .. }
+        | Geometry::Revolution { .. }
+        | Geometry::HalfSpace(_)
+        | Geometry::Sphere { .. }
+        | Geometry::Ellipsoid { .. }
+        | Geometry::Box { .. }
+        | Geometry::GeodesicSphere { .. }
+        | Geometry::Torus { .. }
+        | Geometry::Quadric(_)
+        | Geometry::Cone { .. }
+        | Geometry::DoubleCone { .. }
+        | Geometry::ParabolicCylinder { .. }
+        | Geometry::HyperbolicCylinder { .. }
+        | Geometry::Hyperboloid { .. }
+        | Geometry::HyperbolicParaboloid { .. } => return None,
+    })
 }
 
 /// Their plane is n·x = distance with a unit normal, the inside where n·x is less.

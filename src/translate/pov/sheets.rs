@@ -11,26 +11,18 @@ use super::build::Builder;
 use super::changes::Change;
 use super::descend::End;
 use super::piece::{Body, Look, Modifier, Piece, State};
-use super::shape::{Primitive, primitive};
-use super::text::vector;
 use super::union::Members;
-use crate::geometry::array::length;
-use crate::scene::{Geometry, NodeId, Scene, TriangleNormals};
-
-/// Whether a shape is flat, and the same all over.
-pub fn is_flat(geometry: &Geometry) -> bool {
-    use Geometry::{Plane, Rectangle, Triangle};
-    let flat = TriangleNormals::Flat;
-    matches!(geometry, Plane(_) | Rectangle { .. })
-        || matches!(geometry, Triangle { normals, .. } if *normals == flat)
-}
+use crate::scene::{NodeId, Scene};
+use crate::solids::shapes::facts::Facts as _;
 
 /// For each node whether any is in it; nothing where no light goes through anything.
 pub fn holders(scene: &Scene, clear: bool) -> Vec<bool> {
     let mut holds = vec![false; if clear { scene.nodes.len() } else { 0 }];
     for id in 0..holds.len() {
         holds[id] = match scene.nodes[id] {
-            crate::scene::Node::Shape(shape) => is_flat(&scene.shapes[shape as usize].geometry),
+            crate::scene::Node::Shape(shape) => {
+                scene.shapes[shape as usize].geometry.character().is_flat
+            }
             node => {
                 let mut children = node.children().into_iter().flatten();
                 children.any(|child| holds[child as usize])
@@ -100,52 +92,4 @@ impl Builder<'_> {
             }
         }
     }
-}
-
-/// A flat surface as a plate, so far from it on both sides.
-pub fn plate(geometry: &Geometry, by: f64) -> Option<Primitive> {
-    let pair = |of: [Geometry; 2]| {
-        let line = |g: &Geometry| {
-            let Primitive { keyword, lines } = primitive(g);
-            format!("{keyword} {{ {} }}", lines.join(" "))
-        };
-        of.iter().map(line).collect::<Vec<_>>()
-    };
-    Some(match geometry {
-        Geometry::Rectangle { min, max } => {
-            let corner = |c: &[f64; 2], z: f64| vector(&[c[0], c[1], z]);
-            Primitive::new("box", format!("{}, {}", corner(min, -by), corner(max, by)))
-        }
-        Geometry::Plane([a, b, c, d]) => {
-            let by = by * length([*a, *b, *c]);
-            let sides = [[*a, *b, *c, d - by], [-a, -b, -c, -d - by]];
-            Primitive {
-                keyword: "intersection",
-                lines: pair(sides.map(Geometry::HalfSpace)),
-            }
-        }
-        Geometry::Triangle { vertices, .. } if is_flat(geometry) => {
-            let [p, q, r] = *vertices;
-            let [u, v] = [q, r].map(|x| [x[0] - p[0], x[1] - p[1], x[2] - p[2]]);
-            let n = [
-                u[1] * v[2] - u[2] * v[1],
-                u[2] * v[0] - u[0] * v[2],
-                u[0] * v[1] - u[1] * v[0],
-            ];
-            let by = by / length(n);
-            if !by.is_finite() {
-                return None;
-            }
-            let side = |corners: [[f64; 3]; 3], by: f64| Geometry::Triangle {
-                vertices: corners.map(|x| std::array::from_fn(|i| x[i] + by * n[i])),
-                normals: TriangleNormals::Flat,
-            };
-            Primitive {
-                // Clockwise seen from outside, each; triangles by themselves forget that where they are moved.
-                keyword: "mesh",
-                lines: pair([side([p, r, q], by), side([p, q, r], -by)]),
-            }
-        }
-        _ => return None,
-    })
 }

@@ -8,8 +8,8 @@ use super::aspects::Aspects;
 use super::facts::{Facts, facts};
 use super::rewrite::{Rewrite, Way, below};
 use crate::geometry::Aabb;
-use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::{NodeBounds, node_bounds};
 
 /// Unions of more parts are left as they are.
 const MANY: usize = 512;

@@ -5,10 +5,11 @@
 use super::build::Builder;
 use super::changes::Change;
 use super::flush::is_along;
-use super::lengthen::{Cut, HAIR, lengthened};
 use super::offset::stretched;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Node, NodeId, Vec3};
+use crate::scene::{Node, NodeId, Vec3};
+use crate::solids::shapes::facts::Facts as _;
+use crate::solids::shapes::lengthen::{Cut, HAIR};
 
 /// Solids are made longer by this part of their length, or of what there is room for: far more than
 /// POV-Ray's tolerances.
@@ -221,15 +222,8 @@ impl Builder<'_> {
             };
             match self.scene.nodes[node as usize] {
                 Node::Shape(shape) => {
-                    let wider = match &self.scene.shapes[shape as usize].geometry {
-                        // It goes on straight.
-                        Geometry::Cone { .. } => 1.0 + PART,
-                        geometry @ Geometry::Revolution { profile, .. } => {
-                            1.0 + widened(geometry, profile)
-                        }
-                        // As wide as before, or not longer at all.
-                        _ => 1.0,
-                    };
+                    let geometry = &self.scene.shapes[shape as usize].geometry;
+                    let wider = 1.0 + geometry.widened(PART);
                     most = most.max(wider);
                 }
                 Node::Union(a, b) => todo.extend([a, b]),
@@ -252,14 +246,13 @@ impl Builder<'_> {
         axis: usize,
         below: bool,
     ) -> Option<f64> {
-        use Geometry::{Ellipsoid, Sphere, Torus};
         let end = ends_alike(own, &self.box_of(other), axis, below)?;
         // What is round is there in a point, or along a line.
         let is_round = match self.scene.nodes[self.core(other).0 as usize] {
-            Node::Shape(shape) => matches!(
-                self.scene.shapes[shape as usize].geometry,
-                Ellipsoid { .. } | Sphere { .. } | Torus { .. }
-            ),
+            Node::Shape(shape) => {
+                let geometry = &self.scene.shapes[shape as usize].geometry;
+                geometry.character().ends_round
+            }
             _ => false,
         };
         (!is_round).then_some(end)
@@ -267,14 +260,7 @@ impl Builder<'_> {
 
     /// A node as a part of a cone or cylinder along an axis, if it is one.
     fn frustum(&self, node: NodeId) -> Option<Frustum> {
-        let (y, radii) = match self.along_the_axes(node)? {
-            Geometry::Cone { height, radius } => ([0.0, *height], [0.0, *radius]),
-            Geometry::Revolution { profile, .. } => match profile[..] {
-                [[r, y], [q, z]] => ([y, z], [r, q]),
-                _ => return None,
-            },
-            _ => return None,
-        };
+        let (y, radii) = self.along_the_axes(node)?.frustum()?;
         let bounds = self.box_of(node);
         let size: [f64; 3] = std::array::from_fn(|i| bounds.max[i] - bounds.min[i]);
         // The place of the two ends tells the axis, and which of them is the lower one.
@@ -330,7 +316,7 @@ impl Builder<'_> {
     /// Whether a node is a box along the axes, or a half-space.
     fn is_flat(&self, node: NodeId) -> bool {
         self.along_the_axes(node)
-            .is_some_and(|g| matches!(g, Geometry::Box { .. } | Geometry::HalfSpace(_)))
+            .is_some_and(|g| g.character().is_its_bounds || g.is_solid() && g.plane().is_some())
     }
 
     /// What there is to stand on of a solid; within what is hollow before outside of it.
@@ -363,22 +349,6 @@ fn ends_alike(own: &Aabb, other: &Aabb, axis: usize, below: bool) -> Option<f64>
     let hair = HAIR * end(own).abs().max(own.max[axis] - own.min[axis]);
     let over = |i: usize| own.min[i].max(other.min[i]) < own.max[i].min(other.max[i]);
     ((end(own) - end(other)).abs() <= hair && (0..3).all(over)).then(|| end(own))
-}
-
-/// By which part of its largest radius a surface of revolution becomes wider where both its ends are
-/// made longer: they go on as the profile ends.
-fn widened(geometry: &Geometry, profile: &[[f64; 2]]) -> f64 {
-    let mut around = Aabb::ALL;
-    let heights = || profile.iter().map(|p| p[1]);
-    around.min[1] = heights().fold(f64::INFINITY, f64::min);
-    around.max[1] = heights().fold(f64::NEG_INFINITY, f64::max);
-    let widest = |profile: &[[f64; 2]]| profile.iter().fold(0.0f64, |m, p| m.max(p[0]));
-    match lengthened(geometry, &Cut::of(around, PART)) {
-        Some(Geometry::Revolution {
-            profile: longer, ..
-        }) => (widest(&longer) / widest(profile) - 1.0).max(0.0),
-        _ => 0.0,
-    }
 }
 
 impl Room {

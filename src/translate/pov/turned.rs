@@ -5,16 +5,21 @@
 use std::collections::HashMap;
 
 use super::camera::Eye;
-use super::facts::{Facts, is_smooth};
+use super::facts::Facts;
 use crate::geometry::Matrix;
 use crate::geometry::vec::Vec3 as V;
 use crate::scene::{Geometry, Node, Scene, TriangleNormals, Vec3};
+use crate::solids::shapes::facts::Facts as _;
 
 /// For each such shape that stands in one place: whether its normals have to be turned to the eye's
 /// side.
 pub fn turned(scene: &Scene, facts: &[Facts], eye: &Eye) -> HashMap<u32, bool> {
     let eyes = mirrored(scene, V::from(eye.camera.position));
-    if !scene.shapes.iter().any(|s| is_smooth(&s.geometry)) {
+    if !scene
+        .shapes
+        .iter()
+        .any(|s| s.geometry.character().is_smooth)
+    {
         return HashMap::new();
     }
     let mut out = HashMap::new();
@@ -63,12 +68,10 @@ pub fn holders(scene: &Scene, facts: &[Facts], turned: &HashMap<u32, bool>) -> V
 /// The eye, and where it seems to be in the mirrors that planes may be.
 fn mirrored(scene: &Scene, eye: V) -> Vec<V> {
     const MOST: usize = 8;
-    let planes = scene.shapes.iter().filter_map(|s| match s.geometry {
-        Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d]) => {
-            let n = V::new(a, b, c);
-            Some(eye - n * (2.0 * (n.dot(eye) + d) / n.dot(n)))
-        }
-        _ => None,
+    let planes = scene.shapes.iter().filter_map(|s| {
+        let [a, b, c, d] = s.geometry.plane()?;
+        let n = V::new(a, b, c);
+        Some(eye - n * (2.0 * (n.dot(eye) + d) / n.dot(n)))
     });
     let finite = planes.filter(|p| p.is_finite());
     std::iter::once(eye).chain(finite.take(MOST)).collect()

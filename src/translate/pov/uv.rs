@@ -1,10 +1,9 @@
 //! Surface coordinates as POV-Ray functions of a point in the shape's own coordinates.
 //! POV-Ray's `uv_mapping` has other coordinates for most shapes.
 
-use super::profile::Profile;
 use super::text::number;
 use crate::geometry::array::{cross, dot, length};
-use crate::scene::{Geometry, Vec3};
+use crate::scene::Vec3;
 
 /// u and v as functions of (x, y, z): of a point, and for a lathe, of what `uv_mapping` makes of it.
 pub struct Coordinates {
@@ -19,65 +18,25 @@ pub enum Along {
     Pattern(String),
 }
 
-/// The surface coordinates of a point on the shape.
-pub fn coordinates(geometry: &Geometry) -> Coordinates {
-    let [u, v] = match geometry {
-        Geometry::Sphere { centre, radius } => {
-            let [x, y, z] = from_centre(*centre);
-            [turn(&x, &z), polar(&format!("{y}/{}", number(*radius)))]
-        }
-        Geometry::Ellipsoid { semi_axes } => {
-            [around(), polar(&format!("y/{}", number(semi_axes[1])))]
-        }
-        Geometry::GeodesicSphere { .. } => [around(), polar("y/sqrt(x*x + y*y + z*z)")],
-        Geometry::Box { min, max } => box_faces(*min, *max),
-        Geometry::Rectangle { min, max } => {
-            [along("x", min[0], max[0]), along("y", min[1], max[1])]
-        }
-        Geometry::Plane(p) | Geometry::HalfSpace(p) => plane(p),
-        Geometry::Triangle { vertices, .. } => weights(vertices),
-        Geometry::Torus { major, minor } => [around(), tube(*major, *minor)],
-        // On the side y/h is ρ/r.
-        Geometry::Cone { radius, .. } => [around(), format!("{RHO}/{}", number(*radius))],
-        Geometry::DoubleCone { height, radius } => [around(), double_cone(*height, *radius)],
-        Geometry::Quadric(_)
-        | Geometry::ParabolicCylinder { .. }
-        | Geometry::HyperbolicCylinder { .. }
-        | Geometry::Hyperboloid { .. }
-        | Geometry::HyperbolicParaboloid { .. } => [around(), "y".to_owned()],
-        Geometry::Revolution { profile, .. } => {
-            return Coordinates {
-                // A lathe counts the other way round.
-                u: "mod(1 - x, 1)".to_owned(),
-                v: Along::Pattern(Profile::of(profile).arc_pattern()),
-            };
-        }
-    };
-    Coordinates {
-        u,
-        v: Along::Expression(v),
-    }
-}
-
 /// The distance from the y axis.
-const RHO: &str = "sqrt(x*x + z*z)";
+pub const RHO: &str = "sqrt(x*x + z*z)";
 
 /// The angle about the y axis, from 0 to 1: never negative.
-fn turn(x: &str, z: &str) -> String {
+pub fn turn(x: &str, z: &str) -> String {
     format!("select(-{z}, 1, 0) + atan2(-{z}, {x})/(2*pi)")
 }
 
-fn around() -> String {
+pub fn around() -> String {
     turn("x", "z")
 }
 
 /// acos(−height)/π.
-fn polar(height: &str) -> String {
+pub fn polar(height: &str) -> String {
     format!("acos(max(-1, min(1, -{height})))/pi")
 }
 
 /// The angle in the tube. The lemon of a tube wider than its ring lies beyond the axis.
-fn tube(major: f64, minor: f64) -> String {
+pub fn tube(major: f64, minor: f64) -> String {
     let ring = number(major);
     let across = if minor > major {
         let square = number(minor * minor);
@@ -95,13 +54,13 @@ fn tube(major: f64, minor: f64) -> String {
 
 /// On the sides ρ/r is |y|/h, on the discs it is less. What is added lets
 /// the sides win where both are the same but for rounding, and takes the outermost millionth from a disc.
-fn double_cone(height: f64, radius: f64) -> String {
+pub fn double_cone(height: f64, radius: f64) -> String {
     let (h, r) = (number(height), number(radius));
     format!("select({RHO}/{r} - abs(y)/{h} + 1e-6, {RHO}/{r}, 0.5 + 0.5*y/{h})")
 }
 
 /// The barycentric weights of the second and third vertex.
-fn weights([a, b, c]: &[Vec3; 3]) -> [String; 2] {
+pub fn weights([a, b, c]: &[Vec3; 3]) -> [String; 2] {
     let size = [b, c]
         .iter()
         .flat_map(|p| (0..3).map(|i| (p[i] - a[i]).abs()))
@@ -137,12 +96,12 @@ fn minus(axis: &str, c: f64) -> String {
     }
 }
 
-fn from_centre(c: Vec3) -> [String; 3] {
+pub fn from_centre(c: Vec3) -> [String; 3] {
     [minus("x", c[0]), minus("y", c[1]), minus("z", c[2])]
 }
 
 /// From 0 at `min` to 1 at `max`.
-fn along(axis: &str, min: f64, max: f64) -> String {
+pub fn along(axis: &str, min: f64, max: f64) -> String {
     let length = max - min;
     if length > 0.0 {
         format!("{}/{}", minus(axis, min), number(length))
@@ -152,7 +111,7 @@ fn along(axis: &str, min: f64, max: f64) -> String {
 }
 
 /// The face is the one that the point is farthest out on, as a part of the box's half-width.
-fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
+pub fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
     let axes = ["x", "y", "z"];
     let out: [String; 3] = std::array::from_fn(|i| {
         let half = (max[i] - min[i]) / 2.0;
@@ -187,7 +146,7 @@ fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
 }
 
 /// Lengths along ŷ × n and n × that, from the point nearest the origin.
-fn plane(p: &[f64; 4]) -> [String; 2] {
+pub fn plane(p: &[f64; 4]) -> [String; 2] {
     let largest = p[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let p = [p[0] / largest, p[1] / largest, p[2] / largest];
     let far = length(p);

@@ -1,10 +1,8 @@
 //! What POV-Ray makes of each feature.
 
-use crate::syntax::table::{RecordKind, ShapeKind};
+use super::shape;
+use crate::syntax::table::RecordKind;
 use crate::translate::{Effect, Feature, Verdict};
-
-/// What shading normals cost.
-const BEHIND: &str = "a light behind the triangle, but before its shading normal, is seen";
 
 pub fn verdict(feature: Feature) -> Verdict {
     match feature {
@@ -16,32 +14,7 @@ pub fn verdict(feature: Feature) -> Verdict {
 fn record(kind: RecordKind) -> Verdict {
     match kind {
         RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
-        RecordKind::Shape(ShapeKind::SurfaceOfRevolution) => {
-            Verdict::exact("lathe { linear_spline }")
-        }
-        RecordKind::Shape(ShapeKind::ColouredSurfaceOfRevolution) => {
-            Verdict::exact("lathe { linear_spline }, the colours as a pigment")
-        }
-        RecordKind::Shape(ShapeKind::Plane | ShapeKind::HalfSpace) => Verdict::exact("plane"),
-        RecordKind::Shape(ShapeKind::Rectangle) => Verdict::exact("polygon"),
-        RecordKind::Shape(ShapeKind::Triangle) => Verdict::exact("triangle"),
-        RecordKind::Shape(ShapeKind::TriangleWithNormal | ShapeKind::TriangleWithVertexNormals) => {
-            Verdict::approximate(BEHIND, "smooth_triangle")
-        }
-        RecordKind::Shape(ShapeKind::SphereAtOrigin | ShapeKind::Ellipsoid | ShapeKind::Sphere) => {
-            Verdict::exact("sphere")
-        }
-        RecordKind::Shape(ShapeKind::Box) => Verdict::exact("box"),
-        RecordKind::Shape(ShapeKind::GeodesicSphere) => Verdict::exact("a mesh of the same facets"),
-        RecordKind::Shape(ShapeKind::Torus) => Verdict::exact("torus"),
-        RecordKind::Shape(
-            ShapeKind::Quadric
-            | ShapeKind::ParabolicCylinder
-            | ShapeKind::HyperbolicCylinder
-            | ShapeKind::Hyperboloid
-            | ShapeKind::HyperbolicParaboloid,
-        ) => Verdict::exact("poly { 2 }"),
-        RecordKind::Shape(ShapeKind::Cone | ShapeKind::DoubleCone) => Verdict::exact("cone"),
+        RecordKind::Shape(kind) => shape::verdict(kind),
         RecordKind::Translation
         | RecordKind::Rotation
         | RecordKind::Scaling
@@ -80,7 +53,7 @@ fn of_effect(effect: Effect) -> Verdict {
             "",
         ),
         Effect::VertexColours => Verdict::exact("a pigment over the profile"),
-        Effect::SmoothNormals => Verdict::approximate(BEHIND, "smooth_triangle"),
+        Effect::SmoothNormals => Verdict::approximate(shape::BEHIND, "smooth_triangle"),
         Effect::Background => Verdict::exact("background"),
         Effect::RenderBox => Verdict::exact("clipped_by"),
         Effect::AutomaticCamera => Verdict::exact("the camera is written out"),

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use crate::geometry::Aabb;
-use crate::scene::bounds::NodeBounds;
 use crate::scene::{NodeId, Scene, Vec3, Volume};
+use crate::solids::bounds::NodeBounds;
 
 /// For each object the last of its volumes that certainly holds it, and whether that was written.
 pub type Volumes = HashMap<NodeId, (Volume, bool)>;

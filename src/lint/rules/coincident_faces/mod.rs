@@ -21,6 +21,7 @@ use crate::scene::record::Params;
 use crate::scene::{Geometry, Node, NodeId, OperationRecord, Scene};
 use crate::solids::contacts::face::Part;
 use crate::solids::contacts::search::{Found, Side, search};
+use crate::solids::shapes::facts::Facts;
 use crate::solids::{named, operation_of};
 
 /// What the two shapes are to each other.
@@ -140,20 +141,16 @@ fn finding(
 
 /// Where a face is written, what it is, and the parameter that it is named by.
 fn place(p: &Params, geometry: &Geometry, part: Part) -> (Span, &'static str, &'static str) {
-    match (geometry, part) {
-        (_, Part::Side { axis, upper }) => {
-            let i = if upper { axis + 3 } else { axis };
-            (p.span_of(i, 1), "side", p.param(i).map_or("", |q| q.name))
-        }
-        (Geometry::HalfSpace(_), _) => (p.span_of(0, 4), "boundary", ""),
-        (_, Part::Base { .. }) => (p.span_of(0, 1), "base", ""),
-        (_, Part::Mantle) => (p.span_of(0, 2), "mantle", ""),
-        (_, Part::Cap(i)) => (p.span_of(1 + 2 * i, 2), "disc", ""),
-        (_, Part::Piece(i)) => (p.span_of(1 + 2 * i, 4), "piece", ""),
+    let written = geometry.written(part);
+    let span = match written.params {
+        Some((first, count)) => p.span_of(first, count),
         // Some types have no parameters.
-        (_, Part::All) if p.len() == 0 => (p.span, "all", ""),
-        (_, Part::All) => (p.span_of(0, p.len()), "all", ""),
-    }
+        None if p.len() == 0 => p.span,
+        None => p.span_of(0, p.len()),
+    };
+    let name = |i: usize| p.param(i).map_or("", |q| q.name);
+    let named = written.params.filter(|_| written.is_named);
+    (span, written.what, named.map_or("", |(i, _)| name(i)))
 }
 
 /// Who is made of what.

@@ -4,7 +4,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
 use crate::lint::spelling::rough;
 use crate::scene::record::Params;
-use crate::syntax::table::{RecordKind, ShapeKind};
+use crate::syntax::table::RecordKind;
 
 /// Whole numbers up to 255 are bytes as image programs show them. Up to 100 they may as well be
 /// per cent, and nothing is proposed.
@@ -13,13 +13,12 @@ const PER_CENT_MAX: f64 = 100.0;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
-        let first = match record.ty.kind {
-            RecordKind::Colour => 0,
-            // The colours follow the points of the profile.
-            RecordKind::Shape(ShapeKind::ColouredSurfaceOfRevolution) => {
-                1 + 2 * record.count as usize
-            }
-            _ => continue,
+        // The parts of optics are shares of light, not colours.
+        if !matches!(record.ty.kind, RecordKind::Colour | RecordKind::Shape(_)) {
+            continue;
+        }
+        let Some(first) = record.ty.first_colour(record.count as usize) else {
+            continue;
         };
         let p = context.record_params(record);
         if (first..p.len()).any(|i| is_outside(&p, i)) {

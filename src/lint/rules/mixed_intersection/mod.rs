@@ -7,8 +7,9 @@ use crate::lint::Context;
 use crate::lint::parts::parts;
 use crate::lint::properties::{ASPECTS, Properties, sets};
 use crate::parallel;
-use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Geometry, Node, NodeId, Scene, Texture};
+use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Node, NodeId, Scene, Texture};
 use crate::solids::proofs::{Proofs, Reason};
+use crate::solids::shapes::facts::Facts;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -80,8 +81,7 @@ fn looks(scene: &Scene) -> Vec<[Source; ASPECTS]> {
         let of = |n: NodeId| looks[n as usize];
         looks.push(match *node {
             Node::Shape(s) => {
-                let coloured = matches!(&scene.shapes[s as usize].geometry,
-                    Geometry::Revolution { colours, .. } if !colours.is_empty());
+                let coloured = scene.shapes[s as usize].geometry.character().has_colours;
                 let texture = match coloured {
                     true => Source::Profile(s),
                     false => Source::Default,

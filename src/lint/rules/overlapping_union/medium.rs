@@ -1,6 +1,7 @@
 //! What light notices of the parts of a union.
 
-use crate::scene::{DEFAULT_INDEX, Geometry, Node, NodeId, Optics, Rgb, Scene, Texture};
+use crate::scene::{DEFAULT_INDEX, Node, NodeId, Optics, Rgb, Scene, Texture};
+use crate::solids::shapes::facts::Facts;
 
 /// What light notices of a part.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,8 +82,7 @@ pub(super) fn looks(
         node = match scene.nodes[node as usize] {
             Node::Shape(s) => {
                 let geometry = &scene.shapes[s as usize].geometry;
-                let coloured =
-                    matches!(geometry, Geometry::Revolution { colours, .. } if !colours.is_empty());
+                let coloured = geometry.character().has_colours;
                 own = Some(if coloured {
                     Colouring::Own
                 } else {

@@ -4,15 +4,15 @@ use rustc_hash::FxHashSet;
 
 use super::medium::texture;
 use super::unions::{Part, Unions};
-use crate::geometry::array::length;
 use crate::geometry::boxes::Boxes;
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::spelling::near;
-use crate::scene::bounds::NodeBounds;
-use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
+use crate::scene::{Node, NodeId, Scene, Vec3};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::distance_field::Field;
 use crate::solids::inside::Inside;
 use crate::solids::lowest::lowest;
+use crate::solids::shapes::facts::Facts;
 
 /// Boxes looked at and points tried, for all parts together: some tenths of a second.
 const STEPS: usize = 10_000_000;
@@ -316,24 +316,7 @@ impl<'a> Search<'a> {
                 _ => break None,
             }
         };
-        let (middle, size) = match geometry {
-            Some(&Geometry::HalfSpace([a, b, c, d])) => {
-                let square = a * a + b * b + c * c;
-                let foot = [a, b, c].map(|x| -d * x / square);
-                (foot, 1.0f64.max(length(foot)))
-            }
-            Some(Geometry::Quadric(q)) => {
-                let largest = |of: &[usize]| of.iter().fold(0.0f64, |m, &k| m.max(q[k].abs()));
-                let square = largest(&[0, 1, 2, 4, 5, 6, 8, 9, 10]).max(f64::MIN_POSITIVE);
-                let linear = largest(&[3, 7, 11, 12, 13, 14]) / square;
-                ([0.0; 3], linear + (largest(&[15]) / square).sqrt() + 1.0)
-            }
-            Some(&Geometry::ParabolicCylinder { a }) => ([0.0; 3], a.max(1.0)),
-            Some(&Geometry::HyperbolicCylinder { a, b })
-            | Some(&Geometry::HyperbolicParaboloid { a, b }) => ([0.0; 3], a.max(b)),
-            Some(&Geometry::Hyperboloid { a, b, c, .. }) => ([0.0; 3], a.max(b).max(c)),
-            _ => ([0.0; 3], 1.0),
-        };
+        let (middle, size) = geometry.map_or(([0.0; 3], 1.0), Facts::home);
         let reach = TIMES * size;
         let around = Aabb::new(middle.map(|x| x - reach), middle.map(|x| x + reach));
         around.transformed(&matrix)

@@ -4,10 +4,11 @@ use crate::diagnostics::{Applicability, Edit, Fix, Span};
 use crate::lint::Context;
 use crate::lint::parts::{Parts, parts};
 use crate::lint::properties::{ASPECTS, Properties};
-use crate::scene::bounds::NodeBounds;
 use crate::scene::record::Params;
-use crate::scene::{Geometry, Node, NodeId, Scene};
+use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::proofs::Proofs;
+use crate::solids::shapes::facts::Facts;
 
 /// The largest ID that the language knows.
 const ID_MAX: u32 = i32::MAX as u32;
@@ -137,7 +138,7 @@ fn is_default(scene: &Scene, mut node: NodeId) -> bool {
             Node::Transform { child, .. } | Node::Copy { child, .. } => child,
             Node::Shape(s) => {
                 let geometry = &scene.shapes[s as usize].geometry;
-                return !matches!(geometry, Geometry::Revolution { colours, .. } if !colours.is_empty());
+                return !geometry.character().has_colours;
             }
             _ => return false,
         };

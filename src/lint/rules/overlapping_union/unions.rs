@@ -4,9 +4,10 @@ use rustc_hash::FxHashMap;
 
 use super::medium::{Coat, Colouring, Medium, looks};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::NodeBounds;
 use crate::scene::{Node, NodeId, Scene};
 use crate::solids::ancestry::{Ancestry, NONE};
+use crate::solids::bounds::NodeBounds;
+use crate::solids::shapes::facts::Facts;
 use crate::solids::{Named, named};
 use crate::trace::plan::unseen::{self, LeftOut};
 
@@ -169,9 +170,7 @@ impl Unions {
         let own = bounds[task.node as usize].all;
         let bounds = match scene.nodes[task.node as usize] {
             // Closer than its own box would come, moved.
-            Node::Shape(s) => {
-                crate::scene::bounds::shape_bounds(&scene.shapes[s as usize].geometry, &task.matrix)
-            }
+            Node::Shape(s) => scene.shapes[s as usize].geometry.bounds(&task.matrix),
             _ => own.transformed(&task.matrix),
         };
         if !bounds.is_empty() {

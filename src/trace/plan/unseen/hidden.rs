@@ -18,7 +18,7 @@ use super::starts::Starts;
 use crate::geometry::Aabb;
 use crate::geometry::boxes::Boxes;
 use crate::scene::Scene;
-use crate::solids::hull::is_convex;
+use crate::solids::shapes::facts::Facts;
 use crate::solids::within::{CLEAR, Standing};
 use rustc_hash::FxHashMap;
 
@@ -81,7 +81,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         let opaque = |&i: &u32| {
             let member = &self.all[i as usize];
             let geometry = member.geometry(scene);
-            !member.clear && geometry.is_some_and(is_convex) && !member.bounds.is_empty()
+            !member.clear && geometry.is_some_and(Facts::is_convex) && !member.bounds.is_empty()
         };
         let sized = |&i: &u32| match &self.all[i as usize].bounds {
             b if b.is_finite() => (b.radius(), i),

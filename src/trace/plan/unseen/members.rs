@@ -1,9 +1,10 @@
 //! The parts of the outermost union, where they are.
 
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::{NodeBounds, shape_bounds};
 use crate::scene::{Geometry, Node, NodeId, Scene};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::named;
+use crate::solids::shapes::facts::Facts;
 
 /// Where a part is written.
 #[derive(Debug, Clone, Copy)]
@@ -115,7 +116,7 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
                     shape,
                     matrix: way.matrix,
                     bounds: match geometry {
-                        Some(geometry) => shape_bounds(geometry, &way.matrix),
+                        Some(geometry) => geometry.bounds(&way.matrix),
                         None => bounds[at].all.transformed(&way.matrix),
                     },
                     clear: way.clear.unwrap_or(clear[at][0]),

@@ -10,8 +10,8 @@ mod starts;
 
 use crate::diagnostics::Span;
 use crate::geometry::Aabb;
-use crate::scene::bounds::{NodeBounds, node_bounds};
 use crate::scene::{NodeId, Scene};
+use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::named;
 use hidden::Hidden;
 use members::{Member, Slot, members};

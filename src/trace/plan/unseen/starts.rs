@@ -3,10 +3,10 @@
 use super::is_apart;
 use crate::geometry::array::{add, cross, dot, sub, unit};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::bounds::NodeBounds;
-use crate::scene::frame::{Basis, automatic_camera};
 use crate::scene::sight::Sight;
 use crate::scene::{Camera, Scene, Vec3, View};
+use crate::solids::bounds::NodeBounds;
+use crate::solids::frame::{Basis, automatic_camera};
 use crate::solids::within::{CLEAR, Standing, far};
 
 /// Where rays may start.

@@ -6,6 +6,8 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
+use crate::solids::shapes as solids;
+use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::doubt::is_final;
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
@@ -75,16 +77,6 @@ impl Shape for Cone {
         !self.double
     }
 
-    fn holds(&self, point: Vec3) -> bool {
-        let height = if self.height < 0.0 {
-            -point[1]
-        } else {
-            point[1]
-        };
-        let least = if self.double { -self.height.abs() } else { 0.0 };
-        (least..=self.height.abs()).contains(&height) && self.form.holds(point)
-    }
-
     fn support(&self, face: u32) -> Option<Support> {
         let base = [self.radius, self.height];
         Some(Support::turned(match face {
@@ -93,6 +85,19 @@ impl Shape for Cone {
             BASE => [[0.0, base[1]], base],
             _ => [[0.0, -base[1]], [base[0], -base[1]]],
         }))
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        solids::cone::Cone {
+            height: self.height,
+            radius: self.radius,
+            double: self.double,
+        }
+        .holds(point.0)
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

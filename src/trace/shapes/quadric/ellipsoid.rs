@@ -6,6 +6,9 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
+use crate::solids::shapes as solids;
+use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 use std::f64::consts::PI;
 
@@ -41,8 +44,23 @@ impl Shape for Ellipsoid {
         [turn(point), v]
     }
 
+    fn is_solid(&self) -> bool {
+        true
+    }
+
     fn holds(&self, point: Vec3) -> bool {
-        self.form.holds(point)
+        solids::ellipsoid::Ellipsoid {
+            semi_axes: self.semi_axes,
+        }
+        .holds(point.0)
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+
+    fn support(&self, _: u32) -> Option<Support> {
+        None
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -3,7 +3,6 @@
 use crate::geometry::dd::Dd;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::number::Real;
-use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Located;
 use crate::trace::shapes::doubt::is_final;
@@ -205,41 +204,6 @@ impl Form {
             g[j] += m * x[i];
         }
         g
-    }
-
-    /// F at a point, times the squares of the units that it is divided by: of the same sign, and a
-    /// polynomial in the shape's numbers.
-    pub(super) fn at<N: Scalar>(&self, point: Vec3) -> N {
-        let unit = self.unit.map(N::of);
-        let whole = |x: f64, rest: f64| N::of(x) + N::of(rest);
-        // A term of degree up to 2 in coordinates i and j, or 3 for none.
-        let term = |coefficient: N, i: usize, j: usize| {
-            let factor = |k: usize| match k {
-                3 => N::of(1.0),
-                _ => N::of(point[k]),
-            };
-            let mut product = coefficient * factor(i) * factor(j);
-            for (k, unit) in unit.iter().enumerate() {
-                for _ in 0..2 - u32::from(i == k) - u32::from(j == k) {
-                    product = product * unit.clone();
-                }
-            }
-            product
-        };
-        let mut sum = term(N::of(self.constant), 3, 3);
-        for (i, square) in self.square.into_iter().enumerate() {
-            sum = sum + term(N::of(square), i, i);
-            sum = sum + term(whole(self.linear[i], self.rest[1][i]), i, 3);
-        }
-        for (k, (i, j)) in PAIRS.into_iter().enumerate() {
-            sum = sum + term(whole(self.mixed[k], self.rest[0][k]), i, j);
-        }
-        sum
-    }
-
-    /// Whether F is at most zero at a point, exactly.
-    pub(super) fn holds(&self, point: Vec3) -> bool {
-        at_most_zero(self.at(point), || self.at(point))
     }
 
     pub(super) fn units<R: Traced>(&self) -> Vec3<R> {

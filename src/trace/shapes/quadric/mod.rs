@@ -14,13 +14,16 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
-use crate::scene::bounds::shape_bounds;
+use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::support::Support;
 use line::Chord;
 use std::f64::consts::TAU;
 
 /// The solid F(x) ≤ 0 of a polynomial of second degree, bounded or not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quadric {
+    /// What its record says.
+    geometry: Box<Geometry>,
     form: Form,
     bounds: Aabb,
     convex: bool,
@@ -68,6 +71,7 @@ impl Quadric {
 
     fn with(geometry: &Geometry, form: Form, name: &'static str) -> Quadric {
         Quadric {
+            geometry: Box::new(geometry.clone()),
             form,
             bounds: bounds_of(geometry),
             convex: false,
@@ -82,7 +86,7 @@ impl Quadric {
 
 /// The bounds that the scene knows for a shape where it is defined.
 fn bounds_of(geometry: &Geometry) -> Aabb {
-    shape_bounds(geometry, &Matrix::IDENTITY).padded()
+    geometry.bounds(&Matrix::IDENTITY).padded()
 }
 
 /// The angle about the y axis, as a share of a full turn.
@@ -111,8 +115,16 @@ impl Shape for Quadric {
         self.convex
     }
 
+    fn is_solid(&self) -> bool {
+        true
+    }
+
     fn holds(&self, point: Vec3) -> bool {
-        self.form.holds(point)
+        self.geometry.holds(point.0)
+    }
+
+    fn support(&self, _: u32) -> Option<Support> {
+        None
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

@@ -10,9 +10,9 @@ use super::closer::{decide_closer, is_last};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
-use crate::geometry::sign::{Exact, Rounded, Scalar, at_most_zero};
 use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
+use crate::solids::shapes as solids;
 use crate::trace::shapes::support::Support;
 use layers::Piece;
 use path::{Cut, Path, Ring, normaliser};
@@ -145,20 +145,6 @@ impl Revolution {
     }
 }
 
-/// ρ² of a point.
-fn across<N: Scalar>(p: Vec3) -> N {
-    N::of(p[0]).square() + N::of(p[2]).square()
-}
-
-/// Negative where a point at a height between those of a piece's ends, which differ, is nearer to the
-/// axis than the piece; zero where it is on the piece.
-fn before<N: Scalar>([low, high]: [[f64; 2]; 2], p: Vec3) -> N {
-    let [a, b, c, d, y] = [low[0], low[1], high[0], high[1], p[1]].map(N::of);
-    let rise = d - b.clone();
-    let reach = a.clone() * rise.clone() + (y - b) * (c - a);
-    across::<N>(p) * rise.square() - reach.square()
-}
-
 impl Shape for Revolution {
     fn bounds(&self) -> Aabb {
         self.tree.first().map_or(Aabb::EMPTY, |run| {
@@ -190,37 +176,6 @@ impl Shape for Revolution {
         Some([0, 1, 2].map(|k| a[k] * (1.0 - share) + b[k] * share))
     }
 
-    /// By the even-odd rule, along the half-plane of the point straight outwards from it. A piece from
-    /// (a, b) to (c, d) with b ≤ y < d is met at the radius a + (y − b)(c − a) / (d − b).
-    fn holds(&self, point: Vec3) -> bool {
-        let p = point * self.scale;
-        let mut inside = false;
-        for piece in &self.pieces {
-            let mut ends = [piece.from, piece.to].map(|i| self.points[i as usize]);
-            if ends[0][1] > ends[1][1] {
-                ends.swap(0, 1);
-            }
-            let [low, high] = ends;
-            if !(low[1]..=high[1]).contains(&p[1]) {
-                continue;
-            }
-            if low[1] == high[1] {
-                let beyond =
-                    |end: [f64; 2]| across::<Exact>(p).cmp(&Scalar::square(Exact::of(end[0])));
-                if beyond(low) != beyond(high) || beyond(low).is_eq() {
-                    return true;
-                }
-                continue;
-            }
-            let further = at_most_zero(before(ends, p), || before(ends, p));
-            if further && at_most_zero(-before::<Rounded>(ends, p), || -before::<Exact>(ends, p)) {
-                return true;
-            }
-            inside ^= further && p[1] < high[1];
-        }
-        inside
-    }
-
     fn is_convex(&self) -> bool {
         false
     }
@@ -230,6 +185,14 @@ impl Shape for Revolution {
         // The scale is a power of two.
         let ends = [i, i + 1].map(|i| self.points[i].map(|x| x / self.scale));
         Some(Support::turned(ends))
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn holds(&self, point: Vec3) -> bool {
+        solids::profile::holds(&self.points, (point * self.scale).0)
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {

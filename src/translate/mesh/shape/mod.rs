@@ -12,6 +12,7 @@ use super::budget::{Budget, TooMany};
 use super::soup::Mesh;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Geometry;
+use crate::syntax::table::ShapeKind;
 use std::f64::consts::TAU;
 use turned::{Profile, sides, turned};
 
@@ -179,6 +180,34 @@ pub fn tessellate(
         Geometry::HyperbolicParaboloid { a, b } => {
             quadric(&[(0, squared(a)), (10, -squared(b)), (7, -1.0)], budget)
         }
+    }
+}
+
+/// Whether triangles are all that a shape is; those of the others keep within the tolerance, or end where the
+/// region does.
+pub fn is_faceted(kind: ShapeKind) -> bool {
+    match kind {
+        ShapeKind::Rectangle
+        | ShapeKind::Triangle
+        | ShapeKind::TriangleWithNormal
+        | ShapeKind::TriangleWithVertexNormals
+        | ShapeKind::Box
+        | ShapeKind::GeodesicSphere => true,
+        ShapeKind::SurfaceOfRevolution
+        | ShapeKind::ColouredSurfaceOfRevolution
+        | ShapeKind::SphereAtOrigin
+        | ShapeKind::Ellipsoid
+        | ShapeKind::Sphere
+        | ShapeKind::Torus
+        | ShapeKind::Cone
+        | ShapeKind::DoubleCone
+        | ShapeKind::Plane
+        | ShapeKind::HalfSpace
+        | ShapeKind::Quadric
+        | ShapeKind::ParabolicCylinder
+        | ShapeKind::HyperbolicCylinder
+        | ShapeKind::Hyperboloid
+        | ShapeKind::HyperbolicParaboloid => false,
     }
 }
 

@@ -1,9 +1,9 @@
 //! What a scene without a camera or without a light is seen and lit by.
 
 use super::bounds::{NodeBounds, node_bounds};
-use super::model::{Camera, PointLight, Scene, Vec3, View};
 use crate::geometry::Aabb;
 use crate::geometry::array::{cross, unit};
+use crate::scene::{Camera, PointLight, Scene, Vec3, View};
 
 /// The vertical field of view of the automatic camera, in degrees.
 const AUTOMATIC_FOVY: f64 = 45.0;

@@ -1,0 +1,51 @@
+//! Checks of the matrices in records.
+
+use super::record::Params;
+use super::sight::{Blind, Sight};
+use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::geometry::Matrix;
+
+/// E204 unless the matrix is affine (last row 0 0 0 1) and can be inverted.
+pub fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+    let m = Matrix::from_rows(&p.numbers(0));
+    if m.0[3] != [0.0, 0.0, 0.0, 1.0] {
+        out.push(Diagnostic::new(Code::E204, p.span_of(12, 4)).case("row"));
+        return None;
+    }
+    invertible(p, m, out)
+}
+
+/// The matrix of a -99 record: E204 unless it can be inverted, E207 unless it has a ray for every
+/// point of the picture.
+pub fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+    let m = Matrix::from_rows(&p.numbers(0));
+    match Sight::of(&m) {
+        Ok(_) => Some(m),
+        Err(Blind::Singular) => {
+            singular(p, "", out);
+            None
+        }
+        Err(Blind::InPart) => {
+            out.push(Diagnostic::new(Code::E207, p.span_of(0, 16)).case("projection"));
+            None
+        }
+    }
+}
+
+/// E204 unless the matrix can be inverted.
+fn invertible(p: &Params, m: Matrix, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+    match (m.is_singular(), m.inverse()) {
+        (false, Some(_)) => return Some(m),
+        (true, _) => singular(p, "", out),
+        (false, None) => singular(p, "rounded", out),
+    }
+    None
+}
+
+fn singular(p: &Params, case: &'static str, out: &mut Vec<Diagnostic>) {
+    out.push(
+        Diagnostic::new(Code::E204, p.span_of(0, 16))
+            .case(case)
+            .with("type", Value::Term(p.ty.title)),
+    );
+}

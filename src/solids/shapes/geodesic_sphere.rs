@@ -1,0 +1,188 @@
+//! The geodesic sphere.
+
+use super::around::Around;
+use super::ball;
+use super::facts::*;
+use super::lengthen::Cut;
+use super::sizes::RADIUS;
+use super::sizes::Sizes;
+use crate::geometry::array::{cross, dot, sub, unit};
+use crate::geometry::dd::Dd;
+use crate::geometry::number::Real;
+use crate::geometry::vec;
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Geometry, Vec3};
+use crate::solids::contacts::directions::Sample;
+use crate::solids::contacts::face::{Faces, Part};
+use crate::solids::contacts::quadric::Form;
+use crate::solids::distance;
+use crate::solids::facet::{corner, facet};
+
+pub struct GeodesicSphere {
+    pub radius: f64,
+    pub splits: u32,
+}
+
+/// The ball that a geodesic sphere holds, as a share of its circumscribed one: that of the least of all,
+/// the icosahedron, and a little less.
+const HELD: f64 = 0.79;
+
+/// More than the corners are rounded by in doubles, after any number of splits, of the sphere of radius 1.
+const ROUNDED: f64 = 1e-13;
+
+impl Facts for GeodesicSphere {
+    fn character(&self) -> Character {
+        Character {
+            is_round: false,
+            is_flat: false,
+            is_quadric: false,
+            is_smooth: false,
+            has_colours: false,
+            may_cover_itself: false,
+            ends_round: false,
+            is_its_bounds: false,
+        }
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+
+    fn bounds(&self, m: &Matrix) -> Aabb {
+        Around::new(m).ellipsoid([0.0; 3], [self.radius; 3]).boxed()
+    }
+
+    fn hull(&self) -> Option<Vec<Vec3>> {
+        None
+    }
+
+    fn ball(&self) -> Option<Ball> {
+        Some(Ball {
+            centre: [0.0; 3],
+            semi_axes: [self.radius; 3],
+            held: HELD,
+        })
+    }
+
+    fn farthest(&self, m: &Matrix, p: Vec3) -> Option<f64> {
+        Some(distance(m.point([0.0; 3]), p) + self.radius * ball::even_scale(m)?)
+    }
+
+    fn support(&self, d: Vec3) -> Option<Support> {
+        let point = corner(d, self.splits).map(|x| self.radius * x);
+        Some(Support::towards(point, [0.0; 3]))
+    }
+
+    fn home(&self) -> (Vec3, f64) {
+        ([0.0; 3], 1.0)
+    }
+
+    fn place(&self) -> Option<Vec3> {
+        Some([0.0; 3])
+    }
+
+    fn sizes(&self, sizes: &mut Sizes) {
+        sizes.axes([self.radius; 3], [RADIUS; 3]);
+    }
+
+    /// In double-double: the corners are no numbers of the record.
+    fn holds(&self, p: Vec3) -> bool {
+        let away = p[0].hypot(p[1]).hypot(p[2]);
+        match away {
+            a if a > self.radius * (1.0 + ROUNDED) => return false,
+            a if a <= HELD * self.radius => return true,
+            _ => {}
+        }
+        let [a, b, c] = facet(vec::Vec3(p), self.splits).map(|v| v.0);
+        if let Some(n) = unit(cross(sub(b, a), sub(c, a))) {
+            let out = (dot(n, p.map(|x| x / self.radius)) - dot(n, a)) * dot(n, a).signum();
+            if out.abs() > ROUNDED {
+                return out < 0.0;
+            }
+        }
+        let p = vec::Vec3(p).cast::<Dd>();
+        let [a, b, c] = facet(p, self.splits);
+        let n = (b - a).cross(c - a);
+        let out = n.dot(p) - Dd::of(self.radius) * n.dot(a);
+        match n.dot(a) < Dd::ZERO {
+            true => out >= Dd::ZERO,
+            false => out <= Dd::ZERO,
+        }
+    }
+
+    fn taylor(&self, p: Vec3) -> Taylor {
+        let [a, b, c] = facet(vec::Vec3(p), self.splits).map(|v| v.0);
+        let n = cross(sub(b, a), sub(c, a));
+        let n = if dot(n, a) < 0.0 { n.map(|x| -x) } else { n };
+        Taylor::flat(dot(n, p) - self.radius * dot(n, a), n)
+    }
+
+    fn pieces(&self) -> usize {
+        0
+    }
+
+    fn faces(&self, _: &mut Faces) {}
+
+    fn quadric(&self, _: Part) -> Option<Form> {
+        None
+    }
+
+    fn mantle(&self, _: Part) -> Option<Mantle> {
+        None
+    }
+
+    fn samples(&self) -> Vec<Sample> {
+        Vec::new()
+    }
+
+    fn plane(&self) -> Option<[f64; 4]> {
+        None
+    }
+
+    fn flat_faces(&self, _: &Matrix) -> Vec<FlatFace> {
+        Vec::new()
+    }
+
+    fn ends(&self, _: usize) -> Vec<f64> {
+        Vec::new()
+    }
+
+    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
+        None
+    }
+
+    fn degenerate(&self) -> Option<Degenerate> {
+        None
+    }
+
+    fn crossing(&self) -> Option<Crossing> {
+        None
+    }
+
+    fn offset(&self, by: f64) -> Option<Geometry> {
+        Some(Geometry::GeodesicSphere {
+            radius: ball::grown(self.radius, by)?,
+            splits: self.splits,
+        })
+    }
+
+    fn lengthened(&self, _: &Cut) -> Option<Geometry> {
+        None
+    }
+
+    fn with_ends_moved(&self, _: Aabb, _: f64) -> Option<Geometry> {
+        None
+    }
+
+    fn widened(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn written(&self, _: Part) -> Written {
+        Written::ALL
+    }
+
+    fn moved_out(&self, _: Part, _: f64, _: f64) -> Option<Vec<Moved>> {
+        None
+    }
+}

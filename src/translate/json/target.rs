@@ -1,0 +1,67 @@
+//! The resolved scene: as JSON, and as records.
+
+use super::spell::spell;
+use super::verdict::verdict;
+use super::write::write;
+use crate::diagnostics::Error;
+use crate::format;
+use crate::syntax;
+use crate::translate::fidelity::Report;
+use crate::translate::target::{Options, Output, Prepared, Target};
+
+/// The scene as JSON.
+#[derive(Debug)]
+pub struct Json;
+
+impl Target for Json {
+    fn name(&self) -> &'static str {
+        "json"
+    }
+
+    fn help(&self) -> &'static str {
+        "The resolved scene, for programs"
+    }
+
+    fn draws(&self) -> bool {
+        false
+    }
+
+    fn write(&self, scene: &Prepared, options: &Options) -> Result<Output, Error> {
+        let model = write(scene.scene());
+        let mut text = serde_json::to_vec_pretty(&model).unwrap_or_default();
+        text.push(b'\n');
+        Ok(output(self.name(), scene, options, text))
+    }
+}
+
+/// The scene as records, in the layout of the formatter.
+#[derive(Debug)]
+pub struct Zpg;
+
+impl Target for Zpg {
+    fn name(&self) -> &'static str {
+        "zpg"
+    }
+
+    fn help(&self) -> &'static str {
+        "The resolved scene as records"
+    }
+
+    fn draws(&self) -> bool {
+        false
+    }
+
+    fn write(&self, scene: &Prepared, options: &Options) -> Result<Output, Error> {
+        let records = spell(&write(scene.scene())).text;
+        let (document, _) = syntax::parse(&records);
+        let text = format::format(&records, &document, &format::Options::default());
+        Ok(output(self.name(), scene, options, text.into_bytes()))
+    }
+}
+
+fn output(name: &'static str, scene: &Prepared, options: &Options, bytes: Vec<u8>) -> Output {
+    Output {
+        files: vec![(options.output.map(ToOwned::to_owned), bytes)],
+        report: Report::of(name, scene.scene(), verdict),
+    }
+}

@@ -1,0 +1,110 @@
+//! Meshes: files of their own, named after the scene.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use super::material::Coloured;
+use super::model::{model, report};
+use super::options::Options;
+use super::picture::file_name;
+use super::{glb, obj, ply};
+use crate::analysis::file::STDIN;
+use crate::diagnostics::{Complaint, Error};
+use crate::translate::names::Names;
+use crate::translate::target::{self, Output, Prepared, Target};
+
+/// The kinds of files there are for meshes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    Ply,
+    Obj,
+    Glb,
+}
+
+impl Target for Format {
+    fn name(&self) -> &'static str {
+        match self {
+            Format::Ply => "ply",
+            Format::Obj => "obj",
+            Format::Glb => "glb",
+        }
+    }
+
+    fn help(&self) -> &'static str {
+        match self {
+            Format::Ply => "Triangles: Stanford PLY, binary, with colours",
+            Format::Obj => "Triangles: Wavefront OBJ, with a library of materials beside it",
+            Format::Glb => "Triangles: glTF 2.0, binary",
+        }
+    }
+
+    fn draws(&self) -> bool {
+        true
+    }
+
+    fn write(&self, scene: &Prepared, options: &target::Options) -> Result<Output, Error> {
+        let Some(path) = destination(options.file, options.output, self.name()) else {
+            let complaint = Complaint::new("mesh-without-name").with("format", self.name());
+            return Err(Error::Request(complaint));
+        };
+        let tracer = scene.tracer()?;
+        let own = Options {
+            tolerance: options.tolerance,
+            memory: options.memory,
+            eye: None,
+            pictured: *self != Format::Ply,
+        };
+        let model = model(scene.scene(), &tracer.graph, &own)?;
+        let coloured = Coloured::new(&model, &tracer.graph, own.pictured);
+        let names = Names::new(scene.scene(), &scene.captions);
+        let files = match self {
+            Format::Ply => vec![(Some(path), ply::write(&coloured))],
+            Format::Glb => vec![(Some(path), glb::write(&coloured, &names))],
+            Format::Obj => {
+                let name = |p: &Path| {
+                    p.file_name()
+                        .unwrap_or_default()
+                        .to_string_lossy()
+                        .into_owned()
+                };
+                let library = path.with_extension("mtl");
+                let stem = path
+                    .file_stem()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned();
+                let picture = |number: u32| path.with_file_name(file_name(&stem, number));
+                let (text, materials) = obj::write(&coloured, &names, &name(&library), |number| {
+                    name(&picture(number))
+                });
+                let mut files = vec![
+                    (Some(path.clone()), text.into_bytes()),
+                    (Some(library), materials.into_bytes()),
+                ];
+                for (number, picture_of) in &coloured.pictures.all {
+                    files.push((Some(picture(*number)), picture_of.png.clone()));
+                }
+                files
+            }
+        };
+        Ok(Output {
+            files,
+            report: report(self.name(), scene.scene(), &model),
+        })
+    }
+}
+
+/// Where to write: where it was said, else beside nobody, in the current folder; `None` for a scene
+/// without a name.
+fn destination(scene: &Path, said: Option<&Path>, extension: &str) -> Option<PathBuf> {
+    if let Some(said) = said {
+        return Some(said.to_owned());
+    }
+    if scene == Path::new(STDIN) {
+        return None;
+    }
+    let mut name: OsString = scene.file_stem()?.to_owned();
+    name.push(".");
+    name.push(extension);
+    Some(name.into())
+}

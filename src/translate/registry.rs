@@ -1,0 +1,20 @@
+//! All targets of translations.
+
+use super::target::Target;
+use super::{json, mesh, mitsuba, pov};
+
+/// In the order of `--help`.
+pub static TARGETS: [&dyn Target; 7] = [
+    &pov::target::Pov,
+    &mitsuba::target::Mitsuba,
+    &mesh::target::Format::Ply,
+    &mesh::target::Format::Obj,
+    &mesh::target::Format::Glb,
+    &json::target::Json,
+    &json::target::Zpg,
+];
+
+/// The target of this name.
+pub fn named(name: &str) -> Option<&'static dyn Target> {
+    TARGETS.into_iter().find(|target| target.name() == name)
+}

@@ -1,0 +1,113 @@
+//! What a target of translations is.
+//!
+//! A target is a folder beside this file with an implementation of [`Target`], and a line in
+//! [`registry`](super::registry). The command line has its name and its help from there.
+
+use std::cell::OnceCell;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use super::fidelity::Report;
+use crate::analysis::Analysis;
+use crate::diagnostics::{Complaint, Error};
+use crate::scene::Scene;
+use crate::syntax::Captions;
+use crate::trace::{Images, Tracer};
+
+/// A program, or a kind of file, that scenes are translated for.
+pub trait Target: fmt::Debug + Sync {
+    /// As `--to` names it; also what the files are called after, where they are named for the target.
+    fn name(&self) -> &'static str;
+
+    /// In a line, for `--help`.
+    fn help(&self) -> &'static str;
+
+    /// Whether there must be something to draw.
+    fn draws(&self) -> bool;
+
+    /// Translates a scene. The report says of every feature that the scene uses what became of it.
+    ///
+    /// # Errors
+    ///
+    /// What in the scene or in the request has no translation.
+    fn write(&self, scene: &Prepared, options: &Options) -> Result<Output, Error>;
+}
+
+/// A scene, and what is known of it, computed once and only where a target asks.
+pub struct Prepared<'a> {
+    pub analysis: &'a Analysis,
+    pub captions: Captions,
+    tracer: OnceCell<Tracer>,
+}
+
+impl<'a> Prepared<'a> {
+    pub fn new(analysis: &'a Analysis) -> Prepared<'a> {
+        Prepared {
+            analysis,
+            captions: Captions::of(&analysis.document, &analysis.source.text),
+            tracer: OnceCell::new(),
+        }
+    }
+
+    pub fn scene(&self) -> &'a Scene {
+        &self.analysis.scene
+    }
+
+    /// The scene compiled, with its pictures.
+    ///
+    /// # Errors
+    ///
+    /// What in it cannot be drawn, or a picture that cannot be read.
+    pub fn tracer(&self) -> Result<&Tracer, Error> {
+        if let Some(tracer) = self.tracer.get() {
+            return Ok(tracer);
+        }
+        let folder = self.analysis.source.folder().unwrap_or(Path::new("."));
+        let images = Images::load(self.scene(), folder)?;
+        let tracer = Tracer::with_images(self.scene(), &images)?;
+        Ok(self.tracer.get_or_init(|| tracer))
+    }
+}
+
+/// What the scene itself does not say.
+pub struct Options<'a> {
+    /// Width and height of the picture in pixels.
+    pub size: (u32, u32),
+    /// How often a ray may be mirrored or refracted.
+    pub depth: u32,
+    /// How far meshes may be from curved surfaces, in scene units, if that was said.
+    pub tolerance: Option<f64>,
+    /// How much memory triangles may take, in bytes, if that matters.
+    pub memory: Option<u64>,
+    /// Refuses a scene in which rays find too much in one place.
+    pub confine: &'a dyn Fn(&Scene) -> Result<(), Complaint>,
+    /// Where the scene is.
+    pub file: &'a Path,
+    /// Where to write, if that was said.
+    pub output: Option<&'a Path>,
+}
+
+impl Options<'_> {
+    /// The file to write with a suffix before its extension; `None` for standard output.
+    pub fn suffixed(&self, suffix: &str) -> Option<PathBuf> {
+        let path = self.output?;
+        if suffix.is_empty() {
+            return Some(path.to_owned());
+        }
+        let mut name = path.file_stem().unwrap_or_default().to_owned();
+        name.push(suffix);
+        if let Some(extension) = path.extension() {
+            name.push(".");
+            name.push(extension);
+        }
+        Some(path.with_file_name(name))
+    }
+}
+
+/// A finished translation.
+#[derive(Debug)]
+pub struct Output {
+    /// Where to write what; standard output where there is no path.
+    pub files: Vec<(Option<PathBuf>, Vec<u8>)>,
+    pub report: Report,
+}
