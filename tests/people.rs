@@ -105,7 +105,9 @@ fn count(slip: &Slip, scenes: usize) -> Count {
             let with = |line: &str| -> String {
                 (with(line).lines().enumerate())
                     .map(|(k, l)| match seed % 2 == 1 && k % 3 == 0 {
-                        true if k != i || !slip.name.starts_with('`') => format!("{l} # část {k} #\n"),
+                        true if k != i || !slip.name.starts_with('`') => {
+                            format!("{l} # část {k} #\n")
+                        }
                         _ => l.to_owned() + "\n",
                     })
                     .collect()

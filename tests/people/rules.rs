@@ -80,10 +80,29 @@ fn the_minus_of_all_types_is_lost() {
 }
 
 #[test]
+fn all_minus_signs_are_dashes() {
+    for dash in ["−", "–"] {
+        let (finding, fixed) = mended(&SCENE.replace('-', dash));
+        assert_eq!((finding.code, finding.case), (Code::E003, "dashes"));
+        assert_eq!(fixed, SCENE);
+    }
+}
+
+#[test]
 fn a_heading_without_signs() {
-    for heading in ["red balls", "0 red balls", "// red balls", "-- the scene", "; red balls: 2 of them"] {
+    for heading in [
+        "red balls",
+        "0 red balls",
+        "// red balls",
+        "-- the scene",
+        "; red balls: 2 of them",
+    ] {
         let (_, fixed) = mended(&with(3, &format!("{heading}\n4 12 -3 -1 -3 3 0 3")));
-        assert_eq!(values(&fixed.replace("\n0 #", "\n#")), values(SCENE), "{heading}\n{fixed}");
+        assert_eq!(
+            values(&fixed.replace("\n0 #", "\n#")),
+            values(SCENE),
+            "{heading}\n{fixed}"
+        );
     }
 }
 

@@ -93,7 +93,9 @@ fn shape(rng: &mut Rng, make: &mut Maker) -> u32 {
         10 => make.define(13, &[r, 2.0]),
         11 => make.define(17, &[r, s]),
         12 => {
-            let q = [1.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -r];
+            let q = [
+                1.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -r,
+            ];
             make.define(15, &q)
         }
         _ => make.define(1, &[3.0, 0.0, 0.0, s, 0.5, 0.0, r]),
@@ -175,7 +177,9 @@ fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
             make.add(object, -2, &[angle, 1.0 + rng.below(3) as f64]);
         }
         if rng.chance(0.1) {
-            let quarter = [0., 0., 1., 0., 0., 1., 0., 0., -1., 0., 0., 0., 0., 0., 0., 1.];
+            let quarter = [
+                0., 0., 1., 0., 0., 1., 0., 0., -1., 0., 0., 0., 0., 0., 0., 1.,
+            ];
             make.add(object, -4, &quarter);
         }
         if rng.chance(0.2) {
@@ -184,9 +188,9 @@ fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
         if at != 0.0 {
             make.add(object, -1, &[at, tenth(rng, 0.0, 1.0), 0.0]);
         }
-        match rng.below(5) {
+        match rng.below(7) {
             0 => make.add(object, -701, &colour(rng)),
-            1 if !optics.is_empty() => {
+            1 | 5 | 6 if !optics.is_empty() => {
                 let t = if rng.chance(0.3) {
                     0
                 } else {

@@ -164,9 +164,15 @@ impl<'a> Place<'a> {
 
     /// Whether a record of this type has as many parameters as stand here.
     fn fits(&self, ty: &RecordType) -> bool {
-        let n = self.params().len() as u64;
+        self.fit(ty, self.params())
+    }
+
+    fn fit(&self, ty: &RecordType, params: &[Token]) -> bool {
+        let n = params.len() as u64;
         let count = match ty.is_counted() {
-            true => self.int(2).and_then(|n| u64::try_from(n).ok()),
+            true => (params.first())
+                .and_then(|t| t.integer(self.text))
+                .and_then(|n| u64::try_from(n).ok()),
             false => Some(0),
         };
         count.is_some_and(|count| {
@@ -319,17 +325,24 @@ impl<'a> Place<'a> {
         out.extend(self.write(Habit::Characters, &new));
     }
 
-    /// A word in the place of a type's number.
+    /// A word, or several, in the place of a type's number.
     fn words(&self, out: &mut Vec<Candidate>) {
-        let Some(word) = self.tokens.get(1).filter(|t| t.kind == TokenKind::Word) else {
+        let behind = self.tokens.get(1..).unwrap_or(&[]);
+        let count = (behind.iter())
+            .take_while(|t| t.kind == TokenKind::Word)
+            .count();
+        let Some(last) = count.checked_sub(1).map(|last| behind[last]) else {
             return;
         };
-        let types = words::types(word.text(self.text)).into_iter();
-        out.extend(
-            types
-                .filter(|ty| self.fits(ty))
-                .map(|ty| self.write_type(Habit::Word, ty)),
-        );
+        let span = behind[0].span().to(last.span());
+        let params = &behind[count..];
+        for ty in words::types(&self.text[span.range()]) {
+            if self.fit(ty, params) {
+                let mut candidate = self.write_type(Habit::Word, ty);
+                candidate.fix.edits[0].span = span;
+                out.push(candidate);
+            }
+        }
     }
 
     /// Words behind a record that were meant as a comment.
@@ -570,18 +583,17 @@ impl<'a> Place<'a> {
         }
         self.swapped(out);
         let id = |t: &Token| t.integer(self.text).unwrap_or(0);
-        for by in [1, -1, 2, -2] {
+        // A single one is no more than one off.
+        let most = if all.len() > 1 { 4 } else { 2 };
+        for by in &[1, -1, 2, -2][..most] {
             let shifted: Option<Vec<(Token, String)>> = (all.iter())
+                .filter(|(t, _)| id(t) != 0)
                 .map(|(t, _)| {
-                    let new = id(t).checked_add(by).filter(|&id| id > 0)?;
+                    let new = id(t).checked_add(*by).filter(|&id| id > 0)?;
                     Some((*t, new.to_string()))
                 })
                 .collect();
-            if let Some(new) = shifted
-                && all.len() > 1
-            {
-                out.extend(self.write(Habit::Shifted, &new));
-            }
+            out.extend(shifted.and_then(|new| self.write(Habit::Shifted, &new)));
         }
         for (t, kinds) in all.iter().filter(|(t, _)| finding.span == t.span()) {
             let written = id(t);

@@ -22,6 +22,11 @@ pub fn is_unit(text: &str) -> bool {
     matches!(text, "%" | "°" | "º" | "˚" | "deg" | "degrees" | "stupňů")
 }
 
+/// Whether there is a typographic dash in a word.
+pub fn has_dash(text: &str) -> bool {
+    text.contains(DASHES)
+}
+
 /// Whether a word is a minus sign that belongs to the number behind it.
 pub fn is_dash(text: &str) -> bool {
     text == "-" || text.chars().all(|c| DASHES.contains(&c)) && text.chars().count() == 1
@@ -36,7 +41,11 @@ fn plain(text: &str) -> Option<String> {
         c if DASHES.contains(&c) => '-',
         c => c,
     };
-    let out: String = text.chars().map(digit).collect();
+    let mut out: String = text.chars().map(digit).collect();
+    // No number begins with a letter for a nought that stands for nothing.
+    if text.starts_with(['O', 'o']) && out[1..].starts_with(|c: char| c.is_ascii_digit()) {
+        out.remove(0);
+    }
     let is_number = out.len() < 40
         && out.contains(|c: char| c.is_ascii_digit())
         && out.parse::<f64>().is_ok_and(f64::is_finite);
@@ -87,6 +96,7 @@ mod tests {
             ("30°", "30"),
             ("1/4", "0.25"),
             ("O", "0"),
+            ("O5", "5"),
             ("l", "1"),
         ] {
             assert_eq!(number(text).as_deref(), Some(meant), "{text}");

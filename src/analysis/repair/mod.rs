@@ -19,7 +19,7 @@ use judge::Left;
 /// So many texts are tried for one file at most.
 const TRIALS: usize = 64;
 /// So many tokens are read for one file in all trials together.
-const TOKENS: usize = 1_000_000;
+const TOKENS: usize = 100_000;
 /// So many proposals are made for one finding.
 const PROPOSALS: usize = 3;
 
@@ -201,20 +201,19 @@ impl Engine<'_> {
             }
             trials.push(Trial { candidate, scene });
         }
+        // A mere change of sign wins over another type.
+        if trials.iter().any(|t| t.candidate.habit == Habit::Sign) {
+            trials.retain(|t| t.candidate.habit == Habit::Sign);
+        }
+        let is_choice = trials.len() > 1 || !finding.is_error();
         let mut judged: Vec<(Left, Trial)> = (trials.into_iter())
-            .map(|t| (judge::left(&t.scene), t))
+            .map(|t| match is_choice {
+                true => (judge::left(&t.scene), t),
+                false => (Left::default(), t),
+            })
             .collect();
-        judged.sort_by_key(|(left, t)| {
-            // A mere change of sign wins over another type.
-            let other = t.candidate.habit != Habit::Sign;
-            (
-                other,
-                left.in_vain,
-                left.warnings,
-                t.candidate.habit,
-                left.notes,
-            )
-        });
+        judged
+            .sort_by_key(|(left, t)| (left.in_vain, left.warnings, t.candidate.habit, left.notes));
         if !finding.is_error() {
             let before = judge::left(&base);
             judged.retain(|(left, _)| *left < before);
@@ -236,15 +235,16 @@ impl Engine<'_> {
             own || !part || has_safe_fix(d)
         });
         let at = (self.findings.iter().position(|d| *d == finding)).unwrap_or(at);
-        // A sign is lost so often that nothing else need be said; and what leaves an object in vain is no proposal
-        // beside one that does not.
-        let most = match best.candidate.habit {
-            Habit::Sign => 1,
-            _ => PROPOSALS,
-        };
+        // What leaves an object in vain is no proposal beside one that does not.
         let least = judged[0].0.in_vain;
         let best = judged.iter().filter(|j| j.0.in_vain == least);
-        let best = best.map(|j| &j.1.candidate).take(most);
+        // One comment is as good as another.
+        let mut comments = 0;
+        let best = best.map(|j| &j.1.candidate).filter(|c| {
+            comments += usize::from(c.habit == Habit::Comment);
+            c.habit != Habit::Comment || comments == 1
+        });
+        let best = best.take(PROPOSALS);
         retell(&mut self.findings[at], &best.collect::<Vec<_>>());
         true
     }

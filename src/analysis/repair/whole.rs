@@ -3,6 +3,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::characters;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::Item;
@@ -18,14 +19,51 @@ pub struct Matter {
 
 type Find = fn(&Analysis, &[Diagnostic]) -> Option<Matter>;
 
-pub const ALL: [Find; 3] = [minus, scenes, reserved];
+pub const ALL: [Find; 4] = [dashes, minus, scenes, reserved];
 
 /// So many records make a habit.
 const MANY: usize = 3;
 
 /// Whether a finding is one of these.
 pub fn is_of_many(d: &Diagnostic) -> bool {
-    matches!(d.case, "minus" | "scenes" | "objects")
+    matches!(d.case, "dashes" | "minus" | "scenes" | "objects")
+}
+
+/// Typographic dashes stand for minus signs on many lines, as in what is copied from a PDF file.
+fn dashes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
+    let source = &analysis.source;
+    let text = source.text.as_str();
+    if findings.iter().filter(|d| d.code == Code::E003).count() < MANY {
+        return None;
+    }
+    let mut edits: Vec<Edit> = Vec::new();
+    let mut lines: Vec<usize> = Vec::new();
+    for token in &analysis.document.tokens {
+        let is_word = matches!(token.kind, TokenKind::MalformedNumber | TokenKind::Word);
+        let written = token.text(text);
+        if is_word
+            && characters::has_dash(written)
+            && let Some(number) = characters::number(written)
+        {
+            edits.push(edit(token.span(), number));
+            lines.push(source.line_index(token.start));
+        }
+    }
+    lines.dedup();
+    let first = edits.first().filter(|_| lines.len() >= MANY)?;
+    let finding = Diagnostic::new(Code::E003, first.span)
+        .case("dashes")
+        .with("text", crate::syntax::quote(source.slice(first.span)))
+        .with("count", Value::Count(edits.len() as u64))
+        .fix(Fix {
+            title: "fix",
+            values: Vec::new(),
+            applicability: Applicability::Unsafe,
+            edits,
+        });
+    let spans = lines.into_iter().map(|line| source.line_span(line));
+    let spans = spans.collect();
+    Some(Matter { finding, spans })
 }
 
 /// The minus of the type is lost in all records of a kind, or in all that have one.
