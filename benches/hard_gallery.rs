@@ -6,16 +6,14 @@
 //! `scenes/hard/README.md`. With a word behind `--` it draws the scenes with that in their names,
 //! and leaves the table as it is.
 
-mod naive;
-
-use naive::{Naive, Number};
 use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use zpg::analysis::Analysis;
 use zpg::scene::{Camera, Scene};
+use zpg::study::naive::{Naive, Number};
 use zpg::trace::film::Film;
-use zpg::trace::{Settings, Tracer, selected_camera};
+use zpg::trace::{Images, Settings, Tracer, selected_camera};
 
 const SIZE: [u32; 2] = [160, 128];
 /// Pixels between the pictures of one scene.
@@ -95,12 +93,11 @@ fn draw(path: &Path) -> Outcome<[Film; 3]> {
 }
 
 fn textbook<T: Number>(scene: &Scene, camera: &Camera) -> Outcome<Film> {
-    let [width, height] = SIZE;
-    Ok(Film {
-        width,
-        height,
-        pixels: Naive::<T>::new(scene)?.render(camera, SIZE)?,
-    })
+    let Settings { depth, cutoff, .. } = Settings::default();
+    let images = Images::default();
+    let naive = Naive::<T>::new(scene, &images, camera, SIZE, depth, cutoff);
+    let film = naive.and_then(|naive| naive.film());
+    Ok(film.map_err(|why| format!("{why:?}"))?)
 }
 
 /// How many pixels are not the same.

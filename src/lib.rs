@@ -14,15 +14,19 @@
 //!   say with the tracer's means.
 //! - [`analysis`]: a file's bytes to source, document, scene and findings, with the settings of its folder.
 //! - [`translate`]: the scene for other programs.
-//! - [`study`]: runs POV-Ray or Mitsuba on a translation and compares what it draws with our picture.
+//! - [`study`]: compares our pictures: with what POV-Ray and Mitsuba draw of a translation, and with more accurate ones.
+//! - [`features`]: what an editor shows of a scene, without a protocol.
+//! - [`lsp`]: the language server: the protocol's types, the open files and the loop.
 //! - [`commands`]: one file per subcommand of the command line.
 
 pub mod analysis;
 pub mod commands;
 pub mod diagnostics;
+pub mod features;
 pub mod format;
 pub mod geometry;
 pub mod lint;
+pub mod lsp;
 pub mod parallel;
 pub mod scene;
 pub mod solids;

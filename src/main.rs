@@ -7,8 +7,8 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use zpg::commands::{
-    LookChoice, Status, check, completions, convert, crosscheck, explain, fmt, plan, probe, render,
-    usage,
+    LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, lsp, plan,
+    probe, render, usage,
 };
 
 /// Tools for scenes in the ZPG scene language
@@ -26,6 +26,7 @@ Examples:
   zpg fmt scene.zpg         one record a line, numbers in their shortest spelling
   zpg render scene.zpg      a picture, scene.png
   zpg plan scene.zpg        which effects the picture needs, and why
+  zpg accuracy scene.zpg    what each step of accuracy costs in time
   zpg convert scene.zpg --to pov -o scene.pov
   zpg crosscheck scene.zpg --with povray
   zpg probe scene.zpg --ray \"0 0 9  0 0 -1\"
@@ -49,7 +50,9 @@ enum Command {
     Render(render::Args),
     Probe(probe::Args),
     Plan(plan::Args),
+    Accuracy(accuracy::Args),
     Explain(explain::Args),
+    Lsp(lsp::Args),
     Completions(completions::Args),
 }
 
@@ -78,7 +81,9 @@ fn run() -> ExitCode {
         Command::Render(args) => render::run(args, cli.look),
         Command::Probe(args) => probe::run(args, cli.look),
         Command::Plan(args) => plan::run(args, cli.look),
+        Command::Accuracy(args) => accuracy::run(args, cli.look),
         Command::Explain(args) => explain::run(args, cli.look),
+        Command::Lsp(args) => lsp::run(args, cli.look),
         Command::Completions(args) => completions::run(args, Cli::command(), cli.look),
     };
     status.into()

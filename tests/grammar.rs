@@ -7,8 +7,9 @@ use std::path::PathBuf;
 
 use zpg::analysis::Analysis;
 use zpg::diagnostics::Code;
+use zpg::features::tokens::{self, Role};
 use zpg::syntax::grammar;
-use zpg::syntax::table::RECORD_TYPES;
+use zpg::syntax::table::{Family, Param, ParamKind, RECORD_TYPES, RecordType};
 
 fn path(name: &str) -> PathBuf {
     [env!("CARGO_MANIFEST_DIR"), "grammar", name]
@@ -105,4 +106,109 @@ fn the_ebnf_defines_what_it_uses() {
             "{word} is not defined"
         );
     }
+}
+
+/// A letter for what a parameter is, as the scanner of the tree-sitter grammar has it.
+fn letter(ty: &RecordType, param: &Param) -> char {
+    match tokens::of_param(ty, param) {
+        _ if param.kind == ParamKind::Count => 'k',
+        Role::Reference => 'r',
+        Role::Colour => 'c',
+        Role::Angle => 'a',
+        Role::File => 'f',
+        _ => 'n',
+    }
+}
+
+#[test]
+fn the_scanner_of_the_tree_sitter_grammar_is_up_to_date() {
+    let mut table =
+        "// Made from the record table by `UPDATE_GRAMMAR=1 cargo test --test all grammar`.\n\n\
+                     static const struct RecordType RECORD_TYPES[] = {\n"
+            .to_owned();
+    for ty in RECORD_TYPES {
+        let letters = |all: &[Param]| all.iter().map(|p| letter(ty, p)).collect::<String>();
+        let group = |i: usize| ty.repeats.get(i).map_or(String::new(), |g| letters(g));
+        let (params, optional) = (letters(ty.params), letters(ty.optional));
+        let (first, second) = (group(0), group(1));
+        let code = ty.code;
+        table += &format!(
+            "  {{{code}, \"{params}\", {{\"{first}\", \"{second}\"}}, \"{optional}\"}},\n"
+        );
+        assert!(ty.repeats.len() <= 2);
+    }
+    agrees("tree-sitter/src/types.h", &(table + "};\n"));
+}
+
+/// The grammar of VS Code has a pattern for each family, and each pattern the types of that family.
+#[test]
+fn the_textmate_grammar_knows_all_types() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/editors/vscode/syntaxes/zpg.tmLanguage.json"
+    );
+    let grammar: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
+    let patterns = grammar["repository"]["records"]["patterns"]
+        .as_array()
+        .unwrap();
+    assert_eq!(patterns.len(), Family::ALL.len());
+    for pattern in patterns {
+        let name = pattern["comment"].as_str().unwrap();
+        let text = pattern["match"].as_str().unwrap();
+        let (_, list) = text.split_once("\\s+(").unwrap();
+        let codes = list.split_once(')').unwrap().0.split('|');
+        let codes: BTreeSet<i32> = codes.map(|c| c.parse().unwrap()).collect();
+        let of_family = |family: Family| -> BTreeSet<i32> {
+            let all = RECORD_TYPES.iter().filter(|t| t.family == family);
+            all.map(|t| t.code).collect()
+        };
+        let family = Family::ALL.into_iter().find(|f| of_family(*f) == codes);
+        let family = family.unwrap_or_else(|| panic!("{name} is no family"));
+        assert!(
+            format!("{family:?}").eq_ignore_ascii_case(name),
+            "{family:?} {name}"
+        );
+    }
+}
+
+#[test]
+fn queries_are_the_same_everywhere() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let read = |path: &str| fs::read_to_string(root.join(path)).unwrap();
+    for name in ["highlights", "folds", "locals", "indents"] {
+        let own = read(&format!("grammar/tree-sitter/queries/{name}.scm"));
+        assert_eq!(own, read(&format!("editors/neovim/queries/zpg/{name}.scm")));
+    }
+    let own = read("grammar/tree-sitter/queries/highlights.scm");
+    assert_eq!(own, read("editors/zed/languages/zpg/highlights.scm"));
+}
+
+/// The settings for editors can be read, and name the command.
+#[test]
+fn settings_of_editors_start_the_server() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("editors");
+    let read = |path: &str| fs::read_to_string(root.join(path)).unwrap();
+    let helix: toml::Table = toml::from_str(&read("helix/languages.toml")).unwrap();
+    let server = &helix["language-server"]["zpg"];
+    assert_eq!(server["command"].as_str(), Some("zpg"));
+    assert_eq!(server["args"][0].as_str(), Some("lsp"));
+    assert_eq!(
+        helix["language"][0]["language-servers"][0].as_str(),
+        Some("zpg")
+    );
+    let kate: serde_json::Value = serde_json::from_str(&read("kate/settings.json")).unwrap();
+    assert_eq!(
+        kate["servers"]["zpg"]["command"],
+        serde_json::json!(["zpg", "lsp"])
+    );
+    let zed: toml::Table = toml::from_str(&read("zed/extension.toml")).unwrap();
+    assert_eq!(
+        zed["grammars"]["zpg"]["path"].as_str(),
+        Some("grammar/tree-sitter")
+    );
+    let language: toml::Table = toml::from_str(&read("zed/languages/zpg/config.toml")).unwrap();
+    assert_eq!(language["grammar"].as_str(), Some("zpg"));
+    assert!(read("kakoune/zpg.kak").contains("command = \"zpg\""));
+    assert!(read("emacs/zpg-mode.el").contains("(zpg-mode . (\"zpg\" \"lsp\"))"));
 }

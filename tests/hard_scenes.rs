@@ -1,15 +1,12 @@
 //! The scenes of `scenes/hard` look as they must. What that is, is known from a scene that is the
 //! same to the eye but not hard, from an independent ray tracer where that is able, or by arithmetic.
 
-#[path = "../benches/naive/mod.rs"]
-mod naive;
-
-use naive::Naive;
 use std::fs;
 use std::path::{Path, PathBuf};
 use zpg::analysis::Analysis;
+use zpg::study::naive::Naive;
 use zpg::trace::film::srgb8;
-use zpg::trace::{Film, Settings, Tracer, selected_camera};
+use zpg::trace::{Film, Images, Settings, Tracer, selected_camera};
 
 /// The size that the scenes in parallel projection are made for.
 const SIZE: [u32; 2] = [160, 128];
@@ -64,15 +61,11 @@ fn picture(text: &str, [width, height]: [u32; 2]) -> Film {
 
 fn textbook(text: &str, size: [u32; 2]) -> Film {
     let loaded = load(text);
-    let [width, height] = size;
-    let camera = selected_camera(&loaded.scene, f64::from(width) / f64::from(height));
-    let pixels = Naive::<f64>::new(&loaded.scene).unwrap();
-    let pixels = pixels.render(&camera, size).unwrap();
-    Film {
-        width,
-        height,
-        pixels,
-    }
+    let camera = selected_camera(&loaded.scene, f64::from(size[0]) / f64::from(size[1]));
+    let images = Images::default();
+    let Settings { depth, cutoff, .. } = Settings::default();
+    let naive = Naive::<f64>::new(&loaded.scene, &images, &camera, size, depth, cutoff).unwrap();
+    naive.film().unwrap()
 }
 
 /// Whether two pixels look the same: within 2/255.

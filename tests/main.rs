@@ -9,14 +9,17 @@ mod trace_support;
 
 pub use campaign::rng;
 
+mod accuracy;
 mod architecture;
 mod check;
 mod cli;
 mod convert_json;
 mod convert_mesh;
 mod crosscheck;
+mod editors;
 mod explain_examples;
 mod extreme_numbers;
+mod features;
 mod fixes;
 mod formatting;
 mod gallery;
@@ -29,6 +32,7 @@ mod lint_generated;
 mod lint_large;
 mod lint_overlaps;
 mod lint_rules;
+mod lsp;
 mod memory;
 mod mesh;
 mod messages;

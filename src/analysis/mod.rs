@@ -11,13 +11,17 @@ mod worse;
 
 use std::sync::OnceLock;
 
+use rustc_hash::FxHashMap;
+
 use crate::diagnostics::source::Encoding;
 use crate::diagnostics::{self, Code, Diagnostic, SourceFile, Span};
 use crate::lint;
 use crate::lint::levels::{Choice, Levels};
 use crate::scene::{self, Scene};
+use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::syntax::recognise::{self, Stranger};
-use crate::syntax::{self, Document, lexer};
+use crate::syntax::table::{Effect, RecordKind};
+use crate::syntax::{self, Document, Item, Record, lexer};
 
 /// A scene read as far as it goes.
 #[derive(Debug)]
@@ -31,6 +35,8 @@ pub struct Analysis {
     read: Vec<Diagnostic>,
     settings: Settings,
     findings: OnceLock<Vec<Diagnostic>>,
+    definitions: OnceLock<FxHashMap<u32, u32>>,
+    bounds: OnceLock<Vec<NodeBounds>>,
 }
 
 /// How much findings weigh: what `zpg.toml` says, and what was asked for in one run.
@@ -64,6 +70,8 @@ impl Analysis {
             read: vec![finding],
             settings: Settings::default(),
             findings: OnceLock::new(),
+            definitions: OnceLock::new(),
+            bounds: OnceLock::new(),
         }
     }
 
@@ -80,6 +88,8 @@ impl Analysis {
             read,
             settings: Settings::default(),
             findings: OnceLock::new(),
+            definitions: OnceLock::new(),
+            bounds: OnceLock::new(),
         }
     }
 
@@ -108,6 +118,43 @@ impl Analysis {
     /// are run when this is first called.
     pub fn findings(&self) -> &[Diagnostic] {
         self.findings.get_or_init(|| self.find())
+    }
+
+    /// The findings, if somebody has asked for them already.
+    pub fn known_findings(&self) -> Option<&[Diagnostic]> {
+        self.findings.get().map(Vec::as_slice)
+    }
+
+    /// The record that defines an ID; one that declares it (type 0), or changes it, where there is no other.
+    pub fn definition(&self, id: u32) -> Option<&Record> {
+        let all = self.definitions.get_or_init(|| self.find_definitions());
+        match self.document.items.get(*all.get(&id)? as usize)? {
+            Item::Record(record) => Some(record),
+            _ => None,
+        }
+    }
+
+    fn find_definitions(&self) -> FxHashMap<u32, u32> {
+        let mut all = FxHashMap::default();
+        let mut weak = FxHashMap::default();
+        for (i, item) in (0..).zip(&self.document.items) {
+            let Item::Record(record) = item else { continue };
+            let defines = !matches!(record.ty.effect, Effect::Changes(_))
+                && record.ty.kind != RecordKind::Undefined;
+            match defines {
+                true => all.entry(record.id).or_insert(i),
+                false => weak.entry(record.id).or_insert(i),
+            };
+        }
+        for (id, i) in weak {
+            all.entry(id).or_insert(i);
+        }
+        all
+    }
+
+    /// The bounds of each node of the scene.
+    pub fn bounds(&self) -> &[NodeBounds] {
+        self.bounds.get_or_init(|| node_bounds(&self.scene))
     }
 
     /// The findings, which are looked for again when they are asked for next.

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::{LookChoice, Status, complain, terminal};
 use crate::diagnostics::{Code, Complaint, Value};
-use crate::syntax::describe::Group;
+use crate::features::pages::{code_page, type_page};
 use crate::syntax::quote;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
 
@@ -82,63 +82,6 @@ fn page(topic: &str) -> Option<String> {
 /// Names are spelled in lower case with hyphens.
 fn normalise(topic: &str) -> String {
     topic.trim().to_lowercase().replace([' ', '_'], "-")
-}
-
-fn code_page(code: Code) -> String {
-    format!(
-        "# {} ({})\n\n{}\n",
-        code.name(),
-        code.as_str(),
-        code.explanation().trim_end()
-    )
-}
-
-fn type_page(ty: &RecordType) -> String {
-    let mut page = format!("# {} ({})\n\n", ty.title, ty.code);
-    let signature = format!("ID {} {}", ty.code, ty.signature());
-    // Writing to a string cannot fail.
-    let _ = write!(
-        page,
-        "{}; keyword `{}`. {}\n\n    {}\n\n{}\n",
-        ty.family.title(),
-        ty.keyword,
-        ty.effect_text(),
-        signature.trim_end(),
-        ty.summary
-    );
-    let parameters = parameters(ty);
-    if !parameters.is_empty() {
-        let _ = write!(page, "\n## Parameters\n\n{parameters}");
-    }
-    let _ = write!(page, "\n## Example\n\n    {}\n", ty.example);
-    page
-}
-
-/// A line for each parameter, in columns.
-fn parameters(ty: &RecordType) -> String {
-    let width = |text: &str| text.chars().count();
-    let rows: Vec<_> = ty
-        .described()
-        .map(|(group, p)| (group, p.name, p.doc, p.rule_text()))
-        .collect();
-    let names = rows.iter().map(|r| width(r.1)).max().unwrap_or(0);
-    let docs = rows.iter().map(|r| width(r.2)).max().unwrap_or(0);
-    let mut out = String::new();
-    let mut last = Group::Fixed;
-    for (group, name, doc, rule) in rows {
-        if group != last {
-            let heading = match group {
-                Group::Fixed => "",
-                Group::Repeated(0) => "then N times:",
-                Group::Repeated(_) => "then N times again:",
-                Group::Optional => "then all of these or none, on the record's last line:",
-            };
-            let _ = writeln!(out, "  {heading}");
-            last = group;
-        }
-        let _ = writeln!(out, "    {name:names$}  {doc:docs$}  {rule}");
-    }
-    out
 }
 
 /// How many names are suggested at most.

@@ -6,6 +6,7 @@
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
 //! is wrong with arguments.
 
+pub mod accuracy;
 pub mod check;
 pub mod completions;
 pub mod convert;
@@ -14,6 +15,7 @@ pub mod draft;
 pub mod explain;
 pub mod fmt;
 pub mod load;
+pub mod lsp;
 pub mod memory;
 mod numbers;
 pub mod paths;

@@ -6,8 +6,9 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use serde::Serialize;
@@ -15,12 +16,13 @@ use serde::Serialize;
 use super::draft::{Draft, unwritable};
 use super::memory::{self, Memory};
 use super::size::Size;
-use super::terminal::{progress_bar, tell, warn};
+use super::terminal::{self, progress_bar, stop_on_interrupt, tell};
 use super::{LookChoice, Status, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error, Span};
 use crate::scene::{Camera, Scene};
 use crate::solids::frame::selected_cameras;
+use crate::study::accuracy::{cost, words};
 use crate::syntax::Document;
 use crate::trace::plan::Plan;
 use crate::trace::stats::{Counts, Intersections, Rays, Work};
@@ -38,6 +40,7 @@ Examples:
   zpg render scene.zpg
   zpg render scene.zpg -o big.png --size 1920x1080 --samples 16
   zpg render scene.zpg -o film.exr --adaptive 0.01
+  zpg render scene.zpg --cost
   zpg render scene.zpg --crop 200,100,64,64 --stats cost.json")]
 pub struct Args {
     /// The scene; `-` is standard input
@@ -94,6 +97,10 @@ pub struct Args {
     /// Write what it has cost to this file, as JSON: times, rays, tests, the work of each effect
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
+
+    /// Print what it has cost and where: rays, time, the dearest objects and effects
+    #[arg(long)]
+    cost: bool,
 
     /// Draw how many intersection tests each pixel took, in false colours
     #[arg(long, value_name = "OUT.png")]
@@ -196,12 +203,13 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     loaded.document = Document::default();
     let load = start.elapsed().as_secs_f64();
     match draw(args, &loaded, load, look) {
-        Ok(()) => Status::Clean,
+        Ok(spent) => terminal::print(look, Status::Clean, |out| out.write_all(spent.as_bytes())),
         Err(error) => refuse(&loaded, error, look),
     }
 }
 
-fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<(), Error> {
+/// Draws, and says what it has cost if that is asked.
+fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<String, Error> {
     let scene = &loaded.scene;
     let stop = stop_on_interrupt(look);
     let settings = Settings {
@@ -279,6 +287,10 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<(
     }
     seconds.encode = start.elapsed().as_secs_f64();
 
+    let spent = match args.cost {
+        true => spent(&cameras[0], loaded, &settings, (&seconds, &counts), look)?,
+        false => String::new(),
+    };
     if let Some(path) = &args.stats {
         let stats = Stats {
             size: [settings.width, settings.height],
@@ -295,7 +307,63 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<(
         };
         write_stats(path, &stats)?;
     }
-    Ok(())
+    Ok(spent)
+}
+
+/// Seconds that are taken to find out where the time of a picture goes.
+const COST_SECONDS: f64 = 1.0;
+
+/// What a picture has cost, in some ten lines.
+fn spent(
+    camera: &Camera,
+    loaded: &Analysis,
+    settings: &Settings,
+    (seconds, counts): (&Seconds, &Counts),
+    look: LookChoice,
+) -> Result<String, Error> {
+    let language = look.language();
+    let images = Images::load(
+        &loaded.scene,
+        loaded.source.folder().unwrap_or(Path::new(".")),
+    )?;
+    let scene = Arc::new(loaded.scene.clone());
+    let cost = cost::cost(scene, &images, *camera, settings, COST_SECONDS)?;
+    let background = language.say("accuracy-background", &[]);
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    let objects: Vec<String> = (cost.objects.iter().take(3))
+        .map(|&(id, share)| match id {
+            0 => format!("{background} {}", percent(share)),
+            id => format!("#{id} {}", percent(share)),
+        })
+        .collect();
+    let effects: Vec<String> = (cost.effects.iter().take(1))
+        .map(|(name, share)| format!("{} {}", words::effect(language, name), percent(*share)))
+        .collect();
+    let text = |x: f64| words::seconds(language, x);
+    let phases = format!(
+        "load {} · plan {} · build {} · trace {} · encode {}",
+        text(seconds.load),
+        text(seconds.plan),
+        text(seconds.build),
+        text(seconds.trace),
+        text(seconds.encode)
+    );
+    let rays = counts.rays;
+    let all = [
+        ("cost-camera", rays.camera.to_string()),
+        ("cost-shadow", rays.shadow.to_string()),
+        ("cost-reflection", rays.reflection.to_string()),
+        ("cost-refraction", rays.refraction.to_string()),
+        ("cost-boxes", counts.intersections.boxes.to_string()),
+        ("cost-shapes", counts.intersections.shape.to_string()),
+        ("cost-uncertain", counts.uncertain.to_string()),
+        ("cost-phases", phases),
+        ("cost-objects", objects.join(" · ")),
+        ("cost-effect", effects.join(" · ")),
+    ];
+    let lines = all.into_iter().filter(|line| !line.1.is_empty());
+    let lines = lines.map(|(name, text)| format!("{:<36}{text}\n", language.say(name, &[])));
+    Ok(lines.collect())
 }
 
 fn settings(args: &Args) -> Result<Settings, Error> {
@@ -428,21 +496,6 @@ fn write_maps(
     let scale = Complaint::new("heatmap-scale").with("max", max.to_string());
     tell(&scale.wording(look.language()));
     Ok(())
-}
-
-/// A flag that Ctrl-C sets, so that the drawing ends and drafts of files are removed.
-fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let flag = stop.clone();
-    let handler = move || flag.store(true, Ordering::Relaxed);
-    if let Err(e) = ctrlc::set_handler(handler) {
-        let reason = e.to_string();
-        warn(
-            look,
-            &Complaint::new("ctrl-c-leaves").with("reason", reason),
-        );
-    }
-    stop
 }
 
 fn write_stats(path: &Path, stats: &Stats) -> Result<(), Error> {

@@ -2,6 +2,8 @@
 
 use std::ffi::OsString;
 use std::io::{self, BufWriter, IsTerminal, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -102,6 +104,21 @@ pub fn warn(look: LookChoice, complaint: &Complaint) {
 pub fn tell(line: &str) {
     // Nobody is left to be told when standard error is gone.
     let _ = writeln!(io::stderr(), "{line}");
+}
+
+/// A flag that Ctrl-C sets, so that long work ends and drafts of files are removed.
+pub fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let flag = stop.clone();
+    let handler = move || flag.store(true, Ordering::Relaxed);
+    if let Err(e) = ctrlc::set_handler(handler) {
+        let reason = e.to_string();
+        warn(
+            look,
+            &Complaint::new("ctrl-c-leaves").with("reason", reason),
+        );
+    }
+    stop
 }
 
 /// Shows how many rows of a picture are done.

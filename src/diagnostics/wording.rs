@@ -157,6 +157,7 @@ impl Language {
                 &[
                     include_str!("messages/en.ftl"),
                     include_str!("messages/complaints.en.ftl"),
+                    include_str!("../study/accuracy/en.ftl"),
                 ],
             ),
             Language::Czech => (
@@ -164,6 +165,7 @@ impl Language {
                 &[
                     include_str!("messages/cs.ftl"),
                     include_str!("messages/complaints.cs.ftl"),
+                    include_str!("../study/accuracy/cs.ftl"),
                     include_str!("messages/terms.cs.ftl"),
                 ],
             ),

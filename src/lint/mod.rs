@@ -8,7 +8,7 @@ mod properties;
 mod rays;
 mod records;
 mod rules;
-mod spelling;
+pub mod spelling;
 
 use std::sync::OnceLock;
 

@@ -19,7 +19,7 @@ pub struct Bitmap {
 }
 
 /// The inverse of the sRGB transfer function (IEC 61966-2-1), of a number in [0, 1].
-fn linear(encoded: f64) -> f64 {
+pub fn linear(encoded: f64) -> f64 {
     if encoded <= 0.04045 {
         encoded / 12.92
     } else {

@@ -6,6 +6,7 @@
 use super::bitmap::Bitmap;
 use super::room::Room;
 use super::shapes::Primitive;
+use super::switches::{Solver, Without};
 use crate::geometry::Matrix;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Placement;
@@ -148,6 +149,10 @@ pub struct Graph {
     pub root: u32,
     /// How many objects a ray may enter.
     pub room: Room,
+    /// What is taken out, for those who measure what it costs.
+    pub without: Without,
+    /// What finds crossings in doubles instead of the shapes themselves, for those who compare.
+    pub solver: Option<Box<dyn Solver>>,
 }
 
 impl Graph {

@@ -24,6 +24,7 @@ pub mod graph;
 pub mod image;
 pub mod membership;
 mod picture;
+pub mod pixels;
 pub mod plan;
 pub mod precision;
 mod probe;
@@ -36,6 +37,7 @@ pub mod shade;
 pub mod shapes;
 pub mod stats;
 pub mod surfaces;
+pub mod switches;
 mod tracer;
 
 pub use costs::CostMap;

@@ -128,13 +128,13 @@ pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
 impl Tracer {
     /// What the plan calls for. From inside of a lone shape its other side is in the way.
     fn features(&self, outside: bool) -> Features {
-        let plan = &self.plan;
+        let (plan, without) = (&self.plan, &self.graph.without);
         let inside = plan.lone_convex && !outside;
         Features {
-            shadows: plan.on(Effect::Shadows) || inside,
-            glass: plan.on(Effect::Refraction),
-            mirrors: plan.on(Effect::Reflection),
-            dispersion: plan.on(Effect::Dispersion),
+            shadows: (plan.on(Effect::Shadows) || inside) && !without.shadows,
+            glass: plan.on(Effect::Refraction) && !without.refraction,
+            mirrors: plan.on(Effect::Reflection) && !without.reflection,
+            dispersion: plan.on(Effect::Dispersion) && !without.dispersion,
         }
     }
 
@@ -165,6 +165,18 @@ impl Tracer {
         settings: &Settings,
         progress: &(dyn Fn() + Sync),
     ) -> Result<Picture, Error> {
+        self.drawing(camera, settings, |drawing| {
+            drawing.picture::<R>(settings, progress)
+        })
+    }
+
+    /// Sets up what all pixels of a picture have in common.
+    pub(super) fn drawing<T>(
+        &self,
+        camera: &Camera,
+        settings: &Settings,
+        draw: impl FnOnce(&Drawing) -> T,
+    ) -> Result<T, Error> {
         let Settings { width, height, .. } = *settings;
         let view = View::new(camera, width, height)
             .ok_or_else(|| cannot_draw("draw-projection", Span::default(), camera.id))?;
@@ -179,7 +191,7 @@ impl Tracer {
         let outside = self.clip.is_none()
             && view.is_pinhole()
             && !self.holds(&mut self.walker::<f64>(), view.position());
-        let drawing = Drawing {
+        Ok(draw(&Drawing {
             tracer: self,
             lights: self.lights.as_deref().unwrap_or(&headlight),
             limits,
@@ -190,7 +202,29 @@ impl Tracer {
             wanted: settings.wanted.as_deref(),
             width,
             stop: settings.stop.as_deref(),
-        };
+        }))
+    }
+}
+
+/// What the rows of a picture have in common.
+pub(super) struct Drawing<'t> {
+    pub(super) tracer: &'t Tracer,
+    lights: &'t [Light],
+    limits: Limits,
+    pub(super) view: View,
+    pub(super) outside: bool,
+    shift: [f64; 2],
+    features: Features,
+    wanted: Option<&'t [bool]>,
+    /// Of the whole picture.
+    width: u32,
+    stop: Option<&'t AtomicBool>,
+}
+
+impl<'t> Drawing<'t> {
+    /// The whole of a picture, or what is drawn of it.
+    fn picture<R: Precision>(&self, settings: &Settings, progress: &(dyn Fn() + Sync)) -> Picture {
+        let Settings { width, height, .. } = *settings;
         let crop = settings.crop.unwrap_or(Crop {
             x: 0,
             y: 0,
@@ -199,7 +233,7 @@ impl Tracer {
         });
         let mut counts = Counts::default();
         let pixels = match settings.tolerance {
-            None => drawing.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
+            None => self.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
                 pen.fixed(x, y, settings.samples.max(1))
             }),
             Some(tolerance) => {
@@ -211,10 +245,10 @@ impl Tracer {
                     width: (crop.x + crop.width).saturating_add(1).min(width) - left,
                     height: (crop.y + crop.height).saturating_add(1).min(height) - top,
                 };
-                let first = drawing.rows(around, &|| (), &mut counts, &|pen: &mut Pen<R>, x, y| {
+                let first = self.rows(around, &|| (), &mut counts, &|pen: &mut Pen<R>, x, y| {
                     pen.first(x, y)
                 });
-                drawing.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
+                self.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
                     let (x0, y0) = (x - left, y - top);
                     let at =
                         |x: u32, y: u32| &first[y as usize * around.width as usize + x as usize];
@@ -227,7 +261,7 @@ impl Tracer {
             }
         };
         let numbers = || pixels.iter().map(|p: &Pixel| p.samples);
-        Ok(Picture {
+        Picture {
             film: Film {
                 width: crop.width,
                 height: crop.height,
@@ -245,26 +279,17 @@ impl Tracer {
             },
             total_reflection: pixels.iter().map(|p| p.total_reflection).collect(),
             counts,
-        })
+        }
     }
-}
 
-/// What the rows of a picture have in common.
-struct Drawing<'t> {
-    tracer: &'t Tracer,
-    lights: &'t [Light],
-    limits: Limits,
-    view: View,
-    outside: bool,
-    shift: [f64; 2],
-    features: Features,
-    wanted: Option<&'t [bool]>,
-    /// Of the whole picture.
-    width: u32,
-    stop: Option<&'t AtomicBool>,
-}
+    /// What draws pixels on one thread.
+    pub(super) fn pen<R: Precision>(&self) -> Pen<'_, 't, R> {
+        Pen {
+            shader: Shader::new(self.tracer, self.lights, self.limits, self.features),
+            drawing: self,
+        }
+    }
 
-impl Drawing<'_> {
     fn is_wanted(&self, x: u32, y: u32) -> bool {
         let at = y as usize * self.width as usize + x as usize;
         self.wanted
@@ -288,10 +313,7 @@ impl Drawing<'_> {
     ) -> Vec<T> {
         let rows = parallel::map_with(
             part.height as usize,
-            || Pen {
-                shader: Shader::new(self.tracer, self.lights, self.limits, self.features),
-                drawing: self,
-            },
+            || self.pen(),
             |pen, row| {
                 let y = part.y + row as u32;
                 if self.is_to_stop() {
@@ -328,9 +350,9 @@ struct Pixel {
 }
 
 /// What draws pixels on one thread.
-struct Pen<'d, 't, R: Precision> {
-    shader: Shader<'t, R>,
-    drawing: &'d Drawing<'t>,
+pub(super) struct Pen<'d, 't, R: Precision> {
+    pub(super) shader: Shader<'t, R>,
+    pub(super) drawing: &'d Drawing<'t>,
 }
 
 impl<R: Precision> Pen<'_, '_, R> {
@@ -351,7 +373,7 @@ impl<R: Precision> Pen<'_, '_, R> {
 
     /// The light of sample `i` of `n`; where a projection has no ray, or none in
     /// the range of the precision, there is nothing to be seen.
-    fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
+    pub(super) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
         let [dx, dy] = sample(x, y, i, n);
         let [dx, dy] = [dx + self.drawing.shift[0], dy + self.drawing.shift[1]];
         match self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy) {
@@ -380,7 +402,7 @@ impl<R: Precision> Pen<'_, '_, R> {
     }
 
     /// The first samples of a pixel that may get more.
-    fn first(&mut self, x: u32, y: u32) -> First {
+    pub(super) fn first(&mut self, x: u32, y: u32) -> First {
         let (before, total) = (self.tests(), self.total());
         let samples = [0, 1, 2, 3].map(|i| developed(self.sample(x, y, i, MOST).0));
         First {
@@ -393,6 +415,23 @@ impl<R: Precision> Pen<'_, '_, R> {
     /// As many samples as the tolerance asks for, given the first ones.
     fn adaptive(&mut self, x: u32, y: u32, first: &First, contrast: f64, tolerance: f64) -> Pixel {
         let (before, total) = (self.tests(), self.total());
+        let estimate = self.estimate(x, y, first, contrast, tolerance);
+        Pixel {
+            colour: developed(estimate.mean.0),
+            samples: estimate.samples(),
+            tests: first.tests.saturating_add(self.tests_since(before)),
+            total_reflection: first.total_reflection || self.total() > total,
+        }
+    }
+
+    pub(super) fn estimate(
+        &mut self,
+        x: u32,
+        y: u32,
+        first: &First,
+        contrast: f64,
+        tolerance: f64,
+    ) -> Estimate {
         let mean = |batch: [Vec3; FIRST as usize]| {
             batch.into_iter().fold(Vec3::ZERO, |sum, s| sum + s) / f64::from(FIRST)
         };
@@ -402,12 +441,7 @@ impl<R: Precision> Pen<'_, '_, R> {
             let n = estimate.samples();
             estimate.add(mean([0, 1, 2, 3].map(|i| self.sample(x, y, n + i, MOST))));
         }
-        Pixel {
-            colour: developed(estimate.mean.0),
-            samples: estimate.samples(),
-            tests: first.tests.saturating_add(self.tests_since(before)),
-            total_reflection: first.total_reflection || self.total() > total,
-        }
+        estimate
     }
 }
 

@@ -171,7 +171,8 @@ impl<'t, R: Precision> Shader<'t, R> {
         }
         self.rays.shadow += 1;
         let ray = hit.leave(way, false);
-        match self.features.glass {
+        let clear = self.features.glass && !self.tracer.graph.without.transparent_shadows;
+        match clear {
             false => self.walkers.visibility::<false>(&ray),
             true => self.walkers.visibility::<true>(&ray),
         }

@@ -196,3 +196,33 @@ expected-difference = očekává se číslo větší než 0, nejvýše 255
 expected-tolerance = očekává se číslo větší než 0, nejvýše 1
 expected-cutoff = očekává se číslo od 0 do 1
 expected-samples = očekává se celé číslo od 1 do 1048576
+expected-time = očekává se čas jako 90s, 2m nebo 1h, nejvýše den
+expected-runs = očekává se počet běhů od 1 do 100
+expected-goal = očekává se počet kroků nad 0, nejvýše 255
+
+## Editory
+
+lsp-left-out = { $count ->
+    [one] jeden další nález je vynechán
+    [few] { $count } další nálezy jsou vynechány
+   *[other] { $count } dalších nálezů je vynecháno
+}
+lsp-allow = Zde povolit { $code } ({ $name })
+lsp-explain = Vysvětlit { $code } ({ $name })
+lsp-fix-all = Provést všechny bezpečné opravy
+lsp-renumber = Přečíslovat všechna ID podle pořadí v souboru
+lsp-render = Vykreslit
+lsp-preview = Náhled
+lsp-crosscheck = Porovnat s POV-Ray
+lsp-used = { $count ->
+    [one] použito jednou
+   *[other] použito { $count }×
+}
+lsp-no-id = zde žádné ID není
+lsp-render-id = 1 je ID vykreslovacího záznamu a jiné být nemůže
+lsp-reserved-id = 1 je vyhrazeno vykreslovacímu záznamu
+lsp-not-an-id = { $text } není ID: ID je celé číslo od 2 do { $max }
+lsp-id-taken = { $id } je již použito na řádku { $line }
+lsp-not-open = soubor { $path } není otevřen
+lsp-stopped = zastaveno
+lsp-cannot-run = zpg neuspělo: { $reason }

@@ -191,3 +191,32 @@ expected-difference = expected a number above 0, up to 255
 expected-tolerance = expected a number above 0, up to 1
 expected-cutoff = expected a number from 0 to 1
 expected-samples = expected a whole number from 1 to 1048576
+expected-time = expected a time such as 90s, 2m or 1h, up to a day
+expected-runs = expected a number of runs from 1 to 100
+expected-goal = expected a number of steps above 0, up to 255
+
+## Editors
+
+lsp-left-out = { $count ->
+    [one] one more finding is left out
+   *[other] { $count } more findings are left out
+}
+lsp-allow = Allow { $code } ({ $name }) here
+lsp-explain = Explain { $code } ({ $name })
+lsp-fix-all = Apply all safe fixes
+lsp-renumber = Number all IDs anew, in the order of the file
+lsp-render = Render
+lsp-preview = Preview
+lsp-crosscheck = Check in POV-Ray
+lsp-used = { $count ->
+    [one] used once
+   *[other] used { $count } times
+}
+lsp-no-id = there is no ID here
+lsp-render-id = 1 is the ID of the render record and stays so
+lsp-reserved-id = 1 is kept for the render record
+lsp-not-an-id = { $text } is no ID: an ID is a whole number from 2 to { $max }
+lsp-id-taken = { $id } is taken: it stands in line { $line }
+lsp-not-open = { $path } is not open
+lsp-stopped = stopped
+lsp-cannot-run = zpg did not succeed: { $reason }

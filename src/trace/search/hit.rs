@@ -203,7 +203,11 @@ impl<R: Precision> Walker<'_, R> {
         let (mut point, mut error, mut normal) = (located.point, located.error, located.normal);
         let shape = primitive.shape();
         let local: Vec3 = located.point.cast();
-        let mut shading = shape.shading_normal(local, root.face).map(Vec3::cast);
+        let smooth = match self.graph.without.smooth_normals {
+            false => shape.shading_normal(local, root.face),
+            true => None,
+        };
+        let mut shading = smooth.map(Vec3::cast);
         self.work.smooth_normal += u64::from(shading.is_some());
         self.climb(leaf, |_, placement| {
             let out = R::out(self.graph, placement);
@@ -284,6 +288,15 @@ impl<R: Precision> Walker<'_, R> {
     /// A face made by a cut shows no colours of the tool.
     fn colour(&mut self, owner: Leaf, leaf: Leaf, point: Vec3, local: Vec3, face: u32) -> Rgb {
         let shape = self.primitive(leaf).shape();
+        if self.graph.without.textures {
+            return match self
+                .texture(owner)
+                .map(|p| &self.graph.textures[p.texture as usize])
+            {
+                Some(Texture::Colour(c)) => *c,
+                _ => DEFAULT_COLOUR,
+            };
+        }
         let Some(painted) = self.texture(owner) else {
             let own = (owner == leaf).then(|| shape.colour(local, face)).flatten();
             self.work.vertex_colour += u64::from(own.is_some());

@@ -30,6 +30,8 @@ pub struct Walker<'g, R: Precision = f64> {
     /// What has been done between a ray and its hit.
     pub(in crate::trace) work: Work,
     pub(in crate::trace) maps: R::Maps,
+    /// What another solver has found.
+    solved: Roots,
     pub(in crate::trace) status: QueryStatus<R>,
     /// Where the ray starts on the surface that it has left, where that is known better than by
     /// its origin.
@@ -79,6 +81,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             counts: Intersections::default(),
             work: Work::default(),
             maps: R::Maps::default(),
+            solved: Roots::default(),
             status: QueryStatus::default(),
             start: None,
         }
@@ -254,7 +257,9 @@ impl<'g, R: Precision> Walker<'g, R> {
         roots.clear();
         let shape = &self.graph.primitives[primitive as usize];
         if line.is_sound() {
-            shape.intersect().crossings(&line, &mut roots);
+            if !self.is_solved_otherwise(primitive, &line, &mut roots) {
+                shape.intersect().crossings(&line, &mut roots);
+            }
         } else {
             roots.inside = lost_inside(shape, &line);
             roots.uncertain = true;
@@ -279,6 +284,27 @@ impl<'g, R: Precision> Walker<'g, R> {
         };
         self.roots = roots;
         behind
+    }
+
+    /// Has another solver find the crossings, where there is one that knows the shape.
+    #[inline]
+    fn is_solved_otherwise(
+        &mut self,
+        primitive: u32,
+        line: &Line<R>,
+        roots: &mut Roots<R>,
+    ) -> bool {
+        match &self.graph.solver {
+            Some(solver) if R::DOUBT == Doubt::GoesOn => {
+                self.solved.clear();
+                let solved = solver.crossings(primitive, &line.cast(), &mut self.solved);
+                if solved {
+                    roots.copy_from(&self.solved);
+                }
+                solved
+            }
+            _ => false,
+        }
     }
 
     /// Notes that the ray lies in a flat face of a leaf's shape; the first one will do.

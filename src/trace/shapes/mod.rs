@@ -28,6 +28,11 @@ use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
 use support::Support;
 
+/// Set in a face of a surface of revolution where the outward normal is the opposite of the segment's own: of
+/// (h, −w) for a segment that rises by h over w, and of (0, 1) for a flat one. In a profile that crosses itself
+/// both sides of one segment may be the outer one in different places.
+pub const FLIPPED: u32 = 1 << 31;
+
 /// One crossing of a line with a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root<R = f64> {
@@ -62,16 +67,19 @@ impl<R: Traced> Roots<R> {
 
     /// In another kind of number, rounded.
     pub fn cast<S: Traced>(&self) -> Roots<S> {
-        let cast = |root: &Root<R>| Root {
-            t: S::of_parts(root.t.parts()),
+        let mut roots = Roots::default();
+        roots.copy_from(self);
+        roots
+    }
+
+    /// Takes what was found in another kind of number.
+    pub fn copy_from<S: Traced>(&mut self, other: &Roots<S>) {
+        (self.inside, self.uncertain, self.along) = (other.inside, other.uncertain, other.along);
+        self.list.clear();
+        self.list.extend(other.list.iter().map(|root| Root {
+            t: R::of_parts(root.t.parts()),
             face: root.face,
-        };
-        Roots {
-            inside: self.inside,
-            uncertain: self.uncertain,
-            along: self.along,
-            list: self.list.iter().map(cast).collect(),
-        }
+        }));
     }
 
     fn push(&mut self, t: R, face: u32) {

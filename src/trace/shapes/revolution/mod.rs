@@ -7,7 +7,7 @@ mod tests;
 mod tree;
 
 use super::closer::{decide_closer, is_last};
-use super::{Intersect, Located, Root, Roots, Shape};
+use super::{FLIPPED, Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
@@ -18,11 +18,6 @@ use layers::Piece;
 use path::{Cut, Path, Ring, normaliser};
 use std::f64::consts::TAU;
 use tree::Run;
-
-/// Set in a face where the outward normal is the opposite of the segment's own: of (h, −w) for a
-/// segment that rises by h over w, and of (0, 1) for a flat one. In a profile that crosses itself
-/// both sides of one segment may be the outer one in different places.
-const FLIPPED: u32 = 1 << 31;
 
 /// Points (x, y) with x ≥ 0 turned about the y axis. Inside is what the closed profile surrounds
 /// by the even-odd rule. It closes with a flat disc from each end point to the axis, unless the

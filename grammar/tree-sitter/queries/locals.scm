@@ -1,0 +1,3 @@
+(scene) @local.scope
+(record id: (id) @local.definition)
+(reference) @local.reference

@@ -1,0 +1,102 @@
+//! Colours in a scene, as boxes that open a picker.
+//!
+//! A scene has linear colours, a picker sRGB; both ways go through the curve of the pictures.
+
+use crate::analysis::Analysis;
+use crate::diagnostics::{Edit, Span};
+use crate::lint::spelling::spelled;
+use crate::scene::Rgb;
+use crate::syntax::table::RecordKind;
+use crate::syntax::{Item, Record};
+use crate::trace::bitmap::linear;
+use crate::trace::film::srgb8;
+
+use super::place;
+use super::tokens::{Role, of_param};
+
+/// A colour as it is shown, and its three numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Colour {
+    /// From the first of its numbers to the last.
+    pub span: Span,
+    /// sRGB, each part from 0 to 1.
+    pub shown: [f64; 3],
+}
+
+/// The colours of a scene, in order.
+pub fn colours(analysis: &Analysis) -> Vec<Colour> {
+    let mut out = Vec::new();
+    for item in &analysis.document.items {
+        if let Item::Record(record) = item {
+            for numbers in of_record(analysis, record) {
+                let span = numbers[0].0.to(numbers[2].0);
+                let shown = numbers.map(|(_, x)| shown(x));
+                out.push(Colour { span, shown });
+            }
+        }
+    }
+    out
+}
+
+/// The colours of a record, each number with its place.
+fn of_record(analysis: &Analysis, record: &Record) -> Vec<[(Span, f64); 3]> {
+    let ty = record.ty;
+    let skip = match ty.kind {
+        RecordKind::Colour => 0,
+        // Behind the count and the points.
+        _ if ty.repeats.len() == 2 => 1 + 2 * record.count as usize,
+        _ => return Vec::new(),
+    };
+    let numbers: Vec<(Span, f64)> = (analysis.document.params(record).enumerate().skip(skip))
+        .filter(|(i, _)| {
+            (ty.param(*i, record.count as usize)).is_some_and(|p| of_param(ty, p) == Role::Colour)
+        })
+        .map(|(_, t)| (t.span(), t.number(&analysis.source.text).unwrap_or(0.0)))
+        .collect();
+    numbers.as_chunks::<3>().0.to_vec()
+}
+
+/// A linear part as it is shown.
+fn shown(linear: f64) -> f64 {
+    f64::from(srgb8(linear as f32)) / 255.0
+}
+
+/// What writes another colour over one: only the numbers that are shown differently, to 8 bits, change.
+/// `None` if no colour stands there.
+pub fn repaint(analysis: &Analysis, span: Span, picked: [f64; 3]) -> Option<Edit> {
+    let items = &analysis.document.items[place::items_in(&analysis.document, span)];
+    let records = items.iter().filter_map(|item| match item {
+        Item::Record(record) => Some(record),
+        _ => None,
+    });
+    let mut all = records.flat_map(|record| of_record(analysis, record));
+    let old = all.find(|c| c[0].0.start == span.start && c[2].0.end == span.end)?;
+    let text = &analysis.source.text;
+    let mut out = String::new();
+    let mut at = span.start;
+    for ((place, value), picked) in old.into_iter().zip(picked) {
+        out.push_str(text.get(at as usize..place.start as usize)?);
+        let wanted = (picked.clamp(0.0, 1.0) * 255.0).round() as u8;
+        match srgb8(value as f32) == wanted {
+            true => out.push_str(text.get(place.range())?),
+            false => out.push_str(&shortest(wanted)),
+        }
+        at = place.end;
+    }
+    Some(Edit { span, text: out })
+}
+
+/// The shortest decimal number that is shown as this.
+fn shortest(wanted: u8) -> String {
+    let exact = linear(f64::from(wanted) / 255.0);
+    let rounded = (0..=9).map(|digits| format!("{exact:.digits$}").parse().unwrap_or(exact));
+    let found = rounded
+        .into_iter()
+        .find(|x: &f64| srgb8(*x as f32) == wanted);
+    spelled(found.unwrap_or(exact))
+}
+
+/// A picked colour as linear numbers, for its name in the picker.
+pub fn scene_colour(picked: [f64; 3]) -> Rgb {
+    picked.map(|x| linear(x.clamp(0.0, 1.0)))
+}

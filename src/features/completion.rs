@@ -1,0 +1,278 @@
+//! Proposals while a record is typed: types, IDs, the next free ID.
+
+use rustc_hash::FxHashSet;
+
+use crate::analysis::Analysis;
+use crate::diagnostics::Span;
+use crate::syntax::table::{
+    Constraint, Effect, Family, Kind, Param, ParamKind, RECORD_TYPES, RecordType,
+};
+
+use super::entity;
+use super::place::{Typing, typing};
+
+/// Something that may be put in the place of what has been typed of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Proposal {
+    pub label: String,
+    /// A few words behind the label.
+    pub detail: String,
+    /// Markdown.
+    pub doc: String,
+    /// What is compared with what has been typed.
+    pub filter: String,
+    pub insert: Insert,
+    pub kind: Sort,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Insert {
+    Text(String),
+    /// The type, then its parameters as places to fill, each with a value that is right.
+    Record {
+        code: i32,
+        values: Vec<String>,
+    },
+}
+
+/// What a proposal is, for its sign in the list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sort {
+    Shape,
+    Operation,
+    Other,
+    Id,
+    Value,
+    File,
+}
+
+/// Proposals and what they replace.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Completion {
+    pub word: Span,
+    pub proposals: Vec<Proposal>,
+}
+
+/// More IDs than these are not proposed; the last ones of the file are.
+const MAX_IDS: usize = 200;
+
+/// What may be typed at an offset.
+pub fn completion(analysis: &Analysis, offset: u32) -> Completion {
+    let Some(typing) = typing(analysis, offset) else {
+        return Completion::default();
+    };
+    let word = analysis.source.slice(typing.word);
+    let proposals = match typing.index {
+        _ if typing.complete => new_id(analysis),
+        0 => new_id(analysis)
+            .into_iter()
+            .chain(changes(analysis))
+            .collect(),
+        1 => types(analysis, &typing, word),
+        i => typing.ty.map_or_else(Vec::new, |ty| {
+            let param = ty.param(i - 2, typing.count);
+            param.map_or_else(Vec::new, |p| values(analysis, p, offset))
+        }),
+    };
+    Completion {
+        word: typing.word,
+        proposals,
+    }
+}
+
+/// The next free ID, to begin a record with.
+fn new_id(analysis: &Analysis) -> Vec<Proposal> {
+    let id = entity::next_id(analysis).map(|id| id.to_string());
+    let proposal = |id: String| Proposal {
+        detail: "the next free ID".to_owned(),
+        doc: String::new(),
+        filter: id.clone(),
+        insert: Insert::Text(id.clone()),
+        kind: Sort::Id,
+        label: id,
+    };
+    id.map(proposal).into_iter().collect()
+}
+
+/// The IDs that records may change.
+fn changes(analysis: &Analysis) -> Vec<Proposal> {
+    let kinds = [
+        Kind::Object,
+        Kind::PointLight,
+        Kind::AmbientLight,
+        Kind::Camera,
+        Kind::Optics,
+        Kind::Texture,
+        Kind::Colour,
+    ];
+    ids(analysis, &kinds, u32::MAX)
+}
+
+/// The types that a record with this ID may have: those that define where the ID is new, those that change
+/// what it names where it is not.
+fn types(analysis: &Analysis, typing: &Typing, word: &str) -> Vec<Proposal> {
+    let by_number = word.starts_with(|c: char| c.is_ascii_digit() || "+-".contains(c));
+    let others = |r: &crate::syntax::Record| {
+        let start = analysis.document.tokens[r.first as usize].start;
+        start < typing.word.start
+            && analysis.source.line_index(start) != analysis.source.line_index(typing.word.start)
+    };
+    let known = (typing.id)
+        .filter(|&id| analysis.definition(id).is_some_and(others))
+        .and_then(|id| entity::entity(analysis, id)?.kind);
+    let fits = |ty: &&RecordType| match (ty.effect, known) {
+        _ if typing.id == Some(1) => ty.family == Family::Render,
+        _ if ty.family == Family::Render => false,
+        (Effect::Defines(_), known) => known.is_none_or(|k| k == Kind::Undefined),
+        (Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds), Some(kind)) => {
+            kinds.contains(&kind)
+        }
+        (Effect::Changes(_), None) => false,
+        (Effect::DefinesOrChanges(..), None) => true,
+    };
+    RECORD_TYPES
+        .iter()
+        .filter(fits)
+        .map(|ty| Proposal {
+            label: format!("{} {}", ty.code, ty.title),
+            detail: ty.signature(),
+            doc: format!("{}\n\n```zpg\n{}\n```\n", ty.summary, ty.example),
+            filter: match by_number {
+                true => ty.code.to_string(),
+                false => format!("{} {}", ty.title, ty.code),
+            },
+            insert: Insert::Record {
+                code: ty.code,
+                values: example_values(analysis, ty, typing.word.start),
+            },
+            kind: match ty.family {
+                Family::Shape => Sort::Shape,
+                Family::Operation => Sort::Operation,
+                _ => Sort::Other,
+            },
+        })
+        .collect()
+}
+
+/// The numbers of the type's example; for references the last entities of the file that fit.
+fn example_values(analysis: &Analysis, ty: &'static RecordType, before: u32) -> Vec<String> {
+    let mut used = FxHashSet::default();
+    let words = ty.example.split_whitespace().skip(2);
+    words
+        .enumerate()
+        .map(|(i, word)| {
+            let reference = match ty.param(i, word.parse().unwrap_or(0)).map(|p| p.kind) {
+                Some(ParamKind::Reference { kinds, .. }) if word != "0" => {
+                    last_of(analysis, kinds, before, &used)
+                }
+                _ => None,
+            };
+            reference.map_or_else(
+                || word.to_owned(),
+                |id| {
+                    used.insert(id);
+                    id.to_string()
+                },
+            )
+        })
+        .collect()
+}
+
+fn last_of(analysis: &Analysis, kinds: &[Kind], before: u32, used: &FxHashSet<u32>) -> Option<u32> {
+    let fits = |e: &&crate::scene::Entity| {
+        e.kind.is_some_and(|k| kinds.contains(&k)) && e.span.start < before && !used.contains(&e.id)
+    };
+    analysis
+        .scene
+        .entities
+        .iter()
+        .rev()
+        .find(fits)
+        .map(|e| e.id)
+}
+
+/// What a parameter may be.
+fn values(analysis: &Analysis, param: &Param, offset: u32) -> Vec<Proposal> {
+    let value = |text: &str, detail: &str, kind| Proposal {
+        label: text.to_owned(),
+        detail: detail.to_owned(),
+        doc: String::new(),
+        filter: text.to_owned(),
+        insert: Insert::Text(text.to_owned()),
+        kind,
+    };
+    match (param.kind, param.constraint) {
+        (ParamKind::Reference { kinds, or_none }, _) => {
+            let none = or_none.then(|| value("0", "none", Sort::Value));
+            none.into_iter()
+                .chain(ids(analysis, kinds, offset))
+                .collect()
+        }
+        (ParamKind::FileName, _) => {
+            let all = pictures(analysis);
+            all.iter()
+                .map(|name| value(name, "picture", Sort::File))
+                .collect()
+        }
+        (_, Constraint::Axis) => {
+            let axes = [
+                ("1", "the x axis"),
+                ("2", "the y axis"),
+                ("3", "the z axis"),
+            ];
+            axes.map(|(text, detail)| value(text, detail, Sort::Value))
+                .into()
+        }
+        (ParamKind::Integer, Constraint::Within(1.0, 2.0)) => vec![
+            value("1", "one sheet", Sort::Value),
+            value("2", "two sheets", Sort::Value),
+        ],
+        _ => Vec::new(),
+    }
+}
+
+/// The IDs of these kinds that are defined before an offset, the last one first.
+fn ids(analysis: &Analysis, kinds: &[Kind], before: u32) -> Vec<Proposal> {
+    let fits = |e: &&crate::scene::Entity| {
+        e.kind.is_some_and(|k| kinds.contains(&k)) && e.span.end <= before
+    };
+    let all = analysis
+        .scene
+        .entities
+        .iter()
+        .rev()
+        .filter(fits)
+        .take(MAX_IDS);
+    all.map(|e| Proposal {
+        label: e.id.to_string(),
+        detail: entity::described(analysis, e.id).unwrap_or_default(),
+        doc: String::new(),
+        filter: e.id.to_string(),
+        insert: Insert::Text(e.id.to_string()),
+        kind: Sort::Id,
+    })
+    .collect()
+}
+
+/// The picture files beside the scene.
+fn pictures(analysis: &Analysis) -> Vec<String> {
+    const MAX_FILES: usize = 200;
+    let folder = analysis
+        .source
+        .folder()
+        .and_then(|f| std::fs::read_dir(f).ok());
+    let mut names: Vec<String> = (folder.into_iter().flatten().take(10 * MAX_FILES))
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| {
+            let name = name.to_lowercase();
+            [".png", ".jpg", ".jpeg"].iter().any(|e| name.ends_with(e))
+        })
+        .map(|name| match name.contains(char::is_whitespace) {
+            true => format!("\"{name}\""),
+            false => name,
+        })
+        .collect();
+    names.sort();
+    names.truncate(MAX_FILES);
+    names
+}

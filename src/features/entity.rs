@@ -1,0 +1,124 @@
+//! What an ID means: what it is called, what it looks like.
+
+use crate::analysis::Analysis;
+use crate::diagnostics::Span;
+use crate::scene::{Entity, Node, NodeId, Rgb, Texture};
+use crate::syntax::directive::{inside, is_directive};
+use crate::syntax::table::{Kind, RecordKind};
+use crate::syntax::{Item, Record};
+
+/// The entity with an ID, as it stands at the end of the file.
+pub fn entity(analysis: &Analysis, id: u32) -> Option<&Entity> {
+    analysis.scene.entities.iter().find(|e| e.id == id)
+}
+
+/// All records that can be read, in file order.
+pub fn records(analysis: &Analysis) -> impl DoubleEndedIterator<Item = &Record> {
+    analysis
+        .document
+        .items
+        .iter()
+        .filter_map(|item| match item {
+            Item::Record(record) => Some(record),
+            _ => None,
+        })
+}
+
+/// The comment of a record: within it, or behind it on its last line. In one line.
+pub fn comment(analysis: &Analysis, record: &Record) -> Option<String> {
+    let tokens = &analysis.document.tokens;
+    let (first, last) = (record.first as usize, record.last as usize);
+    let behind = tokens[last + 1..]
+        .iter()
+        .take_while(|t| t.kind.is_comment());
+    let text = &analysis.source.text;
+    let mut said = (tokens[first..=last].iter().chain(behind))
+        .filter(|t| t.kind.is_comment() && !is_directive(t, text))
+        .map(|t| {
+            inside(t.text(text))
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" ")
+        });
+    said.find(|words| !words.is_empty())
+}
+
+/// What people call an entity: its comment, or the title of its record.
+pub fn name(analysis: &Analysis, id: u32) -> Option<String> {
+    let record = analysis.definition(id)?;
+    Some(comment(analysis, record).unwrap_or_else(|| record.ty.title.to_owned()))
+}
+
+/// The record's type and, where there is one, its comment: "sphere, a ball". Where the record cannot be read,
+/// what it makes.
+pub fn described(analysis: &Analysis, id: u32) -> Option<String> {
+    let Some(record) = analysis.definition(id) else {
+        return Some(entity(analysis, id)?.kind?.name().to_owned());
+    };
+    let title = record.ty.title;
+    Some(match comment(analysis, record) {
+        Some(comment) => format!("{title}, {comment}"),
+        None => title.to_owned(),
+    })
+}
+
+/// The span of a record, from its ID to its last number.
+pub fn span(analysis: &Analysis, record: &Record) -> Span {
+    analysis.document.span(record.first, record.last)
+}
+
+/// The linear colour that an entity has been given, where it is one colour.
+pub fn colour(analysis: &Analysis, id: u32) -> Option<Rgb> {
+    let scene = &analysis.scene;
+    let entity = entity(analysis, id)?;
+    match entity.kind? {
+        Kind::Object => match painted(analysis, entity.node?)? {
+            Texture::Colour(rgb) => Some(*rgb),
+            _ => None,
+        },
+        Kind::AmbientLight => Some(scene.ambient_lights.iter().find(|l| l.id == id)?.colour),
+        Kind::PointLight => Some(scene.point_lights.iter().find(|l| l.id == id)?.colour),
+        Kind::Colour => {
+            let mut own = records(analysis).rev().filter(|r| r.id == id);
+            let record = own.find(|r| r.ty.kind == RecordKind::Colour)?;
+            let numbers: Vec<f64> = (analysis.document.params(record))
+                .filter_map(|t| t.number(&analysis.source.text))
+                .collect();
+            numbers.try_into().ok()
+        }
+        _ => None,
+    }
+}
+
+/// The texture that an object itself has been given.
+fn painted(analysis: &Analysis, mut node: NodeId) -> Option<&Texture> {
+    let scene = &analysis.scene;
+    loop {
+        node = match scene.nodes[node as usize] {
+            Node::Transform { child, .. } | Node::Copy { child, .. } => child,
+            Node::Paint { child, paint } => match &scene.paints[paint as usize].texture {
+                Some(texture) => return Some(texture),
+                None => child,
+            },
+            _ => return None,
+        };
+    }
+}
+
+/// The largest ID of the language.
+pub const MAX_ID: u32 = i32::MAX as u32;
+
+/// The ID that a new record takes: one above the largest of the file; at least 2, as 1 is the render record's.
+pub fn next_id(analysis: &Analysis) -> Option<u32> {
+    let ids = analysis
+        .document
+        .items
+        .iter()
+        .filter_map(|item| match item {
+            Item::Record(r) => Some(r.id),
+            Item::Broken(b) => b.id,
+            Item::Void { .. } => None,
+        });
+    let next = ids.max().unwrap_or(0).max(1) + 1;
+    (next <= MAX_ID).then_some(next)
+}

@@ -1,0 +1,193 @@
+//! What is written between the numbers of a scene so that they can be read: `21 11 sphere x:0 y:10 z:0 r:10`.
+
+use crate::analysis::Analysis;
+use crate::diagnostics::Span;
+use crate::lint::spelling::rough;
+use crate::syntax::Record;
+use crate::syntax::lexer::Token;
+use crate::syntax::table::{Param, ParamKind, RecordKind, RecordType, ShapeKind};
+
+use super::{entity, place};
+
+/// A few words between two tokens.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Hint {
+    pub at: u32,
+    pub text: String,
+    pub kind: Kind,
+    /// More about it, to be shown when somebody points at it.
+    pub doc: String,
+}
+
+/// What a hint is about. All but the names stand behind what they are about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// The name of a type, behind its number.
+    Type,
+    /// The name of a parameter, before it.
+    Parameter,
+    /// What a reference points at.
+    Reference,
+    /// The extent of a profile, behind its number of points.
+    Profile,
+}
+
+/// Which kinds are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub struct Wanted {
+    pub types: bool,
+    pub parameters: bool,
+    pub references: bool,
+    pub profiles: bool,
+}
+
+impl Default for Wanted {
+    fn default() -> Wanted {
+        Wanted {
+            types: true,
+            parameters: true,
+            references: true,
+            profiles: true,
+        }
+    }
+}
+
+impl Wanted {
+    fn wants(self, kind: Kind) -> bool {
+        match kind {
+            Kind::Type => self.types,
+            Kind::Parameter => self.parameters,
+            Kind::Reference => self.references,
+            Kind::Profile => self.profiles,
+        }
+    }
+}
+
+/// The hints within a stretch of text, in order.
+pub fn hints(analysis: &Analysis, visible: Span, wanted: Wanted) -> Vec<Hint> {
+    let mut out = Vec::new();
+    for item in &analysis.document.items[place::items_in(&analysis.document, visible)] {
+        if let Some(record) = place::readable(analysis, item) {
+            of_record(analysis, &record, visible, &mut out);
+        }
+    }
+    out.retain(|hint| wanted.wants(hint.kind));
+    out
+}
+
+fn of_record(analysis: &Analysis, record: &Record, visible: Span, out: &mut Vec<Hint>) {
+    let document = &analysis.document;
+    let ty = record.ty;
+    let count = record.count as usize;
+    let tokens = document.significant(record.first, record.last).skip(1);
+    // The type is at 0, the parameters follow.
+    for (i, token) in tokens.enumerate() {
+        if token.start > visible.end {
+            break;
+        }
+        if token.end() < visible.start {
+            continue;
+        }
+        let Some(i) = i.checked_sub(1) else {
+            out.push(Hint {
+                at: token.end(),
+                text: ty.title.to_owned(),
+                kind: Kind::Type,
+                doc: ty.summary.to_owned(),
+            });
+            continue;
+        };
+        let Some(param) = ty.param(i, count) else {
+            continue;
+        };
+        if let Some(name) = label(ty, param, i, count) {
+            out.push(Hint {
+                at: token.start,
+                text: name,
+                kind: Kind::Parameter,
+                doc: format!("{} ({})", param.doc, param.rule_text()),
+            });
+        }
+        out.extend(reference(analysis, param, token));
+        if param.kind == ParamKind::Count {
+            out.extend(profile(analysis, record, token.end()));
+        }
+    }
+}
+
+/// What stands before a parameter. Matrices have a hint a row, repeated groups their number from the second on.
+fn label(ty: &RecordType, param: &Param, i: usize, count: usize) -> Option<String> {
+    let is_matrix = ty.vectors == [4, 4, 4, 4];
+    if is_matrix {
+        return i.is_multiple_of(4).then(|| format!("row {}:", i / 4 + 1));
+    }
+    let mut at = i.checked_sub(ty.params.len());
+    for group in ty.repeats {
+        let Some(inside) = at else { break };
+        let length = group.len() * count;
+        if inside < length {
+            let (number, place) = (inside / group.len(), inside % group.len());
+            return match (number, place) {
+                (0, _) => Some(format!("{}:", param.name)),
+                (n, 0) => Some(format!("{}:", n + 1)),
+                _ => None,
+            };
+        }
+        at = inside.checked_sub(length);
+    }
+    Some(format!("{}:", param.name))
+}
+
+fn reference(analysis: &Analysis, param: &Param, token: &Token) -> Option<Hint> {
+    let id = place::reference(param, token, &analysis.source.text)?;
+    let name = entity::name(analysis, id)?;
+    let doc = entity::described(analysis, id).unwrap_or_default();
+    Some(Hint {
+        at: token.end(),
+        text: shortened(&name),
+        kind: Kind::Reference,
+        doc: format!("{id}: {doc}"),
+    })
+}
+
+/// Longer ones push the numbers out of sight.
+const LONGEST: usize = 24;
+
+fn shortened(name: &str) -> String {
+    match name.char_indices().nth(LONGEST) {
+        None => name.to_owned(),
+        Some((end, _)) => format!("{}…", name[..end].trim_end()),
+    }
+}
+
+/// How wide and high a profile is.
+fn profile(analysis: &Analysis, record: &Record, at: u32) -> Option<Hint> {
+    let of_profile = matches!(
+        record.ty.kind,
+        RecordKind::Shape(ShapeKind::SurfaceOfRevolution | ShapeKind::ColouredSurfaceOfRevolution)
+    );
+    if !of_profile {
+        return None;
+    }
+    let numbers = (analysis.document.params(record).skip(1))
+        .take(2 * record.count as usize)
+        .map(|t| t.number(&analysis.source.text).unwrap_or(0.0));
+    let (mut radius, mut low, mut high) = (0.0f64, f64::INFINITY, f64::NEG_INFINITY);
+    for (i, x) in numbers.enumerate() {
+        match i % 2 {
+            0 => radius = radius.max(x),
+            _ => (low, high) = (low.min(x), high.max(x)),
+        }
+    }
+    if low > high {
+        return None;
+    }
+    let [radius, low, high] = [radius, low, high].map(rough);
+    Some(Hint {
+        at,
+        text: format!("points, radius ≤ {radius}, y {low} to {high}"),
+        kind: Kind::Profile,
+        doc: "the extent of the profile".to_owned(),
+    })
+}

@@ -1,0 +1,47 @@
+//! What an editor shows of a scene, as plain functions of an [`Analysis`] and a place in its text.
+//!
+//! A place is a byte offset into the text, a stretch is a [`Span`]. Nothing here knows of a protocol; `lsp` puts
+//! the answers into its types. One file is one feature:
+//!
+//! | What people see | File |
+//! |---|---|
+//! | squiggles, in the right number | [`problems`] |
+//! | quick fixes, "fix all", "allow here", "renumber" | [`actions`] |
+//! | names before numbers | [`hints`] |
+//! | what stands under the pointer | [`hover`] |
+//! | the parameters while a record is typed | [`signature`] |
+//! | proposals while typing | [`completion`] |
+//! | jumps, uses, a new ID | [`uses`], [`rename`] |
+//! | the outline and operations as calls | [`symbols`], [`calls`] |
+//! | folding, selecting outwards | [`folding`], [`selection`] |
+//! | colours of the text by meaning, colours of the scene | [`tokens`], [`colours`] |
+//! | formatting | [`formatting`] |
+//! | buttons above records | [`lenses`] |
+//! | pictures | [`picture`] |
+//!
+//! Three files are below all of them: [`place`] tells what stands at an offset, [`entity`] what an ID means,
+//! [`pages`] has the pages of `zpg explain`.
+
+pub mod actions;
+pub mod calls;
+pub mod colours;
+pub mod completion;
+pub mod entity;
+pub mod folding;
+pub mod formatting;
+pub mod hints;
+pub mod hover;
+pub mod lenses;
+pub mod pages;
+pub mod picture;
+pub mod place;
+pub mod problems;
+pub mod rename;
+pub mod selection;
+pub mod signature;
+pub mod symbols;
+pub mod tokens;
+pub mod uses;
+
+pub use crate::analysis::Analysis;
+pub use crate::diagnostics::{Edit, Span};

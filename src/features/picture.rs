@@ -1,0 +1,127 @@
+//! Small pictures: of the scene, or of one object fitted into view.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::analysis::Analysis;
+use crate::diagnostics::Error;
+use crate::scene::{Camera, NodeId, Render, Scene, Vec3, View};
+use crate::solids::bounds::NodeBounds;
+use crate::solids::frame::{automatic_camera, seen_box, selected_cameras};
+use crate::trace::plan::Plan;
+use crate::trace::{Images, Settings, Tracer};
+
+use super::entity;
+
+/// What is to be seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subject {
+    /// What the render record names, with the scene's own camera and lights.
+    Scene,
+    /// One object, with a light at the camera.
+    Object(u32),
+}
+
+/// A scene ready to be drawn, at any size.
+pub struct Stage {
+    tracer: Tracer,
+    camera: Camera,
+}
+
+impl Stage {
+    /// Prepares a picture of this shape (width by height).
+    ///
+    /// # Errors
+    ///
+    /// There is nothing to draw, or the tracer cannot draw it.
+    pub fn new(analysis: &Analysis, subject: Subject, aspect: f64) -> Result<Stage, Error> {
+        let own;
+        let scene = match subject {
+            Subject::Scene => &analysis.scene,
+            Subject::Object(id) => {
+                let node = entity::entity(analysis, id).and_then(|e| e.node);
+                own = alone(
+                    &analysis.scene,
+                    id,
+                    node.ok_or_else(Error::nothing_to_draw)?,
+                );
+                &own
+            }
+        };
+        let plan = Plan::of_picture(scene).ok_or_else(Error::nothing_to_draw)?;
+        let folder = analysis.source.folder().unwrap_or(Path::new("."));
+        let images = Images::load(scene, folder)?;
+        let tracer = Tracer::planned(scene, &images, plan)?;
+        let camera = match subject {
+            Subject::Scene => selected_cameras(scene, aspect).swap_remove(0),
+            Subject::Object(_) => camera_around(scene, analysis.bounds(), aspect),
+        };
+        Ok(Stage { tracer, camera })
+    }
+
+    /// Draws a picture, as a PNG. `None` if it was stopped.
+    ///
+    /// # Errors
+    ///
+    /// The camera cannot take pictures.
+    pub fn draw(
+        &self,
+        [width, height]: [u32; 2],
+        stop: &Arc<AtomicBool>,
+    ) -> Result<Option<Vec<u8>>, Error> {
+        let settings = Settings {
+            width,
+            height,
+            stop: Some(stop.clone()),
+            ..Settings::default()
+        };
+        let picture = self.tracer.render(&self.camera, &settings, || ())?;
+        if stop.load(Ordering::Relaxed) {
+            return Ok(None);
+        }
+        let mut png = Vec::new();
+        let written = picture.film.write_png(&mut png);
+        Ok(written.is_ok().then_some(png))
+    }
+}
+
+/// The scene with one object in it.
+fn alone(scene: &Scene, id: u32, node: NodeId) -> Scene {
+    let mut scene = scene.clone();
+    let span = scene.origins[node as usize].span;
+    scene.render = Some(Render {
+        root: node,
+        root_id: id,
+        background: [0.03; 3],
+        clip: None,
+        span,
+    });
+    scene.view = View::Automatic;
+    scene.cameras.clear();
+    scene.ambient_lights.clear();
+    scene.point_lights.clear();
+    scene
+}
+
+/// From where an object is seen: more of its shape shows from the front, above and the right than from the
+/// front alone. Not of length 1.
+const VIEWPOINT: Vec3 = [0.5, 0.45, 1.0];
+
+/// The camera that frames an object, moved around its centre.
+fn camera_around(scene: &Scene, bounds: &[NodeBounds], aspect: f64) -> Camera {
+    let straight = automatic_camera(scene, bounds, aspect);
+    let seen = seen_box(scene, bounds);
+    let centre = if seen.is_empty() {
+        [0.0; 3]
+    } else {
+        seen.centre()
+    };
+    let length = VIEWPOINT.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let distance = (straight.position[2] - centre[2]) / length;
+    Camera {
+        position: std::array::from_fn(|i| centre[i] + VIEWPOINT[i] * distance),
+        direction: VIEWPOINT.map(|x| -x),
+        ..straight
+    }
+}

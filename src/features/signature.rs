@@ -1,0 +1,93 @@
+//! The parameters of a record while it is typed.
+
+use crate::analysis::Analysis;
+use crate::syntax::table::{Param, RecordType};
+
+use super::place::typing;
+
+/// A record's parameters in a line, and which of them is being typed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Signature {
+    pub label: String,
+    pub doc: &'static str,
+    pub params: Vec<Parameter>,
+    /// Index into `params`; `None` behind the last one, or before the first.
+    pub active: Option<usize>,
+}
+
+/// A stretch of the label, and what it means.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Parameter {
+    /// Bytes of the label, half-open.
+    pub at: (usize, usize),
+    pub doc: String,
+}
+
+/// The signature of the record that is typed at an offset, once its type is known.
+pub fn signature(analysis: &Analysis, offset: u32) -> Option<Signature> {
+    let typing = typing(analysis, offset)?;
+    let ty = typing.ty?;
+    if typing.complete {
+        return None;
+    }
+    let (label, params) = label(ty);
+    let active = typing.index.checked_sub(2);
+    let active = active.and_then(|i| listed(ty, i, typing.count));
+    Some(Signature {
+        label,
+        doc: ty.summary,
+        params,
+        active,
+    })
+}
+
+/// The label as [`RecordType::signature`] has it, with each parameter's place in it.
+fn label(ty: &'static RecordType) -> (String, Vec<Parameter>) {
+    let mut label = format!("ID {}", ty.code);
+    let mut params = Vec::new();
+    let mut add = |label: &mut String, group: &'static [Param], open: &str, close: &str| {
+        label.push(' ');
+        label.push_str(open);
+        for (i, param) in group.iter().enumerate() {
+            if i > 0 {
+                label.push(' ');
+            }
+            let start = label.len();
+            label.push_str(param.name);
+            params.push(Parameter {
+                at: (start, label.len()),
+                doc: format!("{} ({})", param.doc, param.rule_text()),
+            });
+        }
+        label.push_str(close);
+    };
+    if !ty.params.is_empty() {
+        add(&mut label, ty.params, "", "");
+    }
+    for group in ty.repeats {
+        add(&mut label, group, "(", ")×N");
+    }
+    if !ty.optional.is_empty() {
+        add(&mut label, ty.optional, "[", "]");
+    }
+    (label, params)
+}
+
+/// The index among the listed parameters, each of which is there once, of the parameter at a position of
+/// the record. As long as the count is not known, there is no end of the first repeated group.
+fn listed(ty: &RecordType, position: usize, count: usize) -> Option<usize> {
+    if position < ty.params.len() {
+        return Some(position);
+    }
+    let mut inside = position - ty.params.len();
+    let mut before = ty.params.len();
+    for group in ty.repeats {
+        let length = group.len().saturating_mul(count);
+        if inside < length || count == 0 {
+            return Some(before + inside % group.len());
+        }
+        inside -= length;
+        before += group.len();
+    }
+    (inside < ty.optional.len()).then_some(before + inside)
+}

@@ -1,0 +1,143 @@
+//! The open files: their texts as the client has them, and their analyses.
+
+use std::collections::HashMap;
+use std::sync::{Arc, OnceLock};
+
+use gen_lsp_types::{TextDocumentContentChangeEvent as Change, Uri};
+
+use super::position::{self, Units};
+use super::uri::path_of;
+use crate::analysis::config::{Config, Configs};
+use crate::analysis::{Analysis, Settings};
+use crate::diagnostics::{Complaint, SourceFile};
+use crate::lint::levels::Choice;
+
+/// The files that are open.
+#[derive(Default)]
+pub struct Documents {
+    open: HashMap<Uri, Document>,
+    /// The `zpg.toml` files, each read once until one of them changes.
+    configs: Configs,
+}
+
+struct Document {
+    version: i32,
+    text: Arc<String>,
+    /// What is read of this text; `None` after an edit, until somebody asks.
+    snapshot: Option<Arc<Snapshot>>,
+}
+
+/// All files as they are at one moment, for a request.
+pub type Snapshots = HashMap<Uri, Arc<Snapshot>>;
+
+/// A file as it is at one moment. It is read when its analysis is first asked for, by whoever asks.
+pub struct Snapshot {
+    pub uri: Uri,
+    pub version: i32,
+    /// What its `zpg.toml` says, or what is wrong with that.
+    pub config: Result<Arc<Config>, Complaint>,
+    text: Arc<String>,
+    analysis: OnceLock<Analysis>,
+}
+
+impl Snapshot {
+    /// What messages call it: the path, or the URI of what is no file.
+    fn name(uri: &Uri) -> String {
+        path_of(uri).map_or_else(|| uri.0.clone(), |path| path.to_string_lossy().into_owned())
+    }
+
+    /// How its findings weigh.
+    pub fn settings(&self) -> Settings {
+        Settings {
+            levels: self
+                .config
+                .as_ref()
+                .map(|c| c.levels.clone())
+                .unwrap_or_default(),
+            choice: Choice::default(),
+        }
+    }
+
+    pub fn analysis(&self) -> &Analysis {
+        self.analysis.get_or_init(|| {
+            let empty = SourceFile::new(Snapshot::name(&self.uri), Vec::new());
+            let text = self.text.as_ref().clone();
+            Analysis::of(empty.with_text(text)).with_settings(self.settings())
+        })
+    }
+}
+
+impl Documents {
+    pub fn open(&mut self, uri: Uri, version: i32, text: String) {
+        let document = Document {
+            version,
+            text: Arc::new(text),
+            snapshot: None,
+        };
+        self.open.insert(uri, document);
+    }
+
+    pub fn close(&mut self, uri: &Uri) {
+        self.open.remove(uri);
+    }
+
+    /// Edits a file; one that is not open is left alone.
+    pub fn change(&mut self, uri: &Uri, version: i32, changes: &[Change], units: Units) -> bool {
+        let Some(document) = self.open.get_mut(uri) else {
+            return false;
+        };
+        document.version = version;
+        // Whoever reads the text has a copy of his own from here on; without readers there is none.
+        document.snapshot = None;
+        let text = Arc::make_mut(&mut document.text);
+        for change in changes {
+            match change {
+                Change::TextDocumentContentChangePartial(part) => {
+                    position::edit(text, units, part.range, &part.text);
+                }
+                Change::TextDocumentContentChangeWholeDocument(whole) => {
+                    text.clone_from(&whole.text);
+                }
+            }
+        }
+        true
+    }
+
+    /// Forgets what settings were read: one of the files has changed.
+    pub fn forget_configs(&mut self) {
+        self.configs = Configs::default();
+        self.open.values_mut().for_each(|d| d.snapshot = None);
+    }
+
+    pub fn uris(&self) -> Vec<Uri> {
+        self.open.keys().cloned().collect()
+    }
+
+    /// A file as it is now.
+    pub fn snapshot(&mut self, uri: &Uri) -> Option<Arc<Snapshot>> {
+        let document = self.open.get_mut(uri)?;
+        let snapshot = document.snapshot.get_or_insert_with(|| {
+            let config = match path_of(uri) {
+                Some(path) => self.configs.for_file(&path).map_err(|e| e.complaint()),
+                None => Ok(Arc::default()),
+            };
+            Arc::new(Snapshot {
+                uri: uri.clone(),
+                version: document.version,
+                config,
+                text: document.text.clone(),
+                analysis: OnceLock::new(),
+            })
+        });
+        Some(snapshot.clone())
+    }
+
+    /// All files as they are now.
+    pub fn snapshots(&mut self) -> Snapshots {
+        let uris = self.uris();
+        let now = uris
+            .into_iter()
+            .filter_map(|uri| Some((uri.clone(), self.snapshot(&uri)?)));
+        now.collect()
+    }
+}

@@ -1,0 +1,463 @@
+//! The language server: messages of the [protocol](https://microsoft.github.io/language-server-protocol/) come
+//! in, answers of [`features`](crate::features) go out.
+//!
+//! One thread reads messages and keeps the open files ([`documents`]). It takes all that have come before it
+//! acts, so several edits are one. Requests are answered from the files as they are at that moment by two
+//! other threads ([`requests`]), in their order; slow ones have a thread each. Diagnostics have a thread
+//! ([`publish`]), pictures have theirs ([`drawing`]), longer commands are programs ([`programs`]). So nothing
+//! waits for a picture, and a request that fails is an error answer.
+//!
+//! Protocol types are made in [`convert`], positions in [`position`], and nowhere else.
+
+mod ask;
+mod capabilities;
+mod client;
+mod convert;
+mod documents;
+mod drawing;
+mod outgoing;
+mod parent;
+mod position;
+mod programs;
+mod publish;
+mod requests;
+mod stdio;
+mod tokens_sent;
+mod uri;
+mod workspace;
+
+use std::collections::HashMap;
+use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crossbeam_channel::{Sender, unbounded};
+use gen_lsp_types::{
+    DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWorkspaceFoldersParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, InitializeParams, InitializeResult,
+    ServerInfo, Uri, WorkspaceFolders,
+};
+use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
+
+use ask::{Ask, Refusal, refusal};
+use client::{Client, Preferences};
+use documents::Documents;
+use outgoing::Outgoing;
+use publish::News;
+use requests::Lane;
+use tokens_sent::TokensSent;
+
+use crate::diagnostics::Language;
+
+/// How a session ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// As the client asked for.
+    Clean,
+    /// The client was gone without a word, or said `exit` without `shutdown`.
+    Early,
+}
+
+/// Serves one client on standard input and output.
+///
+/// # Errors
+///
+/// The output cannot be written to.
+pub fn run(language: Language) -> io::Result<Ending> {
+    let (connection, writer) = stdio::connect();
+    let ending = serve(&connection, language);
+    drop(connection);
+    // The last answers are written; what takes long yet, nobody reads any more.
+    let end = Instant::now() + LAST_WORDS;
+    while !writer.is_finished() && Instant::now() < end {
+        thread::sleep(Duration::from_millis(1));
+    }
+    match writer.is_finished() {
+        true => writer.join().unwrap_or(Ok(())).map(|()| ending),
+        false => Ok(ending),
+    }
+}
+
+/// How long the last answers may take.
+const LAST_WORDS: Duration = Duration::from_secs(1);
+
+/// Serves one client until it is gone.
+pub fn serve(connection: &Connection, language: Language) -> Ending {
+    let Some(mut server) = Server::begin(connection, language) else {
+        return Ending::Early;
+    };
+    while let Ok(first) = connection.receiver.recv() {
+        // Edits first: what is asked about a text that is not there any more is of no use.
+        for message in std::iter::once(first).chain(connection.receiver.try_iter()) {
+            if let Some(ending) = server.take(message) {
+                return ending;
+            }
+        }
+        server.publish();
+    }
+    Ending::Early
+}
+
+/// Requests that are not answered yet. Whoever takes one out answers it.
+#[derive(Clone, Default)]
+struct Pending(Arc<Mutex<HashMap<RequestId, Waiting>>>);
+
+struct Waiting {
+    cancelled: Arc<AtomicBool>,
+    /// The file that a picture is drawn of: an edit makes it pointless.
+    drawn: Option<Uri>,
+}
+
+impl Pending {
+    fn take(&self, id: &RequestId) -> Option<Waiting> {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.remove(id)
+    }
+
+    fn add(&self, id: RequestId, waiting: Waiting) {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.insert(id, waiting);
+    }
+
+    /// The requests for pictures of a file.
+    fn drawing(&self, uri: &Uri) -> Vec<RequestId> {
+        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let of = all.iter().filter(|(_, w)| w.drawn.as_ref() == Some(uri));
+        of.map(|(id, _)| id.clone()).collect()
+    }
+}
+
+type Job = Box<dyn FnOnce() + Send>;
+
+/// How many threads answer quick requests.
+const ANSWERING: usize = 2;
+
+struct Server {
+    client: Arc<Client>,
+    preferences: Preferences,
+    folders: Vec<Uri>,
+    documents: Documents,
+    /// Files whose diagnostics are to be sent.
+    changed: Vec<Uri>,
+    outgoing: Outgoing,
+    news: Sender<News>,
+    jobs: Sender<Job>,
+    pending: Pending,
+    tokens_sent: Arc<TokensSent>,
+    is_shut_down: bool,
+}
+
+impl Server {
+    /// Agrees with the client on what both can. `None` if it is gone before that.
+    fn begin(connection: &Connection, language: Language) -> Option<Server> {
+        let (id, sent) = connection.initialize_start().ok()?;
+        let params: InitializeParams = match serde_json::from_value(sent) {
+            Ok(params) => params,
+            Err(e) => {
+                let error = refusal(ErrorCode::InvalidParams, e.to_string());
+                let response = Response {
+                    id,
+                    response_result: Err(error),
+                };
+                let _ = connection.sender.send(response.into());
+                return None;
+            }
+        };
+        let client = Arc::new(Client::of(&params, language));
+        let result = InitializeResult {
+            capabilities: capabilities::capabilities(&client),
+            server_info: Some(ServerInfo {
+                name: "zpg".to_owned(),
+                version: Some(env!("CARGO_PKG_VERSION").to_owned()),
+            }),
+        };
+        let result = serde_json::to_value(result).ok()?;
+        connection.initialize_finish(id, result).ok()?;
+        let outgoing = Outgoing::new(connection.sender.clone(), client.shows_documents);
+        if let Some(process) = client.process {
+            parent::end_with(process);
+        }
+        if client.watches_files {
+            outgoing.request("client/registerCapability", watch_settings());
+        }
+        let mut preferences = Preferences::default();
+        if let Some(options) = &params.initialization_options {
+            preferences.read(options);
+        }
+        let folders = match params.workspace_folders_initialize_params.workspace_folders {
+            Some(WorkspaceFolders::WorkspaceFolderList(all)) => {
+                all.into_iter().map(|f| f.uri).collect()
+            }
+            // What older clients send.
+            #[allow(deprecated)]
+            _ => params.root_uri.into_iter().collect(),
+        };
+        Some(Server {
+            news: publish::start(client.clone(), outgoing.clone()),
+            jobs: start_answering(),
+            client,
+            preferences,
+            folders,
+            documents: Documents::default(),
+            changed: Vec::new(),
+            outgoing,
+            pending: Pending::default(),
+            tokens_sent: Arc::default(),
+            is_shut_down: false,
+        })
+    }
+
+    /// Takes a message; says when the session is over.
+    fn take(&mut self, message: Message) -> Option<Ending> {
+        match message {
+            Message::Request(request) if self.is_shut_down => {
+                let error = refusal(ErrorCode::InvalidRequest, "the server is shut down");
+                self.refuse(request.id, error);
+            }
+            Message::Request(request) if request.method == "shutdown" => {
+                self.is_shut_down = true;
+                self.outgoing.respond(Response {
+                    id: request.id,
+                    response_result: Ok(Value::Null),
+                });
+            }
+            Message::Request(request) => self.answer(request),
+            Message::Notification(notification) if notification.method == "exit" => {
+                return Some(match self.is_shut_down {
+                    true => Ending::Clean,
+                    false => Ending::Early,
+                });
+            }
+            Message::Notification(notification) => self.note(notification),
+            // Nothing hangs on what the client answers.
+            Message::Response(_) => {}
+        }
+        None
+    }
+
+    fn refuse(&self, id: RequestId, error: Refusal) {
+        self.outgoing.respond(Response {
+            id,
+            response_result: Err(error),
+        });
+    }
+
+    /// Has a request answered.
+    fn answer(&mut self, Request { id, method, params }: Request) {
+        let Some((lane, handler)) = requests::handler(&method) else {
+            let error = refusal(ErrorCode::MethodNotFound, format!("there is no {method}"));
+            self.refuse(id, error);
+            return;
+        };
+        let cancelled = Arc::new(AtomicBool::new(false));
+        let drawn = (method == "zpg/preview")
+            .then(|| params.pointer("/textDocument/uri")?.as_str().map(Uri::from));
+        let waiting = Waiting {
+            cancelled: cancelled.clone(),
+            drawn: drawn.flatten(),
+        };
+        self.pending.add(id.clone(), waiting);
+        let ask = Ask {
+            files: self.documents.snapshots(),
+            client: self.client.clone(),
+            preferences: self.preferences.clone(),
+            folders: self.folders.clone(),
+            outgoing: self.outgoing.clone(),
+            tokens_sent: self.tokens_sent.clone(),
+            cancelled,
+        };
+        let pending = self.pending.clone();
+        let job = move || {
+            if ask.is_cancelled() {
+                return;
+            }
+            let answered = catch_unwind(AssertUnwindSafe(|| handler(&ask, params)));
+            let response_result = answered.unwrap_or_else(|_| {
+                let message = format!("zpg has made a mistake in {method}");
+                Err(refusal(ErrorCode::InternalError, message))
+            });
+            if pending.take(&id).is_some() {
+                ask.outgoing.respond(Response {
+                    id,
+                    response_result,
+                });
+            }
+        };
+        match lane {
+            Lane::Quick => drop(self.jobs.send(Box::new(job))),
+            Lane::Slow => drop(thread::spawn(job)),
+        }
+    }
+
+    /// Ends the wait for an answer.
+    fn cancel(&self, id: RequestId, code: ErrorCode) {
+        if let Some(waiting) = self.pending.take(&id) {
+            waiting.cancelled.store(true, Ordering::Relaxed);
+            self.refuse(id, refusal(code, "cancelled"));
+        }
+    }
+
+    /// Takes note of something. What cannot be understood is left out.
+    fn note(&mut self, notification: Notification) {
+        let Notification { method, params } = notification;
+        match method.as_str() {
+            "textDocument/didOpen" => {
+                if let Some(p) = read::<DidOpenTextDocumentParams>(params) {
+                    let file = p.text_document;
+                    self.changed.push(file.uri.clone());
+                    self.documents.open(file.uri, file.version, file.text);
+                }
+            }
+            "textDocument/didChange" => {
+                if let Some(p) = read::<DidChangeTextDocumentParams>(params) {
+                    let file = p.text_document;
+                    let uri = file.text_document_identifier.uri;
+                    let (version, units) = (file.version, self.client.units);
+                    if self
+                        .documents
+                        .change(&uri, version, &p.content_changes, units)
+                    {
+                        for id in self.pending.drawing(&uri) {
+                            self.cancel(id, ErrorCode::ContentModified);
+                        }
+                        self.changed.push(uri);
+                    }
+                }
+            }
+            "textDocument/didClose" => {
+                if let Some(p) = read::<DidCloseTextDocumentParams>(params) {
+                    let uri = p.text_document.uri;
+                    self.documents.close(&uri);
+                    self.tokens_sent.forget(&uri);
+                    self.changed.retain(|other| *other != uri);
+                    if !self.client.pulls {
+                        let _ = self.news.send(News::Closed(uri));
+                    }
+                }
+            }
+            "workspace/didChangeConfiguration" => {
+                if let Some(p) = read::<DidChangeConfigurationParams>(params) {
+                    self.preferences.read(&p.settings);
+                    if self.client.refreshes_hints {
+                        self.outgoing
+                            .request("workspace/inlayHint/refresh", Value::Null);
+                    }
+                }
+            }
+            "workspace/didChangeWatchedFiles" => {
+                self.documents.forget_configs();
+                self.changed = self.documents.uris();
+                if self.client.pulls && self.client.refreshes_diagnostics {
+                    self.outgoing
+                        .request("workspace/diagnostic/refresh", Value::Null);
+                }
+            }
+            "workspace/didChangeWorkspaceFolders" => {
+                if let Some(p) = read::<DidChangeWorkspaceFoldersParams>(params) {
+                    let gone = |uri: &Uri| p.event.removed.iter().any(|f| f.uri == *uri);
+                    self.folders.retain(|uri| !gone(uri));
+                    self.folders
+                        .extend(p.event.added.into_iter().map(|f| f.uri));
+                }
+            }
+            "$/cancelRequest" => {
+                let id = params.get("id").cloned();
+                if let Some(id) = id.and_then(|id| serde_json::from_value(id).ok()) {
+                    self.cancel(id, ErrorCode::RequestCanceled);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Sends the diagnostics of what has changed.
+    fn publish(&mut self) {
+        let mut changed = std::mem::take(&mut self.changed);
+        if self.client.pulls {
+            return;
+        }
+        changed.sort_by(|a, b| a.0.cmp(&b.0));
+        changed.dedup();
+        for uri in changed {
+            if let Some(file) = self.documents.snapshot(&uri) {
+                let _ = self.news.send(News::Changed(file));
+            }
+        }
+    }
+}
+
+fn read<P: DeserializeOwned>(params: Value) -> Option<P> {
+    match serde_json::from_value(params) {
+        Ok(params) => Some(params),
+        Err(e) => {
+            eprintln!("zpg lsp: a message is left out: {e}");
+            None
+        }
+    }
+}
+
+/// Has the client tell when settings change.
+fn watch_settings() -> Value {
+    json!({ "registrations": [{
+        "id": "settings",
+        "method": "workspace/didChangeWatchedFiles",
+        "registerOptions": { "watchers": [{ "globPattern": "**/zpg.toml" }] },
+    }] })
+}
+
+/// Starts the threads that answer quick requests. They end when nobody has any more.
+fn start_answering() -> Sender<Job> {
+    let (sender, jobs) = unbounded::<Job>();
+    for _ in 0..ANSWERING {
+        let jobs = jobs.clone();
+        thread::spawn(move || jobs.iter().for_each(|job| job()));
+    }
+    sender
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A request that we make a mistake in is answered with an error, and the next one as ever.
+    #[test]
+    fn it_outlives_a_panic() {
+        let (server, client) = Connection::memory();
+        let serving = thread::spawn(move || serve(&server, Language::English));
+        let ask = |id: i32, method: &str, params: Value| {
+            let (id, method) = (RequestId::from(id), method.to_owned());
+            let request = Request { id, method, params };
+            client.sender.send(request.into()).unwrap();
+            loop {
+                if let Message::Response(response) = client.receiver.recv().unwrap() {
+                    return response.response_result;
+                }
+            }
+        };
+        let tell = |method: &str| {
+            let (method, params) = (method.to_owned(), json!({}));
+            client
+                .sender
+                .send(Notification { method, params }.into())
+                .unwrap();
+        };
+        let start = json!({ "processId": null, "rootUri": null, "capabilities": {} });
+        ask(1, "initialize", start).unwrap();
+        tell("initialized");
+        // More often than there are threads to lose.
+        for id in 2..2 + 2 * ANSWERING as i32 {
+            let error = ask(id, "test/panic", json!({})).unwrap_err();
+            assert_eq!(error.code, ErrorCode::InternalError as i32);
+        }
+        let error = ask(99, "textDocument/codeLens", json!({})).unwrap_err();
+        assert_eq!(error.code, ErrorCode::InvalidParams as i32);
+        ask(100, "shutdown", Value::Null).unwrap();
+        tell("exit");
+        assert_eq!(serving.join().unwrap(), Ending::Clean);
+    }
+}

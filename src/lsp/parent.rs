@@ -1,0 +1,35 @@
+//! The end of the program that started the server.
+
+use std::thread;
+use std::time::Duration;
+
+use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
+
+/// How often it is looked after.
+const STEP: Duration = Duration::from_secs(1);
+
+/// Ends this program soon after the process with this number has ended, if it does not end by itself.
+pub fn end_with(process: i32) {
+    let Ok(process) = u32::try_from(process) else {
+        return;
+    };
+    thread::spawn(move || {
+        let pid = Pid::from_u32(process);
+        let mut system = System::new();
+        let mut is_alive = || {
+            let which = ProcessesToUpdate::Some(&[pid]);
+            system.refresh_processes_specifics(which, true, ProcessRefreshKind::nothing());
+            system
+                .process(pid)
+                .is_some_and(|p| p.status() != sysinfo::ProcessStatus::Zombie)
+        };
+        // One that cannot be seen from here, as from within a container, says nothing.
+        if !is_alive() {
+            return;
+        }
+        while is_alive() {
+            thread::sleep(STEP);
+        }
+        std::process::exit(1);
+    });
+}

@@ -1,0 +1,213 @@
+//! Commands that take long: they run as a program of their own, this one with other arguments. So they keep
+//! within their own memory, and end when nobody waits for them.
+//!
+//! What they make lies beside the scene, as it does from the command line; of a scene that was never saved it
+//! lies in the folder for temporary files.
+
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::Duration;
+
+use gen_lsp_types::{ExecuteCommandParams, LspAny, TextDocumentIdentifier, Uri};
+use lsp_server::ErrorCode;
+use serde_json::{Value, json};
+
+use super::ask::{Ask, Refusal, refusal};
+use super::documents::Snapshot;
+use super::uri::{path_of, uri_of};
+use crate::diagnostics::{Code, Complaint, Language};
+use crate::features::pages;
+use crate::syntax::table::RecordType;
+use crate::translate::registry;
+
+/// Shows the page of a code or of a type of records.
+pub const EXPLAIN: &str = "zpg.explain";
+
+/// All of them. Each but [`EXPLAIN`] takes the URI of an open file first.
+pub const COMMANDS: [&str; 5] = [
+    "zpg.render",
+    "zpg.convert",
+    "zpg.plan",
+    "zpg.crosscheck",
+    EXPLAIN,
+];
+
+/// Runs a command. The answer says what was made: `uri` of a file, `text`.
+pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Refusal> {
+    let arguments = p.arguments.unwrap_or_default();
+    let text = |i: usize| arguments.get(i).and_then(Value::as_str);
+    if p.command == EXPLAIN {
+        return explain(ask, text(0).unwrap_or_default()).map(Some);
+    }
+    let uri = Uri::from(text(0).unwrap_or_default());
+    let file = ask.file(&TextDocumentIdentifier { uri })?;
+    let job = Job::of(ask, file);
+    let made = match p.command.as_str() {
+        "zpg.render" => {
+            let out = job.beside("png");
+            let mut arguments = vec!["render".into(), "-".into(), "-o".into(), out.clone().into()];
+            if let Some(size) = text(1) {
+                arguments.extend(["--size".into(), size.into()]);
+            }
+            job.run(&arguments)?;
+            job.show(&out)
+        }
+        "zpg.convert" => {
+            let target = text(1).unwrap_or("pov");
+            let extension = match registry::named(target).map(|t| t.name()) {
+                // The scene itself is not overwritten.
+                None | Some("zpg") => return Err(refusal(ErrorCode::InvalidParams, target)),
+                Some("mitsuba") => "xml",
+                Some(name) => name,
+            };
+            let out = job.beside(extension);
+            let to = ["convert", "-", "--to", target, "-o"].map(Into::into);
+            job.run(&[&to[..], &[out.clone().into()]].concat())?;
+            job.show(&out)
+        }
+        "zpg.plan" => {
+            let plan = job.run(&["plan".into(), "-".into()])?;
+            job.page("plan", "txt", &plan)?
+        }
+        "zpg.crosscheck" => {
+            let out = job.beside("povray");
+            let with = ["crosscheck", "-", "--with", "povray", "-o"].map(Into::into);
+            let said = job.run(&[&with[..], &[out.into()]].concat())?;
+            ask.outgoing.show_message(said.trim());
+            json!({ "text": said })
+        }
+        other => return Err(refusal(ErrorCode::InvalidParams, other)),
+    };
+    Ok(Some(made))
+}
+
+/// The page of a code or a type.
+fn explain(ask: &Ask, topic: &str) -> Result<Value, Refusal> {
+    let ty = || RecordType::by_code(topic.parse().ok()?).or_else(|| RecordType::by_keyword(topic));
+    let page = match (Code::parse(topic), ty()) {
+        (Some(code), _) => (code.as_str(), pages::code_page(code)),
+        (None, Some(ty)) => (ty.keyword, pages::type_page(ty)),
+        (None, None) => {
+            let why = Complaint::new("no-topic").with("text", crate::syntax::quote(topic));
+            return Err(ask.refuse(&why));
+        }
+    };
+    let path = write_page(page.0, "md", &page.1).map_err(|why| ask.refuse(&why))?;
+    ask.outgoing.show_document(&path);
+    Ok(json!({ "text": page.1, "uri": uri_of(&path) }))
+}
+
+/// Writes a text for the client to show.
+fn write_page(name: &str, extension: &str, text: &str) -> Result<PathBuf, Complaint> {
+    let folder = std::env::temp_dir().join(format!("zpg-{}", std::process::id()));
+    let path = folder.join(name).with_extension(extension);
+    let written = std::fs::create_dir_all(&folder).and_then(|()| std::fs::write(&path, text));
+    written.map(|()| path.clone()).map_err(|e| {
+        Complaint::new("cannot-write")
+            .with("path", path.as_path())
+            .with("reason", Complaint::from(&e))
+    })
+}
+
+/// A command on a scene.
+struct Job<'a> {
+    ask: &'a Ask,
+    file: &'a Snapshot,
+    /// Where the program runs, so that it finds the scene's pictures, and where it writes.
+    folder: PathBuf,
+    stem: String,
+}
+
+/// How often a program is looked at.
+const STEP: Duration = Duration::from_millis(20);
+
+impl<'a> Job<'a> {
+    fn of(ask: &'a Ask, file: &'a Snapshot) -> Job<'a> {
+        let path = path_of(&file.uri);
+        let folder = path
+            .as_deref()
+            .and_then(Path::parent)
+            .filter(|f| f.is_dir());
+        let stem = path.as_deref().and_then(Path::file_stem);
+        Job {
+            ask,
+            file,
+            folder: folder.map_or_else(std::env::temp_dir, Path::to_owned),
+            stem: stem.map_or_else(|| "scene".to_owned(), |s| s.to_string_lossy().into_owned()),
+        }
+    }
+
+    fn beside(&self, extension: &str) -> PathBuf {
+        self.folder.join(format!("{}.{extension}", self.stem))
+    }
+
+    /// Runs zpg with the scene as its input, and gives what it prints.
+    fn run(&self, arguments: &[std::ffi::OsString]) -> Result<String, Refusal> {
+        let why = |reason: Complaint| {
+            let why = Complaint::new("lsp-cannot-run").with("reason", reason);
+            self.ask.refuse(&why)
+        };
+        let io = |e: &std::io::Error| why(Complaint::from(e));
+        let program = std::env::current_exe().map_err(|e| io(&e))?;
+        let mut command = Command::new(program);
+        if self.ask.client.language == Language::Czech {
+            command.args(["--lang", "cs"]);
+        }
+        let pipes = (command.args(arguments).current_dir(&self.folder))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        let mut child = pipes.spawn().map_err(|e| io(&e))?;
+        let text = self.file.analysis().source.text.clone();
+        let input = child.stdin.take();
+        let writer = thread::spawn(move || input.map(|mut i| i.write_all(text.as_bytes())));
+        let (out, said) = (child.stdout.take(), child.stderr.take());
+        let out = thread::spawn(move || all_of(out));
+        let said = thread::spawn(move || all_of(said));
+        let success = self.wait(&mut child).map_err(|e| io(&e))?;
+        let _ = writer.join();
+        let out = out.join().unwrap_or_default();
+        let said = said.join().unwrap_or_default();
+        match success {
+            Some(true) => Ok(out),
+            Some(false) => Err(why(Complaint::quoted(said.trim()))),
+            None => Err(refusal(ErrorCode::RequestCanceled, "stopped")),
+        }
+    }
+
+    /// Waits for the program's end; `None` if it is ended because the client does not wait any more.
+    fn wait(&self, child: &mut Child) -> std::io::Result<Option<bool>> {
+        loop {
+            if let Some(status) = child.try_wait()? {
+                return Ok(Some(status.success()));
+            }
+            if self.ask.is_cancelled() {
+                child.kill()?;
+                child.wait()?;
+                return Ok(None);
+            }
+            thread::sleep(STEP);
+        }
+    }
+
+    fn show(&self, path: &Path) -> Value {
+        self.ask.outgoing.show_document(path);
+        json!({ "uri": uri_of(path) })
+    }
+
+    fn page(&self, name: &str, extension: &str, text: &str) -> Result<Value, Refusal> {
+        let path = write_page(name, extension, text).map_err(|why| self.ask.refuse(&why))?;
+        self.ask.outgoing.show_document(&path);
+        Ok(json!({ "uri": uri_of(&path), "text": text }))
+    }
+}
+
+fn all_of(stream: Option<impl Read>) -> String {
+    let mut bytes = Vec::new();
+    if let Some(mut stream) = stream {
+        let _ = stream.read_to_end(&mut bytes);
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}

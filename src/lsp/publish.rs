@@ -1,0 +1,53 @@
+//! Diagnostics that are sent unasked, from a thread of their own: of several edits only the last one's.
+
+use std::collections::HashMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::thread;
+
+use crossbeam_channel::{Receiver, Sender, unbounded};
+use gen_lsp_types::{PublishDiagnosticsParams, Uri};
+
+use super::client::Client;
+use super::convert::Convert;
+use super::documents::Snapshot;
+use super::outgoing::Outgoing;
+
+/// What is to be published.
+pub enum News {
+    Changed(Arc<Snapshot>),
+    Closed(Uri),
+}
+
+/// Starts the thread. It ends when nobody has news any more.
+pub fn start(client: Arc<Client>, outgoing: Outgoing) -> Sender<News> {
+    let (sender, news) = unbounded();
+    thread::spawn(move || publish(&client, &outgoing, &news));
+    sender
+}
+
+fn publish(client: &Client, outgoing: &Outgoing, news: &Receiver<News>) {
+    while let Ok(first) = news.recv() {
+        let mut latest: HashMap<Uri, Option<Arc<Snapshot>>> = HashMap::new();
+        for item in std::iter::once(first).chain(news.try_iter()) {
+            match item {
+                News::Changed(file) => latest.insert(file.uri.clone(), Some(file)),
+                News::Closed(uri) => latest.insert(uri, None),
+            };
+        }
+        for (uri, file) in latest {
+            let version = file.as_ref().map(|f| f.version);
+            let find = || file.map_or_else(Vec::new, |f| Convert::new(&f, client).diagnostics());
+            // A mistake of ours leaves the last diagnostics standing; its message is on standard error.
+            let Ok(diagnostics) = catch_unwind(AssertUnwindSafe(find)) else {
+                continue;
+            };
+            let params = PublishDiagnosticsParams {
+                uri,
+                version,
+                diagnostics,
+            };
+            outgoing.notify("textDocument/publishDiagnostics", params);
+        }
+    }
+}

@@ -1,0 +1,481 @@
+//! The requests, one line each in the table, one short function each below it.
+
+use gen_lsp_types::*;
+use lsp_server::ErrorCode;
+use serde_json::{Value, json};
+
+use super::ask::{Ask, Refusal, refusal};
+use super::capabilities::{FIX_ALL, RENUMBER};
+use super::convert::Convert;
+use super::documents::Snapshot;
+use super::{drawing, programs, workspace};
+use crate::diagnostics::{Edit, Span};
+use crate::features::actions::{self, What};
+use crate::features::{
+    calls, colours, completion, folding, formatting, hints, hover, lenses, rename, selection,
+    signature, symbols, tokens, uses,
+};
+use crate::format::Options;
+
+type Answer<T> = Result<T, Refusal>;
+
+/// A handler with its types taken off.
+pub type Handler = Box<dyn Fn(&Ask, Value) -> Answer<Value> + Send>;
+
+/// Who answers a request. Quick ones take their turn; slow ones have a thread of their own.
+pub enum Lane {
+    Quick,
+    Slow,
+}
+
+/// The handler of a method; `None` if there is none.
+pub fn handler(method: &str) -> Option<(Lane, Handler)> {
+    #[cfg(test)]
+    if method == "test/panic" {
+        return Some((Lane::Quick, Box::new(|_, _| panic!("as it was asked for"))));
+    }
+    let mut find = Find {
+        method,
+        found: None,
+    };
+    find.on::<DocumentDiagnosticRequest>(Lane::Quick, diagnostics)
+        .on::<InlayHintRequest>(Lane::Quick, inlay_hints)
+        .on::<HoverRequest>(Lane::Slow, hover)
+        .on::<SignatureHelpRequest>(Lane::Quick, signature_help)
+        .on::<CompletionRequest>(Lane::Quick, complete)
+        .on::<DefinitionRequest>(Lane::Quick, definition)
+        .on::<ReferencesRequest>(Lane::Quick, references)
+        .on::<DocumentHighlightRequest>(Lane::Quick, highlights)
+        .on::<PrepareRenameRequest>(Lane::Quick, prepare_rename)
+        .on::<RenameRequest>(Lane::Quick, rename_id)
+        .on::<DocumentFormattingRequest>(Lane::Quick, format)
+        .on::<DocumentRangeFormattingRequest>(Lane::Quick, format_range)
+        .on::<DocumentOnTypeFormattingRequest>(Lane::Quick, format_on_type)
+        .on::<DocumentSymbolRequest>(Lane::Quick, document_symbols)
+        .on::<WorkspaceSymbolRequest>(Lane::Slow, workspace_symbols)
+        .on::<CodeActionRequest>(Lane::Quick, code_actions)
+        .on::<CodeActionResolveRequest>(Lane::Slow, resolve_action)
+        .on::<CodeLensRequest>(Lane::Quick, code_lenses)
+        .on::<DocumentColorRequest>(Lane::Quick, document_colours)
+        .on::<ColorPresentationRequest>(Lane::Quick, colour_presentations)
+        .on::<FoldingRangeRequest>(Lane::Quick, folding_ranges)
+        .on::<SelectionRangeRequest>(Lane::Quick, selection_ranges)
+        .on::<SemanticTokensRequest>(Lane::Quick, tokens_full)
+        .on::<SemanticTokensDeltaRequest>(Lane::Quick, tokens_delta)
+        .on::<SemanticTokensRangeRequest>(Lane::Quick, tokens_range)
+        .on::<CallHierarchyPrepareRequest>(Lane::Quick, prepare_calls)
+        .on::<CallHierarchyIncomingCallsRequest>(Lane::Quick, incoming_calls)
+        .on::<CallHierarchyOutgoingCallsRequest>(Lane::Quick, outgoing_calls)
+        .on::<ExecuteCommandRequest>(Lane::Slow, programs::execute)
+        .on::<drawing::PreviewRequest>(Lane::Slow, drawing::preview);
+    find.found
+}
+
+struct Find<'a> {
+    method: &'a str,
+    found: Option<(Lane, Handler)>,
+}
+
+impl Find<'_> {
+    fn on<R: Request>(
+        &mut self,
+        lane: Lane,
+        answer: fn(&Ask, R::Params) -> Answer<R::Result>,
+    ) -> &mut Self {
+        if self.found.is_none() && String::from(R::METHOD) == self.method {
+            let handler = move |ask: &Ask, params: Value| {
+                let params = serde_json::from_value(params)
+                    .map_err(|e| refusal(ErrorCode::InvalidParams, e.to_string()))?;
+                let answer = answer(ask, params)?;
+                serde_json::to_value(answer)
+                    .map_err(|e| refusal(ErrorCode::InternalError, e.to_string()))
+            };
+            self.found = Some((lane, Box::new(handler)));
+        }
+        self
+    }
+}
+
+impl Snapshot {
+    fn style(&self) -> Options {
+        self.config.as_ref().map(|c| c.format).unwrap_or_default()
+    }
+}
+
+fn diagnostics(ask: &Ask, p: DocumentDiagnosticParams) -> Answer<DocumentDiagnosticReport> {
+    let file = ask.file(&p.text_document)?;
+    let items = ask.convert(file).diagnostics();
+    let report = FullDocumentDiagnosticReport {
+        result_id: None,
+        items,
+    };
+    Ok(RelatedFullDocumentDiagnosticReport {
+        related_documents: None,
+        full_document_diagnostic_report: report,
+    }
+    .into())
+}
+
+fn inlay_hints(ask: &Ask, p: InlayHintParams) -> Answer<Option<Vec<InlayHint>>> {
+    let file = ask.file(&p.text_document)?;
+    let convert = ask.convert(file);
+    let visible = convert.places.span(p.range);
+    let all = hints::hints(file.analysis(), visible, ask.preferences.hints);
+    Ok(Some(all.into_iter().map(|h| convert.hint(h)).collect()))
+}
+
+fn hover(ask: &Ask, p: HoverParams) -> Answer<Option<Hover>> {
+    let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    let analysis = convert.file.analysis();
+    let Some(mut found) = hover::hover(analysis, offset, ask.client.language) else {
+        return Ok(None);
+    };
+    if ask.preferences.pictures
+        && let Some(id) = found.id
+        && let Some(picture) = drawing::hover_picture(analysis, id, &ask.cancelled)
+    {
+        found.markdown.push_str(&picture);
+    }
+    Ok(Some(convert.hover(found)))
+}
+
+fn signature_help(ask: &Ask, p: SignatureHelpParams) -> Answer<Option<SignatureHelp>> {
+    let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    let found = signature::signature(convert.file.analysis(), offset);
+    Ok(found.map(|s| convert.signature(s)))
+}
+
+fn complete(ask: &Ask, p: CompletionParams) -> Answer<Option<CompletionResponse>> {
+    let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    let found = completion::completion(convert.file.analysis(), offset);
+    // A number and a name are compared with different words: ask again once it is known which it is.
+    let is_incomplete = found.word.start == found.word.end;
+    let items = convert.completion(found);
+    Ok(Some(
+        CompletionList {
+            is_incomplete,
+            items,
+            ..CompletionList::default()
+        }
+        .into(),
+    ))
+}
+
+fn definition(ask: &Ask, p: DefinitionParams) -> Answer<Option<DefinitionResponse>> {
+    let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    let found = uses::definition(convert.file.analysis(), offset);
+    Ok(found.map(|(id, _)| Definition::Location(convert.location(id)).into()))
+}
+
+fn references(ask: &Ask, p: ReferenceParams) -> Answer<Option<Vec<Location>>> {
+    let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    let with_definition = p.context.include_declaration;
+    let all = uses::references(convert.file.analysis(), offset, with_definition);
+    Ok(Some(all.iter().map(|o| convert.location(o.span)).collect()))
+}
+
+fn highlights(ask: &Ask, p: DocumentHighlightParams) -> Answer<Option<Vec<DocumentHighlight>>> {
+    let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    let all = uses::references(convert.file.analysis(), offset, true);
+    Ok(Some(all.iter().map(|o| convert.highlight(o)).collect()))
+}
+
+fn prepare_rename(ask: &Ask, p: PrepareRenameParams) -> Answer<Option<PrepareRenameResult>> {
+    let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    match rename::prepare(convert.file.analysis(), offset) {
+        Ok(span) => Ok(Some(convert.places.range(span).into())),
+        Err(why) => Err(ask.refuse(&why)),
+    }
+}
+
+fn rename_id(ask: &Ask, p: RenameParams) -> Answer<Option<WorkspaceEdit>> {
+    let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    match rename::rename(convert.file.analysis(), offset, &p.new_name) {
+        Ok(edits) => Ok(Some(convert.workspace_edit(&edits))),
+        Err(why) => Err(ask.refuse(&why)),
+    }
+}
+
+fn format(ask: &Ask, p: DocumentFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
+    let file = ask.file(&p.text_document)?;
+    let edits = formatting::whole(file.analysis(), &file.style());
+    Ok(Some(ask.convert(file).text_edits(&edits)))
+}
+
+fn format_range(ask: &Ask, p: DocumentRangeFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
+    let file = ask.file(&p.text_document)?;
+    let (first, mut last) = (p.range.start.line as usize, p.range.end.line as usize);
+    // A selection of whole lines ends where the next one begins.
+    if p.range.end.character == 0 && last > first {
+        last -= 1;
+    }
+    let edits = formatting::lines(file.analysis(), &file.style(), first..=last);
+    Ok(Some(ask.convert(file).text_edits(&edits)))
+}
+
+fn format_on_type(ask: &Ask, p: DocumentOnTypeFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
+    let file = ask.file(&p.text_document)?;
+    let convert = ask.convert(file);
+    let offset = convert.places.offset(p.position);
+    let edits = formatting::on_line_break(file.analysis(), &file.style(), offset);
+    Ok(Some(convert.text_edits(&edits)))
+}
+
+fn document_symbols(ask: &Ask, p: DocumentSymbolParams) -> Answer<Option<DocumentSymbolResponse>> {
+    let file = ask.file(&p.text_document)?;
+    let convert = ask.convert(file);
+    let all = symbols::symbols(file.analysis()).into_iter();
+    let all: Vec<DocumentSymbol> = all.map(|s| convert.symbol(s)).collect();
+    Ok(Some(all.into()))
+}
+
+fn workspace_symbols(
+    ask: &Ask,
+    p: WorkspaceSymbolParams,
+) -> Answer<Option<WorkspaceSymbolResponse>> {
+    Ok(Some(workspace::symbols(ask, &p.query).into()))
+}
+
+fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionResponse>>> {
+    let file = ask.file(&p.text_document)?;
+    let convert = ask.convert(file);
+    let analysis = file.analysis();
+    let language = ask.client.language;
+    let wants = |kind: &str| {
+        let only = p.context.only.as_ref();
+        only.is_none_or(|only| {
+            only.iter().any(|k| {
+                let asked = k.to_string();
+                asked.is_empty() || kind == asked || kind.starts_with(&format!("{asked}."))
+            })
+        })
+    };
+    let mut out: Vec<CodeActionResponse> = Vec::new();
+    if wants("quickfix") {
+        let span = convert.places.span(p.range);
+        for action in actions::actions(analysis, span, language) {
+            out.push(action_of(&convert, &p.context.diagnostics, action).into());
+        }
+    }
+    // Those about the whole file are offered when they are asked for, by kind or by hand.
+    let is_automatic = p.context.trigger_kind == Some(CodeActionTriggerKind::Automatic);
+    let by_hand = p.context.only.is_some() || !is_automatic;
+    if wants(FIX_ALL) && by_hand && actions::has_safe_fixes(analysis) {
+        let title = language.say("lsp-fix-all", &[]);
+        out.push(whole_file(ask, &convert, title, FIX_ALL).into());
+    }
+    if wants(RENUMBER) && by_hand && rename::can_renumber(analysis) {
+        let title = language.say("lsp-renumber", &[]);
+        out.push(whole_file(ask, &convert, title, RENUMBER).into());
+    }
+    Ok(Some(out))
+}
+
+fn action_of(convert: &Convert, shown: &[Diagnostic], action: actions::Action) -> CodeAction {
+    let kind = Some(CodeActionKind::QuickFix);
+    let findings = convert.file.analysis().findings();
+    // The diagnostic that the client has for it.
+    let mends = |finding: usize| {
+        let d = findings.get(finding)?;
+        let range = convert.places.range(d.span);
+        let code = Some(Code::String(d.code.as_str().to_owned()));
+        let own = shown.iter().find(|s| s.range == range && s.code == code);
+        own.map(|d| vec![d.clone()])
+    };
+    let title = action.title;
+    match action.what {
+        What::Fix {
+            finding,
+            edits,
+            preferred,
+        } => CodeAction {
+            title,
+            kind,
+            diagnostics: mends(finding),
+            is_preferred: preferred.then_some(true),
+            edit: Some(convert.workspace_edit(&edits)),
+            ..CodeAction::default()
+        },
+        What::Allow { finding, edits } => CodeAction {
+            title,
+            kind,
+            diagnostics: mends(finding),
+            edit: Some(convert.workspace_edit(&edits)),
+            ..CodeAction::default()
+        },
+        What::Explain(code) => CodeAction {
+            command: Some(Command {
+                title: title.clone(),
+                tooltip: None,
+                command: programs::EXPLAIN.to_owned(),
+                arguments: Some(vec![json!(code.as_str())]),
+            }),
+            title,
+            kind,
+            ..CodeAction::default()
+        },
+    }
+}
+
+/// An action for a whole file, with its edit at once or when it is chosen.
+fn whole_file(ask: &Ask, convert: &Convert, title: String, kind: &str) -> CodeAction {
+    let mut action = CodeAction {
+        title,
+        kind: Some(kind.to_owned().into()),
+        ..CodeAction::default()
+    };
+    match ask.client.resolves_edits {
+        true => action.data = Some(json!({ "uri": convert.file.uri })),
+        false => action.edit = Some(convert.workspace_edit(&whole_edits(convert.file, kind))),
+    }
+    action
+}
+
+fn whole_edits(file: &Snapshot, kind: &str) -> Vec<Edit> {
+    match kind {
+        FIX_ALL => actions::fix_all(file.analysis(), &file.settings()),
+        _ => rename::renumber(file.analysis()).unwrap_or_default(),
+    }
+}
+
+fn resolve_action(ask: &Ask, mut action: CodeAction) -> Answer<CodeAction> {
+    let uri = action.data.as_ref().and_then(|d| d.get("uri")?.as_str());
+    if let (Some(uri), Some(kind)) = (uri, &action.kind) {
+        let uri = Uri::from(uri);
+        let file = ask.file(&TextDocumentIdentifier { uri })?;
+        let edits = whole_edits(file, &kind.to_string());
+        action.edit = Some(ask.convert(file).workspace_edit(&edits));
+    }
+    Ok(action)
+}
+
+fn code_lenses(ask: &Ask, p: CodeLensParams) -> Answer<Option<Vec<CodeLens>>> {
+    let file = ask.file(&p.text_document)?;
+    if !ask.preferences.lenses {
+        return Ok(None);
+    }
+    let convert = ask.convert(file);
+    let all = lenses::lenses(file.analysis());
+    let shown = all.iter().filter_map(|l| convert.lens(l, &ask.preferences));
+    Ok(Some(shown.collect()))
+}
+
+fn document_colours(ask: &Ask, p: DocumentColorParams) -> Answer<Vec<ColorInformation>> {
+    let file = ask.file(&p.text_document)?;
+    let convert = ask.convert(file);
+    Ok((colours::colours(file.analysis()).iter())
+        .map(|c| convert.colour(c))
+        .collect())
+}
+
+fn colour_presentations(ask: &Ask, p: ColorPresentationParams) -> Answer<Vec<ColorPresentation>> {
+    let file = ask.file(&p.text_document)?;
+    let convert = ask.convert(file);
+    let picked = [p.color.red, p.color.green, p.color.blue].map(f64::from);
+    let edit = colours::repaint(file.analysis(), convert.places.span(p.range), picked);
+    let presentation = |edit: Edit| ColorPresentation {
+        label: edit.text.split_whitespace().collect::<Vec<_>>().join(" "),
+        text_edit: Some(convert.text_edit(&edit)),
+        additional_text_edits: None,
+    };
+    Ok(edit.into_iter().map(presentation).collect())
+}
+
+fn folding_ranges(ask: &Ask, p: FoldingRangeParams) -> Answer<Option<Vec<FoldingRange>>> {
+    let file = ask.file(&p.text_document)?;
+    let convert = ask.convert(file);
+    let all = folding::folds(file.analysis());
+    Ok(Some(all.iter().map(|f| convert.fold(f)).collect()))
+}
+
+fn selection_ranges(ask: &Ask, p: SelectionRangeParams) -> Answer<Option<Vec<SelectionRange>>> {
+    let file = ask.file(&p.text_document)?;
+    let convert = ask.convert(file);
+    let all = p.positions.iter().map(|&position| {
+        let offset = convert.places.offset(position);
+        convert.selection(&selection::selection(file.analysis(), offset))
+    });
+    Ok(Some(all.collect()))
+}
+
+/// All of a file.
+fn everything(file: &Snapshot) -> Span {
+    Span::new(0, file.analysis().source.text.len() as u32)
+}
+
+fn tokens_full(ask: &Ask, p: SemanticTokensParams) -> Answer<Option<SemanticTokens>> {
+    let file = ask.file(&p.text_document)?;
+    let all = tokens::tokens(file.analysis(), everything(file));
+    let data = ask.convert(file).tokens(&all);
+    Ok(Some(ask.tokens_sent.keep(&file.uri, data)))
+}
+
+fn tokens_delta(
+    ask: &Ask,
+    p: SemanticTokensDeltaParams,
+) -> Answer<Option<SemanticTokensDeltaResponse>> {
+    let file = ask.file(&p.text_document)?;
+    let all = tokens::tokens(file.analysis(), everything(file));
+    let data = ask.convert(file).tokens(&all);
+    Ok(Some(ask.tokens_sent.delta(
+        &file.uri,
+        &p.previous_result_id,
+        data,
+    )))
+}
+
+fn tokens_range(ask: &Ask, p: SemanticTokensRangeParams) -> Answer<Option<SemanticTokens>> {
+    let file = ask.file(&p.text_document)?;
+    let convert = ask.convert(file);
+    let all = tokens::tokens(file.analysis(), convert.places.span(p.range));
+    Ok(Some(SemanticTokens {
+        result_id: None,
+        data: convert.tokens(&all),
+    }))
+}
+
+fn prepare_calls(
+    ask: &Ask,
+    p: CallHierarchyPrepareParams,
+) -> Answer<Option<Vec<CallHierarchyItem>>> {
+    let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    let node = calls::prepare(convert.file.analysis(), offset);
+    Ok(node.map(|n| vec![convert.call_item(n)]))
+}
+
+/// The file and the ID of an item that was sent before.
+fn called<'a>(ask: &'a Ask, item: &CallHierarchyItem) -> Answer<(Convert<'a>, u32)> {
+    let uri = item.uri.clone();
+    let convert = ask.convert(ask.file(&TextDocumentIdentifier { uri })?);
+    let id = item.data.as_ref().and_then(Value::as_u64);
+    Ok((
+        convert,
+        id.and_then(|id| u32::try_from(id).ok()).unwrap_or(0),
+    ))
+}
+
+fn incoming_calls(
+    ask: &Ask,
+    p: CallHierarchyIncomingCallsParams,
+) -> Answer<Option<Vec<CallHierarchyIncomingCall>>> {
+    let (convert, id) = called(ask, &p.item)?;
+    let all = calls::incoming(convert.file.analysis(), id).into_iter();
+    let all = all.map(|call| CallHierarchyIncomingCall {
+        from_ranges: call.at.iter().map(|s| convert.places.range(*s)).collect(),
+        from: convert.call_item(call.node),
+    });
+    Ok(Some(all.collect()))
+}
+
+fn outgoing_calls(
+    ask: &Ask,
+    p: CallHierarchyOutgoingCallsParams,
+) -> Answer<Option<Vec<CallHierarchyOutgoingCall>>> {
+    let (convert, id) = called(ask, &p.item)?;
+    let all = calls::outgoing(convert.file.analysis(), id).into_iter();
+    let all = all.map(|call| CallHierarchyOutgoingCall {
+        from_ranges: call.at.iter().map(|s| convert.places.range(*s)).collect(),
+        to: convert.call_item(call.node),
+    });
+    Ok(Some(all.collect()))
+}

@@ -1,0 +1,34 @@
+//! URIs and paths.
+
+use std::path::{Path, PathBuf};
+
+use gen_lsp_types::Uri;
+use url::Url;
+
+/// The path of a file; `None` for what is no file: a text that was never saved.
+pub fn path_of(uri: &Uri) -> Option<PathBuf> {
+    let url = Url::parse(uri.as_ref()).ok()?;
+    (url.scheme() == "file").then(|| url.to_file_path().ok())?
+}
+
+/// The URI of a file.
+pub fn uri_of(path: &Path) -> Option<Uri> {
+    let path = std::path::absolute(path).ok()?;
+    Some(Uri(Url::from_file_path(path).ok()?.into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ways() {
+        let uri = Uri::from("file:///a%20b/%C5%99%23.zpg");
+        let path = path_of(&uri).unwrap();
+        assert_eq!(path, Path::new("/a b/ř#.zpg"));
+        assert_eq!(uri_of(&path), Some(uri));
+        for other in ["untitled:Untitled-1", "http://a/b.zpg", "nonsense", ""] {
+            assert_eq!(path_of(&Uri::from(other)), None);
+        }
+    }
+}

@@ -1,0 +1,347 @@
+//! What to set, and why: one to three sentences by a fixed rule.
+
+use super::report::{Advice, Report, Row};
+use super::rungs::{Axis, Kind};
+use super::words::{self, count, say};
+use crate::diagnostics::Language;
+
+/// Writes the advice into a report.
+pub fn advise(report: &mut Report, language: Language) {
+    let parts = match wrong_reference(report, language) {
+        Some(wrong) => vec![wrong],
+        None => {
+            let all = [
+                limit(report, language),
+                change(report, language),
+                numbers(report, language),
+                unchecked(report, language),
+            ];
+            all.into_iter().flatten().collect()
+        }
+    };
+    report.advice = match parts.first() {
+        Some(first) => first.text.clone(),
+        None => say(language, "accuracy-advice-none", &[]),
+    };
+    report.advice_parts = parts;
+}
+
+/// Nothing else counts where the independent tracer comes to other pixels.
+fn wrong_reference(report: &Report, language: Language) -> Option<Advice> {
+    let checked = report
+        .reference
+        .get(Kind::Numbers.name())?
+        .checked
+        .as_ref()?;
+    if checked.wrong == 0 {
+        return None;
+    }
+    let places: Vec<String> = (checked.wrong_pixels.iter())
+        .map(|[x, y]| format!("({x}, {y})"))
+        .collect();
+    let text = say(
+        language,
+        "accuracy-advice-wrong",
+        &[
+            ("wrong", count(checked.wrong)),
+            ("pixels", count(checked.pixels)),
+            ("largest", format!("{:.1e}", checked.largest).into()),
+            ("places", places.join(", ").into()),
+        ],
+    );
+    Some(Advice {
+        what: "reference",
+        text,
+    })
+}
+
+fn unchecked(report: &Report, language: Language) -> Option<Advice> {
+    let checked = report
+        .reference
+        .get(Kind::Numbers.name())?
+        .checked
+        .as_ref()?;
+    let why = checked.not_checked.clone()?;
+    Some(Advice {
+        what: "reference",
+        text: say(
+            language,
+            "accuracy-advice-unchecked",
+            &[("why", why.into())],
+        ),
+    })
+}
+
+/// Kinds that the advice weighs: facets are no error of the scene as it is drawn.
+const WEIGHED: [Kind; 3] = [Kind::Edges, Kind::Light, Kind::Numbers];
+
+/// The kind whose error is largest at the default.
+pub fn largest(report: &Report) -> Option<&Row> {
+    let defaults = WEIGHED.into_iter().filter_map(|k| report.default_of(k));
+    defaults.max_by(|a, b| a.steps().total_cmp(&b.steps()))
+}
+
+/// Of the rungs of the worst kind that reach the goal, the most accurate of the cheapest.
+pub fn recommended(report: &Report) -> Option<&Row> {
+    let worst = largest(report)?;
+    let goal = report.goal.steps;
+    if worst.steps() <= goal {
+        return None;
+    }
+    let kind = worst.kind()?;
+    let most = goal * (1.0 + report.goal.tolerance);
+    let ok = || {
+        let rows = report.of_kind(kind);
+        rows.filter(|r| r.steps() <= most && r.times_default.is_some() && r.same_as.is_none())
+    };
+    let time = |r: &Row| r.times_default.unwrap_or(f64::INFINITY);
+    let least = ok().map(time).fold(f64::INFINITY, f64::min);
+    let cheap = ok().filter(|r| time(r) <= least * (1.0 + report.noise.relative));
+    cheap.min_by(|a, b| a.steps().total_cmp(&b.steps()))
+}
+
+fn limit(report: &Report, language: Language) -> Option<Advice> {
+    let worst = largest(report)?;
+    let kind = worst.kind()?;
+    let error = |steps| words::error(language, steps);
+    let goal = words::local(language, report.goal.steps.to_string());
+    let others: Vec<f64> = (WEIGHED.into_iter())
+        .filter(|&k| k != kind)
+        .filter_map(|k| report.default_of(k))
+        .map(Row::steps)
+        .collect();
+    let rest = others.iter().copied().fold(0.0, f64::max);
+    let kind_name = words::kind(language, kind);
+    let text = if worst.steps() <= report.goal.steps {
+        say(
+            language,
+            "accuracy-advice-enough",
+            &[
+                ("goal", goal.into()),
+                ("kind", kind_name.into()),
+                ("error", error(worst.steps()).into()),
+            ],
+        )
+    } else {
+        let found = recommended(report);
+        let mut text = say(
+            language,
+            "accuracy-advice-limit",
+            &[
+                ("kind", kind_name.into()),
+                ("error", error(worst.steps()).into()),
+            ],
+        );
+        text.push(' ');
+        let margin = report.margin(kind);
+        match found {
+            Some(row) => {
+                // Below twice the margin only that is known.
+                let reached = match row.steps() < 2.0 * margin {
+                    true => say(
+                        language,
+                        "accuracy-at-most",
+                        &[("error", error(2.0 * margin).into())],
+                    ),
+                    false => error(row.steps()),
+                };
+                let times = words::times(language, row.times_default.unwrap_or(1.0));
+                text += &say(
+                    language,
+                    "accuracy-advice-set",
+                    &[
+                        ("option", row.option.clone().into()),
+                        ("error", reached.into()),
+                        ("times", times.into()),
+                    ],
+                );
+                // The cheapest way on the other axis, where it is dearer.
+                let other = report
+                    .of_kind(kind)
+                    .filter(|r| r.axis != row.axis && r.same_as.is_none())
+                    .filter(|r| r.steps() <= report.goal.steps * (1.0 + report.goal.tolerance))
+                    .filter_map(|r| Some((r, r.times_default?)))
+                    .min_by(|a, b| a.1.total_cmp(&b.1));
+                if let Some((other, time)) = other
+                    && time > row.times_default.unwrap_or(1.0) * (1.0 + report.noise.relative)
+                {
+                    text.push(' ');
+                    text += &say(
+                        language,
+                        "accuracy-advice-dearer",
+                        &[
+                            ("option", other.option.clone().into()),
+                            ("times", words::times(language, time).into()),
+                        ],
+                    );
+                }
+            }
+            None => {
+                let rows = report.of_kind(kind).filter(|r| r.times_default.is_some());
+                let best = rows.min_by(|a, b| a.steps().total_cmp(&b.steps()))?;
+                let times = words::times(language, best.times_default.unwrap_or(1.0));
+                text += &say(
+                    language,
+                    "accuracy-advice-even",
+                    &[
+                        ("option", best.option.clone().into()),
+                        ("error", error(best.steps()).into()),
+                        ("times", times.into()),
+                    ],
+                );
+            }
+        }
+        if !others.is_empty() {
+            text.push(' ');
+            // The next round number above.
+            let above = match rest {
+                r if r < 0.01 => 0.01,
+                r => ((r * 100.0).floor() + 1.0) / 100.0,
+            };
+            text += &say(
+                language,
+                "accuracy-advice-others",
+                &[("error", error(above).into())],
+            );
+        }
+        text
+    };
+    Some(Advice {
+        what: "limit",
+        text,
+    })
+}
+
+/// Wrong pixels that are put right for little, or time that is saved unseen.
+fn change(report: &Report, language: Language) -> Option<Advice> {
+    let noise = report.noise.relative;
+    let worst = largest(report).and_then(Row::kind);
+    let mut said = Vec::new();
+    let mut saves = false;
+    for kind in [Kind::Light]
+        .into_iter()
+        .filter(|&k| Some(k) != worst || k == Kind::Light)
+    {
+        let Some(default) = report.default_of(kind) else {
+            continue;
+        };
+        let timed = || {
+            let rows = report
+                .of_kind(kind)
+                .filter(|r| r.same_as.is_none() && !r.default);
+            rows.filter_map(|r| Some((r, r.times_default?)))
+        };
+        let off = default.off();
+        if off > 0 && Some(kind) != worst {
+            let repair = timed()
+                .filter(|(r, t)| 2 * r.off() <= off && *t <= 1.25)
+                .min_by_key(|(r, t)| (r.off(), (t * 1000.0) as u64));
+            if let Some((row, time)) = repair {
+                let put_right = off - row.off();
+                let price = match time - 1.0 > noise {
+                    true => say(
+                        language,
+                        "accuracy-price",
+                        &[("percent", words::percent(language, time - 1.0).into())],
+                    ),
+                    false => say(language, "accuracy-price-none", &[]),
+                };
+                said.push(say(
+                    language,
+                    "accuracy-advice-repair",
+                    &[
+                        ("option", row.option.clone().into()),
+                        ("right", count(put_right)),
+                        ("off", count(off)),
+                        ("pixels", count(row.error.as_ref().map_or(0, |e| e.pixels))),
+                        ("price", price.into()),
+                    ],
+                ));
+                continue;
+            }
+        }
+        let least = 1.0 - f64::max(0.1, 2.0 * noise);
+        let save = timed()
+            .filter(|(r, t)| r.off() <= off && r.steps() <= report.goal.steps / 10.0 && *t <= least)
+            .min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((row, time)) = save {
+            saves = true;
+            said.push(say(
+                language,
+                "accuracy-advice-save",
+                &[
+                    ("option", row.option.clone().into()),
+                    ("percent", words::percent(language, 1.0 - time).into()),
+                ],
+            ));
+        }
+    }
+    let what = if saves { "save" } else { "change" };
+    let text = match said.is_empty() {
+        true => say(language, "accuracy-advice-no-change", &[]),
+        false => said.join(" "),
+    };
+    Some(Advice { what, text })
+}
+
+/// Whether the advice speaks of a row.
+pub fn names(report: &Report, row: &Row) -> bool {
+    let option = format!("`{}`", row.option);
+    report
+        .advice_parts
+        .iter()
+        .any(|part| part.text.contains(&option))
+}
+
+/// Which numbers.
+fn numbers(report: &Report, language: Language) -> Option<Advice> {
+    let of = |name: &str| {
+        let mut rows = report.rows.iter().filter(|r| r.is_on(Axis::Precision));
+        rows.find(|r| r.setting == name)
+    };
+    let mut said = Vec::new();
+    if let Some(f64_row) = of("f64") {
+        let dd = of("dd").and_then(|r| r.times_default);
+        let dd = dd.map(|t| words::times(language, t));
+        let error = f64_row.error.as_ref()?;
+        said.push(match (error.is_same(), error.pixels_off, dd) {
+            (true, _, Some(dd)) => say(language, "accuracy-numbers-same", &[("times", dd.into())]),
+            (_, 0, Some(dd)) => say(language, "accuracy-numbers-unseen", &[("times", dd.into())]),
+            (_, 0, None) => say(language, "accuracy-numbers-untimed", &[]),
+            (_, n, _) => say(language, "accuracy-numbers-report", &[("off", count(n))]),
+        });
+    }
+    let noise = report.noise.relative;
+    let price = |time: f64| match time - 1.0 {
+        p if p.abs() <= noise => say(language, "accuracy-saves-nothing", &[]),
+        p if p < 0.0 => say(
+            language,
+            "accuracy-saves",
+            &[("percent", words::percent(language, -p).into())],
+        ),
+        p => say(
+            language,
+            "accuracy-costs",
+            &[("percent", words::percent(language, p).into())],
+        ),
+    };
+    for (name, message) in [
+        ("f32", "accuracy-numbers-f32"),
+        ("plain-f64", "accuracy-numbers-plain"),
+    ] {
+        let Some(row) = of(name) else { continue };
+        let Some(time) = row.times_default else {
+            continue;
+        };
+        let off = row.off();
+        said.push(say(
+            language,
+            message,
+            &[("off", count(off)), ("price", price(time).into())],
+        ));
+    }
+    (!said.is_empty()).then(|| Advice {
+        what: "numbers",
+        text: said.join(" "),
+    })
+}

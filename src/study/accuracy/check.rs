@@ -1,0 +1,127 @@
+//! Whether the reference is right, by a tracer that shares no code with it.
+
+use super::report::Checked;
+use super::rungs::Settings;
+use super::stage::Stage;
+use super::tiles::{Random, Tile, shuffle};
+use crate::diagnostics::Error;
+use crate::scene::Rgb;
+use crate::study::naive::{Naive, Unfit, Wide};
+use crate::trace::Images;
+use crate::trace::pixels::Seen;
+use std::time::Instant;
+
+/// The fewest pixels that are checked.
+pub const FEWEST: usize = 120;
+const MOST: usize = 960;
+
+/// Channels that differ by more, linear, and of what is above 1 by a larger share, are wrong: a tenth of a
+/// thousandth of a step. Doubles and double-double come within 1e-10.
+pub const WRONG: f64 = 1e-7;
+
+/// Pixels may be off by so many times what they change by where their ray's direction is off by a rounding.
+const SWAY: f64 = 4.0;
+
+/// Pixels of tiles in an order in which every second one lies on the edge of an object, as far as there
+/// are such.
+pub fn order(tiles: &[Tile], seen: &[Option<Seen>]) -> Vec<(usize, [u32; 2])> {
+    let (mut edges, mut others) = (Vec::new(), Vec::new());
+    let mut first = 0;
+    for tile in tiles {
+        let object = |i: usize| seen[first + i].map(|s| s.object);
+        let (w, count) = (tile.width as usize, tile.count());
+        for (i, pixel) in tile.pixels().enumerate() {
+            let right = (i + 1) % w != 0 && object(i) != object(i + 1);
+            let below = i + w < count && object(i) != object(i + w);
+            let list = if right || below {
+                &mut edges
+            } else {
+                &mut others
+            };
+            list.push((first + i, pixel));
+        }
+        first += count;
+    }
+    shuffle(&mut edges, 1);
+    shuffle(&mut others, 2);
+    let mut random = Random::new(3);
+    // Where there are few edges, more of the rest.
+    let mut all = Vec::new();
+    let (mut edges, mut others) = (edges.into_iter().peekable(), others.into_iter().peekable());
+    while edges.peek().is_some() || others.peek().is_some() {
+        let edge = others.peek().is_none() || (edges.peek().is_some() && random.below(2) == 0);
+        all.extend(if edge { edges.next() } else { others.next() });
+    }
+    all
+}
+
+fn unfit(unfit: Unfit) -> &'static str {
+    match unfit {
+        Unfit::NothingDrawn | Unfit::TooManyParts => "accuracy-unfit-parts",
+        Unfit::TooDeep => "accuracy-unfit-deep",
+        Unfit::TooManyFacets => "accuracy-unfit-facets",
+        Unfit::Singular => "accuracy-unfit-matrix",
+    }
+}
+
+/// Follows whole pixels, at least [`FEWEST`], more while `seconds` last. `colours` are those of the
+/// reference, in the order of the tiles' pixels. In place of an answer comes the name of the message that
+/// says why there is none.
+pub fn check(
+    stage: &Stage,
+    images: &Images,
+    settings: &Settings,
+    pixels: &[(usize, [u32; 2])],
+    colours: &[Rgb],
+    seconds: f64,
+) -> Result<Result<Checked, &'static str>, Error> {
+    let start = Instant::now();
+    let (depth, cutoff) = (settings.depth, settings.cutoff);
+    let naive = Naive::<Wide>::new(
+        stage.scene(),
+        images,
+        stage.camera(),
+        stage.size,
+        depth,
+        cutoff,
+    );
+    let naive = match naive {
+        Ok(naive) => naive,
+        Err(why) => return Ok(Err(unfit(why))),
+    };
+    let mut checked = Checked::default();
+    for batch in pixels[..pixels.len().min(MOST)].chunks(FEWEST) {
+        let places: Vec<[u32; 2]> = batch.iter().map(|p| p.1).collect();
+        let found = match naive.pixels(&places) {
+            Ok(found) => found,
+            Err(why) => return Ok(Err(unfit(why))),
+        };
+        checked.rays += found.rays;
+        for ((i, place), colour) in batch.iter().zip(found.colours) {
+            let Some(ours) = colours.get(*i) else {
+                continue;
+            };
+            let off = (0..3).map(|c| (ours[c] - colour[c]).abs() / colour[c].abs().max(1.0));
+            let off = off.fold(0.0, f64::max);
+            checked.pixels += 1;
+            checked.largest = checked.largest.max(off);
+            if !(off <= WRONG) {
+                // The rays of a camera are doubles: where that alone shows, it is no mistake.
+                if naive.sway(*place).is_ok_and(|sway| off <= SWAY * sway) {
+                    checked.swaying += 1;
+                    continue;
+                }
+                checked.wrong += 1;
+                if checked.wrong_pixels.len() < 8 {
+                    checked.wrong_pixels.push(*place);
+                }
+            }
+        }
+        // The next batch must fit, too.
+        let each = start.elapsed().as_secs_f64() / checked.pixels.max(1) as f64;
+        if each * (checked.pixels + FEWEST) as f64 > seconds {
+            break;
+        }
+    }
+    Ok(Ok(checked))
+}

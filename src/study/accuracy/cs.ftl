@@ -1,0 +1,159 @@
+### Zpráva příkazu `zpg accuracy`.
+
+accuracy-kind-edges = hrany
+accuracy-kind-light = uříznuté světlo
+accuracy-kind-numbers = zaokrouhlování
+accuracy-kind-facets = plošky
+
+accuracy-advice-none = Nebylo dokončeno nic, z čeho by šlo radit.
+accuracy-advice-wrong = Reference je chybná: nezávislý sledovač paprsků se 71 číslicemi dává jinou barvu v { $wrong } z { $pixels } pixelů (největší rozdíl { $largest }, na místech { $places }). Proto tu není žádná rada. Nahlaste prosím tuto scénu.
+accuracy-advice-unchecked = Referenci neověřil nezávislý sledovač paprsků: { $why }.
+accuracy-advice-enough = Výchozí nastavení stačí: žádný druh chyby nedosahuje { $goal } kroku osmibitového obrázku (největší: { $kind }, { $error }).
+accuracy-advice-limit = Největší chyba tohoto obrázku jsou { $kind }: { $error } kroku osmibitového obrázku při výchozím nastavení.
+accuracy-at-most = nejvýše { $error }
+accuracy-advice-set = `{ $option }` ji sníží na { $error } za { $times }násobek času.
+accuracy-advice-dearer = Totéž svede `{ $option }` za { $times }násobek.
+accuracy-advice-even = I `{ $option }`, za { $times }násobek času, ponechá { $error }.
+accuracy-advice-others = Všechny ostatní chyby jsou menší než { $error } kroku.
+accuracy-price = za { $percent } % času navíc
+accuracy-price-none = bez měřitelného času navíc
+accuracy-advice-repair = `{ $option }` opraví { $right } z { $off } chybných pixelů, z { $pixels } prohlédnutých, { $price }.
+accuracy-advice-save = `{ $option }` ušetří { $percent } % času a o krok se neliší žádný pixel navíc.
+accuracy-advice-no-change = Žádné levnější nastavení neušetří desetinu času, aniž by to bylo vidět.
+accuracy-numbers-same = Čísla s dvojitou přesností jsou tu přesná: double-double stojí { $times }násobek a dává tentýž obrázek.
+accuracy-numbers-unseen = Čísla s dvojitou přesností jsou přesná na pohled: double-double stojí { $times }násobek a neopraví žádný pixel.
+accuracy-numbers-untimed = Čísla s dvojitou přesností nepokazí žádný pixel.
+accuracy-numbers-report = Čísla s dvojitou přesností se mýlí v { $off ->
+    [one] { $off } pixelu
+   *[other] { $off } pixelech
+}: nahlaste prosím tuto scénu.
+accuracy-numbers-f32 = Jednoduchá přesnost { $off ->
+    [0] ukazuje totéž
+    [one] pokazí { $off } pixel
+    [few] pokazí { $off } pixely
+   *[other] pokazí { $off } pixelů
+} a { $price }.
+accuracy-numbers-plain = Prosté jádro s dvojitou přesností, které nezná meze svých chyb, { $off ->
+    [0] tu nepokazí nic
+    [one] pokazí { $off } pixel
+    [few] pokazí { $off } pixely
+   *[other] pokazí { $off } pixelů
+} a { $price }.
+accuracy-saves-nothing = neušetří nic
+accuracy-saves = ušetří { $percent } %
+accuracy-costs = stojí o { $percent } % víc
+
+accuracy-skip-unasked = nežádáno
+accuracy-skip-light = nic nezrcadlí a nic nepropouští světlo: žádné světlo se neuřízne
+accuracy-skip-solver = nekreslí se žádný anuloid ani rotační plocha
+accuracy-skip-levels = nekreslí se žádná geodetická koule
+accuracy-skip-glass = něčím prochází světlo, a trojúhelník nemá vnitřek
+accuracy-skip-flat = všechno je rovné
+accuracy-skip-patterns = i vzory by vyšly v ploškách
+accuracy-skip-mesh = nešlo z ní udělat síť
+accuracy-unfit-parts = má příliš mnoho částí
+accuracy-unfit-deep = její operace jsou vnořeny příliš hluboko
+accuracy-unfit-facets = geodetická koule má příliš mnoho plošek
+accuracy-unfit-matrix = některá matice nemá inverzi
+
+accuracy-how-naive = celé pixely proti nezávislému sledovači paprsků se 71 číslicemi
+accuracy-how-light = poloviční hloubka a desetinásobný práh proti celku, na čtvrtině dlaždic
+accuracy-how-edges = polovina vzorků proti všem
+accuracy-cut-runs = dva z pěti běhů
+
+accuracy-step-pilot = každé nastavení jednou na zkoušku
+accuracy-step-numbers = reference v double-double a její ověření
+accuracy-step-light = reference pro uříznuté světlo
+accuracy-step-edges = reference pro hrany
+accuracy-step-errors = chyby
+accuracy-step-times = časy
+accuracy-step-objects = objekty
+accuracy-step-pictures = obrázky
+
+accuracy-effect-shadows = stíny
+accuracy-effect-transparent-shadows = průsvitné stíny
+accuracy-effect-reflection = zrcadlení
+accuracy-effect-refraction = lom
+accuracy-effect-dispersion = rozklad světla
+accuracy-effect-textures = textury
+accuracy-effect-smooth-normals = hladké normály
+
+accuracy-title = Co stojí přesnost
+accuracy-stopped = Bylo zastaveno, než se vše dokončilo.
+accuracy-columns = { "  " }   CPU  × výchozí     chyba     FLIP   o >1
+accuracy-legend = ◆ výchozí  ● nic vyzkoušeného není rychlejší a přesnější  ○ něco je; chyba: střední kvadratická v krocích 1/255; dalších { $left } v accuracy.json
+accuracy-same = totéž
+accuracy-background = pozadí
+accuracy-time-by = čas podle toho, co je vidět
+accuracy-error-by = chyba podle toho, co je vidět
+accuracy-taken-out = co samo ušetří (překrývají se)
+accuracy-not-run = neměřeno
+accuracy-cut = vynecháno kvůli času
+accuracy-noise = šum ±{ $percent } %
+accuracy-share = měřeno na { $percent } % pixelů
+accuracy-reference-edges = reference { $samples } vzorků, vlastní chyba { $error } na hranách
+accuracy-checked = ověřeno { $pixels } pixelů a { $rays } paprsků ve 71 číslicích, rozdíl nejvýše { $largest }
+accuracy-load = zátěž { $load }
+accuracy-written = Stránka je { $path }
+
+accuracy-panels-alt = Diagramy práce a přesnosti: chyba na x, čas na y, obojí logaritmicky, pro každý druh chyby jeden
+accuracy-head-edges = Hrany
+accuracy-head-light = Uříznuté světlo
+accuracy-head-numbers = Zaokrouhlování
+accuracy-head-facets = Plošky
+accuracy-sub-edges = kolik vzorků má pixel
+accuracy-sub-light = hloubka paprsků, práh vah
+accuracy-sub-numbers = jaká čísla, jaký řešič
+accuracy-sub-facets = rovné kousky místo křivých ploch
+accuracy-own-error = vlastní chyba reference
+accuracy-none = nic
+accuracy-table-head = | nastavení | čas CPU | × výchozí | chyba | FLIP | o > 1 | |
+accuracy-default = výchozí
+accuracy-front = na čele
+accuracy-recommended = doporučeno
+accuracy-same-as = tentýž výpočet jako { $other }
+accuracy-below-reference = pod vlastní chybou reference
+accuracy-wrong-object = { $wrong ->
+    [one] { $wrong } pixel vidí jiný objekt
+    [few] { $wrong } pixely vidí jiný objekt
+   *[other] { $wrong } pixelů vidí jiný objekt
+}
+accuracy-ulps = vzdálenosti se liší o { $ulps } jednotky posledního místa (medián)
+accuracy-uncertain = { $rays ->
+    [one] { $rays } nejistý paprsek
+    [few] { $rays } nejisté paprsky
+   *[other] { $rays } nejistých paprsků
+}
+accuracy-tile-change = Co ještě nastavit
+accuracy-tile-numbers = Která čísla
+accuracy-tile-sure = Jak jisté to je
+accuracy-section-panels = Každý druh chyby v jednom měřítku
+accuracy-note-panels = Vlevo je přesnější, dole rychlejší. Každý diagram mění jeden druh nastavení a ostatní drží. Plné: nic vyzkoušeného není rychlejší a zároveň přesnější. Kroužek: výchozí. Čárkovaně: cíl. „nic“: tentýž obrázek jako reference.
+accuracy-section-table = Co nastavit
+accuracy-note-table = Chyba: střední kvadratická v krocích 1/255 obrázku, s intervalem, v němž pro celý obrázek leží s 95 %. O > 1: pixely, v nichž se některý kanál liší o víc než krok. Čas CPU: celého obrázku na jednom vlákně.
+accuracy-more-rows = Dalších { $left } vyzkoušených nastavení je v accuracy.json.
+accuracy-section-pictures = Podívejte se
+accuracy-note-pictures = Část obrázku, kde je chyba každého druhu nejhorší: s výchozím nastavením (u zaokrouhlování v jednoduché přesnosti), s nejpřesnějším vyzkoušeným a rozdíl.
+accuracy-difference = rozdíl × { $factor }; největší { $largest } kroku; pixelů mimo o víc než krok: { $wrong }
+accuracy-section-shares = Kde je čas a kde chyba
+accuracy-note-shares = Pixel se počítá k tomu, co vidí jeho střed. Efekty jsou vyňaty po jednom; překrývají se, takže podíly nedají dohromady celek.
+accuracy-objects-head = | co je vidět | pixely | čas | chyba | µs na vzorek |
+accuracy-effects-head = | vyňato | ušetřený čas | ušetřené paprsky | obrázek se změní o |
+accuracy-within-noise = v šumu
+accuracy-map-time = Čas vzorku, až { $most } µs
+accuracy-map-error = Chyba na hranách, až { $most } kroku
+accuracy-section-skipped = Co se neměřilo a proč
+accuracy-section-how = Jak se měřilo
+accuracy-note-how = Časy jsou nejmenší časy CPU na jednom vlákně z několika běhů v zamíchaném pořadí. Výchozí nastavení se měřilo čtyřikrát: to, o kolik se liší, je šum. Chyby se měří v dvojité přesnosti, na malých dlaždicích rozložených po celém obrázku.
+accuracy-shapes-head = | těleso | jak | přímky | ns na přímku | chybně | medián chyby | největší chyba | nejisté |
+
+cost-camera = paprsky kamery
+cost-shadow = stínové paprsky
+cost-reflection = zrcadlené paprsky
+cost-refraction = prošlé paprsky
+cost-boxes = testy s kvádry
+cost-shapes = testy s tělesy
+cost-uncertain = paprsky rozhodnuté v double-double
+cost-phases = čas
+cost-objects = nejdražší z toho, co je vidět
+cost-effect = nejdražší efekt, vyňatý sám

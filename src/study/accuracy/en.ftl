@@ -1,0 +1,155 @@
+### The report of `zpg accuracy`.
+
+accuracy-kind-edges = edges
+accuracy-kind-light = cut light
+accuracy-kind-numbers = rounding
+accuracy-kind-facets = facets
+
+accuracy-advice-none = Nothing was finished that advice could rest on.
+accuracy-advice-wrong = The reference is wrong: an independent tracer in 71 digits comes to another colour in { $wrong } of { $pixels } pixels (largest difference { $largest }, at { $places }). No advice is given. Please report this scene.
+accuracy-advice-unchecked = The reference was not checked by the independent tracer: { $why }.
+accuracy-advice-enough = The default settings are enough: no kind of error reaches { $goal } of a step of an 8-bit picture (largest: { $kind }, { $error }).
+accuracy-advice-limit = The error of this picture is its { $kind }: { $error } steps of an 8-bit picture at the default.
+accuracy-at-most = at most { $error }
+accuracy-advice-set = `{ $option }` brings it to { $error } for { $times } times the time.
+accuracy-advice-dearer = `{ $option }` does so, too, for { $times } times.
+accuracy-advice-even = Even `{ $option }`, at { $times } times the time, leaves { $error }.
+accuracy-advice-others = All other errors stay below { $error } steps.
+accuracy-price = for { $percent } % more time
+accuracy-price-none = for no measurable time
+accuracy-advice-repair = `{ $option }` puts { $right } of { $off } wrong pixels right, of { $pixels } that were looked at, { $price }.
+accuracy-advice-save = `{ $option }` saves { $percent } % of the time, and no more pixels are off by a step.
+accuracy-advice-no-change = No cheaper setting saves a tenth of the time unseen.
+accuracy-numbers-same = Doubles are exact here: double-double costs { $times } times as much and gives the same picture.
+accuracy-numbers-unseen = Doubles are exact to the eye: double-double costs { $times } times as much and puts no pixel right.
+accuracy-numbers-untimed = Doubles put no pixel wrong.
+accuracy-numbers-report = Doubles are wrong in { $off ->
+    [one] { $off } pixel
+   *[other] { $off } pixels
+}: please report this scene.
+accuracy-numbers-f32 = Single precision { $off ->
+    [0] shows the same
+    [one] gets { $off } pixel wrong
+   *[other] gets { $off } pixels wrong
+} and { $price }.
+accuracy-numbers-plain = A plain kernel in doubles, without bounds on its errors, { $off ->
+    [0] puts nothing wrong here
+    [one] gets { $off } pixel wrong
+   *[other] gets { $off } pixels wrong
+} and { $price }.
+accuracy-saves-nothing = saves nothing
+accuracy-saves = saves { $percent } %
+accuracy-costs = costs { $percent } % more
+
+accuracy-skip-unasked = not asked for
+accuracy-skip-light = nothing is mirrored and nothing lets light through: no light is cut
+accuracy-skip-solver = no torus and no surface of revolution is drawn
+accuracy-skip-levels = no geodesic sphere is drawn
+accuracy-skip-glass = light goes through something, and a triangle has no inside
+accuracy-skip-flat = everything is flat
+accuracy-skip-patterns = patterns would come out in facets, too
+accuracy-skip-mesh = no mesh could be made of it
+accuracy-unfit-parts = there are too many parts
+accuracy-unfit-deep = its operations are nested too deep
+accuracy-unfit-facets = a geodesic sphere has too many facets
+accuracy-unfit-matrix = a matrix has no inverse
+
+accuracy-how-naive = whole pixels against an independent tracer in 71 digits
+accuracy-how-light = half the depth and ten times the cutoff against all of it, on a quarter of the tiles
+accuracy-how-edges = half of its samples against all of them
+accuracy-cut-runs = two of five runs
+
+accuracy-step-pilot = trying every setting once
+accuracy-step-numbers = the reference in double-double, and its check
+accuracy-step-light = the reference for cut light
+accuracy-step-edges = the reference for edges
+accuracy-step-errors = errors
+accuracy-step-times = times
+accuracy-step-objects = objects
+accuracy-step-pictures = pictures
+
+accuracy-effect-shadows = shadows
+accuracy-effect-transparent-shadows = transparent shadows
+accuracy-effect-reflection = reflection
+accuracy-effect-refraction = refraction
+accuracy-effect-dispersion = dispersion
+accuracy-effect-textures = textures
+accuracy-effect-smooth-normals = smooth normals
+
+accuracy-title = What accuracy costs in time
+accuracy-stopped = It was stopped before all was done.
+accuracy-columns = { "  " }   CPU  × default     error     FLIP   off >1
+accuracy-legend = ◆ default  ● nothing tried is faster and more accurate  ○ something is; error: root mean square in steps of 1/255; { $left } more in accuracy.json
+accuracy-same = same
+accuracy-background = background
+accuracy-time-by = time by what is seen first
+accuracy-error-by = error by what is seen first
+accuracy-taken-out = taken out alone, saves (they overlap)
+accuracy-not-run = not run
+accuracy-cut = left out to keep the time
+accuracy-noise = noise ±{ $percent } %
+accuracy-share = measured on { $percent } % of the pixels
+accuracy-reference-edges = reference { $samples } samples, own error { $error } at edges
+accuracy-checked = { $pixels } pixels, { $rays } rays checked in 71 digits, off by { $largest } at most
+accuracy-load = load { $load }
+accuracy-written = The page is { $path }
+
+accuracy-panels-alt = Work-precision diagrams: error on x, time on y, both logarithmic, one panel for each kind of error
+accuracy-head-edges = Edges
+accuracy-head-light = Cut light
+accuracy-head-numbers = Rounding
+accuracy-head-facets = Facets
+accuracy-sub-edges = how many samples a pixel has
+accuracy-sub-light = depth of rays, cutoff of weights
+accuracy-sub-numbers = which numbers, which solver
+accuracy-sub-facets = flat pieces for curved surfaces
+accuracy-own-error = reference’s own error
+accuracy-none = none
+accuracy-table-head = | setting | CPU time | × default | error | FLIP | off > 1 | |
+accuracy-default = the default
+accuracy-front = on the front
+accuracy-recommended = recommended
+accuracy-same-as = the same computation as { $other }
+accuracy-below-reference = below the reference’s own error
+accuracy-wrong-object = { $wrong ->
+    [one] { $wrong } pixel sees another object
+   *[other] { $wrong } pixels see another object
+}
+accuracy-ulps = distances off by { $ulps } units in the last place (median)
+accuracy-uncertain = { $rays ->
+    [one] { $rays } uncertain ray
+   *[other] { $rays } uncertain rays
+}
+accuracy-tile-change = What else to set
+accuracy-tile-numbers = Which numbers
+accuracy-tile-sure = How sure
+accuracy-section-panels = Each kind of error, on one scale
+accuracy-note-panels = Left is more accurate, down is faster. Each panel changes one kind of setting and holds the others. Filled: nothing tried is both faster and more accurate. Ring: the default. Dashed: the goal. “none”: the same picture as the reference.
+accuracy-section-table = What to set
+accuracy-note-table = Error: root mean square in steps of 1/255 of the picture, with the interval that holds it for the whole picture with 95 %. Off > 1: pixels in which a channel differs by more than a step. CPU time: of the whole picture on one thread.
+accuracy-more-rows = { $left } more settings that were tried are in accuracy.json.
+accuracy-section-pictures = See it
+accuracy-note-pictures = The part of the picture where the error of each kind is worst: with the default (for rounding: in single precision), with the most accurate setting that was tried, and the difference.
+accuracy-difference = difference × { $factor }; largest { $largest } steps; { $wrong } pixels off by more than a step
+accuracy-section-shares = Where time and error are
+accuracy-note-shares = A pixel counts for what its centre sees. Effects are taken out one at a time; they overlap, so that the shares do not add up.
+accuracy-objects-head = | seen first | pixels | time | error | µs a sample |
+accuracy-effects-head = | taken out | time saved | rays saved | picture changes by |
+accuracy-within-noise = within the noise
+accuracy-map-time = Time of a sample, up to { $most } µs
+accuracy-map-error = Error at edges, up to { $most } steps
+accuracy-section-skipped = Not run, and why
+accuracy-section-how = How this was measured
+accuracy-note-how = Times are the least CPU time on one thread of several runs in shuffled order. The default was timed four times over: what these differ by is the noise. Errors are measured in doubles, on small tiles spread evenly over the full picture.
+accuracy-shapes-head = | shape | how | lines | ns a line | wrong | median error | largest error | uncertain |
+
+cost-camera = rays of the camera
+cost-shadow = shadow rays
+cost-reflection = mirrored rays
+cost-refraction = rays that went through
+cost-boxes = tests with boxes
+cost-shapes = tests with shapes
+cost-uncertain = rays decided in double-double
+cost-phases = time
+cost-objects = dearest of what is seen first
+cost-effect = dearest effect, taken out alone

@@ -1,0 +1,239 @@
+//! The scene out of flat pieces: meshes within a tolerance, and geodesic spheres of other levels.
+
+use super::rungs::{Axis, Rung, Settings, variant};
+use super::stage::Stage;
+use crate::diagnostics::{Error, Span};
+use crate::scene::{Geometry, Node, Paint, Scene, Shape, Texture, TriangleNormals};
+use crate::solids::bounds::node_bounds;
+use crate::syntax::table::{RECORD_TYPES, RecordKind, ShapeKind};
+use crate::trace::plan::Effect;
+use crate::translate::mesh::{self, Options, Skin};
+use std::sync::Arc;
+
+/// More triangles than these are not drawn for the sake of a comparison.
+const MAX_TRIANGLES: usize = 400_000;
+
+/// The tolerances that are tried, by the radius of the scene.
+const TOLERANCES: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
+
+/// Why meshes cannot stand for the scene, as the name of a message.
+pub fn unfit(stage: &Stage) -> Option<&'static str> {
+    let plan = &stage.tracer().plan;
+    let patterns = [
+        Effect::ImageTexture,
+        Effect::SolidTexture,
+        Effect::Checkerboard,
+        Effect::VertexColour,
+    ];
+    let curved = |geometry: &Geometry| {
+        !matches!(
+            geometry,
+            Geometry::Plane(_)
+                | Geometry::HalfSpace(_)
+                | Geometry::Rectangle { .. }
+                | Geometry::Box { .. }
+                | Geometry::Triangle { .. }
+                | Geometry::GeodesicSphere { .. }
+        )
+    };
+    let geometry = |r: &u32| &stage.scene().shapes[*r as usize].geometry;
+    match () {
+        () if plan.on(Effect::Refraction) => Some("accuracy-skip-glass"),
+        () if !stage
+            .tracer()
+            .graph
+            .records
+            .iter()
+            .map(geometry)
+            .any(curved) =>
+        {
+            Some("accuracy-skip-flat")
+        }
+        () if patterns.into_iter().any(|e| plan.on(e)) => Some("accuracy-skip-patterns"),
+        () if stage.tracer().graph.parts.len() > 20_000 => Some("accuracy-skip-mesh"),
+        () => None,
+    }
+}
+
+/// What the rungs of these axes are measured against: settings of the true shapes.
+pub struct Facets {
+    pub rungs: Vec<Rung>,
+    pub reference: Settings,
+}
+
+/// Makes meshes of the scene and adds them to the stage. Without a box, which cuts a mesh open but caps
+/// it, on both sides.
+///
+/// # Errors
+///
+/// As [`Stage::add`].
+pub fn meshes(stage: &mut Stage) -> Result<Option<Facets>, Error> {
+    let mut whole = stage.scene().clone();
+    let mut base = 0;
+    if let Some(render) = &mut whole.render
+        && render.clip.take().is_some()
+    {
+        base = stage.add(Arc::new(whole.clone()))?;
+    }
+    let bounds = node_bounds(&whole);
+    let radius = (whole.render).map_or(1.0, |r| bounds[r.root as usize].bounded.radius());
+    let mut rungs = Vec::new();
+    let mut before = 0;
+    for share in TOLERANCES {
+        let options = Options {
+            tolerance: Some(share * radius),
+            eye: Some(stage.camera().position),
+            ..Options::default()
+        };
+        let Ok(model) = mesh::model(&whole, &stage.tracer().graph, &options) else {
+            break;
+        };
+        let triangles = model.mesh.triangles.len();
+        if triangles > MAX_TRIANGLES {
+            break;
+        }
+        if std::mem::replace(&mut before, triangles) == triangles {
+            // The same mesh once more.
+            rungs.pop();
+        }
+        let Some(made) = scene_of(&whole, &model, stage) else {
+            break;
+        };
+        let number = stage.add(Arc::new(made))?;
+        let digits = share * radius;
+        let label = if digits >= 0.01 {
+            format!("{digits:.3}")
+        } else {
+            format!("{digits:.1e}")
+        };
+        rungs.push(variant(Axis::Tessellation, label, number));
+    }
+    if rungs.is_empty() {
+        return Ok(None);
+    }
+    rungs.push(variant(Axis::Tessellation, "true".into(), base));
+    Ok(Some(Facets {
+        rungs,
+        reference: Settings {
+            variant: base,
+            ..Settings::default()
+        },
+    }))
+}
+
+fn triangle_type() -> Option<&'static crate::syntax::table::RecordType> {
+    RECORD_TYPES
+        .iter()
+        .find(|t| t.kind == RecordKind::Shape(ShapeKind::Triangle))
+}
+
+/// A scene of the triangles of a mesh, with the optics and colours of their skins.
+fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Stage) -> Option<Scene> {
+    let graph = &stage.tracer().graph;
+    let ty = triangle_type()?;
+    let mut made = Scene {
+        ambient_lights: whole.ambient_lights.clone(),
+        point_lights: whole.point_lights.clone(),
+        cameras: whole.cameras.clone(),
+        view: whole.view,
+        ..Scene::default()
+    };
+    let mut by_skin: Vec<Vec<usize>> = vec![Vec::new(); model.skins.len()];
+    for (i, &label) in model.mesh.labels.iter().enumerate() {
+        by_skin.get_mut(label as usize)?.push(i);
+    }
+    let origin = |id| crate::scene::Origin {
+        id,
+        span: Span::default(),
+    };
+    let mut root = None;
+    for (skin, triangles) in model.skins.iter().zip(by_skin) {
+        let mut union = None;
+        for i in triangles {
+            let vertices = model.mesh.corners(i).map(Into::into);
+            let shape = made.shapes.len() as u32;
+            made.shapes.push(Shape {
+                id: Skin::object(skin),
+                ty,
+                span: Span::default(),
+                geometry: Geometry::Triangle {
+                    vertices,
+                    normals: TriangleNormals::Flat,
+                },
+            });
+            made.nodes.push(Node::Shape(shape));
+            let node = made.nodes.len() as u32 - 1;
+            union = Some(joined(&mut made, union, node));
+        }
+        let Some(child) = union else { continue };
+        let paint = made.paints.len() as u32;
+        made.paints.push(Paint {
+            owner: Skin::object(skin),
+            texture: skin.plain_colour(graph).map(Texture::Colour),
+            optics: Some(graph.optics[skin.optics.unwrap_or(0) as usize]),
+            index: None,
+        });
+        made.nodes.push(Node::Paint { child, paint });
+        let node = made.nodes.len() as u32 - 1;
+        root = Some(joined(&mut made, root, node));
+    }
+    made.origins = made.nodes.iter().map(|_| origin(0)).collect();
+    made.render = whole.render.map(|r| crate::scene::Render {
+        root: root.unwrap_or(0),
+        clip: None,
+        ..r
+    });
+    root.map(|_| made)
+}
+
+fn joined(made: &mut Scene, before: Option<u32>, node: u32) -> u32 {
+    match before {
+        None => node,
+        Some(before) => {
+            made.nodes.push(Node::Union(before, node));
+            made.nodes.len() as u32 - 1
+        }
+    }
+}
+
+/// Geodesic spheres of other levels, and the spheres that they come near to.
+///
+/// # Errors
+///
+/// As [`Stage::add`].
+pub fn levels(stage: &mut Stage) -> Result<Option<Facets>, Error> {
+    let with = |change: &dyn Fn(f64, u32) -> Geometry| {
+        let mut scene = stage.scene().clone();
+        for shape in &mut scene.shapes {
+            if let Geometry::GeodesicSphere { radius, splits } = shape.geometry {
+                shape.geometry = change(radius, splits);
+            }
+        }
+        Arc::new(scene)
+    };
+    let smooth = with(&|radius, _| Geometry::Sphere {
+        centre: [0.0; 3],
+        radius,
+    });
+    let leveled: Vec<_> = (0..=6)
+        .map(|splits| {
+            (
+                splits,
+                with(&|radius, _| Geometry::GeodesicSphere { radius, splits }),
+            )
+        })
+        .collect();
+    let reference = stage.add(smooth)?;
+    let mut rungs = vec![variant(Axis::Levels, "as written".into(), 0)];
+    for (splits, scene) in leveled {
+        let number = stage.add(scene)?;
+        rungs.push(variant(Axis::Levels, splits.to_string(), number));
+    }
+    Ok(Some(Facets {
+        rungs,
+        reference: Settings {
+            variant: reference,
+            ..Settings::default()
+        },
+    }))
+}

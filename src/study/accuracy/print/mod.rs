@@ -1,0 +1,21 @@
+//! The report for people: on the terminal, as Markdown, as diagrams and as a page.
+
+pub mod html;
+mod image;
+pub mod markdown;
+pub mod svg;
+pub mod terminal;
+
+use super::report::Report;
+use crate::diagnostics::Language;
+
+/// Names and contents of the files of a report.
+pub fn files(report: &Report, language: Language) -> Vec<(&'static str, String)> {
+    let json = serde_json::to_string_pretty(report).unwrap_or_default() + "\n";
+    vec![
+        ("accuracy.json", json),
+        ("accuracy.md", markdown::text(report, language)),
+        ("accuracy.svg", svg::file(report, language)),
+        ("accuracy.html", html::text(report, language)),
+    ]
+}

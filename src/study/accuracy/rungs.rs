@@ -1,0 +1,298 @@
+//! What is tried: rungs on the ladders of settings.
+
+use crate::trace::Numbers;
+use crate::trace::switches::Without;
+
+/// A kind of error; kinds are never mixed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// What is smaller than a pixel: samples.
+    Edges,
+    /// Light that is followed no further: depth and cutoff.
+    Light,
+    /// Rounding: the numbers, and who finds the roots.
+    Numbers,
+    /// Flat pieces in place of what is curved.
+    Facets,
+}
+
+impl Kind {
+    pub const ALL: [Kind; 4] = [Kind::Edges, Kind::Light, Kind::Numbers, Kind::Facets];
+
+    /// What it is called in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Edges => "edges",
+            Kind::Light => "light",
+            Kind::Numbers => "numbers",
+            Kind::Facets => "facets",
+        }
+    }
+}
+
+/// A setting that is varied while the others are held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Axis {
+    Samples,
+    Adaptive,
+    Depth,
+    Cutoff,
+    Precision,
+    Solver,
+    Tessellation,
+    Levels,
+}
+
+impl Axis {
+    pub const ALL: [Axis; 8] = [
+        Axis::Samples,
+        Axis::Adaptive,
+        Axis::Depth,
+        Axis::Cutoff,
+        Axis::Precision,
+        Axis::Solver,
+        Axis::Tessellation,
+        Axis::Levels,
+    ];
+
+    /// What it is called on the command line and in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Axis::Samples => "samples",
+            Axis::Adaptive => "adaptive",
+            Axis::Depth => "depth",
+            Axis::Cutoff => "cutoff",
+            Axis::Precision => "precision",
+            Axis::Solver => "solver",
+            Axis::Tessellation => "tessellation",
+            Axis::Levels => "levels",
+        }
+    }
+
+    pub fn kind(self) -> Kind {
+        match self {
+            Axis::Samples | Axis::Adaptive => Kind::Edges,
+            Axis::Depth | Axis::Cutoff => Kind::Light,
+            Axis::Precision | Axis::Solver => Kind::Numbers,
+            Axis::Tessellation | Axis::Levels => Kind::Facets,
+        }
+    }
+}
+
+/// Who computes between a ray and its hits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kernel {
+    /// The tracer, in these numbers.
+    Ours(Numbers),
+    /// The plain kernel, in single precision or in doubles.
+    PlainF32,
+    PlainF64,
+}
+
+impl Kernel {
+    pub const ALL: [Kernel; 5] = [
+        Kernel::PlainF32,
+        Kernel::PlainF64,
+        Kernel::Ours(Numbers::F32),
+        Kernel::Ours(Numbers::F64),
+        Kernel::Ours(Numbers::Dd),
+    ];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Kernel::Ours(numbers) => numbers.name(),
+            Kernel::PlainF32 => "plain-f32",
+            Kernel::PlainF64 => "plain-f64",
+        }
+    }
+}
+
+/// What finds the roots of tori and solids of revolution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Roots {
+    /// The formula, from the ray's origin as it is.
+    ClosedForm,
+    /// The same, once the origin is moved next to the shape.
+    Recentred,
+    /// What the tracer uses.
+    Ours,
+    /// The tracer's roots, polished in double-double.
+    Polished,
+}
+
+impl Roots {
+    pub const ALL: [Roots; 4] = [
+        Roots::ClosedForm,
+        Roots::Recentred,
+        Roots::Ours,
+        Roots::Polished,
+    ];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Roots::ClosedForm => "closed-form",
+            Roots::Recentred => "recentred",
+            Roots::Ours => "tracer",
+            Roots::Polished => "polished-dd",
+        }
+    }
+}
+
+/// All that a picture depends on besides the scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    pub samples: u32,
+    pub tolerance: Option<f64>,
+    pub depth: u32,
+    pub cutoff: f64,
+    pub kernel: Kernel,
+    pub roots: Roots,
+    pub without: Without,
+    /// The scene that is drawn: 0 the one that was given, others are made of it.
+    pub variant: usize,
+}
+
+impl Default for Settings {
+    /// What plain `zpg render` takes.
+    fn default() -> Settings {
+        let default = crate::trace::Settings::default();
+        Settings {
+            samples: default.samples,
+            tolerance: None,
+            depth: default.depth,
+            cutoff: default.cutoff,
+            kernel: Kernel::Ours(default.numbers),
+            roots: Roots::Ours,
+            without: Without::default(),
+            variant: 0,
+        }
+    }
+}
+
+/// One setting on one axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rung {
+    pub axis: Axis,
+    pub label: String,
+    pub settings: Settings,
+    /// May be dropped where the time does not do.
+    pub inner: bool,
+}
+
+impl Rung {
+    fn new(axis: Axis, label: impl Into<String>, settings: Settings) -> Rung {
+        Rung {
+            axis,
+            label: label.into(),
+            settings,
+            inner: false,
+        }
+    }
+
+    fn inner(self, inner: bool) -> Rung {
+        Rung { inner, ..self }
+    }
+
+    pub fn is_default(&self) -> bool {
+        self.settings == Settings::default()
+    }
+
+    /// `--depth 16`: the rung as an option of `zpg render`, where there is one.
+    pub fn option(&self) -> String {
+        match self.axis {
+            Axis::Solver | Axis::Tessellation | Axis::Levels => {
+                format!("{} {}", self.axis.name(), self.label)
+            }
+            axis => format!("--{} {}", axis.name(), self.label),
+        }
+    }
+}
+
+/// The rungs of an axis, the cheapest first.
+pub fn ladder(axis: Axis) -> Vec<Rung> {
+    let base = Settings::default();
+    match axis {
+        Axis::Samples => [1, 2, 4, 8, 16, 64, 256]
+            .into_iter()
+            .map(|samples| {
+                let rung = Rung::new(axis, samples.to_string(), Settings { samples, ..base });
+                rung.inner([2, 8].contains(&samples))
+            })
+            .collect(),
+        Axis::Adaptive => [0.1, 0.05, 0.02, 0.01]
+            .into_iter()
+            .map(|tolerance| {
+                let settings = Settings {
+                    tolerance: Some(tolerance),
+                    ..base
+                };
+                Rung::new(axis, tolerance.to_string(), settings).inner(tolerance == 0.05)
+            })
+            .collect(),
+        Axis::Depth => [0, 1, 2, 3, 4, 6, 8, 10, 16, 32]
+            .into_iter()
+            .map(|depth| {
+                let rung = Rung::new(axis, depth.to_string(), Settings { depth, ..base });
+                rung.inner([3, 6, 32].contains(&depth))
+            })
+            .collect(),
+        Axis::Cutoff => [
+            ("0.1", 0.1),
+            ("0.03", 0.03),
+            ("0.01", 0.01),
+            ("1/256", 1.0 / 256.0),
+            ("1/1024", 1.0 / 1024.0),
+            ("1/4096", 1.0 / 4096.0),
+            ("1e-6", 1e-6),
+        ]
+        .into_iter()
+        .map(|(label, cutoff)| {
+            let rung = Rung::new(axis, label, Settings { cutoff, ..base });
+            rung.inner(label == "0.03")
+        })
+        .collect(),
+        Axis::Precision => (Kernel::ALL.into_iter())
+            .map(|kernel| Rung::new(axis, kernel.name(), Settings { kernel, ..base }))
+            .collect(),
+        Axis::Solver => (Roots::ALL.into_iter())
+            .map(|roots| Rung::new(axis, roots.name(), Settings { roots, ..base }))
+            .collect(),
+        // Made of the scene.
+        Axis::Tessellation | Axis::Levels => Vec::new(),
+    }
+}
+
+/// A rung that draws another scene.
+pub fn variant(axis: Axis, label: String, variant: usize) -> Rung {
+    let settings = Settings {
+        variant,
+        ..Settings::default()
+    };
+    Rung::new(axis, label, settings)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_ladder_has_the_default_once() {
+        for axis in [
+            Axis::Samples,
+            Axis::Depth,
+            Axis::Cutoff,
+            Axis::Precision,
+            Axis::Solver,
+        ] {
+            let rungs = ladder(axis);
+            let defaults = rungs.iter().filter(|r| r.is_default());
+            assert_eq!(defaults.count(), 1, "{axis:?}");
+            // What may be dropped is neither an end nor the default.
+            let ends = [rungs.first(), rungs.last()].into_iter().flatten();
+            assert!(
+                ends.chain(rungs.iter().filter(|r| r.is_default()))
+                    .all(|r| !r.inner || r.label == "32")
+            );
+        }
+    }
+}

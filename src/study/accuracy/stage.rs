@@ -1,0 +1,313 @@
+//! Draws tiles with any settings, and takes the time.
+
+use super::rungs::{Kernel, Roots, Settings};
+use super::tiles::Tile;
+use crate::diagnostics::Error;
+use crate::parallel;
+use crate::scene::{Camera, Rgb, Scene};
+use crate::study::plain::Plain;
+use crate::study::plain::solver;
+use crate::trace::pixels::{Pixels, Seen};
+use crate::trace::plan::Plan;
+use crate::trace::stats::Counts;
+use crate::trace::{self, Images, Numbers, Tracer};
+use cpu_time::ThreadTime;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// A scene that is drawn, by tracers that are made when they are first needed.
+struct Variant {
+    scene: Arc<Scene>,
+    /// By the plan of the picture.
+    tracer: Tracer,
+    /// With what the picture does not show, too: single precision may.
+    whole: Option<Tracer>,
+}
+
+/// Scene, camera and size: what all rungs have in common.
+pub struct Stage<'i> {
+    variants: Vec<Variant>,
+    images: &'i Images,
+    camera: Camera,
+    pub size: [u32; 2],
+}
+
+/// Pixels of tiles, one after the other.
+#[derive(Debug, Clone, Default)]
+pub struct Drawn {
+    /// Linear RGB.
+    pub colours: Vec<Rgb>,
+    pub counts: Counts,
+    pub samples: u64,
+}
+
+/// What a run on one thread took, in seconds.
+#[derive(Debug, Clone, Default)]
+pub struct Timed {
+    pub cpu: f64,
+    pub wall: f64,
+    /// CPU time of each tile.
+    pub tiles: Vec<f64>,
+    pub drawn: Drawn,
+}
+
+impl<'i> Stage<'i> {
+    /// # Errors
+    ///
+    /// As [`Tracer::planned`].
+    pub fn new(
+        scene: Arc<Scene>,
+        images: &'i Images,
+        camera: Camera,
+        size: [u32; 2],
+    ) -> Result<Stage<'i>, Error> {
+        let mut stage = Stage {
+            variants: Vec::new(),
+            images,
+            camera,
+            size,
+        };
+        stage.add(scene)?;
+        Ok(stage)
+    }
+
+    /// Adds a scene that is made of the first one, and gives its number.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::planned`].
+    pub fn add(&mut self, scene: Arc<Scene>) -> Result<usize, Error> {
+        let plan = Plan::of_picture(&scene).ok_or_else(Error::nothing_to_draw)?;
+        let tracer = Tracer::planned(&scene, self.images, plan)?;
+        self.variants.push(Variant {
+            scene,
+            tracer,
+            whole: None,
+        });
+        Ok(self.variants.len() - 1)
+    }
+
+    /// The tracer of the scene as it was given.
+    pub fn tracer(&self) -> &Tracer {
+        &self.variants[0].tracer
+    }
+
+    pub fn scene(&self) -> &Scene {
+        &self.variants[0].scene
+    }
+
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// Makes ready for settings: no two can be drawn at a time.
+    fn prepare(&mut self, settings: &Settings) -> Result<Ready<'_>, Error> {
+        let variant = &mut self.variants[settings.variant];
+        let tracer = match settings.kernel {
+            Kernel::Ours(Numbers::F32) | Kernel::PlainF32 => {
+                if variant.whole.is_none() {
+                    let whole = Tracer::with_images(&variant.scene, self.images)?;
+                    variant.whole = Some(whole);
+                }
+                variant.whole.as_mut().unwrap_or(&mut variant.tracer)
+            }
+            _ => &mut variant.tracer,
+        };
+        tracer.graph.without = settings.without;
+        tracer.graph.solver = match settings.roots {
+            Roots::Ours => None,
+            roots => solver::of(&variant.scene, tracer, roots.into()),
+        };
+        Ok(Ready {
+            tracer,
+            scene: &variant.scene,
+            camera: &self.camera,
+            size: self.size,
+            settings: *settings,
+        })
+    }
+
+    /// Draws tiles on all threads.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::render`].
+    pub fn draw(&mut self, settings: &Settings, tiles: &[Tile]) -> Result<Drawn, Error> {
+        let ready = self.prepare(settings)?;
+        let chunks: Vec<&[Tile]> = tiles.chunks(4).collect();
+        let parts = parallel::map_each(chunks, |tiles| {
+            ready.pixels(|pixels| {
+                let mut drawn = Drawn::default();
+                tiles
+                    .iter()
+                    .for_each(|t| ready.tile(pixels, *t, &mut drawn));
+                drawn.counts = pixels.counts();
+                drawn
+            })
+        });
+        let parts = parts.into_iter().collect::<Result<Vec<Drawn>, Error>>()?;
+        let mut all = Drawn::default();
+        for part in parts {
+            all.colours.extend(part.colours);
+            all.counts += part.counts;
+            all.samples += part.samples;
+        }
+        Ok(all)
+    }
+
+    /// Draws tiles on this thread, and takes the time.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::render`].
+    pub fn time(&mut self, settings: &Settings, tiles: &[Tile]) -> Result<Timed, Error> {
+        let ready = self.prepare(settings)?;
+        ready.pixels(|pixels| {
+            let mut timed = Timed::default();
+            timed
+                .drawn
+                .colours
+                .reserve(tiles.iter().map(|t| t.count()).sum());
+            if settings.tolerance.is_some() {
+                // What is around a tile is there in a whole picture; here it costs extra.
+                for tile in tiles {
+                    pixels.look_around(&tile.pixels().collect::<Vec<_>>());
+                }
+                pixels.reset();
+            }
+            let (wall, mut before) = (Instant::now(), ThreadTime::now().as_duration());
+            let first = before;
+            for tile in tiles {
+                ready.tile(pixels, *tile, &mut timed.drawn);
+                let now = ThreadTime::now().as_duration();
+                timed.tiles.push((now - before).as_secs_f64());
+                before = now;
+            }
+            timed.cpu = (before - first).as_secs_f64();
+            timed.wall = wall.elapsed().as_secs_f64();
+            timed.drawn.counts = pixels.counts();
+            timed
+        })
+    }
+
+    /// Sums of samples of the pixels of tiles, on all threads.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::render`].
+    pub fn sums(
+        &mut self,
+        settings: &Settings,
+        tiles: &[Tile],
+        samples: std::ops::Range<u32>,
+    ) -> Result<Vec<Rgb>, Error> {
+        let ready = self.prepare(settings)?;
+        let parts = parallel::map_each(tiles.to_vec(), |tile| {
+            ready.pixels(|pixels| {
+                let sum = |[x, y]: [u32; 2]| pixels.sum(x, y, samples.clone(), u32::MAX);
+                tile.pixels().map(sum).collect::<Vec<_>>()
+            })
+        });
+        let parts = parts.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        Ok(parts.concat())
+    }
+
+    /// What is seen first in the pixels of tiles, on all threads.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::render`].
+    pub fn seen(
+        &mut self,
+        settings: &Settings,
+        tiles: &[Tile],
+    ) -> Result<Vec<Option<Seen>>, Error> {
+        let ready = self.prepare(settings)?;
+        let chunks: Vec<&[Tile]> = tiles.chunks(4).collect();
+        let parts = parallel::map_each(chunks, |tiles| {
+            ready.pixels(|pixels| {
+                let all = tiles.iter().flat_map(|t| t.pixels());
+                all.map(|[x, y]| pixels.seen(x, y)).collect::<Vec<_>>()
+            })
+        });
+        let parts = parts.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        Ok(parts.concat())
+    }
+
+    /// The least wall time of each pixel of tiles, of three runs on this thread, in seconds.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::render`].
+    pub fn pixel_times(&mut self, settings: &Settings, tiles: &[Tile]) -> Result<Vec<f64>, Error> {
+        let ready = self.prepare(settings)?;
+        ready.pixels(|pixels| {
+            let all: Vec<[u32; 2]> = tiles.iter().flat_map(|t| t.pixels()).collect();
+            let mut least = vec![f64::INFINITY; all.len()];
+            for _ in 0..3 {
+                for (least, [x, y]) in least.iter_mut().zip(&all) {
+                    let start = Instant::now();
+                    std::hint::black_box(pixels.sum(*x, *y, 0..settings.samples, settings.samples));
+                    *least = least.min(start.elapsed().as_secs_f64());
+                }
+            }
+            least
+        })
+    }
+}
+
+/// A stage set for some settings.
+struct Ready<'s> {
+    tracer: &'s Tracer,
+    scene: &'s Scene,
+    camera: &'s Camera,
+    size: [u32; 2],
+    settings: Settings,
+}
+
+impl Ready<'_> {
+    fn pixels<T>(&self, draw: impl FnOnce(&mut dyn Pixels) -> T) -> Result<T, Error> {
+        let settings = self.settings;
+        let [width, height] = self.size;
+        let taken = |numbers| trace::Settings {
+            width,
+            height,
+            tolerance: settings.tolerance,
+            depth: settings.depth,
+            cutoff: settings.cutoff,
+            numbers,
+            ..trace::Settings::default()
+        };
+        let all = (self.scene, self.tracer, self.camera);
+        match settings.kernel {
+            Kernel::Ours(numbers) => self.tracer.pixels(self.camera, &taken(numbers), draw),
+            Kernel::PlainF32 => Plain::<f32>::pixels(all, &taken(Numbers::F32), draw),
+            Kernel::PlainF64 => Plain::<f64>::pixels(all, &taken(Numbers::F64), draw),
+        }
+    }
+
+    fn tile(&self, pixels: &mut dyn Pixels, tile: Tile, drawn: &mut Drawn) {
+        let n = self.settings.samples;
+        for [x, y] in tile.pixels() {
+            let (colour, samples) = match self.settings.tolerance {
+                Some(_) => pixels.adaptive(x, y),
+                None => {
+                    let sum = pixels.sum(x, y, 0..n, n);
+                    (sum.map(|c| c / f64::from(n)), n)
+                }
+            };
+            drawn.colours.push(colour);
+            drawn.samples += u64::from(samples);
+        }
+    }
+}
+
+impl From<Roots> for solver::Method {
+    fn from(roots: Roots) -> solver::Method {
+        match roots {
+            Roots::ClosedForm => solver::Method::ClosedForm,
+            Roots::Recentred | Roots::Ours => solver::Method::Recentred,
+            Roots::Polished => solver::Method::Polished,
+        }
+    }
+}

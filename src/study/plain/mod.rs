@@ -1,0 +1,611 @@
+//! The kernel that most ray tracers have, over the hierarchy of ours: closed forms from the ray's origin
+//! as it is, one constant epsilon, no bounds on errors, nothing that is asked again.
+//!
+//! Beside the tracer in the same numbers it says what certainty costs, and what it puts right.
+
+pub mod solver;
+
+use super::naive::form::{Form, Roots};
+use super::naive::light::{Lens, RayCounts, Scenery, World, back, radiance};
+use super::naive::number::{Number, Ray, V};
+use super::naive::trail::{Event, Leaf, List, Look, Media, Operation, Trail};
+use crate::diagnostics::{Complaint, Error};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::bvh::Bvh;
+use crate::scene::{Camera, Rgb, Scene};
+use crate::trace::graph::{self, Graph, Group, Target, outermost};
+use crate::trace::pixels::{Pixels, Seen};
+use crate::trace::sampling::sample;
+use crate::trace::stats::{Counts, Rays};
+use crate::trace::{Settings, Tracer};
+use std::ops::Range;
+
+/// Objects nested deeper are not for a kernel that calls itself.
+const MAX_DEPTH: u32 = 200;
+
+/// The plain kernel with a camera.
+pub struct Plain<'a, T> {
+    lens: Lens<T>,
+    scenery: Scenery<'a, T>,
+    walker: Walker<'a, T>,
+    outside: bool,
+    rays: RayCounts,
+}
+
+/// An object entered on the way down.
+#[derive(Clone, Copy)]
+struct Context<T> {
+    object: u32,
+    frame: u32,
+    /// One over each component of the ray's direction.
+    inverse: V<T>,
+    look: Look,
+}
+
+#[derive(Clone, Copy)]
+enum Item {
+    Node(u32),
+    Part(u32),
+}
+
+struct Walker<'a, T> {
+    graph: &'a Graph,
+    forms: Vec<Form<T>>,
+    solid: Vec<bool>,
+    backs: Vec<[[T; 4]; 3]>,
+    /// Which textures are patterns in space.
+    in_space: Vec<bool>,
+    glass: bool,
+    trail: Trail<T>,
+    contexts: Vec<Context<T>>,
+    stack: Vec<(T, u32, Item)>,
+    roots: Roots<T>,
+    tests: u64,
+    boxes: u64,
+}
+
+/// Whether the plain kernel can draw what a tracer does; if not, why.
+///
+/// # Errors
+///
+/// A message of the catalogues.
+pub fn fits(tracer: &Tracer, scene: &Scene) -> Result<(), &'static str> {
+    let graph = &tracer.graph;
+    let mut depths = vec![0u32; graph.objects.len()];
+    // Objects come after those that they are made of.
+    for (i, object) in graph.objects.iter().enumerate() {
+        let deepest = |parts: &mut dyn Iterator<Item = u32>| {
+            let of = |part: u32| match graph.parts[part as usize].target {
+                Target::Object(o) => depths[o as usize] + 1,
+                Target::Shape(_) => 0,
+            };
+            parts.map(of).max().unwrap_or(0)
+        };
+        let group = |g: &Group| deepest(&mut g.loose.iter().chain(&g.bvh.items).copied());
+        depths[i] = match &object.operation {
+            graph::Operation::Union(g) => group(g),
+            graph::Operation::Intersection { first, cuts, .. } => {
+                deepest(&mut first.clone()).max(group(cuts))
+            }
+        };
+    }
+    let known = |record: &u32| {
+        use crate::scene::Geometry::GeodesicSphere;
+        match scene.shapes[*record as usize].geometry {
+            GeodesicSphere { splits, .. } => splits <= super::naive::form::MAX_SPLITS,
+            _ => true,
+        }
+    };
+    match () {
+        () if depths.iter().any(|&d| d > MAX_DEPTH) => Err("accuracy-unfit-deep"),
+        () if !graph.records.iter().all(known) => Err("accuracy-unfit-facets"),
+        () => Ok(()),
+    }
+}
+
+impl<'a, T: Number> Plain<'a, T> {
+    /// Hands out what draws the pixels of a picture.
+    ///
+    /// # Errors
+    ///
+    /// A camera or a scene that it cannot draw; see [`fits`].
+    pub fn pixels<A>(
+        (scene, tracer, camera): (&'a Scene, &'a Tracer, &Camera),
+        settings: &Settings,
+        draw: impl FnOnce(&mut dyn Pixels) -> A,
+    ) -> Result<A, Error> {
+        let unfit = || Complaint::new("accuracy-unfit-matrix");
+        let Settings { width, height, .. } = *settings;
+        let lens = Lens::new(camera, width, height).ok_or_else(unfit)?;
+        let graph = &tracer.graph;
+        let geometry = |record: &u32| &scene.shapes[*record as usize].geometry;
+        let forms = (graph.records.iter())
+            .map(|r| Form::new(geometry(r)))
+            .collect::<Option<Vec<_>>>();
+        let forms = forms.ok_or_else(|| Complaint::new("accuracy-unfit-facets"))?;
+        let backs = graph.matrices.iter().map(back).collect::<Option<Vec<_>>>();
+        let mut scenery = Scenery::new(scene, &lens, settings.depth, settings.cutoff);
+        scenery.records = graph.records.clone();
+        scenery.textures = graph
+            .textures
+            .iter()
+            .zip(graph.bitmaps.iter().cloned())
+            .collect();
+        let in_space = |t| matches!(t, &crate::scene::Texture::Solid { .. });
+        let mut walker = Walker {
+            graph,
+            forms,
+            solid: graph
+                .records
+                .iter()
+                .map(|r| geometry(r).is_solid())
+                .collect(),
+            backs: backs.ok_or_else(unfit)?,
+            in_space: graph.textures.iter().map(in_space).collect(),
+            glass: graph.root().holds.clear,
+            trail: Trail {
+                media: Media {
+                    optics: graph.optics.clone(),
+                    indices: graph.indices.clone(),
+                },
+                ..Trail::default()
+            },
+            contexts: Vec::new(),
+            stack: Vec::new(),
+            roots: Roots::default(),
+            tests: 0,
+            boxes: 0,
+        };
+        let position = Ray {
+            origin: lens.position,
+            direction: [T::of(0.0), T::of(0.0), T::of(1.0)],
+        };
+        let outside = scenery.clip.is_none()
+            && camera.projection.is_none()
+            && walker
+                .between(&position, T::of(0.0), T::of(0.0))
+                .start
+                .is_none();
+        Ok(draw(&mut Plain {
+            lens,
+            scenery,
+            walker,
+            outside,
+            rays: RayCounts::default(),
+        }))
+    }
+}
+
+impl<T: Number> Pixels for Plain<'_, T> {
+    fn sum(&mut self, x: u32, y: u32, samples: Range<u32>, of: u32) -> Rgb {
+        let mut sum = [0.0; 3];
+        for i in samples {
+            let [dx, dy] = sample(x, y, i, of);
+            let ray = self.lens.ray(f64::from(x) + dx, f64::from(y) + dy);
+            let light = radiance(
+                &self.scenery,
+                &mut self.walker,
+                ray,
+                self.outside,
+                &mut self.rays,
+            );
+            // A plain kernel may come to no number; a picture shows black there.
+            let light = light.map(|c| if c.is_finite() { c } else { 0.0 });
+            sum = [0, 1, 2].map(|c| sum[c] + light[c]);
+        }
+        sum
+    }
+
+    fn seen(&mut self, x: u32, y: u32) -> Option<Seen> {
+        let ray = self.lens.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let (zero, far) = (T::of(0.0), T::of(f64::INFINITY));
+        let (from, to) = self.scenery.window(&ray, zero, far)?;
+        let list = self.walker.events(&ray, from, to);
+        let event = list
+            .events
+            .iter()
+            .find(|e| e.seen && e.t > from && e.t <= to)?;
+        let leaf = &self.walker.trail.leaves[event.owner as usize];
+        Some(Seen {
+            object: outermost(leaf.look.owner, leaf.id),
+            t: (event.t.wide(), 0.0),
+        })
+    }
+
+    fn counts(&self) -> Counts {
+        let [camera, shadow, reflection, refraction] = self.rays;
+        let mut counts = Counts {
+            rays: Rays {
+                camera,
+                shadow,
+                reflection,
+                refraction,
+                total: 0,
+            },
+            ..Counts::default()
+        };
+        counts.intersections.shape = self.walker.tests;
+        counts.intersections.boxes = self.walker.boxes;
+        counts
+    }
+
+    fn reset(&mut self) {
+        self.rays = RayCounts::default();
+        (self.walker.tests, self.walker.boxes) = (0, 0);
+    }
+}
+
+/// The stretch of a line in a box.
+#[inline]
+fn clip<T: Number>(bounds: &Aabb, origin: &V<T>, inverse: &V<T>, from: T, to: T) -> Option<T> {
+    let (mut near, mut far) = (from, to);
+    for i in 0..3 {
+        let a = (T::of(bounds.min[i]) - origin[i]) * inverse[i];
+        let b = (T::of(bounds.max[i]) - origin[i]) * inverse[i];
+        let (a, b) = if a < b { (a, b) } else { (b, a) };
+        // What is no number, on a face, cuts nothing off.
+        if a > near {
+            near = a;
+        }
+        if b < far {
+            far = b;
+        }
+    }
+    (near <= far).then_some(near)
+}
+
+struct Best<T> {
+    t: T,
+    event: Option<Event<T>>,
+    /// The first one will do.
+    any: bool,
+}
+
+impl<'a, T: Number> Walker<'a, T> {
+    fn begin(&mut self, ray: &Ray<T>) {
+        self.trail.begin(ray);
+        self.contexts.clear();
+        self.contexts.push(Context {
+            object: self.graph.root,
+            frame: 0,
+            inverse: ray.direction.map(|d| T::of(1.0) / d),
+            look: Look::default(),
+        });
+    }
+
+    /// The frame and the look of a part.
+    fn placed(&mut self, context: u32, part: &graph::Part) -> (u32, Look) {
+        let above = self.contexts[context as usize];
+        let coat = &self.graph.paints[part.paint as usize];
+        let mut look = above.look;
+        look.owner = outermost(look.owner, part.owner);
+        look.optics = look.optics.or(coat.optics);
+        look.index = look.index.or(coat.index);
+        if look.texture.is_none()
+            && let Some((texture, placement)) = coat.texture
+        {
+            let frame = match self.in_space[texture as usize] && placement != 0 {
+                true => self
+                    .trail
+                    .enter(above.frame, &self.backs[placement as usize]),
+                false => above.frame,
+            };
+            look.texture = Some((texture, frame));
+        }
+        let frame = match part.placement {
+            0 => above.frame,
+            m => self.trail.enter(above.frame, &self.backs[m as usize]),
+        };
+        (frame, look)
+    }
+
+    fn enter(&mut self, context: u32, part: &graph::Part, object: u32) -> u32 {
+        let (frame, look) = self.placed(context, part);
+        let direction = self.trail.frames[frame as usize].ray.direction;
+        self.contexts.push(Context {
+            object,
+            frame,
+            inverse: direction.map(|d| T::of(1.0) / d),
+            look,
+        });
+        self.contexts.len() as u32 - 1
+    }
+
+    fn leaf(&mut self, context: u32, part: &graph::Part, shape: u32) -> u32 {
+        let (frame, look) = self.placed(context, part);
+        self.trail.leaves.push(Leaf {
+            shape,
+            frame,
+            look,
+            id: part.shape,
+        });
+        self.trail.leaves.len() as u32 - 1
+    }
+
+    /// Finds the crossings of a part that is a shape, into `roots`.
+    fn cross(&mut self, context: u32, part: &graph::Part, shape: u32) {
+        self.tests += 1;
+        let above = self.contexts[context as usize].frame;
+        let ray = self.trail.frames[above as usize].ray;
+        let ray = match part.placement {
+            0 => ray,
+            m => super::naive::trail::through(&self.backs[m as usize], &ray),
+        };
+        self.forms[shape as usize].cross(&ray, &mut self.roots);
+    }
+
+    /// The nearest crossing with anything in (from, to]; of intersections their own boundary counts.
+    fn nearest(&mut self, ray: &Ray<T>, from: T, to: T, any: bool) -> Option<Event<T>> {
+        self.begin(ray);
+        let mut best = Best {
+            t: to,
+            event: None,
+            any,
+        };
+        self.stack.clear();
+        self.open(0, from, &mut best);
+        while let Some((near, context, item)) = self.stack.pop() {
+            if best.any && best.event.is_some() {
+                break;
+            }
+            if near > best.t {
+                continue;
+            }
+            match item {
+                Item::Node(node) => self.visit(context, node, near, from, &mut best),
+                Item::Part(part) => {
+                    let part = &self.graph.parts[part as usize];
+                    let Target::Object(object) = part.target else {
+                        continue;
+                    };
+                    let entered = self.enter(context, part, object);
+                    match &self.graph.objects[object as usize].operation {
+                        graph::Operation::Union(_) => self.open(entered, from, &mut best),
+                        graph::Operation::Intersection { .. } => {
+                            let list = self.object(entered, from, best.t);
+                            let mut seen = list.events.into_iter().filter(|e| e.seen && e.t > from);
+                            if let Some(event) = seen.next().filter(|e| e.t < best.t) {
+                                best.t = event.t;
+                                best.event = Some(event);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        best.event
+    }
+
+    fn group(&self, context: u32) -> Option<&'a Group> {
+        let object = self.contexts[context as usize].object;
+        match &self.graph.objects[object as usize].operation {
+            graph::Operation::Union(group) => Some(group),
+            graph::Operation::Intersection { .. } => None,
+        }
+    }
+
+    fn open(&mut self, context: u32, from: T, best: &mut Best<T>) {
+        let Some(group) = self.group(context) else {
+            return;
+        };
+        for &part in &group.loose {
+            self.meet(context, part, from, from, best);
+        }
+        if let Some(root) = group.bvh.nodes.first()
+            && let Some(near) = self.clip(context, &root.bounds, from, best.t)
+        {
+            self.stack.push((near, context, Item::Node(0)));
+        }
+    }
+
+    #[inline]
+    fn clip(&mut self, context: u32, bounds: &Aabb, from: T, to: T) -> Option<T> {
+        self.boxes += 1;
+        let here = &self.contexts[context as usize];
+        let origin = &self.trail.frames[here.frame as usize].ray.origin;
+        clip(bounds, origin, &here.inverse, from, to)
+    }
+
+    fn visit(&mut self, context: u32, node: u32, near: T, from: T, best: &mut Best<T>) {
+        let Some(group) = self.group(context) else {
+            return;
+        };
+        let bvh = &group.bvh;
+        let here = &bvh.nodes[node as usize];
+        if here.count > 0 {
+            let items = here.index as usize..(here.index + here.count) as usize;
+            for &part in &bvh.items[items] {
+                self.meet(context, part, near, from, best);
+            }
+            return;
+        }
+        let child = |walker: &mut Self, child: u32| {
+            let bounds = &bvh.nodes[child as usize].bounds;
+            let near = walker.clip(context, bounds, from, best.t)?;
+            Some((near, context, Item::Node(child)))
+        };
+        let (left, right) = (child(self, node + 1), child(self, here.index));
+        match (left, right) {
+            (Some(a), Some(b)) if b.0 < a.0 => self.stack.extend([a, b]),
+            (a, b) => self.stack.extend(b.into_iter().chain(a)),
+        }
+    }
+
+    fn meet(&mut self, context: u32, part: u32, near: T, from: T, best: &mut Best<T>) {
+        let p = &self.graph.parts[part as usize];
+        match p.target {
+            Target::Object(_) => self.stack.push((near, context, Item::Part(part))),
+            Target::Shape(shape) => {
+                self.cross(context, p, shape);
+                let found = self.roots.list.iter().find(|r| r.0 > from && r.0 < best.t);
+                if let Some(&(t, face)) = found {
+                    let leaf = self.leaf(context, p, shape);
+                    best.t = t;
+                    best.event = Some(Event {
+                        t,
+                        leaf,
+                        face,
+                        sheet: !self.solid[shape as usize],
+                        seen: true,
+                        owner: leaf,
+                        after: None,
+                    });
+                }
+            }
+        }
+    }
+
+    /// The events of all that is near the stretch of a line.
+    fn between(&mut self, ray: &Ray<T>, from: T, to: T) -> List<T> {
+        self.begin(ray);
+        self.object(0, from, to)
+    }
+
+    fn object(&mut self, context: u32, from: T, to: T) -> List<T> {
+        let tie = T::of(0.0);
+        let object = self.contexts[context as usize].object;
+        match &self.graph.objects[object as usize].operation {
+            graph::Operation::Union(group) => self.joined(context, group, from, to),
+            graph::Operation::Intersection {
+                first,
+                cuts,
+                inherit,
+            } => {
+                let mut all = match first.is_empty() {
+                    true => List {
+                        start: Some(0),
+                        events: Vec::new(),
+                    },
+                    false => self.part(context, first.start, from, to),
+                };
+                for part in first.clone().skip(1) {
+                    if all.is_nothing() {
+                        return all;
+                    }
+                    let list = self.part(context, part, from, to);
+                    all = self.trail.join(Operation::Intersection, all, list, tie);
+                }
+                if all.is_nothing() {
+                    return all;
+                }
+                let cut = self.joined(context, cuts, from, to);
+                let operation = match inherit {
+                    true => Operation::Difference,
+                    false => Operation::Removal,
+                };
+                self.trail.join(operation, all, cut, tie)
+            }
+        }
+    }
+
+    fn joined(&mut self, context: u32, group: &Group, from: T, to: T) -> List<T> {
+        let mut parts = group.loose.clone();
+        self.gather(context, &group.bvh, from, to, &mut parts);
+        parts.sort_unstable();
+        let mut all = List::default();
+        for part in parts {
+            let list = self.part(context, part, from, to);
+            all = self.trail.join(Operation::Union, all, list, T::of(0.0));
+        }
+        all
+    }
+
+    fn gather(&mut self, context: u32, bvh: &Bvh, from: T, to: T, parts: &mut Vec<u32>) {
+        let mut pending = vec![0u32];
+        while let Some(i) = pending.pop() {
+            let Some(node) = bvh.nodes.get(i as usize) else {
+                continue;
+            };
+            if self.clip(context, &node.bounds, from, to).is_none() {
+                continue;
+            }
+            match node.count {
+                0 => pending.extend([node.index, i + 1]),
+                count => {
+                    let items = node.index as usize..(node.index + count) as usize;
+                    parts.extend_from_slice(&bvh.items[items]);
+                }
+            }
+        }
+    }
+
+    fn part(&mut self, context: u32, part: u32, from: T, to: T) -> List<T> {
+        let p = &self.graph.parts[part as usize];
+        let shape = match p.target {
+            Target::Object(object) => {
+                let entered = self.enter(context, p, object);
+                return self.object(entered, from, to);
+            }
+            Target::Shape(shape) => shape,
+        };
+        let sheet = !self.solid[shape as usize];
+        if sheet && p.inverted {
+            // The complement of a surface is all of space.
+            return List {
+                start: Some(0),
+                events: Vec::new(),
+            };
+        }
+        self.cross(context, p, shape);
+        if self.roots.list.is_empty() && (sheet || self.roots.inside == p.inverted) {
+            return List::default();
+        }
+        let leaf = self.leaf(context, p, shape);
+        let mut inside = self.roots.inside != p.inverted && !sheet;
+        let state = |inside: bool| inside.then_some(leaf);
+        let mut list = List {
+            start: state(inside),
+            events: Vec::with_capacity(self.roots.list.len()),
+        };
+        for &(t, face) in &self.roots.list {
+            inside = !inside && !sheet;
+            list.events.push(Event {
+                t,
+                leaf,
+                face,
+                sheet,
+                seen: true,
+                owner: leaf,
+                after: state(inside),
+            });
+        }
+        list
+    }
+}
+
+impl<T: Number> World<T> for Walker<'_, T> {
+    fn first_from_outside(&mut self, ray: &Ray<T>, from: T, to: T) -> Option<Option<Event<T>>> {
+        Some(self.nearest(ray, from, to, false))
+    }
+
+    fn is_blocked(&mut self, ray: &Ray<T>, from: T, to: T) -> Option<bool> {
+        let Some(event) = self.nearest(ray, from, to, !self.glass) else {
+            return Some(false);
+        };
+        let optics = self.trail.media.optics(self.trail.look(event.owner));
+        (optics.kt == [0.0; 3]).then_some(true)
+    }
+
+    fn events(&mut self, ray: &Ray<T>, from: T, to: T) -> List<T> {
+        if !to.wide().is_finite()
+            && let Some(first) = self.nearest(ray, from, to, false)
+        {
+            // A little further, for what lies in the same place.
+            let near = first.t + first.t * T::TINY.sqrt() + T::OFFSET;
+            let list = self.between(ray, from, near);
+            let seen = |e: &Event<T>| e.seen && e.t > from && e.t <= near;
+            if list.events.iter().any(seen) {
+                return list;
+            }
+        }
+        self.between(ray, from, to)
+    }
+
+    fn trail(&self) -> &Trail<T> {
+        &self.trail
+    }
+
+    fn normal(&self, shape: u32, point: V<T>, face: u32) -> V<T> {
+        self.forms[shape as usize].normal(point, face)
+    }
+}

@@ -1,0 +1,33 @@
+//! A tracer with parts taken out, or replaced: for those who measure what these cost and bring.
+
+use super::shapes::Roots;
+use crate::geometry::line::Line;
+use std::fmt::Debug;
+
+/// Effects that are taken out of a tracer, although its scene calls for them. Those for which the
+/// shading code is compiled with and without go by that; the others are asked for at run time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Without {
+    /// Every light is seen from everywhere.
+    pub shadows: bool,
+    /// Whatever is in the way of a light blocks it.
+    pub transparent_shadows: bool,
+    /// Nothing is mirrored, nor totally reflected.
+    pub reflection: bool,
+    /// Nothing goes through a surface.
+    pub refraction: bool,
+    /// All channels go the way of the first one.
+    pub dispersion: bool,
+    /// Patterns, pictures and colours along profiles are white.
+    pub textures: bool,
+    /// Light is reckoned with the geometric normal.
+    pub smooth_normals: bool,
+}
+
+/// Finds crossings in place of shapes, in doubles alone.
+pub trait Solver: Debug + Send + Sync {
+    /// Appends all crossings of a line with the shape of this number in
+    /// [`Graph::primitives`](super::graph::Graph::primitives), in the shape's space and ascending, to the
+    /// cleared `roots`; `false` where the shape is to do so itself.
+    fn crossings(&self, primitive: u32, line: &Line, roots: &mut Roots) -> bool;
+}

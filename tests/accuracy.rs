@@ -1,0 +1,567 @@
+//! What accuracy costs in time: on scenes so small that the answers can be known.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::sync::Arc;
+
+use serde_json::Value;
+use zpg::analysis::Analysis;
+use zpg::diagnostics::Language;
+use zpg::scene::Scene;
+use zpg::study::accuracy::advice::advise;
+use zpg::study::accuracy::check;
+use zpg::study::accuracy::measure::compare;
+use zpg::study::accuracy::report::{
+    Budget, Checked, Goal, Machine, Noise, Reference, Report, Row, RowError, mark_front,
+};
+use zpg::study::accuracy::rungs::{Axis, Kernel, Settings};
+use zpg::study::accuracy::stage::Stage;
+use zpg::study::accuracy::tiles::{Tile, chosen};
+use zpg::study::naive::{Naive, Wide};
+use zpg::trace::film::developed;
+use zpg::trace::switches::Without;
+use zpg::trace::{self, Images, Numbers, Tracer, selected_camera};
+
+/// A glass ball that disperses and a mirroring one on a checkered floor, and a torus; two lamps.
+const SCENE: &str = "\
+2 11 -0.8 0.7 0  0.7\n2 -201 0.05 0.15 0.8\n2 -203 1.4 1.5 1.6\n\
+3 11 0.9 0.6 -0.4  0.6\n3 -201 0.4 0.6 0\n3 -701 0.9 0.3 0.2\n\
+4 14 0.5 0.15\n4 -1 0.2 0.15 1.2\n4 -701 0.2 0.5 0.9\n\
+5 4 0 1 0 0\n6 -701 0.9 0.9 0.8\n7 -701 0.2 0.3 0.5\n5 -399 2 2 6 7\n\
+8 -101 2 3\n9 -101 8 4\n10 -101 9 5\n\
+20 -501 0.4 1.8 4.5 -0.05 -0.3 -1 0 1 0 40\n\
+50 -402 0.7\n50 -1 3 5 4\n51 -402 0.4\n51 -1 -4 3 2\n52 -401 0.1\n1 9999 10 0\n";
+
+fn resolved(text: &str) -> Arc<Scene> {
+    let analysis = Analysis::new("scene.zpg", text.as_bytes().to_vec());
+    assert!(analysis.is_sound(), "{:?}", analysis.findings());
+    Arc::new(analysis.scene)
+}
+
+fn hard(name: &str) -> Arc<Scene> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/hard/{name}.zpg"));
+    resolved(&fs::read_to_string(path).unwrap())
+}
+
+const SIZE: [u32; 2] = [48, 36];
+
+fn stage<'i>(scene: &Arc<Scene>, images: &'i Images) -> Stage<'i> {
+    let camera = selected_camera(scene, f64::from(SIZE[0]) / f64::from(SIZE[1]));
+    Stage::new(scene.clone(), images, camera, SIZE).unwrap()
+}
+
+fn with(kernel: Kernel) -> Settings {
+    Settings {
+        kernel,
+        ..Settings::default()
+    }
+}
+
+#[test]
+fn tiles_are_the_picture() {
+    let scene = resolved(SCENE);
+    let images = Images::default();
+    let mut stage = stage(&scene, &images);
+    let tiles = chosen(SIZE, 1);
+    let tracer = Tracer::new(&scene).unwrap();
+    for (samples, tolerance) in [(1, None), (4, None), (1, Some(0.05))] {
+        let settings = Settings {
+            samples,
+            tolerance,
+            ..Settings::default()
+        };
+        let drawn = stage.draw(&settings, &tiles).unwrap();
+        let timed = stage.time(&settings, &tiles).unwrap();
+        let taken = trace::Settings {
+            width: SIZE[0],
+            height: SIZE[1],
+            samples,
+            tolerance,
+            ..trace::Settings::default()
+        };
+        let picture = tracer.render(stage.camera(), &taken, || ()).unwrap();
+        let pixels = tiles.iter().flat_map(|t| t.pixels());
+        for (([x, y], colour), timed) in pixels.zip(&drawn.colours).zip(&timed.drawn.colours) {
+            assert_eq!(developed(*colour), picture.film.pixel(x, y), "{x} {y}");
+            assert_eq!(colour, timed);
+        }
+    }
+}
+
+#[test]
+fn the_independent_tracer_agrees_and_sees_what_is_off() {
+    let scene = resolved(SCENE);
+    let images = Images::default();
+    let mut stage = stage(&scene, &images);
+    let tiles = chosen(SIZE, 1);
+    let settings = with(Kernel::Ours(Numbers::Dd));
+    let mut right = stage.draw(&settings, &tiles).unwrap().colours;
+    let seen = stage.seen(&Settings::default(), &tiles).unwrap();
+    let order = check::order(&tiles, &seen);
+    assert_eq!(order.len(), right.len());
+    let checked = check::check(&stage, &images, &settings, &order, &right, 0.0);
+    let checked = checked.unwrap().unwrap();
+    assert_eq!(
+        (checked.pixels, checked.wrong),
+        (check::FEWEST, 0),
+        "{checked:?}"
+    );
+    assert!(checked.rays > 300 && checked.largest < 1e-12, "{checked:?}");
+    // One pixel that is off by less than anybody sees.
+    right[order[7].0][1] += 1e-5;
+    let checked = check::check(&stage, &images, &settings, &order, &right, 0.0);
+    let checked = checked.unwrap().unwrap();
+    assert_eq!((checked.wrong, checked.wrong_pixels), (1, vec![order[7].1]));
+}
+
+/// All shapes, operations and textures, in the corners of the hard scenes.
+#[test]
+fn the_independent_tracer_agrees_on_hard_scenes() {
+    for name in [
+        "flush-box",
+        "glass-corner",
+        "equal-solids",
+        "lathe",
+        "paraboloid",
+        "cone-apex",
+    ] {
+        let scene = hard(name);
+        let images = Images::default();
+        let mut stage = stage(&scene, &images);
+        let tiles: Vec<Tile> = chosen(SIZE, 1).into_iter().step_by(3).collect();
+        let settings = with(Kernel::Ours(Numbers::Dd));
+        let ours = stage.draw(&settings, &tiles).unwrap().colours;
+        let pixels: Vec<[u32; 2]> = tiles.iter().flat_map(|t| t.pixels()).step_by(9).collect();
+        let (depth, cutoff) = (settings.depth, settings.cutoff);
+        let naive =
+            Naive::<Wide>::new(&scene, &images, stage.camera(), SIZE, depth, cutoff).unwrap();
+        let found = naive.pixels(&pixels).unwrap();
+        for ((a, b), pixel) in ours.iter().step_by(9).zip(&found.colours).zip(&pixels) {
+            let off = (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-9, "{name} {pixel:?}: {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn a_plain_kernel_is_right_where_it_is_easy_and_wrong_where_it_is_hard() {
+    let off = |scene: &Arc<Scene>, kernel| {
+        let images = Images::default();
+        let mut stage = stage(scene, &images);
+        let tiles = chosen(SIZE, 1);
+        let exact = stage
+            .draw(&with(Kernel::Ours(Numbers::Dd)), &tiles)
+            .unwrap();
+        let drawn = stage.draw(&with(kernel), &tiles).unwrap();
+        let sizes: Vec<[u32; 2]> = tiles.iter().map(|t| [t.width, t.height]).collect();
+        compare(&drawn.colours, &exact.colours, &sizes, true).pixels_off
+    };
+    let easy = resolved(SCENE);
+    assert_eq!(off(&easy, Kernel::PlainF64), 0);
+    for name in ["flush-box", "thin-torus-far", "small-sphere"] {
+        let scene = hard(name);
+        assert!(off(&scene, Kernel::PlainF32) > 10, "{name}");
+        assert_eq!(off(&scene, Kernel::Ours(Numbers::F64)), 0, "{name}");
+    }
+    assert!(off(&hard("flush-box"), Kernel::PlainF64) > 10);
+}
+
+#[test]
+fn effects_that_are_taken_out_do_no_work() {
+    let scene = resolved(SCENE);
+    let images = Images::default();
+    let mut stage = stage(&scene, &images);
+    let tiles = chosen(SIZE, 1);
+    let none = Without::default();
+    let counts = |stage: &mut Stage, without| {
+        let settings = Settings {
+            without,
+            ..Settings::default()
+        };
+        stage.draw(&settings, &tiles).unwrap().counts
+    };
+    let all = counts(&mut stage, none);
+    assert!(all.rays.shadow > 0 && all.rays.reflection > 0 && all.rays.refraction > 0);
+    assert!(all.work.transparent_shadow > 0 && all.work.checkerboard > 0);
+    assert!(all.work.channel_split > 0);
+    let shadows = counts(
+        &mut stage,
+        Without {
+            shadows: true,
+            ..none
+        },
+    );
+    assert_eq!(
+        (shadows.rays.shadow, shadows.rays.reflection),
+        (0, all.rays.reflection)
+    );
+    let clear = Without {
+        transparent_shadows: true,
+        ..none
+    };
+    assert_eq!(counts(&mut stage, clear).work.transparent_shadow, 0);
+    let mirrors = counts(
+        &mut stage,
+        Without {
+            reflection: true,
+            ..none
+        },
+    );
+    assert_eq!((mirrors.rays.reflection, mirrors.rays.total > 0), (0, true));
+    assert_eq!(
+        counts(
+            &mut stage,
+            Without {
+                refraction: true,
+                ..none
+            }
+        )
+        .rays
+        .refraction,
+        0
+    );
+    assert_eq!(
+        counts(
+            &mut stage,
+            Without {
+                dispersion: true,
+                ..none
+            }
+        )
+        .work
+        .channel_split,
+        0
+    );
+    assert_eq!(
+        counts(
+            &mut stage,
+            Without {
+                textures: true,
+                ..none
+            }
+        )
+        .work
+        .checkerboard,
+        0
+    );
+    // And they come back.
+    assert_eq!(counts(&mut stage, none), all);
+}
+
+/// A report of these rows: option, times the default, steps, pixels off; the first of each kind is the
+/// default.
+fn report_of(rows: &[(Axis, &'static str, f64, f64, usize)]) -> Report {
+    let row = |&(axis, label, times, steps, off): &(Axis, &'static str, f64, f64, usize),
+               default| Row {
+        kind: axis.kind().name(),
+        axis: axis.name(),
+        setting: label.into(),
+        seconds: None,
+        cpu_seconds: None,
+        times_default: Some(times),
+        pixels_timed: 1000,
+        rays_per_second: None,
+        rays: 1000,
+        uncertain: 0,
+        samples_mean: 1.0,
+        error: Some(RowError {
+            steps,
+            steps_interval: [steps; 2],
+            rmse: steps / 255.0,
+            relmse: 0.0,
+            max: steps,
+            flip: 0.0,
+            pixels: 1000,
+            pixels_off: off,
+            pixels_differ: if steps > 0.0 { 500 } else { 0 },
+            wrong_object: None,
+            median_ulp: None,
+            max_ulp: None,
+        }),
+        default,
+        pareto: false,
+        same_as: None,
+        below_reference: false,
+        of: Some((axis.kind(), axis)),
+        option: format!("--{} {label}", axis.name()),
+    };
+    let mut kinds = Vec::new();
+    let rows = rows.iter().map(|r| {
+        let is_first = !kinds.contains(&r.0.kind());
+        kinds.push(r.0.kind());
+        row(r, is_first)
+    });
+    let mut report = Report {
+        version: 1,
+        scene: "scene.zpg".into(),
+        size: [40, 25],
+        advice: String::new(),
+        advice_parts: Vec::new(),
+        goal: Goal {
+            steps: 1.0,
+            tolerance: 0.15,
+        },
+        noise: Noise {
+            relative: 0.02,
+            pairs: 6,
+            estimator: "",
+        },
+        machine: Machine {
+            cpu: String::new(),
+            cores: 2,
+            threads: 1,
+            load: Vec::new(),
+            build: "",
+            version: "",
+        },
+        budget: Budget {
+            asked_seconds: 1.0,
+            predicted_seconds: 1.0,
+            timed_seconds: 1.0,
+            spent_seconds: 1.0,
+            pixels_share: 1.0,
+            tile: None,
+            cut: Vec::new(),
+        },
+        reference: Default::default(),
+        rows: rows.collect(),
+        skipped: Vec::new(),
+        effects: Vec::new(),
+        objects: Vec::new(),
+        pictures: Vec::new(),
+        maps: None,
+        picture: None,
+        stopped: false,
+    };
+    mark_front(&mut report);
+    advise(&mut report, Language::English);
+    report
+}
+
+#[test]
+fn advice_names_the_cheapest_way_to_the_goal_with_slack() {
+    let report = report_of(&[
+        (Axis::Samples, "1", 1.0, 7.4, 400),
+        (Axis::Samples, "64", 64.0, 0.9, 20),
+        (Axis::Adaptive, "0.02", 25.0, 1.01, 90),
+        // More accurate, but not as fast within the noise.
+        (Axis::Adaptive, "0.01", 57.0, 0.5, 30),
+        (Axis::Depth, "10", 1.0, 0.05, 16),
+        (Axis::Depth, "16", 1.04, 0.01, 0),
+        (Axis::Precision, "f64", 1.0, 0.0, 0),
+        (Axis::Precision, "f32", 1.01, 0.1, 21),
+        (Axis::Precision, "dd", 10.0, 0.0, 0),
+    ]);
+    let text = |what: &str| {
+        let part = report.advice_parts.iter().find(|a| a.what == what);
+        part.map_or("", |a| a.text.as_str())
+    };
+    let limit = "The error of this picture is its edges: 7.40 steps of an 8-bit picture at the default. \
+                 `--adaptive 0.02` brings it to 1.01 for 25 times the time. `--samples 64` does so, too, \
+                 for 64 times. All other errors stay below 0.060 steps.";
+    assert_eq!(text("limit"), limit);
+    assert_eq!(report.advice, limit);
+    let change = "`--depth 16` puts 16 of 16 wrong pixels right, of 1000 that were looked at, for 4 % more time.";
+    assert_eq!(text("change"), change);
+    let numbers = "Doubles are exact here: double-double costs 10 times as much and gives the same picture. \
+                   Single precision gets 21 pixels wrong and saves nothing.";
+    assert_eq!(text("numbers"), numbers);
+    let front: Vec<&str> = (report.rows.iter().filter(|r| r.pareto))
+        .map(|r| r.setting.as_str())
+        .collect();
+    // Of two that are as fast within the noise the more accurate one; 64 samples are dearer than adaptive 0.01.
+    assert_eq!(front, ["1", "0.02", "0.01", "10", "16", "f64"]);
+}
+
+#[test]
+fn advice_where_nothing_is_to_be_done_and_where_nothing_helps() {
+    let enough = report_of(&[
+        (Axis::Samples, "1", 1.0, 0.4, 0),
+        (Axis::Samples, "4", 4.0, 0.1, 0),
+        (Axis::Cutoff, "1/4096", 1.0, 0.01, 0),
+        // Saves a third of the time unseen.
+        (Axis::Cutoff, "1/256", 0.66, 0.05, 0),
+    ]);
+    assert!(
+        enough.advice.starts_with("The default settings are enough"),
+        "{}",
+        enough.advice
+    );
+    let save = "`--cutoff 1/256` saves 34 % of the time, and no more pixels are off by a step.";
+    assert_eq!(enough.advice_parts[1].text, save);
+    let hopeless = report_of(&[
+        (Axis::Samples, "1", 1.0, 30.0, 900),
+        (Axis::Samples, "4", 4.0, 12.0, 800),
+    ]);
+    assert!(
+        hopeless
+            .advice
+            .contains("Even `--samples 4`, at 4.00 times the time, leaves 12.0.")
+    );
+    let wrong = {
+        let mut report = report_of(&[(Axis::Samples, "1", 1.0, 30.0, 900)]);
+        let checked = Checked {
+            pixels: 120,
+            wrong: 2,
+            largest: 0.5,
+            wrong_pixels: vec![[3, 4], [5, 6]],
+            ..Checked::default()
+        };
+        let reference = Reference {
+            checked: Some(checked),
+            ..Reference::default()
+        };
+        report.reference.insert("numbers", reference);
+        advise(&mut report, Language::English);
+        report
+    };
+    // Nothing else is said.
+    assert_eq!(wrong.advice_parts.len(), 1);
+    assert!(
+        wrong.advice.starts_with("The reference is wrong")
+            && wrong.advice.contains("(3, 4), (5, 6)")
+    );
+}
+
+fn zpg(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
+    let run = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .args(args)
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (run.status.code(), text(run.stdout), text(run.stderr))
+}
+
+#[test]
+fn a_report_says_what_to_set() {
+    let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join("a.zpg"), SCENE).unwrap();
+    let args = [
+        "accuracy", "a.zpg", "--size", "32x24", "--budget", "3s", "-o", "out",
+    ];
+    let (status, out, error) = zpg(dir.path(), &args);
+    assert_eq!((status, error.as_str()), (Some(0), ""), "{out}");
+    assert!(
+        out.lines().count() < 60 && out.contains("▶ The error of this picture is its edges"),
+        "{out}"
+    );
+
+    let file = |name: &str| fs::read_to_string(dir.path().join("out").join(name)).unwrap();
+    let report: Value = serde_json::from_str(&file("accuracy.json")).unwrap();
+    let rows = report["rows"].as_array().unwrap();
+    let row = |axis: &str, setting: &str| {
+        let found = rows
+            .iter()
+            .find(|r| r["axis"] == axis && r["setting"] == setting);
+        found.unwrap_or_else(|| panic!("{axis} {setting}"))
+    };
+    let steps = |axis, setting| row(axis, setting)["error"]["steps"].as_f64().unwrap();
+    // More samples, deeper rays and better numbers are better.
+    assert!(steps("samples", "1") > 2.0 * steps("samples", "16"));
+    assert!(steps("depth", "0") > 10.0 * steps("depth", "4"));
+    assert!(steps("depth", "4") > steps("depth", "10"));
+    assert!(steps("cutoff", "0.1") > steps("cutoff", "1/256"));
+    assert!(steps("precision", "f32") > steps("precision", "f64"));
+    assert_eq!(row("precision", "f64")["error"]["pixels_off"], 0);
+    assert_eq!(row("precision", "dd")["error"]["pixels_differ"], 0);
+    for (axis, setting) in [
+        ("samples", "1"),
+        ("depth", "10"),
+        ("cutoff", "1/4096"),
+        ("precision", "f64"),
+    ] {
+        assert_eq!(row(axis, setting)["default"], true);
+        assert_eq!(row(axis, setting)["times_default"], 1.0);
+    }
+    assert_eq!(rows.iter().filter(|r| r["default"] == true).count(), 5);
+    let times = row("samples", "4")["times_default"].as_f64().unwrap();
+    assert!((2.0..8.0).contains(&times), "{times}");
+    let numbers = &report["reference"]["numbers"];
+    assert_eq!(
+        (&numbers["wrong"], numbers["not_checked"].is_null()),
+        (&Value::from(0), true)
+    );
+    assert!(numbers["pixels"].as_u64().unwrap() >= 120);
+    assert!(report["noise"]["pairs"].as_u64().unwrap() >= 3);
+    let why: Vec<&str> = (report["skipped"].as_array().unwrap().iter())
+        .map(|s| s["axis"].as_str().unwrap())
+        .collect();
+    assert_eq!(why, ["tessellation", "levels"]);
+    let share: f64 = (report["objects"].as_array().unwrap().iter())
+        .map(|o| o["share_of_time"].as_f64().unwrap())
+        .sum();
+    assert!((share - 1.0).abs() < 1e-9, "{share}");
+    let effects: Vec<&str> = (report["effects"].as_array().unwrap().iter())
+        .map(|e| e["name"].as_str().unwrap())
+        .collect();
+    let all = [
+        "shadows",
+        "transparent-shadows",
+        "reflection",
+        "refraction",
+        "dispersion",
+        "textures",
+    ];
+    assert_eq!(effects, all);
+
+    let page = file("accuracy.html");
+    assert!(
+        page.len() < 400_000 && !page.contains("<script") && !page.contains("NaN"),
+        "{}",
+        page.len()
+    );
+    assert!(page.contains("prefers-color-scheme:dark") && page.contains("data:image/png;base64,"));
+    for href in ["src=\"http", "href=\"http", "@import"] {
+        assert!(!page.contains(href));
+    }
+    assert!(
+        file("accuracy.svg").starts_with("<svg xmlns=") && !file("accuracy.svg").contains("NaN")
+    );
+    assert!(file("accuracy.md").contains("| depth 10 |"));
+}
+
+#[test]
+fn a_report_in_czech_on_one_axis() {
+    let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join("a.zpg"), "2 11 0 0 0 1\n1 9999 2 0\n").unwrap();
+    let args = [
+        "accuracy", "a.zpg", "--size", "16x16", "--budget", "1s", "--runs", "1", "--lang", "cs",
+    ];
+    let (status, out, _) = zpg(
+        dir.path(),
+        &[&args[..], &["--axes", "samples,depth"]].concat(),
+    );
+    assert_eq!(status, Some(0), "{out}");
+    assert!(
+        out.contains("Největší chyba tohoto obrázku jsou hrany"),
+        "{out}"
+    );
+    assert!(
+        out.contains("nic nezrcadlí") && out.contains("nežádáno"),
+        "{out}"
+    );
+    assert!(dir.path().join("a-accuracy/accuracy.html").exists());
+}
+
+#[test]
+fn wrong_usage_is_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join("a.zpg"), "2 11 0 0 0 1\n1 9999 2 0\n").unwrap();
+    for args in [
+        &["accuracy"][..],
+        &["accuracy", "a.zpg", "--budget", "soon"],
+        &["accuracy", "a.zpg", "--goal", "0"],
+        &["accuracy", "a.zpg", "--axes", "colour"],
+        &["accuracy", "a.zpg", "--runs", "0"],
+        &["accuracy", "none.zpg"],
+    ] {
+        let (status, out, error) = zpg(dir.path(), args);
+        assert_eq!((status, out.as_str()), (Some(2), ""), "{args:?}");
+        assert!(
+            !error.is_empty() && !error.contains("panicked"),
+            "{args:?} {error}"
+        );
+    }
+}
