@@ -4,8 +4,9 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use super::Analysis;
+use super::repair;
 use super::worse::{harms, has_new_errors, weight};
-use crate::diagnostics::{Applicability, Edit, Fix, SourceFile, fixes};
+use crate::diagnostics::{Applicability, Diagnostic, Edit, Fix, SourceFile, fixes};
 use crate::syntax::{preserved, recognise};
 
 /// How many bytes are read in all for fixes that turn out to do harm, and how often a scene is read
@@ -16,6 +17,8 @@ const REFUSED: Range<usize> = 16..1000;
 /// A scene after fixes.
 pub struct Mended {
     pub analysis: Analysis,
+    /// What there is to say about it, with proposals.
+    pub findings: Vec<Diagnostic>,
     /// How many fixes these were.
     pub count: usize,
     /// Their edits, round by round: each of the text that the rounds before have made.
@@ -37,10 +40,16 @@ pub fn to_fixed_point(
     let (mut count, mut rounds) = (0, Vec::new());
     // Errors first: what they hid is weighed against what there is then.
     let of = |analysis: &Analysis, errors: bool| -> Vec<Fix> {
-        let all = analysis
-            .findings()
-            .iter()
-            .filter(|d| d.is_error() == errors);
+        // Nothing has to be tried for fixes that are certain.
+        let proposals;
+        let findings = match unsafe_too && analysis.findings().iter().any(repair::is_tried) {
+            true => {
+                proposals = repair::proposals(analysis);
+                &proposals
+            }
+            false => analysis.findings(),
+        };
+        let all = findings.iter().filter(|d| d.is_error() == errors);
         all.filter_map(|d| d.applicable_fix(unsafe_too).cloned())
             .collect()
     };
@@ -60,8 +69,13 @@ pub fn to_fixed_point(
         findings.iter_mut().for_each(|d| d.fixes.retain(kept));
         analysis.findings = findings.into();
     }
+    let findings = match unsafe_too {
+        true => analysis.findings().to_vec(),
+        false => repair::proposals(&analysis),
+    };
     Mended {
         analysis,
+        findings,
         count,
         rounds,
     }
@@ -84,6 +98,7 @@ fn step(
     left: &mut usize,
 ) -> Option<Step> {
     let mut chosen = vec![false; all.len()];
+    let guesses = (all.iter()).any(|f| f.applicability == Applicability::Unsafe);
     let mut best: Option<Step> = None;
     let mut lightest = weight(analysis);
     // Larger stretches first, so that what does harm in one place holds up nothing in others.
@@ -105,6 +120,7 @@ fn step(
                 && !has_new_errors(before, &fixed)
                 && leaves_the_rest(analysis, &edits, &fixed)
                 && recognise::is_scene(&fixed.source)
+                && !(guesses && repair::draws_nothing(&fixed) && !repair::draws_nothing(before))
             {
                 best = Some(Step {
                     analysis: fixed,

@@ -6,6 +6,7 @@
 pub mod config;
 pub mod file;
 pub mod fixing;
+pub mod repair;
 mod worse;
 
 use std::sync::OnceLock;
@@ -154,12 +155,6 @@ impl Analysis {
     /// The bounds of each node of the scene.
     pub fn bounds(&self) -> &[NodeBounds] {
         self.bounds.get_or_init(|| node_bounds(&self.scene))
-    }
-
-    /// The text and what there is to say about it; the rest is not needed any more.
-    pub fn into_findings(mut self) -> (SourceFile, Vec<Diagnostic>) {
-        let findings = self.take_findings();
-        (self.source, findings)
     }
 
     /// The findings, which are looked for again when they are asked for next.

@@ -34,6 +34,8 @@ pub struct Edit {
 pub struct Fix {
     /// A phrase, what the fix does; see [`wording`](super::wording).
     pub title: &'static str,
+    /// What stands in the places of the title, where it is not what stands in those of the finding.
+    pub values: Vec<(&'static str, Value)>,
     pub applicability: Applicability,
     /// In order of their spans, which do not overlap.
     pub edits: Vec<Edit>,
@@ -49,12 +51,19 @@ impl Fix {
     ) -> Fix {
         Fix {
             title,
+            values: Vec::new(),
             applicability,
             edits: vec![Edit {
                 span,
                 text: text.into(),
             }],
         }
+    }
+
+    /// Fills a place of the title.
+    pub fn with(mut self, place: &'static str, value: impl Into<Value>) -> Self {
+        self.values.push((place, value.into()));
+        self
     }
 }
 

@@ -81,6 +81,7 @@ mod tests {
         };
         Fix {
             title: "fix",
+            values: Vec::new(),
             applicability: Applicability::Safe,
             edits: edits.iter().map(edit).collect(),
         }

@@ -85,15 +85,11 @@ pub struct Wording {
 impl Diagnostic {
     /// The finding in words.
     pub fn wording(&self, language: Language) -> Wording {
-        let speaker = Speaker {
-            catalogue: language.catalogue(),
-            own: match self.case {
-                "" => Cow::Borrowed(self.code.as_str()),
-                case => Cow::Owned(format!("{}-{case}", self.code.as_str())),
-            },
-            arguments: FluentArgs::new(),
-        }
-        .filled(language, &self.values);
+        let own = match self.case {
+            "" => Cow::Borrowed(self.code.as_str()),
+            case => Cow::Owned(format!("{}-{case}", self.code.as_str())),
+        };
+        let speaker = Speaker::new(language, own).filled(language, &self.values);
         let own = |name: &str| speaker.attribute(name);
         Wording {
             message: speaker.message(&speaker.own),
@@ -105,7 +101,15 @@ impl Diagnostic {
                 .chain(self.notes.iter().map(|n| speaker.phrase(n)))
                 .collect(),
             help: own("help"),
-            fixes: self.fixes.iter().map(|f| speaker.phrase(f.title)).collect(),
+            fixes: (self.fixes.iter())
+                .map(|f| match f.values.is_empty() {
+                    true => speaker.phrase(f.title),
+                    false => Speaker::new(language, speaker.own.clone())
+                        .filled(language, &self.values)
+                        .filled(language, &f.values)
+                        .phrase(f.title),
+                })
+                .collect(),
         }
     }
 }
@@ -113,13 +117,13 @@ impl Diagnostic {
 impl Language {
     /// A message that is not a finding's.
     pub fn say(self, message: &'static str, values: &[(&'static str, Value)]) -> String {
-        let speaker = Speaker {
-            catalogue: self.catalogue(),
-            own: Cow::Borrowed(message),
-            arguments: FluentArgs::new(),
-        }
-        .filled(self, values);
+        let speaker = Speaker::new(self, Cow::Borrowed(message)).filled(self, values);
         speaker.message(message)
+    }
+
+    /// A name of the scene language in this language.
+    pub fn name(self, name: &'static str) -> String {
+        term(self, name)
     }
 
     fn catalogue(self) -> &'static Catalogue {
@@ -179,6 +183,14 @@ struct Speaker<'a> {
 }
 
 impl<'a> Speaker<'a> {
+    fn new(language: Language, own: Cow<'static, str>) -> Self {
+        Speaker {
+            catalogue: language.catalogue(),
+            own,
+            arguments: FluentArgs::new(),
+        }
+    }
+
     fn filled(mut self, language: Language, values: &'a [(&'static str, Value)]) -> Self {
         for (place, value) in values {
             let value = match value {

@@ -1,6 +1,6 @@
 //! What can be done about findings, and to a whole file.
 
-use crate::analysis::{Analysis, Settings, fixing};
+use crate::analysis::{Analysis, Settings, fixing, repair};
 use crate::diagnostics::{
     Applicability, Code, Complaint, Diagnostic, Edit, Language, SourceFile, Span, fixes,
 };
@@ -41,7 +41,14 @@ pub fn actions(analysis: &Analysis, span: Span, language: Language) -> Vec<Actio
             .filter(|(_, d)| touches(d))
     };
     let mut out = Vec::new();
+    // What was meant is tried when somebody asks for it, not with every key.
+    let proposals = match here().any(|(_, d)| repair::is_tried(d)) {
+        true => repair::proposals(analysis),
+        false => Vec::new(),
+    };
     for (finding, d) in here() {
+        let same = |p: &&Diagnostic| (p.code, p.span) == (d.code, d.span);
+        let d = proposals.iter().find(same).unwrap_or(d);
         let titles = d.wording(language).fixes;
         let first_safe = d
             .fixes

@@ -48,6 +48,7 @@ pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) ->
             .label(p.span_of(at + n, 1), "other")
             .fix(Fix {
                 title: "fix",
+                values: Vec::new(),
                 applicability: Applicability::Safe,
                 edits,
             }),

@@ -123,6 +123,7 @@ impl<'a> Params<'a> {
         };
         Fix {
             title: "fix",
+            values: Vec::new(),
             applicability: Applicability::Unsafe,
             edits: vec![edit(i, j), edit(j, i)],
         }

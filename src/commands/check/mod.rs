@@ -12,12 +12,13 @@ use super::rewrite::{bytes_of, diff, replace};
 use super::{LookChoice, Status, complain, paths, terminal};
 use crate::analysis::config::{ConfigError, Configs};
 use crate::analysis::file::{self, STDIN};
-use crate::analysis::{Analysis, Settings, fixing};
+use crate::analysis::{Analysis, Settings, fixing, repair};
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::Look;
-use crate::diagnostics::{Code, Complaint, Value};
+use crate::diagnostics::{Code, Complaint, Language, Value, fixes};
 use crate::lint::levels::{Choice, Selector};
 use crate::parallel;
+use crate::syntax::quote;
 use report::{Format, Output};
 use statistics::Statistics;
 
@@ -103,6 +104,8 @@ struct Checked {
     statistics: Statistics,
     /// How many findings were mended.
     fixed: usize,
+    /// What guesses have changed, a line each.
+    changes: Vec<String>,
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
@@ -194,6 +197,8 @@ impl Checker<'_> {
         let mut loaded = levelled(Analysis::new(name.to_string_lossy(), bytes));
         let mut data = Vec::new();
         let mut fixed = 0;
+        let mut left = None;
+        let mut changes = Vec::new();
         if !loaded.is_scene() && self.args.diff {
             // Nothing but differences is printed, and there is none.
             terminal::findings(&loaded.source, loaded.findings(), self.choice_of_look);
@@ -202,7 +207,11 @@ impl Checker<'_> {
             let old = loaded.source.text.clone();
             let again = |source| levelled(Analysis::of(source));
             let mended = fixing::to_fixed_point(loaded, self.args.unsafe_fixes, again);
+            if self.args.unsafe_fixes && !self.args.diff {
+                changes = changes_of(&mended, &old, self.look.language);
+            }
             (loaded, fixed) = (mended.analysis, mended.count);
+            left = Some(mended.findings);
             let source = &loaded.source;
             // What cannot be written is known whether it is to be written or not.
             let bytes = match fixed > 0 || is_stdin {
@@ -226,13 +235,15 @@ impl Checker<'_> {
             }
         }
         let mut tally = Tally::default();
-        tally.add(loaded.findings());
-        let statistics = Statistics::new(loaded.findings());
+        let findings = left.unwrap_or_else(|| repair::proposals(&loaded));
+        tally.add(&findings);
+        let statistics = Statistics::new(&findings);
         Ok(Checked {
             is_scene: loaded.is_scene(),
+            changes,
             output: match self.args.statistics {
                 true => Output::Text(Vec::new()),
-                false => Output::new(self.args.format, loaded, self.look),
+                false => Output::new(self.args.format, &loaded.source, findings, self.look),
             },
             data,
             tally,
@@ -296,6 +307,36 @@ impl Checker<'_> {
             ("count", Value::Count(fixed as u64)),
             ("files", Value::Count(files as u64)),
         ];
-        self.look.language.say(message, &values) + "\n"
+        let changes = all.iter().flat_map(|c| &c.changes);
+        let listed: String = changes.map(|line| format!("  {line}\n")).collect();
+        self.look.language.say(message, &values) + "\n" + &listed
     }
+}
+
+/// `scene.zpg:4: -204 → -299`, a line for each edit. `old` is the text before all of them.
+fn changes_of(mended: &fixing::Mended, old: &str, language: Language) -> Vec<String> {
+    let path = &mended.analysis.source.path;
+    let mut out = Vec::new();
+    let mut text = old.to_owned();
+    for edits in &mended.rounds {
+        let mut line = 1;
+        let mut at = 0;
+        for edit in edits {
+            let before = &text[at..edit.span.start as usize];
+            line += before.matches('\n').count();
+            at = edit.span.start as usize;
+            let shown = |text: &str| match text.trim() {
+                "" => language.say("change-nothing", &[]),
+                text => quote(text),
+            };
+            let values = [
+                ("place", Value::from(format!("{path}:{line}"))),
+                ("old", shown(&text[edit.span.range()]).into()),
+                ("new", shown(&edit.text).into()),
+            ];
+            out.push(language.say("change", &values));
+        }
+        text = fixes::edited(&text, edits);
+    }
+    out
 }

@@ -2,9 +2,9 @@
 
 use std::io::{self, Write};
 
-use crate::analysis::Analysis;
 use crate::diagnostics::render::human::{self, Look};
 use crate::diagnostics::render::{Tally, github, json, sarif, short};
+use crate::diagnostics::{Diagnostic, SourceFile};
 
 /// How to print the findings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
@@ -30,18 +30,22 @@ pub enum Output {
 }
 
 impl Output {
-    pub fn new(format: Format, loaded: Analysis, look: Look) -> Output {
-        let (source, diagnostics) = loaded.into_findings();
+    pub fn new(
+        format: Format,
+        source: &SourceFile,
+        diagnostics: Vec<Diagnostic>,
+        look: Look,
+    ) -> Output {
         let language = look.language;
         let mut text = Vec::new();
         let written = match format {
-            Format::Human => human::write(&mut text, &source, &diagnostics, look),
-            Format::Short => short::write(&mut text, &source, &diagnostics, language),
-            Format::Json => return Output::Json(json::File::new(&source, diagnostics, language)),
+            Format::Human => human::write(&mut text, source, &diagnostics, look),
+            Format::Short => short::write(&mut text, source, &diagnostics, language),
+            Format::Json => return Output::Json(json::File::new(source, diagnostics, language)),
             Format::Sarif => {
-                return Output::Sarif(sarif::File::new(&source, diagnostics, language));
+                return Output::Sarif(sarif::File::new(source, diagnostics, language));
             }
-            Format::Github => github::write(&mut text, &source, &diagnostics, language),
+            Format::Github => github::write(&mut text, source, &diagnostics, language),
         };
         debug_assert!(written.is_ok(), "memory takes everything");
         Output::Text(text)

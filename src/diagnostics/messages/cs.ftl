@@ -57,6 +57,8 @@ fixed = Opraveno: { $count ->
     [few] { $files } soubory
    *[other] { $files } souborů
 }).
+change = { $place }: { $old } → { $new }
+change-nothing = nic
 would-fix = K opravě: { $count ->
     [one] { $count } nález
     [few] { $count } nálezy
@@ -71,11 +73,21 @@ folded = { $count ->
     [few] ještě { $count } takové nálezy, na { $places }
    *[other] ještě { $count } takových nálezů, na { $places }
 }
+folded-row = { $count ->
+    [one] ještě { $count } záznam jako ten na řádku { $line }, na místě { $places }
+    [few] ještě { $count } záznamy jako ten na řádku { $line }, na místech { $places }
+   *[other] ještě { $count } záznamů jako ten na řádku { $line }, na místech { $places }
+}
 folded-cut = ještě { $count } takových nálezů, první na { $places }
 
 ## Společné věty
 
 fix-write = napsat { $number }
+fix-type = napsat `{ $number }` ({ $type })
+fix-comment = udělat ze slov komentář
+fix-doubled = vynechat čísla, která jsou tu dvakrát
+lack = čísla zde mohou být { $have }, bez { $missing }
+fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 defined-here = { $id } je definováno zde
 declared-here = { $id } je ohlášeno zde
 
@@ -98,6 +110,10 @@ E003-decimal-comma = { $text } má desetinnou čárku
     .label = čteno jako { $number }
     .help = čísla se píší s desetinnou tečkou
     .fix = { fix-write }
+E003-dashes = { $text } není číslo: v tomto souboru stojí místo minus typografická pomlčka (počet míst: { $count })
+    .label = pomlčka, ne minus
+    .help = při kopírování z PDF se z minus stává pomlčka; zde musí být `-`
+    .fix = napsat `-` na všech místech ({ $count })
 E003-glued = { $text } není jedno číslo, ale několik
     .label = zde chybí mezera: { $number }
     .help = záznam pak má tolik čísel, kolik má mít
@@ -137,7 +153,16 @@ E007 = typ záznamu { $text } neexistuje
 E007-proposal = { E007 }
     .label = { E007.label }
     .help = tyto parametry odpovídají typu { $number }, { $type }
-    .fix = napsat `{ $number }` ({ $type })
+    .fix = { fix-type }
+E007-sign = u typu chybí minus: { $number } je { $type }
+    .label = čísla za ním odpovídají typu { $number }
+E007-minus = { $kinds ->
+    [one] u { $count } záznamů chybí minus typu { $number } ({ $type })
+   *[many] u { $count } záznamů chybí minus typu; zde má být { $number } ({ $type })
+}
+    .label = zde chybí minus
+    .help = typy operací, vlastností, světel a kamer jsou záporné; při kopírování z PDF se minus může ztratit
+    .fix = napsat minus u všech záznamů, kterým chybí (celkem { $count })
 
 E008 = příliš málo čísel: { $type } má mít { $fewer ->
     [none] {""}
@@ -276,11 +301,16 @@ E102-property = { E102 }
     .label = { E102.label }
     .first = { E102.first }, jako vlastnost, kterou zatím nic nemá
     .help = má-li to být vlastnost tohoto záznamu, přesuňte ji za něj
+E102-scenes = v souboru jsou zřejmě dvě scény: dvakrát definovaná ID: { $count }
+    .label = zde začíná druhá scéna
+    .help = dejte záznamům jedné scény jiná ID a ponechte jeden renderovací záznam
+    .first = toto ID má i první scéna
+    .fix = přičíst { $number } ke všem ID druhé scény a zobrazit obě
 
-E103 = { $id } je { $kind }
+E103 = { $id } je { $kind }, ne { $kinds }
+    .label = zde má být: { $parameter }
+E103-changed = na { $id } nelze použít záznam „{ $type }“: je to { $kind }, má to být { $kinds }
     .label = zde má být ID tohoto druhu: { $kinds }
-E103-changed = na { $id } nelze použít záznam „{ $type }“: je to { $kind }
-    .label = zde má být { $kinds }
 
 E104 = { $id } je použito ve své vlastní definici
     .label = { $parameter } musí být něco jiného
@@ -291,6 +321,10 @@ E105 = renderovací záznam musí mít ID 1
 E105-other = ID 1 je vyhrazeno renderovacímu záznamu; { $type } je mít nemůže
     .label = toto ID
     .help = použijte jiné ID
+E105-objects = { E105-other }
+    .label = { E105-other.label }
+    .help = { E105-other.help }
+    .fix = napsat místo něj { $number }, i všude, kde se používá
 
 E106 = chybí renderovací záznam
     .label = nic neříká, co se má zobrazit
@@ -299,6 +333,10 @@ E106 = chybí renderovací záznam
 E107 = { $id } se používá dříve, než je definováno
     .label = ještě není definováno
     .help = přesuňte definici výš: scéna se čte shora dolů
+    .later = definováno zde
+E107-cycle = { $id } a { $own } se navzájem potřebují: žádné nelze definovat první
+    .label = { $own } potřebuje { $id }, a to potřebuje { $own }
+    .help = definice tvoří kruh, { $own } → { $members }; jeden z těchto odkazů musí vést jinam
     .later = definováno zde
 
 E108 = { $id } je ohlášeno, ale ještě není definováno

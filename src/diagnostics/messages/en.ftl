@@ -56,6 +56,8 @@ fixed = Fixed { $count ->
     [one] { $files } file
    *[other] { $files } files
 }.
+change = { $place }: { $old } → { $new }
+change-nothing = nothing
 would-fix = Would fix { $count ->
     [one] { $count } finding
    *[other] { $count } findings
@@ -67,11 +69,20 @@ folded = { $count ->
     [one] { $count } more finding like these nine, at { $places }
    *[other] { $count } more findings like these nine, at { $places }
 }
+folded-row = { $count ->
+    [one] { $count } more record like the one on line { $line }, at { $places }
+   *[other] { $count } more records like the one on line { $line }, at { $places }
+}
 folded-cut = { $count } more findings like these nine, the first at { $places }
 
 ## Shared phrases
 
 fix-write = write { $number }
+fix-type = write `{ $number }` ({ $type })
+fix-comment = make the words a comment
+fix-doubled = drop the numbers that stand there twice
+lack = the numbers here may be { $have }, without { $missing }
+fix-lamp = write the intensity 1, and the colour as a record of its own
 defined-here = { $id } is defined here
 declared-here = { $id } is declared here
 
@@ -94,6 +105,10 @@ E003-decimal-comma = { $text } has a decimal comma
     .label = read as { $number }
     .help = numbers are written with a decimal point
     .fix = { fix-write }
+E003-dashes = { $text } is not a number: { $count } numbers in this file have a typographic dash for their minus
+    .label = a dash, not a minus
+    .help = programs that show PDF files copy a minus as a dash; here it must be `-`
+    .fix = write `-` in all { $count } places
 E003-glued = { $text } is no number, but several
     .label = a space is missing here: { $number }
     .help = the record takes as many numbers as that gives it
@@ -133,7 +148,16 @@ E007 = there is no record type { $text }
 E007-proposal = { E007 }
     .label = { E007.label }
     .help = these parameters fit type { $number }, { $type-a }
-    .fix = write `{ $number }` ({ $type })
+    .fix = { fix-type }
+E007-sign = the type has lost its minus: { $number } is { $type-a }
+    .label = the numbers behind it fit type { $number }
+E007-minus = { $kinds ->
+    [one] { $count } records have lost the minus of their type { $number } ({ $type })
+   *[many] { $count } records have lost the minus of their type; here it should be { $number } ({ $type })
+}
+    .label = a minus is missing here
+    .help = types of operations, properties, lights and cameras are negative; programs that show PDF files may lose the minus when text is copied
+    .fix = write the minus in all { $count } records
 
 E008 = too few numbers: { $type-a } takes { $fewer ->
     [none] {""}
@@ -141,7 +165,11 @@ E008 = too few numbers: { $type-a } takes { $fewer ->
 }{ $wanted ->
     [one] { $wanted } number
    *[other] { $wanted } numbers
-}, here are { $got }
+}, here { $got ->
+    [0] are none
+    [one] is { $got }
+   *[other] are { $got }
+}
     .label = { $off ->
         [one] { $off } number missing
        *[other] { $off } numbers missing
@@ -165,7 +193,11 @@ E009 = too many numbers: { $type-a } takes { $fewer ->
 }{ $wanted ->
     [one] { $wanted } number
    *[other] { $wanted } numbers
-}, here are { $got }
+}, here { $got ->
+    [0] are none
+    [one] is { $got }
+   *[other] are { $got }
+}
     .label = { $off ->
         [one] { $off } number too many
        *[other] { $off } numbers too many
@@ -267,11 +299,16 @@ E102-property = { E102 }
     .label = { E102.label }
     .first = { E102.first }, as a property that nothing has yet
     .help = if this { $type } is to have that property, move the property behind it
+E102-scenes = two scenes seem to stand in this file: { $count } IDs are defined twice
+    .label = the second scene begins here
+    .help = give the records of one scene other IDs, and keep one render record
+    .first = the first scene has this ID, too
+    .fix = add { $number } to all IDs of the second scene, and draw both
 
-E103 = { $id } is { $kind-a }
-    .label = { $parameter } must be { $kinds }
-E103-changed = { $id } is { $kind-a }; { $type-a } does not apply to it
-    .label = { $kinds } was expected
+E103 = { $id } is { $kind-a }, not { $kinds }
+    .label = expected here: { $parameter }
+E103-changed = { $id } is { $kind-a }; { $type-a } applies only to { $kinds }
+    .label = the ID of { $kinds } was expected
 
 E104 = { $id } is used in its own definition
     .label = { $parameter } must be something else
@@ -282,6 +319,10 @@ E105 = the render record must have the ID 1
 E105-other = the ID 1 is reserved for the render record, not for { $type-a }
     .label = this ID
     .help = use another ID
+E105-objects = { E105-other }
+    .label = { E105-other.label }
+    .help = { E105-other.help }
+    .fix = write { $number } in its place, and wherever it is named
 
 E106 = there is no render record
     .label = nothing says what is to be drawn
@@ -290,6 +331,10 @@ E106 = there is no render record
 E107 = { $id } is used before it is defined
     .label = not defined yet
     .help = move the definition up: a scene is read from top to bottom
+    .later = defined here
+E107-cycle = { $id } and { $own } need each other: neither can be defined first
+    .label = { $own } needs { $id }, which needs { $own }
+    .help = the definitions go in a circle, { $own } → { $members }; one of these references must name something else
     .later = defined here
 
 E108 = { $id } is declared, but not defined yet

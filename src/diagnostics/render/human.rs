@@ -10,7 +10,7 @@ use super::visible;
 use crate::diagnostics::source::Locator;
 use crate::diagnostics::wording::Wording;
 use crate::diagnostics::{
-    Applicability, Diagnostic, Fix, Language, Severity, SourceFile, Span, Value,
+    Applicability, Code, Diagnostic, Fix, Language, Severity, SourceFile, Span, Value,
 };
 use crate::parallel;
 
@@ -40,10 +40,8 @@ pub fn write(
 ) -> io::Result<()> {
     let mut locator = Locator::new(file);
     let mut folds: BTreeMap<&str, Fold> = BTreeMap::new();
-    let mut is_shown = |d: &&Diagnostic| {
-        if d.is_error() {
-            return true;
-        }
+    let mut rows: Vec<Row> = Vec::new();
+    let mut is_shown = |d: &Diagnostic| {
         let fold = folds.entry(d.code.as_str()).or_insert(Fold {
             severity: d.severity,
             shown: 0,
@@ -57,7 +55,23 @@ pub fn write(
         fold.shown += 1;
         true
     };
-    let shown: Vec<&Diagnostic> = diagnostics.iter().filter(&mut is_shown).collect();
+    let mut shown: Vec<&Diagnostic> = Vec::new();
+    for d in diagnostics {
+        let is_shown = match d.is_error() {
+            true => Row::add(&mut rows, d, file),
+            false => is_shown(d),
+        };
+        shown.extend(is_shown.then_some(d));
+    }
+    // A few are shown one by one.
+    let few = |r: &&mut Row| r.more.len() < ROW;
+    let back: Vec<&Diagnostic> = (rows.iter_mut().filter(few))
+        .flat_map(|r| std::mem::take(&mut r.more))
+        .collect();
+    if !back.is_empty() {
+        shown.extend(back);
+        shown.sort_by_key(|d| (d.span, d.code.as_str()));
+    }
     let printer = Printer {
         file,
         path: visible(&file.path).into_owned(),
@@ -75,6 +89,9 @@ pub fn write(
             out.write_all(&text?)?;
         }
     }
+    for row in rows.iter().filter(|r| !r.more.is_empty()) {
+        printer.write_row(out, row, &mut locator)?;
+    }
     for (code, fold) in &folds {
         printer.write_fold(out, code, fold)?;
     }
@@ -84,10 +101,51 @@ pub fn write(
 /// So many findings are put into words by one thread.
 const TOGETHER: usize = 512;
 
-/// So many findings of one code are shown; the others of a file become a count. Errors never do.
+/// So many findings of one code are shown; the others of a file become a count. Of errors only rows do.
 const SHOWN: usize = 9;
 /// Of those that are not shown, so many are named by their places.
 const PLACES: usize = 6;
+
+/// From so many on, records that lack the same as the one before them become a count.
+const ROW: usize = 3;
+
+/// Records one after the other with the same number of parameters too few or too many.
+struct Row<'d> {
+    first: &'d Diagnostic,
+    more: Vec<&'d Diagnostic>,
+    /// The line of the last one.
+    line: usize,
+}
+
+impl<'d> Row<'d> {
+    /// Whether an error is the first of its row; the others are added to it.
+    fn add(rows: &mut Vec<Row<'d>>, d: &'d Diagnostic, file: &SourceFile) -> bool {
+        if !matches!(d.code, Code::E008 | Code::E009) {
+            return true;
+        }
+        let line = file.line_index(file.floor(d.span.start));
+        match rows.last_mut() {
+            Some(row) if row.line + 1 == line && row.is_like(d) => {
+                row.line = line;
+                row.more.push(d);
+                false
+            }
+            _ => {
+                rows.push(Row {
+                    first: d,
+                    more: Vec::new(),
+                    line,
+                });
+                true
+            }
+        }
+    }
+
+    fn is_like(&self, d: &Diagnostic) -> bool {
+        let first = self.first;
+        (first.code, first.case, &first.values) == (d.code, d.case, &d.values)
+    }
+}
 
 /// Findings of one code.
 struct Fold {
@@ -202,6 +260,26 @@ impl Printer<'_> {
             None => self.write_without_lines(out, d, &words, locator)?,
         }
         writeln!(out)
+    }
+
+    fn write_row(&self, out: &mut dyn Write, row: &Row, locator: &mut Locator) -> io::Result<()> {
+        let language = self.look.language;
+        let severity = language.say(row.first.severity.as_str(), &[]);
+        let head = format!("{severity}[{}]:", row.first.code.as_str());
+        let head = head.fg(self.paint(severity_colour(row.first.severity)));
+        let mut places: Vec<String> = (row.more.iter().take(PLACES))
+            .map(|d| locator.position(d.span.start))
+            .map(|place| format!("{}:{}", place.line, place.column))
+            .collect();
+        if row.more.len() > PLACES {
+            places.push("…".to_owned());
+        }
+        let values = [
+            ("count", Value::Count(row.more.len() as u64)),
+            ("line", (self.line(row.first.span) + 1).to_string().into()),
+            ("places", places.join(", ").into()),
+        ];
+        writeln!(out, "{head} {}\n", language.say("folded-row", &values))
     }
 
     fn write_fold(&self, out: &mut dyn Write, code: &str, fold: &Fold) -> io::Result<()> {

@@ -25,9 +25,14 @@ pub fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
     for t in tokens {
         if t.kind == TokenKind::UnterminatedComment {
             let end = t.start + t.text(text).trim_end().len() as u32;
+            // A sign with nothing behind it closes a comment rather than that it opens one.
+            let applicability = match t.text(text).trim_end().len() {
+                0 | 1 => Applicability::Unsafe,
+                _ => Applicability::Safe,
+            };
             out.push(
                 Diagnostic::new(Code::E002, Span::new(t.start, end.max(t.start + 1))).fix(
-                    Fix::replace("fix", Applicability::Safe, Span::new(end, end), " #"),
+                    Fix::replace("fix", applicability, Span::new(end, end), " #"),
                 ),
             );
         }
@@ -489,12 +494,16 @@ fn write(applicability: Applicability, span: Span, text: String) -> Fix {
 /// The number that a malformed one was likely meant to be: what is left without the characters that
 /// spoil it, or the value of a fraction.
 fn repaired(text: &str) -> Option<String> {
+    if let Some(share) = text.strip_suffix('%') {
+        let share = share.parse::<f64>().ok().filter(|x| x.is_finite())?;
+        return Some((share / 100.0).to_string());
+    }
     if text.contains(['/', '*']) {
         let (a, b) = text.split_once('/')?;
         let value = a.parse::<f64>().ok()? / b.parse::<f64>().ok()?;
         return value.is_finite().then(|| value.to_string());
     }
-    let plain = text.replace(['−', '–'], "-");
+    let plain = text.replace(['−', '–', '—', '‑', '‐'], "-");
     let kept: String = plain
         .chars()
         .filter(|c| c.is_alphanumeric() || "+-.".contains(*c))

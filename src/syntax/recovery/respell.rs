@@ -312,6 +312,7 @@ pub fn report(text: &str, tokens: &[Token], glued: &[Span], out: &mut Vec<Diagno
                 .with("number", quote(&apart))
                 .fix(Fix {
                     title: "fix",
+                    values: Vec::new(),
                     applicability,
                     edits,
                 }),

@@ -48,6 +48,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 .label(p.span_of(mirror, 1), "other")
                 .fix(Fix {
                     title: "fix",
+                    values: Vec::new(),
                     applicability: Applicability::Safe,
                     edits,
                 }),

@@ -263,6 +263,7 @@ fn enlarged(p: &Params, promise: &Promise, whole: &Aabb, reach: f64) -> Option<F
     }
     Some(Fix {
         title: "fix",
+        values: Vec::new(),
         applicability: Applicability::Safe,
         edits,
     })

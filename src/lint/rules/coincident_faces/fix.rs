@@ -32,6 +32,7 @@ pub fn lengthen(p: &Params, geometry: &Geometry, tool: &[Side], workpiece: f64) 
     let edits = edits.filter(|e| !e.is_empty())?;
     Some(Fix {
         title: "fix",
+        values: Vec::new(),
         applicability: Applicability::Unsafe,
         edits,
     })

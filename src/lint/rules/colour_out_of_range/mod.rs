@@ -60,6 +60,7 @@ fn finding(p: &Params, first: usize) -> Diagnostic {
         let edits = (first..p.len()).filter(|&i| p.number(i) != 0.0);
         d.note("bytes").fix(Fix {
             title: "divide",
+            values: Vec::new(),
             applicability: Applicability::Unsafe,
             edits: edits
                 .map(|i| edit(p, i, rough(p.number(i) / BYTE_MAX)))
@@ -69,6 +70,7 @@ fn finding(p: &Params, first: usize) -> Diagnostic {
         let edits = (first..p.len()).filter(|&i| is_outside(p, i));
         d.fix(Fix {
             title: "fix",
+            values: Vec::new(),
             applicability: Applicability::Unsafe,
             edits: edits
                 .map(|i| edit(p, i, rough(p.number(i).clamp(0.0, 1.0))))

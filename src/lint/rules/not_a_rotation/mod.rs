@@ -53,6 +53,7 @@ fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
     if let (Some(n), false) = (&nearest, mirrors) {
         finding = finding.fix(Fix {
             title: "fix",
+            values: Vec::new(),
             // Even where it only completes digits, a pixel on an edge may change.
             applicability: Applicability::Unsafe,
             edits: edits(p, &linear, n),

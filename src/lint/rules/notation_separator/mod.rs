@@ -38,6 +38,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 .with("count", Value::Count(separators.len() as u64))
                 .fix(Fix {
                     title: "fix",
+                    values: Vec::new(),
                     applicability: Applicability::Safe,
                     edits,
                 }),

@@ -106,6 +106,7 @@ impl Pieces {
         let front = Span::new(p.id_span().start, p.id_span().start);
         Some(Fix {
             title: "fix",
+            values: Vec::new(),
             applicability: Applicability::Unsafe,
             edits: vec![
                 edit(front, lines.join("\n") + "\n"),

@@ -29,6 +29,7 @@ fn tube(context: &Context, shape: &Shape, out: &mut Vec<Diagnostic>) {
             .label(p.span_of(0, 1), "ring")
             .fix(Fix {
                 title: "fix",
+                values: Vec::new(),
                 applicability: Applicability::Unsafe,
                 edits: [(0, 1), (1, 0)]
                     .map(|(to, from)| Edit {

@@ -42,6 +42,7 @@ fn report(context: &Context, line: &mut Vec<&Item>, out: &mut Vec<Diagnostic>) {
             .with("count", Value::Count(line.len() as u64))
             .fix(Fix {
                 title: "fix",
+                values: Vec::new(),
                 applicability: Applicability::Safe,
                 edits,
             }),

@@ -1,0 +1,108 @@
+//! Numbers in other characters than those of the language: letters that look like digits, typographic
+//! minus signs, per cent and degree signs, fractions.
+
+/// What may stand for a minus sign.
+const DASHES: [char; 8] = ['−', '–', '—', '‐', '‑', '‒', '﹣', '－'];
+
+/// The number that was meant by a word that is none. A per cent sign divides by 100, a degree sign goes.
+pub fn number(text: &str) -> Option<String> {
+    let text = text.strip_suffix(['°', 'º', '˚']).unwrap_or(text);
+    if let Some(share) = text.strip_suffix('%') {
+        return hundredth(&plain(share)?);
+    }
+    if let Some((above, below)) = text.split_once('/') {
+        let value = plain(above)?.parse::<f64>().ok()? / plain(below)?.parse::<f64>().ok()?;
+        return value.is_finite().then(|| value.to_string());
+    }
+    plain(text)
+}
+
+/// Whether a word is a sign that belongs to the number before it.
+pub fn is_unit(text: &str) -> bool {
+    matches!(text, "%" | "°" | "º" | "˚" | "deg" | "degrees" | "stupňů")
+}
+
+/// Whether there is a typographic dash in a word.
+pub fn has_dash(text: &str) -> bool {
+    text.contains(DASHES)
+}
+
+/// Whether a word is a minus sign that belongs to the number behind it.
+pub fn is_dash(text: &str) -> bool {
+    text == "-" || text.chars().all(|c| DASHES.contains(&c)) && text.chars().count() == 1
+}
+
+/// A decimal number with letters and signs for what they look like.
+fn plain(text: &str) -> Option<String> {
+    let digit = |c: char| match c {
+        'O' | 'o' => '0',
+        'l' | 'I' | 'i' | '|' => '1',
+        ',' => '.',
+        c if DASHES.contains(&c) => '-',
+        c => c,
+    };
+    let mut out: String = text.chars().map(digit).collect();
+    // No number begins with a letter for a nought that stands for nothing.
+    if text.starts_with(['O', 'o']) && out[1..].starts_with(|c: char| c.is_ascii_digit()) {
+        out.remove(0);
+    }
+    let is_number = out.len() < 40
+        && out.contains(|c: char| c.is_ascii_digit())
+        && out.parse::<f64>().is_ok_and(f64::is_finite);
+    is_number.then_some(out)
+}
+
+/// A number divided by 100, digit by digit.
+fn hundredth(text: &str) -> Option<String> {
+    if text.contains(['e', 'E']) {
+        return Some((text.parse::<f64>().ok()? / 100.0).to_string());
+    }
+    let (sign, digits) = match text.strip_prefix('-') {
+        Some(rest) => ("-", rest),
+        None => ("", text.strip_prefix('+').unwrap_or(text)),
+    };
+    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+    let all = format!("{whole:0>3}{part}");
+    let point = all.len() - part.len() - 2;
+    let whole = all[..point].trim_start_matches('0');
+    let part = all[point..].trim_end_matches('0');
+    let whole = if whole.is_empty() { "0" } else { whole };
+    Some(match part {
+        "" => format!("{sign}{whole}"),
+        part => format!("{sign}{whole}.{part}"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_other_characters() {
+        for (text, meant) in [
+            ("−402", "-402"),
+            ("–1.5", "-1.5"),
+            ("1O", "10"),
+            ("-4O2", "-402"),
+            ("l1", "11"),
+            ("O.5", "0.5"),
+            ("60%", "0.6"),
+            ("5%", "0.05"),
+            ("100%", "1"),
+            ("250%", "2.5"),
+            ("12.5%", "0.125"),
+            ("-0,5%", "-0.005"),
+            ("0%", "0"),
+            ("30°", "30"),
+            ("1/4", "0.25"),
+            ("O", "0"),
+            ("O5", "5"),
+            ("l", "1"),
+        ] {
+            assert_eq!(number(text).as_deref(), Some(meant), "{text}");
+        }
+        for text in ["red", "1/0", "x", "", "%", "--", "oil"] {
+            assert_eq!(number(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,314 @@
+//! Proposals: what a person most likely meant is found by trying it.
+//!
+//! What may have been meant by a line ([`candidates`]) or by many at once ([`whole`]) is written into the text, the
+//! scene is read again, and what leaves the least to be said comes first ([`judge`]). Of as good ones that comes
+//! first which people do most ([`Habit`]). The number of trials is a function of the text alone: the same file
+//! always gets the same proposals.
+
+mod candidates;
+mod characters;
+mod judge;
+mod whole;
+mod words;
+
+use super::Analysis;
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value, fixes};
+use candidates::{Candidate, Habit, Place};
+use judge::Left;
+
+/// So many texts are tried for one file at most.
+const TRIALS: usize = 64;
+/// So many tokens are read for one file in all trials together.
+const TOKENS: usize = 100_000;
+/// So many proposals are made for one finding.
+const PROPOSALS: usize = 3;
+
+/// The findings of a scene with what a person most likely meant as the first fix of each. Of several errors
+/// that one fix mends, one is left.
+pub fn proposals(analysis: &Analysis) -> Vec<Diagnostic> {
+    let findings = analysis.findings().to_vec();
+    let tokens = analysis.document.tokens.len().max(1);
+    let mut engine = Engine {
+        analysis,
+        findings,
+        trials: TRIALS.min(TOKENS / tokens),
+    };
+    if analysis.is_scene() && engine.findings.iter().any(is_tried) {
+        engine.whole();
+        engine.lines();
+        engine.lacking();
+    }
+    engine.findings
+}
+
+/// Whether something may be proposed for a finding that has to be tried.
+pub fn is_tried(d: &Diagnostic) -> bool {
+    d.is_error() || d.code == Code::W319
+}
+
+/// Whether it is proved that nothing of the scene is drawn.
+pub fn draws_nothing(analysis: &Analysis) -> bool {
+    let Some(render) = &analysis.scene.render else {
+        return false;
+    };
+    let root = ("id", Value::from(render.root_id.to_string()));
+    let is_empty = |d: &Diagnostic| d.code == Code::W319 && d.values.contains(&root);
+    analysis.findings().iter().any(is_empty)
+}
+
+struct Engine<'a> {
+    analysis: &'a Analysis,
+    findings: Vec<Diagnostic>,
+    /// How many trials are left.
+    trials: usize,
+}
+
+/// A candidate and the scene that it makes.
+struct Trial {
+    candidate: Candidate,
+    scene: Analysis,
+}
+
+impl Engine<'_> {
+    /// The scene with a fix and, where they do not meet it, with others.
+    fn attempt<'f>(&mut self, fix: Option<&'f Fix>, others: &'f [Fix]) -> Option<Analysis> {
+        self.trials = self.trials.checked_sub(1)?;
+        let source = &self.analysis.source;
+        let (edits, _) = fixes::edits(&source.text, fix.into_iter().chain(others));
+        let text = fixes::edited(&source.text, &edits);
+        Some(Analysis::of(source.with_text(text)))
+    }
+
+    /// What is wrong with many lines at once.
+    fn whole(&mut self) {
+        for find in whole::ALL {
+            let Some(matter) = find(self.analysis, &self.findings) else {
+                continue;
+            };
+            let Some(scene) = self.attempt(matter.finding.fixes.first(), &[]) else {
+                return;
+            };
+            let before = judge::errors(self.analysis);
+            let after = judge::errors(&scene);
+            let all = after == 0;
+            if after >= before {
+                continue;
+            }
+            let is_part = |d: &Diagnostic| {
+                d.is_error() && (all || matter.spans.iter().any(|s| s.touches(d.span)))
+            };
+            self.findings.retain(|d| !is_part(d) || has_safe_fix(d));
+            self.findings.push(matter.finding);
+            crate::diagnostics::sort(&mut self.findings);
+        }
+        whole::cycles(self.analysis, &mut self.findings);
+    }
+
+    /// What is wrong with single lines, one after the other.
+    fn lines(&mut self) {
+        let mut mended: Option<Span> = None;
+        let mut at = 0;
+        while at < self.findings.len() && self.trials > 1 {
+            let finding = &self.findings[at];
+            let done = mended.is_some_and(|line| line.touches(finding.span));
+            let settled = has_safe_fix(finding) || whole::is_of_many(finding);
+            if is_tried(finding)
+                && !done
+                && !settled
+                && let Some(place) = (Place::both(self.analysis, finding.span.start).iter())
+                    .find(|place| self.mend(at, place))
+            {
+                let end = place.line().end;
+                mended = Some(place.line());
+                // What came before may be gone.
+                at = self.findings.partition_point(|d| d.span.start <= end);
+                continue;
+            }
+            at += 1;
+        }
+    }
+
+    /// Says of records with too few numbers which these are.
+    fn lacking(&mut self) {
+        let few = |d: &&mut Diagnostic| d.code == Code::E008 && d.case.is_empty();
+        for d in self.findings.iter_mut().filter(few).take(TRIALS) {
+            let places = Place::both(self.analysis, d.span.start);
+            if let Some((have, missing)) = places.first().and_then(Place::lacking) {
+                d.values.push(("have", have.into()));
+                d.values.push(("missing", missing.into()));
+                d.notes.push("lack");
+            }
+        }
+    }
+
+    /// Puts the fixes of a finding into order. Whether there is one that mends the line.
+    fn mend(&mut self, at: usize, place: &Place) -> bool {
+        let finding = self.findings[at].clone();
+        let undefined = undefined(&self.findings);
+        let mut candidates = place.candidates(&finding, &undefined);
+        let is_new = candidates.iter().any(|c| {
+            let same = |f: &Fix| f.edits == c.fix.edits;
+            !finding.fixes.iter().any(same)
+        });
+        if !is_new {
+            return false;
+        }
+        let knows_characters = candidates.iter().any(|c| c.habit == Habit::Characters);
+        for fix in &finding.fixes {
+            // The title may speak of what the finding proposes.
+            let mut fix = fix.clone();
+            if fix.values.is_empty() {
+                fix.values.clone_from(&finding.values);
+            }
+            match candidates.iter_mut().find(|c| c.fix.edits == fix.edits) {
+                Some(same) => same.fix = fix,
+                // It knows less of characters.
+                None if knows_characters => {}
+                None => candidates.push(Candidate {
+                    habit: Habit::Proposed,
+                    fix,
+                    ty: None,
+                }),
+            }
+        }
+        let line = place.line();
+        let elsewhere = |d: &&Diagnostic| d.is_error() && !line.touches(d.span);
+        let others: Vec<Fix> = (self.findings.iter().filter(elsewhere))
+            .filter_map(|d| d.applicable_fix(true).cloned())
+            .collect();
+        let Some(base) = self.attempt(None, &others) else {
+            return false;
+        };
+        let errors_before = judge::errors(&base);
+        let mut trials: Vec<Trial> = Vec::new();
+        for candidate in candidates {
+            let Some(scene) = self.attempt(Some(&candidate.fix), &others) else {
+                break;
+            };
+            let errors = judge::errors(&scene);
+            let least = trials
+                .first()
+                .map_or(usize::MAX, |t| judge::errors(&t.scene));
+            let better = match finding.is_error() {
+                true => errors < errors_before,
+                false => errors <= errors_before,
+            };
+            if !better || errors > least {
+                continue;
+            }
+            if errors < least {
+                trials.clear();
+            }
+            trials.push(Trial { candidate, scene });
+        }
+        // A mere change of sign wins over another type.
+        if trials.iter().any(|t| t.candidate.habit == Habit::Sign) {
+            trials.retain(|t| t.candidate.habit == Habit::Sign);
+        }
+        let is_choice = trials.len() > 1 || !finding.is_error();
+        let mut judged: Vec<(Left, Trial)> = (trials.into_iter())
+            .map(|t| match is_choice {
+                true => (judge::left(&t.scene), t),
+                false => (Left::default(), t),
+            })
+            .collect();
+        judged
+            .sort_by_key(|(left, t)| (left.in_vain, left.warnings, t.candidate.habit, left.notes));
+        if !finding.is_error() {
+            let before = judge::left(&base);
+            judged.retain(|(left, _)| *left < before);
+        }
+        let Some((_, best)) = judged.first() else {
+            return false;
+        };
+        let clean = !has_error_at(&best.scene, line);
+        let alone = clean && others.is_empty() && judge::errors(&best.scene) == 0;
+        let alone = alone
+            || clean
+                && (self.attempt(Some(&best.candidate.fix), &[]))
+                    .is_some_and(|scene| judge::errors(&scene) == 0);
+        let mut index = 0;
+        self.findings.retain(|d| {
+            let part = d.is_error() && (alone || clean && line.touches(d.span));
+            let own = index == at;
+            index += 1;
+            own || !part || has_safe_fix(d)
+        });
+        let at = (self.findings.iter().position(|d| *d == finding)).unwrap_or(at);
+        // What leaves an object in vain is no proposal beside one that does not.
+        let least = judged[0].0.in_vain;
+        let best = judged.iter().filter(|j| j.0.in_vain == least);
+        // One comment is as good as another.
+        let mut comments = 0;
+        let best = best.map(|j| &j.1.candidate).filter(|c| {
+            comments += usize::from(c.habit == Habit::Comment);
+            c.habit != Habit::Comment || comments == 1
+        });
+        let best = best.take(PROPOSALS);
+        retell(&mut self.findings[at], &best.collect::<Vec<_>>());
+        true
+    }
+}
+
+/// Gives a finding its fixes, and words that go with the first of them.
+fn retell(finding: &mut Diagnostic, best: &[&Candidate]) {
+    finding.fixes = best.iter().map(|c| c.fix.clone()).collect();
+    let Some(first) = best.first() else { return };
+    if let (Habit::Sign, Some(ty), Some(edit)) = (first.habit, first.ty, first.fix.edits.first())
+        && finding.code != Code::E007
+        && finding.code != Code::E103
+    {
+        *finding = Diagnostic {
+            fixes: std::mem::take(&mut finding.fixes),
+            ..Diagnostic::new(Code::E007, edit.span)
+                .case("sign")
+                .with("number", ty.code.to_string())
+                .with("type", Value::Term(ty.title))
+        };
+    } else if finding.code == Code::E007 {
+        finding.values.retain(|v| v.0 == "text");
+        finding.case = "";
+        if let Some(ty) = first.ty {
+            finding.case = "proposal";
+            finding.values.push(("number", ty.code.to_string().into()));
+            finding.values.push(("type", Value::Term(ty.title)));
+        }
+        for fix in finding.fixes.iter_mut().filter(|f| f.title == "fix") {
+            fix.title = "fix-type";
+        }
+    }
+    if let Some(fix) = finding.fixes.iter().find(|f| f.title == "fix") {
+        // The finding may speak of what is written, too.
+        let written = fix.values.iter().find(|v| v.0 == "number").cloned();
+        finding
+            .values
+            .retain(|v| v.0 != "number" || written.is_none());
+        finding.values.extend(written);
+    }
+}
+
+/// The IDs that are used and defined nowhere, the first ones.
+fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
+    let id = |d: &Diagnostic| match d.values.iter().find(|v| v.0 == "id") {
+        Some((_, Value::Text(text))) => text.parse().ok(),
+        _ => None,
+    };
+    let mut all: Vec<u32> = (findings.iter())
+        .filter(|d| d.code == Code::E101)
+        .filter_map(id)
+        .take(TRIALS)
+        .collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+fn has_safe_fix(d: &Diagnostic) -> bool {
+    (d.fixes.iter()).any(|f| f.applicability == Applicability::Safe)
+}
+
+fn has_error_at(scene: &Analysis, line: Span) -> bool {
+    let source = &scene.source;
+    let at = source.line_index(source.floor(line.start));
+    (scene.read.iter()).any(|d| d.is_error() && source.line_index(source.floor(d.span.start)) == at)
+}

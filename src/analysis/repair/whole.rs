@@ -1,0 +1,341 @@
+//! One slip that shows on many lines: the minus of all types lost, the ID of the render record used for an
+//! object, two scenes in one file, definitions that need each other.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use super::characters;
+use crate::analysis::Analysis;
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::syntax::Item;
+use crate::syntax::ast::Record;
+use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::table::{Effect, ParamKind, RecordKind, RecordType};
+
+/// A finding about many lines, and the places of those that it stands for.
+pub struct Matter {
+    pub finding: Diagnostic,
+    pub spans: Vec<Span>,
+}
+
+type Find = fn(&Analysis, &[Diagnostic]) -> Option<Matter>;
+
+pub const ALL: [Find; 4] = [dashes, minus, scenes, reserved];
+
+/// So many records make a habit.
+const MANY: usize = 3;
+
+/// Whether a finding is one of these.
+pub fn is_of_many(d: &Diagnostic) -> bool {
+    matches!(d.case, "dashes" | "minus" | "scenes" | "objects")
+}
+
+/// Typographic dashes stand for minus signs on many lines, as in what is copied from a PDF file.
+fn dashes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
+    let source = &analysis.source;
+    let text = source.text.as_str();
+    if findings.iter().filter(|d| d.code == Code::E003).count() < MANY {
+        return None;
+    }
+    let mut edits: Vec<Edit> = Vec::new();
+    let mut lines: Vec<usize> = Vec::new();
+    for token in &analysis.document.tokens {
+        let is_word = matches!(token.kind, TokenKind::MalformedNumber | TokenKind::Word);
+        let written = token.text(text);
+        if is_word
+            && characters::has_dash(written)
+            && let Some(number) = characters::number(written)
+        {
+            edits.push(edit(token.span(), number));
+            lines.push(source.line_index(token.start));
+        }
+    }
+    lines.dedup();
+    let first = edits.first().filter(|_| lines.len() >= MANY)?;
+    let finding = Diagnostic::new(Code::E003, first.span)
+        .case("dashes")
+        .with("text", crate::syntax::quote(source.slice(first.span)))
+        .with("count", Value::Count(edits.len() as u64))
+        .fix(Fix {
+            title: "fix",
+            values: Vec::new(),
+            applicability: Applicability::Unsafe,
+            edits,
+        });
+    let spans = lines.into_iter().map(|line| source.line_span(line));
+    let spans = spans.collect();
+    Some(Matter { finding, spans })
+}
+
+/// The minus of the type is lost in all records of a kind, or in all that have one.
+fn minus(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
+    if findings.iter().filter(|d| d.is_error()).count() < 2 {
+        return None;
+    }
+    let text = analysis.source.text.as_str();
+    // The kinds whose minus stands there.
+    let mut signed: FxHashSet<i32> = FxHashSet::default();
+    let mut lost: Vec<(&'static RecordType, Token, Span)> = Vec::new();
+    let lines = analysis
+        .document
+        .tokens
+        .split(|t| t.kind == TokenKind::Newline);
+    for line in lines {
+        let tokens: Vec<&Token> = line.iter().filter(|t| !t.kind.is_trivia()).collect();
+        let [id, ty, params @ ..] = tokens.as_slice() else {
+            continue;
+        };
+        let (Some(1..), Some(code)) = (id.integer(text), ty.integer(text)) else {
+            continue;
+        };
+        let fits = |ty: &RecordType| {
+            let first = params.first().and_then(|t| t.integer(text));
+            let count = match ty.is_counted() {
+                true => first.and_then(|n| u64::try_from(n).ok()),
+                false => Some(0),
+            };
+            let n = params.len() as u64;
+            count.is_some_and(|count| {
+                n == ty.arity(count) || n == ty.arity(count) + ty.optional.len() as u64
+            })
+        };
+        let own = RecordType::by_code(code);
+        if code < 0 {
+            signed.extend(own.map(|ty| ty.code));
+        } else if let Some(meant) = code.checked_neg().and_then(RecordType::by_code)
+            && fits(meant)
+            && !own.is_some_and(fits)
+        {
+            let span = id.span().to(tokens[tokens.len() - 1].span());
+            lost.push((meant, **ty, span));
+        }
+    }
+    if !signed.is_empty() {
+        let mut counts: FxHashMap<i32, usize> = FxHashMap::default();
+        for (ty, ..) in &lost {
+            *counts.entry(ty.code).or_default() += 1;
+        }
+        lost.retain(|(ty, ..)| !signed.contains(&ty.code) && counts[&ty.code] >= MANY);
+    }
+    let count = lost.len();
+    let &(first, token, _) = lost.first().filter(|_| count >= MANY)?;
+    let alike = lost.iter().all(|l| l.0.code == first.code);
+    let edits = lost
+        .iter()
+        .map(|(ty, token, _)| edit(token.span(), ty.code.to_string()));
+    let finding = Diagnostic::new(Code::E007, token.span())
+        .case("minus")
+        .with("count", Value::Count(count as u64))
+        .with("number", first.code.to_string())
+        .with("type", Value::Term(first.title))
+        .with("kinds", if alike { "one" } else { "many" })
+        .fix(Fix {
+            title: "fix",
+            values: Vec::new(),
+            applicability: Applicability::Unsafe,
+            edits: edits.collect(),
+        });
+    Some(Matter {
+        finding,
+        spans: lost.into_iter().map(|l| l.2).collect(),
+    })
+}
+
+fn edit(span: Span, text: impl Into<String>) -> Edit {
+    Edit {
+        span,
+        text: text.into(),
+    }
+}
+
+fn records(analysis: &Analysis) -> impl Iterator<Item = &Record> {
+    analysis
+        .document
+        .items
+        .iter()
+        .filter_map(|item| match item {
+            Item::Record(record) => Some(record),
+            _ => None,
+        })
+}
+
+/// The references of a record: their tokens and IDs.
+fn references<'a>(
+    analysis: &'a Analysis,
+    record: &'a Record,
+) -> impl Iterator<Item = (Token, i64)> {
+    let text = analysis.source.text.as_str();
+    (analysis.document.params(record).enumerate()).filter_map(move |(i, token)| {
+        let param = record.ty.param(i, record.count as usize)?;
+        match param.kind {
+            ParamKind::Reference { .. } => Some((*token, token.integer(text)?)),
+            _ => None,
+        }
+    })
+}
+
+fn largest(analysis: &Analysis) -> u32 {
+    records(analysis).map(|r| r.id).max().unwrap_or(1)
+}
+
+/// An object has the ID of the render record.
+fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
+    let is_other = |d: &&Diagnostic| d.code == Code::E105 && d.case == "other";
+    let first = findings.iter().find(is_other)?.clone();
+    // What is used and defined nowhere may be just that object.
+    let new = match super::undefined(findings)[..] {
+        [id] => id,
+        _ => largest(analysis).checked_add(1)?.max(2),
+    };
+    let new = new.to_string();
+    let mut edits: Vec<Edit> = Vec::new();
+    let mut spans: Vec<Span> = Vec::new();
+    for record in records(analysis) {
+        let before = edits.len();
+        if record.id == 1 && record.ty.kind != RecordKind::Render {
+            let head = analysis.document.id_token(record).span();
+            edits.push(edit(head, new.clone()));
+        }
+        let named = references(analysis, record).filter(|r| r.1 == 1);
+        edits.extend(named.map(|r| edit(r.0.span(), new.clone())));
+        spans.extend(edits[before..].iter().map(|e| e.span));
+    }
+    let mut finding = first.fix(Fix {
+        title: "fix",
+        values: vec![("number", new.into())],
+        applicability: Applicability::Unsafe,
+        edits,
+    });
+    finding.case = "objects";
+    Some(Matter { finding, spans })
+}
+
+/// Two scenes one behind the other.
+fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
+    let doubled: Vec<&Diagnostic> = findings.iter().filter(|d| d.code == Code::E102).collect();
+    let first = doubled.iter().find(|d| d.case != "render")?;
+    if doubled.len() < MANY {
+        return None;
+    }
+    let all: Vec<&Record> = records(analysis).collect();
+    let renders: Vec<usize> = (0..all.len())
+        .filter(|&i| all[i].ty.kind == RecordKind::Render)
+        .collect();
+    let [one, two] = renders[..] else { return None };
+    let end = analysis.document.span(all[one].first, all[one].last).end;
+    if doubled.iter().any(|d| d.span.start < end) {
+        return None;
+    }
+    let (before, behind) = all.split_at(one + 1);
+    let most = before.iter().map(|r| r.id).max()?;
+    let by = 10_u32.checked_pow(most.checked_ilog10()? + 1)?;
+    let join = behind
+        .iter()
+        .map(|r| r.id)
+        .max()?
+        .checked_add(by)?
+        .checked_add(1)?;
+    let root = |record: &Record| references(analysis, record).next();
+    let (root_one, root_two) = (root(all[one])?, root(all[two])?);
+    let moved = |id: i64| id.checked_add(by.into()).unwrap_or(id).to_string();
+    let mut edits = vec![edit(root_one.0.span(), join.to_string())];
+    for (i, record) in behind.iter().enumerate() {
+        if one + 1 + i == two {
+            let text = format!("{join} -101 {} {}", root_one.1, moved(root_two.1));
+            edits.push(edit(
+                analysis.document.span(record.first, record.last),
+                text,
+            ));
+            continue;
+        }
+        let head = analysis.document.id_token(record).span();
+        edits.push(edit(head, moved(record.id.into())));
+        let named = references(analysis, record).filter(|r| r.1 > 1);
+        edits.extend(named.map(|r| edit(r.0.span(), moved(r.1))));
+    }
+    let begin = analysis
+        .document
+        .span(behind.first()?.first, behind.first()?.last);
+    let finding = Diagnostic::new(Code::E102, begin)
+        .case("scenes")
+        .with("count", Value::Count(doubled.len() as u64))
+        .with("number", by.to_string())
+        .label(first.labels.first().map_or(first.span, |l| l.span), "first")
+        .fix(Fix {
+            title: "fix",
+            values: Vec::new(),
+            applicability: Applicability::Unsafe,
+            edits,
+        });
+    let spans = doubled.iter().map(|d| d.span).collect();
+    Some(Matter { finding, spans })
+}
+
+/// So many references are followed for one file, to find definitions that need each other.
+const FOLLOWED: usize = 100_000;
+
+/// Says of definitions that need each other that they do.
+pub fn cycles(analysis: &Analysis, findings: &mut [Diagnostic]) {
+    if !findings.iter().any(|d| d.code == Code::E107) {
+        return;
+    }
+    let mut needs: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
+    let mut at: Vec<(u32, u32, u32)> = Vec::new();
+    for record in records(analysis) {
+        let span = analysis.document.span(record.first, record.last);
+        at.push((span.start, span.end, record.id));
+        let late = matches!(
+            record.ty.kind,
+            RecordKind::Render | RecordKind::MonoCamera | RecordKind::StereoCamera
+        );
+        if !late && !matches!(record.ty.effect, Effect::Changes(_)) {
+            let named = references(analysis, record).filter_map(|r| u32::try_from(r.1).ok());
+            needs.entry(record.id).or_default().extend(named);
+        }
+    }
+    let mut left = FOLLOWED;
+    for d in findings.iter_mut().filter(|d| d.code == Code::E107) {
+        let i = at.partition_point(|r| r.1 <= d.span.start);
+        let own = at.get(i).filter(|r| r.0 <= d.span.start).map(|r| r.2);
+        let named = analysis.source.slice(d.span).parse::<u32>().ok();
+        let (Some(own), Some(named)) = (own, named) else {
+            continue;
+        };
+        if let Some(members) = path(&needs, named, own, &mut left) {
+            let all: Vec<String> = members.iter().map(u32::to_string).collect();
+            d.case = "cycle";
+            d.values.push(("own", own.to_string().into()));
+            d.values.push(("members", all.join(" → ").into()));
+        }
+    }
+}
+
+/// The shortest way from one ID to another along what definitions need.
+fn path(
+    needs: &FxHashMap<u32, Vec<u32>>,
+    from: u32,
+    to: u32,
+    left: &mut usize,
+) -> Option<Vec<u32>> {
+    let mut reached: FxHashMap<u32, u32> = FxHashMap::default();
+    let mut queue = std::collections::VecDeque::from([from]);
+    while let Some(id) = queue.pop_front() {
+        if id == to {
+            let mut out = vec![to];
+            let mut at = to;
+            while at != from {
+                at = reached[&at];
+                out.push(at);
+            }
+            out.reverse();
+            return Some(out);
+        }
+        for &next in needs.get(&id).map_or(&[][..], Vec::as_slice) {
+            *left = left.checked_sub(1)?;
+            if next != from && !reached.contains_key(&next) {
+                reached.insert(next, id);
+                queue.push_back(next);
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,196 @@
+//! What people write in the place of a type's number: its English and its Czech names.
+
+use crate::diagnostics::Language;
+use crate::syntax::table::{RECORD_TYPES, RecordType};
+
+/// Other names, without accents and in lower case, and the types they may stand for, the likeliest first.
+const NAMES: &[(&str, &[i32])] = &[
+    ("sphere", &[11, 9, 13]),
+    ("ball", &[11, 9]),
+    ("koule", &[11, 9, 13]),
+    ("kugel", &[11, 9]),
+    ("box", &[12]),
+    ("cube", &[12]),
+    ("cuboid", &[12]),
+    ("block", &[12]),
+    ("krychle", &[12]),
+    ("kvadr", &[12]),
+    ("rect", &[5]),
+    ("rectangle", &[5]),
+    ("square", &[5]),
+    ("obdelnik", &[5]),
+    ("ctverec", &[5]),
+    ("triangle", &[6, 7, 8]),
+    ("trojuhelnik", &[6, 7, 8]),
+    ("plane", &[3, 4]),
+    ("rovina", &[3, 4]),
+    ("halfspace", &[4]),
+    ("poloprostor", &[4]),
+    ("ellipsoid", &[10]),
+    ("elipsoid", &[10]),
+    ("torus", &[14]),
+    ("donut", &[14]),
+    ("anuloid", &[14]),
+    ("cone", &[16, 17]),
+    ("kuzel", &[16, 17]),
+    ("quadric", &[15]),
+    ("kvadrika", &[15]),
+    ("lathe", &[1, 2]),
+    ("revolution", &[1, 2]),
+    ("cylinder", &[18, 19]),
+    ("valec", &[18, 19]),
+    ("move", &[-1]),
+    ("translate", &[-1]),
+    ("translation", &[-1]),
+    ("shift", &[-1]),
+    ("posun", &[-1]),
+    ("posuv", &[-1]),
+    ("posunuti", &[-1]),
+    ("rotate", &[-2, -4]),
+    ("rotation", &[-2, -4]),
+    ("turn", &[-2]),
+    ("rotace", &[-2, -4]),
+    ("otoceni", &[-2, -4]),
+    ("scale", &[-3]),
+    ("scaling", &[-3]),
+    ("meritko", &[-3]),
+    ("zmena", &[-3]),
+    ("projection", &[-99]),
+    ("projekce", &[-99]),
+    ("union", &[-101]),
+    ("or", &[-101]),
+    ("sjednoceni", &[-101]),
+    ("intersection", &[-102]),
+    ("intersect", &[-102]),
+    ("and", &[-102]),
+    ("prunik", &[-102]),
+    ("difference", &[-103]),
+    ("subtract", &[-103]),
+    ("minus", &[-103]),
+    ("rozdil", &[-103]),
+    ("complement", &[-104]),
+    ("not", &[-104]),
+    ("doplnek", &[-104]),
+    ("copy", &[-105]),
+    ("kopie", &[-105]),
+    ("optics", &[-201, -202]),
+    ("material", &[-201, -202, -299]),
+    ("optika", &[-201, -202]),
+    ("vlastnost", &[-201, -202, -299]),
+    ("vlastnosti", &[-299, -201, -202]),
+    ("ior", &[-203]),
+    ("index", &[-203]),
+    ("lom", &[-203]),
+    ("assign", &[-299]),
+    ("apply", &[-299]),
+    ("prirazeni", &[-299]),
+    ("image", &[-301]),
+    ("texture", &[-301, -302, -399]),
+    ("textura", &[-301, -302, -399]),
+    ("obrazek", &[-301]),
+    ("checker", &[-399]),
+    ("checkerboard", &[-399]),
+    ("chessboard", &[-399]),
+    ("sachovnice", &[-399]),
+    ("ambient", &[-401]),
+    ("ambientni", &[-401]),
+    ("light", &[-402, -401]),
+    ("lamp", &[-402, -401]),
+    ("pointlight", &[-402]),
+    ("svetlo", &[-402, -401]),
+    ("lampa", &[-402]),
+    ("bodove", &[-402]),
+    ("camera", &[-501, -502]),
+    ("kamera", &[-501, -502]),
+    ("color", &[-701]),
+    ("colour", &[-701]),
+    ("rgb", &[-701]),
+    ("barva", &[-701]),
+    ("render", &[9999]),
+    ("scene", &[9999]),
+    ("vykresleni", &[9999]),
+    ("scena", &[9999]),
+];
+
+/// Shorter words are no misspelling of a name.
+const MISSPELLED_LEAST: usize = 5;
+
+/// The types that a word may stand for, the likeliest first.
+pub fn types(word: &str) -> Vec<&'static RecordType> {
+    let word = plain(word);
+    let of = |codes: &[i32]| -> Vec<_> {
+        (codes.iter())
+            .filter_map(|&c| RecordType::by_code(c.into()))
+            .collect()
+    };
+    if let Some((_, codes)) = NAMES.iter().find(|n| n.0 == word) {
+        return of(codes);
+    }
+    let titled = |ty: &&RecordType| {
+        let czech = Language::Czech.name(ty.title);
+        [ty.keyword, ty.title, &czech]
+            .iter()
+            .any(|t| plain(t) == word)
+    };
+    let by_title: Vec<_> = RECORD_TYPES.iter().filter(titled).collect();
+    if !by_title.is_empty() || word.len() < MISSPELLED_LEAST {
+        return by_title;
+    }
+    let near = |n: &&(&str, &[i32])| {
+        n.0.len() >= MISSPELLED_LEAST && strsim::osa_distance(n.0, &word) == 1
+    };
+    NAMES.iter().find(near).map_or(Vec::new(), |n| of(n.1))
+}
+
+/// Lower case, without accents, and without what joins words.
+fn plain(word: &str) -> String {
+    let letters = word.chars().flat_map(char::to_lowercase);
+    letters
+        .filter(|c| !matches!(c, '-' | '_' | ' ' | ':' | '.'))
+        .map(|c| match c {
+            'á' => 'a',
+            'č' => 'c',
+            'ď' => 'd',
+            'é' | 'ě' => 'e',
+            'í' => 'i',
+            'ň' => 'n',
+            'ó' => 'o',
+            'ř' => 'r',
+            'š' => 's',
+            'ť' => 't',
+            'ú' | 'ů' => 'u',
+            'ý' => 'y',
+            'ž' => 'z',
+            c => c,
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_in_both_languages() {
+        let codes = |word: &str| types(word).iter().map(|t| t.code).collect::<Vec<_>>();
+        assert_eq!(codes("Sphere"), [11, 9, 13]);
+        assert_eq!(codes("kužel"), [16, 17]);
+        assert_eq!(codes("point-light"), [-402]);
+        assert_eq!(codes("sjednocení"), [-101]);
+        assert_eq!(codes("shpere"), [11, 9, 13]);
+        assert_eq!(codes("dům"), [] as [i32; 0]);
+    }
+
+    #[test]
+    fn names_are_written_as_they_are_compared() {
+        for (i, (name, codes)) in NAMES.iter().enumerate() {
+            assert_eq!(plain(name), *name);
+            assert!(
+                codes
+                    .iter()
+                    .all(|&c| RecordType::by_code(c.into()).is_some())
+            );
+            assert!(NAMES[..i].iter().all(|n| n.0 != *name), "{name} twice");
+        }
+    }
+}
