@@ -167,7 +167,7 @@ fn textmate() {
     let output = Command::new(installed("browser/node_modules/.bin/vscode-tmgrammar-test"))
         .current_dir(root())
         .args(["-g", "editors/vscode/syntaxes/zpg.tmLanguage.json"])
-        .arg("tests/editors/textmate.zpg")
+        .arg("tests/editors/textmate.txt")
         .output()
         .unwrap();
     has_passed(&output);

@@ -441,7 +441,7 @@ fn slow_scene() -> String {
     for i in 6..40 {
         text += &format!("{} -101 {} {i}\n", 95 + i, 94 + i);
     }
-    text.replace("100 -101 4 5\n", "100 -101 4 5\n") + "1 9999 134 0\n"
+    text + "1 9999 134 0\n"
 }
 
 /// A picture that takes long delays nothing; it comes coarse first; an edit ends it.
@@ -582,6 +582,7 @@ fn spoken_to(bytes: &[u8]) -> (String, Option<i32>) {
         std::thread::sleep(Duration::from_millis(10));
     }
     child.kill().unwrap();
+    child.wait().unwrap();
     panic!("it does not end");
 }
 
