@@ -51,6 +51,14 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
         recovery::respell::broken(&mut plan.items, &lexed.tokens, &glued);
     }
     findings.append(&mut plan.notes);
+    findings.extend(plan.items.iter().filter_map(|item| match item {
+        Item::Record(r) if r.params as usize > r.ty.params.len() && !r.ty.optional.is_empty() => {
+            let start = r.value as usize - 2;
+            let reading = signature::read(&columns, start, columns.len())?;
+            two_ways(&columns, start, &reading)
+        }
+        _ => None,
+    }));
     diagnostics::sort(&mut findings);
     let items = plan.items;
     (document(lexed, items), findings)
@@ -186,7 +194,6 @@ impl<'s> Plan<'s> {
             self.defined.push(c.int(start)? as u32);
         }
         self.items.push(Item::Record(whole(&c, start, &reading)));
-        self.notes.extend(two_ways(&c, start, &reading));
         Some(reading.end)
     }
 
@@ -385,7 +392,6 @@ impl<'s> Plan<'s> {
                 self.defined.extend(c.int(at).map(|id| id as u32));
             }
             self.items.push(Item::Record(whole(&c, at, &reading)));
-            self.notes.extend(two_ways(&c, at, &reading));
             let last_line = (at + 1..reading.end).rev().find(|&i| c.starts_line(i));
             if last_line.is_some_and(|line| self.takes_lines(line, reading.end)) {
                 recovery::line_break(c, (at, reading.end), &mut self.notes);
