@@ -185,11 +185,13 @@ mod tests {
         assert_eq!(fixed(broken, true), (broken.to_owned(), 0));
     }
 
-    /// Lines that begin with `;` count for nothing, and those that begin with words are none of a scene.
+    /// Lines that begin with `;` count for nothing, and those that begin with words are none of a scene. That
+    /// words are a comment is a guess.
     #[test]
     fn what_is_left_is_a_scene() {
         let prose = "; replace it with the";
-        assert_eq!(fixed(prose, true), (prose.to_owned(), 0));
+        assert_eq!(fixed(prose, false), (prose.to_owned(), 0));
+        assert_eq!(fixed(prose, true), ("0 # replace it with the #".into(), 1));
         let records = "2 9 1;\n; 3 9 1;\n1 9999 2 0\n";
         let mended = "2 9 1\n 3 9 1\n1 9999 2 0\n";
         // The marks of one line are one finding.

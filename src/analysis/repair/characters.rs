@@ -46,7 +46,16 @@ fn plain(text: &str) -> Option<String> {
     if text.starts_with(['O', 'o']) && out[1..].starts_with(|c: char| c.is_ascii_digit()) {
         out.remove(0);
     }
-    let is_number = out.len() < 40
+    // Of words that are letters alone only single ones are digits.
+    let has_digit = text.contains(|c: char| c.is_ascii_digit())
+        || text
+            .trim_start_matches(['-', '+'])
+            .trim_start_matches(DASHES)
+            .chars()
+            .count()
+            == 1;
+    let is_number = has_digit
+        && out.len() < 40
         && out.contains(|c: char| c.is_ascii_digit())
         && out.parse::<f64>().is_ok_and(f64::is_finite);
     is_number.then_some(out)

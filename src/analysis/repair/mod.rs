@@ -193,7 +193,14 @@ impl Engine<'_> {
                 true => errors < errors_before,
                 false => errors <= errors_before,
             };
-            if !better || errors > least {
+            // What a finding does not propose itself mends the line, or is no proposal.
+            let mends = match candidate.habit {
+                Habit::Proposed => true,
+                // Behind a comment a record that lacks numbers would take those of the next line.
+                Habit::Comment => !has_error_at(&scene, line) && ends_on_line(&scene, line),
+                _ => !has_error_at(&scene, line),
+            };
+            if !better || errors > least || finding.is_error() && !mends {
                 continue;
             }
             if errors < least {
@@ -311,4 +318,16 @@ fn has_error_at(scene: &Analysis, line: Span) -> bool {
     let source = &scene.source;
     let at = source.line_index(source.floor(line.start));
     (scene.read.iter()).any(|d| d.is_error() && source.line_index(source.floor(d.span.start)) == at)
+}
+
+/// Whether what begins on a line ends there, too.
+fn ends_on_line(scene: &Analysis, line: Span) -> bool {
+    let (source, document) = (&scene.source, &scene.document);
+    let number = |at: u32| source.line_index(source.floor(at));
+    let own = number(line.start);
+    let spans = document.items.iter().map(|item| document.item_span(item));
+    let mut begun = spans
+        .skip_while(|span| number(span.start) < own)
+        .take_while(|span| number(span.start) == own);
+    begun.all(|span| number(span.end) == own)
 }
