@@ -108,6 +108,7 @@ accuracy-sub-facets = rovné kousky místo křivých ploch
 accuracy-own-error = vlastní chyba reference
 accuracy-none = nic
 accuracy-table-head = | nastavení | čas CPU | × výchozí | chyba | FLIP | o > 1 | |
+accuracy-markdown-head = | nastavení | × výchozí | chyba | FLIP | o > 1 | největší | |
 accuracy-default = výchozí
 accuracy-front = na čele
 accuracy-recommended = doporučeno

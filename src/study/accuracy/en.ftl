@@ -106,6 +106,7 @@ accuracy-sub-facets = flat pieces for curved surfaces
 accuracy-own-error = reference’s own error
 accuracy-none = none
 accuracy-table-head = | setting | CPU time | × default | error | FLIP | off > 1 | |
+accuracy-markdown-head = | setting | × default | error | FLIP | off > 1 | largest | |
 accuracy-default = the default
 accuracy-front = on the front
 accuracy-recommended = recommended

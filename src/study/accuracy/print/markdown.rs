@@ -28,7 +28,7 @@ pub fn text(report: &Report, language: Language) -> String {
         let _ = writeln!(
             out,
             "{}\n|---|---:|---:|---:|---:|---:|---|",
-            say(language, "accuracy-table-head", &[])
+            say(language, "accuracy-markdown-head", &[])
         );
         for row in rows {
             let times = row
