@@ -105,10 +105,10 @@ fn may_begin(stream: &Stretch, witnesses: &Witnesses, whole_from: &[bool]) -> Ve
         if !headed || is_row_of_records(stream, head, end, whole_from) {
             continue;
         }
-        for i in head + 1..end {
-            let sig = &stream.sigs[i];
+        let behind = head + 1..end;
+        for (out, sig) in out[behind.clone()].iter_mut().zip(&stream.sigs[behind]) {
             let heading = sig.int == Some(0) && sig.before_comment;
-            out[i] = heading || sig.kind.is_bad();
+            *out = heading || sig.kind.is_bad();
         }
     }
     out
