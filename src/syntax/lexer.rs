@@ -191,7 +191,7 @@ fn comment<'s>(lex: &mut logos::Lexer<'s, Raw<'s>>) -> bool {
 }
 
 /// Cuts a text into tokens. `unclosed` are the offsets of the `#` that are taken to open a comment
-/// that ends with its line (see [`super::comments`]).
+/// that ends with its line (see [`recovery::comments`](super::recovery::comments)).
 pub fn lex(text: &str, unclosed: &[u32]) -> Vec<Token> {
     let mut tokens = Vec::with_capacity(text.len() / 4);
     tokens.extend(Tokens::new(text, unclosed));

@@ -1,9 +1,9 @@
 //! Text to tree.
 //!
 //! [chumsky](https://docs.rs/chumsky) drives a grammar of three: `(void | record | gap)*`. A record is read by
-//! [`signature`](super::signature); it is taken if the layout agrees: it begins with a line and ends with one, or is
+//! [`signature`]; it is taken if the layout agrees: it begins with a line and ends with one, or is
 //! one of several on a line that ends with its last. A gap is everything else. It is only measured here, up to where
-//! records agree with the layout again, and read by [`recovery`](super::recovery) when the rest of the text is known.
+//! records agree with the layout again, and read by [`recovery`] when the rest of the text is known.
 
 use chumsky::error::Cheap;
 use chumsky::extra::{self, SimpleState};

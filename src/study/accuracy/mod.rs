@@ -3,8 +3,8 @@
 //! [`rungs`] are the settings that are tried, on axes of four kinds that are never mixed; [`axes`] says which
 //! a scene calls for, [`facets`] makes the scenes of flat pieces. [`tiles`] are what is measured of a picture,
 //! [`stage`] draws them and takes the time, [`measure`] and [`timing`] say what came out. [`check`] asks an
-//! independent tracer about the reference. [`run`] does all this within a budget and fills a [`report`];
-//! [`shapes`] does so without a scene, [`cost`] in short. [`advice`] says what to set, and [`print`] writes it down for people in the [`words`] of their language.
+//! independent tracer about the reference. [`run()`] does all this within a budget and fills a [`report`];
+//! [`shapes`] does so without a scene, [`cost`] in short. [`advice`] says what to set, and [`mod@print`] writes it down for people in the [`words`] of their language.
 
 pub mod advice;
 pub mod axes;

@@ -7,7 +7,7 @@
 //! From the resolved scene to text: [`cuts`] and [`spread`] say it in another way where that is needed,
 //! by [`rewrite`]; [`facts`] about every node, bottom-up; [`build`] with [`descend`], [`union`],
 //! [`between`], [`neighbours`], [`difference`], [`grouping`], [`flush`], [`standing`], [`filling`] and [`sets`]
-//! says what each object consists of, as [`piece`]s, with [`changes`] where nobody sees them ([`lengthen`],
+//! says what each object consists of, as [`piece`]s, with [`changes`] where nobody sees them ([`lengthen`](crate::solids::shapes::lengthen),
 //! [`offset`]); [`emit`] orders, names and prints them; [`look`] and
 //! [`uv`] know POV-Ray's textures, [`shape`] with [`poly`], [`profile`] and [`triangle`] its
 //! primitives, [`turned`] the triangles with normals that turn away, [`volumes`] the bounding volumes that may
