@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Status;
 use super::terminal::{LookChoice, complain, report};
-use crate::analysis::{Analysis, file};
+use crate::analysis::{Analysis, file, repair};
 use crate::diagnostics::{Code, Complaint, Diagnostic, Error, Severity, Span};
 
 /// What a command needs of a scene besides that it is sound.
@@ -44,7 +44,7 @@ pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Analysis,
         complain(look, &e);
         Status::Failure
     })?;
-    let mut findings = analysis.findings().to_vec();
+    let mut findings = repair::proposals(&analysis);
     if needs.render {
         render_is_needed(&mut findings);
     }
