@@ -250,8 +250,7 @@ fn mistakes(folder: &Path, table: &mut Table) {
     let path = folder.join("mistakes.zpg");
     let seconds = |scene: Scene, runs: usize| {
         std::fs::write(&path, &scene.text).expect("the folder can be written to");
-        // To print a million findings takes longer than to find them.
-        let check = || Run::zpg().args(["check", "--statistics", "--memory", "64G"]);
+        let check = || Run::zpg().args(["check", "--memory", "64G"]);
         let all = (0..runs).filter_map(|_| check().arg(&path).seconds());
         (scene.text.len() as f64 / MB, median(all.collect()))
     };
