@@ -96,8 +96,9 @@ pub fn check(
             Ok(found) => found,
             Err(why) => return Ok(Err(unfit(why))),
         };
-        checked.rays += found.rays;
-        for ((i, place), colour) in batch.iter().zip(found.colours) {
+        for ((i, place), sample) in batch.iter().zip(found) {
+            let colour = sample.colour;
+            checked.rays += sample.rays.sent.iter().sum::<u64>();
             let Some(ours) = colours.get(*i) else {
                 continue;
             };

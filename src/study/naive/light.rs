@@ -235,8 +235,14 @@ struct Found<T> {
     inside: [bool; 2],
 }
 
-/// Rays, by what they are for: camera, shadow, reflection, refraction.
-pub type RayCounts = [u64; 4];
+/// What was sent on the way of light.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct RayCounts {
+    /// Rays by what they are for: camera, shadow, reflection, refraction.
+    pub sent: [u64; 4],
+    /// Boundaries at which a channel of light was totally reflected.
+    pub totally_reflected: u64,
+}
 
 /// The light along a camera ray.
 pub fn radiance<T: Number, W: World<T>>(
@@ -248,7 +254,7 @@ pub fn radiance<T: Number, W: World<T>>(
 ) -> Rgb {
     let zero = T::of(0.0);
     let mut sum = [zero; 3];
-    rays[0] += 1;
+    rays.sent[0] += 1;
     let mut branches = vec![Branch {
         ray,
         from: zero,
@@ -395,7 +401,7 @@ fn direct<T: Number, W: World<T>>(
                 origin: found.point,
                 direction: way,
             };
-            rays[1] += 1;
+            rays.sent[1] += 1;
             let seen = visibility(scenery, world, &ray, !found.inside[0]);
             light = [0, 1, 2].map(|c| light[c] + power[c] * seen[c] * cosine);
         }
@@ -458,7 +464,7 @@ fn follow<T: Number>(
                 origin: found.point,
                 direction,
             };
-            rays[kind] += 1;
+            rays.sent[kind] += 1;
             branches.push(Branch {
                 from: ray.offset(),
                 ray,
@@ -490,6 +496,7 @@ fn follow<T: Number>(
             let bent = add(scale(d, ratio), scale(n, ratio * cosine - square.sqrt()));
             send(unit(bent), through, true, branch.depth + 1, 3);
         } else {
+            rays.totally_reflected += 1;
             mirrored = add(mirrored, through);
         }
     }

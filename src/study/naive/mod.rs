@@ -34,12 +34,12 @@ pub struct Naive<'s, T: Number> {
     cutoff: f64,
 }
 
-/// What became of pixels.
-#[derive(Debug, Clone, Default)]
-pub struct Checked {
-    /// Linear RGB of samples through the centres.
-    pub colours: Vec<Rgb>,
-    pub rays: u64,
+/// What a place of the picture shows.
+#[derive(Debug, Clone, Copy)]
+pub struct Sample {
+    /// Linear RGB.
+    pub colour: Rgb,
+    pub rays: RayCounts,
 }
 
 impl<'s, T: Number> Naive<'s, T> {
@@ -87,11 +87,11 @@ impl<'s, T: Number> Naive<'s, T> {
         let pixels: Vec<[u32; 2]> = (0..width * height)
             .map(|i| [i % width, i / width])
             .collect();
-        let colours = self.pixels(&pixels)?.colours;
+        let samples = self.pixels(&pixels)?;
         Ok(Film {
             width,
             height,
-            pixels: colours.into_iter().map(developed).collect(),
+            pixels: samples.iter().map(|s| developed(s.colour)).collect(),
         })
     }
 
@@ -123,32 +123,38 @@ impl<'s, T: Number> Naive<'s, T> {
     /// # Errors
     ///
     /// What is too much for it.
-    pub fn pixels(&self, pixels: &[[u32; 2]]) -> Result<Checked, Unfit> {
-        let chunk = pixels.len().div_ceil(rayon::current_num_threads()).max(1);
-        let chunks: Vec<&[[u32; 2]]> = pixels.chunks(chunk).collect();
-        let parts = parallel::map_each(chunks, |pixels| {
+    pub fn pixels(&self, pixels: &[[u32; 2]]) -> Result<Vec<Sample>, Unfit> {
+        let centres: Vec<[f64; 2]> = (pixels.iter())
+            .map(|p| p.map(|x| f64::from(x) + 0.5))
+            .collect();
+        self.samples(&centres)
+    }
+
+    /// Follows the rays through places of the picture, in pixels from its upper left corner, on all threads.
+    ///
+    /// # Errors
+    ///
+    /// What is too much for it.
+    pub fn samples(&self, places: &[[f64; 2]]) -> Result<Vec<Sample>, Unfit> {
+        let chunk = places.len().div_ceil(rayon::current_num_threads()).max(1);
+        let parts = parallel::map_each(places.chunks(chunk).collect(), |places: &[[f64; 2]]| {
             let (scenery, mut solids) = self.ready()?;
-            let mut rays = RayCounts::default();
-            let colours = (pixels.iter())
+            let samples: Vec<Sample> = (places.iter())
                 .map(|&[x, y]| {
-                    let ray = self.lens.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
-                    radiance(&scenery, &mut solids, ray, false, &mut rays)
+                    let mut rays = RayCounts::default();
+                    let ray = self.lens.ray(x, y);
+                    let colour = radiance(&scenery, &mut solids, ray, false, &mut rays);
+                    Sample { colour, rays }
                 })
                 .collect();
             match solids.is_exhausted() {
                 true => Err(Unfit::TooManyParts),
-                false => Ok(Checked {
-                    colours,
-                    rays: rays.iter().sum(),
-                }),
+                false => Ok(samples),
             }
         });
-        let parts = parts.into_iter().collect::<Result<Vec<Checked>, Unfit>>()?;
-        let mut all = Checked::default();
-        for part in parts {
-            all.colours.extend(part.colours);
-            all.rays += part.rays;
-        }
-        Ok(all)
+        let parts = parts
+            .into_iter()
+            .collect::<Result<Vec<Vec<Sample>>, Unfit>>()?;
+        Ok(parts.concat())
     }
 }

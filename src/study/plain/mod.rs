@@ -213,7 +213,7 @@ impl<T: Number> Pixels for Plain<'_, T> {
     }
 
     fn counts(&self) -> Counts {
-        let [camera, shadow, reflection, refraction] = self.rays;
+        let [camera, shadow, reflection, refraction] = self.rays.sent;
         let mut counts = Counts {
             rays: Rays {
                 camera,
