@@ -95,7 +95,7 @@ fn sample(kind: usize, r: &mut Random) -> Sample {
                 r.within(-1.0, 1.0) * scale
             });
             along.extend(asymptote(&q, r));
-            Geometry::Quadric(q)
+            Geometry::Quadric(Box::new(q))
         }
         2 | 3 => {
             let (height, radius) = (if kind == 2 { -a } else { a }, b);
@@ -475,7 +475,7 @@ fn plain_lines_along_axes_are_certain() {
     let hyperbola = Geometry::HyperbolicCylinder { a: 1.0, b: 1.0 };
     let down = [0.0, -1.0, 0.0];
     let cases = [
-        (Geometry::Quadric(q), [0.5, 10.0, 0.0], down, 1),
+        (Geometry::Quadric(Box::new(q)), [0.5, 10.0, 0.0], down, 1),
         (
             Geometry::ParabolicCylinder { a: 1.0 },
             [0.5, 10.0, 0.0],

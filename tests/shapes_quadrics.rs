@@ -22,7 +22,7 @@ fn value(geometry: &Geometry, p: Vec3<Dd>) -> Dd {
         Geometry::Ellipsoid {
             semi_axes: [a, b, c],
         } => over(x, a) + over(y, b) + over(z, c) - Dd::ONE,
-        Geometry::Quadric(q) => {
+        Geometry::Quadric(ref q) => {
             let h = [x, y, z, Dd::ONE];
             let mut sum = Dd::ZERO;
             for i in 0..4 {
@@ -98,10 +98,10 @@ fn shape(kind: u64, r: &mut Random, spread: f64) -> (Geometry, f64) {
         0 => Geometry::Ellipsoid {
             semi_axes: [a, b, c],
         },
-        1 => Geometry::Quadric(std::array::from_fn(|i| {
+        1 => Geometry::Quadric(Box::new(std::array::from_fn(|i| {
             let scale = [1.0, a, a * a][usize::from(i % 4 == 3) + usize::from(i / 4 == 3)];
             r.within(-1.0, 1.0) * scale
-        })),
+        }))),
         2 => Geometry::Cone {
             height: flip * a,
             radius: b,
@@ -143,7 +143,7 @@ fn noise(geometry: &Geometry, l: &Line<Dd>, t: Dd) -> Dd {
 fn sizes(geometry: &Geometry, p: Vec3<Dd>) -> Dd {
     let over = |x: Dd, a: f64| (x / Dd::of(a)).square();
     match *geometry {
-        Geometry::Quadric(q) => value(&Geometry::Quadric(q.map(f64::abs)), p),
+        Geometry::Quadric(ref q) => value(&Geometry::Quadric(Box::new(q.map(f64::abs))), p),
         Geometry::Cone { height, radius } | Geometry::DoubleCone { height, radius } => {
             let s = over(p[1], height);
             over(p[0], radius) + s + over(p[2], radius) + s.sqrt() + Dd::ONE
@@ -261,7 +261,7 @@ fn lines_through_special_points_alternate() {
             0 => Geometry::Ellipsoid {
                 semi_axes: [1.0, 2.0, 0.5],
             },
-            1 => Geometry::Quadric(std::array::from_fn(|_| c[r.below(5) as usize])),
+            1 => Geometry::Quadric(Box::new(std::array::from_fn(|_| c[r.below(5) as usize]))),
             2 => Geometry::Cone {
                 height: -1.0,
                 radius: 1.0,
@@ -299,7 +299,7 @@ fn near_the_axis_of_a_paraboloid() {
     // x² + z² − y: case 19. The near root is 10 − y where y = (0.5 + εt)².
     let mut q = [0.0; 16];
     (q[0], q[10], q[7]) = (1.0, 1.0, -1.0);
-    let paraboloid = Geometry::Quadric(q);
+    let paraboloid = Geometry::Quadric(Box::new(q));
     for (epsilon, right) in [
         (1e-7, 9.749999025000048),
         (1e-8, 9.7499999025),
@@ -334,7 +334,7 @@ fn through_the_apex() {
     let mut q = [0.0; 16];
     (q[0], q[5], q[10]) = (1.0, -1.0, 1.0);
     let shapes = [
-        Geometry::Quadric(q),
+        Geometry::Quadric(Box::new(q)),
         Geometry::Cone {
             height: 10.0,
             radius: 10.0,
@@ -363,7 +363,7 @@ fn degenerate_quadrics() {
     let diagonal = |x: f64, y: f64, z: f64, w: f64| {
         let mut q = [0.0; 16];
         (q[0], q[5], q[10], q[15]) = (x, y, z, w);
-        Geometry::Quadric(q)
+        Geometry::Quadric(Box::new(q))
     };
     let (o, d) = ([0.25, 0.5, -4.0], [0.0, 0.0, 2.0]);
     let at = |g: &Geometry| both(g, o, d);
@@ -381,7 +381,7 @@ fn degenerate_quadrics() {
     // z − 1 ≤ 0, all of it below the diagonal: only the symmetric part counts.
     let mut q = [0.0; 16];
     (q[14], q[15], q[1], q[4]) = (1.0, -1.0, 3.0, -3.0);
-    assert_eq!(at(&Geometry::Quadric(q)), (true, vec![2.5]));
+    assert_eq!(at(&Geometry::Quadric(Box::new(q))), (true, vec![2.5]));
 }
 
 #[test]
@@ -490,10 +490,10 @@ fn clipped_quadrics_in_a_scene() {
     let mut b = Builder::default();
     let mut q = [0.0; 16];
     (q[0], q[10], q[7], q[15]) = (1.0, 1.0, 1.0, -1.0);
-    let bowl = b.shape(Geometry::Quadric(q));
+    let bowl = b.shape(Geometry::Quadric(Box::new(q)));
     let mut q = [0.0; 16];
     (q[0], q[10], q[15]) = (1.0, 1.0, -1.0);
-    let tube = b.shape(Geometry::Quadric(q));
+    let tube = b.shape(Geometry::Quadric(Box::new(q)));
     let slab = b.cuboid([-5.0, -1.0, -5.0], [5.0, 1.0, 5.0]);
     let tube = b.intersection(tube, slab);
     let root = b.intersection(bowl, tube);

@@ -252,7 +252,7 @@ fn random_scene(seed: u64) -> Scene {
                 colours: vec![[1.0, 0.0, 0.0], [0.0, 1.0, 1.0]],
             },
             2 => Geometry::Triangle {
-                vertices: [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]],
+                vertices: Box::new([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]]),
                 normals: match r.below(2) {
                     0 => TriangleNormals::Flat,
                     _ => TriangleNormals::One([0.2, 0.0, 1.0]),

@@ -6,7 +6,8 @@ use super::record::Params;
 use crate::diagnostics::Diagnostic;
 use crate::syntax::table::ShapeKind;
 
-/// The shapes of the language with their parameters as written.
+/// The shapes of the language with their parameters as written. What is large and seldom met is boxed: scenes of
+/// millions of spheres are kept in memory.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Geometry {
     /// Types 1 and 2: `profile[i]` is (x, y); `colours` is empty or as long as the profile.
@@ -24,7 +25,7 @@ pub enum Geometry {
     },
     /// Types 6 to 8: no normal, one normal for the whole triangle, or one a vertex.
     Triangle {
-        vertices: [Vec3; 3],
+        vertices: Box<[Vec3; 3]>,
         normals: TriangleNormals,
     },
     /// Types 9 and 11.
@@ -48,7 +49,7 @@ pub enum Geometry {
         minor: f64,
     },
     /// Q of xᵀQx ≤ 0, row by row as written.
-    Quadric([f64; 16]),
+    Quadric(Box<[f64; 16]>),
     Cone {
         height: f64,
         radius: f64,
@@ -76,11 +77,11 @@ pub enum Geometry {
     },
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum TriangleNormals {
     Flat,
     One(Vec3),
-    PerVertex([Vec3; 3]),
+    PerVertex(Box<[Vec3; 3]>),
 }
 
 /// A parameter of a record.
@@ -185,7 +186,7 @@ impl Geometry {
                 vec![Parameter::Real(*radius), Parameter::Integer(*splits)],
             ),
             Geometry::Torus { major, minor } => (ShapeKind::Torus, reals(&[&[*major, *minor]])),
-            Geometry::Quadric(q) => (ShapeKind::Quadric, reals(&[q])),
+            Geometry::Quadric(q) => (ShapeKind::Quadric, reals(&[&q[..]])),
             Geometry::Cone { height, radius } => (ShapeKind::Cone, reals(&[&[*height, *radius]])),
             Geometry::DoubleCone { height, radius } => {
                 (ShapeKind::DoubleCone, reals(&[&[*height, *radius]]))
@@ -247,9 +248,16 @@ pub fn shape(kind: ShapeKind, p: &Params, out: &mut Vec<Diagnostic>) -> Option<G
             let normals = match kind {
                 ShapeKind::Triangle => TriangleNormals::Flat,
                 ShapeKind::TriangleWithNormal => TriangleNormals::One(p.numbers(9)),
-                _ => TriangleNormals::PerVertex([p.numbers(9), p.numbers(12), p.numbers(15)]),
+                _ => TriangleNormals::PerVertex(Box::new([
+                    p.numbers(9),
+                    p.numbers(12),
+                    p.numbers(15),
+                ])),
             };
-            Geometry::Triangle { vertices, normals }
+            Geometry::Triangle {
+                vertices: Box::new(vertices),
+                normals,
+            }
         }
         ShapeKind::SphereAtOrigin => Geometry::Sphere {
             centre: [0.0; 3],
@@ -277,7 +285,7 @@ pub fn shape(kind: ShapeKind, p: &Params, out: &mut Vec<Diagnostic>) -> Option<G
             major: p.number(0),
             minor: p.number(1),
         },
-        ShapeKind::Quadric => Geometry::Quadric(p.numbers(0)),
+        ShapeKind::Quadric => Geometry::Quadric(Box::new(p.numbers(0))),
         ShapeKind::Cone => Geometry::Cone {
             height: p.number(0),
             radius: p.number(1),

@@ -221,7 +221,7 @@ fn rounded_target(target: &Target) -> Target {
         }
         Geometry::Plane(v) | Geometry::HalfSpace(v) => *v = v.map(round),
         Geometry::Rectangle { min, max } => (*min, *max) = (min.map(round), max.map(round)),
-        Geometry::Triangle { vertices, .. } => *vertices = vertices.map(|v| v.map(round)),
+        Geometry::Triangle { vertices, .. } => **vertices = vertices.map(|v| v.map(round)),
         Geometry::Sphere { centre, radius } => {
             (*centre, *radius) = (centre.map(round), round(*radius));
         }
@@ -229,7 +229,7 @@ fn rounded_target(target: &Target) -> Target {
         Geometry::Box { min, max } => (*min, *max) = (min.map(round), max.map(round)),
         Geometry::GeodesicSphere { radius, .. } => *radius = round(*radius),
         Geometry::Torus { major, minor } => (*major, *minor) = (round(*major), round(*minor)),
-        Geometry::Quadric(q) => *q = q.map(round),
+        Geometry::Quadric(q) => **q = q.map(round),
         Geometry::Cone { height, radius } | Geometry::DoubleCone { height, radius } => {
             (*height, *radius) = (round(*height), round(*radius));
         }

@@ -36,7 +36,7 @@ impl Second {
             Geometry::HyperbolicParaboloid { a, b } => {
                 Second::canonical([1, 0, -1], -1, 0, [a, 1.0, b])
             }
-            Geometry::Quadric(q) => {
+            Geometry::Quadric(ref q) => {
                 let q = q.map(Exact::of);
                 let both = |i: usize, j: usize| &q[4 * i + j] + &q[4 * j + i];
                 Second {

@@ -191,7 +191,7 @@ impl Target {
                 let p = [rng.range(min[0], max[0]), rng.range(min[1], max[1]), 0.0];
                 (p, [0.0, 0.0, 1.0])
             }
-            Geometry::Triangle { vertices, .. } => facet_point(vertices, rng),
+            Geometry::Triangle { ref vertices, .. } => facet_point(**vertices, rng),
             Geometry::Plane(abcd) | Geometry::HalfSpace(abcd) => {
                 let normal = [abcd[0], abcd[1], abcd[2]];
                 let square: f64 = normal.iter().map(|x| x * x).sum();
@@ -333,7 +333,7 @@ fn triangle(size: f64, rng: &mut Rng) -> Target {
     }
     Target {
         geometry: Geometry::Triangle {
-            vertices,
+            vertices: Box::new(vertices),
             normals: TriangleNormals::Flat,
         },
         centre: std::array::from_fn(|i| (a[i] + b[i] + c[i]) / 3.0),
@@ -620,13 +620,13 @@ fn quadric(size: f64, rng: &mut Rng) -> Geometry {
             }
         }
     }
-    Geometry::Quadric(q)
+    Geometry::Quadric(Box::new(q))
 }
 
 /// Q of xᵀQx, about, for shapes of second degree that are no solids of revolution.
 fn matrix(geometry: &Geometry) -> [f64; 16] {
     let (square, y, constant) = match *geometry {
-        Geometry::Quadric(q) => return q,
+        Geometry::Quadric(ref q) => return **q,
         Geometry::ParabolicCylinder { a } => ([1.0 / a / a, 0.0, 0.0], -1.0, 0.0),
         Geometry::HyperbolicCylinder { a, b } => ([1.0 / a / a, -1.0 / b / b, 0.0], 0.0, -1.0),
         Geometry::Hyperboloid { a, b, c, sheets } => (

@@ -76,7 +76,7 @@ impl Truth {
                 min: min.map(Exact::of),
                 max: max.map(Exact::of),
             },
-            Geometry::Triangle { vertices, .. } => Truth::Triangle(vertices.map(point)),
+            Geometry::Triangle { ref vertices, .. } => Truth::Triangle(vertices.map(point)),
             Geometry::Box { min, max } => Truth::Cuboid {
                 min: point(min),
                 max: point(max),

@@ -235,7 +235,7 @@ impl Exact {
                 };
                 self.under(form, back)
             }
-            Geometry::Quadric(m) => {
+            Geometry::Quadric(ref m) => {
                 let matrix: [[Q; 4]; 4] = std::array::from_fn(|i| {
                     std::array::from_fn(|j| (q(m[4 * i + j]) + q(m[4 * j + i])) / Q::from(2u32))
                 });

@@ -129,7 +129,7 @@ fn solid(b: &mut Builder, r: &mut Random, kind: u32, size: f64) -> (NodeId, bool
             radius: a,
             splits: r.below(4) as u32,
         },
-        _ => Geometry::Quadric([
+        _ => Geometry::Quadric(Box::new([
             1.0 / (a * a),
             0.0,
             0.0,
@@ -146,7 +146,7 @@ fn solid(b: &mut Builder, r: &mut Random, kind: u32, size: f64) -> (NodeId, bool
             0.0,
             0.0,
             -1.0,
-        ]),
+        ])),
     };
     (b.shape(geometry), matches!(kind, 0..=3 | 5 | 11))
 }

@@ -74,7 +74,7 @@ fn shape(b: &mut Builder, r: &mut Random) -> NodeId {
             a: positive(r, 1),
             b: positive(r, 1),
         },
-        8 => Geometry::Quadric(std::array::from_fn(|_| short(r, 1))),
+        8 => Geometry::Quadric(Box::new(std::array::from_fn(|_| short(r, 1)))),
         9 => Geometry::HalfSpace([short(r, 1), short(r, 1), positive(r, 1), short(r, 1)]),
         10 => {
             let n = 2 + r.below(5);

@@ -1,8 +1,8 @@
 //! The lines that findings point at, as a source for ariadne.
 //!
 //! Ariadne indexes a whole source and prints whole lines. Scenes have many megabytes, sometimes on
-//! one line. So it is given a stand-in that has as many lines as the file has up to the last line
-//! needed, of which only the lines needed have text: a window of it where a line is long.
+//! one line. So it is given a stand-in: the lines from the first one needed to the last one needed, of which only
+//! those have text, a window of it where a line is long. Their numbers are put in afterwards.
 
 use ariadne::Source;
 
@@ -17,9 +17,14 @@ const AFTER: usize = 140;
 /// What stands for the part of a line that is left out.
 const ELLIPSIS: char = '…';
 
-/// A stand-in for a file, in which only some lines have text.
+/// Marks a section's name in ariadne's output, where the place is put in afterwards: ariadne would
+/// count lines and columns in the excerpt. It never occurs in what is printed.
+pub(super) const MARK: char = '\u{1}';
+
+/// A stand-in for some lines of a file that are close to each other.
 pub(super) struct Excerpt {
     pub source: Source<String>,
+    /// The lines with text, ascending.
     lines: Vec<Line>,
 }
 
@@ -49,7 +54,7 @@ impl Excerpt {
         let mut text = String::new();
         let mut lines = Vec::with_capacity(starts.len());
         let mut chars = 0;
-        let mut next = 0;
+        let mut next = starts.first().map_or(0, |first| first.0);
         for (number, at) in starts {
             let gap = number - next;
             text.extend(std::iter::repeat_n('\n', gap));
@@ -85,6 +90,11 @@ impl Excerpt {
         }
     }
 
+    /// The numbers of the first and the last line, from 1 on.
+    fn numbers(&self) -> [usize; 2] {
+        [self.lines.first(), self.lines.last()].map(|line| line.map_or(1, |l| l.number + 1))
+    }
+
     /// Where a span lies in the stand-in, in characters: at least one, and cut at the end of what is
     /// shown of the line it starts on. `None` when its start is not shown.
     pub fn place(&self, file: &SourceFile, span: Span) -> Option<std::ops::Range<usize>> {
@@ -109,6 +119,49 @@ impl Excerpt {
         let first = line.start + chars(start, from);
         Some(first..first + chars(from, to).max(1))
     }
+}
+
+/// Ariadne's lines with the numbers that the lines have in the file, and a margin as wide as these ask for.
+pub(super) fn with_line_numbers<'a>(
+    lines: impl Iterator<Item = &'a str>,
+    sections: &[(usize, Excerpt)],
+) -> String {
+    let digits = |number: usize| number.checked_ilog10().unwrap_or(0) as usize + 1;
+    let all = || sections.iter().map(|(_, excerpt)| excerpt);
+    let ours = all().map(|e| digits(e.numbers()[1])).max().unwrap_or(1);
+    let theirs = all()
+        .map(|e| e.numbers()[1] + 1 - e.numbers()[0])
+        .map(digits);
+    let theirs = theirs.max().unwrap_or(1);
+    let mut first = 1;
+    let mut out = String::new();
+    for line in lines {
+        if let Some(section) = line.split(MARK).nth(1) {
+            let named = |s: &&(usize, Excerpt)| s.0.to_string() == section;
+            first = sections.iter().find(named).map_or(1, |s| s.1.numbers()[0]);
+        }
+        // Colours may come before the margin.
+        let start = match line.starts_with('\u{1b}') {
+            true => line.find('m').map_or(0, |i| i + 1),
+            false => 0,
+        };
+        let (colour, rest) = line.split_at(start);
+        let margin: String = rest.chars().take(theirs + 2).collect();
+        let rest = &rest[margin.len()..];
+        out += colour;
+        match margin.trim().parse::<usize>() {
+            Ok(number) => out += &format!(" {:>ours$} ", number + first - 1),
+            Err(_) => out.extend(std::iter::repeat_n(
+                margin.chars().next().unwrap_or(' '),
+                ours + 2,
+            )),
+        }
+        let end = out.len();
+        out += rest;
+        out.truncate(out.trim_end().len().max(end));
+        out.push('\n');
+    }
+    out
 }
 
 /// A line without what surrounds its text: the line break, and a byte order mark.

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use ariadne::{Cache, CharSet, Color, Config, Fmt, IndexType, Label, Report, ReportKind, Source};
 
-use super::excerpt::{self, Excerpt};
+use super::excerpt::{self, Excerpt, MARK};
 use super::visible;
 use crate::diagnostics::source::Locator;
 use crate::diagnostics::wording::Wording;
@@ -17,13 +17,6 @@ use crate::parallel;
 /// A second place so many lines away gets a section of its own: ariadne walks through all the lines
 /// of a section.
 const FAR: usize = 50;
-/// What a finding on a very long line costs is the number of lines before it. So much is spent on a
-/// file; the findings after that are shown without the line.
-const LINE_BUDGET: usize = 20_000_000;
-/// Marks a section's name in ariadne's output, where the place is put in afterwards: ariadne would
-/// count columns in the excerpt. It never occurs in what is printed.
-const MARK: char = '\u{1}';
-
 /// How findings are shown to people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Look {
@@ -75,13 +68,8 @@ pub fn write(
     let printer = Printer {
         file,
         path: visible(&file.path).into_owned(),
-        common: Excerpt::new(file, shown.iter().flat_map(|d| spans(d))),
         look,
     };
-    let mut budget = LINE_BUDGET;
-    let shown: Vec<(&Diagnostic, Lines)> = (shown.into_iter())
-        .map(|d| (d, printer.lines(d, &mut budget)))
-        .collect();
     // Errors are as many as there are: side by side, and not all of their texts at once.
     for some in shown.chunks(16 * TOGETHER) {
         let parts: Vec<_> = some.chunks(TOGETHER).collect();
@@ -166,27 +154,10 @@ impl Fold {
     }
 }
 
-/// The places a finding points at, the first one first.
-fn spans(d: &Diagnostic) -> impl Iterator<Item = Span> {
-    std::iter::once(d.span).chain(d.labels.iter().map(|l| l.span))
-}
-
 struct Printer<'a> {
     file: &'a SourceFile,
     path: String,
-    /// The lines of all the findings that are shown, long ones cut around the first finding on them.
-    common: Excerpt,
     look: Look,
-}
-
-/// Where the lines come from that a finding is shown with.
-#[derive(Clone, Copy)]
-enum Lines {
-    Common,
-    /// An excerpt of its own.
-    Own,
-    /// It is shown without.
-    None,
 }
 
 /// One place in a report.
@@ -199,42 +170,21 @@ struct Mark<'a> {
 }
 
 impl Printer<'_> {
-    /// What of the budget an excerpt of its own costs is taken from it.
-    fn lines(&self, d: &Diagnostic, budget: &mut usize) -> Lines {
-        if spans(d).all(|span| self.common.place(self.file, span).is_some()) {
-            return Lines::Common;
-        }
-        let lines = spans(d).map(|span| self.line(span));
-        match budget.checked_sub(lines.max().unwrap_or(0)) {
-            Some(rest) => {
-                *budget = rest;
-                Lines::Own
-            }
-            None => Lines::None,
-        }
-    }
-
     fn line(&self, span: Span) -> usize {
         self.file.line_index(self.file.floor(span.start))
     }
 
     /// The text of some findings, one after the other.
-    fn texts(&self, some: &[(&Diagnostic, Lines)]) -> io::Result<Vec<u8>> {
+    fn texts(&self, some: &[&Diagnostic]) -> io::Result<Vec<u8>> {
         let mut locator = Locator::new(self.file);
         let mut out = Vec::new();
-        for (d, lines) in some {
-            self.write(&mut out, d, *lines, &mut locator)?;
+        for d in some {
+            self.write(&mut out, d, &mut locator)?;
         }
         Ok(out)
     }
 
-    fn write(
-        &self,
-        out: &mut dyn Write,
-        d: &Diagnostic,
-        lines: Lines,
-        locator: &mut Locator,
-    ) -> io::Result<()> {
+    fn write(&self, out: &mut dyn Write, d: &Diagnostic, locator: &mut Locator) -> io::Result<()> {
         let language = self.look.language;
         let words = d.wording(language);
         let severity = language.say(d.severity.as_str(), &[]);
@@ -243,22 +193,8 @@ impl Printer<'_> {
         writeln!(out, "{head} {}", visible(&words.message))?;
 
         let marks = self.marks(d, &words);
-        let own;
-        let excerpt = match lines {
-            Lines::Common => Some(&self.common),
-            Lines::Own => {
-                own = Excerpt::new(self.file, spans(d));
-                Some(&own)
-            }
-            Lines::None => None,
-        };
-        match excerpt {
-            Some(excerpt) => {
-                let report = self.report(d, &words, &marks, excerpt)?;
-                self.put_places(out, &report, &marks, locator)?;
-            }
-            None => self.write_without_lines(out, d, &words, locator)?,
-        }
+        let report = self.report(d, &words, &marks)?;
+        self.put_places(out, &report, &marks, locator)?;
         writeln!(out)
     }
 
@@ -326,20 +262,24 @@ impl Printer<'_> {
     }
 
     /// The report without its first line, with [`MARK`]s for the places.
-    fn report(
-        &self,
-        d: &Diagnostic,
-        words: &Wording,
-        marks: &[Mark],
-        excerpt: &Excerpt,
-    ) -> io::Result<String> {
+    fn report(&self, d: &Diagnostic, words: &Wording, marks: &[Mark]) -> io::Result<String> {
+        let sections: Vec<(usize, Excerpt)> = (marks.chunk_by(|a, b| a.section == b.section))
+            .map(|marks| {
+                let excerpt = Excerpt::new(self.file, marks.iter().map(|m| m.span));
+                (marks[0].section, excerpt)
+            })
+            .collect();
+        let place = |span, section| {
+            let excerpt = sections.iter().find(|s| s.0 == section);
+            let place = excerpt.and_then(|s| s.1.place(self.file, span));
+            (section, place.unwrap_or(0..1))
+        };
         // Character indices: ariadne has the excerpt's characters, and cannot cut one in two.
         let config = Config::default()
             .with_color(self.look.colour)
             .with_index_type(IndexType::Char)
             .with_char_set(CharSet::Unicode);
-        let place = |span| excerpt.place(self.file, span).unwrap_or(0..1);
-        let mut report = Report::build(ReportKind::Error, (0, place(d.span))).with_config(config);
+        let mut report = Report::build(ReportKind::Error, place(d.span, 0)).with_config(config);
         for mark in marks {
             let colour = if mark.primary {
                 severity_colour(d.severity)
@@ -347,7 +287,7 @@ impl Printer<'_> {
                 Color::Cyan
             };
             report.add_label(
-                Label::new((mark.section, place(mark.span)))
+                Label::new(place(mark.span, mark.section))
                     .with_message(visible(mark.message))
                     .with_color(colour),
             );
@@ -361,14 +301,11 @@ impl Printer<'_> {
         let mut text = Vec::new();
         report
             .finish()
-            .write_for_stdout(Sections(&excerpt.source), &mut text)?;
-        let text = String::from_utf8_lossy(&text);
+            .write_for_stdout(Sections(&sections), &mut text)?;
         // Ariadne's own first line knows no notes and no style.
-        let text: String = text
-            .lines()
-            .skip(1)
-            .flat_map(|line| [line.trim_end(), "\n"])
-            .collect();
+        let text = String::from_utf8_lossy(&text);
+        let lines = text.lines().skip(1);
+        let text = excerpt::with_line_numbers(lines, &sections);
         Ok(match self.look.language {
             Language::English => text,
             // Words of the same length, lest the lines below them be out of line.
@@ -397,24 +334,6 @@ impl Printer<'_> {
             let rest =
                 rest.trim_start_matches(|c: char| c == ':' || c == '?' || c.is_ascii_digit());
             write!(out, "{}:{}:{}{rest}", self.path, place.line, place.column)?;
-        }
-        Ok(())
-    }
-
-    fn write_without_lines(
-        &self,
-        out: &mut dyn Write,
-        d: &Diagnostic,
-        words: &Wording,
-        locator: &mut Locator,
-    ) -> io::Result<()> {
-        let place = locator.position(d.span.start);
-        writeln!(out, "  {}:{}:{}", self.path, place.line, place.column)?;
-        for help in self.helps(d, words) {
-            writeln!(out, "  {help}")?;
-        }
-        for note in &words.notes {
-            writeln!(out, "  {}", visible(note))?;
         }
         Ok(())
     }
@@ -484,14 +403,15 @@ fn fixed_lines(file: &SourceFile, fix: &Fix) -> Vec<String> {
         .collect()
 }
 
-/// All sections of a report are parts of one source; each is named by its number between marks.
-struct Sections<'a>(&'a Source<String>);
+/// Each section of a report has a source of its own, and is named by its number between marks.
+struct Sections<'a>(&'a [(usize, Excerpt)]);
 
 impl Cache<usize> for Sections<'_> {
     type Storage = String;
 
-    fn fetch(&mut self, _: &usize) -> Result<&Source<String>, impl std::fmt::Debug> {
-        Ok::<_, std::convert::Infallible>(self.0)
+    fn fetch(&mut self, section: &usize) -> Result<&Source<String>, impl std::fmt::Debug> {
+        let found = self.0.iter().find(|s| s.0 == *section);
+        found.map(|s| &s.1.source).ok_or("there is no such section")
     }
 
     fn display<'a>(&self, section: &'a usize) -> Option<impl std::fmt::Display + 'a> {

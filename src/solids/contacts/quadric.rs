@@ -101,9 +101,9 @@ mod tests {
             },
             Geometry::HyperbolicParaboloid { a: 1.0, b: 1.0 },
             // A cone.
-            Geometry::Quadric([
+            Geometry::Quadric(Box::new([
                 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            ]),
+            ])),
         ];
         for shape in shapes {
             let form = form(&shape).unwrap();

@@ -54,11 +54,11 @@ macro_rules! each {
                 let $s = rectangle::Rectangle { min, max };
                 $e
             }
-            &Geometry::Triangle {
-                vertices,
-                ref normals,
-            } => {
-                let $s = triangle::Triangle { vertices, normals };
+            Geometry::Triangle { vertices, normals } => {
+                let $s = triangle::Triangle {
+                    vertices: **vertices,
+                    normals,
+                };
                 $e
             }
             &Geometry::Sphere { centre, radius } => {

@@ -160,7 +160,7 @@ fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Stage) -> Option<Scene> 
                 ty,
                 span: Span::default(),
                 geometry: Geometry::Triangle {
-                    vertices,
+                    vertices: Box::new(vertices),
                     normals: TriangleNormals::Flat,
                 },
             });

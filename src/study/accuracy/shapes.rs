@@ -66,7 +66,7 @@ fn shapes() -> Vec<(&'static str, Geometry)> {
         (
             "triangle",
             Geometry::Triangle {
-                vertices: [[-1.0, -0.8, 0.1], [1.0, -0.6, 0.0], [0.1, 0.9, -0.2]],
+                vertices: Box::new([[-1.0, -0.8, 0.1], [1.0, -0.6, 0.0], [0.1, 0.9, -0.2]]),
                 normals: crate::scene::TriangleNormals::Flat,
             },
         ),

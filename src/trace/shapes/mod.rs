@@ -245,9 +245,10 @@ impl Primitive {
             Geometry::HyperbolicParaboloid { a, b } => {
                 Primitive::Quadric(quadric::Quadric::hyperbolic_paraboloid(a, b))
             }
-            Geometry::Triangle { vertices, normals } => {
-                Primitive::Triangle(triangle::Triangle::new(vertices, normals))
-            }
+            Geometry::Triangle {
+                ref vertices,
+                ref normals,
+            } => Primitive::Triangle(triangle::Triangle::new(**vertices, normals.clone())),
             Geometry::GeodesicSphere { radius, splits } => {
                 Primitive::GeodesicSphere(geodesic_sphere::GeodesicSphere::new(radius, splits))
             }

@@ -184,7 +184,7 @@ impl Node {
             &Geometry::HalfSpace([a, b, c, d]) => Node::HalfSpace { a, b, c, d },
             &Geometry::Rectangle { min, max } => Node::Rectangle { min, max },
             Geometry::Triangle { vertices, normals } => Node::Triangle {
-                vertices: *vertices,
+                vertices: **vertices,
                 normals: match normals {
                     TriangleNormals::Flat => Vec::new(),
                     TriangleNormals::One(n) => vec![*n],
@@ -196,7 +196,7 @@ impl Node {
             &Geometry::Box { min, max } => Node::Box { min, max },
             &Geometry::GeodesicSphere { radius, splits } => Node::GeodesicSphere { radius, splits },
             &Geometry::Torus { major, minor } => Node::Torus { major, minor },
-            &Geometry::Quadric(matrix) => Node::Quadric { matrix },
+            Geometry::Quadric(matrix) => Node::Quadric { matrix: **matrix },
             &Geometry::Cone { height, radius } => Node::Cone { height, radius },
             &Geometry::DoubleCone { height, radius } => Node::DoubleCone { height, radius },
             &Geometry::ParabolicCylinder { a } => Node::ParabolicCylinder { a },
@@ -217,9 +217,9 @@ impl Node {
             &Node::HalfSpace { a, b, c, d } => Geometry::HalfSpace([a, b, c, d]),
             &Node::Rectangle { min, max } => Geometry::Rectangle { min, max },
             Node::Triangle { vertices, normals } => Geometry::Triangle {
-                vertices: *vertices,
+                vertices: Box::new(*vertices),
                 normals: match normals[..] {
-                    [a, b, c] => TriangleNormals::PerVertex([a, b, c]),
+                    [a, b, c] => TriangleNormals::PerVertex(Box::new([a, b, c])),
                     [n] => TriangleNormals::One(n),
                     _ => TriangleNormals::Flat,
                 },
@@ -229,7 +229,7 @@ impl Node {
             &Node::Box { min, max } => Geometry::Box { min, max },
             &Node::GeodesicSphere { radius, splits } => Geometry::GeodesicSphere { radius, splits },
             &Node::Torus { major, minor } => Geometry::Torus { major, minor },
-            &Node::Quadric { matrix } => Geometry::Quadric(matrix),
+            &Node::Quadric { matrix } => Geometry::Quadric(Box::new(matrix)),
             &Node::Cone { height, radius } => Geometry::Cone { height, radius },
             &Node::DoubleCone { height, radius } => Geometry::DoubleCone { height, radius },
             &Node::ParabolicCylinder { a } => Geometry::ParabolicCylinder { a },

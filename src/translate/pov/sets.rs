@@ -349,7 +349,7 @@ fn bits(geometry: &Geometry) -> Vec<u64> {
         }
         .record(),
         Geometry::Triangle { vertices, .. } => Geometry::Triangle {
-            vertices: *vertices,
+            vertices: vertices.clone(),
             normals: TriangleNormals::Flat,
         }
         .record(),

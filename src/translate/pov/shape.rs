@@ -207,7 +207,7 @@ pub fn plate(geometry: &Geometry, by: f64) -> Option<Primitive> {
             vertices,
             normals: TriangleNormals::Flat,
         } => {
-            let [p, q, r] = *vertices;
+            let [p, q, r] = **vertices;
             let [u, v] = [q, r].map(|x| [x[0] - p[0], x[1] - p[1], x[2] - p[2]]);
             let n = [
                 u[1] * v[2] - u[2] * v[1],
@@ -219,7 +219,7 @@ pub fn plate(geometry: &Geometry, by: f64) -> Option<Primitive> {
                 return None;
             }
             let side = |corners: [[f64; 3]; 3], by: f64| Geometry::Triangle {
-                vertices: corners.map(|x| std::array::from_fn(|i| x[i] + by * n[i])),
+                vertices: Box::new(corners.map(|x| std::array::from_fn(|i| x[i] + by * n[i]))),
                 normals: TriangleNormals::Flat,
             };
             Primitive {

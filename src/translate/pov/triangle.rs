@@ -71,10 +71,10 @@ pub fn turned(geometry: &Geometry) -> Option<Geometry> {
     let normals = match normals {
         TriangleNormals::Flat => TriangleNormals::Flat,
         TriangleNormals::One(n) => TriangleNormals::One(back(*n)),
-        TriangleNormals::PerVertex(n) => TriangleNormals::PerVertex(n.map(back)),
+        TriangleNormals::PerVertex(n) => TriangleNormals::PerVertex(Box::new(n.map(back))),
     };
     Some(Geometry::Triangle {
-        vertices: *vertices,
+        vertices: vertices.clone(),
         normals,
     })
 }

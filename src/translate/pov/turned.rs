@@ -87,7 +87,7 @@ fn turns(
     let normals = match normals {
         TriangleNormals::Flat => return None,
         TriangleNormals::One(n) => [*n; 3],
-        TriangleNormals::PerVertex(n) => *n,
+        TriangleNormals::PerVertex(n) => **n,
     };
     let back = place.inverse()?;
     let points = vertices.map(|v| V::from(place.point(v)));

@@ -23,7 +23,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let finding = Diagnostic::new(Code::W306, p.span_of(0, 16))
             .case(case)
             .with("id", shape.id.to_string());
-        let mut other = *q;
+        let mut other = **q;
         other[15] = -q[15];
         out.push(match q[15] > 0.0 && judge(&other) == Verdict::Other {
             true => finding.case("ball").fix(Fix::replace(

@@ -33,7 +33,7 @@ pub struct Quadric {
 impl Quadric {
     /// xᵀQx ≤ 0 with x = (x, y, z, 1); the matrix row by row.
     pub fn general(q: &[f64; 16]) -> Quadric {
-        let geometry = Geometry::Quadric(*q);
+        let geometry = Geometry::Quadric(Box::new(*q));
         Quadric::with(&geometry, Form::symmetric_part(q), "quadric")
     }
 

@@ -158,9 +158,9 @@ pub fn tessellate(
             ];
             Ok(flat::surface(&face).map_or(Solid::nothing(), Solid::of))
         }
-        Geometry::Triangle { vertices, .. } => {
+        Geometry::Triangle { ref vertices, .. } => {
             budget.spend(8.0)?;
-            Ok(flat::surface(&vertices).map_or(Solid::nothing(), Solid::of))
+            Ok(flat::surface(&vertices[..]).map_or(Solid::nothing(), Solid::of))
         }
         Geometry::Quadric(ref q) => quadric::quadric(q, tolerance, region, budget),
         Geometry::ParabolicCylinder { a } => quadric(&[(0, squared(a)), (7, -1.0)], budget),

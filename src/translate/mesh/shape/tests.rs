@@ -84,7 +84,7 @@ fn volumes_by_formula() {
         ),
         (
             // 4x² + y²/9 + (z − 1)² ≤ 1.
-            Geometry::Quadric([
+            Geometry::Quadric(Box::new([
                 4.0,
                 0.0,
                 0.0,
@@ -101,7 +101,7 @@ fn volumes_by_formula() {
                 0.0,
                 -1.0,
                 0.0,
-            ]),
+            ])),
             4.0 / 3.0 * PI * 0.5 * 3.0,
         ),
     ];
@@ -219,7 +219,7 @@ fn quadrics_agree_with_their_polynomial() {
                     *x += sign * f * matrix.0[l / 4][k / 4] * matrix.0[l % 4][k % 4];
                 }
             }
-            let solid = made(&Geometry::Quadric(q), 1e-3);
+            let solid = made(&Geometry::Quadric(Box::new(q)), 1e-3);
             let (mut wrong, mut asked) = (0, 0);
             let halton = |i: u32, base: u32| {
                 let (mut i, mut f, mut x) = (i, 1.0, 0.0);
@@ -274,7 +274,7 @@ fn named_quadrics_are_those_of_the_language() {
 #[test]
 fn surfaces_show_one_face() {
     let triangle = Geometry::Triangle {
-        vertices: [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 0.0, -1.0]],
+        vertices: Box::new([[0.0; 3], [2.0, 0.0, 0.0], [0.0, 0.0, -1.0]]),
         normals: TriangleNormals::Flat,
     };
     let rectangle = Geometry::Rectangle {
