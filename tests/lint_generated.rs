@@ -75,6 +75,12 @@ fn holds(scene: &Scene, node: NodeId, p: Vec3) -> bool {
     members(scene, node, p).is_ok_and(|m| m.in_root)
 }
 
+/// The nodes of unions, intersections and differences.
+fn operations(scene: &Scene) -> impl Iterator<Item = NodeId> {
+    let nodes = (0..).zip(&scene.nodes);
+    nodes.filter_map(|(i, node)| node.children()[1].map(|_| i))
+}
+
 /// What is wrong with a finding.
 fn refuted(source: &str, loaded: &Analysis, d: &Diagnostic, rng: &mut Rng) -> Option<String> {
     let scene = &loaded.scene;
@@ -145,12 +151,12 @@ fn refuted(source: &str, loaded: &Analysis, d: &Diagnostic, rng: &mut Rng) -> Op
         }
         Code::W319 => {
             let operation = id(d, "id");
-            let record = scene.operations.iter().find(|o| o.id == operation)?;
+            let node = operations(scene).find(|&n| scene.origins[n as usize].id == operation)?;
             let bounds = node_bounds(scene);
-            let operands = scene.nodes[record.node as usize].children();
+            let operands = scene.nodes[node as usize].children();
             for child in operands.into_iter().flatten() {
                 let b = &bounds[child as usize].all;
-                if (0..200).any(|_| holds(scene, record.node, around(rng, b))) {
+                if (0..200).any(|_| holds(scene, node, around(rng, b))) {
                     return wrong("there is something in it");
                 }
             }
@@ -270,8 +276,9 @@ fn lies_are_refuted() {
             }
         }
         // Unions of a solid and whatever are not empty.
-        for o in &loaded.scene.operations {
-            if let Node::Union(a, _) = loaded.scene.nodes[o.node as usize]
+        for node in operations(&loaded.scene) {
+            let o = loaded.scene.origins[node as usize];
+            if let Node::Union(a, _) = loaded.scene.nodes[node as usize]
                 && let Node::Shape(s) = loaded.scene.nodes[a as usize]
                 && loaded.scene.shapes[s as usize].geometry.is_solid()
             {

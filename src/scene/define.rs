@@ -30,13 +30,7 @@ impl Resolver<'_> {
                     RecordKind::Intersection => Node::Intersection(b, c),
                     _ => Node::Difference(b, c),
                 };
-                let node = self.node(node);
-                self.scene.operations.push(OperationRecord {
-                    id: p.id,
-                    node,
-                    span: p.span(),
-                });
-                Some(State::Object(node))
+                Some(State::Object(self.node(node)))
             }
             RecordKind::Complement => {
                 let b = self.object(p, 0)?;

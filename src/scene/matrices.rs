@@ -34,6 +34,9 @@ pub fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
 
 /// E204 unless the matrix can be inverted.
 fn invertible(p: &Params, m: Matrix, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+    if m.is_plainly_invertible() {
+        return Some(m);
+    }
     match (m.is_singular(), m.inverse()) {
         (false, Some(_)) => return Some(m),
         (true, _) => singular(p, "", out),

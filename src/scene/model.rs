@@ -32,8 +32,6 @@ pub struct Scene {
     pub view: View,
     pub render: Option<Render>,
     pub promises: Vec<Promise>,
-    /// Unions, intersections and differences, in file order.
-    pub operations: Vec<OperationRecord>,
     /// Every entity, in the order of definition.
     pub entities: Vec<Entity>,
     /// A number for every ID that is defined, from 0 on in the order of first definition.
@@ -238,14 +236,6 @@ pub struct Promise {
     pub id: u32,
     pub node: NodeId,
     pub volume: Volume,
-    pub span: Span,
-}
-
-/// The record that made the node of an operation.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OperationRecord {
-    pub id: u32,
-    pub node: NodeId,
     pub span: Span,
 }
 

@@ -61,6 +61,13 @@ fn definitions(document: &Document) -> FxHashMap<u32, Span> {
 }
 
 impl References {
+    pub fn new(records: usize) -> References {
+        References {
+            entity: Vec::with_capacity(records),
+            ..References::default()
+        }
+    }
+
     pub fn defined(&mut self, number: Option<u32>, entity: usize) {
         let Some(number) = number.map(|n| n as usize) else {
             return;

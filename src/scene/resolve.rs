@@ -23,17 +23,23 @@ pub fn resolve(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Scene {
     let text = source.text.as_str();
+    // Room that is not used takes no memory; moving what has grown takes time.
+    let records = document.items.len();
     let mut resolver = Resolver {
         document,
         text,
         folder: source.folder(),
         scene: Scene {
-            ids: IdTable::new(document.items.len()),
+            ids: IdTable::new(records),
+            nodes: Vec::with_capacity(records),
+            origins: Vec::with_capacity(records),
+            shapes: Vec::with_capacity(records),
+            entities: Vec::with_capacity(records),
             ..Scene::default()
         },
-        states: Vec::with_capacity(document.items.len()),
-        taken: Vec::with_capacity(document.items.len()),
-        references: References::default(),
+        states: Vec::with_capacity(records),
+        taken: Vec::with_capacity(records),
+        references: References::new(records),
         render: None,
         has_render: false,
         selection: None,

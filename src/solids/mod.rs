@@ -23,7 +23,7 @@ pub mod tree;
 pub mod within;
 
 use crate::diagnostics::Span;
-use crate::scene::{Node, NodeId, OperationRecord, Scene, Vec3};
+use crate::scene::{Node, NodeId, Scene, Vec3};
 
 /// How far two points are from each other.
 pub fn distance(p: Vec3, q: Vec3) -> f64 {
@@ -71,7 +71,7 @@ pub fn named(scene: &Scene, mut node: NodeId) -> Option<Named> {
                     Node::Intersection(..) => "intersection",
                     _ => "difference",
                 };
-                let record = operation_of(scene, node)?;
+                let record = scene.origins.get(node as usize)?;
                 return Some(Named {
                     title,
                     id: copy.unwrap_or(record.id),
@@ -80,10 +80,4 @@ pub fn named(scene: &Scene, mut node: NodeId) -> Option<Named> {
             }
         }
     }
-}
-
-/// The record that made the node of an operation.
-pub fn operation_of(scene: &Scene, node: NodeId) -> Option<&OperationRecord> {
-    let at = (scene.operations).binary_search_by_key(&node, |o| o.node);
-    scene.operations.get(at.ok()?)
 }

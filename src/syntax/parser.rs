@@ -145,7 +145,8 @@ impl<'s> Plan<'s> {
     fn of(columns: Columns<'s>) -> Plan<'s> {
         let plan = Plan {
             columns,
-            items: Vec::with_capacity(columns.len() / 6),
+            // Hardly any record is shorter.
+            items: Vec::with_capacity(columns.len() / 3),
             gaps: Vec::new(),
             notes: Vec::new(),
             defined: Vec::new(),

@@ -18,11 +18,11 @@ use crate::lint::spelling::near;
 use crate::lint::{Context, live_nodes};
 use crate::parallel;
 use crate::scene::record::Params;
-use crate::scene::{Geometry, Node, NodeId, OperationRecord, Scene};
+use crate::scene::{Geometry, Node, NodeId, Scene};
 use crate::solids::contacts::face::Part;
 use crate::solids::contacts::search::{Found, Side, search};
+use crate::solids::named;
 use crate::solids::shapes::facts::Facts;
-use crate::solids::{named, operation_of};
 
 /// What the two shapes are to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,15 +58,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let findings = parallel::map(groups.len(), |i| {
         let pairs = groups[i];
         let (operation, _, case) = group(&pairs[0]);
-        let record = operation_of(scene, operation)?;
-        finding(context, record, case, pairs, &parents)
+        finding(context, operation, case, pairs, &parents)
     });
     out.extend(findings.into_iter().flatten());
 }
 
 fn finding(
     context: &Context,
-    operation: &OperationRecord,
+    operation: NodeId,
     case: Case,
     pairs: &[Found],
     parents: &Parents,
@@ -74,7 +73,8 @@ fn finding(
     let scene = context.scene;
     let found = pairs.first()?;
     let [tool, other] = &found.sides;
-    let title = match scene.nodes[operation.node as usize] {
+    let record = scene.origins[operation as usize];
+    let title = match scene.nodes[operation as usize] {
         Node::Difference(..) => "difference",
         _ => "intersection",
     };
@@ -108,7 +108,7 @@ fn finding(
             Case::Touch => "touch",
         })
         .with("operation", Value::Term(title))
-        .with("id", operation.id.to_string())
+        .with("id", record.id.to_string())
         .with("tool", Value::Term(shape(tool).ty.title))
         .with("tool-id", tool.id.to_string())
         .with("tool-copy", copy(tool))
@@ -125,10 +125,10 @@ fn finding(
         .with("y", y)
         .with("z", z)
         .label(other_span, "other")
-        .label(operation.span, "operation");
+        .label(record.span, "operation");
     let skin = pairs.iter().any(|p| p.skin);
     let bound = parents.bound.contains(&tool.id);
-    if case != Case::Touch && !skin && !bound && parents.only_in(tool.node, operation.node) {
+    if case != Case::Touch && !skin && !bound && parents.only_in(tool.node, operation) {
         let shape = &scene.shapes[tool.shape as usize];
         let sides: Vec<Side> = pairs.iter().map(|p| p.sides[0]).collect();
         let params = context.params(shape.span)?;

@@ -7,23 +7,18 @@
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::lint::spelling::near;
-use crate::scene::{Node, NodeId, OperationRecord};
+use crate::scene::{Node, NodeId};
 use crate::solids::named;
 use crate::solids::proofs::{Literals, Proofs, Reason};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
-    if scene.operations.is_empty() {
-        return;
-    }
     let bounds = context.bounds();
     let mut proofs = Proofs::new(scene, bounds);
     // What is empty has been spoken of, here or by the rules about shapes.
     let mut empty: Vec<bool> = Vec::with_capacity(scene.nodes.len());
     let mut lists: Vec<Literals> = Vec::with_capacity(scene.nodes.len());
-    let mut records = scene.operations.iter().peekable();
     for (i, node) in scene.nodes.iter().enumerate() {
-        let record = records.next_if(|o| o.node as usize == i);
         let is_empty = |n: NodeId| empty[n as usize];
         let own = Literals::new((i as NodeId, false));
         let (nothing, list) = match *node {
@@ -49,10 +44,8 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                     true => None,
                     false => proofs.nothing(&first, &second, (!cut).then_some((a, b))),
                 };
-                if let Some((x, y, reason)) = &proof
-                    && let Some(record) = record
-                {
-                    out.extend(finding(context, record, (*x, *y), reason));
+                if let Some((x, y, reason)) = &proof {
+                    out.extend(finding(context, i as NodeId, (*x, *y), reason));
                 }
                 let mut all = first;
                 all.extend(&second);
@@ -66,13 +59,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 fn finding(
     context: &Context,
-    record: &OperationRecord,
+    operation: NodeId,
     (x, y): (NodeId, NodeId),
     reason: &Reason,
 ) -> Option<Diagnostic> {
     let scene = context.scene;
     let (one, two) = (named(scene, x)?, named(scene, y)?);
-    let operation = named(scene, record.node)?;
+    let record = scene.origins[operation as usize];
+    let operation = named(scene, operation)?;
     let p = context.params(record.span)?;
     let d = Diagnostic::new(Code::W319, p.span_of(0, 2))
         .with("operation", Value::Term(operation.title))

@@ -29,6 +29,9 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
     let m = Matrix::from_rows(&p.numbers(0));
+    if is_plainly_a_rotation(&m) {
+        return;
+    }
     // The resolver has reported these.
     if m.0[3] != [0.0, 0.0, 0.0, 1.0] || m.is_singular() || m.inverse().is_none() {
         return;
@@ -60,6 +63,26 @@ fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
         });
     }
     out.push(finding);
+}
+
+/// Whether a matrix is a rotation without further ado. Where the products of the columns are those of the unit vectors
+/// within ε, the singular values are within 3ε/2 of 1, and so are the entries of those of the nearest rotation.
+fn is_plainly_a_rotation(m: &Matrix) -> bool {
+    let column = |j: usize| [m.0[0][j], m.0[1][j], m.0[2][j]];
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let [x, y, z] = [0, 1, 2].map(column);
+    let across = [
+        x[1] * y[2] - x[2] * y[1],
+        x[2] * y[0] - x[0] * y[2],
+        x[0] * y[1] - x[1] * y[0],
+    ];
+    let is = |product: f64, meant: f64| (product - meant).abs() <= TOLERANCE / 10.0;
+    m.0[3] == [0.0, 0.0, 0.0, 1.0]
+        && [x, y, z].iter().all(|v| is(dot(*v, *v), 1.0))
+        && [(x, y), (x, z), (y, z)]
+            .iter()
+            .all(|(a, b)| is(dot(*a, *b), 0.0))
+        && dot(across, z) > 0.0
 }
 
 /// Says what the matrix does besides turning.
@@ -156,6 +179,34 @@ fn edits(p: &Params, written: &Matrix3, nearest: &Matrix3) -> Vec<Edit> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    proptest::proptest! {
+        /// What passes without further ado is within the tolerance of the nearest rotation.
+        #[test]
+        fn what_is_plainly_a_rotation_is_one(
+            angles in proptest::array::uniform3(-180.0..180.0),
+            off in proptest::array::uniform9(-1.0..1.0),
+            size in -9.0..-5.0,
+            mirror in proptest::bool::ANY,
+        ) {
+            let mut m = (0..3).fold(Matrix::IDENTITY, |m, axis| {
+                m.after(&Matrix::rotation(angles[axis], axis))
+            });
+            for (k, x) in off.iter().enumerate() {
+                m.0[k / 3][k % 3] += x * 10f64.powf(size);
+            }
+            if mirror {
+                m.0.swap(0, 1);
+            }
+            if is_plainly_a_rotation(&m) {
+                let linear: Matrix3 = std::array::from_fn(|i| std::array::from_fn(|j| m.0[i][j]));
+                let nearest = nearest_orthogonal(&linear).unwrap();
+                let off = (0..9).map(|k| (nearest[k / 3][k % 3] - linear[k / 3][k % 3]).abs());
+                proptest::prop_assert!(off.fold(0.0, f64::max) <= TOLERANCE);
+                proptest::prop_assert!(m.orientation() > 0 && !m.is_singular());
+            }
+        }
+    }
 
     #[test]
     fn the_polar_factor_is_orthogonal_and_undoes_a_stretch() {

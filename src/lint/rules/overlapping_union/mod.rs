@@ -17,8 +17,7 @@ use crate::lint::roots;
 use crate::lint::{Context, live_nodes};
 use crate::parallel;
 use crate::scene::record::Params;
-use crate::scene::{Node, OperationRecord, Optics};
-use crate::solids::operation_of;
+use crate::scene::{Node, Optics, Origin};
 use search::{Found, Search};
 use split::{Pieces, Splitter};
 use unions::Unions;
@@ -48,7 +47,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let properties = Properties::new(context);
     let said = parallel::map(found.len(), |i| {
         let found = &found[i];
-        let record = operation_of(scene, found.union)?;
+        let record = &scene.origins[found.union as usize];
         let p = context.params(record.span)?;
         let d = finding(&unions, &p, record, found);
         let fix = (pieces[i].as_ref()).and_then(|pieces| pieces.fix(context, &properties, &p));
@@ -60,7 +59,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(said.into_iter().flatten());
 }
 
-fn finding(unions: &Unions, p: &Params, record: &OperationRecord, found: &Found) -> Diagnostic {
+fn finding(unions: &Unions, p: &Params, record: &Origin, found: &Found) -> Diagnostic {
     let [one, two] = found.parts.map(|i| &unions.parts[i as usize]);
     let [x, y, z] = found.witness.clone();
     Diagnostic::new(Code::W307, p.span_of(0, 2))
