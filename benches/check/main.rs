@@ -1,5 +1,6 @@
 //! Everything that is promised about the speed of checking, beside other programs in the same run: medians of
-//! several runs, one after the other in turn. Fails if a bar is missed. See benches/README.md.
+//! several runs, one after the other in turn. Fails if a bar is missed. See benches/README.md. Only some parts:
+//! `cargo bench --bench check -- process small`.
 
 mod growth;
 mod program;
@@ -96,12 +97,22 @@ fn main() {
     let folder = tempfile::tempdir().expect("there is room for temporary files");
     let mut table = Table::default();
     println!("| what | measured | bar | |\n|---|---:|---:|---|");
-    peers(folder.path(), &mut table);
-    kinds(folder.path(), &mut table);
-    mistakes(folder.path(), &mut table);
-    in_process(&mut table);
-    small_and_long(folder.path(), &mut table);
-    growth::growth(folder.path(), &mut table);
+    let parts: [(&str, fn(&Path, &mut Table)); 6] = [
+        ("peers", peers),
+        ("kinds", kinds),
+        ("mistakes", mistakes),
+        ("process", |_, table| in_process(table)),
+        ("small", small_and_long),
+        ("growth", growth::growth),
+    ];
+    let asked: Vec<String> = std::env::args().skip(1).collect();
+    let is_asked = |name: &str| asked.iter().any(|a| a == name);
+    let all = !parts.iter().any(|(name, _)| is_asked(name));
+    for (name, part) in parts {
+        if all || is_asked(name) {
+            part(folder.path(), &mut table);
+        }
+    }
     let missed: Vec<&Line> = table.0.iter().filter(|l| l.is_missed()).collect();
     if !missed.is_empty() {
         println!("\n{} of {} bars are missed:", missed.len(), table.0.len());
