@@ -14,6 +14,7 @@ use std::sync::OnceLock;
 
 use crate::diagnostics::{Code, Diagnostic, Span};
 use crate::parallel;
+use crate::scene::names::Names;
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId, Scene};
 use crate::solids::bounds::{NodeBounds, node_bounds};
@@ -25,6 +26,7 @@ pub struct Context<'a> {
     pub document: &'a Document,
     pub scene: &'a Scene,
     bounds: OnceLock<Vec<NodeBounds>>,
+    names: OnceLock<Option<Names>>,
 }
 
 impl<'a> Context<'a> {
@@ -34,12 +36,19 @@ impl<'a> Context<'a> {
             document,
             scene,
             bounds: OnceLock::new(),
+            names: OnceLock::new(),
         }
     }
 
     /// The bounds of each node, for the rules about geometry.
     fn bounds(&self) -> &[NodeBounds] {
         self.bounds.get_or_init(|| node_bounds(self.scene))
+    }
+
+    /// Who names whom; nothing if something is named that is not there.
+    fn names(&self) -> Option<&Names> {
+        let names = || Names::new(self.document, self.scene);
+        self.names.get_or_init(names).as_ref()
     }
 
     /// The parameters of the record that starts where the span does.

@@ -4,9 +4,10 @@ use rustc_hash::FxHashMap;
 
 use super::Context;
 use crate::diagnostics::{Applicability, Fix, Span};
+use crate::scene::names;
 use crate::scene::record::Params;
 use crate::syntax::lexer::TokenKind;
-use crate::syntax::table::{Effect, Param, ParamKind, RecordKind};
+use crate::syntax::table::{Effect, RecordKind};
 use crate::syntax::{Item, Record};
 
 impl<'a> Context<'a> {
@@ -30,12 +31,7 @@ impl<'a> Context<'a> {
 
     /// The IDs that a record refers to, without those that are 0.
     pub fn references(&self, record: &'a Record) -> impl Iterator<Item = u32> + use<'a> {
-        let refers = |p: &Param| matches!(p.kind, ParamKind::Reference { .. });
-        let params = record.ty.params.iter().chain(record.ty.optional);
-        // No type has both repeated parameters and references.
-        (params.zip(self.document.values(record)))
-            .filter(move |(p, value)| refers(p) && (1.0..=f64::from(u32::MAX)).contains(*value))
-            .map(|(_, &value)| value as u32)
+        names::references(self.document, record)
     }
 
     /// An ID that is free: one above the largest of the file, if there is one.

@@ -15,6 +15,7 @@ pub mod geometry;
 pub(crate) mod image_file;
 mod matrices;
 pub mod model;
+pub mod names;
 mod proposals;
 pub(crate) mod record;
 mod references;

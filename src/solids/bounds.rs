@@ -13,57 +13,76 @@ pub struct NodeBounds {
     pub bounded: Aabb,
 }
 
+/// What a node is, as far as its bounds can be told from a shape's own: bounding the moved shape itself keeps chains of
+/// rotations from blowing its box up.
+#[derive(Clone, Copy)]
+enum Placed {
+    /// One shape, as it was defined.
+    Still(u32),
+    /// One shape, and where it is: index into the matrices found so far.
+    Moved(u32, u32),
+    /// Something else.
+    Other,
+}
+
 /// The bounds of every node of the arena, in one pass: children stand before their parents.
 pub fn node_bounds(scene: &Scene) -> Vec<NodeBounds> {
     let mut out: Vec<NodeBounds> = Vec::with_capacity(scene.nodes.len());
-    // For a node that is one shape, moved: the shape and where it is. Bounding the moved shape
-    // itself keeps chains of rotations from blowing its box up.
-    let mut moved: Vec<Option<(u32, Matrix)>> = Vec::with_capacity(scene.nodes.len());
+    let mut placed: Vec<Placed> = Vec::with_capacity(scene.nodes.len());
+    // What is never moved needs none.
+    let mut matrices: Vec<Matrix> = Vec::new();
+    let bounds = |shape: u32, m: &Matrix| {
+        let all = scene.shapes[shape as usize].geometry.bounds(m);
+        (all, finite_part(all))
+    };
     for node in &scene.nodes {
         let of = |id: u32| out[id as usize];
-        let (all, bounded, placed) = match *node {
-            Node::Shape(shape) => {
-                let all = scene.shapes[shape as usize]
-                    .geometry
-                    .bounds(&Matrix::IDENTITY);
-                (all, finite_part(all), Some((shape, Matrix::IDENTITY)))
-            }
+        let ((all, bounded), place) = match *node {
+            Node::Shape(shape) => (bounds(shape, &Matrix::IDENTITY), Placed::Still(shape)),
             Node::Transform { child, matrix } => {
                 let m = &scene.matrices[matrix as usize];
-                match moved[child as usize] {
-                    Some((shape, before)) => {
-                        let m = m.after(&before);
-                        let all = scene.shapes[shape as usize].geometry.bounds(&m);
-                        (all, finite_part(all), Some((shape, m)))
+                let moved = match placed[child as usize] {
+                    Placed::Still(shape) => Some((shape, *m)),
+                    Placed::Moved(shape, before) => {
+                        Some((shape, m.after(&matrices[before as usize])))
                     }
-                    None => (
-                        of(child).all.transformed(m),
-                        finite_part(of(child).bounded.transformed(m)),
-                        None,
-                    ),
+                    Placed::Other => None,
+                };
+                match moved {
+                    Some((shape, m)) => {
+                        matrices.push(m);
+                        let place = Placed::Moved(shape, matrices.len() as u32 - 1);
+                        (bounds(shape, &m), place)
+                    }
+                    None => {
+                        let NodeBounds { all, bounded } = of(child);
+                        let bounded = finite_part(bounded.transformed(m));
+                        ((all.transformed(m), bounded), Placed::Other)
+                    }
                 }
             }
             Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                (of(child).all, of(child).bounded, moved[child as usize])
+                ((of(child).all, of(child).bounded), placed[child as usize])
             }
-            Node::Union(a, b) => (
-                of(a).all.hull(&of(b).all),
-                of(a).bounded.hull(&of(b).bounded),
-                None,
-            ),
+            Node::Union(a, b) => {
+                let (a, b) = (of(a), of(b));
+                let bounded = a.bounded.hull(&b.bounded);
+                ((a.all.hull(&b.all), bounded), Placed::Other)
+            }
             Node::Intersection(a, b) => {
                 let (a, b) = (of(a), of(b));
                 let bounded = a
                     .bounded
                     .intersection(&b.all)
                     .hull(&b.bounded.intersection(&a.all));
-                (a.all.intersection(&b.all), finite_part(bounded), None)
+                let all = a.all.intersection(&b.all);
+                ((all, finite_part(bounded)), Placed::Other)
             }
-            Node::Difference(a, _) => (of(a).all, of(a).bounded, None),
-            Node::Complement(_) => (Aabb::ALL, Aabb::EMPTY, None),
+            Node::Difference(a, _) => ((of(a).all, of(a).bounded), Placed::Other),
+            Node::Complement(_) => ((Aabb::ALL, Aabb::EMPTY), Placed::Other),
         };
         out.push(NodeBounds { all, bounded });
-        moved.push(placed);
+        placed.push(place);
     }
     out
 }

@@ -3,6 +3,7 @@
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::scene::Entity;
+use crate::scene::names::Names;
 use crate::syntax::table::{Effect, Kind, RecordKind};
 
 /// What is known of an ID besides the entity: whether an object could be made of it (otherwise something
@@ -22,10 +23,11 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let mut all = definitions(context);
     // What seems to be unused may be what was meant where a record names what is not there.
-    let Some(names) = Names::new(context, &mut all) else {
+    let Some(names) = context.names() else {
         return;
     };
-    follow(&names, &mut all);
+    spare_duplicates(context, &mut all);
+    follow(names, &mut all);
     // What only an unused thing needs goes with it.
     for i in 0..all.len() {
         for &name in names.of(i) {
@@ -80,6 +82,21 @@ fn definitions(context: &Context) -> Vec<Definition> {
     all
 }
 
+/// Marks what is defined twice as used: which of the two was meant is not known.
+fn spare_duplicates(context: &Context, all: &mut [Definition]) {
+    let scene = context.scene;
+    for record in context.records() {
+        let defines = matches!(record.ty.effect, Effect::Defines(_))
+            && record.ty.kind != RecordKind::Undefined;
+        if defines && let Some(number) = scene.ids.get(record.id) {
+            let definition = &mut all[number as usize];
+            let entity = scene.entities[definition.entity as usize];
+            let start = context.document.tokens[record.first as usize].start;
+            definition.used |= start != entity.span.start;
+        }
+    }
+}
+
 /// Lights and cameras are; the render record is the beginning.
 fn is_asked_for_by_nobody(entity: &Entity) -> bool {
     matches!(
@@ -88,53 +105,6 @@ fn is_asked_for_by_nobody(entity: &Entity) -> bool {
             Kind::AmbientLight | Kind::PointLight | Kind::Camera | Kind::Selection | Kind::Render
         )
     )
-}
-
-/// Who names whom: for each ID those that its records name, whether they define or change it, as numbers.
-struct Names {
-    /// Where the names of each ID begin; one more at the end.
-    starts: Vec<u32>,
-    names: Vec<u32>,
-}
-
-impl Names {
-    /// Marks what is defined twice as used: which of the two was meant is not known. `None` if a record names what
-    /// is not there.
-    fn new(context: &Context, all: &mut [Definition]) -> Option<Names> {
-        let scene = context.scene;
-        let tokens = &context.document.tokens;
-        let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(context.document.items.len());
-        let mut starts = vec![0; all.len() + 1];
-        for record in context.records() {
-            let own = scene.ids.get(record.id)?;
-            let definition = &mut all[own as usize];
-            let defines = matches!(record.ty.effect, Effect::Defines(_))
-                && record.ty.kind != RecordKind::Undefined;
-            let entity = scene.entities[definition.entity as usize];
-            if defines && tokens[record.first as usize].start != entity.span.start {
-                definition.used = true;
-            }
-            for name in context.references(record) {
-                pairs.push((own, scene.ids.get(name)?));
-                starts[own as usize + 1] += 1;
-            }
-        }
-        for i in 1..starts.len() {
-            starts[i] += starts[i - 1];
-        }
-        let mut names = vec![0; pairs.len()];
-        let mut next = starts.clone();
-        for (own, name) in pairs {
-            let at = &mut next[own as usize];
-            names[*at as usize] = name;
-            *at += 1;
-        }
-        Some(Names { starts, names })
-    }
-
-    fn of(&self, i: usize) -> &[u32] {
-        &self.names[self.starts[i] as usize..self.starts[i + 1] as usize]
-    }
 }
 
 /// Marks as used what the used ones name.
