@@ -1,0 +1,187 @@
+//! How far each rung is from its reference.
+
+use super::{Distances, LEAST_PIXELS, Run, rays};
+use crate::diagnostics::Error;
+use crate::scene::Rgb;
+use crate::study::accuracy::measure::compare;
+use crate::study::accuracy::rungs::{Axis, Kernel, Kind, Rung, Settings};
+use crate::study::accuracy::stage::Drawn;
+use crate::trace::Numbers;
+use crate::trace::pixels::Seen;
+use std::collections::BTreeMap;
+
+impl Run<'_> {
+    /// Draws every rung and measures how far it is from the reference of its kind.
+    pub(super) fn errors(&mut self) -> Result<(), Error> {
+        let mut references: BTreeMap<Axis, Vec<Rgb>> = BTreeMap::new();
+        let list: Vec<(Axis, Settings)> = self.facets.iter().map(|(a, s)| (*a, *s)).collect();
+        for (axis, settings) in list {
+            let tiles = self.tiles_for(
+                self.seconds(0.02) * self.threads,
+                self.cost(&settings),
+                LEAST_PIXELS,
+            );
+            let drawn = self.stage.draw(&settings, &self.tiles[..tiles])?;
+            references.insert(axis, drawn.colours);
+        }
+        let count = self
+            .rungs
+            .iter()
+            .zip(&self.known)
+            .filter(|r| !r.1.dropped)
+            .count();
+        let share = self.seconds(0.15) * self.threads / count.max(1) as f64;
+        let mut last: Option<(Axis, usize)> = None;
+        for i in 0..self.rungs.len() {
+            if self.known[i].dropped {
+                continue;
+            }
+            let rung = self.rungs[i].clone();
+            // A ladder ends one rung after its bytes stop changing.
+            if let Some((axis, same)) = last
+                && axis == rung.axis
+                && matches!(axis, Axis::Depth | Axis::Cutoff)
+                && self.known[same].same_as.is_some()
+                && self.is_beyond_default(same)
+            {
+                self.known[i].dropped = true;
+                continue;
+            }
+            let reference = match rung.axis.kind() {
+                Kind::Edges => &self.edges,
+                Kind::Light => &self.light,
+                Kind::Numbers => &self.exact,
+                Kind::Facets => references.get(&rung.axis).unwrap_or(&self.light),
+            };
+            let there = self.tiles_of(reference.len());
+            let tiles = self
+                .tiles_for(share, self.known[i].cost, LEAST_PIXELS)
+                .min(there);
+            if tiles == 0 {
+                continue;
+            }
+            let reference = reference.clone();
+            let drawn = self.stage.draw(&rung.settings, &self.tiles[..tiles])?;
+            let whole = self.whole && tiles == self.tiles.len();
+            let measured = compare(&drawn.colours, &reference, &self.sizes(tiles), whole);
+            let same = (0..i).find(|&j| self.is_same(j, &rung, &drawn, tiles));
+            let known = &mut self.known[i];
+            known.same_as = same.filter(|_| !rung.is_default());
+            (known.drawn, known.tiles, known.measured) = (Some(drawn), tiles, Some(measured));
+            last = Some((rung.axis, i));
+            if self.is_stopped() {
+                return Ok(());
+            }
+        }
+        let tiles = self.tiles_for(
+            self.seconds(0.01) * self.threads,
+            self.cost(&Settings::default()),
+            LEAST_PIXELS,
+        );
+        let base = self
+            .stage
+            .draw(&Settings::default(), &self.tiles[..tiles])?;
+        let sizes = self.sizes(tiles);
+        for i in 0..self.effects.len() {
+            let settings = self.effects[i].1;
+            let drawn = self.stage.draw(&settings, &self.tiles[..tiles])?;
+            let known = &mut self.effects[i].2;
+            known.measured = Some(compare(&drawn.colours, &base.colours, &sizes, false));
+            (known.drawn, known.tiles) = (Some(drawn), tiles);
+        }
+        Ok(())
+    }
+
+    pub(super) fn tiles_of(&self, pixels: usize) -> usize {
+        let mut sum = 0;
+        (self.tiles.iter())
+            .take_while(|t| {
+                sum += t.count();
+                sum <= pixels
+            })
+            .count()
+    }
+
+    /// Whether a rung lies between the default and the reference.
+    pub(super) fn is_beyond_default(&self, i: usize) -> bool {
+        let (settings, default) = (self.rungs[i].settings, Settings::default());
+        settings.depth > default.depth || settings.cutoff < default.cutoff
+    }
+
+    /// Whether rung `j`, drawn before, is the same computation: as many rays, and the same numbers.
+    pub(super) fn is_same(&self, j: usize, rung: &Rung, drawn: &Drawn, tiles: usize) -> bool {
+        let (known, other) = (&self.known[j], &self.rungs[j]);
+        let Some(before) = &known.drawn else {
+            return false;
+        };
+        let alike = |s: &Settings| {
+            (
+                s.samples,
+                s.tolerance,
+                s.kernel == rung.settings.kernel,
+                s.roots,
+                s.variant,
+            )
+        };
+        let common = self.pixels(tiles.min(known.tiles));
+        alike(&other.settings) == alike(&rung.settings)
+            && !known.dropped
+            && (tiles != known.tiles || rays(&before.counts.rays) == rays(&drawn.counts.rays))
+            && before.colours[..common] == drawn.colours[..common]
+    }
+
+    /// Of each rung of numbers: pixels that see another object, and distances in units of the last place,
+    /// the median and the largest.
+    pub(super) fn numbers_seen(&mut self, stopped: bool) -> Result<Vec<(usize, Distances)>, Error> {
+        let mut found = Vec::new();
+        if stopped || self.exact.is_empty() {
+            return Ok(found);
+        }
+        let tiles = self.tiles_of(self.exact.len()).min(60);
+        let list = self.tiles[..tiles].to_vec();
+        let exact = Settings {
+            kernel: Kernel::Ours(Numbers::Dd),
+            ..Settings::default()
+        };
+        let right = self.stage.seen(&exact, &list)?;
+        for i in 0..self.rungs.len() {
+            let rung = &self.rungs[i];
+            if rung.axis != Axis::Precision
+                || self.known[i].dropped
+                || self.known[i].drawn.is_none()
+            {
+                continue;
+            }
+            let settings = rung.settings;
+            let bits = match settings.kernel {
+                Kernel::Ours(Numbers::F32) | Kernel::PlainF32 => 23,
+                Kernel::Ours(Numbers::F64) | Kernel::PlainF64 => 52,
+                Kernel::Ours(Numbers::Dd) => 105,
+            };
+            let seen = self.stage.seen(&settings, &list)?;
+            found.push((i, distances(&seen, &right, bits)));
+        }
+        Ok(found)
+    }
+}
+
+/// Pixels that see something else, and the median and the largest distance of what is seen, in units of
+/// the last of so many bits.
+fn distances(seen: &[Option<Seen>], right: &[Option<Seen>], bits: i32) -> (usize, f64, f64) {
+    let mut wrong = 0;
+    let mut ulps = Vec::new();
+    for (a, b) in seen.iter().zip(right) {
+        match (a, b) {
+            (Some(a), Some(b)) if a.object == b.object => {
+                let off = ((a.t.0 - b.t.0) + (a.t.1 - b.t.1)).abs();
+                let ulp = (b.t.0.abs().log2().floor() - f64::from(bits)).exp2();
+                ulps.push(off / ulp);
+            }
+            (None, None) => {}
+            _ => wrong += 1,
+        }
+    }
+    ulps.sort_by(f64::total_cmp);
+    let median = ulps.get(ulps.len() / 2).copied().unwrap_or(0.0);
+    (wrong, median, ulps.last().copied().unwrap_or(0.0))
+}

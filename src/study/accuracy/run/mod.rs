@@ -1,0 +1,215 @@
+//! From a scene to a report: pilot, references, errors, times.
+
+mod errors;
+mod objects;
+mod pictures;
+mod pilot;
+mod references;
+mod result;
+mod times;
+
+use super::measure::Measured;
+use super::report::{Reference, Report, Skipped};
+use super::rungs::{Axis, Kernel, Rung, Settings};
+use super::stage::{Drawn, Stage, Timed};
+use super::tiles::{TILE, Tile, WHOLE, chosen};
+use crate::diagnostics::{Error, Language};
+use crate::scene::{Camera, Rgb, Scene};
+use crate::trace::Images;
+use crate::trace::stats::Rays;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+/// What is asked.
+#[derive(Debug, Clone)]
+pub struct Options {
+    pub size: [u32; 2],
+    /// The axes to run.
+    pub axes: Vec<Axis>,
+    /// Timed runs of each rung; 5 if not said.
+    pub runs: Option<usize>,
+    /// Seconds that all may take.
+    pub budget: f64,
+    /// The error that is wanted, in steps.
+    pub goal: f64,
+    pub language: Language,
+    /// Once this is set, what is finished is reported.
+    pub stop: Arc<AtomicBool>,
+}
+
+/// The share by which the goal may be missed: 1.01 must not cost twice as much as 1.00.
+pub const SLACK: f64 = 0.15;
+
+/// Seconds that are spent if nothing is said.
+pub const BUDGET: f64 = 120.0;
+
+/// The shortest run that is worth ranking.
+const LEAST_SECONDS: f64 = 0.05;
+const LEAST_PIXELS: f64 = 2000.0;
+
+/// Who is told how far it is: what is done now, the name of a message, and the share of all that is
+/// behind.
+pub type Progress<'p> = &'p dyn Fn(&'static str, f64);
+
+/// What is known of a rung's computation.
+#[derive(Default)]
+struct Known {
+    /// Seconds a pixel, on one thread.
+    cost: f64,
+    /// Seconds a ray, by the pilot.
+    per_ray: f64,
+    drawn: Option<Drawn>,
+    /// How many tiles that are.
+    tiles: usize,
+    measured: Option<Measured>,
+    same_as: Option<usize>,
+    dropped: bool,
+    times: Vec<Timed>,
+    timed_tiles: usize,
+}
+
+/// One of the steps from a scene to a report.
+type Step<R> = fn(&mut R) -> Result<(), Error>;
+
+/// Pixels that see something else, and the median and the largest distance in units of the last place.
+type Distances = (usize, f64, f64);
+
+/// Everything that is known while it runs.
+struct Run<'i> {
+    options: &'i Options,
+    images: &'i Images,
+    stage: Stage<'i>,
+    tiles: Vec<Tile>,
+    whole: bool,
+    rungs: Vec<Rung>,
+    known: Vec<Known>,
+    effects: Vec<(&'static str, Settings, Known)>,
+    facets: BTreeMap<Axis, Settings>,
+    reference: BTreeMap<&'static str, Reference>,
+    skipped: Vec<Skipped>,
+    cut: Vec<String>,
+    start: Instant,
+    progress: Progress<'i>,
+    threads: f64,
+    /// Linear RGB of references, in the order of the tiles' pixels.
+    edges: Vec<Rgb>,
+    light: Vec<Rgb>,
+    exact: Vec<Rgb>,
+    predicted: f64,
+    timed: f64,
+    repeats: Vec<Vec<Timed>>,
+}
+
+/// Studies a scene.
+///
+/// # Errors
+///
+/// As [`Tracer::render`](crate::trace::Tracer::render).
+pub fn run(
+    name: &str,
+    scene: &Arc<Scene>,
+    images: &Images,
+    camera: Camera,
+    options: &Options,
+    progress: Progress,
+) -> Result<Report, Error> {
+    let before = load();
+    let stage = Stage::new(scene.clone(), images, camera, options.size)?;
+    let share = (options.budget / BUDGET).ceil().clamp(1.0, 16.0) as usize;
+    let [width, height] = options.size;
+    let tiles = chosen(options.size, share);
+    let mut run = Run {
+        options,
+        images,
+        stage,
+        whole: u64::from(width) * u64::from(height) <= WHOLE || share == 16,
+        tiles,
+        rungs: Vec::new(),
+        known: Vec::new(),
+        effects: Vec::new(),
+        facets: BTreeMap::new(),
+        reference: BTreeMap::new(),
+        skipped: Vec::new(),
+        cut: Vec::new(),
+        start: Instant::now(),
+        progress,
+        threads: rayon::current_num_threads() as f64,
+        edges: Vec::new(),
+        light: Vec::new(),
+        exact: Vec::new(),
+        predicted: 0.0,
+        timed: 0.0,
+        repeats: Vec::new(),
+    };
+    run.all()?;
+    run.report(name, before)
+}
+
+fn load() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/loadavg").ok()?;
+    text.split_whitespace().next()?.parse().ok()
+}
+
+fn say(language: Language, message: &'static str) -> String {
+    language.say(message, &[])
+}
+
+impl Run<'_> {
+    fn is_stopped(&self) -> bool {
+        self.options.stop.load(Ordering::Relaxed)
+    }
+
+    fn seconds(&self, share: f64) -> f64 {
+        share * self.options.budget
+    }
+
+    fn pixels(&self, tiles: usize) -> usize {
+        self.tiles[..tiles].iter().map(|t| t.count()).sum()
+    }
+
+    /// As many tiles as take so many seconds at so many a pixel, and no fewer than hold so many pixels.
+    fn tiles_for(&self, seconds: f64, cost: f64, least: f64) -> usize {
+        let pixels = (seconds / cost.max(1e-12)).max(least);
+        let tile = f64::from(TILE * TILE);
+        ((pixels / tile).ceil() as usize).clamp(1, self.tiles.len())
+    }
+
+    fn all(&mut self) -> Result<(), Error> {
+        let steps: [(&'static str, f64, Step<Self>); 7] = [
+            ("accuracy-step-pilot", 0.0, Self::pilot),
+            ("accuracy-step-numbers", 0.1, Self::reference_numbers),
+            ("accuracy-step-light", 0.25, Self::reference_light),
+            ("accuracy-step-edges", 0.3, Self::reference_edges),
+            ("accuracy-step-errors", 0.45, Self::errors),
+            ("accuracy-step-times", 0.55, Self::times),
+            ("accuracy-step-objects", 0.95, |_| Ok(())),
+        ];
+        self.plan()?;
+        for (name, behind, step) in steps {
+            if self.is_stopped() {
+                break;
+            }
+            (self.progress)(name, behind);
+            step(self)?;
+        }
+        Ok(())
+    }
+
+    fn find(&self, kernel: Kernel) -> Option<usize> {
+        let of = |r: &Rung| r.axis == Axis::Precision && r.settings.kernel == kernel;
+        self.rungs.iter().position(of)
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Entry {
+    Rung(usize),
+    Effect(usize),
+    Default(usize),
+}
+
+fn rays(rays: &Rays) -> u64 {
+    rays.camera + rays.shadow + rays.reflection + rays.refraction
+}

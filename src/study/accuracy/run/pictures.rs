@@ -1,0 +1,157 @@
+//! The pictures side by side.
+
+use super::Run;
+use crate::diagnostics::Error;
+use crate::scene::Rgb;
+use crate::study::accuracy::measure::steps;
+use crate::study::accuracy::report::{Pictures, Raster, Report};
+use crate::study::accuracy::rungs::{Kernel, Kind, Settings};
+use crate::study::accuracy::tiles::{TILE, Tile};
+use crate::trace::Numbers;
+
+impl Run<'_> {
+    /// The picture, and for each kind the part of it that is worst, by the default and by the most
+    /// accurate rung.
+    pub(super) fn pictures(&mut self, report: &mut Report) -> Result<(), Error> {
+        let [width, height] = self.options.size;
+        // At most so many pixels, so that a page of all stays small.
+        let step = (width.max(height)).div_ceil(320).max(1);
+        report.picture = Some(self.coarse(step)?);
+        for kind in Kind::ALL {
+            let Some(default) = self.worst(kind) else {
+                continue;
+            };
+            let best = (0..self.rungs.len())
+                .filter(|&i| self.rungs[i].axis.kind() == kind && !self.known[i].dropped)
+                .filter(|&i| !self.rungs[i].is_default())
+                .filter_map(|i| Some((i, self.known[i].measured.as_ref()?.steps)))
+                .min_by(|a, b| a.1.total_cmp(&b.1));
+            let (shown, better, place) = match (kind, best) {
+                (Kind::Numbers, _) => {
+                    // The plain kernel in single precision beside what is right.
+                    let plain = self.find(Kernel::Ours(Numbers::F32));
+                    let exact = self.find(Kernel::Ours(Numbers::F64));
+                    match (plain, exact) {
+                        (Some(a), Some(b)) => (a, b, default),
+                        _ => continue,
+                    }
+                }
+                (_, Some((best, _))) => {
+                    let Some(own) = self
+                        .rungs
+                        .iter()
+                        .position(|r| r.axis.kind() == kind && r.is_default())
+                    else {
+                        continue;
+                    };
+                    (own, best, default)
+                }
+                _ => continue,
+            };
+            let crop = around(place, [width, height]);
+            let draw = |run: &mut Self, i: usize| -> Result<(String, Raster), Error> {
+                let drawn = run.stage.draw(&run.rungs[i].settings.clone(), &crop.1)?;
+                let name = format!("{} {}", run.rungs[i].axis.name(), run.rungs[i].label);
+                Ok((name, arranged(&crop, &drawn.colours)))
+            };
+            let pictures = Pictures {
+                kind,
+                default: draw(self, shown)?,
+                better: draw(self, better)?,
+            };
+            report.pictures.push(pictures);
+        }
+        Ok(())
+    }
+
+    /// The tile in which the default, or single precision, is farthest from the reference of a kind.
+    pub(super) fn worst(&self, kind: Kind) -> Option<Tile> {
+        let reference = match kind {
+            Kind::Edges => &self.edges,
+            Kind::Light => &self.light,
+            Kind::Numbers => &self.exact,
+            Kind::Facets => return self.tiles.first().copied(),
+        };
+        let i = match kind {
+            Kind::Numbers => self.find(Kernel::Ours(Numbers::F32))?,
+            _ => self
+                .rungs
+                .iter()
+                .position(|r| r.axis.kind() == kind && r.is_default())?,
+        };
+        let drawn = self.known[i].drawn.as_ref()?;
+        let mut at = 0;
+        let mut worst = (-1.0, *self.tiles.first()?);
+        for tile in &self.tiles {
+            let range = at..at + tile.count();
+            at = range.end;
+            let (Some(a), Some(b)) = (drawn.colours.get(range.clone()), reference.get(range))
+            else {
+                break;
+            };
+            let pairs = a
+                .iter()
+                .zip(b)
+                .flat_map(|(a, b)| (0..3).map(|c| steps(a[c]) - steps(b[c])));
+            let sum: f64 = pairs.map(|d| d * d).sum();
+            if sum > worst.0 {
+                worst = (sum, *tile);
+            }
+        }
+        Some(worst.1)
+    }
+
+    /// Every so many pixels of every so many rows, by the default.
+    pub(super) fn coarse(&mut self, step: u32) -> Result<Raster, Error> {
+        let [w, h] = self.options.size;
+        let (width, height) = (w.div_ceil(step), h.div_ceil(step));
+        let single = |x: u32, y: u32| Tile {
+            x: x * step,
+            y: y * step,
+            width: 1,
+            height: 1,
+        };
+        let tiles: Vec<Tile> = (0..height)
+            .flat_map(|y| (0..width).map(move |x| single(x, y)))
+            .collect();
+        let drawn = self.stage.draw(&Settings::default(), &tiles)?;
+        Ok(Raster {
+            width,
+            height,
+            pixels: drawn.colours,
+        })
+    }
+}
+
+/// A part of the picture around a tile: its place and size, and tiles that make it up.
+fn around(tile: Tile, [width, height]: [u32; 2]) -> ([u32; 4], Vec<Tile>) {
+    let (w, h) = (96.min(width), 72.min(height));
+    let start =
+        |at: u32, size: u32, all: u32| (at + TILE / 2).saturating_sub(size / 2).min(all - size);
+    let (x0, y0) = (start(tile.x, w, width), start(tile.y, h, height));
+    let mut tiles = Vec::new();
+    for y in (0..h).step_by(TILE as usize) {
+        for x in (0..w).step_by(TILE as usize) {
+            tiles.push(Tile {
+                x: x0 + x,
+                y: y0 + y,
+                width: TILE.min(w - x),
+                height: TILE.min(h - y),
+            });
+        }
+    }
+    ([x0, y0, w, h], tiles)
+}
+
+fn arranged(([x0, y0, w, h], tiles): &([u32; 4], Vec<Tile>), colours: &[Rgb]) -> Raster {
+    let mut pixels = vec![[0.0; 3]; *w as usize * *h as usize];
+    let places = tiles.iter().flat_map(|t| t.pixels());
+    for ([x, y], colour) in places.zip(colours) {
+        pixels[((y - y0) * w + (x - x0)) as usize] = *colour;
+    }
+    Raster {
+        width: *w,
+        height: *h,
+        pixels,
+    }
+}

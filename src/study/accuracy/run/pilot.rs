@@ -1,0 +1,166 @@
+//! Which rungs there are, and what each costs, by a few tiles of each.
+
+use super::{Entry, Known, Run, rays, say};
+use crate::diagnostics::Error;
+use crate::study::accuracy::facets::Facets;
+use crate::study::accuracy::report::Skipped;
+use crate::study::accuracy::rungs::{Axis, Kernel, Rung, Settings, ladder};
+use crate::study::accuracy::{axes, facets};
+
+impl Run<'_> {
+    /// The rungs of the axes that the scene calls for.
+    pub(super) fn plan(&mut self) -> Result<(), Error> {
+        let language = self.options.language;
+        for axis in Axis::ALL {
+            let wanted = self.options.axes.contains(&axis);
+            let why = match wanted {
+                false => Some("accuracy-skip-unasked"),
+                true => axes::skipped(axis, &self.stage),
+            };
+            let mut rungs = Vec::new();
+            let mut why = why;
+            if why.is_none() {
+                let made = match axis {
+                    Axis::Tessellation => facets::meshes(&mut self.stage)?,
+                    Axis::Levels => facets::levels(&mut self.stage)?,
+                    _ => {
+                        rungs = ladder(axis);
+                        None
+                    }
+                };
+                if let Some(Facets {
+                    rungs: made,
+                    reference,
+                }) = made
+                {
+                    rungs = made;
+                    self.facets.insert(axis, reference);
+                } else if rungs.is_empty() {
+                    why = Some("accuracy-skip-mesh");
+                }
+            }
+            if axis == Axis::Precision
+                && !rungs.is_empty()
+                && let Some(no_plain) = axes::no_plain(&self.stage)
+            {
+                rungs.retain(|r| matches!(r.settings.kernel, Kernel::Ours(_)));
+                self.skipped.push(Skipped {
+                    axis: "precision plain",
+                    why: say(language, no_plain),
+                });
+            }
+            if let Some(why) = why {
+                self.skipped.push(Skipped {
+                    axis: axis.name(),
+                    why: say(language, why),
+                });
+            }
+            self.rungs.extend(rungs);
+        }
+        self.known = self.rungs.iter().map(|_| Known::default()).collect();
+        for (name, without) in axes::effects(&self.stage.tracer().plan) {
+            let settings = Settings {
+                without,
+                ..Settings::default()
+            };
+            self.effects.push((name, settings, Known::default()));
+        }
+        Ok(())
+    }
+
+    /// Each rung once on a few tiles.
+    pub(super) fn pilot(&mut self) -> Result<(), Error> {
+        let few = (self.tiles.len() / 16).clamp(4.min(self.tiles.len()), 40);
+        let mut costs: Vec<(Settings, [f64; 2])> = Vec::new();
+        let deadline = self.seconds(0.15);
+        let pixels = self.pixels(few) as f64;
+        for i in 0..self.rungs.len() + self.effects.len() {
+            let settings = match self.rungs.get(i) {
+                Some(rung) => rung.settings,
+                None => self.effects[i - self.rungs.len()].1,
+            };
+            // Many samples cost as many times one.
+            let (asked, times) = match settings.samples {
+                n if n > 4 => (
+                    Settings {
+                        samples: 4,
+                        ..settings
+                    },
+                    f64::from(n) / 4.0,
+                ),
+                _ => (settings, 1.0),
+            };
+            let known = costs.iter().find(|c| c.0 == asked).map(|c| c.1);
+            let cost = match known {
+                Some(cost) => cost,
+                None => {
+                    let late = self.start.elapsed().as_secs_f64() > deadline;
+                    let few = if late { few.min(4) } else { few };
+                    let pixels = if late {
+                        self.pixels(few) as f64
+                    } else {
+                        pixels
+                    };
+                    let tiles = &self.tiles[..few];
+                    let timed = self.stage.time(&asked, tiles)?;
+                    let rays = rays(&timed.drawn.counts.rays).max(1) as f64;
+                    let cost = [timed.cpu / pixels, timed.cpu / rays];
+                    costs.push((asked, cost));
+                    cost
+                }
+            };
+            let known = match i < self.rungs.len() {
+                true => &mut self.known[i],
+                false => &mut self.effects[i - self.rungs.len()].2,
+            };
+            (known.cost, known.per_ray) = (cost[0] * times, cost[1]);
+            if self.is_stopped() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Seconds a pixel of some settings that the pilot tried, or of the default.
+    pub(super) fn cost(&self, settings: &Settings) -> f64 {
+        let of = |s: &Settings| {
+            let found = self.rungs.iter().position(|r| r.settings == *s);
+            found.map(|i| self.known[i].cost)
+        };
+        of(settings)
+            .or_else(|| of(&Settings::default()))
+            .unwrap_or(1e-5)
+    }
+
+    /// Seconds a pixel of what is to be timed: by the rays of the pixels that were drawn, of which there are
+    /// more than in the pilot.
+    pub(super) fn entry_cost(&self, entry: &Entry) -> f64 {
+        let known = match entry {
+            Entry::Rung(i) => Some(&self.known[*i]),
+            Entry::Effect(i) => Some(&self.effects[*i].2),
+            Entry::Default(_) => {
+                let default = self.rungs.iter().position(|r| r.is_default());
+                default.map(|i| &self.known[i])
+            }
+        };
+        let by_rays = known.and_then(|known| {
+            let rays = rays(&known.drawn.as_ref()?.counts.rays) as f64;
+            Some(known.per_ray * rays / self.pixels(known.tiles).max(1) as f64)
+        });
+        match (by_rays, known) {
+            (Some(cost), _) => cost,
+            (None, Some(known)) => known.cost,
+            (None, None) => self.cost(&Settings::default()),
+        }
+    }
+
+    pub(super) fn drop_rungs(&mut self, which: impl Fn(&Rung) -> bool) {
+        for i in 0..self.rungs.len() {
+            if which(&self.rungs[i]) && !self.known[i].dropped && !self.rungs[i].is_default() {
+                self.known[i].dropped = true;
+                let name = format!("{} {}", self.rungs[i].axis.name(), self.rungs[i].label);
+                self.cut.push(name);
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! What the errors are measured against: each kind of error has a reference beyond every rung on its axes.
+
+use super::{LEAST_PIXELS, Run, say};
+use crate::diagnostics::Error;
+use crate::scene::Rgb;
+use crate::study::accuracy::check;
+use crate::study::accuracy::measure::compare;
+use crate::study::accuracy::report::{Checked, Margin, Reference};
+use crate::study::accuracy::rungs::{Axis, Kernel, Kind, Settings};
+use crate::study::accuracy::stage::Timed;
+use crate::study::accuracy::tiles::TILE;
+use crate::trace::Numbers;
+
+impl Run<'_> {
+    /// Double-double, and its check by the independent tracer.
+    pub(super) fn reference_numbers(&mut self) -> Result<(), Error> {
+        if !self.rungs.iter().any(|r| r.axis.kind() == Kind::Numbers) {
+            return Ok(());
+        }
+        let settings = Settings {
+            kernel: Kernel::Ours(Numbers::Dd),
+            ..Settings::default()
+        };
+        let cost = match self.rungs.iter().any(|r| r.settings == settings) {
+            true => self.cost(&settings),
+            false => 10.0 * self.cost(&Settings::default()),
+        };
+        let tiles = self.tiles_for(self.seconds(0.1) * self.threads, cost, LEAST_PIXELS);
+        let drawn = self.stage.draw(&settings, &self.tiles[..tiles])?;
+        self.exact = drawn.colours;
+        let language = self.options.language;
+        let mut reference = Reference {
+            precision: Some("dd"),
+            margin: Margin {
+                rmse: None,
+                steps: None,
+                how: say(language, "accuracy-how-naive"),
+            },
+            ..Reference::default()
+        };
+        let seen = self
+            .stage
+            .seen(&Settings::default(), &self.tiles[..tiles])?;
+        let order = check::order(&self.tiles[..tiles], &seen);
+        let checked = check::check(
+            &self.stage,
+            self.images,
+            &settings,
+            &order,
+            &self.exact,
+            self.seconds(0.1),
+        )?;
+        reference.checked = Some(match checked {
+            Ok(checked) => {
+                reference.margin.rmse = Some(checked.largest);
+                checked
+            }
+            Err(why) => Checked {
+                not_checked: Some(say(language, why)),
+                ..Checked::default()
+            },
+        });
+        self.reference.insert(Kind::Numbers.name(), reference);
+        Ok(())
+    }
+
+    /// Deeper and with a lower cutoff than any rung.
+    pub(super) fn reference_light(&mut self) -> Result<(), Error> {
+        if !self.rungs.iter().any(|r| r.axis.kind() == Kind::Light) {
+            return Ok(());
+        }
+        let few = 4.min(self.tiles.len());
+        let at = |depth, cutoff| Settings {
+            depth,
+            cutoff,
+            ..Settings::default()
+        };
+        // The deepest that the time allows: the next one must not take longer than the share of it.
+        let mut best = at(64, 1e-6);
+        let pilot = |run: &mut Self, s: &Settings| -> Result<Timed, Error> {
+            let tiles = run.tiles[..few].to_vec();
+            run.stage.time(s, &tiles)
+        };
+        let pixels = self.pixels(few) as f64;
+        let mut cost = pilot(self, &best)?.cpu / pixels;
+        let allowed = self.seconds(0.12) * self.threads / LEAST_PIXELS;
+        for (depth, cutoff) in [(64, 1e-7), (128, 1e-8)] {
+            if cost * 3.0 > allowed || self.is_stopped() {
+                break;
+            }
+            best = at(depth, cutoff);
+            cost = pilot(self, &best)?.cpu / pixels;
+        }
+        if best.cutoff >= 1e-6 {
+            self.drop_rungs(|r| r.axis == Axis::Cutoff && r.settings.cutoff <= 1e-6);
+        }
+        let tiles = self.tiles_for(self.seconds(0.12) * self.threads, cost, LEAST_PIXELS);
+        let drawn = self.stage.draw(&best, &self.tiles[..tiles])?;
+        // What one less deep, with ten times the cutoff, comes to.
+        let less = at(best.depth / 2, best.cutoff * 10.0);
+        let sample = tiles.min(self.tiles.len().div_ceil(4)).max(1);
+        let other = self.stage.draw(&less, &self.tiles[..sample])?;
+        let margin = compare(&other.colours, &drawn.colours, &self.sizes(sample), true);
+        self.light = drawn.colours;
+        let reference = Reference {
+            precision: Some("f64"),
+            samples: Some(1),
+            depth: Some(best.depth),
+            cutoff: Some(best.cutoff),
+            margin: Margin {
+                steps: Some(margin.steps),
+                rmse: Some(margin.rmse),
+                how: say(self.options.language, "accuracy-how-light"),
+            },
+            ..Reference::default()
+        };
+        self.reference.insert(Kind::Light.name(), reference);
+        Ok(())
+    }
+
+    /// Many samples, never adaptive: twice as many until half of them come near enough to all, or the time
+    /// is up.
+    pub(super) fn reference_edges(&mut self) -> Result<(), Error> {
+        if !self.rungs.iter().any(|r| r.axis.kind() == Kind::Edges) {
+            return Ok(());
+        }
+        let base = Settings::default();
+        let each = self.cost(&base);
+        let allowed = self.seconds(0.2) * self.threads / each;
+        // At least so many pixels, rather than more samples.
+        let mut samples = 4096u32;
+        let pixels = |tiles: usize| tiles as f64 * f64::from(TILE * TILE);
+        while samples > 64 && f64::from(samples) * LEAST_PIXELS > allowed {
+            samples /= 2;
+        }
+        samples = samples.min(if pixels(self.tiles.len()) > 4.0 * LEAST_PIXELS {
+            1024
+        } else {
+            4096
+        });
+        let tiles = self.tiles_for(allowed, f64::from(samples), LEAST_PIXELS);
+        let tiles_list = self.tiles[..tiles].to_vec();
+        let sizes = self.sizes(tiles);
+        let mut done = 64;
+        let mut sums = self.stage.sums(&base, &tiles_list, 0..done)?;
+        let mean = |sums: &[Rgb], n: u32| -> Vec<Rgb> {
+            sums.iter().map(|s| s.map(|c| c / f64::from(n))).collect()
+        };
+        let mut margin;
+        loop {
+            let half = mean(&sums, done);
+            let more = self.stage.sums(&base, &tiles_list, done..2 * done)?;
+            for (sum, more) in sums.iter_mut().zip(more) {
+                *sum = [0, 1, 2].map(|c| sum[c] + more[c]);
+            }
+            done *= 2;
+            self.edges = mean(&sums, done);
+            margin = compare(&half, &self.edges, &sizes, true).steps;
+            let behind = 0.3 + 0.15 * f64::from(done) / f64::from(samples);
+            (self.progress)("accuracy-step-edges", behind.min(0.45));
+            // The next one takes as long as all before.
+            let is_good = margin < self.options.goal / 4.0 && done >= 512;
+            if is_good || done >= samples || self.is_stopped() {
+                break;
+            }
+        }
+        self.drop_rungs(|r| r.axis == Axis::Samples && r.settings.samples > done / 2);
+        let reference = Reference {
+            precision: Some("f64"),
+            samples: Some(done),
+            margin: Margin {
+                steps: Some(margin),
+                rmse: None,
+                how: say(self.options.language, "accuracy-how-edges"),
+            },
+            ..Reference::default()
+        };
+        self.reference.insert(Kind::Edges.name(), reference);
+        Ok(())
+    }
+
+    pub(super) fn sizes(&self, tiles: usize) -> Vec<[u32; 2]> {
+        self.tiles[..tiles]
+            .iter()
+            .map(|t| [t.width, t.height])
+            .collect()
+    }
+}

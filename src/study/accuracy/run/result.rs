@@ -1,0 +1,194 @@
+//! The report of what was found.
+
+use super::{Run, SLACK, load, rays};
+use crate::diagnostics::Error;
+use crate::study::accuracy::advice;
+use crate::study::accuracy::report::{
+    Budget, Effect, Goal, Machine, Noise, Report, Row, RowError, mark_front,
+};
+use crate::study::accuracy::stage::Timed;
+use crate::study::accuracy::tiles::TILE;
+use crate::study::accuracy::timing::{Spread, noise};
+
+impl Run<'_> {
+    pub(super) fn report(mut self, name: &str, load_before: Option<f64>) -> Result<Report, Error> {
+        let stopped = self.is_stopped();
+        let options = self.options;
+        let repeats = std::mem::take(&mut self.repeats);
+        let mut rows = Vec::new();
+        let minima: Vec<f64> = (repeats.iter())
+            .filter(|r| !r.is_empty())
+            .map(|r| r.iter().map(|t| t.cpu).fold(f64::INFINITY, f64::min))
+            .collect();
+        let mut pairs = Vec::new();
+        for (i, a) in minima.iter().enumerate() {
+            pairs.extend(minima[i + 1..].iter().map(|b| [*a, *b]));
+        }
+        let noise = noise(&pairs);
+        let seen = self.numbers_seen(stopped)?;
+        let mut defaults = 0;
+        for i in 0..self.rungs.len() {
+            let (rung, known) = (&self.rungs[i], &self.known[i]);
+            let (Some(measured), false) = (&known.measured, known.dropped) else {
+                continue;
+            };
+            let is_default = rung.is_default();
+            let (times, tiles): (&[Timed], usize) = match (is_default, known.same_as) {
+                (true, _) => {
+                    let own = repeats.get(defaults % repeats.len().max(1));
+                    defaults += 1;
+                    let own = own.map_or(&[][..], |r| &r[..]);
+                    (own, own.first().map_or(0, |t| t.tiles.len()))
+                }
+                (false, Some(j)) if self.rungs[j].is_default() => {
+                    let own = repeats.first().map_or(&[][..], |r| &r[..]);
+                    (own, own.first().map_or(0, |t| t.tiles.len()))
+                }
+                (false, Some(j)) => (&self.known[j].times, self.known[j].timed_tiles),
+                (false, None) => (&known.times, known.timed_tiles),
+            };
+            let cpu = Spread::of(&times.iter().map(|t| t.cpu).collect::<Vec<_>>());
+            let wall = Spread::of(&times.iter().map(|t| t.wall).collect::<Vec<_>>());
+            let times_default = match (is_default, cpu) {
+                (_, None) => None,
+                (true, _) => Some(1.0),
+                (false, Some(cpu)) => self.default_time(tiles, &repeats).map(|d| cpu.min / d),
+            };
+            let drawn = known.drawn.clone().unwrap_or_default();
+            let mut error = RowError::from(measured.clone());
+            if let Some((wrong, median, max)) = seen.iter().find(|s| s.0 == i).map(|s| s.1) {
+                error.wrong_object = Some(wrong);
+                (error.median_ulp, error.max_ulp) = (Some(median), Some(max));
+            }
+            let kind = rung.axis.kind();
+            let margin = self.reference.get(kind.name()).and_then(|r| r.margin.steps);
+            let per_second = times
+                .first()
+                .zip(wall)
+                .map(|(t, wall)| rays(&t.drawn.counts.rays) as f64 / wall.min.max(1e-9));
+            rows.push(Row {
+                kind: kind.name(),
+                axis: rung.axis.name(),
+                setting: rung.label.clone(),
+                seconds: wall,
+                cpu_seconds: cpu,
+                times_default,
+                pixels_timed: self.pixels(tiles.min(self.tiles.len())),
+                rays_per_second: per_second,
+                rays: rays(&drawn.counts.rays),
+                uncertain: drawn.counts.uncertain,
+                samples_mean: drawn.samples as f64 / measured.pixels.max(1) as f64,
+                below_reference: margin.is_some_and(|m| measured.steps < m),
+                error: Some(error),
+                default: is_default,
+                pareto: false,
+                same_as: known
+                    .same_as
+                    .map(|j| format!("{} {}", self.rungs[j].axis.name(), self.rungs[j].label)),
+                of: Some((kind, rung.axis)),
+                option: rung.option(),
+            });
+        }
+        let effects = self.effects_found(&repeats, noise);
+        let (objects, maps) = match stopped {
+            true => (Vec::new(), None),
+            false => self.objects()?,
+        };
+        (self.progress)("accuracy-step-pictures", 0.98);
+        let [width, height] = options.size;
+        let whole = self.pixels(self.tiles.len()) as f64 / (f64::from(width) * f64::from(height));
+        let mut report = Report {
+            version: 1,
+            scene: name.to_owned(),
+            size: options.size,
+            advice: String::new(),
+            advice_parts: Vec::new(),
+            goal: Goal {
+                steps: options.goal,
+                tolerance: SLACK,
+            },
+            noise: Noise {
+                relative: noise,
+                pairs: pairs.len(),
+                estimator: "minimum of cpu_seconds",
+            },
+            machine: Machine {
+                cpu: cpu_name(),
+                cores: std::thread::available_parallelism().map_or(1, usize::from),
+                threads: 1,
+                load: load_before.into_iter().chain(load()).collect(),
+                build: if cfg!(debug_assertions) {
+                    "debug"
+                } else {
+                    "release"
+                },
+                version: env!("CARGO_PKG_VERSION"),
+            },
+            budget: Budget {
+                asked_seconds: options.budget,
+                predicted_seconds: self.predicted,
+                timed_seconds: self.timed,
+                spent_seconds: 0.0,
+                pixels_share: whole,
+                tile: (!self.whole).then_some(TILE),
+                cut: std::mem::take(&mut self.cut),
+            },
+            reference: std::mem::take(&mut self.reference),
+            rows,
+            skipped: std::mem::take(&mut self.skipped),
+            effects,
+            objects,
+            pictures: Vec::new(),
+            maps,
+            picture: None,
+            stopped,
+        };
+        mark_front(&mut report);
+        advice::advise(&mut report, options.language);
+        if !stopped {
+            self.pictures(&mut report)?;
+        }
+        report.budget.spent_seconds = self.start.elapsed().as_secs_f64();
+        Ok(report)
+    }
+
+    pub(super) fn effects_found(&self, repeats: &[Vec<Timed>], noise: f64) -> Vec<Effect> {
+        let base = self.rungs.iter().position(|r| r.is_default());
+        let default_rays = base.and_then(|i| {
+            let known = &self.known[i];
+            Some((
+                rays(&known.drawn.as_ref()?.counts.rays),
+                self.pixels(known.tiles),
+            ))
+        });
+        (self.effects.iter())
+            .filter_map(|(name, _, known)| {
+                let measured = known.measured.clone()?;
+                let cpu = Spread::of(&known.times.iter().map(|t| t.cpu).collect::<Vec<_>>());
+                let saved = cpu.and_then(|cpu| {
+                    let whole = self.default_time(known.timed_tiles, repeats)?;
+                    Some(1.0 - cpu.min / whole)
+                });
+                // A ray count of the same pixels.
+                let own = rays(&known.drawn.as_ref()?.counts.rays) as f64;
+                let (all, pixels) = default_rays?;
+                let scale = self.pixels(known.tiles) as f64 / pixels.max(1) as f64;
+                Some(Effect {
+                    name,
+                    cpu_seconds: cpu,
+                    within_noise: saved.is_some_and(|s| s.abs() <= noise),
+                    saved,
+                    rays_saved: (all as f64 * scale - own).round() as i64,
+                    error: measured.into(),
+                })
+            })
+            .collect()
+    }
+}
+
+fn cpu_name() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let line = text.lines().find_map(|l| l.strip_prefix("model name"));
+    let name = line.map(|l| l.trim_start_matches([' ', '\t', ':']).to_owned());
+    name.unwrap_or_else(|| std::env::consts::ARCH.to_owned())
+}
