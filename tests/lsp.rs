@@ -534,6 +534,12 @@ fn commands_make_what_they_say() {
     }
     let plan = run(&mut s, "zpg.plan", Value::Null);
     assert!(plan["text"].as_str().unwrap().starts_with("ambient"));
+    let report = run(&mut s, "zpg.accuracy", json!(["2s", "32x24"]));
+    assert_eq!(
+        report["uri"],
+        uri.replace("a.zpg", "a.accuracy/accuracy.html")
+    );
+    assert!(folder.path().join("a.accuracy/accuracy.html").is_file());
     let explain = json!({ "command": "zpg.explain", "arguments": ["W310"] });
     let page = s.ask("workspace/executeCommand", explain);
     assert!(

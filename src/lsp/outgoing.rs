@@ -50,11 +50,18 @@ impl Outgoing {
 
     /// Has the client show a file, if it can.
     pub fn show_document(&self, path: &Path) {
+        self.show(path, json!({ "takeFocus": true }));
+    }
+
+    /// Has the client open a page in the browser, if it can.
+    pub fn show_in_browser(&self, path: &Path) {
+        self.show(path, json!({ "external": true }));
+    }
+
+    fn show(&self, path: &Path, mut how: Value) {
         if let (true, Some(uri)) = (self.shows_documents, uri::uri_of(path)) {
-            self.request(
-                "window/showDocument",
-                json!({ "uri": uri, "takeFocus": true }),
-            );
+            how["uri"] = json!(uri);
+            self.request("window/showDocument", how);
         }
     }
 

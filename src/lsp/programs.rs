@@ -26,11 +26,12 @@ use crate::translate::registry;
 pub const EXPLAIN: &str = "zpg.explain";
 
 /// All of them. Each but [`EXPLAIN`] takes the URI of an open file first.
-pub const COMMANDS: [&str; 5] = [
+pub const COMMANDS: [&str; 6] = [
     "zpg.render",
     "zpg.convert",
     "zpg.plan",
     "zpg.crosscheck",
+    "zpg.accuracy",
     EXPLAIN,
 ];
 
@@ -77,6 +78,22 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
             let said = job.run(&[&with[..], &[out.into()]].concat())?;
             ask.outgoing.show_message(said.trim());
             json!({ "text": said })
+        }
+        "zpg.accuracy" => {
+            let out = job.beside("accuracy");
+            let mut arguments = vec![
+                "accuracy".into(),
+                "-".into(),
+                "-o".into(),
+                out.clone().into(),
+            ];
+            for (option, value) in [("--budget", text(1)), ("--size", text(2))] {
+                arguments.extend(value.into_iter().flat_map(|v| [option.into(), v.into()]));
+            }
+            let said = job.run(&arguments)?;
+            let page = out.join("accuracy.html");
+            ask.outgoing.show_in_browser(&page);
+            json!({ "uri": uri_of(&page), "text": said })
         }
         other => return Err(refusal(ErrorCode::InvalidParams, other)),
     };

@@ -19,12 +19,13 @@ vim.api.nvim_create_autocmd("LspAttach", {
   end,
 })
 
--- :ZpgRender, :ZpgConvert pov, :ZpgPlan, :ZpgCrosscheck
+-- :ZpgRender, :ZpgConvert pov, :ZpgPlan, :ZpgCrosscheck, :ZpgAccuracy
 for name, command in pairs({
   ZpgRender = "zpg.render",
   ZpgConvert = "zpg.convert",
   ZpgPlan = "zpg.plan",
   ZpgCrosscheck = "zpg.crosscheck",
+  ZpgAccuracy = "zpg.accuracy",
 }) do
   vim.api.nvim_create_user_command(name, function(options)
     local client = vim.lsp.get_clients({ bufnr = 0, name = "zpg" })[1]

@@ -18,6 +18,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   command("zpg.renderScene", () => onScene("zpg.render"));
   command("zpg.planScene", () => onScene("zpg.plan"));
   command("zpg.crosscheckScene", () => onScene("zpg.crosscheck"));
+  command("zpg.accuracyOfScene", () => onScene("zpg.accuracy"));
   command("zpg.convertScene", convert);
   command("zpg.restart", async () => {
     await stop();
