@@ -33,6 +33,9 @@ impl Line {
     }
 }
 
+/// What measures something, with a folder for its files.
+type Part = fn(&Path, &mut Table);
+
 /// The table so far.
 #[derive(Default)]
 struct Table(Vec<Line>);
@@ -97,7 +100,7 @@ fn main() {
     let folder = tempfile::tempdir().expect("there is room for temporary files");
     let mut table = Table::default();
     println!("| what | measured | bar | |\n|---|---:|---:|---|");
-    let parts: [(&str, fn(&Path, &mut Table)); 6] = [
+    let parts: [(&str, Part); 6] = [
         ("peers", peers),
         ("kinds", kinds),
         ("mistakes", mistakes),

@@ -256,8 +256,8 @@ mod tests {
         ) {
             let entry = |i: usize| f64::from(linear[i]) / 4.0 + f64::from(fine[i]) * 1e-9;
             let mut m = Matrix::IDENTITY;
-            for i in 0..3 {
-                m.0[i] = [entry(3 * i), entry(3 * i + 1), entry(3 * i + 2), moved[i]];
+            for (i, by) in moved.into_iter().enumerate() {
+                m.0[i] = [entry(3 * i), entry(3 * i + 1), entry(3 * i + 2), by];
             }
             if m.is_plainly_invertible() {
                 proptest::prop_assert!(!m.is_singular() && m.inverse().is_some());
