@@ -140,28 +140,66 @@ pub(super) fn with_line_numbers<'a>(
             let named = |s: &&(usize, Excerpt)| s.0.to_string() == section;
             first = sections.iter().find(named).map_or(1, |s| s.1.numbers()[0]);
         }
-        // Colours may come before the margin.
-        let start = match line.starts_with('\u{1b}') {
-            true => line.find('m').map_or(0, |i| i + 1),
-            false => 0,
+        let margin = Margin::of(line, theirs + 2);
+        let text = match margin.text.trim().parse::<usize>() {
+            Ok(number) => format!(" {:>ours$} ", number + first - 1),
+            Err(_) => {
+                let fill = margin.text.chars().next().unwrap_or(' ');
+                std::iter::repeat_n(fill, ours + 2).collect()
+            }
         };
-        let (colour, rest) = line.split_at(start);
-        let margin: String = rest.chars().take(theirs + 2).collect();
-        let rest = &rest[margin.len()..];
-        out += colour;
-        match margin.trim().parse::<usize>() {
-            Ok(number) => out += &format!(" {:>ours$} ", number + first - 1),
-            Err(_) => out.extend(std::iter::repeat_n(
-                margin.chars().next().unwrap_or(' '),
-                ours + 2,
-            )),
+        // Colours begin behind the first column, or with what is behind the margin.
+        let mut colours = margin.colours.into_iter().peekable();
+        for (i, c) in text.chars().enumerate() {
+            while let Some((_, colour)) = colours.next_if(|(at, _)| i <= 1 && *at <= i) {
+                out += colour;
+            }
+            out.push(c);
         }
+        out.extend(colours.map(|(_, colour)| colour));
+        let rest = margin.rest;
         let end = out.len();
         out += rest;
         out.truncate(out.trim_end().len().max(end));
         out.push('\n');
     }
     out
+}
+
+/// What is before the text on a line of ariadne's.
+struct Margin<'a> {
+    text: String,
+    /// Escape sequences, and how many characters of the margin are before each.
+    colours: Vec<(usize, &'a str)>,
+    rest: &'a str,
+}
+
+impl<'a> Margin<'a> {
+    fn of(line: &'a str, width: usize) -> Margin<'a> {
+        let mut margin = Margin {
+            text: String::new(),
+            colours: Vec::new(),
+            rest: line,
+        };
+        let mut count = 0;
+        while let Some(c) = margin.rest.chars().next() {
+            let end = match c {
+                '\u{1b}' => margin.rest.find('m').map_or(margin.rest.len(), |i| i + 1),
+                _ if count == width => break,
+                _ => c.len_utf8(),
+            };
+            let (head, rest) = margin.rest.split_at(end);
+            match c {
+                '\u{1b}' => margin.colours.push((count, head)),
+                _ => {
+                    margin.text.push(c);
+                    count += 1;
+                }
+            }
+            margin.rest = rest;
+        }
+        margin
+    }
 }
 
 /// A line without what surrounds its text: the line break, and a byte order mark.

@@ -528,6 +528,32 @@ mod tests {
     }
 
     #[test]
+    fn colours_change_no_character() {
+        for gap in [1, 8, 40, 200, 20_000] {
+            let text = format!("{0}2 9 1\n{0}2 9 1\n1 9999 2 0\n", "\n".repeat(gap));
+            let ids: Vec<u32> = (text.match_indices("2 9 1"))
+                .map(|(i, _)| i as u32)
+                .collect();
+            let d = Diagnostic::new(Code::E102, Span::new(ids[1], ids[1] + 1))
+                .with("id", "2")
+                .with("type", Value::Term("sphere"))
+                .label(Span::new(ids[0], ids[0] + 1), "first");
+            let look = Look {
+                colour: true,
+                ..Look::default()
+            };
+            let coloured = print_as(look, &text, std::slice::from_ref(&d));
+            let mut pieces = coloured.split('\u{1b}');
+            let mut bare = pieces.next().unwrap().to_owned();
+            bare.extend(pieces.map(|piece| piece.split_once('m').unwrap().1));
+            let plain = print(&text, &[d]);
+            assert_eq!(bare, plain);
+            let number = format!("{} │ 2 9 1", 2 * gap + 2);
+            assert!(plain.contains(&number), "{plain}");
+        }
+    }
+
+    #[test]
     fn the_tenth_equal_warning_is_counted() {
         let text = "2 9 1\n".repeat(40);
         let warning = |i: u32| Diagnostic::new(Code::S502, Span::new(6 * i, 6 * i + 1));
