@@ -84,3 +84,17 @@ fn a_sign_that_comments_the_rest_of_the_line() {
         assert_eq!(findings(&format!("{lines}20 -101 2 3\n")), expected, "{n}");
     }
 }
+
+#[test]
+fn mistakes_in_free_form_text() {
+    let with = |record: &str| {
+        let rest = "3 -701 1 0.5 0 4 -201 0.5 0.3 0.1 6 11 1 2 3 0.5 8 12 -1 -1 -1 1 1 1 10 9 1.5 12 -103 8 10";
+        let text = format!("{rest} {record} 16 -101 12 14 18 9 3 20 -101 16 18 1 9999 20 0");
+        let words: Vec<&str> = text.split(' ').collect();
+        let lines: Vec<String> = words.chunks(7).map(|line| line.join(" ")).collect();
+        findings(&(lines.join("\n") + "\n"))
+    };
+    assert_eq!(with("14 11 0.25 4 -2 1.5"), [""; 0]);
+    assert_eq!(with("14 11 0.25 4 1.5"), ["E008@5"]);
+    assert_eq!(with("14 11 0.25 7 4 -2 1.5"), ["E009@6"]);
+}

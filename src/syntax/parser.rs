@@ -278,8 +278,8 @@ impl<'s> Plan<'s> {
             context = context.saturating_sub(usize::from(self.columns.starts_line(from)));
         }
         let (to, by_arity) = self.end_of_gap(start);
-        if from == 0 && to == self.columns.len() && by_arity && self.has_no_layout() {
-            self.take_all();
+        let all = from == 0 && to == self.columns.len() && by_arity;
+        if all && self.has_no_layout() && self.take_all() {
             self.run_to = to;
             return Some(to);
         }
@@ -373,12 +373,12 @@ impl<'s> Plan<'s> {
         3 * own < lines
     }
 
-    /// Reads all of a text by arity.
-    fn take_all(&mut self) {
+    /// Reads all of a text by arity. Whether there is nothing wrong with what that gives.
+    fn take_all(&mut self) -> bool {
         let c = self.columns;
         self.items.clear();
         self.defined.clear();
-        let mut at = 0;
+        let (mut at, mut odd) = (0, false);
         loop {
             if c.int(at) == Some(0) {
                 let token = c.lexed.sigs[at].token();
@@ -393,12 +393,21 @@ impl<'s> Plan<'s> {
                 self.defined.extend(c.int(at).map(|id| id as u32));
             }
             self.items.push(Item::Record(whole(&c, at, &reading)));
+            odd |= signature::is_odd(&c, at, &reading);
             let last_line = (at + 1..reading.end).rev().find(|&i| c.starts_line(i));
             if last_line.is_some_and(|line| self.takes_lines(line, reading.end)) {
                 recovery::line_break(c, (at, reading.end), &mut self.notes);
             }
             at = reading.end;
         }
+        let dangling = || !Surroundings::new(&c, &self.items, 0, 0).dangling.is_empty();
+        let sound = !odd && self.defined_twice().is_empty() && !dangling();
+        if !sound {
+            self.items.clear();
+            self.defined.clear();
+            self.notes.clear();
+        }
+        sound
     }
 
     /// If some items from the beginning of a line on agree with the layout: where the first of them end.
@@ -430,22 +439,26 @@ impl<'s> Plan<'s> {
         Some(context)
     }
 
-    /// Whether something is defined twice by records one of which may have lost its ID.
-    fn lost_an_id(&self) -> bool {
+    /// The IDs that are defined twice, in order.
+    fn defined_twice(&self) -> Vec<u32> {
         // Most files have their IDs in order.
         if self.defined.is_sorted_by(|a, b| a < b) {
-            return false;
+            return Vec::new();
         }
         let mut sorted = self.defined.clone();
         sorted.sort_unstable();
-        let mut twice: Vec<u32> = (sorted.windows(2))
-            .filter(|two| two[0] == two[1])
-            .map(|two| two[0])
-            .collect();
+        let twice = sorted.windows(2).filter(|two| two[0] == two[1]);
+        let mut twice: Vec<u32> = twice.map(|two| two[0]).collect();
+        twice.dedup();
+        twice
+    }
+
+    /// Whether something is defined twice by records one of which may have lost its ID.
+    fn lost_an_id(&self) -> bool {
+        let twice = self.defined_twice();
         if twice.is_empty() {
             return false;
         }
-        twice.dedup();
         self.items.iter().any(|item| match item {
             Item::Record(r) => {
                 let start = r.value as usize - 2;
@@ -466,10 +479,11 @@ impl<'s> Plan<'s> {
         };
         let in_gaps: usize = self.gaps.iter().map(|g| lines(g.from, g.to)).sum();
         let outside = lines(0, c.len()) - in_gaps;
-        let around = Surroundings::new(&c, &self.items, outside, self.gaps.len());
+        let mut around = Surroundings::new(&c, &self.items, outside, self.gaps.len());
         let parts: Vec<(usize, usize)> = (self.gaps.iter())
             .flat_map(|gap| self.parts(gap.from, gap.to))
             .collect();
+        around.others = parts.len() > 1;
         let read: Vec<(Vec<Item>, Vec<Diagnostic>)> = (parts.par_iter().with_min_len(PARTS))
             .map(|&part| {
                 let mut found = Vec::new();

@@ -41,9 +41,9 @@ pub fn damage(stream: &Stretch, around: &Surroundings, pieces: &[Piece]) -> usiz
                 faults += 1;
                 lost += 1;
             }
-            Verdict::Surplus { .. } => {
+            Verdict::Surplus { id, .. } => {
                 faults += 1;
-                defined.extend(stream.sigs[p.start + 1].int);
+                defined.insert(id as i32);
             }
             _ => {
                 faults += 1;

@@ -1,22 +1,21 @@
 //! What is wrong with a stretch of tokens that is no record, and how to say it.
 
-use super::super::ast::{self, Broken, Item, Record};
 use super::super::lexer::TokenKind;
 use super::super::signature::{allows, fits};
-use super::super::table::{ParamKind, RecordType};
+use super::super::table::{Effect, ParamKind, RecordType};
 use super::stretch::{LONG, Stretch};
-use super::verdict::{FAULT, Piece, Verdict};
+use super::verdict::{FAULT, Verdict};
 
 /// The type that a token stands for, also where it is spelled as a real (`9.0`) or with a sign or
 /// letter glued to it (`11?`).
-fn type_at(stream: &Stretch, i: usize) -> Option<&'static RecordType> {
+pub fn type_at(stream: &Stretch, i: usize) -> Option<&'static RecordType> {
     stream
         .record_type(i)
         .or_else(|| RecordType::by_code(integral(stream, i).or_else(|| spoiled(stream, i))?))
 }
 
 /// The integer in a token with one sign or letter glued to it. An `e` is half an exponent.
-fn spoiled(stream: &Stretch, i: usize) -> Option<i64> {
+pub fn spoiled(stream: &Stretch, i: usize) -> Option<i64> {
     let word = |k| matches!(k, TokenKind::MalformedNumber | TokenKind::Word);
     stream.sigs.get(i).filter(|s| word(s.kind))?;
     let text = stream.token(i).text(stream.text());
@@ -35,14 +34,14 @@ fn type_behind_stray(stream: &Stretch, i: usize) -> Option<&'static RecordType> 
 }
 
 /// The value of a token that is a real with a whole value.
-fn integral(stream: &Stretch, i: usize) -> Option<i64> {
+pub fn integral(stream: &Stretch, i: usize) -> Option<i64> {
     stream.sigs.get(i).filter(|s| s.kind == TokenKind::Real)?;
     let x = stream.value(i);
     (x.fract() == 0.0 && x.abs() < 1e9).then_some(x as i64)
 }
 
 /// The count parameter of the counted record at `i`: `Err` where it cannot be used.
-fn count(stream: &Stretch, i: usize) -> Result<u64, ()> {
+pub fn count(stream: &Stretch, i: usize) -> Result<u64, ()> {
     let s = stream.sigs.get(i).ok_or(())?;
     let n = s.int.map(i64::from).or_else(|| integral(stream, i));
     u64::try_from(n.ok_or(())?)
@@ -227,27 +226,66 @@ fn likeliest(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> 
     }
 }
 
-/// A number in front of a whole record, whose ID something else needs.
+/// The number that two tokens are without the space between them.
+pub fn joined(stream: &Stretch, at: usize) -> Option<i32> {
+    if at + 1 >= stream.len() {
+        return None;
+    }
+    let [one, two] = [at, at + 1].map(|i| stream.token(i).text(stream.text()));
+    let digits = |text: &str| text.len() < 6 && text.bytes().all(|b| b.is_ascii_digit());
+    let right = digits(two) && digits(one.strip_prefix('-').unwrap_or(one));
+    right.then(|| format!("{one}{two}").parse().ok())?
+}
+
+/// A whole line that is a record but for a token too many in front of it, or for a space in its ID.
+/// Something else must speak for the ID: a definition is needed, and what is changed is there.
 fn surplus(
     stream: &Stretch,
     start: usize,
     end: usize,
     known: &impl Known,
 ) -> Option<(Verdict, u32)> {
-    let r = stream
-        .read(start + 1)
-        .filter(|r| r.end == end && r.ty.code != 0)?;
-    let needed = stream.sigs[start + 1]
+    let whole_line = stream.starts_line(start)
+        && stream.ends_line(end)
+        && stream.line(start) == stream.line(end - 1);
+    let ty = stream
+        .record_type(start + 2)
+        .filter(|t| t.code != 0 && whole_line)?;
+    let first = start + 3;
+    let n = match ty.is_counted() {
+        true => count(stream, first).ok()?,
+        false => 0,
+    };
+    let expected = end.checked_sub(first)?;
+    let exact =
+        expected as u64 == ty.arity(n) || expected as u64 == ty.arity(n) + ty.optional.len() as u64;
+    let right = exact
+        && (first..end.min(first + VALUES_MAX)).all(|at| {
+            let param = ty.param(at - first, n as usize);
+            param.is_some_and(|p| fits(stream.sigs[at].kind, p.kind) && allows(p, stream.value(at)))
+        });
+    if !right || lost_sign(stream, start, end) || stream.bad(start, first) > 0 {
+        return None;
+    }
+    let own = stream.sigs[start].int;
+    let speaks = |id: i32| match ty.effect {
+        Effect::Changes(_) => known.is_defined(id),
+        _ if ty.code == RENDER => id == 1,
+        _ => known.is_missing(id),
+    };
+    let in_front = stream.sigs[start + 1]
         .int
-        .is_some_and(|id| known.is_missing(id));
-    let own = stream.sigs[start]
-        .int
-        .is_some_and(|id| known.is_missing(id));
-    let whole_line = stream.starts_line(start) && stream.ends_line(end);
-    (needed && !own && whole_line && stream.values_allowed(start + 1, r)).then(|| {
-        let expected = end - start - 3;
-        (Verdict::Surplus { ty: r.ty, expected }, FAULT - 20)
-    })
+        .filter(|_| !own.is_some_and(|id| known.is_missing(id)));
+    let ids = [(joined(stream, start), start), (in_front, start)];
+    let (id, at) = (ids.into_iter())
+        .find_map(|(id, at)| Some((id.filter(|&id| id > 0 && speaks(id))?, at)))?;
+    let verdict = Verdict::Surplus {
+        ty,
+        expected,
+        at,
+        id: id as u32,
+    };
+    Some((verdict, FAULT - 20))
 }
 
 /// A whole line that would be right if its type had a minus sign: a rotation `ID 2 30 1`, which reads as the head
@@ -385,7 +423,7 @@ fn swapped(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)>
 }
 
 /// The type of the render record, which has ID 1.
-const RENDER: i32 = 9999;
+pub const RENDER: i32 = 9999;
 
 /// Whether a record of unknown type would be right with a minus sign before the type.
 pub fn lost_sign(stream: &Stretch, start: usize, end: usize) -> bool {
@@ -503,7 +541,7 @@ pub fn file_name(stream: &Stretch, ty: &RecordType, first: usize, end: usize) ->
 }
 
 /// How many parameters are numbers of the wrong kind (a real for an integer, a number for a name).
-fn wrong_kinds(stream: &Stretch, ty: &'static RecordType, first: usize, end: usize) -> u32 {
+pub fn wrong_kinds(stream: &Stretch, ty: &'static RecordType, first: usize, end: usize) -> u32 {
     stream.sigs[first..end]
         .iter()
         .zip(ty.params.iter().chain(ty.optional))
@@ -518,18 +556,12 @@ pub fn has_lost_id(stream: &Stretch, start: usize, end: usize) -> bool {
 
 fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
     let ty = stream.record_type(start).filter(|t| t.code != 0)?;
-    // A negative number can be nothing but a type; others are one only for a whole line, or where there are no
-    // lines and another record follows.
+    // A negative number can be nothing but a type; others are one only for a whole line.
     let whole_line = stream.starts_line(start) && stream.ends_line(end);
-    let follows = stream.is_free && (end == stream.len() || stream.read(end).is_some());
-    if ty.code > 0 && !(whole_line || follows) {
+    if ty.code > 0 && !whole_line {
         return None;
     }
-    let price = if ty.code > 0 && !whole_line {
-        FAULT + 50
-    } else {
-        FAULT - 10
-    };
+    let price = FAULT - 10;
     let n = match ty.is_counted() {
         true => count(stream, start + 1).ok()?,
         false => 0,
@@ -537,7 +569,7 @@ fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)>
     let got = (end - start - 1) as u64;
     let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
     let over_lines = stream.line(start) != stream.line(end - 1);
-    if over_lines && !stream.is_free && !(ty.is_counted() || ty.params.len() >= LONG) {
+    if over_lines && !(ty.is_counted() || ty.params.len() >= LONG) {
         return None;
     }
     let right = || {
@@ -555,81 +587,3 @@ fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)>
 
 /// How many values of a long record are looked at to judge whether it is plausible.
 const VALUES_MAX: usize = 64;
-
-impl Piece {
-    /// The piece as an item of the tree.
-    pub fn item(&self, stream: &Stretch) -> Item {
-        let sig = |i: usize| stream.sigs[i];
-        let mut broken = Broken {
-            first: sig(self.start).token,
-            last: sig(self.end - 1).token,
-            id: (sig(self.start).int.map(i64::from))
-                .or_else(|| integral(stream, self.start))
-                .and_then(|id| u32::try_from(id).ok())
-                .filter(|&id| id > 0),
-            ty: None,
-            fault: ast::Fault::Form,
-        };
-        match self.verdict {
-            Verdict::Void => Item::Void {
-                token: sig(self.start).token,
-            },
-            Verdict::Whole(r) => Item::Record(Record {
-                id: stream.sigs[self.start].int.unwrap_or(0) as u32,
-                ty: r.ty,
-                first: broken.first,
-                last: broken.last,
-                params: (r.end - self.start - 2) as u32,
-                count: r.count,
-                value: stream.value_index(self.start + 2),
-            }),
-            Verdict::Count { ty, .. } | Verdict::BadCount { ty } => {
-                broken.ty = Some(ty);
-                broken.fault = ast::Fault::Number;
-                Item::Broken(broken)
-            }
-            Verdict::Damaged { ty }
-            | Verdict::Reals { ty }
-            | Verdict::LostSign { meant: ty, .. } => {
-                broken.ty = Some(ty);
-                Item::Broken(broken)
-            }
-            Verdict::LostId { ty } => {
-                broken.id = (ty.code == 9999).then_some(1);
-                broken.ty = Some(ty);
-                broken.fault = ast::Fault::LostId;
-                Item::Broken(broken)
-            }
-            Verdict::Surplus { ty, .. } => {
-                broken.id = sig(self.start + 1)
-                    .int
-                    .and_then(|id| u32::try_from(id).ok());
-                broken.ty = Some(ty);
-                Item::Broken(broken)
-            }
-            Verdict::Swapped => {
-                broken.id = Some(1);
-                broken.ty = RecordType::by_code(RENDER.into());
-                Item::Broken(broken)
-            }
-            Verdict::UnknownType => {
-                broken.fault = ast::Fault::UnknownType;
-                Item::Broken(broken)
-            }
-            Verdict::BadId { ty } => {
-                let spoiled = spoiled(stream, self.start).and_then(|id| u32::try_from(id).ok());
-                broken.id = spoiled.or(broken.id).filter(|&id| id > 0);
-                broken.ty = ty;
-                if broken.id.is_none() {
-                    broken.fault = ast::Fault::LostId;
-                }
-                Item::Broken(broken)
-            }
-            Verdict::CutOff { ty } => {
-                broken.ty = ty;
-                Item::Broken(broken)
-            }
-            Verdict::BadType | Verdict::MissingType => Item::Broken(broken),
-        }
-    }
-}

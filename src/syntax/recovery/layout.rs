@@ -12,7 +12,6 @@ use super::super::table::Effect;
 use super::faults;
 use super::stretch::Stretch;
 use super::sums::Sums;
-use super::trusted::Trusted;
 use super::verdict::{FAULT, Piece, Verdict};
 use super::witness::Witnesses;
 
@@ -38,14 +37,12 @@ pub fn cut(
     witnesses: &Witnesses,
     strict: Option<&[Piece]>,
     doubt_takeovers: bool,
-    trusted: Option<&Trusted>,
 ) -> Vec<Piece> {
     let search = Search {
         stream,
         witnesses,
         sums: Sums::new(stream, witnesses),
         doubt_takeovers,
-        trusted,
     };
     match strict {
         Some(strict) if search.is_cheap(strict) => strict.to_vec(),
@@ -58,8 +55,6 @@ struct Search<'a, 's> {
     witnesses: &'a Witnesses<'a>,
     sums: Sums,
     doubt_takeovers: bool,
-    /// What a first reading says, if this is a second one.
-    trusted: Option<&'a Trusted<'a>>,
 }
 
 impl Search<'_, '_> {
@@ -208,8 +203,7 @@ impl Search<'_, '_> {
             }
         }
         // What the resolver would object to counts too, but never as much as a fault of form.
-        let disagrees = self.trusted.map_or(0, |t| t.record(stream, start, r.end));
-        price + self.objections(start, r).max(disagrees)
+        price + self.objections(start, r)
     }
 
     fn objections(&self, start: usize, r: &Reading) -> u32 {
@@ -281,10 +275,6 @@ impl Search<'_, '_> {
                 stream.starts_line(start) && self.witnesses.is_complete_line(stream, first),
             );
             price += OWN_LINE * own.min(OWN_LINES_MAX);
-        }
-        if let Some(trusted) = self.trusted {
-            let (more, less) = trusted.fault(stream, start);
-            price = (price + more).saturating_sub(less).max(faults::LEAST);
         }
         (verdict, price)
     }

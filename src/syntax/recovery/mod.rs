@@ -6,8 +6,7 @@
 //!   surroundings ─► witness       what its lines say: which are records of their own, perhaps but for a slip
 //!                     │
 //!                  layout         the cheapest way to cut it into pieces      ◄─ faults: what a piece costs
-//!                     │
-//!                  trusted        free form only: once more, with the IDs of what is far from the faults
+//!                  free           the same where line breaks say nothing      ◄─ way: which IDs are defined by then
 //!                     │
 //!                  damage         against the reading by arity, if there is one: which leaves fewer errors
 //!                     │
@@ -15,7 +14,7 @@
 //! ```
 //!
 //! A lost or surplus number is decided on in [`faults::judge`], which says what is wrong with a piece and what that
-//! costs, and in [`layout`], which chooses the pieces.
+//! costs, and in [`layout`], which chooses the pieces; where line breaks say nothing, in `free/mistakes.rs`.
 //!
 //! Before there are stretches, two things are looked at that concern tokens: which `#` closes which
 //! ([`comments`]), and which words are several numbers ([`respell`]).
@@ -23,6 +22,7 @@
 pub mod comments;
 mod damage;
 mod faults;
+mod free;
 mod layout;
 pub mod report;
 pub mod respell;
@@ -30,8 +30,8 @@ mod slips;
 mod stretch;
 mod sums;
 mod surroundings;
-mod trusted;
 mod verdict;
+mod way;
 mod witness;
 
 use super::ast::Item;
@@ -39,7 +39,6 @@ use super::signature::Columns;
 use crate::diagnostics::Diagnostic;
 use stretch::Stretch;
 pub use surroundings::Surroundings;
-use trusted::Trusted;
 use verdict::{Piece, Verdict};
 use witness::Witnesses;
 
@@ -83,12 +82,15 @@ pub fn has_lost_id(columns: Columns, from: usize, to: usize) -> bool {
     faults::has_lost_id(&stretch, 0, to - from)
 }
 
-/// How often a free-form stretch is read once more with what the reading before says.
-const LOOKS: usize = 2;
-
 fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Vec<Piece> {
     let strict = by_arity(stretch);
-    let mut pieces = layout::cut(stretch, witnesses, strict.as_deref(), false, None);
+    if !witnesses.in_lines {
+        return match strict {
+            Some(strict) if way::is_sound(stretch, around, &strict) => strict,
+            _ => free::cut(stretch, around),
+        };
+    }
+    let mut pieces = layout::cut(stretch, witnesses, strict.as_deref(), false);
     let takes_over = |p: &Piece| {
         matches!(p.verdict, Verdict::Whole(_)) && witnesses.takes_over(stretch, p.start, p.end)
     };
@@ -96,31 +98,19 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
     if damage > 0 && pieces.iter().any(takes_over) {
         // A record took numbers from a line that looks like one of its own. As something is
         // missing now, believe the line.
-        let doubting = layout::cut(stretch, witnesses, strict.as_deref(), true, None);
+        let doubting = layout::cut(stretch, witnesses, strict.as_deref(), true);
         let other = damage::damage(stretch, around, &doubting);
         if other <= damage {
             (pieces, damage) = (doubting, other);
-        }
-    }
-    let is_whole = |p: &Piece| matches!(p.verdict, Verdict::Whole(_) | Verdict::Void);
-    for _ in 0..LOOKS {
-        if witnesses.in_lines || damage == 0 || pieces.iter().all(is_whole) {
-            break;
-        }
-        let trusted = Trusted::new(stretch, around, &pieces);
-        let again = layout::cut(stretch, witnesses, strict.as_deref(), false, Some(&trusted));
-        let other = damage::damage(stretch, around, &again);
-        if other <= damage {
-            (pieces, damage) = (again, other);
         }
     }
     if damage > 0
         && !stretch.has_unclosed_comment(0, stretch.len())
         && let Some(strict) = strict
     {
-        // The arity has a reading without faults. If nothing is undefined or defined twice in it,
+        // The arity has a reading without faults. If nothing in it would be an error for its meaning,
         // it stands against two errors, and against one where no line was crossed.
-        let sound = damage::damage(stretch, around, &strict) == 0;
+        let sound = way::is_sound(stretch, around, &strict);
         if sound && (damage > 1 || !witness::is_odd(stretch, witnesses, &strict)) {
             pieces = strict;
         }

@@ -106,8 +106,10 @@ impl Reporter<'_, '_> {
                 self.bad_tokens(ty, start + 2, end, out);
                 out.push(self.count(piece, ty, got, expected));
             }
-            Verdict::Surplus { ty, expected } => {
-                let span = self.stream.token(start).span();
+            Verdict::Surplus {
+                ty, expected, at, ..
+            } => {
+                let span = self.stream.token(at).span();
                 let count = |n: usize| Value::Count(n as u64);
                 out.push(
                     Diagnostic::new(Code::E009, span)
@@ -336,7 +338,7 @@ impl Reporter<'_, '_> {
     ) -> Option<(usize, usize)> {
         let stream = self.stream;
         let (first, last) = (stream.line(piece.start), stream.line(piece.end - 1));
-        if first == last {
+        if first == last || stream.is_free {
             return None;
         }
         // The numbers of the head line behind ID, type and count.

@@ -22,6 +22,8 @@ pub struct Surroundings {
     pub voids_behind_records: bool,
     /// How many stretches have to be recovered.
     pub stretches: usize,
+    /// Whether an ID that is defined nowhere here may be defined in another stretch, or in another part of a long one.
+    pub others: bool,
 }
 
 /// So many IDs that lead nowhere are no witnesses any more.
@@ -38,6 +40,7 @@ impl Surroundings {
             records: 0,
             voids_behind_records: false,
             stretches,
+            others: false,
         };
         let mut used = Vec::new();
         for item in items {

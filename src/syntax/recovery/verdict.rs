@@ -1,7 +1,10 @@
 //! What a piece of a stretch is.
 
+use super::super::ast::{self, Broken, Item, Record};
 use super::super::signature::Reading;
 use super::super::table::RecordType;
+use super::faults::{RENDER, integral, spoiled};
+use super::stretch::Stretch;
 
 /// The price of one error. All other prices are in relation to this one.
 pub const FAULT: u32 = 1000;
@@ -34,10 +37,13 @@ pub enum Verdict {
         got: usize,
         expected: usize,
     },
-    /// A number in front of a whole record.
+    /// A record that is right but for a token too many, in front of it or behind its first one.
     Surplus {
         ty: &'static RecordType,
         expected: usize,
+        /// The token too many.
+        at: usize,
+        id: u32,
     },
     /// A record of another type but for the sign of its type.
     LostSign {
@@ -70,4 +76,80 @@ pub enum Verdict {
     CutOff {
         ty: Option<&'static RecordType>,
     },
+}
+
+impl Piece {
+    /// The piece as an item of the tree.
+    pub fn item(&self, stream: &Stretch) -> Item {
+        let sig = |i: usize| stream.sigs[i];
+        let mut broken = Broken {
+            first: sig(self.start).token,
+            last: sig(self.end - 1).token,
+            id: (sig(self.start).int.map(i64::from))
+                .or_else(|| integral(stream, self.start))
+                .and_then(|id| u32::try_from(id).ok())
+                .filter(|&id| id > 0),
+            ty: None,
+            fault: ast::Fault::Form,
+        };
+        match self.verdict {
+            Verdict::Void => Item::Void {
+                token: sig(self.start).token,
+            },
+            Verdict::Whole(r) => Item::Record(Record {
+                id: stream.sigs[self.start].int.unwrap_or(0) as u32,
+                ty: r.ty,
+                first: broken.first,
+                last: broken.last,
+                params: (r.end - self.start - 2) as u32,
+                count: r.count,
+                value: stream.value_index(self.start + 2),
+            }),
+            Verdict::Count { ty, .. } | Verdict::BadCount { ty } => {
+                broken.ty = Some(ty);
+                broken.fault = ast::Fault::Number;
+                Item::Broken(broken)
+            }
+            Verdict::Damaged { ty }
+            | Verdict::Reals { ty }
+            | Verdict::LostSign { meant: ty, .. } => {
+                broken.ty = Some(ty);
+                Item::Broken(broken)
+            }
+            Verdict::LostId { ty } => {
+                broken.id = (ty.code == 9999).then_some(1);
+                broken.ty = Some(ty);
+                broken.fault = ast::Fault::LostId;
+                Item::Broken(broken)
+            }
+            Verdict::Surplus { ty, id, .. } => {
+                broken.id = Some(id);
+                broken.ty = Some(ty);
+                Item::Broken(broken)
+            }
+            Verdict::Swapped => {
+                broken.id = Some(1);
+                broken.ty = RecordType::by_code(RENDER.into());
+                Item::Broken(broken)
+            }
+            Verdict::UnknownType => {
+                broken.fault = ast::Fault::UnknownType;
+                Item::Broken(broken)
+            }
+            Verdict::BadId { ty } => {
+                let spoiled = spoiled(stream, self.start).and_then(|id| u32::try_from(id).ok());
+                broken.id = spoiled.or(broken.id).filter(|&id| id > 0);
+                broken.ty = ty;
+                if broken.id.is_none() {
+                    broken.fault = ast::Fault::LostId;
+                }
+                Item::Broken(broken)
+            }
+            Verdict::CutOff { ty } => {
+                broken.ty = ty;
+                Item::Broken(broken)
+            }
+            Verdict::BadType | Verdict::MissingType => Item::Broken(broken),
+        }
+    }
 }

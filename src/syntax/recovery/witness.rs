@@ -80,7 +80,7 @@ impl<'a> Witnesses<'a> {
         let mut used = FxHashSet::default();
         let mut slips = vec![false; lines];
         let mut ids_lost = false;
-        let (mut slipped, mut table_to, mut perhaps) = (0, 0, Vec::new());
+        let (mut slipped, mut table_to, mut in_tables, mut perhaps) = (0, 0, 0, Vec::new());
         while line < lines {
             let next = match ends[line] {
                 0 if run_to_line_end(stream, line) => line + 1,
@@ -100,6 +100,7 @@ impl<'a> Witnesses<'a> {
                         Slip::Maybe => perhaps.push(line),
                         Slip::No => {}
                     }
+                    in_tables += usize::from(line < table_to && !slips[line]);
                     stretches += usize::from(!disturbed);
                     disturbed = true;
                     line += 1;
@@ -145,10 +146,13 @@ impl<'a> Witnesses<'a> {
         covered += around.lines;
         steps += around.records;
         stretches += around.stretches.saturating_sub(1);
-        let mostly = 20 * covered >= 13 * lines || (stretches <= 1 && steps >= 4) || lines < 12;
+        let told = covered + slipped + in_tables;
+        let mostly = 20 * covered >= 13 * lines
+            || (stretches <= 1 && steps >= 4 || lines < 12) && 3 * told + 2 >= 2 * lines;
+        let few = lines < 12 && 4 * told >= 3 * lines;
         // The same mistake on every line leaves no line as a witness that it was laid out in lines.
         let slips_in_lines = slipped > 0 && 20 * (covered + slipped) >= 17 * lines;
-        let in_lines = steps > 0 && steps + 2 >= 3 * stretches && mostly || slips_in_lines;
+        let in_lines = steps > 0 && (steps + 2 >= 3 * stretches && mostly || few) || slips_in_lines;
         if !in_lines {
             // What looks like a record at the head of a line is one by chance.
             heads.clear();

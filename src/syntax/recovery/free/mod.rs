@@ -1,0 +1,312 @@
+//! What to make of a text whose line breaks say nothing of where records begin.
+//!
+//! As in [`layout`](super::layout), all ways to cut it into records and faults compete, and the cheapest one wins.
+//! What speaks for a way are IDs and parameters: [`Ways`] knows at each place which IDs are defined on the cheapest
+//! way to it. A fault is a record with one mistake ([`mistakes`]): a number too few or too many, or one that is spoiled.
+
+mod mistakes;
+
+use super::super::signature::Reading;
+use super::super::table::{RECORD_TYPES, RecordKind, RecordType};
+use super::faults;
+use super::stretch::Stretch;
+use super::surroundings::Surroundings;
+use super::verdict::{Piece, Verdict};
+use super::way::{Id, STATES, Ways};
+
+/// The price of a `0` that introduces no comment.
+const LONE_VOID: u32 = 300;
+/// The price of an optional group that is there or not against what the following records say.
+const OTHER_WAY: u32 = 60;
+/// So much speaks at most against a record that is right in form: less than for garbage.
+const DOUBTS_MAX: u32 = 1250;
+/// The price of a place within a piece at which a record could begin.
+const HEAD_WITHIN: u32 = 60;
+/// How many numbers more or less are a slip.
+const FEW: usize = 2;
+/// No record without a count has more parameters.
+const LONGEST: usize = 18;
+/// Faults are looked for where no way ahead is cheaper by this.
+const HOPELESS: u64 = 1500;
+/// How many places ahead are looked at for that.
+const AHEAD: usize = 20;
+/// How many parameters are looked at to judge whether a record is plausible.
+const PARAMS_MAX: usize = 64;
+
+/// The cheapest way to a token is kept of each of these: with an even number of faults and an odd one, and the same of
+/// lost IDs. What comes behind decides between them.
+const FAULTS: usize = 1;
+const LOST: usize = 2;
+
+/// The reading with the least damage.
+pub fn cut(stretch: &Stretch, around: &Surroundings) -> Vec<Piece> {
+    let n = stretch.len();
+    let mut search = Search {
+        stretch,
+        ways: Ways::new(stretch, around, STATES * (n + 1)),
+        types: types_by_arity(),
+        heads_before: heads_before(stretch),
+        best: vec![None; STATES * (n + 1)],
+        here: 0,
+    };
+    search.best[0] = Some(Offer {
+        from: 0,
+        price: 0,
+        id: Id::None,
+        ty: None,
+        verdict: Verdict::Void,
+    });
+    for at in 0..n {
+        let ahead = |at: usize| STATES * at.min(n + 1);
+        for here in STATES * at..STATES * (at + 1) {
+            let Some(offer) = search.best[here] else {
+                continue;
+            };
+            search.here = here;
+            if at > 0 {
+                search.ways.arrive((offer.from, here), offer.id, offer.ty);
+            }
+            search.records(at);
+            let ahead = &search.best[ahead(at + 1)..ahead(at + AHEAD)];
+            let cheapest = ahead.iter().flatten().map(|o| o.price).min();
+            if cheapest.is_none_or(|cheapest| offer.price < cheapest + HOPELESS) {
+                search.faults(at);
+            }
+        }
+    }
+    let ends = STATES * n..STATES * (n + 1);
+    let price = |&node: &usize| search.best[node].map_or(u64::MAX, |o| o.price);
+    let mut node = ends.min_by_key(price).unwrap_or(0);
+    let mut pieces = Vec::new();
+    while let Some(offer) = search.best[node].filter(|_| node > 0) {
+        pieces.push(Piece {
+            start: offer.from / STATES,
+            end: node / STATES,
+            verdict: offer.verdict,
+        });
+        node = offer.from;
+    }
+    pieces.reverse();
+    pieces
+}
+
+/// How many records that look right begin before each token.
+fn heads_before(stretch: &Stretch) -> Vec<u32> {
+    let mut n = 0;
+    let mut all = vec![0];
+    all.extend((0..stretch.len()).map(|at| {
+        let head = stretch.read(at).filter(|r| r.end > at + 2);
+        n += u32::from(head.is_some_and(|r| !stretch.is_odd(at, r)));
+        n
+    }));
+    all
+}
+
+/// The types without a count, by how many parameters they take.
+fn types_by_arity() -> Vec<Vec<&'static RecordType>> {
+    let mut all = vec![Vec::new(); LONGEST + 1];
+    let fixed =
+        (RECORD_TYPES.iter()).filter(|t| !t.is_counted() && t.kind != RecordKind::Undefined);
+    for ty in fixed {
+        let base = ty.params.len();
+        all[base].push(ty);
+        if !ty.optional.is_empty() {
+            all[base + ty.optional.len()].push(ty);
+        }
+    }
+    all
+}
+
+/// A way to a place: its price, and its last piece.
+#[derive(Debug, Clone, Copy)]
+struct Offer {
+    /// The place and the state before it.
+    from: usize,
+    price: u64,
+    id: Id,
+    ty: Option<&'static RecordType>,
+    verdict: Verdict,
+}
+
+/// The ID and the type of a record.
+#[derive(Debug, Clone, Copy)]
+struct Head {
+    id: Id,
+    ty: &'static RecordType,
+    /// Of repeated parameters.
+    count: u64,
+    /// Where the parameters begin.
+    first: usize,
+}
+
+struct Search<'a, 's> {
+    stretch: &'a Stretch<'s>,
+    ways: Ways<'a, 's>,
+    types: Vec<Vec<&'static RecordType>>,
+    heads_before: Vec<u32>,
+    /// For each place and state the cheapest way to it.
+    best: Vec<Option<Offer>>,
+    /// The place and the state that pieces begin with now.
+    here: usize,
+}
+
+impl Search<'_, '_> {
+    /// There is a piece, which costs so much.
+    fn offer(
+        &mut self,
+        (start, end): (usize, usize),
+        price: u32,
+        (id, ty): (Id, Option<&'static RecordType>),
+        verdict: Verdict,
+    ) {
+        let Some(before) = self.best[self.here] else {
+            return;
+        };
+        let mut state = self.here % STATES;
+        if !matches!(verdict, Verdict::Whole(_) | Verdict::Void) {
+            state ^= FAULTS;
+        }
+        if matches!(id, Id::Lost) {
+            state ^= LOST;
+        }
+        let within = self.heads_before[end] - self.heads_before[start + 1];
+        let price = before.price + u64::from(price + HEAD_WITHIN * within);
+        let best = &mut self.best[STATES * end + state];
+        if best.is_none_or(|best| price < best.price) {
+            *best = Some(Offer {
+                from: self.here,
+                price,
+                id,
+                ty,
+                verdict,
+            });
+        }
+    }
+
+    /// The number that may be an ID at a token.
+    fn id_at(&self, at: usize) -> Option<u32> {
+        let id = self.stretch.sigs.get(at)?.int?;
+        u32::try_from(id).ok().filter(|&id| id > 0)
+    }
+
+    /// A record of a type whose parameters begin at a token; `None` if it is a counted one without its count.
+    fn head(&self, id: Id, ty: &'static RecordType, first: usize) -> Option<Head> {
+        let count = match ty.is_counted() {
+            true => faults::count(self.stretch, first).ok()?,
+            false => 0,
+        };
+        Some(Head {
+            id,
+            ty,
+            count,
+            first,
+        })
+    }
+
+    /// Where such a record ends, without its optional group and with it.
+    fn ends(&self, head: &Head) -> [Option<usize>; 2] {
+        let base = (head.first as u64).saturating_add(head.ty.arity(head.count));
+        let base = usize::try_from(base)
+            .ok()
+            .filter(|&end| end <= self.stretch.len() + FEW);
+        let group = head.ty.optional.len();
+        [base, base.map(|end| end + group).filter(|_| group > 0)]
+    }
+
+    /// The same for a record that is right in form, as far as tokens go that can be nothing.
+    fn right_ends(&self, head: &Head) -> impl Iterator<Item = usize> + use<> {
+        self.ends(head)
+            .map(|end| {
+                let end = end.filter(|&end| end <= self.stretch.len())?;
+                (self.bad(head.ty, head.first, end) == 0).then_some(end)
+            })
+            .into_iter()
+            .flatten()
+    }
+
+    /// How many tokens can be no parameters.
+    fn bad(&self, ty: &RecordType, first: usize, end: usize) -> u32 {
+        let named = faults::file_name(self.stretch, ty, first, end).is_some();
+        self.stretch.bad(first, end) - u32::from(named)
+    }
+
+    /// What speaks against a record that ends at a place, as one that begins at another.
+    fn doubts(&self, head: &Head, end: usize) -> u32 {
+        let id = match head.id {
+            Id::Is(id) => self.ways.id(id, Some(head.ty), self.here),
+            Id::Lost | Id::None => 0,
+        };
+        id + self.params(head, end)
+    }
+
+    /// What speaks against its parameters, of which some may be missing or too many.
+    fn params(&self, head: &Head, end: usize) -> u32 {
+        let got = end - head.first;
+        let looked_at = got.min(PARAMS_MAX);
+        let doubt = |i: usize, param: usize| {
+            let param = head.ty.param(param, head.count as usize);
+            param.map_or(0, |param| {
+                self.ways.param(head.first + i, head.ty, param, self.here)
+            })
+        };
+        let base = usize::try_from(head.ty.arity(head.count)).unwrap_or(usize::MAX);
+        let full = base + head.ty.optional.len();
+        let wanted = if got.abs_diff(base) <= got.abs_diff(full) {
+            base
+        } else {
+            full
+        };
+        // The parameters before the mistake are in their own places, those behind it further on.
+        let (more, fewer) = (got.saturating_sub(wanted), wanted.saturating_sub(got));
+        let (mut before, mut behind) = (0, 0);
+        for i in more..looked_at {
+            behind += doubt(i, i + fewer - more);
+        }
+        if more + fewer == 0 {
+            return behind;
+        }
+        let mut least = u32::MAX;
+        for i in 0..=looked_at {
+            let dropped = match more > 0 && i < looked_at {
+                true => self.ways.like_an_id(head.first + i, self.here),
+                false => 0,
+            };
+            least = least.min(before + behind + dropped);
+            if i < looked_at {
+                before += doubt(i, i);
+            }
+            if i + more < looked_at {
+                behind -= doubt(i + more, i + fewer);
+            }
+        }
+        least
+    }
+
+    /// What can be read from a token on.
+    fn records(&mut self, at: usize) {
+        let stretch = self.stretch;
+        if stretch.sigs[at].int == Some(0) {
+            let price = match stretch.sigs[at].before_comment {
+                true => 0,
+                false => LONE_VOID,
+            };
+            self.offer((at, at + 1), price, (Id::None, None), Verdict::Void);
+        }
+        let (Some(&r), Some(id)) = (stretch.read(at), self.id_at(at)) else {
+            return;
+        };
+        let Some(head) = self.head(Id::Is(id), r.ty, at + 2) else {
+            return;
+        };
+        // The optional group is there or not; what follows may have decided wrongly.
+        for end in self.right_ends(&head) {
+            let doubts = self.doubts(&head, end).min(DOUBTS_MAX);
+            if end != r.end && faults::wrong_kinds(stretch, r.ty, head.first, end) > 0 {
+                continue;
+            }
+            let price = doubts + if end == r.end { 0 } else { OTHER_WAY };
+            let verdict = Verdict::Whole(Reading { end, ..r });
+            self.offer((at, end), price, (head.id, Some(r.ty)), verdict);
+        }
+    }
+}

@@ -1,0 +1,269 @@
+//! What is known at a place of a text when it has been cut into pieces up to there, in one of many ways: which IDs
+//! are defined, as what, and which is the highest.
+
+use rustc_hash::FxHashMap;
+
+use super::super::signature::{allows, fits};
+use super::super::table::{Effect, Kind, Param, ParamKind, RecordKind, RecordType};
+use super::slips::LEAST_HEAD;
+use super::stretch::Stretch;
+use super::surroundings::Surroundings;
+use super::verdict::{Piece, Verdict};
+
+/// What an ID costs that is defined a second time, or that is changed and defined nowhere.
+const DEFINED_TWICE: u32 = 1000;
+const CHANGES_NOTHING: u32 = 1000;
+/// ID 1 is the render record's, and only that.
+const RENDER_ID: u32 = 1000;
+/// What an ID costs that is new and lower than another one: files have their IDs in order, mostly.
+pub const OUT_OF_ORDER: u32 = 150;
+/// What a parameter costs that is no number of its kind, that leads nowhere, or that no such record may have.
+const WRONG_KIND: u32 = 600;
+const REFERS_TO_NOTHING: u32 = 900;
+const NOT_ALLOWED: u32 = 900;
+/// What an ID that is changed or referred to costs where a record before lost its ID, which may be that one.
+const MAY_BE_LOST: u32 = 150;
+/// The price of a number that reads like the type of an operation or a property, perhaps without its sign, and is none.
+const LIKE_A_TYPE: u32 = 200;
+/// The price of a number that reads like the next ID and is none.
+const LIKE_AN_ID: u32 = 50;
+
+/// The last piece of the cheapest way to a place.
+#[derive(Debug, Clone, Copy, Default)]
+struct Step {
+    /// Where the piece begins.
+    from: u32,
+    /// A place further back on the way, and how many pieces are before this one: with these, places on the way are
+    /// found in a logarithmic number of jumps.
+    jump: u32,
+    depth: u32,
+    /// The highest ID so far.
+    top: u32,
+    /// Whether an ID may be defined where nobody knows: a record has lost its ID, or there are other stretches.
+    lost: bool,
+}
+
+/// The ID that a piece has.
+#[derive(Debug, Clone, Copy)]
+pub enum Id {
+    Is(u32),
+    /// It should have one and has none.
+    Lost,
+    None,
+}
+
+/// A piece that defines an ID ends at a place.
+#[derive(Debug, Clone, Copy)]
+struct Definition {
+    end: u32,
+    /// `None` where nobody can tell.
+    kind: Option<Kind>,
+}
+
+pub struct Ways<'a, 's> {
+    stretch: &'a Stretch<'s>,
+    around: &'a Surroundings,
+    steps: Vec<Step>,
+    defined: FxHashMap<u32, Vec<Definition>>,
+    /// The last places arrived at. What is far back and on none of their ways is on none any more.
+    latest: [u32; STATES],
+}
+
+/// Of all ways to a token so many are kept apart; each is a place.
+pub const STATES: usize = 4;
+
+/// So many definitions of an ID are kept without asking whether they are on any way.
+const DEFINITIONS: usize = 8;
+/// Places this far back are on all ways, or on none.
+const SETTLED: usize = 2000;
+
+impl<'a, 's> Ways<'a, 's> {
+    pub fn new(stretch: &'a Stretch<'s>, around: &'a Surroundings, places: usize) -> Ways<'a, 's> {
+        let mut steps = vec![Step::default(); places];
+        // The first record of a text has the ID 2, mostly.
+        steps[0].top = u32::from(!stretch.is_behind(0));
+        steps[0].lost = around.others;
+        Ways {
+            stretch,
+            around,
+            steps,
+            defined: FxHashMap::default(),
+            latest: [0; STATES],
+        }
+    }
+
+    /// The cheapest way to place `end` has a last piece from `from` on, with an ID unless it lost it, which is the ID
+    /// of a record of a type that may be unknown.
+    pub fn arrive(&mut self, (from, end): (usize, usize), id: Id, ty: Option<&'static RecordType>) {
+        let back = self.steps[from];
+        let further = self.steps[back.jump as usize];
+        let furthest = self.steps[further.jump as usize];
+        let far = back.depth - further.depth == further.depth - furthest.depth;
+        self.steps[end] = Step {
+            from: from as u32,
+            jump: if far { further.jump } else { from as u32 },
+            depth: back.depth + 1,
+            top: back.top,
+            lost: back.lost || matches!(id, Id::Lost),
+        };
+        self.latest[end % STATES] = end as u32;
+        let Id::Is(id @ 2..) = id else { return };
+        let kind = match ty.map(|t| t.effect) {
+            // A copy is what the other one is.
+            Some(_) if ty.is_some_and(|t| t.kind == RecordKind::Copy) => None,
+            Some(Effect::Defines(kind)) => Some(kind),
+            Some(Effect::DefinesOrChanges(kind, _)) if self.kind(id, from).is_none() => Some(kind),
+            None => None,
+            _ => return,
+        };
+        self.steps[end].top = back.top.max(id);
+        let end = end as u32;
+        self.define(id, Definition { end, kind });
+    }
+
+    fn define(&mut self, id: u32, definition: Definition) {
+        let mut all = self.defined.remove(&id).unwrap_or_default();
+        if all.len() >= DEFINITIONS && all.len().is_power_of_two() {
+            let settled = (definition.end as usize).saturating_sub(SETTLED);
+            let is_on_any = |end: u32| self.latest.iter().any(|&way| self.is_on(end, way));
+            all.retain(|d| d.end as usize > settled || is_on_any(d.end));
+        }
+        all.push(definition);
+        self.defined.insert(id, all);
+    }
+
+    /// Whether a place is on the cheapest way to another.
+    fn is_on(&self, place: u32, way_to: u32) -> bool {
+        let mut at = way_to;
+        while at > place {
+            let step = &self.steps[at as usize];
+            at = if step.jump >= place {
+                step.jump
+            } else {
+                step.from
+            };
+        }
+        at == place
+    }
+
+    /// What an ID stands for at a place, if it is defined; `Some(None)` if nobody can tell.
+    fn kind(&self, id: u32, place: usize) -> Option<Option<Kind>> {
+        let here = self.defined.get(&id).and_then(|all| {
+            let mut all = all.iter().rev();
+            all.find(|d| self.is_on(d.end, place as u32))
+        });
+        if let Some(definition) = here {
+            return Some(definition.kind);
+        }
+        let (at, ty) = self.stretch.defined_elsewhere(self.around, id)?;
+        self.stretch.is_behind(at).then_some(match ty.effect {
+            Effect::Defines(kind) | Effect::DefinesOrChanges(kind, _) => Some(kind),
+            Effect::Changes(_) => None,
+        })
+    }
+
+    /// What speaks against an ID of a record of a type, at a place.
+    pub fn id(&self, id: u32, ty: Option<&'static RecordType>, place: usize) -> u32 {
+        if ty.is_some_and(|t| (t.kind == RecordKind::Render) != (id == 1)) {
+            return RENDER_ID;
+        }
+        if id == 1 {
+            return 0;
+        }
+        let kind = self.kind(id, place);
+        let changed = |kinds: &[Kind]| match kind {
+            Some(kind) if kind.is_none_or(|k| kinds.contains(&k)) => 0,
+            None if self.steps[place].lost => MAY_BE_LOST,
+            _ => CHANGES_NOTHING,
+        };
+        match (ty.map(|t| t.effect), kind) {
+            (Some(Effect::Defines(_)), Some(Some(Kind::Undefined))) => 0,
+            (Some(Effect::Defines(_)), Some(_)) => DEFINED_TWICE,
+            (Some(Effect::Changes(kinds)), _)
+            | (Some(Effect::DefinesOrChanges(_, kinds)), Some(_)) => changed(kinds),
+            (None, Some(_)) => 0,
+            (_, None) => self.order(id, place),
+        }
+    }
+
+    /// Whether an ID is about the next that the order of IDs asks for.
+    pub fn is_next(&self, id: u32, place: usize) -> bool {
+        let top = self.steps[place].top;
+        top > 0 && (top + 1..=top + 4).contains(&id)
+    }
+
+    /// What speaks against a token as a mere number: it could be the next ID.
+    pub fn like_an_id(&self, at: usize, place: usize) -> u32 {
+        let id = self.stretch.sigs[at]
+            .int
+            .and_then(|id| u32::try_from(id).ok());
+        let next = id.is_some_and(|id| self.is_next(id, place));
+        if next { LIKE_AN_ID } else { 0 }
+    }
+
+    /// What speaks against a new ID at a place.
+    fn order(&self, id: u32, place: usize) -> u32 {
+        let elsewhere = self.around.is_defined(id);
+        match self.steps[place].top {
+            _ if elsewhere => DEFINED_TWICE,
+            0 => 0,
+            top if id > top => (15 * ((id - top) / 2).max(1).ilog2()).min(OUT_OF_ORDER),
+            _ => OUT_OF_ORDER,
+        }
+    }
+
+    /// What speaks against a token as a parameter, at a place.
+    pub fn param(&self, at: usize, ty: &RecordType, param: &Param, place: usize) -> u32 {
+        let sig = &self.stretch.sigs[at];
+        if !fits(sig.kind, param.kind) {
+            // A token that can be nothing is an error by itself.
+            return if sig.kind.is_bad() { 0 } else { WRONG_KIND };
+        }
+        if !allows(param, self.stretch.value(at)) {
+            return NOT_ALLOWED;
+        }
+        let ParamKind::Reference { kinds, or_none } = param.kind else {
+            let code = sig.int.map_or(0, |code| i64::from(code.saturating_abs()));
+            let is_type = code >= i64::from(-LEAST_HEAD)
+                && (RecordType::by_code(-code).is_some() || code == 9999);
+            return if is_type {
+                LIKE_A_TYPE
+            } else {
+                self.like_an_id(at, place)
+            };
+        };
+        match sig.int.and_then(|id| u32::try_from(id).ok()) {
+            Some(0) if or_none => 0,
+            Some(id) => match self.kind(id, place) {
+                Some(kind) if kind.is_none_or(|k| kinds.contains(&k)) => 0,
+                // Selections and the render record may name what comes later.
+                None if matches!(ty.effect, Effect::Defines(Kind::Selection | Kind::Render)) => {
+                    MAY_BE_LOST
+                }
+                None if self.steps[place].lost => MAY_BE_LOST,
+                _ => REFERS_TO_NOTHING,
+            },
+            None => REFERS_TO_NOTHING,
+        }
+    }
+}
+
+/// Whether nothing speaks against a reading that is right in form but what is no error.
+pub fn is_sound(stretch: &Stretch, around: &Surroundings, pieces: &[Piece]) -> bool {
+    let mut ways = Ways::new(stretch, around, stretch.len() + 1);
+    pieces.iter().all(|piece| {
+        let Verdict::Whole(r) = piece.verdict else {
+            ways.arrive((piece.start, piece.end), Id::None, None);
+            return true;
+        };
+        let id = stretch.sigs[piece.start].int.unwrap_or(0) as u32;
+        let first = piece.start + 2;
+        let params = (first..r.end).all(|at| {
+            let param = r.ty.param(at - first, r.count as usize);
+            param.is_none_or(|p| ways.param(at, r.ty, p, piece.start) < REFERS_TO_NOTHING)
+        });
+        let sound = params && ways.id(id, Some(r.ty), piece.start) < REFERS_TO_NOTHING;
+        ways.arrive((piece.start, piece.end), Id::Is(id), Some(r.ty));
+        sound
+    })
+}
