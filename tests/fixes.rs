@@ -1,6 +1,7 @@
 //! Every fix of every finding: applied alone it leaves a file that checks better, loses no comment,
 //! and draws the same picture if it is called safe.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -126,7 +127,7 @@ fn every_fix_makes_it_better() {
     let mut tried = 0;
     let mut drawn = 0;
     let mut wrong = String::new();
-    let mut with_fix = std::collections::BTreeSet::new();
+    let mut with_fix = BTreeSet::new();
     for (name, text) in scenes() {
         let before = read(&text);
         for d in before.findings() {
@@ -206,7 +207,7 @@ fn decimal_commas_are_mended() {
             let text = fs::read_to_string(&path).unwrap();
             let digit = |i: usize| text.as_bytes().get(i).is_some_and(u8::is_ascii_digit);
             let mut spoiled = text.clone();
-            let mut count = 0;
+            let (mut count, mut lines) = (0, BTreeSet::new());
             for t in &read(&text).document.tokens {
                 let (from, to) = (t.start as usize, t.end() as usize);
                 let point = text[from..to].find('.').filter(|_| t.kind.is_number());
@@ -214,6 +215,7 @@ fn decimal_commas_are_mended() {
                 if let Some(p) = point.filter(|&p| digit(p.wrapping_sub(1)) && digit(p + 1)) {
                     spoiled.replace_range(p..p + 1, ",");
                     count += 1;
+                    lines.insert(text[..p].matches('\n').count());
                 }
             }
             let loaded = read(&spoiled);
@@ -221,8 +223,8 @@ fn decimal_commas_are_mended() {
             let right = errors.iter().all(|d| d.code == Code::E003);
             let found: Vec<_> = errors.iter().map(|d| (d.code, d.span)).collect();
             assert!(
-                right && errors.len() == count,
-                "{count} {} {found:?}",
+                right && errors.len() == lines.len(),
+                "{lines:?} {} {found:?}",
                 path.display()
             );
             let safe = errors.iter().flat_map(|d| &d.fixes);

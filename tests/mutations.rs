@@ -9,6 +9,7 @@ use zpg::analysis::Analysis;
 use zpg::syntax::table::ParamKind;
 use zpg::syntax::{Document, Item};
 
+mod drawn;
 mod measure;
 mod repeated;
 mod scenes;

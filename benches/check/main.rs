@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use program::{Run, median};
 use scenes::Scene;
-use zpg::analysis::Analysis;
+use zpg::analysis::{Analysis, repair};
 
 /// A line of the table.
 struct Line {
@@ -100,11 +100,12 @@ fn main() {
     let folder = tempfile::tempdir().expect("there is room for temporary files");
     let mut table = Table::default();
     println!("| what | measured | bar | |\n|---|---:|---:|---|");
-    let parts: [(&str, Part); 6] = [
+    let parts: [(&str, Part); 7] = [
         ("peers", peers),
         ("kinds", kinds),
         ("mistakes", mistakes),
         ("process", |_, table| in_process(table)),
+        ("repair", |_, table| repair(table)),
         ("small", small_and_long),
         ("growth", growth::growth),
     ];
@@ -314,6 +315,21 @@ fn in_process(table: &mut Table) {
             let what = format!("in process: {lines} lines, {mistakes} mistakes");
             table.add(what, median(times), "ms", bar, false);
         }
+    }
+}
+
+/// What was meant, found by trying; the scene is read, and its findings are known.
+fn repair(table: &mut Table) {
+    for records in [200, 50_000] {
+        let text = scenes::slips(records, 20);
+        let analysis = Analysis::new("scene.zpg", text.into_bytes());
+        let errors = analysis.findings().iter().filter(|d| d.is_error()).count();
+        assert!(errors >= 20, "{errors} errors");
+        let time = least(RUNS, || {
+            std::hint::black_box(repair::proposals(&analysis));
+        });
+        let what = format!("in process: proposals for {records} records with 20 errors");
+        table.add(what, time.as_secs_f64() * 1e3, "ms", 50.0, false);
     }
 }
 

@@ -147,6 +147,42 @@ pub fn lines(count: usize, mistakes: usize) -> String {
     text
 }
 
+/// So many records, in groups of four: a sphere, moved, coloured, added to the others. So many of the groups have one
+/// of the slips that people make, in turn.
+pub fn slips(records: usize, mistakes: usize) -> String {
+    let groups = records / 4;
+    let mut text = String::new();
+    for i in 0..groups {
+        let id = 2 * i + 2;
+        let lines = [
+            format!("{id} 11 0 {i} 0 1"),
+            format!("{id} -1 {i} 0 0"),
+            format!("{id} -701 1 0.5 0"),
+            match i {
+                0 => format!("{} -105 {id}", id + 1),
+                _ => format!("{} -101 {} {id}", id + 1, id - 1),
+            },
+        ];
+        let is_wrong = i > 0 && i * mistakes / groups > (i - 1) * mistakes / groups;
+        let lines = lines.join("\n");
+        let kind = match is_wrong {
+            true => i * mistakes / groups % 5,
+            false => 5,
+        };
+        text += &match kind {
+            0 => lines.replacen(" -701", " 701", 1),
+            1 => lines.replacen(" 0 1\n", " O 1\n", 1),
+            2 => lines.replacen(" 0 1\n", " 0 1 red ball\n", 1),
+            3 => lines + &format!("\n{id} -299 {id} 0"),
+            4 => lines.replacen(" 0.5 0\n", " 0.5\n", 1),
+            _ => lines,
+        };
+        text.push('\n');
+    }
+    render(&mut text);
+    text
+}
+
 /// Spheres, each added to the union of those before.
 pub fn chain(spheres: usize) -> String {
     let mut text = String::new();

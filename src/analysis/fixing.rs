@@ -224,7 +224,7 @@ mod tests {
             }
             analysis
         };
-        let text = "2 11 0,5 0,25 0 1\n3 9 1\n4 -101 2 3\n1 9999 4 0\n";
+        let text = "2 11 0,5 0 0 1\n3 9 1\n5 9 0,25\n4 -101 2 3\n6 -101 4 5\n1 9999 6 0\n";
         let first = read(SourceFile::new("a.zpg", text.into()));
         let Mended {
             analysis, count, ..

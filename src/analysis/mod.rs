@@ -3,6 +3,7 @@
 //! The commands, the tests and the editor features all start from an [`Analysis`]. It prints nothing and
 //! knows of no command line.
 
+mod commas;
 pub mod config;
 pub mod file;
 pub mod fixing;
@@ -78,6 +79,7 @@ impl Analysis {
     /// Reads a scene from its text.
     pub fn of(source: SourceFile) -> Analysis {
         let (document, mut read) = syntax::parse(&source.text);
+        commas::join(&source, &mut read);
         let scene = scene::resolve(&document, &source, &mut read);
         read.extend(encoding_note(&source));
         Analysis {

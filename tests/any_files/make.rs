@@ -39,7 +39,9 @@ impl Pool {
             for path in files(&root.join(folder), usize::MAX) {
                 let is_scene = path.extension().is_some_and(|e| e == "zpg");
                 if let Some(text) = fs::read_to_string(&path).ok().filter(|_| is_scene) {
-                    scenes.extend((text.len() < 2500).then_some(text));
+                    // With the mark of a cursor it is no scene.
+                    let fits = text.len() < 2500 && !text.contains("$0");
+                    scenes.extend(fits.then_some(text));
                 }
             }
         }

@@ -68,11 +68,10 @@ fn decimal_commas(row: &Row) -> Option<Mistake> {
         both.then(|| (t.start as usize, t.end() as usize, text.replace('.', ",")))
     };
     let edits: Vec<_> = row.tokens[2..].iter().filter_map(comma).collect();
-    let errors = edits.len();
-    (errors > 0).then_some(Mistake {
+    (!edits.is_empty()).then_some(Mistake {
         edits,
         codes: &["E003"],
-        errors,
+        errors: 1,
     })
 }
 

@@ -29,6 +29,7 @@ const SLIPS: &[(usize, &str)] = &[
     (3, "12 -3 -1 -3 3 0 3"),
     (3, "4 -3 -1 -3 3 0 3"),
     (3, "1 12 -3 -1 -3 3 0 3"),
+    (3, "4 5 -3 -1 -3 3 0 3"),
     (4, "4 299 2 3"),
     (4, "4 -299 3 2"),
     (4, "3 -299 2 4"),
@@ -41,6 +42,7 @@ const SLIPS: &[(usize, &str)] = &[
     (5, "5 11 0 1 0 1 1"),
     (5, "5 11 0 1 0 -1"),
     (5, "5 11 0 1 0 O.5"),
+    (5, "5 11 0,5 1,5 0 1"),
     (5, "5 l1 0 1 0 1"),
     (5, "5 sphere 0 1 0 1"),
     (5, "5 koule 0 1 0 1"),
@@ -59,6 +61,7 @@ const SLIPS: &[(usize, &str)] = &[
     (6, "5 -1 0.5 0"),
     (6, "55 -1 0.5 0 0"),
     (6, "2 -1 0.5 0 0"),
+    (6, "12 -301 my image.png"),
     (8, "6 -2 2 30"),
     (8, "6 -2 30° 2"),
     (8, "6 -3 2"),
@@ -81,6 +84,25 @@ const SLIPS: &[(usize, &str)] = &[
     (17, ""),
 ];
 
+type Make = fn() -> String;
+
+/// The whole scene, as it is written.
+const WHOLE: &[(&str, Make)] = &[
+    ("each minus is a dash", || SCENE.replace('-', "–")),
+    ("the minus of all types is lost", || {
+        let lines = SCENE.lines().map(|line| {
+            let (id, rest) = line.split_once(' ').unwrap();
+            format!("{id} {}\n", rest.strip_prefix('-').unwrap_or(rest))
+        });
+        lines.collect()
+    }),
+    ("the scene twice", || [SCENE, SCENE].concat()),
+    ("the difference the other way round", || {
+        let hollow = "2 9 10\n3 11 0 0 0 5\n4 -103 3 2\n";
+        hollow.to_owned() + "5 -402 1\n5 -1 30 30 30\n6 -501 0 0 50 0 0 -1 0 1 0 40\n1 9999 4 0\n"
+    }),
+];
+
 fn write(out: &mut String, d: &Diagnostic, language: Language) {
     let words = d.wording(language);
     let severity = language.say(d.severity.as_str(), &[]);
@@ -98,9 +120,14 @@ fn write(out: &mut String, d: &Diagnostic, language: Language) {
 #[test]
 fn what_is_said_of_slips() {
     let mut out = SCENE.to_owned();
-    for &(line, new) in SLIPS {
-        let analysis = read(&with(line, new));
-        writeln!(out, "\n## line {line}: `{new}`").unwrap();
+    let lines = SLIPS.iter().map(|&(line, new)| {
+        let what = format!("line {line}: `{new}`");
+        (what, with(line, new))
+    });
+    let whole = WHOLE.iter().map(|&(what, make)| (what.to_owned(), make()));
+    for (what, text) in lines.chain(whole) {
+        let analysis = read(&text);
+        writeln!(out, "\n## {what}").unwrap();
         for language in [Language::English, Language::Czech] {
             out.push('\n');
             for d in repair::proposals(&analysis) {

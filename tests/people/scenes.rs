@@ -10,6 +10,10 @@ pub struct Record {
     pub id: u32,
     pub code: i32,
     pub params: Vec<String>,
+    /// The lines above it that are no records.
+    pub above: String,
+    /// The comment behind it.
+    pub behind: String,
 }
 
 impl Record {
@@ -24,7 +28,9 @@ impl Record {
 }
 
 pub fn text(records: &[Record]) -> String {
-    records.iter().map(|r| r.line() + "\n").collect()
+    (records.iter())
+        .map(|r| format!("{}{}{}\n", r.above, r.line(), r.behind))
+        .collect()
 }
 
 #[derive(Default)]
@@ -33,6 +39,7 @@ struct Maker {
     next: u32,
     /// IDs count by this.
     step: u32,
+    comments: bool,
 }
 
 impl Maker {
@@ -42,8 +49,19 @@ impl Maker {
     }
 
     fn add(&mut self, id: u32, code: i32, params: &[f64]) {
-        let params = params.iter().map(f64::to_string).collect();
-        self.records.push(Record { id, code, params });
+        // Some lines have a comment.
+        let n = self.records.len();
+        let behind = match self.comments && n.is_multiple_of(3) {
+            true => format!(" # část {n} #"),
+            false => String::new(),
+        };
+        self.records.push(Record {
+            id,
+            code,
+            params: params.iter().map(f64::to_string).collect(),
+            above: String::new(),
+            behind,
+        });
     }
 
     fn define(&mut self, code: i32, params: &[f64]) -> u32 {
@@ -119,6 +137,7 @@ fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
         step: 10,
         ..Maker::default()
     };
+    make.comments = rng.chance(0.5);
     // Some count by one, some by ten.
     if rng.chance(0.7) {
         (make.next, make.step) = (1, 1);
@@ -155,7 +174,7 @@ fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
         match if surface { 5 } else { rng.below(5) } {
             // A ball that is hollow, or a corner cut off.
             0 => {
-                let hole = make.define(11, &[0.0, 0.0, 0.0, 0.3]);
+                let hole = make.define(11, &[0.0, 0.0, 0.0, 0.25]);
                 if rng.chance(0.5) {
                     make.add(hole, -1, &[0.3, 0.4, 0.0]);
                 }

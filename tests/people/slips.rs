@@ -1,6 +1,9 @@
 //! What people get wrong in a record.
 
-use super::scenes::Record;
+use zpg::analysis::Analysis;
+use zpg::solids::inside::Inside;
+
+use super::scenes::{Record, text};
 use crate::rng::Rng;
 
 /// A kind of slip.
@@ -19,6 +22,9 @@ pub struct Written {
 }
 
 const HIGH: f64 = 0.98;
+
+/// This one is a warning.
+pub const DIFFERENCE: &str = "operands of a difference swapped";
 
 pub const ALL: &[Slip] = &[
     Slip {
@@ -112,6 +118,11 @@ pub const ALL: &[Slip] = &[
         make: object,
     },
     Slip {
+        name: DIFFERENCE,
+        bar: HIGH,
+        make: difference,
+    },
+    Slip {
         name: "references off by one",
         bar: HIGH,
         make: off_by_one,
@@ -185,15 +196,31 @@ fn lamp(rng: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
     })
 }
 
-fn sibling(_: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
+fn sibling(rng: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
     let r = &all[i];
-    let other = match r.code {
-        11 => "9",
-        9 => "11",
-        -202 => "-201",
+    // Of two numbers there are several operations, and of three a sphere may have lost one.
+    let others: &[i32] = match r.code {
+        11 => &[9],
+        9 => &[11, 13],
+        10 => &[9],
+        13 => &[9],
+        5 => &[12],
+        12 => &[5],
+        6 => &[7, 8],
+        7 => &[6, 8],
+        8 => &[6, 7],
+        1 => &[2],
+        2 => &[1],
+        -104 => &[-101, -103],
+        -201 => &[-202],
+        -202 => &[-201],
+        -502 => &[-503],
+        -503 => &[-502],
+        -601 => &[-602],
+        -602 => &[-601],
         _ => return None,
     };
-    written(r, r.with(other, &r.params))
+    written(r, r.with(&rng.pick(others).to_string(), &r.params))
 }
 
 fn words(r: &Record, comment: &str) -> Option<Written> {
@@ -203,6 +230,20 @@ fn words(r: &Record, comment: &str) -> Option<Written> {
 fn word(rng: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
     let r = &all[i];
     let names: &[&str] = match r.code {
+        1 => &["lathe", "rotační těleso", "revolution"],
+        4 => &["half-space", "poloprostor", "halfspace"],
+        5 => &["rectangle", "obdélník"],
+        6 => &["triangle", "trojúhelník"],
+        3 => &["plane", "rovina"],
+        15 => &["quadric", "kvadrika"],
+        17 => &["double cone", "double-cone", "dvojitý kužel"],
+        -104 => &["complement", "doplněk"],
+        -201 => &["material", "optics", "optika", "vlastnosti"],
+        -203 => &["index", "ior", "index lomu"],
+        -399 => &["checkerboard", "šachovnice"],
+        -401 => &["ambient", "ambient light", "okolní světlo"],
+        -601 => &["bounding box"],
+        -602 => &["bounding sphere"],
         11 => &["sphere", "koule", "Ball"],
         9 => &["sphere", "koule"],
         12 => &["box", "kvádr", "cube", "krychle"],
@@ -248,10 +289,11 @@ fn degree(_: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
 
 fn fraction(rng: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
     let r = &all[i];
-    if !matches!(r.code, 9..=12 | 14 | 16 | -1 | -3 | -402) {
-        return None;
-    }
-    let last = r.params.len() - 1;
+    let last = match r.code {
+        13 => 0,
+        9..=12 | 14 | 16..=19 | 21 | -1 | -3 | -302 | -401 | -402 => r.params.len() - 1,
+        _ => return None,
+    };
     let (above, below) = *rng.pick(&[(1.0, 2.0), (3.0, 4.0), (1.0, 3.0), (2.0, 3.0)]);
     let mut params = r.params.clone();
     params[last] = format!("{}", above / below);
@@ -267,6 +309,33 @@ fn swapped(_: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
         .then(|| written(r, format!("{} -299 {} {}", r.id, r.params[1], r.params[0])))?
 }
 
+/// Only one order makes sense where the smaller operand lies within the larger.
+fn difference(_: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
+    let r = &all[i];
+    if r.code != -103 || !lies_within(all, &r.params[1], &r.params[0]) {
+        return None;
+    }
+    written(r, format!("{} -103 {} {}", r.id, r.params[1], r.params[0]))
+}
+
+/// Whether many points of one object, as it is at the end of the records, are all in another.
+fn lies_within(all: &[Record], inner: &str, outer: &str) -> bool {
+    let ends = |id: &str| format!("{}1 9999 {id} 0\n", text(&all[..all.len() - 1]));
+    let [one, two] = [inner, outer].map(|id| super::read(&ends(id)));
+    let root = |a: &Analysis| a.scene.render.as_ref().map(|r| r.root);
+    let (Some(inner), Some(outer)) = (root(&one), root(&two)) else {
+        return false;
+    };
+    let bounds = one.bounds()[inner as usize].all;
+    let mut small = Inside::new(&one.scene, one.bounds());
+    let mut large = Inside::new(&two.scene, two.bounds());
+    let mut rng = Rng::new(0);
+    (0..20_000).all(|_| {
+        let p = std::array::from_fn(|k| rng.range(bounds.min[k], bounds.max[k]));
+        small.node(inner, p) != Some(true) || large.node(outer, p) == Some(true)
+    })
+}
+
 fn object(_: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
     let r = &all[i];
     (r.code == -299)
@@ -276,14 +345,25 @@ fn object(_: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
 fn off_by_one(rng: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
     let r = &all[i];
     let references = match r.code {
-        -103..=-101 | -299 => 0..2,
-        -105 | -502 => 0..1,
+        -103..=-101 | -299 | -302 | -503 | 9999 => 0..2,
+        -105 | -104 | -502 => 0..1,
         -399 => 2..4,
-        9999 => 0..1,
         _ => return None,
     };
     let by = *rng.pick(&[1, -1]);
     let mut params = r.params.clone();
+    // Beside a `0`, something of the other kind is written as texture and optics swapped.
+    let shifted = |p: &String| p.parse().map(|id: i64| id + by);
+    let is_any = |p: &String, codes: &[i32]| {
+        let is_it = |t: &Record| Ok(i64::from(t.id)) == shifted(p) && codes.contains(&t.code);
+        all.iter().any(is_it)
+    };
+    if r.code == -299
+        && (params[0] == "0" && is_any(&params[1], &[-701, -399, -302])
+            || params[1] == "0" && is_any(&params[0], &[-201, -202]))
+    {
+        return None;
+    }
     for p in &mut params[references] {
         let id: i64 = p.parse().unwrap();
         if id > 0 {
@@ -295,7 +375,7 @@ fn off_by_one(rng: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
 
 fn doubled(_: &mut Rng, all: &[Record], i: usize) -> Option<Written> {
     let r = &all[i];
-    if !matches!(r.code, 10..=12 | -1 | -3 | -701 | -501) {
+    if !matches!(r.code, 3..=8 | 10..=12 | -1 | -3 | -201 | -203 | -602 | -701 | -501) {
         return None;
     }
     let params = [r.params.clone(), r.params.clone()].concat();

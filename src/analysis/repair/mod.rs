@@ -7,12 +7,15 @@
 
 mod candidates;
 mod characters;
+mod elsewhere;
 mod judge;
 mod whole;
 mod words;
 
+use rustc_hash::FxHashSet;
+
 use super::Analysis;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value, fixes};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span, Value, fixes};
 use candidates::{Candidate, Habit, Place};
 use judge::Left;
 
@@ -35,6 +38,7 @@ pub fn proposals(analysis: &Analysis) -> Vec<Diagnostic> {
     };
     if analysis.is_scene() && engine.findings.iter().any(is_tried) {
         engine.whole();
+        engine.elsewhere();
         engine.lines();
         engine.lacking();
     }
@@ -95,13 +99,65 @@ impl Engine<'_> {
                 continue;
             }
             let is_part = |d: &Diagnostic| {
-                d.is_error() && (all || matter.spans.iter().any(|s| s.touches(d.span)))
+                let touched = matter.spans.iter().any(|s| s.touches(d.span));
+                d.is_error() && (all || touched && !has_safe_fix(d))
             };
-            self.findings.retain(|d| !is_part(d) || has_safe_fix(d));
+            self.findings.retain(|d| !is_part(d));
+            if all {
+                self.keep_what_stays(&scene);
+            }
             self.findings.push(matter.finding);
             crate::diagnostics::sort(&mut self.findings);
         }
         whole::cycles(self.analysis, &mut self.findings);
+    }
+
+    /// Drops what is said of the text as it was misread: what is no error, and is not said of the scene that a fix
+    /// makes.
+    fn keep_what_stays(&mut self, scene: &Analysis) {
+        let line = |a: &Analysis, d: &Diagnostic| a.source.line_index(a.source.floor(d.span.start));
+        if scene.source.line_count() != self.analysis.source.line_count() {
+            return;
+        }
+        let key = |a: &Analysis, d: &Diagnostic| (d.code, line(a, d));
+        let said: FxHashSet<_> = (scene.findings().iter()).map(|d| key(scene, d)).collect();
+        (self.findings).retain(|d| d.is_error() || said.contains(&key(self.analysis, d)));
+    }
+
+    /// What is wrong with lines whose errors are on others.
+    fn elsewhere(&mut self) {
+        for suspect in elsewhere::suspects(self.analysis, &self.findings) {
+            let mut trials: Vec<(usize, Left, Fix, Analysis)> = Vec::new();
+            for candidate in suspect.candidates {
+                let Some(scene) = self.attempt(Some(&candidate.fix), &[]) else {
+                    break;
+                };
+                trials.push((
+                    judge::errors(&scene),
+                    judge::left(&scene),
+                    candidate.fix,
+                    scene,
+                ));
+            }
+            trials.sort_by_key(|t| (t.0, t.1));
+            let errors = judge::errors(self.analysis);
+            let Some((left, _, fix, scene)) = trials.into_iter().next() else {
+                continue;
+            };
+            if left + suspect.least > errors {
+                continue;
+            }
+            let line = |source: &SourceFile, d: &Diagnostic| source.position(d.span.start).line;
+            let source = &self.analysis.source;
+            self.findings.retain(|d| {
+                let is_left =
+                    |e: &Diagnostic| e.code == d.code && line(&scene.source, e) == line(source, d);
+                let misread = suspect.misread.touches(d.span);
+                !misread && (!d.is_error() || scene.read.iter().any(is_left))
+            });
+            self.findings.push(suspect.finding.fix(fix));
+            crate::diagnostics::sort(&mut self.findings);
+        }
     }
 
     /// What is wrong with single lines, one after the other.
@@ -150,7 +206,9 @@ impl Engine<'_> {
             let same = |f: &Fix| f.edits == c.fix.edits;
             !finding.fixes.iter().any(same)
         });
-        if !is_new {
+        // An error that has no proposal may come of this one.
+        let is_hopeless = |d: &Diagnostic| d.is_error() && d.fixes.is_empty() && *d != finding;
+        if !is_new && !self.findings.iter().any(is_hopeless) {
             return false;
         }
         let knows_characters = candidates.iter().any(|c| c.habit == Habit::Characters);
@@ -161,6 +219,8 @@ impl Engine<'_> {
                 fix.values.clone_from(&finding.values);
             }
             match candidates.iter_mut().find(|c| c.fix.edits == fix.edits) {
+                // What writes a type says which.
+                Some(same) if same.ty.is_some() => {}
                 Some(same) => same.fix = fix,
                 // It knows less of characters.
                 None if knows_characters => {}
@@ -236,11 +296,14 @@ impl Engine<'_> {
                     .is_some_and(|scene| judge::errors(&scene) == 0);
         let mut index = 0;
         self.findings.retain(|d| {
-            let part = d.is_error() && (alone || clean && line.touches(d.span));
+            let on_line = clean && line.touches(d.span) && !has_safe_fix(d);
             let own = index == at;
             index += 1;
-            own || !part || has_safe_fix(d)
+            own || !(d.is_error() && (alone || on_line))
         });
+        if alone && finding.is_error() && others.is_empty() {
+            self.keep_what_stays(&judged[0].1.scene);
+        }
         let at = (self.findings.iter().position(|d| *d == finding)).unwrap_or(at);
         // What leaves an object in vain is no proposal beside one that does not.
         let least = judged[0].0.in_vain;
@@ -272,6 +335,16 @@ fn retell(finding: &mut Diagnostic, best: &[&Candidate]) {
                 .with("number", ty.code.to_string())
                 .with("type", Value::Term(ty.title))
         };
+    } else if let (Habit::NoType, Some(ty), Some(edit)) =
+        (first.habit, first.ty, first.fix.edits.first())
+    {
+        *finding = Diagnostic {
+            fixes: std::mem::take(&mut finding.fixes),
+            ..Diagnostic::new(Code::E006, edit.span)
+                .case("lost")
+                .with("number", ty.code.to_string())
+                .with("type", Value::Term(ty.title))
+        };
     } else if finding.code == Code::E007 {
         finding.values.retain(|v| v.0 == "text");
         finding.case = "";
@@ -283,6 +356,9 @@ fn retell(finding: &mut Diagnostic, best: &[&Candidate]) {
         for fix in finding.fixes.iter_mut().filter(|f| f.title == "fix") {
             fix.title = "fix-type";
         }
+    }
+    if first.habit == Habit::Comment && finding.code == Code::E009 {
+        finding.notes.push("comment-ends");
     }
     if let Some(fix) = finding.fixes.iter().find(|f| f.title == "fix") {
         // The finding may speak of what is written, too.

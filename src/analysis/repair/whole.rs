@@ -33,7 +33,10 @@ pub fn is_of_many(d: &Diagnostic) -> bool {
 fn dashes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let source = &analysis.source;
     let text = source.text.as_str();
-    if findings.iter().filter(|d| d.code == Code::E003).count() < MANY {
+    if !findings
+        .iter()
+        .any(|d| matches!(d.code, Code::E003 | Code::E006 | Code::E012))
+    {
         return None;
     }
     let mut edits: Vec<Edit> = Vec::new();
@@ -67,10 +70,7 @@ fn dashes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
 }
 
 /// The minus of the type is lost in all records of a kind, or in all that have one.
-fn minus(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
-    if findings.iter().filter(|d| d.is_error()).count() < 2 {
-        return None;
-    }
+fn minus(analysis: &Analysis, _: &[Diagnostic]) -> Option<Matter> {
     let text = analysis.source.text.as_str();
     // The kinds whose minus stands there.
     let mut signed: FxHashSet<i32> = FxHashSet::default();
@@ -90,7 +90,10 @@ fn minus(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
         let fits = |ty: &RecordType| {
             let first = params.first().and_then(|t| t.integer(text));
             let count = match ty.is_counted() {
-                true => first.and_then(|n| u64::try_from(n).ok()),
+                // A profile has two points at least.
+                true => first
+                    .and_then(|n| u64::try_from(n).ok())
+                    .filter(|&n| n >= 2),
                 false => Some(0),
             };
             let n = params.len() as u64;
@@ -209,64 +212,63 @@ fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     Some(Matter { finding, spans })
 }
 
-/// Two scenes one behind the other.
+/// Two scenes one behind the other: what follows the first render record is a scene by itself.
 fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
-    let doubled: Vec<&Diagnostic> = findings.iter().filter(|d| d.code == Code::E102).collect();
-    let first = doubled.iter().find(|d| d.case != "render")?;
-    if doubled.len() < MANY {
+    let doubled = findings.iter().filter(|d| d.code == Code::E102);
+    if doubled.count() < MANY {
         return None;
     }
-    let all: Vec<&Record> = records(analysis).collect();
-    let renders: Vec<usize> = (0..all.len())
-        .filter(|&i| all[i].ty.kind == RecordKind::Render)
+    let is_render = |r: &&Record| r.ty.kind == RecordKind::Render;
+    let render = records(analysis).find(is_render)?;
+    let end = analysis.document.span(render.first, render.last).end;
+    let rest = analysis.source.text.get(end as usize..)?;
+    let second = Analysis::of(analysis.source.with_text(rest.to_owned()));
+    let last = records(&second).find(is_render)?;
+    if !second.is_sound() {
+        return None;
+    }
+    let in_file = |span: Span| Span::new(span.start + end, span.end + end);
+    let of_first = |r: &&Record| analysis.document.span(r.first, r.last).end <= end;
+    let ids: FxHashMap<u32, Span> = (records(analysis).take_while(of_first))
+        .map(|r| (r.id, analysis.document.span(r.first, r.last)))
         .collect();
-    let [one, two] = renders[..] else { return None };
-    let end = analysis.document.span(all[one].first, all[one].last).end;
-    if doubled.iter().any(|d| d.span.start < end) {
-        return None;
-    }
-    let (before, behind) = all.split_at(one + 1);
-    let most = before.iter().map(|r| r.id).max()?;
-    let by = 10_u32.checked_pow(most.checked_ilog10()? + 1)?;
-    let join = behind
-        .iter()
-        .map(|r| r.id)
-        .max()?
-        .checked_add(by)?
-        .checked_add(1)?;
-    let root = |record: &Record| references(analysis, record).next();
-    let (root_one, root_two) = (root(all[one])?, root(all[two])?);
+    let doubled: FxHashSet<u32> = (records(&second).map(|r| r.id))
+        .filter(|id| *id > 1 && ids.contains_key(id))
+        .collect();
+    let by = 10_u32.checked_pow(ids.keys().max()?.checked_ilog10()? + 1)?;
+    let join = largest(&second).checked_add(by)?.checked_add(1)?;
     let moved = |id: i64| id.checked_add(by.into()).unwrap_or(id).to_string();
-    let mut edits = vec![edit(root_one.0.span(), join.to_string())];
-    for (i, record) in behind.iter().enumerate() {
-        if one + 1 + i == two {
-            let text = format!("{join} -101 {} {}", root_one.1, moved(root_two.1));
-            edits.push(edit(
-                analysis.document.span(record.first, record.last),
-                text,
-            ));
+    let (root, other) = (
+        references(analysis, render).next()?,
+        references(&second, last).next()?,
+    );
+    let mut edits = vec![edit(root.0.span(), join.to_string())];
+    for record in records(&second) {
+        if record.ty.kind == RecordKind::Render {
+            let text = format!("{join} -101 {} {}", root.1, moved(other.1));
+            let all = second.document.span(record.first, record.last);
+            edits.push(edit(in_file(all), text));
             continue;
         }
-        let head = analysis.document.id_token(record).span();
-        edits.push(edit(head, moved(record.id.into())));
-        let named = references(analysis, record).filter(|r| r.1 > 1);
-        edits.extend(named.map(|r| edit(r.0.span(), moved(r.1))));
+        let head = second.document.id_token(record).span();
+        edits.push(edit(in_file(head), moved(record.id.into())));
+        let named = references(&second, record).filter(|r| r.1 > 1);
+        edits.extend(named.map(|r| edit(in_file(r.0.span()), moved(r.1))));
     }
-    let begin = analysis
-        .document
-        .span(behind.first()?.first, behind.first()?.last);
+    let first = records(&second).next()?;
+    let begin = in_file(second.document.span(first.first, first.last));
     let finding = Diagnostic::new(Code::E102, begin)
         .case("scenes")
         .with("count", Value::Count(doubled.len() as u64))
         .with("number", by.to_string())
-        .label(first.labels.first().map_or(first.span, |l| l.span), "first")
+        .label(*ids.get(&first.id).or(ids.get(&1))?, "first")
         .fix(Fix {
             title: "fix",
             values: Vec::new(),
             applicability: Applicability::Unsafe,
             edits,
         });
-    let spans = doubled.iter().map(|d| d.span).collect();
+    let spans = vec![Span::new(end, end + rest.len() as u32)];
     Some(Matter { finding, spans })
 }
 

@@ -94,6 +94,8 @@ const NAMES: &[(&str, &[i32])] = &[
     ("sachovnice", &[-399]),
     ("ambient", &[-401]),
     ("ambientni", &[-401]),
+    ("okolni", &[-401]),
+    ("okolnisvetlo", &[-401]),
     ("light", &[-402, -401]),
     ("lamp", &[-402, -401]),
     ("pointlight", &[-402]),
@@ -178,6 +180,7 @@ mod tests {
         assert_eq!(codes("point-light"), [-402]);
         assert_eq!(codes("sjednocení"), [-101]);
         assert_eq!(codes("shpere"), [11, 9, 13]);
+        assert_eq!(codes("okolní světlo"), [-401]);
         assert_eq!(codes("dům"), [] as [i32; 0]);
     }
 

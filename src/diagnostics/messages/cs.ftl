@@ -84,9 +84,11 @@ folded-cut = ještě { $count } takových nálezů, první na { $places }
 
 fix-write = napsat { $number }
 fix-type = napsat `{ $number }` ({ $type })
+fix-lost-type = za ID napsat typ `{ $number }` ({ $type })
 fix-comment = udělat ze slov komentář
 fix-doubled = vynechat čísla, která jsou tu dvakrát
-lack = čísla zde mohou být { $have }, bez { $missing }
+lack = čísla zde jsou možná { $have } a chybí { $missing }
+comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 defined-here = { $id } je definováno zde
 declared-here = { $id } je ohlášeno zde
@@ -110,9 +112,13 @@ E003-decimal-comma = { $text } má desetinnou čárku
     .label = čteno jako { $number }
     .help = čísla se píší s desetinnou tečkou
     .fix = { fix-write }
-E003-dashes = { $text } není číslo: v tomto souboru stojí místo minus typografická pomlčka (počet míst: { $count })
+E003-decimal-commas = { $text } a další čísla na tomto řádku mají desetinnou čárku (celkem { $count })
+    .label = čteno jako { $number }
+    .help = { E003-decimal-comma.help }
+    .fix = napsat ve všech desetinnou tečku
+E003-dashes = { $text } není číslo: v tomto souboru stojí místo znaku minus typografická pomlčka (počet míst: { $count })
     .label = pomlčka, ne minus
-    .help = při kopírování z PDF se z minus stává pomlčka; zde musí být `-`
+    .help = při kopírování z PDF se ze znaku minus stává pomlčka; zde musí být `-`
     .fix = napsat `-` na všech místech ({ $count })
 E003-glued = { $text } není jedno číslo, ale několik
     .label = zde chybí mezera: { $number }
@@ -147,6 +153,8 @@ E006 = za ID { $text } chybí typ
 E006-word = { $text } není typ záznamu
     .label = zde mělo být číslo typu
     .help = číslo typu prozradí `zpg explain` s jeho anglickým názvem, například `zpg explain sphere`
+E006-lost = záznamu chybí typ: jeho čísla odpovídají typu { $number } ({ $type })
+    .label = za tímto ID chybí typ
 
 E007 = typ záznamu { $text } neexistuje
     .label = neznámý typ
@@ -154,15 +162,15 @@ E007-proposal = { E007 }
     .label = { E007.label }
     .help = tyto parametry odpovídají typu { $number }, { $type }
     .fix = { fix-type }
-E007-sign = u typu chybí minus: { $number } je { $type }
+E007-sign = v čísle typu chybí znak minus: { $number } je { $type }
     .label = čísla za ním odpovídají typu { $number }
 E007-minus = { $kinds ->
-    [one] u { $count } záznamů chybí minus typu { $number } ({ $type })
-   *[many] u { $count } záznamů chybí minus typu; zde má být { $number } ({ $type })
+    [one] v { $count } záznamech chybí v čísle typu znak minus: má být { $number } ({ $type })
+   *[many] v { $count } záznamech chybí v čísle typu znak minus; zde má být { $number } ({ $type })
 }
     .label = zde chybí minus
     .help = typy operací, vlastností, světel a kamer jsou záporné; při kopírování z PDF se minus může ztratit
-    .fix = napsat minus u všech záznamů, kterým chybí (celkem { $count })
+    .fix = doplnit minus ve všech těchto záznamech (celkem { $count })
 
 E008 = příliš málo čísel: { $type } má mít { $fewer ->
     [none] {""}
@@ -291,7 +299,7 @@ E101-no-id = { $number } není ID
 
 E102 = ID { $id } už je definováno
     .label = toto by byla druhá definice ({ $type })
-    .help = dejte mu vlastní ID
+    .help = dejte tomuto záznamu vlastní ID
     .first = poprvé je definováno zde
 E102-render = renderovací záznam už ve scéně je
     .label = scéna má jediný, s ID 1
@@ -389,12 +397,14 @@ E206-count = { $type }: počet bodů profilu nemůže být { $value }
 
 E207 = směr pohledu kamery a vektor „nahoru“ (up-vector) jsou rovnoběžné
     .label = mají určovat svislou rovinu obrazu
+    .help = vektor „nahoru“ bývá `0 1 0`; míří-li kamera přímo nahoru nebo dolů, zvolte `0 0 1`
 E207-projection = pro část obrázku nemá tato projekční matice žádný paprsek
     .label = není tam vidět nic, co je před kamerou
     .help = kamera hledí proti ose z: poslední řádek perspektivy bývá 0 0 -1 0
 
 E207-nearly = směr pohledu kamery a vektor „nahoru“ (up-vector) jsou až na zaokrouhlení rovnoběžné
     .label = { E207.label }
+    .help = { E207.help }
 
 E208 = { $type }: { $parameter } nesmí být záporná
     .label = `{ $name }` je { $text }

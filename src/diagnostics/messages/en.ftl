@@ -79,9 +79,11 @@ folded-cut = { $count } more findings like these nine, the first at { $places }
 
 fix-write = write { $number }
 fix-type = write `{ $number }` ({ $type })
+fix-lost-type = put the type `{ $number }` ({ $type }) behind the ID
 fix-comment = make the words a comment
 fix-doubled = drop the numbers that stand there twice
-lack = the numbers here may be { $have }, without { $missing }
+lack = the numbers here may be { $have }, with { $missing } left out
+comment-ends = a comment ends at its second `#`; what stands behind that is read as numbers
 fix-lamp = write the intensity 1, and the colour as a record of its own
 defined-here = { $id } is defined here
 declared-here = { $id } is declared here
@@ -105,6 +107,10 @@ E003-decimal-comma = { $text } has a decimal comma
     .label = read as { $number }
     .help = numbers are written with a decimal point
     .fix = { fix-write }
+E003-decimal-commas = { $text } and other numbers of this line have a decimal comma, { $count } in all
+    .label = read as { $number }
+    .help = { E003-decimal-comma.help }
+    .fix = write a point in each
 E003-dashes = { $text } is not a number: { $count } numbers in this file have a typographic dash for their minus
     .label = a dash, not a minus
     .help = programs that show PDF files copy a minus as a dash; here it must be `-`
@@ -142,6 +148,8 @@ E006 = there is no type behind the ID { $text }
 E006-word = { $text } is no record type
     .label = a type number was expected
     .help = `zpg explain` with a name, such as `zpg explain sphere`, tells the number of a type
+E006-lost = this record has no type: its numbers fit type { $number }, { $type-a }
+    .label = the type is missing behind this ID
 
 E007 = there is no record type { $text }
     .label = unknown type
@@ -387,12 +395,14 @@ E206-count = { $type-a } needs at least 2 points, not { $value }
 
 E207 = the camera's view direction and up vector are parallel
     .label = they must span the vertical plane of the picture
+    .help = the up vector is usually `0 1 0`; for a camera that looks straight up or down take `0 0 1`
 E207-projection = this projection matrix has no ray for a part of the picture
     .label = nothing in front of the camera is seen there
     .help = the camera looks along −z: the last row of a perspective is usually 0 0 -1 0
 
 E207-nearly = the camera's view direction and up vector are parallel up to the rounding of doubles
     .label = { E207.label }
+    .help = { E207.help }
 
 E208 = { $parameter } of the { $type } cannot be negative
     .label = `{ $name }` is { $text }

@@ -1,0 +1,113 @@
+//! Words that were meant as a comment.
+
+use super::{Candidate, Habit, Place};
+use crate::diagnostics::{Applicability, Fix, Span};
+use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::table::{RecordKind, RecordType};
+
+impl Place<'_> {
+    /// Words behind a record that were meant as a comment.
+    pub(super) fn comments(&self, out: &mut Vec<Candidate>) {
+        let is_wordy = |t: &Token| {
+            matches!(
+                t.kind,
+                TokenKind::Word
+                    | TokenKind::Invalid
+                    | TokenKind::MalformedNumber
+                    | TokenKind::UnterminatedComment
+                    | TokenKind::Quoted
+            )
+        };
+        // A comment that is closed is part of it only where another is not.
+        let first = |t: &Token| is_wordy(t) || t.kind == TokenKind::Comment;
+        let separators_before = |mut i: usize| {
+            while i > 0 && self.all[i - 1].kind == TokenKind::Separator {
+                i -= 1;
+            }
+            i
+        };
+        let mut starts: Vec<usize> = Vec::new();
+        let significant: Vec<usize> = (0..self.all.len())
+            .filter(|&i| !self.all[i].kind.is_trivia())
+            .collect();
+        // Behind as many parameters as the record has.
+        if let Some(ty) = self.ty() {
+            let at = 2 + self.wanted(ty);
+            if let Some(&i) = significant.get(at) {
+                starts.push(i);
+            } else if at == significant.len() {
+                starts.extend(self.all.iter().position(first));
+            }
+        }
+        if self.file_name().is_none() {
+            starts.extend(self.all.iter().position(is_wordy));
+            starts.extend(self.all.iter().position(first));
+        }
+        for i in starts {
+            let i = separators_before(i);
+            if !self.all[i..].iter().any(is_wordy) {
+                continue;
+            }
+            let begin = self.all[i].start;
+            // A record has an ID and a type at least; a `0` may introduce a comment, and words alone are a heading.
+            let before = significant.iter().filter(|&&s| s < i).count();
+            let is_void = before == 1 && self.int(0) == Some(0);
+            if before == 1 && !is_void || before == 0 && !self.is_heading() {
+                continue;
+            }
+            let written = &self.text[begin as usize..self.line.end as usize];
+            let words: String = written.replace(['#', '\u{2028}'], " ");
+            let words = words
+                .trim()
+                .trim_start_matches(['/', '*', ';', '-', '%', ',']);
+            let words = words.trim_end_matches(['/', '*']).trim();
+            if !words.contains(char::is_alphabetic) {
+                continue;
+            }
+            let words: Vec<&str> = words.split_whitespace().collect();
+            let comment = format!("# {} #", words.join(" "));
+            let comment = match before {
+                0 => format!("0 {comment}"),
+                _ => comment,
+            };
+            let fix = Fix::replace(
+                "fix-comment",
+                Applicability::Unsafe,
+                Span::new(begin, self.line.end),
+                comment,
+            );
+            out.push(Candidate {
+                habit: Habit::Comment,
+                fix,
+                ty: None,
+            });
+        }
+    }
+
+    /// How many parameters a record of this type takes of those that stand here.
+    pub(super) fn wanted(&self, ty: &RecordType) -> usize {
+        let count = match ty.is_counted() {
+            true => self.int(2).and_then(|n| u64::try_from(n).ok()).unwrap_or(0),
+            false => 0,
+        };
+        // No file has more tokens.
+        let least = ty.arity(count).min(u32::MAX.into()) as usize;
+        if ty.kind == RecordKind::ImageTexture {
+            return self.file_name().map_or(least, |name| name.len());
+        }
+        let more = least + ty.optional.len();
+        let optional = self.params().get(least..more).unwrap_or(&[]);
+        match optional.iter().all(|t| t.kind.is_number()) {
+            true => least + optional.len(),
+            false => least,
+        }
+    }
+
+    /// Whether the line is words, the first one in the place of an ID.
+    fn is_heading(&self) -> bool {
+        let is_word = |t: &Token| matches!(t.kind, TokenKind::Word | TokenKind::Invalid);
+        let on_line = self.all.iter().filter(|t| !t.kind.is_trivia());
+        let (words, others): (Vec<&Token>, Vec<&Token>) = on_line.partition(|t| is_word(t));
+        words.len() > others.len() && self.tokens.first().is_some_and(is_word)
+    }
+}

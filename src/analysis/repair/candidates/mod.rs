@@ -1,0 +1,252 @@
+//! What may have been meant by a line that something is wrong with.
+
+mod comments;
+mod numbers;
+mod references;
+mod types;
+
+use rustc_hash::FxHashSet;
+
+use crate::analysis::Analysis;
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::quote;
+use crate::syntax::table::{Param, RecordType};
+
+/// What people do, what they do most first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Habit {
+    /// The minus of a type is lost, or there is one too many.
+    Sign,
+    /// A number has letters, signs or units in it; a file name has spaces.
+    Characters,
+    /// A word stands in the place of a type's number.
+    Word,
+    /// A comment has no signs around it.
+    Comment,
+    /// Numbers stand there twice.
+    Doubled,
+    /// It is the record of a sibling.
+    Sibling,
+    /// Two references stand in each other's place.
+    Swapped,
+    /// All references are off by the same number.
+    Shifted,
+    /// One reference names something else.
+    Reference,
+    /// What the finding itself proposes.
+    Proposed,
+    /// The record has another ID.
+    Id,
+    /// It is a record of another type.
+    Type,
+    /// The type is left out.
+    NoType,
+}
+
+/// A text that may have been meant.
+#[derive(Debug, Clone)]
+pub struct Candidate {
+    pub habit: Habit,
+    pub fix: Fix,
+    /// The type that the fix writes, if it writes one.
+    pub ty: Option<&'static RecordType>,
+}
+
+/// No more are made for one finding.
+const MOST: usize = 16;
+
+/// A line of the text, or all of a record that begins on it.
+pub struct Place<'a> {
+    analysis: &'a Analysis,
+    text: &'a str,
+    /// From the first token to the end of the line, white space left out.
+    line: Span,
+    /// The tokens of the line, trivia too.
+    all: &'a [Token],
+    /// The significant tokens of the record that begins the line, else of the line.
+    tokens: Vec<Token>,
+}
+
+impl<'a> Place<'a> {
+    /// Where a finding is: the line, and the record that begins it where that goes on behind its end.
+    pub fn both(analysis: &'a Analysis, at: u32) -> Vec<Place<'a>> {
+        let Some(line) = Place::of(analysis, at, false) else {
+            return Vec::new();
+        };
+        let record = Place::of(analysis, at, true);
+        let longer = record.filter(|r| r.tokens.len() > line.tokens.len());
+        std::iter::once(line).chain(longer).collect()
+    }
+
+    fn of(analysis: &'a Analysis, at: u32, goes_on: bool) -> Option<Place<'a>> {
+        let source = &analysis.source;
+        let line = source.line_span(source.line_index(source.floor(at)));
+        let document = &analysis.document;
+        let first = document.tokens.partition_point(|t| t.start < line.start);
+        let last = document.tokens.partition_point(|t| t.start < line.end);
+        let all = &document.tokens[first..last];
+        let all = match all {
+            [rest @ .., last] if last.kind == TokenKind::Newline => rest,
+            all => all,
+        };
+        let head = all.iter().position(|t| !t.kind.is_trivia())?;
+        let begin = (first + head) as u32;
+        let item = document.items.partition_point(|item| item.ends().0 < begin);
+        let item = document
+            .items
+            .get(item)
+            .filter(|item| item.ends().0 == begin);
+        let on_line = || all.iter().filter(|t| !t.kind.is_trivia()).copied();
+        let tokens: Vec<Token> = match item.map(|item| item.ends().1) {
+            Some(end) if goes_on && end as usize >= last => {
+                document.significant(begin, end).copied().collect()
+            }
+            _ => on_line().collect(),
+        };
+        let text = &source.text;
+        let end = line.start + text[line.range()].trim_end().len() as u32;
+        Some(Place {
+            analysis,
+            text,
+            line: Span::new(all[head].start, end),
+            all,
+            tokens,
+        })
+    }
+
+    pub fn line(&self) -> Span {
+        self.line
+    }
+
+    fn int(&self, i: usize) -> Option<i64> {
+        self.tokens.get(i)?.integer(self.text)
+    }
+
+    fn params(&self) -> &[Token] {
+        self.tokens.get(2..).unwrap_or(&[])
+    }
+
+    fn id(&self) -> Option<u32> {
+        u32::try_from(self.int(0)?).ok().filter(|&id| id > 0)
+    }
+
+    fn ty(&self) -> Option<&'static RecordType> {
+        RecordType::by_code(self.int(1)?)
+    }
+
+    /// Whether a record of this type has as many parameters as stand here.
+    fn fits(&self, ty: &RecordType) -> bool {
+        self.fit(ty, self.params())
+    }
+
+    fn fit(&self, ty: &RecordType, params: &[Token]) -> bool {
+        let n = params.len() as u64;
+        let count = match ty.is_counted() {
+            true => (params.first())
+                .and_then(|t| t.integer(self.text))
+                .and_then(|n| u64::try_from(n).ok())
+                // A profile has two points at least.
+                .filter(|&n| n >= 2),
+            false => Some(0),
+        };
+        count.is_some_and(|count| {
+            let base = ty.arity(count);
+            n == base || !ty.optional.is_empty() && n == base + ty.optional.len() as u64
+        })
+    }
+
+    /// The names of the numbers that a record with too few has, and of those that it lacks, where that can be told:
+    /// it ends between two vectors of its type.
+    pub fn lacking(&self) -> Option<(String, String)> {
+        let ty = self.ty().filter(|ty| !ty.is_counted())?;
+        let n = self.params().len();
+        let mut ends = ty.vectors.iter().scan(0, |sum, n| {
+            *sum += n;
+            Some(*sum)
+        });
+        let between = ends.any(|end| end == n) && n < ty.params.len();
+        between.then(|| {
+            let names = |some: &[Param]| some.iter().map(|p| p.name).collect::<Vec<_>>().join(" ");
+            (names(&ty.params[..n]), names(&ty.params[n..]))
+        })
+    }
+
+    /// What may have been meant, given a finding of this place. `undefined` are the IDs that are used and
+    /// defined nowhere.
+    pub fn candidates(&self, finding: &Diagnostic, undefined: &[u32]) -> Vec<Candidate> {
+        let mut out = Vec::new();
+        if finding.is_error() {
+            self.characters(&mut out);
+            self.spaced_name(&mut out);
+            self.words(&mut out);
+            self.comments(&mut out);
+            self.signs(&mut out);
+            self.doubled(&mut out);
+            self.siblings(&mut out);
+            self.types(finding, &mut out);
+            self.references(finding, &mut out);
+            self.ids(finding, undefined, &mut out);
+            if out.is_empty() {
+                self.lost_type(&mut out);
+            }
+        } else if finding.code == Code::W319 {
+            self.swapped(&mut out);
+        }
+        let mut seen: FxHashSet<Vec<(Span, String)>> = FxHashSet::default();
+        let edits = |c: &Candidate| -> Vec<(Span, String)> {
+            (c.fix.edits.iter())
+                .map(|e| (e.span, e.text.clone()))
+                .collect()
+        };
+        out.retain(|c| seen.insert(edits(c)));
+        out.truncate(MOST);
+        out
+    }
+
+    fn write_type(&self, habit: Habit, ty: &'static RecordType) -> Candidate {
+        let fix = Fix::replace(
+            "fix-type",
+            Applicability::Unsafe,
+            self.tokens[1].span(),
+            ty.code.to_string(),
+        );
+        Candidate {
+            habit,
+            fix: (fix.with("number", ty.code.to_string())).with("type", Value::Term(ty.title)),
+            ty: Some(ty),
+        }
+    }
+
+    /// Several tokens written anew; `None` if that changes nothing.
+    fn write(&self, habit: Habit, new: &[(Token, String)]) -> Option<Candidate> {
+        let edits: Vec<Edit> = (new.iter())
+            .filter(|(t, text)| t.text(self.text) != text)
+            .map(|(t, text)| Edit {
+                span: t.span(),
+                text: text.clone(),
+            })
+            .collect();
+        let (first, last) = (edits.first()?.span, edits.last()?.span);
+        // All that stands there, as it is to be.
+        let mut shown = String::new();
+        let mut at = first.start;
+        for edit in &edits {
+            shown += &self.text[at as usize..edit.span.start as usize];
+            shown += &edit.text;
+            at = edit.span.end;
+        }
+        debug_assert!(at == last.end);
+        let fix = Fix {
+            title: "fix-write",
+            values: vec![("number", quote(&shown).into())],
+            applicability: Applicability::Unsafe,
+            edits,
+        };
+        Some(Candidate {
+            habit,
+            fix,
+            ty: None,
+        })
+    }
+}

@@ -1,0 +1,124 @@
+//! How numbers and names are spelled, and numbers that stand there twice.
+
+use super::{Candidate, Habit, Place};
+use crate::analysis::repair::characters;
+use crate::diagnostics::{Applicability, Fix, Span};
+use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::quote;
+use crate::syntax::table::RecordKind;
+
+impl Place<'_> {
+    /// Numbers in other characters; a unit or dash on its own joins its number.
+    pub(super) fn characters(&self, out: &mut Vec<Candidate>) {
+        let on_line: Vec<Token> = (self.all.iter())
+            .filter(|t| !t.kind.is_trivia())
+            .copied()
+            .collect();
+        let mut new = Vec::new();
+        let mut i = 0;
+        while i < on_line.len() {
+            let joined = |j: usize| {
+                let (a, b) = (on_line[i], *on_line.get(j)?);
+                let token = Token {
+                    len: b.end() - a.start,
+                    ..a
+                };
+                Some((token, a.text(self.text), b.text(self.text)))
+            };
+            if let Some((token, a, b)) = joined(i + 1) {
+                let (a_is_number, b_is_number) =
+                    (on_line[i].kind.is_number(), on_line[i + 1].kind.is_number());
+                let text = match () {
+                    () if a_is_number && characters::is_unit(b) && b == "%" => {
+                        characters::number(&format!("{a}%"))
+                    }
+                    () if a_is_number && characters::is_unit(b) => characters::number(a),
+                    () if characters::is_dash(a) && b_is_number => {
+                        characters::number(&format!("-{b}"))
+                    }
+                    () => None,
+                };
+                if let Some(text) = text {
+                    new.push((token, text));
+                    i += 2;
+                    continue;
+                }
+            }
+            let token = on_line[i];
+            let is_word = matches!(
+                token.kind,
+                TokenKind::MalformedNumber | TokenKind::Word | TokenKind::Invalid
+            );
+            if is_word {
+                match characters::number(token.text(self.text)) {
+                    Some(text) => new.push((token, text)),
+                    // What else is wrong with the line is another matter.
+                    None if i != 1 => return,
+                    None => {}
+                }
+            }
+            i += 1;
+        }
+        out.extend(self.write(Habit::Characters, &new));
+    }
+
+    /// The tokens of an image's name: up to the first that ends as such names do.
+    pub(super) fn file_name(&self) -> Option<&[Token]> {
+        if self.ty()?.kind != RecordKind::ImageTexture {
+            return None;
+        }
+        let is_end = |t: &Token| {
+            let name = t.text(self.text).trim_end_matches('"').to_lowercase();
+            [".png", ".jpg", ".jpeg"].iter().any(|e| name.ends_with(e))
+        };
+        let last = self.params().iter().position(is_end)?;
+        Some(&self.params()[..=last])
+    }
+
+    /// A file name with spaces in it, which belongs in quotes.
+    pub(super) fn spaced_name(&self, out: &mut Vec<Candidate>) {
+        let Some([first, .., last]) = self.file_name() else {
+            return;
+        };
+        let span = first.span().to(last.span());
+        let name = format!("\"{}\"", self.text[span.range()].replace('"', ""));
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, name.clone());
+        out.push(Candidate {
+            habit: Habit::Characters,
+            fix: fix.with("number", quote(&name)),
+            ty: None,
+        });
+    }
+
+    /// Numbers that stand there twice, one group behind the other.
+    pub(super) fn doubled(&self, out: &mut Vec<Candidate>) {
+        let Some(ty) = self.ty().filter(|ty| !ty.is_counted()) else {
+            return;
+        };
+        let (params, wanted) = (self.params(), ty.params.len());
+        let Some(more) = params.len().checked_sub(wanted).filter(|&more| more > 1) else {
+            return;
+        };
+        let text = |t: &Token| t.text(self.text);
+        let value = |t: &Token| t.number(self.text).map(f64::to_bits);
+        let same = |a: &[Token], b: &[Token]| a.iter().zip(b).all(|(a, b)| value(a) == value(b));
+        let sorted = |a: &[Token]| {
+            let mut all: Vec<&str> = a.iter().map(text).collect();
+            all.sort_unstable();
+            all
+        };
+        for i in 0..=params.len() - more {
+            let dropped = &params[i..i + more];
+            let again = i >= more && same(&params[i - more..i], dropped);
+            let turned = i == wanted && more == wanted && sorted(&params[..i]) == sorted(dropped);
+            if again || turned {
+                let span = Span::new(params[i - 1].end(), dropped[more - 1].end());
+                out.push(Candidate {
+                    habit: Habit::Doubled,
+                    fix: Fix::replace("fix-doubled", Applicability::Unsafe, span, ""),
+                    ty: None,
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! Other IDs: those that a record refers to, and its own.
+
+use super::{Candidate, Habit, MOST, Place};
+use crate::diagnostics::{Code, Diagnostic};
+use crate::scene::Entity;
+use crate::syntax::lexer::Token;
+use crate::syntax::table::{Effect, Kind, Param, ParamKind, RecordKind};
+
+impl Place<'_> {
+    /// The parameters that are references, and what they may refer to.
+    fn referring(&self) -> Vec<(Token, &'static [Kind])> {
+        let Some(ty) = self.ty().filter(|ty| self.fits(ty)) else {
+            return Vec::new();
+        };
+        let kinds = |p: &'static Param| match p.kind {
+            ParamKind::Reference { kinds, .. } => Some(kinds),
+            _ => None,
+        };
+        (self.params().iter().enumerate())
+            .filter_map(|(i, &t)| Some((t, kinds(ty.param(i, 0)?)?)))
+            .filter(|(t, _)| t.integer(self.text).is_some())
+            .collect()
+    }
+
+    /// The entities that may be referred to here, those of the right kind.
+    pub(super) fn entities(&self, kinds: &'static [Kind]) -> impl Iterator<Item = &Entity> {
+        let late = self.ty().is_some_and(|ty| {
+            matches!(
+                ty.kind,
+                RecordKind::Render | RecordKind::MonoCamera | RecordKind::StereoCamera
+            )
+        });
+        let before = self.line.start;
+        (self.analysis.scene.entities.iter())
+            .filter(move |e| late || e.span.start < before)
+            .filter(|e| e.kind.is_none_or(|k| kinds.contains(&k)))
+    }
+
+    /// References that are swapped, off by one, or name something else.
+    pub(super) fn references(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let all = self.referring();
+        if !all.iter().any(|(t, _)| finding.span == t.span()) {
+            return;
+        }
+        self.swapped(out);
+        let id = |t: &Token| t.integer(self.text).unwrap_or(0);
+        // A single one is no more than one off.
+        let most = if all.len() > 1 { 4 } else { 2 };
+        for by in &[1, -1, 2, -2][..most] {
+            let shifted: Option<Vec<(Token, String)>> = (all.iter())
+                .filter(|(t, _)| id(t) != 0)
+                .map(|(t, _)| {
+                    let new = id(t).checked_add(*by).filter(|&id| id > 0)?;
+                    Some((*t, new.to_string()))
+                })
+                .collect();
+            out.extend(shifted.and_then(|new| self.write(Habit::Shifted, &new)));
+        }
+        for (t, kinds) in all.iter().filter(|(t, _)| finding.span == t.span()) {
+            let written = id(t);
+            let text = written.to_string();
+            let used: Vec<i64> = all.iter().map(|(t, _)| id(t)).collect();
+            let mut others: Vec<(bool, usize, u64, u32)> = (self.entities(kinds))
+                .filter(|e| i64::from(e.id) != written && Some(e.id) != self.id())
+                .map(|e| {
+                    let new = e.id.to_string();
+                    (
+                        used.contains(&i64::from(e.id)),
+                        strsim::osa_distance(&text, &new),
+                        i64::from(e.id).abs_diff(written),
+                        e.id,
+                    )
+                })
+                .collect();
+            others.sort_unstable();
+            out.extend(
+                (others.iter().take(MOST))
+                    .filter_map(|o| self.write(Habit::Reference, &[(*t, o.3.to_string())])),
+            );
+        }
+    }
+
+    /// Two references in each other's place.
+    pub(super) fn swapped(&self, out: &mut Vec<Candidate>) {
+        let all = self.referring();
+        let texts = |t: &Token| t.text(self.text).to_owned();
+        if let [(a, _), (b, _)] = all[..] {
+            out.extend(self.write(Habit::Swapped, &[(a, texts(&b)), (b, texts(&a))]));
+        }
+    }
+
+    /// Something else that the record may change.
+    pub(super) fn ids(&self, finding: &Diagnostic, undefined: &[u32], out: &mut Vec<Candidate>) {
+        if finding.code == Code::E102 && finding.span == self.tokens[0].span() {
+            let head = self.tokens[0];
+            let new = undefined.iter().take(MOST / 2);
+            out.extend(new.filter_map(|id| self.write(Habit::Id, &[(head, id.to_string())])));
+            return;
+        }
+        let Some(ty) = self.ty().filter(|ty| self.fits(ty)) else {
+            return;
+        };
+        let (Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds)) = ty.effect else {
+            return;
+        };
+        // The object stands in the place of a property, and the property, which may be none, in that of the object.
+        let head = self.tokens[0];
+        if finding.span != head.span() {
+            return;
+        }
+        for (t, _) in self.referring() {
+            let texts = |t: &Token| t.text(self.text).to_owned();
+            out.extend(self.write(Habit::Swapped, &[(head, texts(&t)), (t, texts(&head))]));
+        }
+        let Some(id) = self.id() else { return };
+        let text = id.to_string();
+        let mut others: Vec<(usize, u32, u32)> = (self.entities(kinds))
+            .filter(|e| e.id != id)
+            .map(|e| {
+                let new = e.id.to_string();
+                (strsim::osa_distance(&text, &new), e.id.abs_diff(id), e.id)
+            })
+            .collect();
+        others.sort_unstable();
+        out.extend(
+            (others.iter().take(MOST / 2))
+                .filter_map(|o| self.write(Habit::Id, &[(head, o.2.to_string())])),
+        );
+    }
+}

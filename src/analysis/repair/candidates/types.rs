@@ -1,0 +1,197 @@
+//! Another type, or the numbers that go with another.
+
+use super::{Candidate, Habit, MOST, Place};
+use crate::analysis::repair::words;
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
+use crate::syntax::lexer::TokenKind;
+use crate::syntax::quote;
+use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
+
+/// The types that scenes are mostly made of, the most frequent first.
+const OFTEN: &[i32] = &[
+    11, 12, -1, -701, -101, -103, -102, -299, -2, -201, -402, -501, -105, 9, 10, 5, 6, -3, 4, 14,
+    16,
+];
+
+/// Records that people take for each other, by the numbers they have; the first is written in place of the others.
+const SIBLINGS: &[(i32, &[i32])] = &[
+    (9, &[11, 10, 13]),
+    (10, &[9, 11]),
+    (11, &[9, 10]),
+    (13, &[9]),
+    (3, &[4]),
+    (5, &[12]),
+    (6, &[7, 8]),
+    (7, &[6, 8]),
+    (8, &[6, 7]),
+    (1, &[2]),
+    (2, &[1]),
+    (12, &[5, 11]),
+    (-1, &[-2]),
+    (-2, &[-1, -4]),
+    (-3, &[-1, -2]),
+    (-4, &[-2]),
+    (-101, &[-104, -105]),
+    (-103, &[-104]),
+    (-104, &[-103, -102, -101]),
+    (-105, &[-101]),
+    (-201, &[-202]),
+    (-202, &[-201, -203]),
+    (-203, &[-202]),
+    (-502, &[-503]),
+    (-503, &[-502]),
+    (-601, &[-602]),
+    (-602, &[-601]),
+];
+
+impl Place<'_> {
+    /// A word, or several, in the place of a type's number.
+    pub(super) fn words(&self, out: &mut Vec<Candidate>) {
+        let behind = self.tokens.get(1..).unwrap_or(&[]);
+        let count = (behind.iter())
+            .take_while(|t| t.kind == TokenKind::Word)
+            .count();
+        let Some(last) = count.checked_sub(1).map(|last| behind[last]) else {
+            return;
+        };
+        let span = behind[0].span().to(last.span());
+        let params = &behind[count..];
+        for ty in words::types(&self.text[span.range()]) {
+            if self.fit(ty, params) {
+                let mut candidate = self.write_type(Habit::Word, ty);
+                candidate.fix.edits[0].span = span;
+                out.push(candidate);
+            }
+        }
+    }
+
+    /// The minus of the type, which is lost or too many.
+    pub(super) fn signs(&self, out: &mut Vec<Candidate>) {
+        let ty = self.int(1).and_then(i64::checked_neg);
+        if let Some(ty) = ty.and_then(RecordType::by_code)
+            && self.fits(ty)
+        {
+            out.push(self.write_type(Habit::Sign, ty));
+        }
+    }
+
+    /// A record with the numbers of its sibling.
+    pub fn siblings(&self, out: &mut Vec<Candidate>) {
+        let Some(ty) = self.ty().filter(|ty| !self.fits(ty)) else {
+            return;
+        };
+        let siblings = SIBLINGS.iter().filter(|s| s.0 == ty.code);
+        for &code in siblings.flat_map(|s| s.1) {
+            if let Some(ty) = RecordType::by_code(code.into()).filter(|ty| self.fits(ty)) {
+                out.push(self.write_type(Habit::Sibling, ty));
+            }
+        }
+        let new = |title, text: String| {
+            let params = self.params();
+            let span = params[0].span().to(params[params.len() - 1].span());
+            Candidate {
+                habit: Habit::Sibling,
+                fix: Fix::replace(title, Applicability::Unsafe, span, text.clone())
+                    .with("number", quote(&text)),
+                ty: None,
+            }
+        };
+        let texts: Vec<&str> = (self.params().iter()).map(|t| t.text(self.text)).collect();
+        match (ty.kind, texts.as_slice(), self.id()) {
+            (RecordKind::PointLight | RecordKind::AmbientLight, &[r, g, b], Some(id)) => {
+                out.push(new("fix-lamp", format!("1\n{id} -701 {r} {g} {b}")));
+            }
+            (RecordKind::Scaling, &[s], _) => out.push(new("fix-write", format!("{s} {s} {s}"))),
+            (RecordKind::Render, &[one], _) => out.push(new("fix-write", format!("{one} 0"))),
+            (RecordKind::Union | RecordKind::Intersection | RecordKind::Difference, &[one], _) => {
+                let others = self.entities(&[Kind::Object]).map(|e| e.id);
+                let mut others: Vec<u32> = others.filter(|id| id.to_string() != one).collect();
+                // The last ones first.
+                others.reverse();
+                for id in others.into_iter().take(MOST / 2) {
+                    out.push(new("fix-write", format!("{one} {id}")));
+                    out.push(new("fix-write", format!("{id} {one}")));
+                }
+            }
+            (RecordKind::Assignment, &[one], _) => {
+                out.push(new("fix-write", format!("0 {one}")));
+                out.push(new("fix-write", format!("{one} 0")));
+            }
+            _ => {}
+        }
+    }
+
+    /// Records of other types that have as many numbers, the nearest number first.
+    pub(super) fn types(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let known = self.ty().is_some_and(|ty| self.fits(ty));
+        let unknown = match finding.code {
+            Code::E007 => true,
+            Code::E103 | Code::E101 => known && finding.span == self.tokens[0].span(),
+            _ => false,
+        };
+        let Some(code) = self.int(1).filter(|_| unknown) else {
+            return;
+        };
+        let mut fitting: Vec<&'static RecordType> = crate::syntax::table::RECORD_TYPES
+            .iter()
+            .filter(|ty| self.fits(ty) && i64::from(ty.code) != code)
+            .filter(|ty| ty.family != Family::Void && ty.family != Family::Render)
+            .collect();
+        fitting.sort_by_key(|ty| i64::from(ty.code).abs_diff(code));
+        out.extend(
+            fitting
+                .into_iter()
+                .take(MOST / 2)
+                .map(|ty| self.write_type(Habit::Type, ty)),
+        );
+    }
+
+    /// A record without its type: what stands in its place is none, or would change what is defined nowhere else. One
+    /// of as many numbers is put in.
+    pub(super) fn lost_type(&self, out: &mut Vec<Candidate>) {
+        let (Some(head), Some(id)) = (self.tokens.first(), self.id()) else {
+            return;
+        };
+        let behind = &self.tokens[1..];
+        let mut entities = self.analysis.scene.entities.iter();
+        let is_defined = entities.any(|e| e.id == id && !self.line.touches(e.span));
+        if (self.ty()).is_some_and(|ty| is_defined || !matches!(ty.effect, Effect::Changes(_))) {
+            return;
+        }
+        let fitting = OFTEN
+            .iter()
+            .filter_map(|&code| RecordType::by_code(code.into()));
+        for ty in fitting.filter(|ty| self.fit(ty, behind)) {
+            let text = ty.code.to_string();
+            let new = format!("{} {text}", head.text(self.text));
+            out.push(Candidate {
+                habit: Habit::NoType,
+                fix: Fix::replace("fix-lost-type", Applicability::Unsafe, head.span(), new)
+                    .with("number", text)
+                    .with("type", Value::Term(ty.title)),
+                ty: Some(ty),
+            });
+        }
+    }
+
+    /// That the line has too few numbers for its type, or too many.
+    pub fn wrong_count(&self) -> Option<Diagnostic> {
+        let (ty, got) = (self.ty()?, self.params().len());
+        let wanted = self.wanted(ty);
+        let code = if got < wanted { Code::E008 } else { Code::E009 };
+        let span = match self.params().get(wanted) {
+            Some(surplus) => surplus.span().to(self.tokens[got + 1].span()),
+            None => self.line,
+        };
+        let count = |n: usize| Value::Count(n as u64);
+        Some(
+            Diagnostic::new(code, span)
+                .with("type", Value::Term(ty.title))
+                .with("got", count(got))
+                .with("off", count(got.abs_diff(wanted)))
+                .with("wanted", count(wanted))
+                .with("fewer", "none")
+                .with("header", format!("`ID {} {}`", ty.code, ty.signature())),
+        )
+    }
+}

@@ -1,0 +1,95 @@
+//! Slips that show on other lines only: a record whose type takes up the numbers of the next lines, and a copy of
+//! something that is no object but is used as one.
+
+use super::candidates::{Candidate, Habit, Place};
+use crate::analysis::Analysis;
+use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::syntax::table::{Kind, RecordKind};
+use crate::syntax::{Item, Record};
+
+/// A line that may be to blame.
+pub struct Suspect {
+    /// What is wrong with the line if it is to blame.
+    pub finding: Diagnostic,
+    pub candidates: Vec<Candidate>,
+    /// What was misread because of it.
+    pub misread: Span,
+    /// So many errors a candidate has to mend.
+    pub least: usize,
+}
+
+/// No more are tried.
+const MOST: usize = 4;
+
+/// The lines that may be to blame for errors on others.
+pub fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
+    let mut all: Vec<Suspect> = taking(analysis).take(MOST).collect();
+    all.extend(copies(analysis, findings).into_iter().take(MOST));
+    all
+}
+
+fn records(analysis: &Analysis) -> impl Iterator<Item = &Record> {
+    (analysis.document.items.iter()).filter_map(|item| match item {
+        Item::Record(record) => Some(record),
+        _ => None,
+    })
+}
+
+/// Lines that are a record of a sibling's type, and whose record as it is written goes on behind them.
+fn taking(analysis: &Analysis) -> impl Iterator<Item = Suspect> {
+    let source = &analysis.source;
+    let spans = records(analysis).map(|r| analysis.document.span(r.first, r.last));
+    let line = move |at: u32| source.line_index(source.floor(at));
+    spans
+        .filter(move |span| line(span.start) != line(span.end))
+        .filter_map(move |span| {
+            let place = Place::both(analysis, span.start).into_iter().next()?;
+            let mut candidates = Vec::new();
+            place.siblings(&mut candidates);
+            candidates.retain(|c| c.ty.is_some());
+            let finding = place.wrong_count().filter(|_| !candidates.is_empty())?;
+            Some(Suspect {
+                finding,
+                candidates,
+                misread: place.line().to(source.line_span(line(span.end))),
+                least: 1,
+            })
+        })
+}
+
+/// Copies of what is no object, where something else is asked of at least two references to them.
+fn copies(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
+    let id = |d: &Diagnostic| match d.values.iter().find(|v| v.0 == "id") {
+        Some((_, Value::Text(text))) if d.code == Code::E103 => text.parse::<u32>().ok(),
+        _ => None,
+    };
+    let mut named: Vec<u32> = findings.iter().filter_map(id).collect();
+    named.sort_unstable();
+    let twice = named.chunk_by(|a, b| a == b).filter(|c| c.len() > 1);
+    let is_copy = |record: &&Record| record.ty.kind == RecordKind::Copy;
+    let copies = twice
+        .filter_map(|c| analysis.definition(c[0]))
+        .filter(is_copy);
+    copies.filter_map(|record| copy(analysis, record)).collect()
+}
+
+fn copy(analysis: &Analysis, record: &Record) -> Option<Suspect> {
+    let operand = analysis.document.params(record).next()?;
+    let id = u32::try_from(operand.integer(&analysis.source.text)?).ok()?;
+    let original = analysis.scene.entities.iter().find(|e| e.id == id)?;
+    let finding = Diagnostic::new(Code::E103, operand.span())
+        .with("id", id.to_string())
+        .with("kind", Value::Term(original.kind?.name()))
+        .with("kinds", Value::OneOf(vec![Kind::Object.name()]))
+        .with("parameter", Value::Term(record.ty.params.first()?.doc))
+        .label(original.span, "defined-here");
+    let place = Place::both(analysis, operand.start).into_iter().next()?;
+    let mut candidates = place.candidates(&finding, &[]);
+    candidates.retain(|c| matches!(c.habit, Habit::Shifted | Habit::Reference));
+    Some(Suspect {
+        finding,
+        candidates,
+        misread: operand.span(),
+        least: 2,
+    })
+}
