@@ -155,9 +155,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     match study(args, file, &loaded, look) {
         Ok((report, page)) => {
             let language = look.language();
-            let status = match report.stopped {
-                true => Status::Interrupted,
-                false => Status::Clean,
+            let status = match (report.stopped, report.wrong_reference()) {
+                (true, _) => Status::Interrupted,
+                (false, Some(_)) => Status::Negative,
+                (false, None) => Status::Clean,
             };
             print(look, status, |out| match args.json {
                 true => {

@@ -28,14 +28,7 @@ pub fn advise(report: &mut Report, language: Language) {
 
 /// Nothing else counts where the independent tracer comes to other pixels.
 fn wrong_reference(report: &Report, language: Language) -> Option<Advice> {
-    let checked = report
-        .reference
-        .get(Kind::Numbers.name())?
-        .checked
-        .as_ref()?;
-    if checked.wrong == 0 {
-        return None;
-    }
+    let checked = report.wrong_reference()?;
     let places: Vec<String> = (checked.wrong_pixels.iter())
         .map(|[x, y]| format!("({x}, {y})"))
         .collect();

@@ -288,6 +288,12 @@ impl Row {
 }
 
 impl Report {
+    /// What the independent tracer says where it comes to other pixels than the reference.
+    pub fn wrong_reference(&self) -> Option<&Checked> {
+        let checked = self.reference.get(Kind::Numbers.name())?.checked.as_ref();
+        checked.filter(|c| c.wrong > 0)
+    }
+
     pub fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &Row> {
         self.rows.iter().filter(move |r| r.kind() == Some(kind))
     }
