@@ -37,7 +37,10 @@ fn joined(mut all: Vec<Diagnostic>) -> Diagnostic {
         true => Applicability::Safe,
         false => Applicability::Unsafe,
     };
-    let edits = all.iter().filter_map(|d| d.fixes.first()).flat_map(|f| &f.edits);
+    let edits = all
+        .iter()
+        .filter_map(|d| d.fixes.first())
+        .flat_map(|f| &f.edits);
     let edits: Vec<_> = edits.cloned().collect();
     let mut first = all.swap_remove(0);
     if let Some(fix) = first.fixes.first_mut() {

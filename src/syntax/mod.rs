@@ -15,7 +15,8 @@
 //!                  Document { tokens, items, values, contents }  + findings
 //! ```
 //!
-//! A scene that is right never enters recovery, unless a record goes from the middle of a line to another one.
+//! A scene that is right enters recovery only where the layout does not agree with it: where a record goes from the
+//! middle of a line to another one, or takes up lines that look like records of their own.
 
 pub mod ast;
 pub mod captions;

@@ -363,12 +363,12 @@ pub const LEAST: u32 = REALS;
 
 /// The price of the bad tokens among `from..to`: the same in every reading, lest one that swallows them
 /// is the cheaper for it.
-fn bad_price(stream: &Stretch, from: usize, to: usize) -> u32 {
+pub(super) fn bad_price(stream: &Stretch, from: usize, to: usize) -> u32 {
     FAULT * stream.bad(from, to).min(BAD_MAX)
 }
 
 /// How many bad tokens of one stretch are counted at most.
-const BAD_MAX: u32 = 1_000_000;
+pub(super) const BAD_MAX: u32 = 1_000_000;
 
 /// The type of the record that a whole line is, if all that is wrong are integers spelled as reals.
 fn all_but_reals(stream: &Stretch, start: usize, end: usize) -> Option<&'static RecordType> {

@@ -1,11 +1,10 @@
-//! Arity first, layout as witness: what to make of a text that cannot be read by arity alone, or
-//! whose reading looks odd.
+//! The cheapest way to cut a stretch that is laid out in lines; where line breaks say nothing, see
+//! [`free`](super::free).
 //!
 //! A missing or extra number shifts everything behind it, and the shifted numbers may even parse.
 //! So all readings compete: the text is cut into records, VOIDs and broken stretches at the least
-//! total price, found by dynamic programming over the tokens. A fault costs [`FAULT`]; a record
-//! that begins behind another one and ends on a later line costs little where the text is free-form,
-//! and more than a fault where a line says that it is a record of its own.
+//! total price, found by dynamic programming over the tokens. A fault costs [`FAULT`]; a record that
+//! takes numbers from a line that says it is a record of its own costs more.
 
 use super::super::signature::Reading;
 use super::super::table::Effect;
@@ -22,7 +21,7 @@ const DOUBTFUL: u32 = 900;
 /// The price of a line that says it is a record of its own and is swallowed by another: more than an
 /// error, as it would be one by itself at most.
 const OWN_LINE: u32 = FAULT + FAULT / 2;
-/// How many of these are counted at most.
+/// How many of these are counted at most, so that prices do not overflow.
 const OWN_LINES_MAX: u32 = 1_000_000;
 /// The price of a record that ends within a line that is one of its own but for a slip: more than
 /// what the two are worth as errors.
@@ -31,6 +30,7 @@ const TWO_SLIPS: u32 = 2 * FAULT + FAULT / 10;
 const HINT_BITS: u32 = 24;
 /// No record without a count has more tokens.
 const LONGEST_FIXED: usize = 20;
+
 /// The reading with the least damage. `strict` are the pieces of the reading without faults, if there is one.
 pub fn cut(
     stream: &Stretch,
@@ -38,6 +38,10 @@ pub fn cut(
     strict: Option<&[Piece]>,
     doubt_takeovers: bool,
 ) -> Vec<Piece> {
+    debug_assert!(
+        witnesses.in_lines,
+        "free-form text is read by another search"
+    );
     let search = Search {
         stream,
         witnesses,
@@ -133,25 +137,20 @@ impl Search<'_, '_> {
         }
     }
 
-    fn in_lines(&self) -> bool {
-        self.witnesses.in_lines
-    }
-
     fn void_price(&self, i: usize) -> u32 {
         let behind = !self.stream.starts_line(i);
         if self.stream.sigs[i].before_comment {
-            let odd = behind && self.in_lines() && !self.witnesses.voids_behind_records;
+            let odd = behind && !self.witnesses.voids_behind_records;
             return if odd && self.stream.ends_line(i + 1) {
                 IMPLAUSIBLE
             } else {
                 0
             };
         }
-        match (self.in_lines(), behind) {
-            (true, true) => IMPLAUSIBLE,
-            (true, false) if self.stream.ends_line(i + 1) => 20,
-            (true, false) => 150,
-            (false, _) => 0,
+        match behind {
+            true => IMPLAUSIBLE,
+            false if self.stream.ends_line(i + 1) => 20,
+            false => 150,
         }
     }
 
@@ -174,33 +173,28 @@ impl Search<'_, '_> {
             };
         }
         let mut price = 0;
-        if behind {
-            // The low bits of the sum count what begins behind something else.
-            if r.end == start + 2 && r.ty.code == 0 && self.in_lines() {
-                price += 400;
-            }
+        // `ID 0` after something else is likelier two stray numbers than an undefined object.
+        if behind && r.end == start + 2 && r.ty.code == 0 {
+            price += 400;
         }
         if last > first {
             let witness = self.witnesses.takes_over(stream, start, r.end);
             let slip = witness && self.witnesses.slips[last];
-            price += match (self.in_lines(), behind, witness) {
+            price += match (behind, witness) {
                 _ if slip => TWO_SLIPS,
-                (true, true, true) => IMPLAUSIBLE,
-                (true, false, true) if self.witnesses.is_void_line(stream, last) => IMPLAUSIBLE,
-                (true, false, true) if self.doubt_takeovers => IMPLAUSIBLE,
-                (true, false, true) if r.end == stream.line_end(last) => DOUBTFUL,
-                (true, false, true) => IMPLAUSIBLE,
-                (true, true, false) => 300,
-                (true, false, false) if !stream.ends_line(r.end) => 200,
-                (false, ..) | (true, false, false) => 0,
+                (true, true) => IMPLAUSIBLE,
+                (false, true) if self.witnesses.is_void_line(stream, last) => IMPLAUSIBLE,
+                (false, true) if self.doubt_takeovers => IMPLAUSIBLE,
+                (false, true) if r.end == stream.line_end(last) => DOUBTFUL,
+                (false, true) => IMPLAUSIBLE,
+                (true, false) => 300,
+                (false, false) if !stream.ends_line(r.end) => 200,
+                (false, false) => 0,
             };
-            if self.in_lines() {
-                // Complete records among its lines.
-                let swallowed =
-                    self.sums.complete_before[last] - self.sums.complete_before[first + 1];
-                let slips = self.sums.slips_before[last] - self.sums.slips_before[first + 1];
-                price += 400 * swallowed.min(8) + OWN_LINE * slips.min(OWN_LINES_MAX);
-            }
+            // Complete records among its lines.
+            let swallowed = self.sums.complete_before[last] - self.sums.complete_before[first + 1];
+            let slips = self.sums.slips_before[last] - self.sums.slips_before[first + 1];
+            price += 400 * swallowed.min(8) + OWN_LINE * slips.min(OWN_LINES_MAX);
         }
         // What the resolver would object to counts too, but never as much as a fault of form.
         price + self.objections(start, r)
@@ -235,17 +229,15 @@ impl Search<'_, '_> {
         // likelier to be a whole line, unless the rest of the line is whole records.
         let passed_over = end == start + 1 && stream.sigs[start].kind.is_bad();
         if !passed_over {
-            price += match (stream.starts_line(start), self.in_lines()) {
-                (true, _) => 0,
-                (false, true) if self.sums.whole_until[start] => 30,
-                (false, true) => 300,
-                (false, false) => 20,
+            price += match stream.starts_line(start) {
+                true => 0,
+                false if self.sums.whole_until[start] => 30,
+                false => 300,
             };
-            price += match (stream.ends_line(end), self.in_lines()) {
-                (true, _) => 0,
-                (false, true) if self.sums.whole_from[end] => 30,
-                (false, true) => 150,
-                (false, false) => 20,
+            price += match stream.ends_line(end) {
+                true => 0,
+                false if self.sums.whole_from[end] => 30,
+                false => 150,
             };
         }
         // An unknown type ends with its line, unless whole records follow on it.
@@ -266,7 +258,7 @@ impl Search<'_, '_> {
         }
         if last > first {
             price += 5 * (last - first).min(12) as u32;
-            if self.in_lines() && !(stream.starts_line(start) && stream.ends_line(end)) {
+            if !(stream.starts_line(start) && stream.ends_line(end)) {
                 price += 300;
             }
             // Lines that say they are records of their own.

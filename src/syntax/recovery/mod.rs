@@ -5,16 +5,21 @@
 //!                     │
 //!   surroundings ─► witness       what its lines say: which are records of their own, perhaps but for a slip
 //!                     │
-//!                  layout         the cheapest way to cut it into pieces      ◄─ faults: what a piece costs
-//!                  free           the same where line breaks say nothing      ◄─ way: which IDs are defined by then
-//!                     │
-//!                  damage         against the reading by arity, if there is one: which leaves fewer errors
-//!                     │
-//!                  report         the pieces that are no records, in words
+//!            is it laid out in lines?
+//!              yes │        │ no
+//!                  │        └──► free      the reading by arity if nothing speaks against it (way::is_sound), else the
+//!                  │              │        cheapest way to cut it into pieces    ◄─ way: which IDs are defined by then
+//!               layout            │        the cheapest way, line by line        ◄─ faults: what a piece costs
+//!                  │              │                                              ◄─ sums: where a piece may begin
+//!               damage            │        against the reading by arity, if there is one without errors
+//!                  └──────┬───────┘
+//!                      report              the pieces that are no records, in words
 //! ```
 //!
 //! A lost or surplus number is decided on in [`faults::judge`], which says what is wrong with a piece and what that
-//! costs, and in [`layout`], which chooses the pieces; where line breaks say nothing, in `free/mistakes.rs`.
+//! costs, and in [`layout`], which chooses the pieces; where line breaks say nothing, in `free/mistakes.rs`. That a
+//! short record does not go on in the next line is refused before by `Plan::agrees` in the parser, then by
+//! `sums::may_begin` and the prices of [`layout`]. The message is made in [`report`].
 //!
 //! Before there are stretches, two things are looked at that concern tokens: which `#` closes which
 //! ([`comments`]), and which words are several numbers ([`respell`]).
@@ -110,7 +115,8 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
     {
         // The arity has a reading without faults. If nothing in it would be an error for its meaning,
         // it stands against two errors, and against one where no line was crossed.
-        let sound = way::is_sound(stretch, around, &strict);
+        let sound = damage::damage(stretch, around, &strict) == 0
+            && way::is_sound(stretch, around, &strict);
         if sound && (damage > 1 || !witness::is_odd(stretch, witnesses, &strict)) {
             pieces = strict;
         }

@@ -46,7 +46,7 @@ impl Sums {
         }
         let (whole_until, whole_from) = whole(stream);
         Sums {
-            may_begin: may_begin(stream, witnesses, &whole_from),
+            may_begin: may_begin(stream, &whole_from),
             whole_until,
             whole_from,
             own_before: sums(lines.clone().map(own)),
@@ -82,13 +82,10 @@ fn whole(stream: &Stretch) -> (Vec<bool>, Vec<bool>) {
     (until, from)
 }
 
-/// Where pieces may begin. In a text laid out in lines, nothing begins in the middle of a line that begins as a
+/// Where pieces may begin. Nothing begins in the middle of a line that begins as a
 /// record does, unless the line is a row of whole records: a number too many is not the ID of another record.
-fn may_begin(stream: &Stretch, witnesses: &Witnesses, whole_from: &[bool]) -> Vec<bool> {
+fn may_begin(stream: &Stretch, whole_from: &[bool]) -> Vec<bool> {
     let mut out = vec![true; stream.len() + 1];
-    if !witnesses.in_lines {
-        return out;
-    }
     for line in 0..stream.line_count() {
         let (start, end) = (stream.line_start(line), stream.line_end(line));
         // What can be nothing may stand before the record.

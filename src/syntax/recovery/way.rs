@@ -248,7 +248,8 @@ impl<'a, 's> Ways<'a, 's> {
     }
 }
 
-/// Whether nothing speaks against a reading that is right in form but what is no error.
+/// Whether a reading by arity has no error of meaning: no ID that is defined twice, no reference to nothing, no value
+/// that is not allowed.
 pub fn is_sound(stretch: &Stretch, around: &Surroundings, pieces: &[Piece]) -> bool {
     let mut ways = Ways::new(stretch, around, stretch.len() + 1);
     pieces.iter().all(|piece| {

@@ -293,19 +293,18 @@ fn run_to_line_end(stream: &Stretch, line: usize) -> bool {
 /// in lines: a record that straddles, a VOID without a comment behind a record, a heading's `0`
 /// taken for a number.
 pub fn is_odd(stream: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
-    witnesses.in_lines
-        && pieces.iter().any(|p| {
-            let behind = !stream.starts_line(p.start);
-            let last = stream.line(p.end - 1);
-            let over_lines = stream.line(p.start) != last;
-            match p.verdict {
-                Verdict::Void => behind,
-                _ => {
-                    (behind && (over_lines || p.end == p.start + 2))
-                        || over_lines
-                            && witnesses.is_void_line(stream, last)
-                            && witnesses.takes_over(stream, p.start, p.end)
-                }
+    pieces.iter().any(|p| {
+        let behind = !stream.starts_line(p.start);
+        let last = stream.line(p.end - 1);
+        let over_lines = stream.line(p.start) != last;
+        match p.verdict {
+            Verdict::Void => behind,
+            _ => {
+                (behind && (over_lines || p.end == p.start + 2))
+                    || over_lines
+                        && witnesses.is_void_line(stream, last)
+                        && witnesses.takes_over(stream, p.start, p.end)
             }
-        })
+        }
+    })
 }

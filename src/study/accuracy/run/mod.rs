@@ -97,6 +97,8 @@ struct Run<'i> {
     edges: Vec<Rgb>,
     light: Vec<Rgb>,
     exact: Vec<Rgb>,
+    /// The time that a pixel of the default takes, as a multiple of what the pilot says.
+    calibration: f64,
     predicted: f64,
     timed: f64,
     repeats: Vec<Vec<Timed>>,
@@ -139,6 +141,7 @@ pub fn run(
         edges: Vec::new(),
         light: Vec::new(),
         exact: Vec::new(),
+        calibration: 1.0,
         predicted: 0.0,
         timed: 0.0,
         repeats: Vec::new(),

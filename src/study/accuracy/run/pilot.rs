@@ -1,11 +1,14 @@
 //! Which rungs there are, and what each costs, by a few tiles of each.
 
-use super::{Entry, Known, Run, rays, say};
+use super::{Entry, Known, LEAST_PIXELS, Run, rays, say};
 use crate::diagnostics::Error;
 use crate::study::accuracy::facets::Facets;
 use crate::study::accuracy::report::Skipped;
 use crate::study::accuracy::rungs::{Axis, Kernel, Rung, Settings, ladder};
 use crate::study::accuracy::{axes, facets};
+
+/// The share of the budget that the default is tried for.
+const CALIBRATION: f64 = 0.01;
 
 impl Run<'_> {
     /// The rungs of the axes that the scene calls for.
@@ -147,11 +150,22 @@ impl Run<'_> {
             let rays = rays(&known.drawn.as_ref()?.counts.rays) as f64;
             Some(known.per_ray * rays / self.pixels(known.tiles).max(1) as f64)
         });
-        match (by_rays, known) {
+        let cost = match (by_rays, known) {
             (Some(cost), _) => cost,
             (None, Some(known)) => known.cost,
             (None, None) => self.cost(&Settings::default()),
-        }
+        };
+        cost * self.calibration
+    }
+
+    /// The pilot's tiles are few. So the default is tried on more of them, and all else is taken to be off by as much.
+    pub(super) fn calibrate(&mut self) -> Result<(), Error> {
+        let cost = self.entry_cost(&Entry::Default(0));
+        let tiles = self.tiles_for(self.seconds(CALIBRATION), cost, LEAST_PIXELS);
+        let list = self.tiles[..tiles].to_vec();
+        let timed = self.stage.time(&Settings::default(), &list)?;
+        self.calibration = timed.cpu / (cost * self.pixels(tiles) as f64).max(1e-12);
+        Ok(())
     }
 
     pub(super) fn drop_rungs(&mut self, which: impl Fn(&Rung) -> bool) {

@@ -11,6 +11,7 @@ impl Run<'_> {
     pub(super) fn times(&mut self) -> Result<(), Error> {
         let default = Settings::default();
         let seconds = self.seconds(0.4);
+        self.calibrate()?;
         let mut runs = self.options.runs.unwrap_or(5);
         // What is to be timed: rungs that are one computation once, the default four times.
         let mut entries: Vec<Entry> = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::super::super::lexer::TokenKind;
 use super::super::super::table::RecordType;
-use super::super::faults::{self, type_at};
+use super::super::faults::{self, BAD_MAX, type_at};
 use super::super::verdict::{FAULT, Verdict};
 use super::super::way::{Id, OUT_OF_ORDER};
 use super::{FEW, Head, LONGEST, Search};
@@ -80,7 +80,7 @@ impl Search<'_, '_> {
                     Some((_, expected)) if expected == got => continue,
                     Some((ty, expected)) => Verdict::Count { ty, got, expected },
                 };
-                let price = FAULT * (1 + stretch.bad(at, end)) + 300 + real;
+                let price = FAULT + faults::bad_price(stretch, at, end) + 300 + real;
                 let each = if end == line_end { UNTYPED } else { GARBAGE };
                 let price = price + each * (end - at).min(10_000) as u32;
                 self.offer((at, end), price, (id, None), verdict);
@@ -225,7 +225,7 @@ impl Search<'_, '_> {
                 let doubts = self.doubts(&head, end).min(DOUBTS_OF_FAULT_MAX);
                 if end >= wanted && end - bad as usize <= wanted {
                     let kinds = faults::wrong_kinds(stretch, ty, head.first, end);
-                    let mistakes = bad.max(kinds) * FAULT + real_type;
+                    let mistakes = bad.min(BAD_MAX).max(kinds) * FAULT + real_type;
                     if mistakes > 0 {
                         let price = mistakes + if kinds == 0 { doubts } else { 0 };
                         self.offer(
@@ -243,7 +243,7 @@ impl Search<'_, '_> {
                     expected: wanted - head.first,
                 };
                 let off = 40 * end.abs_diff(wanted) as u32 - 20;
-                let price = FAULT * (1 + bad) + real_type + off + doubts;
+                let price = FAULT * (1 + bad.min(BAD_MAX)) + real_type + off + doubts;
                 // Its type may be what is wrong.
                 self.offer((at, end), price, (head.id, None), verdict);
             }
@@ -270,7 +270,8 @@ impl Search<'_, '_> {
             let per = ty.arity(1) as usize - 1;
             let whole = got > 0 && got % per <= 1;
             let price = got as u32 + if whole { 60 } else { 200 };
-            let price = FAULT * (1 + self.bad(ty, at + 2, end)) + price + id_price;
+            let bad = self.bad(ty, at + 2, end).min(BAD_MAX);
+            let price = FAULT * (1 + bad) + price + id_price;
             self.offer((at, end), price, (Id::Is(id), Some(ty)), verdict);
         }
     }
@@ -346,9 +347,9 @@ impl Search<'_, '_> {
                 .map(|head| self.params(&head, end))
                 .min()
                 .unwrap_or(200);
-            let length = UNTYPED * (end - at) as u32;
+            let length = UNTYPED * (end - at).min(10_000) as u32;
             let known = if ty.is_some() { 30 } else { 0 };
-            let bad = FAULT * stretch.bad(at + 2, end);
+            let bad = faults::bad_price(stretch, at + 2, end);
             let price = FAULT + 20 + known + bad + id_price + least.min(200) + length;
             self.offer((at, end), price, (Id::Is(id), None), verdict);
         }
