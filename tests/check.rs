@@ -297,12 +297,12 @@ fn wrong_usage_in_both_languages() {
         ),
         (
             &["check", "a.zpg", "--format", "xml"],
-            "error: `xml` is no value of `--format <FORMAT>`: there are human, short, json,",
+            "error: `xml` is not a value of `--format <FORMAT>`: there are human, short, json,",
             "chyba: `xml` není hodnota pro `--format <FORMAT>`: možnosti jsou human, short, json,",
         ),
         (
             &["check", "a.zpg", "--select", "W399"],
-            "error: `W399` is no value of `--select <CODE>`: there is no code `W399`; did you mean",
+            "error: `W399` is not a value of `--select <CODE>`: there is no code `W399`; did you mean",
             "chyba: `W399` není hodnota pro `--select <CODE>`: kód `W399` neexistuje; mysleli jste",
         ),
         (

@@ -83,7 +83,7 @@ fn json_of_programs() {
     for (json, says) in [
         (
             "{",
-            "error: cannot read a.json: line 1, column 1: this is no JSON: it ends too early",
+            "error: cannot read a.json: line 1, column 1: this is not JSON: it ends too early",
         ),
         (
             r#"{"version": 1, "nodes": [{"type": "sphere", "radius": -1}], "render": {"root": 0}}"#,

@@ -188,7 +188,7 @@ fn utf_16_stays_utf_16() {
                 assert!(fs::read(&path).unwrap() == broken);
             }
             let run = zpg(dir.path(), &["check", "a.zpg"], b"");
-            assert!(text(&run.stdout).contains("no character"), "{run:?}");
+            assert!(text(&run.stdout).contains("not a character"), "{run:?}");
         }
     }
 }

@@ -68,7 +68,7 @@ range-of-many = --range udává řádky jediného souboru
 ## Kreslení a dotazy
 
 cannot-draw = nelze nakreslit { $what } (objekt { $id })
-draw-nothing = není co kreslit: ve scéně chybí záznam pro vykreslení
+draw-nothing = není co kreslit: ve scéně chybí renderovací záznam
 draw-no-picture = texturu bez obrázku
 draw-matrix = transformaci, jejíž inverze je mimo rozsah čísel
 draw-projection = pohled kamery s touto projekcí
@@ -99,8 +99,8 @@ no-ray-in-pixel = projekce kamery nemá v pixelu { $x },{ $y } žádný paprsek
 ray-out-of-range = tento paprsek je mimo rozsah čísel této přesnosti
 hits-out-of-range = tento paprsek protíná scénu mimo rozsah čísel této přesnosti
 too-many-occurrences = bod leží v mezích příliš mnoha výskytů sdílených objektů
-no-inverse = transformace nemá ve dvojnásobné přesnosti inverzi
-point-out-of-range = transformace vynáší bod mimo rozsah čísel dvojnásobné přesnosti
+no-inverse = transformace nemá ve dvojité přesnosti inverzi
+point-out-of-range = transformace vynáší bod mimo rozsah čísel dvojité přesnosti
 line-unreadable = nelze přečíst: { $reason }
 line-too-long = řádek je delší než { $max } bajtů
 number-out-of-range = { $word } je mimo rozsah
@@ -219,8 +219,8 @@ lsp-used = { $count ->
    *[other] použito { $count }×
 }
 lsp-no-id = zde žádné ID není
-lsp-render-id = 1 je ID vykreslovacího záznamu a jiné být nemůže
-lsp-reserved-id = 1 je vyhrazeno vykreslovacímu záznamu
+lsp-render-id = 1 je ID renderovacího záznamu a jiné být nemůže
+lsp-reserved-id = 1 je vyhrazeno renderovacímu záznamu
 lsp-not-an-id = { $text } není ID: ID je celé číslo od 2 do { $max }
 lsp-id-taken = { $id } je již použito na řádku { $line }
 lsp-not-open = soubor { $path } není otevřen

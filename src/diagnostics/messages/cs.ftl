@@ -1,7 +1,6 @@
 ### Co říká zpg, česky.
 ###
-### Zprávy jsou tytéž jako v en.ftl. Názvy z jazyka scén jsou v terms.cs.ftl; název na místě $type má
-### i další tvary, které jsou tam uvedeny: $type-gen (2. pád), $type-acc (4. pád).
+### Zprávy jsou tytéž jako v en.ftl. Názvy z jazyka scén jsou v terms.cs.ftl.
 
 ## Výčty a co stojí kolem nálezů
 
@@ -11,6 +10,7 @@ list-clauses = { $first } a { $last }
 
 here = zde
 guess = (odhad)
+or-fix = nebo { $title }
 
 error = chyba
 warning = varování
@@ -85,7 +85,7 @@ folded-cut = ještě { $count } takových nálezů, první na { $places }
 fix-write = napsat { $number }
 fix-type = napsat `{ $number }` ({ $type })
 fix-lost-type = za ID napsat typ `{ $number }` ({ $type })
-fix-comment = udělat ze slov komentář
+fix-comment = uzavřít to do komentáře
 fix-doubled = vynechat čísla, která jsou tu dvakrát
 lack = čísla zde jsou možná { $have } a chybí { $missing }
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
@@ -100,13 +100,13 @@ E001 = { $text } tu nic neznamená
     .help = odstraňte to, nebo dejte do komentáře: `# … #`
 
 E002 = tento komentář není ukončen
-    .label = má se za to, že končí s řádkem
-    .help = ukončete komentář znakem `#`
+    .label = čte se, jako by končil na konci řádku
+    .help = znak `#` začíná komentář a druhý `#` jej musí ukončit
     .fix = ukončit komentář na konci řádku
 
 E003 = { $text } není číslo
     .label = chybně zapsané číslo
-    .help = čísla vypadají takto: `3`, `-0.5`, `1.5e-3`
+    .help = čísla vypadají takto: `3`, `-0.5`, `1.5e-3`; minus je obyčejné `-` z klávesnice
     .fix = { fix-write }
 E003-decimal-comma = { $text } má desetinnou čárku
     .label = čteno jako { $number }
@@ -152,7 +152,7 @@ E006 = za ID { $text } chybí typ
     .help = záznam má tvar `ID TYP parametry…`
 E006-word = { $text } není typ záznamu
     .label = zde mělo být číslo typu
-    .help = číslo typu prozradí `zpg explain` s jeho anglickým názvem, například `zpg explain sphere`
+    .help = číslo typu zjistíte příkazem `zpg explain` s anglickým názvem, například `zpg explain sphere`
 E006-lost = záznamu chybí typ: jeho čísla odpovídají typu { $number } ({ $type })
     .label = za tímto ID chybí typ
 
@@ -165,8 +165,8 @@ E007-proposal = { E007 }
 E007-sign = v čísle typu chybí znak minus: { $number } je { $type }
     .label = čísla za ním odpovídají typu { $number }
 E007-minus = { $kinds ->
-    [one] v { $count } záznamech chybí v čísle typu znak minus: má být { $number } ({ $type })
-   *[many] v { $count } záznamech chybí v čísle typu znak minus; zde má být { $number } ({ $type })
+    [one] v čísle typu chybí znak minus, a to { $count }×: má být { $number } ({ $type })
+   *[many] v číslech typů chybí znak minus, a to { $count }×; zde má být { $number } ({ $type })
 }
     .label = zde chybí minus
     .help = typy operací, vlastností, světel a kamer jsou záporné; při kopírování z PDF se minus může ztratit
@@ -179,7 +179,12 @@ E008 = příliš málo čísel: { $type } má mít { $fewer ->
     [one] { $wanted } číslo
     [few] { $wanted } čísla
    *[other] { $wanted } čísel
-}, zde je jich { $got }
+}, { $got ->
+    [0] není zde žádné
+    [one] je zde jen { $got }
+    [few] jsou zde { $got }
+   *[other] je jich zde { $got }
+}
     .label = { $off ->
         [one] { $off } číslo chybí
         [few] { $off } čísla chybí
@@ -205,7 +210,11 @@ E009 = příliš mnoho čísel: { $type } má mít { $fewer ->
     [one] { $wanted } číslo
     [few] { $wanted } čísla
    *[other] { $wanted } čísel
-}, zde je jich { $got }
+}, { $got ->
+    [one] je zde { $got }
+    [few] jsou zde { $got }
+   *[other] je jich zde { $got }
+}
     .label = { $off ->
         [one] { $off } číslo navíc
         [few] { $off } čísla navíc
@@ -227,7 +236,7 @@ E011 = { $text } není jméno souboru
 
 E012 = slovo { $text } tu nic neznamená
     .label = zde mělo být číslo
-    .help = komentáře stojí mezi dvěma `#`
+    .help = je-li to komentář, patří mezi dva znaky `#`
 E012-file-name = jméno souboru { $text } obsahuje mezery
     .label = zde mělo být jedno slovo
     .help = jméno souboru s mezerami patří do uvozovek
@@ -289,11 +298,11 @@ N605 = čísla za záznamem ({ $type }) lze číst dvěma způsoby
 
 lost-id-used-here = { $lost } se používá zde a není nikde definováno
 lost-id-may-be-this = možná je to záznam, který má definovat { $lost }
-put-lost-id-in-front = napsat před to `{ $lost }`
+put-lost-id-in-front = doplnit na začátek záznamu `{ $lost }`
 write-lost-id = napsat `{ $lost }`
 
 E101 = { $id } není definováno
-    .label = toto ID v souboru nic nemá
+    .label = žádný záznam v souboru toto ID nemá
 E101-no-id = { $number } není ID
     .label = zde mělo být nějaké ID
 
@@ -309,7 +318,11 @@ E102-property = { E102 }
     .label = { E102.label }
     .first = { E102.first }, jako vlastnost, kterou zatím nic nemá
     .help = má-li to být vlastnost tohoto záznamu, přesuňte ji za něj
-E102-scenes = v souboru jsou zřejmě dvě scény: dvakrát definovaná ID: { $count }
+E102-scenes = v souboru jsou zřejmě dvě scény: { $count ->
+    [one] { $count } ID je definováno
+    [few] { $count } ID jsou definována
+   *[other] { $count } ID je definováno
+} dvakrát
     .label = zde začíná druhá scéna
     .help = dejte záznamům jedné scény jiná ID a ponechte jeden renderovací záznam
     .first = toto ID má i první scéna
@@ -317,8 +330,8 @@ E102-scenes = v souboru jsou zřejmě dvě scény: dvakrát definovaná ID: { $c
 
 E103 = { $id } je { $kind }, ne { $kinds }
     .label = zde má být: { $parameter }
-E103-changed = na { $id } nelze použít záznam „{ $type }“: je to { $kind }, má to být { $kinds }
-    .label = zde má být ID tohoto druhu: { $kinds }
+E103-changed = { $id } je { $kind }; záznam „{ $type }“ vyžaduje jiný druh: { $kinds }
+    .label = zde má být { $kinds }
 
 E104 = { $id } je použito ve své vlastní definici
     .label = { $parameter } musí být něco jiného
@@ -326,24 +339,24 @@ E104 = { $id } je použito ve své vlastní definici
 E105 = renderovací záznam musí mít ID 1
     .label = toto ID
     .fix = napsat `1`
-E105-other = ID 1 je vyhrazeno renderovacímu záznamu; { $type } je mít nemůže
+E105-other = ID 1 je vyhrazeno renderovacímu záznamu; { $type } musí mít jiné
     .label = toto ID
     .help = použijte jiné ID
 E105-objects = { E105-other }
     .label = { E105-other.label }
     .help = { E105-other.help }
-    .fix = napsat místo něj { $number }, i všude, kde se používá
+    .fix = napsat { $number } zde i všude, kde se toto ID používá
 
 E106 = chybí renderovací záznam
-    .label = nic neříká, co se má zobrazit
-    .help = přidejte `1 9999 OBJEKT POZADÍ` s ID objektu a s ID barvy (nebo 0)
+    .label = není řečeno, co se má vykreslit
+    .help = přidejte `1 9999 OBJEKT POZADÍ`: místo OBJEKT napište ID toho, co se má vykreslit, místo POZADÍ ID barvy, nebo 0 pro černou
 
 E107 = { $id } se používá dříve, než je definováno
     .label = ještě není definováno
     .help = přesuňte definici výš: scéna se čte shora dolů
     .later = definováno zde
-E107-cycle = { $id } a { $own } se navzájem potřebují: žádné nelze definovat první
-    .label = { $own } potřebuje { $id }, a to potřebuje { $own }
+E107-cycle = { $id } a { $own } závisejí na sobě navzájem: žádné z nich nelze definovat jako první
+    .label = { $own } závisí na { $id }, a to zase na { $own }
     .help = definice tvoří kruh, { $own } → { $members }; jeden z těchto odkazů musí vést jinam
     .later = definováno zde
 
@@ -396,7 +409,7 @@ E206-count = { $type }: počet bodů profilu nemůže být { $value }
     .label = N, počet bodů profilu, musí být aspoň 2
 
 E207 = směr pohledu kamery a vektor „nahoru“ (up-vector) jsou rovnoběžné
-    .label = mají určovat svislou rovinu obrazu
+    .label = společně mají určit, kde je v obrazu nahoře
     .help = vektor „nahoru“ bývá `0 1 0`; míří-li kamera přímo nahoru nebo dolů, zvolte `0 0 1`
 E207-projection = pro část obrázku nemá tato projekční matice žádný paprsek
     .label = není tam vidět nic, co je před kamerou
@@ -439,9 +452,9 @@ S504 = { $count ->
        *[other] odstranit je
     }
 S504-unknown = tomuto komentáři zpg nerozumí
-    .help = co je v pořádku, se zapisuje `# zpg: allow(W307) #`, s kódy nebo názvy
+    .help = co je tak schválně, označte `# zpg: allow(W307) #` s kódem nebo názvem nálezu
 S504-empty = položka tohoto komentáře je prázdná
-    .help = co je v pořádku, se zapisuje `# zpg: allow(W307) #`, s kódy nebo názvy
+    .help = co je tak schválně, označte `# zpg: allow(W307) #` s kódem nebo názvem nálezu
 S504-no-code = { $count ->
     [one] kód { $text } neexistuje
    *[other] kódy { $text } neexistují

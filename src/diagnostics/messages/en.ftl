@@ -13,6 +13,7 @@ list-clauses = { $first }, and { $last }
 
 here = here
 guess = (a guess)
+or-fix = or { $title }
 
 error = error
 warning = warning
@@ -79,11 +80,11 @@ folded-cut = { $count } more findings like these nine, the first at { $places }
 
 fix-write = write { $number }
 fix-type = write `{ $number }` ({ $type })
-fix-lost-type = put the type `{ $number }` ({ $type }) behind the ID
-fix-comment = make the words a comment
+fix-lost-type = put the type `{ $number }` ({ $type }) after the ID
+fix-comment = turn this into a comment
 fix-doubled = drop the numbers that stand there twice
 lack = the numbers here may be { $have }, with { $missing } left out
-comment-ends = a comment ends at its second `#`; what stands behind that is read as numbers
+comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
 fix-lamp = write the intensity 1, and the colour as a record of its own
 defined-here = { $id } is defined here
 declared-here = { $id } is declared here
@@ -95,13 +96,13 @@ E001 = { $text } means nothing here
     .help = remove it, or put it into a comment: `# … #`
 
 E002 = this comment is never closed
-    .label = it is taken to end with its line
-    .help = close the comment with `#`
+    .label = read as if it ended with this line
+    .help = a `#` begins a comment, and a second `#` must end it
     .fix = close the comment at the end of the line
 
 E003 = { $text } is not a number
     .label = malformed number
-    .help = numbers look like `3`, `-0.5` or `1.5e-3`
+    .help = numbers look like `3`, `-0.5` or `1.5e-3`; the minus is the plain `-` of the keyboard
     .fix = { fix-write }
 E003-decimal-comma = { $text } has a decimal comma
     .label = read as { $number }
@@ -113,9 +114,9 @@ E003-decimal-commas = { $text } and other numbers of this line have a decimal co
     .fix = write a point in each
 E003-dashes = { $text } is not a number: { $count } numbers in this file have a typographic dash for their minus
     .label = a dash, not a minus
-    .help = programs that show PDF files copy a minus as a dash; here it must be `-`
+    .help = copying from a PDF turns a minus into a dash; here it must be `-`
     .fix = write `-` in all { $count } places
-E003-glued = { $text } is no number, but several
+E003-glued = { $text } is not one number, but several
     .label = a space is missing here: { $number }
     .help = the record takes as many numbers as that gives it
     .fix = { fix-write }
@@ -142,14 +143,14 @@ E005-swapped = { $text } cannot be an ID here: ID and type are swapped
     .help = the render record always has ID 1 and type 9999
     .fix = { fix-write }
 
-E006 = there is no type behind the ID { $text }
-    .label = a record type was expected behind this ID
+E006 = there is no type after the ID { $text }
+    .label = a record type was expected after this ID
     .help = a record is `ID TYPE parameters…`
-E006-word = { $text } is no record type
+E006-word = { $text } is not a record type
     .label = a type number was expected
-    .help = `zpg explain` with a name, such as `zpg explain sphere`, tells the number of a type
+    .help = to find the number of a type, run `zpg explain` with its name, such as `zpg explain sphere`
 E006-lost = this record has no type: its numbers fit type { $number }, { $type-a }
-    .label = the type is missing behind this ID
+    .label = the type is missing after this ID
 
 E007 = there is no record type { $text }
     .label = unknown type
@@ -158,13 +159,13 @@ E007-proposal = { E007 }
     .help = these parameters fit type { $number }, { $type-a }
     .fix = { fix-type }
 E007-sign = the type has lost its minus: { $number } is { $type-a }
-    .label = the numbers behind it fit type { $number }
+    .label = the numbers after it fit type { $number }
 E007-minus = { $kinds ->
     [one] { $count } records have lost the minus of their type { $number } ({ $type })
    *[many] { $count } records have lost the minus of their type; here it should be { $number } ({ $type })
 }
     .label = a minus is missing here
-    .help = types of operations, properties, lights and cameras are negative; programs that show PDF files may lose the minus when text is copied
+    .help = types of operations, properties, lights and cameras are negative; copying from a PDF may lose the minus
     .fix = write the minus in all { $count } records
 
 E008 = too few numbers: { $type-a } takes { $fewer ->
@@ -192,7 +193,7 @@ E008-sign = { E008 }
     .help = with a sign it is right: { $meant-capital } { $header }
     .fix = { fix-write }
 E008-count = this { $type } has no number of points
-    .label = N is missing behind the type
+    .label = N is missing after the type
     .help = { E008.help }
 
 E009 = too many numbers: { $type-a } takes { $fewer ->
@@ -220,13 +221,13 @@ E010 = { $text } is not an integer
     .label = { $parameter } must be a whole number, written without a point
     .fix = { fix-write }
 
-E011 = { $text } is no file name
+E011 = { $text } is not a file name
     .label = { $parameter } was expected
     .help = a file name is one word, or stands in double quotes
 
 E012 = the word { $text } means nothing here
     .label = a number was expected
-    .help = comments stand between two `#`
+    .help = if this is a comment, put it between two `#`
 E012-file-name = the file name { $text } has spaces in it
     .label = this should be one word
     .help = a file name with spaces stands in double quotes
@@ -265,7 +266,7 @@ E014-scene-json = this is a scene written as JSON
     .help = `zpg convert FILE --to zpg` writes it as records
 
 W314 = this { $type } takes its last numbers from a line that would be a record of its own
-    .label = taken from the head of this line
+    .label = taken from the start of this line
     .begin = the record begins here
     .note = by itself the line would read { $line }
     .help = if a number is missing above, add it: { $header }
@@ -275,11 +276,11 @@ N601 = the file is not valid UTF-8; it is read as Windows-1250
     .help = save the file as UTF-8
 N604 = the file is UTF-16; it is read as such, and stays so when it is written
     .label = the file begins here
-N604-incomplete = the file is UTF-16 with something in it that is no character; it is not written to
+N604-incomplete = the file is UTF-16 with something in it that is not a character; it is not written to
     .label = the file begins here
     .help = save the file as UTF-8
 
-N605 = the numbers behind this { $type } can be read in two ways
+N605 = the numbers after this { $type } can be read in two ways
     .label = read as part of the { $type }
     .help = they could be records of their own: these stand on lines of their own
 
@@ -292,13 +293,13 @@ write-lost-id = write `{ $lost }`
 
 E101 = { $id } is not defined
     .label = nothing in this file has this ID
-E101-no-id = { $number } is no ID
+E101-no-id = { $number } is not an ID
     .label = the ID of something was expected
 
 E102 = the ID { $id } is defined already
     .label = this { $type } would be a second definition
     .help = give it an ID of its own
-    .first = defined here first
+    .first = first defined here
 E102-render = there is a render record already
     .label = a scene has one, with the ID 1
     .help = remove one of them
@@ -306,8 +307,8 @@ E102-render = there is a render record already
 E102-property = { E102 }
     .label = { E102.label }
     .first = { E102.first }, as a property that nothing has yet
-    .help = if this { $type } is to have that property, move the property behind it
-E102-scenes = two scenes seem to stand in this file: { $count } IDs are defined twice
+    .help = if this { $type } is to have that property, move the property after it
+E102-scenes = this file seems to hold two scenes: { $count } IDs are defined twice
     .label = the second scene begins here
     .help = give the records of one scene other IDs, and keep one render record
     .first = the first scene has this ID, too
@@ -330,11 +331,11 @@ E105-other = the ID 1 is reserved for the render record, not for { $type-a }
 E105-objects = { E105-other }
     .label = { E105-other.label }
     .help = { E105-other.help }
-    .fix = write { $number } in its place, and wherever it is named
+    .fix = write { $number } here and wherever this ID is used
 
 E106 = there is no render record
     .label = nothing says what is to be drawn
-    .help = add `1 9999 OBJECT BACKGROUND` with the ID of an object and of a colour (or 0)
+    .help = add `1 9999 OBJECT BACKGROUND`: for OBJECT the ID of what is to be drawn, for BACKGROUND the ID of a colour, or 0 for black
 
 E107 = { $id } is used before it is defined
     .label = not defined yet
@@ -394,7 +395,7 @@ E206-count = { $type-a } needs at least 2 points, not { $value }
     .label = N, the number of profile points, must be at least 2
 
 E207 = the camera's view direction and up vector are parallel
-    .label = they must span the vertical plane of the picture
+    .label = together they must tell which way is up in the picture
     .help = the up vector is usually `0 1 0`; for a camera that looks straight up or down take `0 0 1`
 E207-projection = this projection matrix has no ray for a part of the picture
     .label = nothing in front of the camera is seen there
@@ -437,9 +438,9 @@ S504 = { $count ->
        *[other] take them out
     }
 S504-unknown = zpg does not understand this comment
-    .help = what is all right is written `# zpg: allow(W307) #`, with codes or names
+    .help = to accept a finding here, write `# zpg: allow(W307) #`, with its code or name
 S504-empty = an entry of this comment is empty
-    .help = what is all right is written `# zpg: allow(W307) #`, with codes or names
+    .help = to accept a finding here, write `# zpg: allow(W307) #`, with its code or name
 S504-no-code = { $count ->
     [one] there is no code { $text }
    *[other] there are no codes { $text }

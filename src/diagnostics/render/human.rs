@@ -342,12 +342,19 @@ impl Printer<'_> {
         self.look.colour.then_some(colour)
     }
 
-    /// The help, and what the fixes propose.
+    /// The help, and what the fixes propose: one of them is to be chosen.
     fn helps(&self, d: &Diagnostic, words: &Wording) -> Vec<String> {
         let help = words.help.iter().map(|h| visible(h).into_owned());
-        let fixes = d.fixes.iter().zip(&words.fixes);
-        help.chain(fixes.map(|(fix, title)| self.proposal(fix, title)))
-            .collect()
+        let other = |title: &String| {
+            let title = [("title", title.clone().into())];
+            self.look.language.say("or-fix", &title)
+        };
+        let fixes = d.fixes.iter().zip(&words.fixes).enumerate();
+        let fixes = fixes.map(|(i, (fix, title))| match i {
+            0 => self.proposal(fix, title),
+            _ => self.proposal(fix, &other(title)),
+        });
+        help.chain(fixes).collect()
     }
 
     /// A fix: its title, and the line as it would be.
@@ -520,7 +527,7 @@ mod tests {
               │
             1 │ 2 9 1
               │ ┬
-              │ ╰── defined here first
+              │ ╰── first defined here
               │
               │ Help: give it an ID of its own
         ──────╯

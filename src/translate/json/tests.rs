@@ -100,19 +100,19 @@ fn mistakes_are_named_by_their_place() {
     for (json, says) in [
         (
             String::from("{"),
-            "line 1: this is no JSON: it ends too early",
+            "line 1: this is not JSON: it ends too early",
         ),
         (
             String::from("{\"version\": 1,\n\"nodes\": [],}"),
-            "line 2: this is no JSON: ",
+            "line 2: this is not JSON: ",
         ),
         (
             scene("", "") + "x",
-            "line 1: this is no JSON: trailing characters",
+            "line 1: this is not JSON: trailing characters",
         ),
         (
             scene(r#"{"type": "copy", "of": 1}"#, "")[1..].to_owned(),
-            "this is no JSON: ",
+            "this is not JSON: ",
         ),
         (
             String::from(r#"{"version": 2, "nodes": []}"#),

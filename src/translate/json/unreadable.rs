@@ -29,7 +29,7 @@ impl Unreadable {
         }
     }
 
-    /// The text is no JSON, or not of the form that the schema has; the error is at a path, `.` for all of
+    /// The text is not JSON, or not of the form that the schema has; the error is at a path, `.` for all of
     /// the text.
     pub fn form(text: &str, path: &str, error: &serde_json::Error) -> Unreadable {
         if let Err(e) = serde_json::from_str::<IgnoredAny>(text) {

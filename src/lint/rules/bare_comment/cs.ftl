@@ -1,2 +1,2 @@
-S502 = samostatný komentář se uvádí záznamem `0`
+S502 = před komentářem na samostatném řádku má být `0`
     .fix = napsat před něj `0`

@@ -1,10 +1,10 @@
-W301 = složky barvy leží mezi 0 a 1; zde je { $parts }
+W301 = složky barvy mají být mezi 0 a 1; zde je { $parts }
     .label = použije se tak, jak je
-    .note = složka větší než 1 činí povrch jasnějším než světlo, které na něj dopadá, záporná světlo ubírá; světlo má kromě barvy i intenzitu
+    .note = složka větší než 1 činí povrch jasnějším než světlo, které na něj dopadá, záporná světlo ubírá; má-li světlo svítit víc, zvyšte jeho intenzitu
     .bytes = vypadá to na čísla od 0 do 255
     .divide = vydělit číslem 255
     .fix = napsat nejbližší přípustnou hodnotu
-W301-point = složky barvy leží mezi 0 a 1; v bodě profilu { $point } je { $parts }{ $others ->
+W301-point = složky barvy mají být mezi 0 a 1; v bodě profilu { $point } je { $parts }{ $others ->
     [0] {""}
     [one] {" "}a mimo rozsah je ještě { $others } barva
     [few] {" "}a mimo rozsah jsou ještě { $others } barvy

@@ -1,10 +1,10 @@
-W301 = the parts of a colour lie between 0 and 1; here { $parts }
-    .label = taken as it is
-    .note = a part above 1 makes a surface brighter than the light that falls on it, a negative one takes light away; a light has an intensity besides its colour
+W301 = the parts of a colour must lie between 0 and 1; here { $parts }
+    .label = used as it is
+    .note = a part above 1 makes a surface brighter than the light that falls on it, a negative one takes light away; to make a light brighter, raise its intensity
     .bytes = these look like numbers from 0 to 255
     .divide = divide by 255
     .fix = write the nearest that is in range
-W301-point = the parts of a colour lie between 0 and 1; at profile point { $point }, { $parts }{ $others ->
+W301-point = the parts of a colour must lie between 0 and 1; at profile point { $point }, { $parts }{ $others ->
     [0] {""}
     [one] , and { $others } more colour is out of range
    *[other] , and { $others } more colours are out of range

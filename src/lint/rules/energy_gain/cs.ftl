@@ -1,15 +1,15 @@
-sum-in-red = kd + ks + kt = { $red } v červené
-sum-in-green = kd + ks + kt = { $green } v zelené
-sum-in-blue = kd + ks + kt = { $blue } v modré
+sum-in-red = kd + ks + kt = { $red } v červené složce
+sum-in-green = kd + ks + kt = { $green } v zelené složce
+sum-in-blue = kd + ks + kt = { $blue } v modré složce
 W302 = tento povrch vydává více světla, než dostává: kd + ks + kt = { $sum }
     .label = více než 1
     .help = tyto tři části se dělí o dopadající světlo; jejich součet má být nejvýše 1
-W302-red = { W302 } v červené
+W302-red = { W302 } v červené složce
     .label = { W302.label }
     .help = { W302.help }
-W302-green = { W302 } v zelené
+W302-green = { W302 } v zelené složce
     .label = { W302.label }
     .help = { W302.help }
-W302-blue = { W302 } v modré
+W302-blue = { W302 } v modré složce
     .label = { W302.label }
     .help = { W302.help }

@@ -1,4 +1,4 @@
-S501 = `{ $text }` patří do popisu v tabulce; ve scéně se nepíše
+S501 = `{ $text }` do scény nepatří; čísla se oddělují mezerami
     .label = čteno jako mezera
     .fix = { $count ->
         [one] odstranit

@@ -1,4 +1,4 @@
-S501 = `{ $text }` is notation; a scene needs none
+S501 = `{ $text }` does not belong in a scene; numbers are separated by spaces
     .label = read as white space
     .fix = { $count ->
         [one] remove it

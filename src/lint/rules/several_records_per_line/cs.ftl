@@ -3,4 +3,4 @@ S503 = { $count ->
     [few] { $count } další záznamy na tomtéž řádku
    *[other] { $count } dalších záznamů na tomtéž řádku
 }
-    .fix = jeden záznam na řádek
+    .fix = dát každý záznam na vlastní řádek

@@ -1,14 +1,14 @@
 W313 = the { $operand } { $operand-id } { $what ->
-    [whole] is a surface: of it,
-   *[part] has a surface in it: of that,
-} the intersection { $id } keeps what is inside the { $other } { $other-id }
+    [whole] is a surface with no inside:
+   *[part] has a surface with no inside in it:
+} the intersection { $id } keeps only the part of that surface inside the { $other } { $other-id }
     .label = this operand
     .surface = the { $shape } { $shape-id } is a surface: it has no inside
     .help = operations are made for solids: a half-space (type 4) has the inside that a plane (type 3) lacks, a thin box that of a rectangle
 W313-outside = the { $operand } { $operand-id } { $what ->
-    [whole] is a surface: of it,
-   *[part] has a surface in it: of that,
-} the difference { $id } keeps what is outside the { $other } { $other-id }
+    [whole] is a surface with no inside:
+   *[part] has a surface with no inside in it:
+} the difference { $id } keeps only the part of that surface outside the { $other } { $other-id }
     .label = { W313.label }
     .surface = { W313.surface }
     .help = { W313.help }
