@@ -126,6 +126,9 @@ impl Engine<'_> {
 
     /// What is wrong with lines whose errors are on others.
     fn elsewhere(&mut self) {
+        if self.trials == 0 {
+            return;
+        }
         for suspect in elsewhere::suspects(self.analysis, &self.findings) {
             let mut trials: Vec<(usize, Left, Fix, Analysis)> = Vec::new();
             for candidate in suspect.candidates {
