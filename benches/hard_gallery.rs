@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use zpg::analysis::Analysis;
 use zpg::scene::{Camera, Scene};
 use zpg::study::naive::{Naive, Number};
-use zpg::trace::film::Film;
+use zpg::trace::film::{Film, Packing};
 use zpg::trace::{Images, Settings, Tracer, selected_camera};
 
 const SIZE: [u32; 2] = [160, 128];
@@ -57,7 +57,7 @@ fn main() -> Outcome<()> {
             shares[0], shares[1]
         )?;
         let file = File::create(folder.join(format!("pictures/{name}.png")))?;
-        beside(&pictures).write_png(file)?;
+        beside(&pictures).write_png(file, Packing::Small)?;
     }
     if wanted.is_none() {
         let page = folder.join("README.md");

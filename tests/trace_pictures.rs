@@ -4,12 +4,13 @@ use crate::trace_support;
 use trace_support::*;
 use zpg::geometry::Matrix;
 use zpg::scene::*;
+use zpg::trace::film::Packing;
 
 fn save(name: &str, scene: &Scene, settings: &zpg::trace::Settings) {
     if let Ok(dir) = std::env::var("ZPG_TEST_PICTURES") {
         let picture = picture(scene, settings);
         let file = std::fs::File::create(format!("{dir}/{name}.png")).unwrap();
-        picture.film.write_png(file).unwrap();
+        picture.film.write_png(file, Packing::Small).unwrap();
     }
 }
 

@@ -20,7 +20,7 @@ use crate::scene::{Camera, Scene};
 use crate::solids::frame::selected_cameras;
 use crate::study::program::ProgramError;
 use crate::trace;
-use crate::trace::film::write_rgb8;
+use crate::trace::film::{Packing, write_rgb8};
 
 /// Compare what we see of a scene with what another program does
 #[derive(Debug, clap::Args)]
@@ -323,7 +323,9 @@ fn write_pictures(
         ("side-by-side", 3 * width, &all),
     ] {
         let path = folder.join(format!("{name}{suffix}.png"));
-        write_file(&path, |out| write_rgb8(out, width, height, rgb))?;
+        write_file(&path, |out| {
+            write_rgb8(out, [width, height], rgb, Packing::Quick)
+        })?;
     }
     Ok(())
 }

@@ -9,6 +9,7 @@ use crate::diagnostics::Error;
 use crate::scene::{Camera, NodeId, Render, Scene, Vec3, View};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::frame::{automatic_camera, seen_box, selected_cameras};
+use crate::trace::film::Packing;
 use crate::trace::plan::Plan;
 use crate::trace::{Images, Settings, Tracer};
 
@@ -81,7 +82,7 @@ impl Stage {
             return Ok(None);
         }
         let mut png = Vec::new();
-        let written = picture.film.write_png(&mut png);
+        let written = picture.film.write_png(&mut png, Packing::Small);
         Ok(written.is_ok().then_some(png))
     }
 }

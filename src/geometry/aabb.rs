@@ -2,7 +2,7 @@
 
 use super::affine::Affine;
 use super::array::length;
-use super::line::Beam;
+use super::line::Line;
 use super::matrix::Matrix;
 use super::vec::gamma;
 
@@ -204,13 +204,13 @@ impl Aabb {
     /// that no box the exact line meets is missed (Ize, "Robust BVH Ray Traversal", JCGT 2(2),
     /// 2013). A NaN (a line in a face's plane) loses every comparison and restricts nothing.
     #[inline]
-    pub fn clip(&self, beam: &Beam, from: f64, to: f64) -> Option<(f64, f64)> {
+    pub fn clip(&self, line: &Line, from: f64, to: f64) -> Option<(f64, f64)> {
         const SLACK: f64 = 2.0 * gamma(3);
         let (mut near, mut far) = (from, f64::INFINITY);
         for i in 0..3 {
-            let a = (self.min[i] - beam.low[i]) * beam.inverse[i];
-            let b = (self.max[i] - beam.high[i]) * beam.inverse[i];
-            let (a, b) = if beam.inverse[i] < 0.0 {
+            let a = (self.min[i] - line.origin[i]) * line.inverse[i];
+            let b = (self.max[i] - line.origin[i]) * line.inverse[i];
+            let (a, b) = if line.inverse[i] < 0.0 {
                 (b, a)
             } else {
                 (a, b)

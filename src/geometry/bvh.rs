@@ -3,7 +3,7 @@
 use super::aabb::Aabb;
 use std::ops::ControlFlow;
 
-/// Boxes in one leaf at most, unless they all have the same centre.
+/// Boxes in one leaf at most.
 const LEAF: usize = 4;
 /// Bins of the surface area heuristic.
 const BINS: usize = 16;
@@ -28,7 +28,12 @@ impl Bvh {
     /// Builds the tree over items with finite boxes: binned surface area heuristic along the axis
     /// in which the centres spread most (Wald, "On fast Construction of SAH-based Bounding Volume
     /// Hierarchies", 2007). Without recursion, since equal boxes can make any tree deep.
-    pub fn new(mut boxes: Vec<(u32, Aabb)>) -> Bvh {
+    pub fn new(boxes: Vec<(u32, Aabb)>) -> Bvh {
+        Bvh::with_leaves(boxes, LEAF)
+    }
+
+    /// As [`new`](Self::new), with so many boxes in one leaf at most, unless they all have the same centre.
+    pub fn with_leaves(mut boxes: Vec<(u32, Aabb)>, leaf: usize) -> Bvh {
         let mut nodes: Vec<Node> = Vec::with_capacity(boxes.len());
         // Ranges of `boxes` still to be made nodes of, and the parent whose right child each is.
         let mut pending = vec![(0, boxes.len(), None)];
@@ -44,7 +49,7 @@ impl Bvh {
             }
             let bounds = slice.iter().fold(Aabb::EMPTY, |b, x| b.hull(&x.1));
             let here = nodes.len() as u32;
-            let middle = (slice.len() > LEAF).then(|| split(slice)).flatten();
+            let middle = (slice.len() > leaf).then(|| split(slice)).flatten();
             nodes.push(Node {
                 bounds,
                 index: start as u32,

@@ -182,41 +182,6 @@ impl<R: Traced> Line<R> {
     }
 }
 
-/// A line as bounding boxes see it, in doubles whatever its own numbers are: with its origin moved
-/// towards the lower and the upper sides as far as it may be off near the boxes.
-#[derive(Debug, Clone, Copy)]
-pub struct Beam {
-    pub low: Vec3,
-    pub high: Vec3,
-    pub inverse: Vec3,
-}
-
-impl Beam {
-    /// For boxes whose coordinates are at most `reach` in size.
-    pub fn new(line: &Line, reach: f64) -> Beam {
-        let drift = line.drift(reach);
-        if drift == 0.0 {
-            return Beam::exact(line);
-        }
-        // The sums below are rounded, too.
-        let margin = Vec3::ONE * drift + line.origin.abs() * f64::EPSILON;
-        Beam {
-            low: line.origin + margin,
-            high: line.origin - margin,
-            inverse: line.inverse,
-        }
-    }
-
-    /// Of a line that is exactly what is meant.
-    pub fn exact(line: &Line) -> Beam {
-        Beam {
-            low: line.origin,
-            high: line.origin,
-            inverse: line.inverse,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

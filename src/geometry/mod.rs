@@ -7,7 +7,8 @@
 //!   doubles cannot.
 //! - **Vectors and maps.** [`vec`](mod@vec) is generic over the number, [`array`](mod@array) the algebra of plain `[f64; 3]`;
 //!   [`matrix`] is 4×4, [`affine`] an affine map that knows what it rounds, [`line`](mod@line) a line that goes through such maps.
-//! - **Boxes.** [`aabb`], the hierarchy [`bvh`] over them, and [`boxes`], which looks them up by place.
+//! - **Boxes.** [`aabb`], the hierarchy [`bvh`] over them, and [`boxes`], which looks them up by place; [`wide_bvh`] is the hierarchy that
+//!   rays walk.
 //! - [`icosahedron`]: the facets that geodesic spheres begin with.
 
 pub mod aabb;
@@ -25,6 +26,7 @@ pub mod number;
 pub mod qd;
 pub mod sign;
 pub mod vec;
+pub mod wide_bvh;
 
 pub use aabb::Aabb;
 pub use matrix::Matrix;

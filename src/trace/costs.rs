@@ -1,6 +1,6 @@
 //! What each pixel has cost, as a picture in false colours.
 
-use super::film::write_rgb8;
+use super::film::{Packing, write_rgb8};
 use std::io::{self, Write};
 
 /// Intersection tests, with boxes and shapes, per pixel, row by row from the top.
@@ -49,6 +49,6 @@ impl CostMap {
                 colorous::INFERNO.eval_continuous(place).into_array()
             })
             .collect();
-        write_rgb8(out, self.width, self.height, &bytes)
+        write_rgb8(out, [self.width, self.height], &bytes, Packing::Quick)
     }
 }

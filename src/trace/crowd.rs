@@ -41,11 +41,7 @@ impl Graph {
                 cuts
             }
         };
-        group
-            .loose
-            .iter()
-            .chain(&group.bvh.items)
-            .for_each(|&part| step(part));
+        group.parts().for_each(step);
     }
 
     /// Whether more objects lie over one another in some place than there is room for. There is room

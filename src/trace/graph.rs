@@ -10,7 +10,7 @@ use super::switches::{Solver, Without};
 use crate::geometry::Matrix;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Placement;
-use crate::geometry::bvh::Bvh;
+use crate::geometry::wide_bvh::{Frame, Tree};
 use crate::scene::{Optics, Rgb, Texture};
 use std::ops::Range;
 use std::sync::Arc;
@@ -70,17 +70,16 @@ pub struct Group {
     /// Indices into [`Graph::parts`] of those without bounds.
     pub loose: Vec<u32>,
     /// The others; its items are indices into [`Graph::parts`].
-    pub bvh: Bvh,
+    pub tree: Tree,
     /// Those of them that hold something transparent, if no paint above says otherwise; `None`
     /// where there are none.
     pub clear: Option<Box<Group>>,
 }
 
 impl Group {
-    /// The largest coordinate, in size, in the tree.
-    pub fn reach(&self) -> f64 {
-        let root = self.bvh.nodes.first();
-        root.map_or(0.0, |node| node.bounds.reach())
+    /// All parts, those without bounds first.
+    pub fn parts(&self) -> impl Iterator<Item = u32> + '_ {
+        self.loose.iter().copied().chain(self.tree.items())
     }
 }
 
@@ -118,8 +117,8 @@ pub struct Object {
     pub operation: Operation,
     /// Holds the object.
     pub bounds: Aabb,
-    /// The largest coordinate, in size, of its parts that are in a tree.
-    pub reach: f64,
+    /// Of the boxes of its parts.
+    pub frame: Frame,
     pub holds: Holds,
 }
 

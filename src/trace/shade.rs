@@ -153,11 +153,11 @@ impl<'t, R: Precision> Shader<'t, R> {
         }
         let normal = hit.facing();
         let mut light = self.ambient;
-        for &Light { position, power } in self.lights {
+        for (i, &Light { position, power }) in self.lights.iter().enumerate() {
             let way = position.cast() - hit.point;
             let cosine = normal.dot(way.unit()).to_f64();
             if cosine > 0.0 && power.any() {
-                let seen = self.visibility(hit, way);
+                let seen = self.visibility(hit, way, i);
                 light = light + power.times(seen) * cosine;
             }
         }
@@ -165,7 +165,7 @@ impl<'t, R: Precision> Shader<'t, R> {
     }
 
     /// The share of light that gets through from hit + way.
-    fn visibility(&mut self, hit: &Hit<R>, way: Vec3<R>) -> Vec3 {
+    fn visibility(&mut self, hit: &Hit<R>, way: Vec3<R>, light: usize) -> Vec3 {
         if !self.features.shadows || (self.tracer.plan.lone_convex && !hit.inside[0]) {
             return Vec3::ONE;
         }
@@ -173,8 +173,8 @@ impl<'t, R: Precision> Shader<'t, R> {
         let ray = hit.leave(way, false);
         let clear = self.features.glass && !self.tracer.graph.without.transparent_shadows;
         match clear {
-            false => self.walkers.visibility::<false>(&ray),
-            true => self.walkers.visibility::<true>(&ray),
+            false => self.walkers.visibility::<false>(&ray, light),
+            true => self.walkers.visibility::<true>(&ray, light),
         }
     }
 

@@ -62,7 +62,7 @@ impl<R: Precision> Walker<'_, R> {
                     }
                     Target::Shape(primitive) => {
                         let leaf = Leaf { part, context };
-                        self.cross(ray, leaf, primitive, from);
+                        self.cross(ray, leaf, primitive, from, None);
                         let roots = self.roots.list.iter().map(|root| root.t);
                         let crossed = roots.filter(|t| (from..=to).contains(t));
                         out.extend(crossed.map(|t| Surface {

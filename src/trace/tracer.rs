@@ -9,7 +9,6 @@ use super::ray::Ray;
 use super::room::Room;
 use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::line::Beam;
 use crate::geometry::vec::Vec3;
 use crate::scene::Scene;
 
@@ -93,8 +92,7 @@ impl Tracer {
         match &self.clip {
             None => Some((R::ZERO, to)),
             Some(clip) => {
-                let (from, end) =
-                    clip.clip(&Beam::exact(&R::coarse(&ray.line)), 0.0, to.to_f64())?;
+                let (from, end) = clip.clip(&R::coarse(&ray.line), 0.0, to.to_f64())?;
                 Some((R::of(from), R::of(end)))
             }
         }

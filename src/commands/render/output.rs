@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::commands::draft::{Draft, unwritable};
 use crate::diagnostics::Complaint;
+use crate::trace::film::Packing;
 use crate::trace::{CostMap, Film};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,7 +60,7 @@ impl Output {
 
     pub fn finish(self, film: &Film) -> Result<(), Complaint> {
         let write = |out: &mut dyn Write| match self.format {
-            Format::Png => film.write_png(out),
+            Format::Png => film.write_png(out, Packing::Quick),
             Format::Exr => film.write_exr(out),
             Format::Pfm => film.write_pfm(out),
         };

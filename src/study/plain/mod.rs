@@ -10,14 +10,16 @@ use super::naive::light::{Lens, RayCounts, Scenery, World, back, radiance};
 use super::naive::number::{Number, Ray, V};
 use super::naive::trail::{Event, Leaf, List, Look, Media, Operation, Trail};
 use crate::diagnostics::{Complaint, Error};
-use crate::geometry::aabb::Aabb;
-use crate::geometry::bvh::Bvh;
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
+use crate::geometry::wide_bvh::{Beam, Child, Frame, Tree, WIDTH};
 use crate::scene::{Camera, Rgb, Scene};
 use crate::trace::graph::{self, Graph, Group, Target, outermost};
 use crate::trace::pixels::{Pixels, Seen};
 use crate::trace::sampling::sample;
 use crate::trace::stats::{Counts, Rays};
 use crate::trace::{Settings, Tracer};
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// Objects nested deeper are not for a kernel that calls itself.
@@ -34,11 +36,11 @@ pub struct Plain<'a, T> {
 
 /// An object entered on the way down.
 #[derive(Clone, Copy)]
-struct Context<T> {
+struct Context {
     object: u32,
     frame: u32,
-    /// One over each component of the ray's direction.
-    inverse: V<T>,
+    /// The ray as the tree of the object sees it.
+    beam: Beam,
     look: Look,
 }
 
@@ -57,7 +59,7 @@ struct Walker<'a, T> {
     in_space: Vec<bool>,
     glass: bool,
     trail: Trail<T>,
-    contexts: Vec<Context<T>>,
+    contexts: Vec<Context>,
     stack: Vec<(T, u32, Item)>,
     roots: Roots<T>,
     tests: u64,
@@ -81,7 +83,7 @@ pub fn fits(tracer: &Tracer, scene: &Scene) -> Result<(), &'static str> {
             };
             parts.map(of).max().unwrap_or(0)
         };
-        let group = |g: &Group| deepest(&mut g.loose.iter().chain(&g.bvh.items).copied());
+        let group = |g: &Group| deepest(&mut g.parts());
         depths[i] = match &object.operation {
             graph::Operation::Union(g) => group(g),
             graph::Operation::Intersection { first, cuts, .. } => {
@@ -235,23 +237,10 @@ impl<T: Number> Pixels for Plain<'_, T> {
     }
 }
 
-/// The stretch of a line in a box.
-#[inline]
-fn clip<T: Number>(bounds: &Aabb, origin: &V<T>, inverse: &V<T>, from: T, to: T) -> Option<T> {
-    let (mut near, mut far) = (from, to);
-    for i in 0..3 {
-        let a = (T::of(bounds.min[i]) - origin[i]) * inverse[i];
-        let b = (T::of(bounds.max[i]) - origin[i]) * inverse[i];
-        let (a, b) = if a < b { (a, b) } else { (b, a) };
-        // What is no number, on a face, cuts nothing off.
-        if a > near {
-            near = a;
-        }
-        if b < far {
-            far = b;
-        }
-    }
-    (near <= far).then_some(near)
+/// A ray as boxes see it, as far as its numbers have it.
+fn beam<T: Number>(ray: &Ray<T>, frame: &Frame) -> Beam {
+    let [origin, direction] = [ray.origin, ray.direction].map(|v| Vec3(v.map(T::wide)));
+    Beam::new(&Line::new(origin, direction), frame)
 }
 
 struct Best<T> {
@@ -268,7 +257,7 @@ impl<'a, T: Number> Walker<'a, T> {
         self.contexts.push(Context {
             object: self.graph.root,
             frame: 0,
-            inverse: ray.direction.map(|d| T::of(1.0) / d),
+            beam: beam(ray, &self.graph.root().frame),
             look: Look::default(),
         });
     }
@@ -301,11 +290,12 @@ impl<'a, T: Number> Walker<'a, T> {
 
     fn enter(&mut self, context: u32, part: &graph::Part, object: u32) -> u32 {
         let (frame, look) = self.placed(context, part);
-        let direction = self.trail.frames[frame as usize].ray.direction;
+        let ray = &self.trail.frames[frame as usize].ray;
+        let beam = beam(ray, &self.graph.objects[object as usize].frame);
         self.contexts.push(Context {
             object,
             frame,
-            inverse: direction.map(|d| T::of(1.0) / d),
+            beam,
             look,
         });
         self.contexts.len() as u32 - 1
@@ -343,7 +333,7 @@ impl<'a, T: Number> Walker<'a, T> {
             any,
         };
         self.stack.clear();
-        self.open(0, from, &mut best);
+        self.open(0, from);
         while let Some((near, context, item)) = self.stack.pop() {
             if best.any && best.event.is_some() {
                 break;
@@ -352,25 +342,8 @@ impl<'a, T: Number> Walker<'a, T> {
                 continue;
             }
             match item {
-                Item::Node(node) => self.visit(context, node, near, from, &mut best),
-                Item::Part(part) => {
-                    let part = &self.graph.parts[part as usize];
-                    let Target::Object(object) = part.target else {
-                        continue;
-                    };
-                    let entered = self.enter(context, part, object);
-                    match &self.graph.objects[object as usize].operation {
-                        graph::Operation::Union(_) => self.open(entered, from, &mut best),
-                        graph::Operation::Intersection { .. } => {
-                            let list = self.object(entered, from, best.t);
-                            let mut seen = list.events.into_iter().filter(|e| e.seen && e.t > from);
-                            if let Some(event) = seen.next().filter(|e| e.t < best.t) {
-                                best.t = event.t;
-                                best.event = Some(event);
-                            }
-                        }
-                    }
-                }
+                Item::Node(node) => self.visit(context, node, from, &best),
+                Item::Part(part) => self.meet(context, part, from, &mut best),
             }
         }
         best.event
@@ -384,72 +357,79 @@ impl<'a, T: Number> Walker<'a, T> {
         }
     }
 
-    fn open(&mut self, context: u32, from: T, best: &mut Best<T>) {
+    fn open(&mut self, context: u32, from: T) {
         let Some(group) = self.group(context) else {
             return;
         };
-        for &part in &group.loose {
-            self.meet(context, part, from, from, best);
+        if !group.tree.nodes.is_empty() {
+            self.stack.push((from, context, Item::Node(0)));
         }
-        if let Some(root) = group.bvh.nodes.first()
-            && let Some(near) = self.clip(context, &root.bounds, from, best.t)
-        {
-            self.stack.push((near, context, Item::Node(0)));
-        }
+        let loose = |&part| (from, context, Item::Part(part));
+        self.stack.extend(group.loose.iter().map(loose));
     }
 
-    #[inline]
-    fn clip(&mut self, context: u32, bounds: &Aabb, from: T, to: T) -> Option<T> {
-        self.boxes += 1;
-        let here = &self.contexts[context as usize];
-        let origin = &self.trail.frames[here.frame as usize].ray.origin;
-        clip(bounds, origin, &here.inverse, from, to)
-    }
-
-    fn visit(&mut self, context: u32, node: u32, near: T, from: T, best: &mut Best<T>) {
+    /// Puts the children of a node that the ray may meet on the stack, the nearest on top.
+    fn visit(&mut self, context: u32, node: u32, from: T, best: &Best<T>) {
         let Some(group) = self.group(context) else {
             return;
         };
-        let bvh = &group.bvh;
-        let here = &bvh.nodes[node as usize];
-        if here.count > 0 {
-            let items = here.index as usize..(here.index + here.count) as usize;
-            for &part in &bvh.items[items] {
-                self.meet(context, part, near, from, best);
-            }
-            return;
+        let base = self.stack.len();
+        let beam = self.contexts[context as usize].beam;
+        let node = &group.tree.nodes[node as usize];
+        self.boxes += WIDTH as u64;
+        let (from, to) = (beam.pace(from.wide()), beam.pace(best.t.wide()));
+        let (met, near) = beam.meets(node, from, to);
+        for slot in (0..WIDTH).filter(|slot| met >> slot & 1 != 0) {
+            let item = match node.child(slot) {
+                Child::Node(node) => Item::Node(node),
+                Child::Item(part) => Item::Part(part),
+            };
+            (self.stack).push((T::of(beam.unpace(near[slot])), context, item));
         }
-        let child = |walker: &mut Self, child: u32| {
-            let bounds = &bvh.nodes[child as usize].bounds;
-            let near = walker.clip(context, bounds, from, best.t)?;
-            Some((near, context, Item::Node(child)))
-        };
-        let (left, right) = (child(self, node + 1), child(self, here.index));
-        match (left, right) {
-            (Some(a), Some(b)) if b.0 < a.0 => self.stack.extend([a, b]),
-            (a, b) => self.stack.extend(b.into_iter().chain(a)),
-        }
+        let further = |a: &(T, u32, Item), b: &(T, u32, Item)| b.0.partial_cmp(&a.0);
+        self.stack[base..].sort_by(|a, b| further(a, b).unwrap_or(Ordering::Equal));
     }
 
-    fn meet(&mut self, context: u32, part: u32, near: T, from: T, best: &mut Best<T>) {
+    fn meet(&mut self, context: u32, part: u32, from: T, best: &mut Best<T>) {
         let p = &self.graph.parts[part as usize];
-        match p.target {
-            Target::Object(_) => self.stack.push((near, context, Item::Part(part))),
-            Target::Shape(shape) => {
-                self.cross(context, p, shape);
-                let found = self.roots.list.iter().find(|r| r.0 > from && r.0 < best.t);
-                if let Some(&(t, face)) = found {
-                    let leaf = self.leaf(context, p, shape);
-                    best.t = t;
-                    best.event = Some(Event {
-                        t,
-                        leaf,
-                        face,
-                        sheet: !self.solid[shape as usize],
-                        seen: true,
-                        owner: leaf,
-                        after: None,
-                    });
+        let shape = match p.target {
+            Target::Object(object) => return self.look_into(context, p, object, from, best),
+            Target::Shape(shape) => shape,
+        };
+        self.cross(context, p, shape);
+        let found = self.roots.list.iter().find(|r| r.0 > from && r.0 < best.t);
+        if let Some(&(t, face)) = found {
+            let leaf = self.leaf(context, p, shape);
+            best.t = t;
+            best.event = Some(Event {
+                t,
+                leaf,
+                face,
+                sheet: !self.solid[shape as usize],
+                seen: true,
+                owner: leaf,
+                after: None,
+            });
+        }
+    }
+
+    fn look_into(
+        &mut self,
+        context: u32,
+        part: &graph::Part,
+        object: u32,
+        from: T,
+        best: &mut Best<T>,
+    ) {
+        let entered = self.enter(context, part, object);
+        match &self.graph.objects[object as usize].operation {
+            graph::Operation::Union(_) => self.open(entered, from),
+            graph::Operation::Intersection { .. } => {
+                let list = self.object(entered, from, best.t);
+                let mut seen = list.events.into_iter().filter(|e| e.seen && e.t > from);
+                if let Some(event) = seen.next().filter(|e| e.t < best.t) {
+                    best.t = event.t;
+                    best.event = Some(event);
                 }
             }
         }
@@ -500,7 +480,7 @@ impl<'a, T: Number> Walker<'a, T> {
 
     fn joined(&mut self, context: u32, group: &Group, from: T, to: T) -> List<T> {
         let mut parts = group.loose.clone();
-        self.gather(context, &group.bvh, from, to, &mut parts);
+        self.gather(context, &group.tree, from, to, &mut parts);
         parts.sort_unstable();
         let mut all = List::default();
         for part in parts {
@@ -510,20 +490,18 @@ impl<'a, T: Number> Walker<'a, T> {
         all
     }
 
-    fn gather(&mut self, context: u32, bvh: &Bvh, from: T, to: T, parts: &mut Vec<u32>) {
-        let mut pending = vec![0u32];
-        while let Some(i) = pending.pop() {
-            let Some(node) = bvh.nodes.get(i as usize) else {
-                continue;
-            };
-            if self.clip(context, &node.bounds, from, to).is_none() {
-                continue;
-            }
-            match node.count {
-                0 => pending.extend([node.index, i + 1]),
-                count => {
-                    let items = node.index as usize..(node.index + count) as usize;
-                    parts.extend_from_slice(&bvh.items[items]);
+    fn gather(&mut self, context: u32, tree: &Tree, from: T, to: T, parts: &mut Vec<u32>) {
+        let beam = self.contexts[context as usize].beam;
+        let (from, to) = (beam.pace(from.wide()), beam.pace(to.wide()));
+        let mut pending: Vec<u32> = tree.nodes.first().map(|_| 0).into_iter().collect();
+        while let Some(node) = pending.pop() {
+            let node = &tree.nodes[node as usize];
+            self.boxes += WIDTH as u64;
+            let (met, _) = beam.meets(node, from, to);
+            for slot in (0..WIDTH).filter(|slot| met >> slot & 1 != 0) {
+                match node.child(slot) {
+                    Child::Node(node) => pending.push(node),
+                    Child::Item(part) => parts.push(part),
                 }
             }
         }

@@ -1,19 +1,23 @@
 //! The last pass of compiling: from drafts to objects with bounds and trees.
 
+use super::pieces::{self, Piece};
 use super::{Compiler, Draft, Kind};
 use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::bvh::Bvh;
+use crate::geometry::wide_bvh::{Frame, Tree};
+use crate::solids::support;
 use crate::trace::graph::outermost;
 use crate::trace::graph::{Coat, Graph, Group, Holds, Object, Operation, Part, Target};
 use std::collections::HashSet;
 
 /// What became of a draft.
 enum Finished {
-    Object,
+    Object(u32),
     /// It is nothing but this part.
     Alias(Part),
     Empty,
+    /// A union of these that is used once, and whose parts may become those of what uses it.
+    Open(Vec<Piece>),
 }
 
 impl Compiler<'_> {
@@ -22,54 +26,171 @@ impl Compiler<'_> {
         let drafts = std::mem::take(&mut self.drafts);
         let mut order: Vec<u32> = (0..drafts.len() as u32).collect();
         order.sort_by_key(|&i| drafts[i as usize].rank);
+        let uses = uses(&drafts);
         let mut drafts: Vec<Option<Draft>> = drafts.into_iter().map(Some).collect();
         let mut finished: Vec<Finished> = drafts.iter().map(|_| Finished::Empty).collect();
-        // Where the object of a draft ended up.
-        let mut places = vec![0u32; drafts.len()];
+        let mut budget = pieces::BUDGET;
         for i in order {
-            let Some(mut draft) = drafts[i as usize].take() else {
+            let Some(draft) = drafts[i as usize].take() else {
                 continue;
             };
-            let operands = draft.first.len();
-            for parts in [&mut draft.first, &mut draft.cuts] {
-                let mut kept = Vec::with_capacity(parts.len());
-                for part in parts.drain(..) {
-                    kept.extend(self.settle(part, &finished, &places)?);
-                }
-                *parts = kept;
-            }
-            if draft.kind != Kind::Union && draft.first.len() < operands {
-                // What is in something empty is nowhere; `finished` says so already.
-                continue;
-            }
             // The root stays an object, whatever it holds.
-            finished[i as usize] = match self.finish(draft, i != 0) {
-                Ok(object) => {
-                    places[i as usize] = self.graph.objects.len() as u32;
-                    self.graph.objects.push(object);
-                    Finished::Object
+            let may_vanish = i != 0;
+            let made = match draft.kind {
+                Kind::Intersection => self.finish_intersection(draft, &mut finished, may_vanish)?,
+                Kind::Union | Kind::Difference => {
+                    let open = self.opened(draft, &mut finished, &mut budget)?;
+                    match may_vanish && uses[i as usize] == 1 {
+                        true => Finished::Open(open),
+                        false => self.close(open, may_vanish),
+                    }
                 }
-                Err(instead) => instead,
             };
+            finished[i as usize] = made;
         }
-        self.graph.root = places[0];
+        if let Finished::Object(root) = finished[0] {
+            self.graph.root = root;
+        }
         Ok(self.graph)
     }
 
-    /// A drafted part in terms of finished objects; `None` where it is empty.
-    fn settle(
+    fn finish_intersection(
         &mut self,
-        part: Part,
-        finished: &[Finished],
-        places: &[u32],
-    ) -> Result<Option<Part>, Error> {
+        mut draft: Draft,
+        finished: &mut [Finished],
+        may_vanish: bool,
+    ) -> Result<Finished, Error> {
+        let operands = draft.first.len();
+        for parts in [&mut draft.first, &mut draft.cuts] {
+            *parts = self.settle_all(std::mem::take(parts), finished)?;
+        }
+        if draft.first.len() < operands {
+            // What is in something empty is nowhere.
+            return Ok(Finished::Empty);
+        }
+        Ok(self.placed(draft, may_vanish))
+    }
+
+    /// The pieces that a union or a difference is made of.
+    fn opened(
+        &mut self,
+        draft: Draft,
+        finished: &mut [Finished],
+        budget: &mut usize,
+    ) -> Result<Vec<Piece>, Error> {
+        let mut pieces = Vec::new();
+        for part in draft.first {
+            pieces.append(&mut self.pieces(part, finished)?);
+        }
+        if draft.kind == Kind::Union {
+            return Ok(pieces);
+        }
+        let cuts = self.settle_all(draft.cuts, finished)?;
+        let cuts: Vec<(Part, Aabb)> = cuts.into_iter().map(|c| (c, self.bounds(&c))).collect();
+        Ok(match pieces::cut(pieces, cuts, budget) {
+            Ok(pieces) => pieces,
+            Err((pieces, cuts)) => match self.close(pieces, true) {
+                Finished::Object(object) => {
+                    vec![Piece {
+                        cuts: cuts.into_iter().map(|(cut, _)| cut).collect(),
+                        ..self.piece(plain(object))
+                    }]
+                }
+                Finished::Alias(part) => vec![Piece {
+                    cuts: cuts.into_iter().map(|(cut, _)| cut).collect(),
+                    ..self.piece(part)
+                }],
+                _ => Vec::new(),
+            },
+        })
+    }
+
+    /// The pieces of an operand of a union, or of what is cut.
+    fn pieces(&mut self, part: Part, finished: &mut [Finished]) -> Result<Vec<Piece>, Error> {
+        if let Target::Object(draft) = part.target
+            && part.unnamed() == plain(draft)
+            && part.owner == 0
+            && let Finished::Open(pieces) = &mut finished[draft as usize]
+        {
+            return Ok(std::mem::take(pieces));
+        }
+        let part = self.settle(part, finished)?;
+        Ok(part.map(|part| self.piece(part)).into_iter().collect())
+    }
+
+    fn piece(&self, part: Part) -> Piece {
+        Piece {
+            bounds: self.bounds(&part),
+            part,
+            cuts: Vec::new(),
+        }
+    }
+
+    /// Makes an object of the union of pieces, each an object of its own where something is cut out of it.
+    fn close(&mut self, pieces: Vec<Piece>, may_vanish: bool) -> Finished {
+        let mut parts = Vec::with_capacity(pieces.len());
+        for Piece { part, cuts, .. } in pieces {
+            if cuts.is_empty() {
+                parts.push(part);
+                continue;
+            }
+            let draft = Draft {
+                rank: 0,
+                kind: Kind::Difference,
+                first: vec![part],
+                cuts,
+            };
+            match self.placed(draft, true) {
+                Finished::Object(object) => parts.push(plain(object)),
+                Finished::Alias(part) => parts.push(part),
+                Finished::Empty | Finished::Open(_) => {}
+            }
+        }
+        let union = Draft {
+            rank: 0,
+            kind: Kind::Union,
+            first: parts,
+            cuts: Vec::new(),
+        };
+        self.placed(union, may_vanish)
+    }
+
+    /// Finishes a draft and puts its object into the graph.
+    fn placed(&mut self, draft: Draft, may_vanish: bool) -> Finished {
+        match self.finish(draft, may_vanish) {
+            Ok(object) => {
+                self.graph.objects.push(object);
+                Finished::Object(self.graph.objects.len() as u32 - 1)
+            }
+            Err(instead) => instead,
+        }
+    }
+
+    fn settle_all(
+        &mut self,
+        parts: Vec<Part>,
+        finished: &mut [Finished],
+    ) -> Result<Vec<Part>, Error> {
+        let mut kept = Vec::with_capacity(parts.len());
+        for part in parts {
+            kept.extend(self.settle(part, finished)?);
+        }
+        Ok(kept)
+    }
+
+    /// A drafted part in terms of finished objects; `None` where it is empty.
+    fn settle(&mut self, part: Part, finished: &mut [Finished]) -> Result<Option<Part>, Error> {
         let Target::Object(draft) = part.target else {
             return Ok(Some(part));
         };
-        match finished[draft as usize] {
-            Finished::Empty => Ok(None),
-            Finished::Object => Ok(Some(Part {
-                target: Target::Object(places[draft as usize]),
+        let below = &mut finished[draft as usize];
+        if let Finished::Open(pieces) = below {
+            *below = self.close(std::mem::take(pieces), true);
+        }
+        match *below {
+            Finished::Empty | Finished::Open(_) => Ok(None),
+            Finished::Object(object) => Ok(Some(Part {
+                target: Target::Object(object),
                 ..part
             })),
             Finished::Alias(inner) => {
@@ -125,9 +246,9 @@ impl Compiler<'_> {
                 bounds = bounds.hull(&self.bounds(part));
             }
             let holds = self.holds(&first);
-            let group = self.group(first);
+            let (group, frame) = self.group(first);
             return Ok(Object {
-                reach: group.reach(),
+                frame,
                 operation: Operation::Union(group),
                 bounds,
                 holds,
@@ -170,9 +291,9 @@ impl Compiler<'_> {
                 owner: 0,
             });
         }
-        let cuts = self.group(cuts);
+        let (cuts, frame) = self.group(cuts);
         Ok(Object {
-            reach: cuts.reach(),
+            frame,
             operation: Operation::Intersection {
                 first: start..end,
                 cuts,
@@ -199,45 +320,74 @@ impl Compiler<'_> {
             Target::Shape(p) => self.graph.primitives[p as usize].shape().bounds(),
             Target::Object(o) => self.graph.objects[o as usize].bounds,
         };
-        match part.placement {
-            0 => own,
-            m => own.image(&self.graph.placements[m as usize].out),
+        let placement = part.placement as usize;
+        if placement == 0 {
+            return own;
         }
+        let image = own.image(&self.graph.placements[placement].out);
+        let Target::Shape(p) = part.target else {
+            return image;
+        };
+        // The box of a turned box is larger than that of what is in it.
+        let record = self.graph.records[p as usize] as usize;
+        let geometry = &self.scene.shapes[record].geometry;
+        let tight = support::bounds(geometry, &self.graph.matrices[placement]);
+        tight.map_or(image, |tight| image.intersection(&tight))
     }
 
-    fn group(&mut self, parts: Vec<Part>) -> Group {
+    /// The parts of an object, and what the boxes of its trees are reckoned in.
+    fn group(&mut self, parts: Vec<Part>) -> (Group, Frame) {
         let start = self.graph.parts.len() as u32;
-        let whole = self.tree((start..).zip(&parts));
-        let holds_clear = |p: &Part| self.graph.holds(p).clear;
-        let clear = parts.iter().any(holds_clear).then(|| {
-            let clear = (start..).zip(&parts).filter(|(_, p)| holds_clear(p));
-            Box::new(self.tree(clear))
-        });
+        let bounds = |(i, part)| (i, self.bounds(part));
+        let numbered: Vec<(u32, Aabb)> = (start..).zip(&parts).map(bounds).collect();
+        let bounded = numbered.iter().map(|(_, b)| b).filter(|b| b.is_bounded());
+        let frame = Frame::around(bounded);
+        let holds_clear = |i: u32| self.graph.holds(&parts[(i - start) as usize]).clear;
+        let clear: Vec<_> = (numbered.iter().copied())
+            .filter(|&(i, _)| holds_clear(i))
+            .collect();
+        let clear = (!clear.is_empty()).then(|| Box::new(tree(clear, &frame)));
+        let whole = tree(numbered, &frame);
         self.graph.parts.extend(parts);
-        Group { clear, ..whole }
-    }
-
-    /// Parts with their numbers: those with bounds in a tree, the others beside it.
-    fn tree<'p>(&self, parts: impl Iterator<Item = (u32, &'p Part)>) -> Group {
-        let (mut loose, mut boxes) = (Vec::new(), Vec::with_capacity(parts.size_hint().0));
-        for (i, part) in parts {
-            let bounds = self.bounds(part);
-            if bounds.is_bounded() {
-                boxes.push((i, bounds));
-            } else {
-                loose.push(i);
-            }
-        }
-        Group {
-            loose,
-            bvh: Bvh::new(boxes),
-            clear: None,
-        }
+        (Group { clear, ..whole }, frame)
     }
 
     /// What some of these parts hold.
     fn holds(&self, parts: &[Part]) -> Holds {
         let each = parts.iter().map(|p| self.graph.holds(p));
         each.fold(Holds::default(), Holds::and)
+    }
+}
+
+/// How often each draft is an operand.
+fn uses(drafts: &[Draft]) -> Vec<u32> {
+    let mut uses = vec![0; drafts.len()];
+    for part in drafts.iter().flat_map(|d| d.first.iter().chain(&d.cuts)) {
+        if let Target::Object(draft) = part.target {
+            uses[draft as usize] += 1;
+        }
+    }
+    uses
+}
+
+/// An object where it is, as it is.
+fn plain(object: u32) -> Part {
+    Part {
+        target: Target::Object(object),
+        placement: 0,
+        paint: 0,
+        inverted: false,
+        shape: 0,
+        owner: 0,
+    }
+}
+
+/// Parts by their numbers: those with bounds in a tree, the others beside it.
+fn tree(parts: Vec<(u32, Aabb)>, frame: &Frame) -> Group {
+    let (boxes, loose): (Vec<_>, Vec<_>) = parts.into_iter().partition(|(_, b)| b.is_bounded());
+    Group {
+        loose: loose.into_iter().map(|(i, _)| i).collect(),
+        tree: Tree::new(boxes, frame),
+        clear: None,
     }
 }

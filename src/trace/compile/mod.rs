@@ -6,12 +6,14 @@
 //!
 //! Complements are driven inwards by De Morgan's laws, so −(−A ∪ −B) and A ∩ B become the same
 //! graph; −(A − B) is −A ∪ B. An operand that occurs twice in a union or intersection counts once.
+//! (A ∪ B) − C is A ∪ (B − C) where C does not reach A: see [`pieces`].
 //!
 //! Parts know the IDs of what they come from. A copy owns what the copied entity itself owned: its
 //! surface if it is a shape, its properties, but not its operands, which are entities of their own.
 
 mod finalize;
 mod intern;
+mod pieces;
 
 use super::graph::outermost;
 use crate::diagnostics::{Complaint, Error, Span};

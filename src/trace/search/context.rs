@@ -1,6 +1,7 @@
 //! Where in the graph a ray is: the objects entered on the way down from the root.
 
-use crate::geometry::line::{Beam, Line, Traced};
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::wide_bvh::Beam;
 
 /// An occurrence of a shape: a part of the object whose space `context` is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,7 +24,7 @@ pub struct Context<R: Traced = f64> {
     pub object: u32,
     /// The ray in the object's space.
     pub line: Line<R>,
-    /// The same for the bounding boxes of the object.
+    /// The same for the tree of the object.
     pub beam: Beam,
     /// Where it was entered from; the root is its own parent.
     pub parent: u32,

@@ -61,6 +61,8 @@ impl<'t, R: Precision> Walkers<'t, R> {
     pub fn reset(&mut self) {
         self.uncertain = 0;
         (self.walker.counts, self.walker.work) = Default::default();
+        // What is asked first must not depend on which rows a thread has drawn before.
+        self.walker.in_the_way.clear();
         if let Some(finer) = &mut self.finer {
             (finer.counts, finer.work) = Default::default();
         }
@@ -217,8 +219,12 @@ impl<R: Precision> Walkers<'_, R> {
     }
 
     /// The share of light that gets through up to t = 1: the product of kt over all surfaces.
-    pub(in crate::trace) fn visibility<const GLASS: bool>(&mut self, ray: &Ray<R>) -> Vec3 {
-        self.ask(&Visibility::<GLASS>, ray)
+    pub(in crate::trace) fn visibility<const GLASS: bool>(
+        &mut self,
+        ray: &Ray<R>,
+        light: usize,
+    ) -> Vec3 {
+        self.ask(&Visibility::<GLASS> { light }, ray)
     }
 }
 
@@ -296,7 +302,10 @@ impl Question for Meets {
 }
 
 /// How much light gets through.
-struct Visibility<const GLASS: bool>;
+struct Visibility<const GLASS: bool> {
+    /// The number of the light that it comes from.
+    light: usize,
+}
 
 impl<const GLASS: bool> Question for Visibility<GLASS> {
     type Answer<R: Precision> = Vec3;
@@ -313,9 +322,10 @@ impl<const GLASS: bool> Question for Visibility<GLASS> {
         let seen = |blocked: bool| if blocked { Vec3::ZERO } else { Vec3::ONE };
         if ray.outside && tracer.clip.is_none() {
             if !GLASS {
-                return seen(walker.nearest(ray, from, to, Search::Any).is_some());
+                let blocked = walker.any(ray, (from, to), Search::Any, self.light);
+                return seen(blocked.is_some());
             }
-            let opaque = walker.nearest(ray, from, to, Search::AnyOpaque);
+            let opaque = walker.any(ray, (from, to), Search::AnyOpaque, self.light);
             let before = opaque.map_or(to, |o| o.place.root.t);
             let clear = walker.nearest(ray, from, before, Search::AnyClear);
             if clear.is_none() {

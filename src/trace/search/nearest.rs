@@ -5,7 +5,7 @@ use super::context::Leaf;
 use super::events::{Crossing, Place};
 use super::query::{Entry, Item, Search};
 use super::walk::Walker;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::wide_bvh::{Child, WIDTH};
 use crate::trace::graph::{Group, Holds, Operation, Target};
 use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
@@ -16,21 +16,36 @@ use std::cmp::Ordering;
 struct Best<R> {
     found: Option<Crossing<R>>,
     limit: R,
+    /// Crossings before this t are far behind the start.
+    start: f64,
 }
 
-impl<R: Precision> Walker<'_, R> {
+impl<R: Precision> Best<R> {
+    /// Nothing yet, of what is in (from, to].
+    fn new(ray: &Ray<R>, from: R, to: R) -> Best<R> {
+        // Crossings that are nearer may not be told from the surface that the ray has left.
+        let near = ray.left.map_or(0.0, |left| {
+            let farthest = left.skin / R::ROUNDOFF.sqrt();
+            (farthest / ray.line.direction.length()).to_f64()
+        });
+        Best {
+            found: None,
+            limit: to,
+            start: from.to_f64() - 1.5 * near,
+        }
+    }
+}
+
+impl<'g, R: Precision> Walker<'g, R> {
     /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked
     /// into; of intersections only their own boundary counts. Among crossings at the same t a sheet's
     /// wins, then the first operand's. A search for any crossing takes the first one found.
     pub fn nearest(&mut self, ray: &Ray<R>, from: R, to: R, search: Search) -> Option<Crossing<R>> {
         self.begin(ray);
         self.entries.clear();
-        let mut best = Best {
-            found: None,
-            limit: to,
-        };
+        let mut best = Best::new(ray, from, to);
         self.search = search;
-        self.open_union(ray, 0, from, &mut best);
+        self.open_union(0, from);
         while let Some(entry) = self.entries.pop() {
             if search != Search::First && best.found.is_some() {
                 break;
@@ -39,20 +54,14 @@ impl<R: Precision> Walker<'_, R> {
                 continue;
             }
             match entry.item {
-                Item::Node(node) => self.visit(ray, entry, node, from, &mut best),
-                Item::Part(part, object) => {
-                    let Some(context) = self.enter(entry.context, part, object) else {
-                        break;
+                Item::Node(node) => self.visit(entry, node, from, &best),
+                Item::Part(part) => {
+                    let leaf = Leaf {
+                        part,
+                        context: entry.context,
                     };
-                    match &self.graph.objects[object as usize].operation {
-                        Operation::Union(_) => {
-                            self.open_union(ray, context, from, &mut best);
-                        }
-                        Operation::Intersection { .. } => {
-                            if let Some(found) = self.first_of(ray, context, from, best.limit) {
-                                self.consider(found, &mut best);
-                            }
-                        }
+                    if !self.meet(ray, leaf, from, &mut best) {
+                        break;
                     }
                 }
             }
@@ -60,41 +69,58 @@ impl<R: Precision> Walker<'_, R> {
         best.found
     }
 
-    /// Meets the parts of a union that have no bounds, and puts the rest on the stack.
-    fn open_union(&mut self, ray: &Ray<R>, context: u32, from: R, best: &mut Best<R>) {
-        let graph = self.graph;
-        let object = self.contexts[context as usize].object;
-        let Operation::Union(whole) = &graph.objects[object as usize].operation else {
-            return;
-        };
-        let Some(group) = self.searched(context, whole) else {
-            return;
-        };
-        for &part in &group.loose {
-            self.meet(ray, Leaf { part, context }, from.to_f64(), from, best);
+    /// Any crossing with a surface in (from, to]: the shape that was last found is asked first.
+    pub fn any(
+        &mut self,
+        ray: &Ray<R>,
+        (from, to): (R, R),
+        search: Search,
+        light: usize,
+    ) -> Option<Crossing<R>> {
+        if self.in_the_way.len() <= light {
+            self.in_the_way.resize(light + 1, None);
         }
-        if let Some(root) = group.bvh.nodes.first() {
-            self.counts.boxes += 1;
-            if let Some((near, _)) = self.clip(context, &root.bounds, from, best) {
-                self.entries.push(Entry {
-                    near,
-                    context,
-                    item: Item::Node(0),
-                });
+        if let Some(part) = self.in_the_way[light] {
+            self.begin(ray);
+            self.search = search;
+            let mut best = Best::new(ray, from, to);
+            self.meet(ray, Leaf { part, context: 0 }, from, &mut best);
+            if best.found.is_some() {
+                return best.found;
             }
         }
+        let found = self.nearest(ray, from, to, search);
+        let leaf = found.map(|found| found.place.leaf);
+        let is_own = |leaf: &Leaf| leaf.context == 0;
+        self.in_the_way[light] = leaf.filter(is_own).map(|leaf| leaf.part);
+        found
     }
 
-    /// The stretch of the ray in a box of a context's object, as far as it matters.
-    #[inline]
-    fn clip(&self, context: u32, bounds: &Aabb, from: R, best: &Best<R>) -> Option<(f64, f64)> {
-        let here = &self.contexts[context as usize];
-        bounds.clip(&here.beam, from.to_f64(), best.limit.to_f64())
+    /// Puts the parts of a union that have no bounds on the stack, and its tree.
+    fn open_union(&mut self, context: u32, from: R) {
+        let Some(group) = self.searched(context) else {
+            return;
+        };
+        let near = from.to_f64();
+        let entry = |item| Entry {
+            near,
+            context,
+            item,
+        };
+        if !group.tree.nodes.is_empty() {
+            self.entries.push(entry(Item::Node(0)));
+        }
+        let loose = group.loose.iter().map(|&part| entry(Item::Part(part)));
+        self.entries.extend(loose);
     }
 
     /// The parts of a context's union among which is what is looked for.
-    fn searched<'g>(&self, context: u32, whole: &'g Group) -> Option<&'g Group> {
-        if self.search == Search::AnyClear && self.contexts[context as usize].optics.is_none() {
+    fn searched(&self, context: u32) -> Option<&'g Group> {
+        let here = &self.contexts[context as usize];
+        let Operation::Union(whole) = &self.graph.objects[here.object as usize].operation else {
+            return None;
+        };
+        if self.search == Search::AnyClear && here.optics.is_none() {
             return whole.clear.as_deref();
         }
         Some(whole)
@@ -108,54 +134,62 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    fn visit(&mut self, ray: &Ray<R>, entry: Entry, node: u32, from: R, best: &mut Best<R>) {
-        let graph = self.graph;
+    /// Puts the children of a node that the ray may meet on the stack, the nearest on top.
+    fn visit(&mut self, entry: Entry, node: u32, from: R, best: &Best<R>) {
         let context = entry.context;
-        let object = self.contexts[context as usize].object;
-        let Operation::Union(whole) = &graph.objects[object as usize].operation else {
+        let Some(group) = self.searched(context) else {
             return;
         };
-        let Some(group) = self.searched(context, whole) else {
-            return;
-        };
-        let bvh = &group.bvh;
-        let here = &bvh.nodes[node as usize];
-        if here.count > 0 {
-            let items = here.index as usize..(here.index + here.count) as usize;
-            for &part in &bvh.items[items] {
-                self.meet(ray, Leaf { part, context }, entry.near, from, best);
-            }
-            return;
-        }
-        self.counts.boxes += 2;
-        let [left, right] = [node + 1, here.index].map(|child| {
-            let bounds = &bvh.nodes[child as usize].bounds;
-            let (near, _) = self.clip(context, bounds, from, best)?;
-            Some(Entry {
-                near,
+        let node = &group.tree.nodes[node as usize];
+        self.counts.boxes += WIDTH as u64;
+        let beam = &self.contexts[context as usize].beam;
+        let (from, to) = (from.to_f64(), best.limit.to_f64());
+        let (mut met, near) = beam.meets(node, beam.pace(from), beam.pace(to));
+        let base = self.entries.len();
+        while met != 0 {
+            let slot = met.trailing_zeros() as usize;
+            met &= met - 1;
+            let item = match node.child(slot) {
+                Child::Node(node) => Item::Node(node),
+                Child::Item(part) => Item::Part(part),
+            };
+            let entry = Entry {
+                near: beam.unpace(near[slot]),
                 context,
-                item: Item::Node(child),
-            })
-        });
-        match (left, right) {
-            (Some(a), Some(b)) if b.near < a.near => self.entries.extend([a, b]),
-            (a, b) => self.entries.extend(b.into_iter().chain(a)),
+                item,
+            };
+            let mut at = self.entries.len();
+            self.entries.push(entry);
+            while at > base && self.entries[at - 1].near < entry.near {
+                self.entries[at] = self.entries[at - 1];
+                at -= 1;
+            }
+            self.entries[at] = entry;
         }
     }
 
-    /// A shape is crossed at once, an object put on the stack.
-    fn meet(&mut self, ray: &Ray<R>, leaf: Leaf, near: f64, from: R, best: &mut Best<R>) {
+    /// A shape is crossed, an object looked into; `false`: there is no room to.
+    fn meet(&mut self, ray: &Ray<R>, leaf: Leaf, from: R, best: &mut Best<R>) -> bool {
         if self.search.is_picky() && !self.search.wants(self.holds(leaf)) {
-            return;
+            return true;
         }
         match self.part(leaf.part).target {
-            Target::Object(object) => self.entries.push(Entry {
-                near,
-                context: leaf.context,
-                item: Item::Part(leaf.part, object),
-            }),
+            Target::Object(object) => {
+                let Some(context) = self.enter(leaf.context, leaf.part, object) else {
+                    return false;
+                };
+                match &self.graph.objects[object as usize].operation {
+                    Operation::Union(_) => self.open_union(context, from),
+                    Operation::Intersection { .. } => {
+                        if let Some(found) = self.first_of(ray, context, from, best.limit) {
+                            self.consider(found, best);
+                        }
+                    }
+                }
+            }
             Target::Shape(primitive) => {
-                let behind = self.cross(ray, leaf, primitive, from);
+                let ahead = [best.start, best.limit.to_f64()];
+                let behind = self.cross(ray, leaf, primitive, from, Some(ahead));
                 if let Some(&root) = self.roots.list.get(behind)
                     && root.t <= best.limit
                 {
@@ -168,6 +202,7 @@ impl<R: Precision> Walker<'_, R> {
                 }
             }
         }
+        true
     }
 
     /// Whether a crossing with a shape is one of its boundary.

@@ -44,10 +44,10 @@ pub(in crate::trace) struct Entry {
 
 #[derive(Debug, Clone, Copy)]
 pub(in crate::trace) enum Item {
-    /// A node of the hierarchy of the context's object.
+    /// A node of the tree of the context's object.
     Node(u32),
-    /// A part of the context's object that is itself an object.
-    Part(u32, u32),
+    /// A part of the context's object.
+    Part(u32),
 }
 
 /// The sizes of the numbers behind a crossing.

@@ -6,6 +6,7 @@ use super::events::Place;
 use super::events::{Crossing, Event, Kind, List, Owner, State, Task};
 use super::merge::{join_intersection, join_union};
 use super::walk::Walker;
+use crate::geometry::wide_bvh::{Child, WIDTH};
 use crate::trace::graph::{Group, Operation, Target};
 use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
@@ -98,7 +99,7 @@ impl<R: Precision> Walker<'_, R> {
             Target::Shape(primitive) => primitive,
         };
         let solid = self.graph.primitives[primitive as usize].shape().is_solid();
-        let behind = self.cross(ray, leaf, primitive, from);
+        let behind = self.cross(ray, leaf, primitive, from, None);
         let owner = self.owner(leaf);
         let begin = self.spans.events.len();
         let mut inside = part.inverted != (solid && (self.roots.inside != (behind % 2 == 1)));
@@ -152,21 +153,20 @@ impl<R: Precision> Walker<'_, R> {
         self.spans.tasks.extend(group.loose.iter().map(task));
         let beam = self.contexts[context as usize].beam;
         let (from, to) = (from.to_f64(), to.to_f64());
+        let (from, to) = (beam.pace(from), beam.pace(to));
         self.nodes.clear();
-        self.nodes.extend(group.bvh.nodes.first().map(|_| 0));
+        self.nodes.extend(group.tree.nodes.first().map(|_| 0));
         while let Some(node) = self.nodes.pop() {
-            let here = &group.bvh.nodes[node as usize];
-            self.counts.boxes += 1;
-            if here.bounds.clip(&beam, from, to).is_none() {
-                continue;
-            }
-            if here.count > 0 {
-                let items = here.index as usize..(here.index + here.count) as usize;
-                self.spans
-                    .tasks
-                    .extend(group.bvh.items[items].iter().map(task));
-            } else {
-                self.nodes.extend([here.index, node + 1]);
+            let node = &group.tree.nodes[node as usize];
+            self.counts.boxes += WIDTH as u64;
+            let (mut met, _) = beam.meets(node, from, to);
+            while met != 0 {
+                let slot = met.trailing_zeros() as usize;
+                met &= met - 1;
+                match node.child(slot) {
+                    Child::Node(node) => self.nodes.push(node),
+                    Child::Item(part) => self.spans.tasks.push(task(&part)),
+                }
             }
         }
     }

@@ -4,8 +4,9 @@ use super::context::{Context, Leaf, Painted};
 use super::events::Spans;
 use super::query::{Along, Entry, QueryStatus, Search};
 use super::query::{Scale, Start};
-use crate::geometry::line::{Beam, Line};
+use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
+use crate::geometry::wide_bvh::Beam;
 use crate::trace::graph::outermost;
 use crate::trace::graph::{Coat, Graph, Operation, Part, Target};
 use crate::trace::precision::{Doubt, Precision};
@@ -25,6 +26,8 @@ pub struct Walker<'g, R: Precision = f64> {
     pub(in crate::trace) entries: Vec<Entry>,
     pub(in crate::trace) nodes: Vec<u32>,
     pub(in crate::trace) search: Search,
+    /// For each light, the shape that was last in its way: a part of the scene itself.
+    pub(in crate::trace) in_the_way: Vec<Option<u32>>,
     pub(in crate::trace) spans: Spans<R>,
     pub counts: Intersections,
     /// What has been done between a ray and its hit.
@@ -77,6 +80,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             entries: Vec::new(),
             nodes: Vec::new(),
             search: Search::First,
+            in_the_way: Vec::new(),
             spans: Spans::default(),
             counts: Intersections::default(),
             work: Work::default(),
@@ -93,7 +97,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         self.contexts.push(Context {
             object: self.graph.root,
             line: ray.line,
-            beam: Beam::new(&R::coarse(&ray.line), self.graph.root().reach),
+            beam: Beam::new(&R::coarse(&ray.line), &self.graph.root().frame),
             parent: 0,
             part: 0,
             depth: 0,
@@ -135,7 +139,10 @@ impl<'g, R: Precision> Walker<'g, R> {
         let next = Context {
             object,
             line,
-            beam: Beam::new(&R::coarse(&line), self.graph.objects[object as usize].reach),
+            beam: Beam::new(
+                &R::coarse(&line),
+                &self.graph.objects[object as usize].frame,
+            ),
             parent: context,
             part,
             depth: above.depth + 1,
@@ -250,14 +257,24 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// Finds all crossings with a part that is the shape `primitive`, into `self.roots`, and says
-    /// how many of them lie behind the ray's start, which is at `from`.
-    pub fn cross(&mut self, ray: &Ray<R>, leaf: Leaf, primitive: u32, from: R) -> usize {
+    /// how many of them lie behind the ray's start, which is at `from`. Where only those in a stretch `ahead` of the
+    /// start matter, there may be none of the others.
+    pub fn cross(
+        &mut self,
+        ray: &Ray<R>,
+        leaf: Leaf,
+        primitive: u32,
+        from: R,
+        ahead: Option<[f64; 2]>,
+    ) -> usize {
         let line = self.line(leaf);
         let mut roots = std::mem::take(&mut self.roots);
         roots.clear();
         let shape = &self.graph.primitives[primitive as usize];
         if line.is_sound() {
-            if !self.is_solved_otherwise(primitive, &line, &mut roots) {
+            if self.is_asked(ray, leaf, (shape, &line), ahead)
+                && !self.is_solved_otherwise(primitive, &line, &mut roots)
+            {
                 shape.intersect().crossings(&line, &mut roots);
             }
         } else {
@@ -284,6 +301,32 @@ impl<'g, R: Precision> Walker<'g, R> {
         };
         self.roots = roots;
         behind
+    }
+
+    /// Whether a shape has to be asked for its crossings.
+    #[inline]
+    fn is_asked(
+        &self,
+        ray: &Ray<R>,
+        leaf: Leaf,
+        (shape, line): (&Primitive, &Line<R>),
+        ahead: Option<[f64; 2]>,
+    ) -> bool {
+        // Single precision has its own idea of where a line is.
+        if R::DOUBT == Doubt::Stands {
+            return true;
+        }
+        let (shape, line) = (shape.shape(), R::coarse(line));
+        // In double-double the crossing with the surface that the ray has left is asked for.
+        let left = ray.left.filter(|_| R::DOUBT == Doubt::GoesOn);
+        let goes_out = ahead.is_some()
+            && left.is_some_and(|left| {
+                left.surface == self.surface(leaf) && !(left.entering && shape.is_solid())
+            });
+        match goes_out {
+            true => shape.is_met_again(&line),
+            false => shape.is_near(&line, ahead.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])),
+        }
     }
 
     /// Has another solver find the crossings, where there is one that knows the shape.

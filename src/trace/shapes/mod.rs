@@ -13,6 +13,9 @@ mod doubt;
 mod facet;
 mod geodesic_sphere;
 mod half_space;
+mod near;
+#[cfg(test)]
+mod near_tests;
 mod plane;
 pub mod quadric;
 mod rectangle;
@@ -133,6 +136,18 @@ pub trait Shape {
     /// those of the line and of the crossing itself; infinite where that is not known.
     fn extent(&self) -> f64 {
         self.bounds().reach()
+    }
+
+    /// Whether a line may cross the surface for some t in a stretch: `false` only where it surely does not, by far
+    /// more than any rounding. Cheaper than to find the crossings, or else always `true`.
+    fn is_near(&self, _line: &Line, _stretch: [f64; 2]) -> bool {
+        true
+    }
+
+    /// Whether a line whose origin is on the surface, and which goes out there, may cross the surface again, as
+    /// [`is_near`](Self::is_near) says it.
+    fn is_met_again(&self, _line: &Line) -> bool {
+        !self.is_convex()
     }
 
     /// Surface coordinates of a point on the surface.

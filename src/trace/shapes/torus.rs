@@ -13,6 +13,7 @@
 
 use super::closer::decide_closer;
 use super::doubt::is_final;
+use super::near::{Approach, Ball, MARGIN, is_quartic_above};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::exponent::{exponent, shifted, shifted_vector};
@@ -77,6 +78,23 @@ impl Torus {
     /// R and r in the units of [`Scaled`].
     fn radii<R: Traced>(&self) -> [R; 2] {
         [self.major, self.minor].map(|r| R::of(shifted(r, -self.size)))
+    }
+
+    /// The polynomial of a line's points that is negative in the tube, beside or in the lemon positive:
+    /// (at² + 2bt + k)² − 4R²(x² + z²).
+    fn quartic(&self, approach: &Approach) -> [f64; 5] {
+        let (p, d) = (approach.point, approach.direction);
+        let flat = |v: Vec3, w: Vec3| v[0] * w[0] + v[2] * w[2];
+        let (a, b) = (d.dot(d), p.dot(d));
+        let k = p.dot(p) + (self.major - self.minor) * (self.major + self.minor);
+        let four = 4.0 * self.major * self.major;
+        [
+            a * a,
+            4.0 * a * b,
+            2.0 * a * k + 4.0 * b * b - four * flat(d, d),
+            4.0 * b * k - 2.0 * four * flat(p, d),
+            k * k - four * flat(p, p),
+        ]
     }
 
     /// The stretch of the line in the bounding sphere falls apart where the quartic may turn
@@ -146,6 +164,37 @@ impl Shape for Torus {
         let reach = self.major + self.minor;
         let corner = Vec3::new(reach, self.minor, reach);
         Aabb::new(-corner, corner).padded()
+    }
+
+    /// The quartic is positive where the line is in the slab and the ball around the torus.
+    fn is_near(&self, line: &Line, stretch: [f64; 2]) -> bool {
+        let approach = match Ball::meets(line, stretch, Vec3::ZERO, self.major + self.minor) {
+            Ball::Misses => return false,
+            Ball::Unknown => return true,
+            Ball::Meets(approach) => approach,
+        };
+        let Some(stretch) = approach.between(1, -self.minor, self.minor) else {
+            return false;
+        };
+        let margin = MARGIN * (self.major + self.minor).powi(4);
+        !is_quartic_above(self.quartic(&approach), stretch, margin)
+    }
+
+    /// What is left of the quartic is positive, without the root at the origin.
+    fn is_met_again(&self, line: &Line) -> bool {
+        let size = self.major + self.minor;
+        let ahead = [0.0, f64::INFINITY];
+        let Ball::Meets(approach) = Ball::meets(line, ahead, Vec3::ZERO, size) else {
+            return true;
+        };
+        let [c4, c3, c2, c1, _] = self.quartic(&approach);
+        // The quartic less its value at s, over t − s.
+        let s = approach.origin;
+        let a = c4 * s + c3;
+        let b = a * s + c2;
+        let cubic = [0.0, c4, a, b, b * s + c1];
+        let margin = MARGIN * size.powi(3);
+        !is_quartic_above(cubic, [s, approach.stretch[1]], margin)
     }
 
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {

@@ -393,8 +393,7 @@ fn parts(operation: &graph::Operation) -> Vec<u32> {
 }
 
 fn group(group: &graph::Group) -> Vec<u32> {
-    let mut out = group.loose.clone();
-    out.extend_from_slice(&group.bvh.items);
+    let mut out: Vec<u32> = group.parts().collect();
     out.sort_unstable();
     out
 }

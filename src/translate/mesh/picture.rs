@@ -6,6 +6,7 @@ use std::collections::btree_map::Entry;
 use super::colour::srgb;
 use super::skin::Skin;
 use crate::scene::Texture;
+use crate::trace::film::{Packing, write_rgb8};
 use crate::trace::graph::Graph;
 
 /// A picture as PNG, and how it is laid on.
@@ -82,6 +83,6 @@ pub fn picture(number: u32, graph: &Graph) -> Option<Picture> {
 /// 8-bit RGB, row by row from the top.
 fn png(width: u32, height: u32, rgb: &[u8]) -> Option<Vec<u8>> {
     let mut out = Vec::new();
-    crate::trace::film::write_rgb8(&mut out, width, height, rgb).ok()?;
+    write_rgb8(&mut out, [width, height], rgb, Packing::Small).ok()?;
     Some(out)
 }

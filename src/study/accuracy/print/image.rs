@@ -2,13 +2,13 @@
 
 use super::super::measure::{distance, steps};
 use super::super::report::Raster;
-use crate::trace::film::{srgb8, write_rgb8};
+use crate::trace::film::{Packing, srgb8, write_rgb8};
 
 /// A PNG as a `data:` address.
 pub fn address(width: u32, height: u32, rgb: &[u8]) -> String {
     let mut bytes = Vec::new();
     // Writing to memory cannot fail.
-    let _ = write_rgb8(&mut bytes, width, height, rgb);
+    let _ = write_rgb8(&mut bytes, [width, height], rgb, Packing::Small);
     format!("data:image/png;base64,{}", base64(&bytes))
 }
 

@@ -8,6 +8,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::near::{Ball, MARGIN};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 use std::f64::consts::PI;
@@ -38,6 +39,23 @@ impl Shape for Ellipsoid {
         self.bounds
     }
 
+    /// The least of the form on the line is positive.
+    fn is_near(&self, line: &Line, stretch: [f64; 2]) -> bool {
+        let [least, .., most] = sorted(self.semi_axes);
+        let approach = match Ball::meets(line, stretch, Vec3::ZERO, most) {
+            Ball::Misses => return false,
+            Ball::Unknown => return true,
+            Ball::Meets(approach) => approach,
+        };
+        let [p, d] = [approach.point, approach.direction]
+            .map(|v| Vec3([0, 1, 2].map(|i| v[i] / self.semi_axes[i])));
+        let (a, b) = (d.dot(d), p.dot(d));
+        let form = p.dot(p) - 1.0 - b * b / a;
+        // In units of the shortest axis.
+        let margin = MARGIN * (most / least).powi(2);
+        !(margin.is_normal() && form > margin)
+    }
+
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         // The sphere's, at the same place: y over its own semi-axis, the angle as it is.
         let v = libm::acos((-point[1] / self.semi_axes[1]).clamp(-1.0, 1.0)) / PI;
@@ -66,6 +84,11 @@ impl Shape for Ellipsoid {
     fn feed(&self, sink: &mut dyn FnMut(f64)) {
         self.semi_axes.into_iter().for_each(sink);
     }
+}
+
+fn sorted(mut lengths: [f64; 3]) -> [f64; 3] {
+    lengths.sort_by(f64::total_cmp);
+    lengths
 }
 
 impl<R: Traced> Intersect<R> for Ellipsoid {

@@ -7,6 +7,7 @@ mod tests;
 mod tree;
 
 use super::closer::{decide_closer, is_last};
+use super::near::{Ball, MARGIN, is_above};
 use super::{FLIPPED, Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
@@ -148,6 +149,29 @@ impl Shape for Revolution {
             let up = 1.0 / self.scale;
             Aabb::new(min * up, max * up).padded()
         })
+    }
+
+    /// The line is outside of the cylinder around the solid where it is in its slab.
+    fn is_near(&self, line: &Line, stretch: [f64; 2]) -> bool {
+        let bounds = self.bounds();
+        let (radius, half) = (bounds.max[0], 0.5 * (bounds.max[1] - bounds.min[1]));
+        let (centre, size) = (
+            Vec3(bounds.centre()),
+            (half * half + radius * radius).sqrt(),
+        );
+        let approach = match Ball::meets(line, stretch, centre, size) {
+            Ball::Misses => return false,
+            Ball::Unknown => return true,
+            Ball::Meets(approach) => approach,
+        };
+        let Some(stretch) = approach.between(1, -half, half) else {
+            return false;
+        };
+        let flat = |v: Vec3, w: Vec3| (v[0] * w[0] + v[2] * w[2]) / (size * size);
+        let (p, d) = (approach.point, approach.direction);
+        let limit = (radius / size).powi(2);
+        let form = [flat(d, d), flat(p, d), flat(p, p) - limit];
+        !is_above(form, stretch, MARGIN)
     }
 
     /// u as on the sphere, v the arc length along the profile, as a share of all of it: 0 on the

@@ -1,0 +1,166 @@
+//! Twelve pictures beside POV-Ray: processor seconds of the whole process, the PNG included, on one thread, one sample a
+//! pixel; the least of some runs in turn. The two pictures are held against each other. Fails if a bar is missed. See
+//! benches/README.md.
+//!
+//! `cargo bench --bench render` draws all of them; `-- tori lights` those whose names hold these words; `-- write DIR`
+//! writes the scenes.
+
+mod scenes;
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use scenes::Scene;
+
+const SIZE: [u32; 2] = [640, 480];
+/// POV-Ray is run once where it takes longer than this, in seconds.
+const LONG: f64 = 10.0;
+const RUNS: usize = 5;
+/// A pixel differs if one of its channels does by more than this, in 255ths.
+const ALIKE: u8 = 3;
+/// More pixels than this may not differ: an edge runs through the middle of some.
+const FEW: f64 = 0.01;
+
+/// What is promised: how many times as long POV-Ray takes.
+const MEAN: f64 = 3.5;
+const LEAST: f64 = 2.5;
+
+fn main() {
+    let asked: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|a| a != "--bench")
+        .collect();
+    let seed = std::env::var("RENDER_SEED").ok();
+    let scenes = scenes::all(seed.map_or(1, |s| s.parse().expect("a number")));
+    if let [write, folder] = &asked[..]
+        && write == "write"
+    {
+        return write_all(&scenes, Path::new(folder));
+    }
+    let folder = tempfile::tempdir().expect("there is room for temporary files");
+    let is_asked =
+        |s: &&Scene| asked.is_empty() || asked.iter().any(|a| s.name.contains(a.as_str()));
+    println!("| scene | POV-Ray, s | zpg, s | ratio | bar | pixels that differ | |");
+    println!("|---|---:|---:|---:|---:|---:|---|");
+    let (mut logarithms, mut missed) = (Vec::new(), 0);
+    for scene in scenes.iter().filter(is_asked) {
+        let [theirs, ours] = measured(scene, folder.path());
+        let ratio = theirs / ours;
+        if !scene.csg {
+            logarithms.push(ratio.ln());
+        }
+        let differ = differing(folder.path());
+        let bar = scene.bar.unwrap_or(LEAST);
+        let is_missed = ratio < bar || differ > FEW;
+        missed += usize::from(is_missed);
+        println!(
+            "| {} | {theirs:.2} | {ours:.2} | {ratio:.2} | {bar} | {:.2} % | {} |",
+            scene.name,
+            differ * 100.0,
+            if is_missed { "MISSED" } else { "" }
+        );
+    }
+    let mean = (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp();
+    if asked.is_empty() {
+        let is_missed = mean < MEAN;
+        missed += usize::from(is_missed);
+        let verdict = if is_missed { "MISSED" } else { "" };
+        println!("| mean of those without CSG | | | {mean:.2} | {MEAN} | | {verdict} |");
+    }
+    if missed > 0 {
+        println!("\n{missed} bars are missed.");
+        std::process::exit(1);
+    }
+}
+
+fn write_all(scenes: &[Scene], folder: &Path) {
+    std::fs::create_dir_all(folder).expect("the folder can be made");
+    for scene in scenes {
+        let path = folder.join(scene.name.replace(' ', "-") + ".zpg");
+        std::fs::write(path, &scene.text).expect("the folder can be written to");
+    }
+}
+
+/// The processor seconds of POV-Ray and of zpg.
+fn measured(scene: &Scene, folder: &Path) -> [f64; 2] {
+    let [zpg, pov, ours, theirs] = files(folder);
+    std::fs::write(&zpg, &scene.text).expect("the folder can be written to");
+    let program = env!("CARGO_BIN_EXE_zpg");
+    let converted = Command::new(program)
+        .args(["convert", "--to", "pov"])
+        .arg(&zpg)
+        .arg("-o")
+        .arg(&pov)
+        .stderr(Stdio::null())
+        .status();
+    assert!(
+        converted.is_ok_and(|status| status.success()),
+        "{}",
+        scene.name
+    );
+    let [width, height] = SIZE;
+    let render = [
+        program.to_owned(),
+        "render".to_owned(),
+        zpg.display().to_string(),
+        "--threads=1".to_owned(),
+        format!("--size={width}x{height}"),
+        "-o".to_owned(),
+        ours.display().to_string(),
+    ];
+    let povray = [
+        "povray".to_owned(),
+        format!("+I{}", pov.display()),
+        format!("+O{}", theirs.display()),
+        format!("+W{width}"),
+        format!("+H{height}"),
+        "+WT1".to_owned(),
+        "-D".to_owned(),
+        "-GA".to_owned(),
+        "+FN8".to_owned(),
+        "File_Gamma=sRGB".to_owned(),
+    ];
+    let mut least = [f64::INFINITY; 2];
+    for run in 0..RUNS {
+        if run == 0 || least[0] < LONG {
+            least[0] = least[0].min(seconds(&povray));
+        }
+        least[1] = least[1].min(seconds(&render));
+    }
+    least
+}
+
+fn files(folder: &Path) -> [PathBuf; 4] {
+    ["scene.zpg", "scene.pov", "ours.png", "theirs.png"].map(|name| folder.join(name))
+}
+
+/// The processor seconds of a program, as the shell has them.
+fn seconds(command: &[String]) -> f64 {
+    let timed = Command::new("bash")
+        .args([
+            "-c",
+            r#"TIMEFORMAT="%3U %3S"; time "$@" >/dev/null 2>&1"#,
+            "bash",
+        ])
+        .args(command)
+        .output()
+        .expect("there is a bash");
+    assert!(timed.status.success(), "{command:?}");
+    let times = String::from_utf8_lossy(&timed.stderr).into_owned();
+    let times = times.split_whitespace().map(|t| t.parse::<f64>());
+    times.sum::<Result<f64, _>>().expect("two numbers")
+}
+
+/// The share of the pixels that differ.
+fn differing(folder: &Path) -> f64 {
+    let [.., ours, theirs] = files(folder);
+    let [ours, theirs] = [ours, theirs].map(|path| {
+        let picture = image::open(&path).expect("a picture was written");
+        picture.to_rgb8()
+    });
+    let differ =
+        |a: &image::Rgb<u8>, b: &image::Rgb<u8>| (0..3).any(|c| a.0[c].abs_diff(b.0[c]) > ALIKE);
+    let pixels = ours.pixels().zip(theirs.pixels());
+    let count = pixels.filter(|(a, b)| differ(a, b)).count();
+    count as f64 / f64::from(SIZE[0] * SIZE[1])
+}

@@ -1,0 +1,357 @@
+//! A hierarchy of boxes eight wide, as rays walk it.
+//!
+//! A node holds the boxes of up to eight children in single precision, rounded outwards, side by side, so that a ray
+//! meets all of them in one go (Wald, Benthin and Boulos, "Getting Rid of Packets", 2008). Coordinates are reckoned from
+//! the middle of all boxes, in units of a power of two that makes the largest one less than 1, so that scenes of any
+//! size and at any place have boxes as tight.
+
+use super::aabb::Aabb;
+use super::bvh::Bvh;
+use super::line::Line;
+use super::vec::Vec3;
+use wide::f32x8;
+
+/// Children of a node at most.
+pub const WIDTH: usize = 8;
+
+/// A child.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Child {
+    /// The number of a node.
+    Node(u32),
+    /// The number that the item was given.
+    Item(u32),
+}
+
+/// Some children and their boxes: the lower sides of all along each axis, and the upper ones.
+#[derive(Debug, Clone)]
+pub struct Node {
+    sides: [[f32x8; 3]; 2],
+    children: [u32; WIDTH],
+}
+
+/// Marks the number of an item.
+const ITEM: u32 = 1 << 31;
+/// There is no child.
+const NONE: u32 = u32::MAX;
+
+impl Node {
+    /// Boxes that no ray meets.
+    const EMPTY: Node = Node {
+        sides: [
+            [f32x8::new([f32::MAX; WIDTH]); 3],
+            [f32x8::new([f32::MIN; WIDTH]); 3],
+        ],
+        children: [NONE; WIDTH],
+    };
+
+    fn put(&mut self, slot: usize, bounds: &Aabb, child: u32) {
+        let [lower, upper] = &mut self.sides;
+        for i in 0..3 {
+            lower[i].as_mut_array()[slot] = below(bounds.min[i]);
+            upper[i].as_mut_array()[slot] = above(bounds.max[i]);
+        }
+        self.children[slot] = child;
+    }
+
+    #[inline]
+    pub fn child(&self, slot: usize) -> Child {
+        let child = self.children[slot];
+        match child & ITEM {
+            0 => Child::Node(child),
+            _ => Child::Item(child & !ITEM),
+        }
+    }
+}
+
+/// The greatest single that is not above a double.
+fn below(x: f64) -> f32 {
+    let y = x as f32;
+    if f64::from(y) > x { y.next_down() } else { y }
+}
+
+/// The least single that is not below a double.
+fn above(x: f64) -> f32 {
+    let y = x as f32;
+    if f64::from(y) < x { y.next_up() } else { y }
+}
+
+/// The least power of two above a number, and its reciprocal; `None` where one of them is no normal number.
+#[inline]
+fn power(above: f64) -> Option<(f64, f64)> {
+    const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
+    let exponent = above.to_bits() >> MANTISSA;
+    let of = |exponent: u64| f64::from_bits(exponent << MANTISSA);
+    (0 < exponent && exponent < 2044).then(|| (of(exponent + 1), of(2045 - exponent)))
+}
+
+/// What the coordinates of a tree's boxes are reckoned in.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Frame {
+    /// The largest coordinate of a box, in size.
+    reach: f64,
+    centre: Vec3,
+    /// A power of two, and its reciprocal; both 0 where there is none, and no beam sees the boxes either.
+    unit: f64,
+    per_unit: f64,
+}
+
+impl Frame {
+    /// For finite boxes.
+    pub fn around<'a>(boxes: impl Iterator<Item = &'a Aabb>) -> Frame {
+        let all = boxes.fold(Aabb::EMPTY, |all, b| all.hull(b));
+        if all.is_empty() {
+            return Frame::default();
+        }
+        let half = all.extent().into_iter().fold(0.0, f64::max) / 2.0;
+        let (unit, per_unit) = power(half).unwrap_or_default();
+        Frame {
+            reach: all.reach(),
+            centre: Vec3(all.centre()),
+            unit,
+            per_unit,
+        }
+    }
+
+    fn scaled(&self, b: &Aabb) -> Aabb {
+        let scaled = |p: [f64; 3]| [0, 1, 2].map(|i| (p[i] - self.centre[i]) * self.per_unit);
+        Aabb::new(scaled(b.min), scaled(b.max))
+    }
+}
+
+/// Something of a binary tree that becomes a child.
+#[derive(Clone, Copy)]
+enum Piece {
+    /// An inner node.
+    Inner(u32),
+    /// Some items of a leaf, whose box is that of all of them.
+    Items { leaf: u32, start: u32, end: u32 },
+}
+
+impl Piece {
+    fn of(bvh: &Bvh, node: u32) -> Piece {
+        let here = &bvh.nodes[node as usize];
+        match here.count {
+            0 => Piece::Inner(node),
+            count => Piece::Items {
+                leaf: node,
+                start: here.index,
+                end: here.index + count,
+            },
+        }
+    }
+
+    fn bounds(self, bvh: &Bvh) -> &Aabb {
+        let (Piece::Inner(node) | Piece::Items { leaf: node, .. }) = self;
+        &bvh.nodes[node as usize].bounds
+    }
+
+    /// Its two halves; `None`: it is a single item.
+    fn halves(self, bvh: &Bvh) -> Option<[Piece; 2]> {
+        match self {
+            Piece::Inner(node) => {
+                let right = bvh.nodes[node as usize].index;
+                Some([node + 1, right].map(|child| Piece::of(bvh, child)))
+            }
+            Piece::Items { leaf, start, end } => (end - start > 1).then(|| {
+                let middle = start.midpoint(end);
+                [(start, middle), (middle, end)].map(|(start, end)| Piece::Items {
+                    leaf,
+                    start,
+                    end,
+                })
+            }),
+        }
+    }
+}
+
+/// Up to eight pieces that a piece is made of: the largest box is halved again and again.
+fn children(bvh: &Bvh, whole: Piece) -> Vec<Piece> {
+    let mut pieces = vec![whole];
+    while pieces.len() < WIDTH {
+        let halves = pieces.iter().enumerate().filter_map(|(at, piece)| {
+            let area = piece.bounds(bvh).half_area();
+            Some((at, area, piece.halves(bvh)?))
+        });
+        let Some((at, _, [left, right])) = halves.max_by(|a, b| a.1.total_cmp(&b.1)) else {
+            break;
+        };
+        pieces[at] = left;
+        pieces.push(right);
+    }
+    pieces
+}
+
+/// The root is node 0; there are no nodes where there are no items.
+#[derive(Debug, Default)]
+pub struct Tree {
+    pub nodes: Vec<Node>,
+}
+
+impl Tree {
+    /// Builds the tree over items, numbered below 2³¹ − 1, with finite boxes that the frame is around.
+    pub fn new(boxes: Vec<(u32, Aabb)>, frame: &Frame) -> Tree {
+        let scaled = boxes.into_iter().map(|(item, b)| (item, frame.scaled(&b)));
+        let bvh = Bvh::with_leaves(scaled.collect(), 1);
+        let mut nodes = Vec::new();
+        let mut pending = Vec::new();
+        if !bvh.nodes.is_empty() {
+            nodes.push(Node::EMPTY);
+            pending.push((0, Piece::of(&bvh, 0)));
+        }
+        while let Some((here, whole)) = pending.pop() {
+            for (slot, piece) in children(&bvh, whole).into_iter().enumerate() {
+                let child = match piece {
+                    Piece::Items { start, end, .. } if end - start == 1 => {
+                        ITEM | bvh.items[start as usize]
+                    }
+                    _ => {
+                        let below = nodes.len();
+                        nodes.push(Node::EMPTY);
+                        pending.push((below, piece));
+                        below as u32
+                    }
+                };
+                nodes[here].put(slot, piece.bounds(&bvh), child);
+            }
+        }
+        nodes.shrink_to_fit();
+        Tree { nodes }
+    }
+
+    /// All items, in the order of the tree.
+    pub fn items(&self) -> impl Iterator<Item = u32> + '_ {
+        let children = self.nodes.iter().flat_map(|node| node.children);
+        children
+            .filter(|&c| c != NONE && c & ITEM != 0)
+            .map(|c| c & !ITEM)
+    }
+}
+
+/// A line as the boxes of a tree see it: in single precision, with its origin moved as far as it may be off towards
+/// the sides by which the line enters a box, or leaves it.
+#[derive(Debug, Clone, Copy)]
+pub struct Beam {
+    enter: [f32; 3],
+    leave: [f32; 3],
+    inverse: [f32; 3],
+    /// For each axis, whether the line comes from above.
+    falls: [bool; 3],
+    /// The numbers cannot be told in single precision: all boxes are met.
+    lost: bool,
+    /// The beam's own parameter of a point is this times that of the line: a power of two.
+    pace: f64,
+    /// The reciprocal.
+    unpace: f64,
+}
+
+/// What is rounded between a coordinate and a parameter: the difference and the product, and the direction and its
+/// reciprocal before them, once each, twice over.
+const SLACK: f32 = 8.0 * (f32::EPSILON / 2.0);
+
+/// A component of a direction that is smaller, in parts of the largest, is taken for as much.
+const LEAST: f32 = f32::from_bits((127 - 100) << 23);
+/// Where that is so, the origin is as uncertain as this: the other components take a line far out of the tree before
+/// this much of the smallest is passed.
+const STILL: f32 = f32::from_bits((127 - 40) << 23);
+/// An origin that is farther away, in units of the tree, tells nothing in single precision.
+const FAR: f64 = (1u64 << 50) as f64;
+
+impl Beam {
+    /// Meets everything.
+    const LOST: Beam = Beam {
+        enter: [0.0; 3],
+        leave: [0.0; 3],
+        inverse: [1.0; 3],
+        falls: [false; 3],
+        lost: true,
+        pace: 1.0,
+        unpace: 1.0,
+    };
+
+    /// For the trees of a frame.
+    pub fn new(line: &Line, frame: &Frame) -> Beam {
+        if frame.unit == 0.0 {
+            return Beam::LOST;
+        }
+        let Some((size, per_size)) = power(line.direction.abs().max_component()) else {
+            return Beam::LOST;
+        };
+        // In units of the frame, of the direction's size, and with t times this.
+        let (pace, unpace) = (size * frame.per_unit, frame.unit * per_size);
+        let origin = (line.origin - frame.centre) * frame.per_unit;
+        let direction = line.direction * per_size;
+        let drift = line.drift(frame.reach) * frame.per_unit;
+        let near = origin.abs().max_component() + drift < FAR && line.is_sound();
+        if !(near && pace.is_normal() && unpace.is_normal()) {
+            return Beam::LOST;
+        }
+        let mut beam = Beam {
+            pace,
+            unpace,
+            lost: false,
+            ..Beam::LOST
+        };
+        for i in 0..3 {
+            let (o, mut d) = (origin[i] as f32, direction[i] as f32);
+            // Half a unit in the last place of o, and of the sums below, twice over; and more than what is lost where
+            // numbers underflow.
+            let mut off = o.abs() * (2.0 * f32::EPSILON) + drift as f32 * 1.001 + LEAST;
+            if d.abs() < LEAST {
+                d = LEAST.copysign(d);
+                off += STILL;
+            }
+            let forth = off.copysign(d);
+            beam.enter[i] = o + forth;
+            beam.leave[i] = o - forth;
+            beam.inverse[i] = 1.0 / d;
+            beam.falls[i] = d < 0.0;
+        }
+        beam
+    }
+
+    /// A parameter of the line as one of the beam.
+    #[inline]
+    pub fn pace(&self, t: f64) -> f32 {
+        (t * self.pace) as f32
+    }
+
+    /// A parameter of the beam as one of the line.
+    #[inline]
+    pub fn unpace(&self, t: f32) -> f64 {
+        f64::from(t) * self.unpace
+    }
+
+    /// Which boxes of a node the line may be in, for some parameter of the beam in [from, to], and bounds from below on
+    /// where it comes into each.
+    ///
+    /// A parameter has four rounded operations behind it, and the ends are widened by twice as much, so that no box that
+    /// the exact line meets is missed (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+    #[inline]
+    pub fn meets(&self, node: &Node, from: f32, to: f32) -> (u32, [f32; WIDTH]) {
+        if self.lost {
+            return self.all(node, from);
+        }
+        let (mut near, mut far) = (f32x8::splat(from), f32x8::splat(to));
+        for i in 0..3 {
+            let [entered, left] =
+                [self.falls[i], !self.falls[i]].map(|upper| &node.sides[usize::from(upper)][i]);
+            let inverse = f32x8::splat(self.inverse[i]);
+            near = near.fast_max((*entered - f32x8::splat(self.enter[i])) * inverse);
+            far = far.fast_min((*left - f32x8::splat(self.leave[i])) * inverse);
+        }
+        near *= f32x8::splat(1.0 - SLACK);
+        far *= f32x8::splat(1.0 + SLACK);
+        (near.simd_le(far).to_bitmask(), near.to_array())
+    }
+
+    #[cold]
+    fn all(&self, node: &Node, from: f32) -> (u32, [f32; WIDTH]) {
+        let is_there = |k: usize| u32::from(node.children[k] != NONE) << k;
+        ((0..WIDTH).map(is_there).sum(), [from; WIDTH])
+    }
+}
+
+#[cfg(test)]
+#[path = "wide_bvh_tests.rs"]
+mod tests;

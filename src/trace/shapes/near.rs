@@ -1,0 +1,140 @@
+//! Cheap tests that find most lines which miss a shape, and no others.
+//!
+//! They compute in doubles, and leave to the shape whatever is closer than a margin beside which all roundings, and
+//! what a line may be off by, are nothing: a line that is said to miss crosses nothing in any precision, and nobody
+//! who asks the shape would be in doubt about that.
+
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
+
+/// Points of a line are known to this part of a shape's size, or nothing is said about it.
+const KNOWN: f64 = 1e-9;
+/// A ball around a shape is wider by this part, and so is a slab.
+const WIDER: f64 = 1.0 + 1.0 / 1024.0;
+/// Polynomials of a line's points, of first to fourth degree in them and in units of the shape's size, are off by less
+/// than a fiftieth of this.
+pub const MARGIN: f64 = 1e-6;
+
+/// A line in a ball around a shape: its points are `point` + t·`direction`.
+#[derive(Debug, Clone, Copy)]
+pub struct Approach {
+    /// From the centre; the nearest to it.
+    pub point: Vec3,
+    /// A unit vector.
+    pub direction: Vec3,
+    /// From where to where the line is in the ball and in the stretch that is asked for.
+    pub stretch: [f64; 2],
+    /// Where its origin is.
+    pub origin: f64,
+}
+
+/// What is known of a line and a ball.
+#[derive(Debug, Clone, Copy)]
+pub enum Ball {
+    Misses,
+    /// The line's numbers do not tell.
+    Unknown,
+    Meets(Approach),
+}
+
+impl Ball {
+    /// The ball around a shape that is in `radius` of `centre`, and the line for t from `from` to `to`, or a little
+    /// more.
+    pub fn meets(line: &Line, [from, to]: [f64; 2], centre: Vec3, radius: f64) -> Ball {
+        let square = line.direction.dot(line.direction);
+        let length = square.sqrt();
+        let direction = line.direction / length;
+        let start = line.origin - centre;
+        let origin = start.dot(direction);
+        let point = start - direction * origin;
+        let off = 8.0 * f64::EPSILON * start.abs().max_component() + line.drift(2.0 * radius);
+        // Written so that what is no number is unknown.
+        if !(off <= KNOWN * radius && square.is_normal()) {
+            return Ball::Unknown;
+        }
+        let reach = WIDER * radius;
+        let half = reach * reach - point.dot(point);
+        if half < 0.0 {
+            return Ball::Misses;
+        }
+        let (half, slack) = (half.sqrt(), MARGIN * radius);
+        let from = (origin + from * length - slack).max(-half);
+        let to = (origin + to * length + slack).min(half);
+        if from > to {
+            return Ball::Misses;
+        }
+        Ball::Meets(Approach {
+            point,
+            direction,
+            stretch: [from, to],
+            origin,
+        })
+    }
+}
+
+impl Approach {
+    /// The part of the stretch in which a coordinate is between two numbers; `None` where there is none. They are at
+    /// least a thousandth of the ball's radius apart, or all of the stretch is.
+    pub fn between(&self, axis: usize, low: f64, high: f64) -> Option<[f64; 2]> {
+        let (p, d) = (self.point[axis], self.direction[axis]);
+        let [from, to] = self.stretch;
+        let slack = (WIDER - 1.0) * (high - low);
+        // What the point is off by counts beside so thin a slab.
+        if slack < MARGIN * (to - from) {
+            return Some(self.stretch);
+        }
+        let (low, high) = (low - slack - p, high + slack - p);
+        if d == 0.0 {
+            return (low <= 0.0 && 0.0 <= high).then_some(self.stretch);
+        }
+        let (a, b) = (low / d, high / d);
+        let (from, to) = (a.min(b).max(from), a.max(b).min(to));
+        (from <= to).then_some([from, to])
+    }
+}
+
+/// Whether a t² + 2b t + c is more than a margin on a stretch: so are the coefficients of Bernstein's polynomials on
+/// both halves of it.
+pub fn is_above([a, b, c]: [f64; 3], [from, to]: [f64; 2], margin: f64) -> bool {
+    // The polar form, whose values at the ends and between are the coefficients.
+    let polar = |s: f64, t: f64| a * s * t + b * (s + t) + c;
+    let middle = 0.5 * (from + to);
+    let all = [
+        polar(from, from),
+        polar(from, middle),
+        polar(middle, middle),
+        polar(middle, to),
+        polar(to, to),
+    ];
+    margin.is_normal() && all.iter().all(|&x| x > margin)
+}
+
+/// The same of a polynomial of fourth degree, the leading coefficient first.
+pub fn is_quartic_above(c: [f64; 5], [from, to]: [f64; 2], margin: f64) -> bool {
+    let [c4, c3, c2, c1, c0] = c;
+    let h = to - from;
+    // Its derivatives at `from`, over the factorials and in units of the stretch.
+    let d0 = (((c4 * from + c3) * from + c2) * from + c1) * from + c0;
+    let d1 = (((4.0 * c4 * from + 3.0 * c3) * from + 2.0 * c2) * from + c1) * h;
+    let d2 = ((6.0 * c4 * from + 3.0 * c3) * from + c2) * (h * h);
+    let d3 = (4.0 * c4 * from + c3) * (h * h * h);
+    let d4 = c4 * (h * h) * (h * h);
+    let ends = [
+        d0,
+        d0 + d1 / 4.0,
+        d0 + d1 / 2.0 + d2 / 6.0,
+        d0 + 0.75 * d1 + d2 / 2.0 + d3 / 4.0,
+        d0 + d1 + d2 + d3 + d4,
+    ];
+    // De Casteljau, at the middle.
+    let mut row = ends;
+    let mut least = ends[0].min(ends[4]);
+    for last in (1..5).rev() {
+        for i in 0..last {
+            row[i] = 0.5 * (row[i] + row[i + 1]);
+        }
+        least = least.min(row[0]).min(row[last - 1]);
+    }
+    // What is no number loses here, but not in `min`.
+    margin.is_normal() && least > margin && row[0] > margin && ends[4] > margin
+}

@@ -1,0 +1,157 @@
+//! Cheap tests against the shapes themselves, in doubles and in double-double.
+
+use super::facet::tests::Random;
+use super::{Primitive, Roots};
+use crate::geometry::affine::Affine;
+use crate::geometry::dd::Dd;
+use crate::geometry::line::{Line, Traced};
+use crate::geometry::number::Real;
+use crate::geometry::vec::Vec3;
+use crate::scene::Geometry;
+
+const ALL: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// Lines a shape. With `NEAR_LINES` in the environment so many.
+fn lines() -> u32 {
+    let asked = std::env::var("NEAR_LINES").ok();
+    asked.map_or(4000, |n| n.parse().expect("a number of lines"))
+}
+
+/// Shapes with a cheap test, some of them flat, thin, small or large.
+fn shapes() -> Vec<Geometry> {
+    let torus = |major, minor| Geometry::Torus { major, minor };
+    let ellipsoid = |semi_axes| Geometry::Ellipsoid { semi_axes };
+    let cone = |height, radius| Geometry::Cone { height, radius };
+    let revolution = |profile: &[[f64; 2]]| Geometry::Revolution {
+        profile: profile.to_vec(),
+        colours: Vec::new(),
+    };
+    vec![
+        torus(1.0, 0.3),
+        torus(2e3, 1.9e3),
+        torus(1.0, 1.5),
+        torus(3e-8, 3e-10),
+        ellipsoid([1.0, 0.8, 1.3]),
+        ellipsoid([0.01, 1.0, 3.0]),
+        ellipsoid([5e7, 5e5, 5e4]),
+        cone(1.0, 0.4),
+        cone(-3e-6, 1e-6),
+        cone(0.05, 2.0),
+        Geometry::DoubleCone {
+            height: 1.2,
+            radius: 0.5,
+        },
+        Geometry::DoubleCone {
+            height: 40.0,
+            radius: 0.5,
+        },
+        revolution(&[[0.2, -1.0], [0.5, 0.0], [0.3, 0.6], [0.6, 1.0]]),
+        revolution(&[[2.0, 5.0], [3.0, 5.0], [3.0, 5.5], [2.0, 5.0]]),
+        revolution(&[[0.0, 7.0], [1e-3, 7.2], [0.0, 9.0]]),
+    ]
+}
+
+fn crossings<R: Traced>(shape: &Primitive, line: &Line<R>, roots: &mut Roots<R>) {
+    roots.clear();
+    shape.intersect().crossings(line, roots);
+}
+
+/// A line that comes near a shape, as it is or through a map that turns and scales it.
+fn aimed(random: &mut Random, shape: &Primitive) -> Line {
+    let bounds = shape.shape().bounds();
+    let half = Vec3(bounds.extent()) * 0.7;
+    let beside = random.point(1.0);
+    let target = Vec3(bounds.centre()) + Vec3([0, 1, 2].map(|i| beside[i] * half[i]));
+    let away = bounds.radius() * random.length(-1.0, 4.0);
+    let direction = random.point(1.0).unit();
+    let (origin, direction) = (
+        target - direction * away,
+        direction * random.length(-3.0, 3.0),
+    );
+    if random.next() % 2 == 0 {
+        return Line::new(origin, direction);
+    }
+    let (x, y) = (random.point(1.0).unit(), random.point(1.0));
+    let z = x.cross(y).unit();
+    let scale = random.length(-2.0, 2.0);
+    let rows = [x, z.cross(x), z].map(|row| row * scale);
+    let to_world = |v: Vec3| (rows[0] * v[0] + rows[1] * v[1] + rows[2] * v[2]) / scale / scale;
+    Line::new(to_world(origin), to_world(direction)).through(&Affine::of(rows, Vec3::ZERO))
+}
+
+#[test]
+fn what_misses_crosses_nothing() {
+    let mut random = Random(11);
+    for geometry in shapes() {
+        let shape = Primitive::new(&geometry);
+        let (mut found, mut truth) = (Roots::default(), Roots::<Dd>::default());
+        let (mut missed, mut told) = (0, 0);
+        for _ in 0..lines() {
+            let line = aimed(&mut random, &shape);
+            let length = line.origin.length() / line.direction.length();
+            let stretch = match random.next() % 3 {
+                0 => ALL,
+                _ => {
+                    let from = length * random.length(-0.3, 0.1);
+                    [from, from + length * random.length(-3.0, 0.0)]
+                }
+            };
+            crossings(&shape, &line.cast(), &mut truth);
+            let is_in = |t: Dd| (stretch[0]..=stretch[1]).contains(&t.to_f64());
+            let crosses = truth.list.iter().any(|root| is_in(root.t));
+            let near = shape.shape().is_near(&line, stretch);
+            missed += u32::from(!crosses);
+            told += u32::from(!near);
+            if near {
+                continue;
+            }
+            assert!(!crosses, "{geometry:?} {line:?} {stretch:?} {truth:?}");
+            if stretch == ALL {
+                crossings(&shape, &line, &mut found);
+                assert!(!found.uncertain && !found.inside, "{geometry:?} {line:?}");
+                assert!(found.list.is_empty(), "{geometry:?} {line:?} {found:?}");
+            }
+        }
+        // Most of them are told.
+        assert!(told * 10 > missed * 6, "{geometry:?}: {told} of {missed}");
+    }
+}
+
+/// From where a line has come out of a shape on.
+#[test]
+fn what_is_not_met_again_is_left_for_good() {
+    let mut random = Random(12);
+    for geometry in shapes() {
+        let shape = Primitive::new(&geometry);
+        let mut truth = Roots::<Dd>::default();
+        let (mut left, mut told) = (0, 0);
+        for _ in 0..lines() {
+            let line = aimed(&mut random, &shape);
+            crossings(&shape, &line.cast(), &mut truth);
+            let Some(&[.., root]) = truth.list.chunks_exact(2).next() else {
+                continue;
+            };
+            let point = shape.intersect().locate(&line.cast::<Dd>(), root).point;
+            let onwards = Line::new(point.cast(), random.point(1.0).unit());
+            crossings(&shape, &onwards.cast(), &mut truth);
+            // Not one that goes in, or nearly along the surface.
+            let size = shape.shape().bounds().radius();
+            let (start, ahead): (Vec<f64>, Vec<f64>) = (truth.list.iter())
+                .map(|root| root.t.to_f64())
+                .filter(|&t| t > -1e-9 * size)
+                .partition(|&t| t < 1e-9 * size);
+            let is_out = start.len() == 1 && ahead.len() % 2 == 0;
+            if !is_out || truth.uncertain {
+                continue;
+            }
+            left += u32::from(ahead.is_empty());
+            if !shape.shape().is_met_again(&onwards) {
+                told += 1;
+                assert!(ahead.is_empty(), "{geometry:?} {onwards:?} {truth:?}");
+            }
+        }
+        let has_test = shape.shape().is_convex() || matches!(geometry, Geometry::Torus { .. });
+        let least = if has_test { left * 6 } else { 0 };
+        assert!(told * 10 >= least, "{geometry:?}: {told} of {left}");
+    }
+}
