@@ -210,7 +210,7 @@ fn decimal_commas_are_mended() {
             let (mut count, mut lines) = (0, BTreeSet::new());
             for t in &read(&text).document.tokens {
                 let (from, to) = (t.start as usize, t.end() as usize);
-                let point = text[from..to].find('.').filter(|_| t.kind.is_number());
+                let point = text[from..to].find('.').filter(|_| t.kind().is_number());
                 let point = point.map(|i| from + i);
                 if let Some(p) = point.filter(|&p| digit(p.wrapping_sub(1)) && digit(p + 1)) {
                     spoiled.replace_range(p..p + 1, ",");

@@ -46,7 +46,7 @@ fn read(text: &str) -> Analysis {
 fn values(text: &str) -> Vec<String> {
     let tokens = lexer::lex(text, &[]);
     (tokens.iter())
-        .filter(|t| !t.kind.is_trivia())
+        .filter(|t| !t.kind().is_trivia())
         .map(|t| match t.number(text) {
             // There is but one zero.
             Some(x) => (x + 0.0).to_string(),

@@ -120,10 +120,10 @@ fn allow(analysis: &Analysis, d: &Diagnostic) -> Option<Edit> {
     let behind = item.ends().1 as usize + 1;
     let on_line = tokens[behind..]
         .iter()
-        .take_while(|t| t.kind != TokenKind::Newline);
+        .take_while(|t| t.kind() != TokenKind::Newline);
     let mut end = tokens[item.ends().1 as usize].end();
     for token in on_line {
-        if token.kind == TokenKind::UnterminatedComment {
+        if token.kind() == TokenKind::UnterminatedComment {
             return None;
         }
         if is_directive(token, &source.text) {

@@ -30,10 +30,10 @@ pub fn comment(analysis: &Analysis, record: &Record) -> Option<String> {
     let (first, last) = (record.first as usize, record.last as usize);
     let behind = tokens[last + 1..]
         .iter()
-        .take_while(|t| t.kind.is_comment());
+        .take_while(|t| t.kind().is_comment());
     let text = &analysis.source.text;
     let mut said = (tokens[first..=last].iter().chain(behind))
-        .filter(|t| t.kind.is_comment() && !is_directive(t, text))
+        .filter(|t| t.kind().is_comment() && !is_directive(t, text))
         .map(|t| {
             inside(t.text(text))
                 .split_whitespace()

@@ -31,8 +31,8 @@ pub fn headings(analysis: &Analysis) -> Vec<usize> {
         let introduces = document
             .tokens
             .get(at + 1)
-            .is_some_and(|t| t.kind.is_comment());
-        let first = at.checked_sub(1).map(|i| document.tokens[i].kind);
+            .is_some_and(|t| t.kind().is_comment());
+        let first = at.checked_sub(1).map(|i| document.tokens[i].kind());
         let is_first = matches!(
             first,
             None | Some(TokenKind::Newline | TokenKind::ByteOrderMark)

@@ -81,7 +81,8 @@ pub fn readable(analysis: &Analysis, item: &Item) -> Option<Record> {
         .unwrap_or(0);
     let params = values.len() as u32;
     // Each token but trivia has a value; the ID's and the type's come first.
-    let before = (document.tokens[..broken.first as usize].iter()).filter(|t| !t.kind.is_trivia());
+    let before =
+        (document.tokens[..broken.first as usize].iter()).filter(|t| !t.kind().is_trivia());
     let value = before.count() as u32 + 2;
     Some(Record {
         id: u32::try_from(id).ok()?,
@@ -161,7 +162,7 @@ pub fn typing(analysis: &Analysis, offset: u32) -> Option<Typing> {
     let tokens = &document.tokens;
     let next = tokens.partition_point(|t| t.start < offset);
     let word = (next.checked_sub(1).map(|i| tokens[i])).filter(|t| t.end() >= offset);
-    let in_comment = |t: &Token| match t.kind {
+    let in_comment = |t: &Token| match t.kind() {
         TokenKind::Comment => t.end() > offset,
         TokenKind::UnterminatedComment => true,
         _ => false,
@@ -169,11 +170,11 @@ pub fn typing(analysis: &Analysis, offset: u32) -> Option<Typing> {
     if word.as_ref().is_some_and(in_comment) {
         return None;
     }
-    let word = word.filter(|t| !t.kind.is_trivia());
+    let word = word.filter(|t| !t.kind().is_trivia());
     let first = first_token(analysis, offset);
     let before: Vec<&Token> = tokens[first..next]
         .iter()
-        .filter(|t| !t.kind.is_trivia() && word.is_none_or(|w| w.start != t.start))
+        .filter(|t| !t.kind().is_trivia() && word.is_none_or(|w| w.start != t.start))
         .collect();
     let id = before.first().and_then(|t| t.integer(text));
     let ty = (before.get(1).and_then(|t| t.integer(text))).and_then(RecordType::by_code);

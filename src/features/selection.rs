@@ -39,7 +39,7 @@ pub fn selection(analysis: &Analysis, offset: u32) -> Vec<Span> {
             .map(|i| tokens[i])
             .filter(|t| t.end() >= offset);
         add(token
-            .filter(|t| t.kind.is_comment())
+            .filter(|t| t.kind().is_comment())
             .map_or(Span::new(offset, offset), |t| t.span()));
     }
     let line = source.line_index(offset);

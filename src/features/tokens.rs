@@ -64,16 +64,20 @@ pub fn tokens(analysis: &Analysis, within: Span) -> Vec<Meaning> {
     for item in items {
         let (from, to) = item.ends();
         while at < last.min(from as usize) {
-            out.extend(Some(&all[at]).filter(|t| t.kind.is_comment()).map(comment));
+            out.extend(
+                Some(&all[at])
+                    .filter(|t| t.kind().is_comment())
+                    .map(comment),
+            );
             at += 1;
         }
         let mut index = 0;
         for (i, token) in (from as usize..).zip(&all[from as usize..=to as usize]) {
             let is_inside = i >= first && i < last;
-            if token.kind.is_trivia() {
+            if token.kind().is_trivia() {
                 out.extend(
                     Some(token)
-                        .filter(|t| is_inside && t.kind.is_comment())
+                        .filter(|t| is_inside && t.kind().is_comment())
                         .map(comment),
                 );
                 continue;
@@ -86,7 +90,11 @@ pub fn tokens(analysis: &Analysis, within: Span) -> Vec<Meaning> {
         at = at.max(to as usize + 1);
     }
     while at < last {
-        out.extend(Some(&all[at]).filter(|t| t.kind.is_comment()).map(comment));
+        out.extend(
+            Some(&all[at])
+                .filter(|t| t.kind().is_comment())
+                .map(comment),
+        );
         at += 1;
     }
     out
@@ -98,13 +106,13 @@ fn meaning(item: &Item, token: &Token, index: usize) -> Option<Meaning> {
         Item::Void { .. } => (Role::Void, false),
         Item::Record(record) => of_record(record, index)?,
         Item::Broken(broken) => match (index, broken.ty) {
-            _ if !token.kind.is_number() => return None,
+            _ if !token.kind().is_number() => return None,
             (0, _) if broken.id.is_some() => (Role::Id, false),
             (1, Some(_)) => (Role::Type, false),
             _ => (Role::Number, false),
         },
     };
-    let role = match token.kind {
+    let role = match token.kind() {
         TokenKind::Quoted => Role::File,
         _ => role,
     };

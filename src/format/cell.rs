@@ -39,7 +39,7 @@ impl<'a> Context<'a> {
     pub fn tokens(&self, record: &Record) -> impl Iterator<Item = &'a Token> + use<'a> {
         self.document.tokens[record.first as usize..=record.last as usize]
             .iter()
-            .filter(|t| !t.kind.is_trivia() || t.kind.is_comment())
+            .filter(|t| !t.kind().is_trivia() || t.kind().is_comment())
     }
 
     /// The `i`-th value of a record, counting the ID and the type.
@@ -55,7 +55,7 @@ impl<'a> Context<'a> {
                 after: spelled.len() - before,
             };
         }
-        let text = match (kind, token.kind) {
+        let text = match (kind, token.kind()) {
             _ if self.options.numbers == Numbers::Keep => spelled.into(),
             (ParamKind::Real, TokenKind::Integer | TokenKind::Real) => number::real(spelled),
             (ParamKind::Real | ParamKind::FileName, _) => spelled.into(),

@@ -96,7 +96,7 @@ impl<'a> Chunks<'a> {
         let mut ends_line = false;
         while let Some(token) = tokens.get(self.at) {
             let index = self.at as u32;
-            if token.kind == TokenKind::Newline {
+            if token.kind() == TokenKind::Newline {
                 if !chunk.elements.is_empty() {
                     break;
                 }
@@ -126,10 +126,10 @@ impl<'a> Chunks<'a> {
                 continue;
             }
             self.at += 1;
-            if token.kind.is_comment() {
+            if token.kind().is_comment() {
                 let frozen = is_doubtful(token);
                 chunk.elements.push(element(Piece::Comment, index, frozen));
-            } else if !token.kind.is_trivia() {
+            } else if !token.kind().is_trivia() {
                 chunk.elements.push(element(Piece::Unread, index, true));
             }
         }
@@ -141,7 +141,7 @@ impl<'a> Chunks<'a> {
 /// ends, or a number that is not right.
 fn is_doubtful(token: &Token) -> bool {
     matches!(
-        token.kind,
+        token.kind(),
         TokenKind::UnterminatedComment | TokenKind::DecimalComma | TokenKind::HugeNumber
     )
 }

@@ -116,7 +116,7 @@ impl<'a> Printer<'a> {
         self.page.wanted = wanted;
         let tokens = &context.document.tokens[line.first as usize..=line.last as usize];
         let texts = (tokens.iter())
-            .filter(|t| t.kind.is_comment() || !t.kind.is_trivia())
+            .filter(|t| t.kind().is_comment() || !t.kind().is_trivia())
             .map(|t| t.text(context.text));
         let text = texts.collect::<Vec<_>>().join(" ");
         if self.is_heading(line) {

@@ -123,7 +123,7 @@ fn parts<'a>(context: &Context<'a>, record: &Record) -> Vec<Part<'a>> {
         if let Some(Part::Comments(before)) = parts.last_mut() {
             before.last = line_break;
         }
-        if !token.kind.is_comment() {
+        if !token.kind().is_comment() {
             parts.push(Part::Cell(context.cell(record, values, token)));
             values += 1;
             continue;

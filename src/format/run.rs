@@ -53,7 +53,7 @@ fn comments<'a>(
     let text = context.text;
     context.document.tokens[from as usize..to as usize]
         .iter()
-        .filter(move |t| t.kind.is_comment() || zeros && !t.kind.is_trivia())
+        .filter(move |t| t.kind().is_comment() || zeros && !t.kind().is_trivia())
         .map(move |t| t.text(text))
 }
 
@@ -61,7 +61,7 @@ fn comments<'a>(
 pub fn has_comments(context: &Context, record: &Record) -> bool {
     // Most have nothing but their numbers.
     record.last - record.first > record.params + 1
-        && context.tokens(record).any(|t| t.kind.is_comment())
+        && context.tokens(record).any(|t| t.kind().is_comment())
 }
 
 /// Neighbours of one type whose lines may stand in columns.
@@ -169,7 +169,7 @@ fn write(context: &Context, out: &mut String, record: &Record) {
     let gaps = context.gaps(record);
     let mut i = 0;
     for token in context.tokens(record) {
-        if token.kind.is_comment() {
+        if token.kind().is_comment() {
             out.push(' ');
             out.push_str(token.text(context.text));
             continue;

@@ -19,7 +19,7 @@ fn comments<'a>(context: &'a Context) -> impl Iterator<Item = u32> + 'a {
         true => context.document.tokens.as_slice(),
         false => &[],
     };
-    let is_one = |t: &Token| t.kind == TokenKind::Comment && is_directive(t, context.text);
+    let is_one = |t: &Token| t.kind() == TokenKind::Comment && is_directive(t, context.text);
     (0..)
         .zip(tokens)
         .filter(move |(_, t)| is_one(t))
@@ -255,7 +255,7 @@ impl<'a, 'c> Layout<'a, 'c> {
         let (mut breaks, mut blanks) = (Vec::new(), Vec::new());
         let mut before = true;
         for (i, token) in document.tokens.iter().enumerate() {
-            let is_break = token.kind == TokenKind::Newline;
+            let is_break = token.kind() == TokenKind::Newline;
             if is_break {
                 breaks.push(i as u32);
                 if before {

@@ -70,9 +70,9 @@ impl<'a> Context<'a> {
         let next = tokens.partition_point(|t| t.start < span.end);
         // What stands behind the record on its line stays there, a comment of several lines too.
         let rest = &tokens[next..];
-        let comments = (rest.iter()).take_while(|t| t.kind.is_comment()).count();
+        let comments = (rest.iter()).take_while(|t| t.kind().is_comment()).count();
         let (at, closes_line) = match rest.get(comments) {
-            Some(t) if t.kind == TokenKind::Newline => (t.start, true),
+            Some(t) if t.kind() == TokenKind::Newline => (t.start, true),
             Some(_) => (span.end, false),
             None => (self.text.trim_end().len() as u32, true),
         };

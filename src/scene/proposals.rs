@@ -84,7 +84,7 @@ impl Resolver<'_> {
 
     fn fits_param(&self, token: &Token, param: &Param) -> bool {
         match param.kind {
-            ParamKind::FileName => !token.kind.is_number(),
+            ParamKind::FileName => !token.kind().is_number(),
             ParamKind::Real => {
                 let x = token.number(self.text);
                 x.is_some_and(|x| match param.constraint {
@@ -96,7 +96,7 @@ impl Resolver<'_> {
             }
             ParamKind::Integer | ParamKind::Count => {
                 let x = token.integer(self.text);
-                token.kind == TokenKind::Integer
+                token.kind() == TokenKind::Integer
                     && x.is_some_and(|x| match param.constraint {
                         Constraint::Axis => (1..=3).contains(&x),
                         Constraint::Within(a, b) => a <= x as f64 && x as f64 <= b,

@@ -102,7 +102,7 @@ impl Document {
     pub fn significant(&self, first: u32, last: u32) -> impl Iterator<Item = &Token> {
         self.tokens[first as usize..=last as usize]
             .iter()
-            .filter(|t| !t.kind.is_trivia())
+            .filter(|t| !t.kind().is_trivia())
     }
 
     /// The record's ID token.
@@ -135,7 +135,7 @@ impl Document {
         for t in &self.tokens {
             out.push_str(&text[at..t.start as usize]);
             out.push_str(t.text(text));
-            at = (t.start + t.len) as usize;
+            at = t.end() as usize;
         }
         out.push_str(&text[at..]);
         out
@@ -143,6 +143,6 @@ impl Document {
 
     /// The comments, closed or not, in order.
     pub fn comments(&self) -> impl Iterator<Item = &Token> {
-        self.tokens.iter().filter(|t| t.kind.is_comment())
+        self.tokens.iter().filter(|t| t.kind().is_comment())
     }
 }

@@ -82,7 +82,7 @@ impl Captions {
 
 impl Walk {
     fn token(&mut self, token: &Token, text: &str) {
-        match token.kind {
+        match token.kind() {
             TokenKind::Newline => {
                 self.breaks += 1;
                 self.last = None;
@@ -135,7 +135,7 @@ impl Walk {
             self.heading_text = Some(index);
             self.captions.ids.insert(id, (index, false));
         }
-        let within = tokens.iter().filter(|t| t.kind.is_comment());
+        let within = tokens.iter().filter(|t| t.kind().is_comment());
         for comment in within {
             self.own(id, said(comment, text));
         }

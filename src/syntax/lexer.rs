@@ -1,6 +1,8 @@
 //! Text to tokens. Comments, line breaks and stray separators are tokens too, so that the text can
 //! be printed again; only plain white space is left out, as what lies between the tokens.
 
+use std::fmt;
+
 use logos::Logos;
 
 use crate::diagnostics::Span;
@@ -37,6 +39,23 @@ pub enum TokenKind {
 }
 
 impl TokenKind {
+    /// In the order of their numbers.
+    const ALL: [TokenKind; 13] = [
+        TokenKind::Integer,
+        TokenKind::Real,
+        TokenKind::DecimalComma,
+        TokenKind::HugeNumber,
+        TokenKind::MalformedNumber,
+        TokenKind::Word,
+        TokenKind::Invalid,
+        TokenKind::Quoted,
+        TokenKind::Comment,
+        TokenKind::UnterminatedComment,
+        TokenKind::Separator,
+        TokenKind::Newline,
+        TokenKind::ByteOrderMark,
+    ];
+
     pub fn is_trivia(self) -> bool {
         matches!(
             self,
@@ -74,25 +93,39 @@ impl TokenKind {
     }
 }
 
-/// Twelve bytes: a kind and a stretch of the text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// A kind and a stretch of the text, in eight bytes: a large file has millions of tokens.
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Token {
-    pub kind: TokenKind,
     pub start: u32,
-    pub len: u32,
+    /// The kind above [`LENGTH_BITS`], the length below.
+    packed: u32,
 }
 
+const LENGTH_BITS: u32 = 28;
+
 impl Token {
-    fn new(kind: TokenKind, start: usize, end: usize) -> Token {
+    /// No token of a scene is as long, 256 MiB; [`recognise`](super::recognise) sees to that, by [`too_long`]. Longer
+    /// ones are cut off here.
+    pub const LENGTH_MAX: usize = (1 << LENGTH_BITS) - 1;
+
+    pub fn new(kind: TokenKind, start: usize, end: usize) -> Token {
         Token {
-            kind,
             start: start as u32,
-            len: (end - start) as u32,
+            packed: (kind as u32) << LENGTH_BITS | (end - start).min(Token::LENGTH_MAX) as u32,
         }
     }
 
-    pub fn end(&self) -> u32 {
-        self.start + self.len
+    #[inline(always)]
+    pub fn kind(self) -> TokenKind {
+        TokenKind::ALL[(self.packed >> LENGTH_BITS) as usize]
+    }
+
+    pub fn len(self) -> u32 {
+        self.packed & Token::LENGTH_MAX as u32
+    }
+
+    pub fn end(self) -> u32 {
+        self.start + self.len()
     }
 
     pub fn span(&self) -> Span {
@@ -107,7 +140,7 @@ impl Token {
 
     /// The value of an [`TokenKind::Integer`], cut off at the limits of `i64`.
     pub fn integer(&self, source: &str) -> Option<i64> {
-        if self.kind != TokenKind::Integer {
+        if self.kind() != TokenKind::Integer {
             return None;
         }
         let text = self.text(source);
@@ -120,7 +153,7 @@ impl Token {
 
     /// The value of an [`TokenKind::Integer`] that fits, as IDs, types and counts do.
     pub fn int(&self, source: &str) -> Option<i32> {
-        match self.kind {
+        match self.kind() {
             TokenKind::Integer => self.text(source).parse().ok(),
             _ => None,
         }
@@ -129,11 +162,17 @@ impl Token {
     /// The value of a number; a decimal comma counts as a point. `None` for everything else.
     pub fn number(&self, source: &str) -> Option<f64> {
         let text = self.text(source);
-        match self.kind {
+        match self.kind() {
             TokenKind::Integer | TokenKind::Real => text.parse().ok(),
             TokenKind::DecimalComma => text.replace(',', ".").parse().ok(),
             _ => None,
         }
+    }
+}
+
+impl fmt::Debug for Token {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?} {:?}", self.kind(), self.span().range())
     }
 }
 
@@ -196,6 +235,14 @@ pub fn lex(text: &str, unclosed: &[u32]) -> Vec<Token> {
     let mut tokens = Vec::with_capacity(text.len() / 4);
     tokens.extend(Tokens::new(text, unclosed));
     tokens
+}
+
+/// The first token that is too long to be kept whole.
+pub fn too_long(text: &str, unclosed: &[u32]) -> Option<Token> {
+    if text.len() < Token::LENGTH_MAX {
+        return None;
+    }
+    Tokens::new(text, unclosed).find(|t| t.len() as usize == Token::LENGTH_MAX)
 }
 
 /// A text's tokens, and of the significant ones what every reader asks for, in columns.
@@ -292,7 +339,7 @@ impl Lexed {
     fn push(&mut self, text: &str, token: Token, value: f64) {
         let index = self.tokens.len();
         self.tokens.push(token);
-        match token.kind {
+        match token.kind() {
             TokenKind::Newline => self.at_line_start = true,
             TokenKind::Comment => {
                 let comment = &text.as_bytes()[token.span().range()];
@@ -530,7 +577,7 @@ mod tests {
     use super::*;
 
     fn kinds(text: &str) -> Vec<TokenKind> {
-        lex(text, &[]).iter().map(|t| t.kind).collect()
+        lex(text, &[]).iter().map(|t| t.kind()).collect()
     }
 
     #[test]
@@ -591,7 +638,7 @@ mod tests {
         );
         let text = "2 # a\n3 # b #";
         assert_eq!(
-            lex(text, &[2]).iter().map(|t| t.kind).collect::<Vec<_>>(),
+            lex(text, &[2]).iter().map(|t| t.kind()).collect::<Vec<_>>(),
             [Integer, UnterminatedComment, Newline, Integer, Comment]
         );
     }

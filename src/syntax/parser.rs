@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::ast::{Document, Item, Record};
 use super::contents::Contents;
-use super::lexer::{Lexed, Sig};
+use super::lexer::{self, Lexed, Sig};
 use super::recovery::{self, Surroundings};
 use super::signature::{self, Columns, Reading};
 use super::table::{Effect, RecordKind, RecordType};
@@ -26,7 +26,7 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     let mut lexed = Lexed::new(text, &[]);
     if lexed.has_unclosed || lexed.has_word && lexed.has_long_comment {
         let unclosed = recovery::comments::unclosed(text);
-        if !unclosed.is_empty() {
+        if !unclosed.is_empty() && lexer::too_long(text, &unclosed).is_none() {
             lexed = Lexed::new(text, &unclosed);
         }
         recovery::report::comments(text, &lexed.tokens, &mut findings);

@@ -20,14 +20,14 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
         _ => self::unclosed(&parse(new).0),
     };
     let new_tokens = lexer::lex(new, &unclosed);
-    let matters = |t: &&Token| !t.kind.is_trivia() || t.kind.is_comment();
+    let matters = |t: &&Token| !t.kind().is_trivia() || t.kind().is_comment();
     let mut old_ones = old_tokens.iter().filter(matters).peekable();
     let mut new_ones = new_tokens.iter().filter(matters).peekable();
     while let Some(token) = old_ones.next() {
         let stays = new_ones
             .peek()
             .is_some_and(|other| other.text(new) == token.text(old));
-        if token.kind == TokenKind::DecimalComma && !stays && is_two(token, document) {
+        if token.kind() == TokenKind::DecimalComma && !stays && is_two(token, document) {
             let numbers = token.text(old).split(',');
             let mut values = numbers.map(|text| text.parse().ok().map(f64::to_bits));
             let mut next = || new_ones.next()?.number(new).map(f64::to_bits);
@@ -37,7 +37,7 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
             continue;
         }
         let is_void = token.integer(old) == Some(0) && !token.text(old).starts_with('-');
-        let introduces = is_void && old_ones.peek().is_some_and(|next| next.kind.is_comment());
+        let introduces = is_void && old_ones.peek().is_some_and(|next| next.kind().is_comment());
         match new_ones.next_if(|other| is_same((old, token), (new, other))) {
             Some(_) => {}
             None if introduces => {}
@@ -75,7 +75,7 @@ fn are_same_words(old: &[u8], new: &[u8]) -> bool {
 fn is_two(token: &Token, document: &Document) -> bool {
     let tokens = &document.tokens;
     let found = tokens.binary_search_by_key(&token.start, |t| t.start);
-    found.is_ok_and(|i| tokens[i].len < token.len)
+    found.is_ok_and(|i| tokens[i].len() < token.len())
 }
 
 fn is_same((old, token): (&str, &Token), (new, other): (&str, &Token)) -> bool {
@@ -98,7 +98,7 @@ pub fn by_edits(
     let mut moved = 0;
     let mut inserted = (0, 0);
     for token in lexer::lex(old, &unclosed(document)) {
-        if token.kind == TokenKind::Newline {
+        if token.kind() == TokenKind::Newline {
             continue;
         }
         let (start, end) = (i64::from(token.start), i64::from(token.end()));
@@ -137,7 +137,7 @@ pub fn by_edits(
 /// The `#` of a text that open comments which end with their lines.
 fn unclosed(document: &Document) -> Vec<u32> {
     let tokens = document.tokens.iter();
-    let unclosed = tokens.filter(|t| t.kind == TokenKind::UnterminatedComment);
+    let unclosed = tokens.filter(|t| t.kind() == TokenKind::UnterminatedComment);
     unclosed.map(|t| t.start).collect()
 }
 

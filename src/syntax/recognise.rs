@@ -9,6 +9,7 @@
 //! | with a NUL | binary data |
 //! | with other control characters in more than 1 % of it, but for tab, LF, VT, FF, CR and a last 0x1A | binary data |
 //! | that is one value in brackets or braces of JSON, or begins with `{ "` | JSON, or a scene in JSON |
+//! | with a comment or word of 256 MiB or more | some other text |
 //! | of which fewer than half of the lines begin with a number | some other text |
 //! | that is something else | a scene, with mistakes perhaps |
 //!
@@ -22,7 +23,7 @@ use file_format::{FileFormat, Kind};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use super::lexer::{TokenKind, Tokens};
+use super::lexer::{self, TokenKind, Tokens};
 use crate::diagnostics::wording::with_article;
 use crate::diagnostics::{Code, Diagnostic, SourceFile, Span, Value};
 
@@ -105,6 +106,10 @@ fn is_binary(text: &str, characters: usize) -> bool {
 fn text(text: &str, finding: Diagnostic) -> Option<Diagnostic> {
     if let Some(case) = json(text) {
         return Some(finding.case(case));
+    }
+    if let Some(token) = lexer::too_long(text, &[]) {
+        let span = Span::new(token.start, token.start);
+        return Some(Diagnostic { span, ..finding }.case("long"));
     }
     let mut lines = Lines::default();
     let mut start = 0;
@@ -229,7 +234,7 @@ fn is_number(text: &str) -> bool {
     let ends = |c: char| c.is_whitespace() || "#,;<>(){}⟨⟩〈〉〈〉‹›\"".contains(c);
     let word = number.split(ends).next().unwrap_or_default();
     matches!(
-        Tokens::new(word, &[]).next().map(|t| t.kind),
+        Tokens::new(word, &[]).next().map(|t| t.kind()),
         Some(TokenKind::Integer | TokenKind::Real | TokenKind::HugeNumber)
     )
 }
@@ -272,6 +277,7 @@ fn json(text: &str) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::lexer::Token;
     use super::*;
 
     /// The case of the finding; `None` for a scene.
@@ -421,6 +427,15 @@ mod tests {
         ] {
             assert_eq!(name(bytes).as_deref(), Some(expected));
         }
+    }
+
+    #[test]
+    fn a_comment_may_not_be_too_long() {
+        let comment = |length: usize| format!("2 9 1\n#{}#\n", " ".repeat(length - 2));
+        let text = comment(Token::LENGTH_MAX);
+        assert_eq!(stranger(text.as_bytes()), Some("long"));
+        drop(text);
+        scenes(&[&comment(Token::LENGTH_MAX - 1)]);
     }
 
     #[test]

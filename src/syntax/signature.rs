@@ -28,7 +28,7 @@ impl Columns<'_> {
     }
 
     pub fn kind(&self, i: usize) -> TokenKind {
-        self.token(i).kind
+        self.token(i).kind()
     }
 
     /// The value of an integer that fits, as IDs, types and counts do.
@@ -50,8 +50,8 @@ impl Columns<'_> {
     /// Whether the next token that is no line break is a comment.
     pub fn before_comment(&self, i: usize) -> bool {
         let rest = &self.lexed.tokens[self.lexed.sigs[i].token() as usize + 1..];
-        let next = rest.iter().find(|t| t.kind != TokenKind::Newline);
-        next.is_some_and(|t| t.kind.is_comment())
+        let next = rest.iter().find(|t| t.kind() != TokenKind::Newline);
+        next.is_some_and(|t| t.kind().is_comment())
     }
 }
 

@@ -119,7 +119,7 @@ fn unknown_type(row: &Row) -> Option<Mistake> {
 fn letter_for_zero(row: &Row) -> Option<Mistake> {
     let named = row.ty.params.iter().any(|p| p.kind == ParamKind::FileName);
     let zero = |i: &usize| {
-        row.tokens[*i].text(row.text).contains('0') && row.tokens[*i].kind == TokenKind::Integer
+        row.tokens[*i].text(row.text).contains('0') && row.tokens[*i].kind() == TokenKind::Integer
     };
     let i = (2 + usize::from(row.ty.is_counted())..row.tokens.len())
         .find(zero)

@@ -42,7 +42,7 @@ fn dashes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let mut edits: Vec<Edit> = Vec::new();
     let mut lines: Vec<usize> = Vec::new();
     for token in &analysis.document.tokens {
-        let is_word = matches!(token.kind, TokenKind::MalformedNumber | TokenKind::Word);
+        let is_word = matches!(token.kind(), TokenKind::MalformedNumber | TokenKind::Word);
         let written = token.text(text);
         if is_word
             && characters::has_dash(written)
@@ -78,9 +78,9 @@ fn minus(analysis: &Analysis, _: &[Diagnostic]) -> Option<Matter> {
     let lines = analysis
         .document
         .tokens
-        .split(|t| t.kind == TokenKind::Newline);
+        .split(|t| t.kind() == TokenKind::Newline);
     for line in lines {
-        let tokens: Vec<&Token> = line.iter().filter(|t| !t.kind.is_trivia()).collect();
+        let tokens: Vec<&Token> = line.iter().filter(|t| !t.kind().is_trivia()).collect();
         let [id, ty, params @ ..] = tokens.as_slice() else {
             continue;
         };

@@ -23,7 +23,7 @@ fn header(ty: &RecordType) -> String {
 /// The comments that nobody closes.
 pub fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
     for t in tokens {
-        if t.kind == TokenKind::UnterminatedComment {
+        if t.kind() == TokenKind::UnterminatedComment {
             let end = t.start + t.text(text).trim_end().len() as u32;
             // A sign with nothing behind it closes a comment rather than that it opens one.
             let applicability = match t.text(text).trim_end().len() {
@@ -173,7 +173,7 @@ impl Reporter<'_, '_> {
         let text = self.text(i);
         let span = token.span();
         let new = |code| Diagnostic::new(code, span).with("text", quote(text));
-        let d = match token.kind {
+        let d = match token.kind() {
             TokenKind::DecimalComma => {
                 let point = text.replace(',', ".");
                 new(Code::E003)
@@ -447,7 +447,7 @@ impl Reporter<'_, '_> {
 
     fn bad_type(&self, i: usize, out: &mut Vec<Diagnostic>) {
         let token = self.stream.token(i);
-        match token.kind {
+        match token.kind() {
             TokenKind::Word | TokenKind::Quoted => out.push(
                 Diagnostic::new(Code::E006, token.span())
                     .case("word")

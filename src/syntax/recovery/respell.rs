@@ -47,8 +47,8 @@ impl Split {
 /// The tokens of a text anew, and the places of the numbers that had lost the space between them.
 pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
     let may_be_two = |t: &Token| {
-        t.kind == TokenKind::DecimalComma
-            || t.kind == TokenKind::MalformedNumber && parts(text, t).is_some()
+        t.kind() == TokenKind::DecimalComma
+            || t.kind() == TokenKind::MalformedNumber && parts(text, t).is_some()
     };
     if !tokens.iter().any(may_be_two) {
         return (tokens, Vec::new());
@@ -63,9 +63,9 @@ pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
             line += 1;
         }
         let split = splits.get(line).copied().unwrap_or(AS_IT_STANDS);
-        match parts(text, t).filter(|_| split.takes(t.kind)) {
+        match parts(text, t).filter(|_| split.takes(t.kind())) {
             Some(parts) => {
-                if t.kind == TokenKind::MalformedNumber {
+                if t.kind() == TokenKind::MalformedNumber {
                     glued.push(t.span());
                 }
                 out.extend(parts);
@@ -79,7 +79,7 @@ pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
 /// The numbers a token can be taken apart to, with the comma between them.
 fn parts(text: &str, token: &Token) -> Option<Vec<Token>> {
     let word = token.text(text);
-    let cuts: Vec<usize> = match token.kind {
+    let cuts: Vec<usize> = match token.kind() {
         TokenKind::DecimalComma => {
             let comma = word.find(',')?;
             vec![comma, comma + 1]
@@ -93,13 +93,11 @@ fn parts(text: &str, token: &Token) -> Option<Vec<Token>> {
         let [t] = lexer::lex(&word[start..end], &[])[..] else {
             return None;
         };
-        out.push(Token {
-            start: token.start + start as u32,
-            ..t
-        });
+        let at = token.start as usize;
+        out.push(Token::new(t.kind(), at + start, at + end));
         start = end;
     }
-    let number = |t: &Token| t.kind.is_number() || t.kind == TokenKind::Separator;
+    let number = |t: &Token| t.kind().is_number() || t.kind() == TokenKind::Separator;
     out.iter().all(number).then_some(out)
 }
 
@@ -162,7 +160,7 @@ struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     fn new(text: &'a str, tokens: &'a [Token]) -> Lines<'a> {
-        let newline = |(_, t): &(usize, &Token)| t.kind == TokenKind::Newline;
+        let newline = |(_, t): &(usize, &Token)| t.kind() == TokenKind::Newline;
         let ends = tokens.iter().enumerate().filter(newline);
         let ends = ends.map(|(i, _)| i + 1).chain([tokens.len()]).collect();
         let mut lines = Lines {
@@ -191,7 +189,7 @@ impl<'a> Lines<'a> {
 
     fn line(&self, line: usize) -> impl Iterator<Item = &'a Token> {
         let start = line.checked_sub(1).map_or(0, |l| self.ends[l]);
-        let significant = |t: &&Token| !t.kind.is_trivia();
+        let significant = |t: &&Token| !t.kind().is_trivia();
         self.tokens[start..self.ends[line]]
             .iter()
             .filter(significant)
@@ -199,11 +197,11 @@ impl<'a> Lines<'a> {
 
     /// A token as the one number or the several that it is.
     fn read(&self, token: &Token, split: Split) -> Vec<Token> {
-        let mut parts = match split.takes(token.kind) {
+        let mut parts = match split.takes(token.kind()) {
             true => parts(self.text, token).unwrap_or_else(|| vec![*token]),
             false => vec![*token],
         };
-        parts.retain(|t| !t.kind.is_trivia());
+        parts.retain(|t| !t.kind().is_trivia());
         parts
     }
 
@@ -211,7 +209,7 @@ impl<'a> Lines<'a> {
     fn splits(&self) -> Vec<Split> {
         let lines = self.ends.len();
         let commas = |l: usize| {
-            let commas = self.line(l).filter(|t| t.kind == TokenKind::DecimalComma);
+            let commas = self.line(l).filter(|t| t.kind() == TokenKind::DecimalComma);
             commas.count()
         };
         let mut out = vec![AS_IT_STANDS; lines];
@@ -348,7 +346,7 @@ mod tests {
     /// The significant tokens of a text after all.
     fn words(text: &str) -> Vec<&str> {
         let (tokens, _) = respell(text, lexer::lex(text, &[]));
-        let significant = tokens.iter().filter(|t| !t.kind.is_trivia());
+        let significant = tokens.iter().filter(|t| !t.kind().is_trivia());
         significant.map(|t| t.text(text)).collect()
     }
 

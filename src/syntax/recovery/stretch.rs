@@ -59,12 +59,12 @@ impl<'s> Stretch<'s> {
                 line_starts.push(sigs.len() as u32);
             }
             let token = columns.lexed.sigs[i].token();
-            let kind = tokens[token as usize].kind;
+            let kind = tokens[token as usize].kind();
             odd += u32::from(!matches!(kind, TokenKind::Integer | TokenKind::Real));
             odd_before.push(odd);
             let (mut broken, mut before_comment) = (false, None);
             for t in &tokens[token as usize + 1..] {
-                match t.kind {
+                match t.kind() {
                     TokenKind::Newline => broken = true,
                     kind if kind.is_comment() => {
                         // The mark is for a token whose next token, line breaks aside, is the comment.

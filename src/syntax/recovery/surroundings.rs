@@ -50,7 +50,7 @@ impl Surroundings {
                     let before = token
                         .checked_sub(1)
                         .map(|i| columns.lexed.tokens[i as usize]);
-                    all.voids_behind_records |= before.is_some_and(|t| !t.kind.is_trivia());
+                    all.voids_behind_records |= before.is_some_and(|t| !t.kind().is_trivia());
                     continue;
                 }
                 Item::Broken(_) => continue,

@@ -10,7 +10,7 @@ impl Place<'_> {
     pub(super) fn comments(&self, out: &mut Vec<Candidate>) {
         let is_wordy = |t: &Token| {
             matches!(
-                t.kind,
+                t.kind(),
                 TokenKind::Word
                     | TokenKind::Invalid
                     | TokenKind::MalformedNumber
@@ -19,16 +19,16 @@ impl Place<'_> {
             )
         };
         // A comment that is closed is part of it only where another is not.
-        let first = |t: &Token| is_wordy(t) || t.kind == TokenKind::Comment;
+        let first = |t: &Token| is_wordy(t) || t.kind() == TokenKind::Comment;
         let separators_before = |mut i: usize| {
-            while i > 0 && self.all[i - 1].kind == TokenKind::Separator {
+            while i > 0 && self.all[i - 1].kind() == TokenKind::Separator {
                 i -= 1;
             }
             i
         };
         let mut starts: Vec<usize> = Vec::new();
         let significant: Vec<usize> = (0..self.all.len())
-            .filter(|&i| !self.all[i].kind.is_trivia())
+            .filter(|&i| !self.all[i].kind().is_trivia())
             .collect();
         // Behind as many parameters as the record has.
         if let Some(ty) = self.ty() {
@@ -97,7 +97,7 @@ impl Place<'_> {
         }
         let more = least + ty.optional.len();
         let optional = self.params().get(least..more).unwrap_or(&[]);
-        match optional.iter().all(|t| t.kind.is_number()) {
+        match optional.iter().all(|t| t.kind().is_number()) {
             true => least + optional.len(),
             false => least,
         }
@@ -105,8 +105,8 @@ impl Place<'_> {
 
     /// Whether the line is words, the first one in the place of an ID.
     fn is_heading(&self) -> bool {
-        let is_word = |t: &Token| matches!(t.kind, TokenKind::Word | TokenKind::Invalid);
-        let on_line = self.all.iter().filter(|t| !t.kind.is_trivia());
+        let is_word = |t: &Token| matches!(t.kind(), TokenKind::Word | TokenKind::Invalid);
+        let on_line = self.all.iter().filter(|t| !t.kind().is_trivia());
         let (words, others): (Vec<&Token>, Vec<&Token>) = on_line.partition(|t| is_word(t));
         words.len() > others.len() && self.tokens.first().is_some_and(is_word)
     }

@@ -87,17 +87,17 @@ impl<'a> Place<'a> {
         let last = document.tokens.partition_point(|t| t.start < line.end);
         let all = &document.tokens[first..last];
         let all = match all {
-            [rest @ .., last] if last.kind == TokenKind::Newline => rest,
+            [rest @ .., last] if last.kind() == TokenKind::Newline => rest,
             all => all,
         };
-        let head = all.iter().position(|t| !t.kind.is_trivia())?;
+        let head = all.iter().position(|t| !t.kind().is_trivia())?;
         let begin = (first + head) as u32;
         let item = document.items.partition_point(|item| item.ends().0 < begin);
         let item = document
             .items
             .get(item)
             .filter(|item| item.ends().0 == begin);
-        let on_line = || all.iter().filter(|t| !t.kind.is_trivia()).copied();
+        let on_line = || all.iter().filter(|t| !t.kind().is_trivia()).copied();
         let tokens: Vec<Token> = match item.map(|item| item.ends().1) {
             Some(end) if goes_on && end as usize >= last => {
                 document.significant(begin, end).copied().collect()

@@ -11,7 +11,7 @@ impl Place<'_> {
     /// Numbers in other characters; a unit or dash on its own joins its number.
     pub(super) fn characters(&self, out: &mut Vec<Candidate>) {
         let on_line: Vec<Token> = (self.all.iter())
-            .filter(|t| !t.kind.is_trivia())
+            .filter(|t| !t.kind().is_trivia())
             .copied()
             .collect();
         let mut new = Vec::new();
@@ -19,15 +19,14 @@ impl Place<'_> {
         while i < on_line.len() {
             let joined = |j: usize| {
                 let (a, b) = (on_line[i], *on_line.get(j)?);
-                let token = Token {
-                    len: b.end() - a.start,
-                    ..a
-                };
+                let token = Token::new(a.kind(), a.start as usize, b.end() as usize);
                 Some((token, a.text(self.text), b.text(self.text)))
             };
             if let Some((token, a, b)) = joined(i + 1) {
-                let (a_is_number, b_is_number) =
-                    (on_line[i].kind.is_number(), on_line[i + 1].kind.is_number());
+                let (a_is_number, b_is_number) = (
+                    on_line[i].kind().is_number(),
+                    on_line[i + 1].kind().is_number(),
+                );
                 let text = match () {
                     () if a_is_number && characters::is_unit(b) && b == "%" => {
                         characters::number(&format!("{a}%"))
@@ -46,7 +45,7 @@ impl Place<'_> {
             }
             let token = on_line[i];
             let is_word = matches!(
-                token.kind,
+                token.kind(),
                 TokenKind::MalformedNumber | TokenKind::Word | TokenKind::Invalid
             );
             if is_word {

@@ -49,7 +49,7 @@ impl Place<'_> {
     pub(super) fn words(&self, out: &mut Vec<Candidate>) {
         let behind = self.tokens.get(1..).unwrap_or(&[]);
         let count = (behind.iter())
-            .take_while(|t| t.kind == TokenKind::Word)
+            .take_while(|t| t.kind() == TokenKind::Word)
             .count();
         let Some(last) = count.checked_sub(1).map(|last| behind[last]) else {
             return;

@@ -11,7 +11,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     // The item that ended last before the token at hand.
     let mut previous: Option<&Item> = None;
     let comments = (tokens.iter().enumerate())
-        .filter(|(_, t)| context.document.contents.comments && t.kind == TokenKind::Comment);
+        .filter(|(_, t)| context.document.contents.comments && t.kind() == TokenKind::Comment);
     for (i, t) in comments {
         while let Some(item) = items.next_if(|item| (item.ends().1 as usize) < i) {
             previous = Some(item);
@@ -23,7 +23,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         }
         let introduced = matches!(previous, Some(Item::Void { token })
-            if tokens[*token as usize + 1..i].iter().all(|t| t.kind == TokenKind::Newline));
+            if tokens[*token as usize + 1..i].iter().all(|t| t.kind() == TokenKind::Newline));
         if introduced || is_directive(t, context.text) {
             continue;
         }
@@ -38,6 +38,6 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 /// Whether nothing else stands on the comment's line.
 fn stands_alone(tokens: &[Token], i: usize) -> bool {
-    let edge = |t: &Token| matches!(t.kind, TokenKind::Newline | TokenKind::ByteOrderMark);
+    let edge = |t: &Token| matches!(t.kind(), TokenKind::Newline | TokenKind::ByteOrderMark);
     tokens[..i].last().is_none_or(edge) && tokens.get(i + 1).is_none_or(edge)
 }

@@ -12,11 +12,11 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for line in context
         .document
         .tokens
-        .split(|t| t.kind == TokenKind::Newline)
+        .split(|t| t.kind() == TokenKind::Newline)
     {
         let separators: Vec<&Token> = line
             .iter()
-            .filter(|t| t.kind == TokenKind::Separator)
+            .filter(|t| t.kind() == TokenKind::Separator)
             .collect();
         let Some(first) = separators.first() else {
             continue;

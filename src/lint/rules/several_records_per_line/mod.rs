@@ -12,7 +12,9 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut line: Vec<&Item> = Vec::new();
     for pair in document.items.windows(2) {
         let between = pair[0].ends().1 as usize + 1..pair[1].ends().0 as usize;
-        let same_line = !tokens[between].iter().any(|t| t.kind == TokenKind::Newline);
+        let same_line = !tokens[between]
+            .iter()
+            .any(|t| t.kind() == TokenKind::Newline);
         // A broken stretch was reported; where it ends is only a guess.
         let sound = !matches!(pair[0], Item::Broken(_)) && !matches!(pair[1], Item::Broken(_));
         if same_line && sound {
