@@ -39,7 +39,7 @@ fn every_record_type_is_in_the_gallery() {
         );
         for item in &document.items {
             if let Item::Record(record) = item {
-                found.insert(record.ty.code);
+                found.insert(record.ty().code);
             }
         }
     }

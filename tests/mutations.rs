@@ -64,7 +64,7 @@ fn mutants(text: &str, document: &Document) -> Vec<Mutant> {
         let (id, ty, params) = (tokens[0], tokens[1], &tokens[2..]);
         let end = |t: &zpg::syntax::lexer::Token| t.end() as usize;
         // With its one optional parameter more or less the record is right again.
-        let free = record.ty.optional.len() == 1;
+        let free = record.ty().optional.len() == 1;
         for (i, p) in params.iter().enumerate() {
             let (at, to) = (p.start as usize, end(p));
             if !free {
@@ -77,7 +77,7 @@ fn mutants(text: &str, document: &Document) -> Vec<Mutant> {
             let stray = ["@", "$", "!", "?", "x", "&"][(n + i) % 6];
             add("stray character", at, at, &format!("{stray} "));
             add("stray character", to, to, stray);
-            let kind = record.ty.param(i, record.count as usize).map(|p| p.kind);
+            let kind = record.ty().param(i, record.count as usize).map(|p| p.kind);
             if let Some(ParamKind::Reference { .. }) = kind {
                 add("reference to nothing", at, to, "987654");
             }

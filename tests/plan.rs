@@ -3,6 +3,7 @@
 use serde_json::Value;
 use std::fs;
 use std::process::Command;
+use zpg::syntax::table::ShapeKind;
 
 struct Folder(tempfile::TempDir);
 
@@ -265,16 +266,16 @@ fn sphere_scene() -> zpg::scene::Scene {
         centre: [0.0; 3],
         radius: 1.0,
     };
-    shape_scene(9, geometry)
+    shape_scene(ShapeKind::SphereAtOrigin, geometry)
 }
 
-fn shape_scene(code: i32, geometry: zpg::scene::Geometry) -> zpg::scene::Scene {
+fn shape_scene(kind: ShapeKind, geometry: zpg::scene::Geometry) -> zpg::scene::Scene {
     use zpg::scene::*;
     Scene {
         nodes: vec![Node::Shape(0)],
         shapes: vec![Shape {
             id: 2,
-            ty: zpg::syntax::table::RecordType::by_code(code.into()).unwrap(),
+            kind,
             span: Default::default(),
             geometry,
         }],

@@ -3,7 +3,7 @@
 use zpg::diagnostics::Span;
 use zpg::geometry::Matrix;
 use zpg::scene::{Geometry, Node, NodeId, Optics, Paint, Render, Scene, Shape, Texture};
-use zpg::syntax::table::RecordType;
+use zpg::syntax::table::ShapeKind;
 use zpg::translate::pov::{self, Options};
 
 /// Some spheres in a row; the node of each has its number.
@@ -12,7 +12,7 @@ fn spheres(n: u32) -> Scene {
     for i in 0..n {
         scene.shapes.push(Shape {
             id: i + 2,
-            ty: RecordType::by_code(11).unwrap(),
+            kind: ShapeKind::Sphere,
             span: Span::default(),
             geometry: Geometry::Sphere {
                 centre: [f64::from(i), 0.0, 0.0],

@@ -141,8 +141,8 @@ impl Analysis {
         let mut weak = FxHashMap::default();
         for (i, item) in (0..).zip(&self.document.items) {
             let Item::Record(record) = item else { continue };
-            let defines = !matches!(record.ty.effect, Effect::Changes(_))
-                && record.ty.kind != RecordKind::Undefined;
+            let defines = !matches!(record.ty().effect, Effect::Changes(_))
+                && record.kind != RecordKind::Undefined;
             match defines {
                 true => all.entry(record.id).or_insert(i),
                 false => weak.entry(record.id).or_insert(i),

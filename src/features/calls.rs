@@ -35,7 +35,7 @@ fn node(analysis: &Analysis, record: &Record) -> Option<Node> {
     Some(Node {
         id: record.id,
         name: symbols::label(analysis, record),
-        detail: record.ty.title,
+        detail: record.ty().title,
         sort: symbols::sort(record),
         span: entity::span(analysis, record),
         id_span: analysis.document.id_token(record).span(),

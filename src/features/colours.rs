@@ -40,7 +40,7 @@ pub fn colours(analysis: &Analysis) -> Vec<Colour> {
 
 /// The colours of a record, each number with its place.
 fn of_record(analysis: &Analysis, record: &Record) -> Vec<[(Span, f64); 3]> {
-    let ty = record.ty;
+    let ty = record.ty();
     let skip = match ty.kind {
         RecordKind::Colour => 0,
         // Behind the count and the points.

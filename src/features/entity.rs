@@ -46,7 +46,7 @@ pub fn comment(analysis: &Analysis, record: &Record) -> Option<String> {
 /// What people call an entity: its comment, or the title of its record.
 pub fn name(analysis: &Analysis, id: u32) -> Option<String> {
     let record = analysis.definition(id)?;
-    Some(comment(analysis, record).unwrap_or_else(|| record.ty.title.to_owned()))
+    Some(comment(analysis, record).unwrap_or_else(|| record.ty().title.to_owned()))
 }
 
 /// The record's type and, where there is one, its comment: "sphere, a ball". Where the record cannot be read,
@@ -55,7 +55,7 @@ pub fn described(analysis: &Analysis, id: u32) -> Option<String> {
     let Some(record) = analysis.definition(id) else {
         return Some(entity(analysis, id)?.kind?.name().to_owned());
     };
-    let title = record.ty.title;
+    let title = record.ty().title;
     Some(match comment(analysis, record) {
         Some(comment) => format!("{title}, {comment}"),
         None => title.to_owned(),
@@ -80,7 +80,7 @@ pub fn colour(analysis: &Analysis, id: u32) -> Option<Rgb> {
         Kind::PointLight => Some(scene.point_lights.iter().find(|l| l.id == id)?.colour),
         Kind::Colour => {
             let mut own = records(analysis).rev().filter(|r| r.id == id);
-            let record = own.find(|r| r.ty.kind == RecordKind::Colour)?;
+            let record = own.find(|r| r.kind == RecordKind::Colour)?;
             let numbers: Vec<f64> = (analysis.document.params(record))
                 .filter_map(|t| t.number(&analysis.source.text))
                 .collect();

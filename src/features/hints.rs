@@ -78,7 +78,7 @@ pub fn hints(analysis: &Analysis, visible: Span, wanted: Wanted) -> Vec<Hint> {
 
 fn of_record(analysis: &Analysis, record: &Record, visible: Span, out: &mut Vec<Hint>) {
     let document = &analysis.document;
-    let ty = record.ty;
+    let ty = record.ty();
     let count = record.count as usize;
     let tokens = document.significant(record.first, record.last).skip(1);
     // The type is at 0, the parameters follow.
@@ -164,7 +164,7 @@ fn shortened(name: &str) -> String {
 /// How wide and high a profile is.
 fn profile(analysis: &Analysis, record: &Record, at: u32) -> Option<Hint> {
     let of_profile = matches!(
-        record.ty.kind,
+        record.kind,
         RecordKind::Shape(ShapeKind::SurfaceOfRevolution | ShapeKind::ColouredSurfaceOfRevolution)
     );
     if !of_profile {

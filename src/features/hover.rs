@@ -66,7 +66,7 @@ fn divide(markdown: &mut String) {
 
 /// A record's type, with the values that stand in it.
 fn about_record(analysis: &Analysis, record: &Record) -> String {
-    let ty = record.ty;
+    let ty = record.ty();
     let mut out = heading(ty);
     let values: Vec<String> = (analysis
         .document
@@ -116,7 +116,7 @@ fn about_param(
     param: &Param,
     id: Option<u32>,
 ) -> String {
-    let ty = place.record.ty;
+    let ty = place.record.ty();
     let value = place.token.text(&analysis.source.text);
     let number = i + 1;
     let mut out = format!(
@@ -143,7 +143,7 @@ fn about_entity(analysis: &Analysis, id: u32) -> String {
         .source
         .line_index(entity::span(analysis, record).start)
         + 1;
-    let mut out = format!("**{id}: {}**", record.ty.title);
+    let mut out = format!("**{id}: {}**", record.ty().title);
     if let Some(comment) = entity::comment(analysis, record) {
         let _ = write!(out, ", {}", escaped(&comment));
     }

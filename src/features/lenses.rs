@@ -37,7 +37,7 @@ pub fn lenses(analysis: &Analysis) -> Vec<Lens> {
     for record in entity::records(analysis) {
         let span = analysis.document.id_token(record).span();
         let mut add = |action| out.push(Lens { span, action });
-        match (record.ty.kind, record.ty.effect) {
+        match (record.kind, record.ty().effect) {
             (RecordKind::Render, _) => {
                 add(Action::Render);
                 add(Action::Preview);

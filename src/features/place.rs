@@ -68,7 +68,7 @@ pub fn readable(analysis: &Analysis, item: &Item) -> Option<Record> {
         Item::Void { .. } => return None,
     };
     let (document, text) = (&analysis.document, &analysis.source.text);
-    let ty = broken.ty?;
+    let ty = broken.ty()?;
     let mut tokens = document.significant(broken.first, broken.last);
     let id = tokens.next()?.integer(text)?;
     if tokens.next()?.integer(text)? != i64::from(ty.code) {
@@ -86,7 +86,7 @@ pub fn readable(analysis: &Analysis, item: &Item) -> Option<Record> {
     let value = before.count() as u32 + 2;
     Some(Record {
         id: u32::try_from(id).ok()?,
-        ty,
+        kind: ty.kind,
         first: broken.first,
         last: broken.last,
         params,
@@ -128,7 +128,7 @@ pub fn place_at(analysis: &Analysis, offset: u32) -> Option<Place<'_>> {
     let role = match i {
         0 => Role::Id,
         1 => Role::Type,
-        _ => Role::Param(i - 2, record.ty.param(i - 2, record.count as usize)?),
+        _ => Role::Param(i - 2, record.ty().param(i - 2, record.count as usize)?),
     };
     Some(Place {
         record,
@@ -218,7 +218,7 @@ fn first_token(analysis: &Analysis, offset: u32) -> usize {
         Some(Item::Broken(broken)) => {
             let start = tokens[broken.first as usize].start;
             // Profiles are long; whatever else has several lines may be what somebody has only begun.
-            let is_long = broken.ty.is_some_and(RecordType::is_counted);
+            let is_long = broken.ty().is_some_and(RecordType::is_counted);
             let goes_on = is_long && tokens[broken.last as usize].end() >= offset;
             match start >= line_start || goes_on {
                 true => broken.first as usize,

@@ -79,7 +79,7 @@ pub fn renumber(analysis: &Analysis) -> Option<Vec<Edit>> {
     for item in &document.items {
         match item {
             Item::Record(record) => {
-                if record.ty.kind != RecordKind::Render {
+                if record.kind != RecordKind::Render {
                     let token: &Token = document.id_token(record);
                     named.push((token.span(), record.id));
                 }

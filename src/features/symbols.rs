@@ -96,7 +96,7 @@ impl<'a> Definitions<'a> {
         let mut by_id = FxHashMap::default();
         for item in &analysis.document.items {
             if let Item::Record(record) = item
-                && !matches!(record.ty.effect, Effect::Changes(_))
+                && !matches!(record.ty().effect, Effect::Changes(_))
                 && !by_id.contains_key(&record.id)
             {
                 let is_definition = (analysis.definition(record.id))
@@ -124,7 +124,7 @@ fn symbol(analysis: &Analysis, record: &Record, children: Vec<Symbol>) -> Symbol
     let span = children.iter().fold(own, |span, child| span.to(child.span));
     Symbol {
         name: label(analysis, record),
-        detail: record.ty.title,
+        detail: record.ty().title,
         sort: sort(record),
         span,
         id_span: analysis.document.id_token(record).span(),
@@ -138,15 +138,15 @@ pub fn label(analysis: &Analysis, record: &Record) -> String {
     format!(
         "{} {}",
         record.id,
-        words.as_deref().unwrap_or(record.ty.title)
+        words.as_deref().unwrap_or(record.ty().title)
     )
 }
 
 /// What a record defines, for its sign.
 pub fn sort(record: &Record) -> Sort {
-    match record.ty.effect {
-        _ if record.ty.family == Family::Operation => Sort::Operation,
-        _ if record.ty.kind == RecordKind::Undefined => Sort::Undefined,
+    match record.ty().effect {
+        _ if record.ty().family == Family::Operation => Sort::Operation,
+        _ if record.kind == RecordKind::Undefined => Sort::Undefined,
         Effect::Defines(kind) | Effect::DefinesOrChanges(kind, _) => match kind {
             Kind::Object => Sort::Shape,
             Kind::Render => Sort::Render,
@@ -166,7 +166,7 @@ pub fn matching(analysis: &Analysis, query: &str, limit: usize) -> Vec<Symbol> {
     let query = query.to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();
     let fits = |record: &&&Record| {
-        let text = format!("{} {}", label(analysis, record), record.ty.title).to_lowercase();
+        let text = format!("{} {}", label(analysis, record), record.ty().title).to_lowercase();
         words.iter().all(|word| text.contains(word))
     };
     let all = Definitions::of(analysis);

@@ -105,7 +105,7 @@ fn meaning(item: &Item, token: &Token, index: usize) -> Option<Meaning> {
     let (role, defines) = match item {
         Item::Void { .. } => (Role::Void, false),
         Item::Record(record) => of_record(record, index)?,
-        Item::Broken(broken) => match (index, broken.ty) {
+        Item::Broken(broken) => match (index, broken.ty()) {
             _ if !token.kind().is_number() => return None,
             (0, _) if broken.id.is_some() => (Role::Id, false),
             (1, Some(_)) => (Role::Type, false),
@@ -124,7 +124,7 @@ fn meaning(item: &Item, token: &Token, index: usize) -> Option<Meaning> {
 }
 
 fn of_record(record: &Record, index: usize) -> Option<(Role, bool)> {
-    let ty = record.ty;
+    let ty = record.ty();
     Some(match index {
         0 => (Role::Id, !matches!(ty.effect, Effect::Changes(_))),
         1 => (Role::Type, false),

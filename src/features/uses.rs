@@ -34,12 +34,12 @@ pub fn refers(ty: &RecordType) -> bool {
 
 /// The references of a record: the token's span and the ID.
 pub fn references_of(analysis: &Analysis, record: &Record) -> Vec<(Span, u32)> {
-    if !refers(record.ty) {
+    if !refers(record.ty()) {
         return Vec::new();
     }
     let tokens = analysis.document.params(record).enumerate();
     let of = |(i, token): (usize, &crate::syntax::lexer::Token)| {
-        let param = record.ty.param(i, record.count as usize)?;
+        let param = record.ty().param(i, record.count as usize)?;
         let id = place::reference(param, token, &analysis.source.text)?;
         Some((token.span(), id))
     };
@@ -66,7 +66,7 @@ pub fn occurrences(analysis: &Analysis, id: u32) -> Vec<Occurrence> {
                         item: i,
                     });
                 }
-                if refers(record.ty) {
+                if refers(record.ty()) {
                     let own = references_of(analysis, record);
                     let of = own.into_iter().filter(|(_, other)| *other == id);
                     out.extend(of.map(|(span, _)| Occurrence {
@@ -79,7 +79,7 @@ pub fn occurrences(analysis: &Analysis, id: u32) -> Vec<Occurrence> {
             Item::Broken(broken) if broken.id == Some(id) => {
                 let token = &document.tokens[broken.first as usize];
                 if token.integer(&analysis.source.text) == Some(i64::from(id)) {
-                    let kind = match (definition, broken.ty.map(|t| t.effect)) {
+                    let kind = match (definition, broken.ty().map(|t| t.effect)) {
                         (None, Some(Effect::Defines(_) | Effect::DefinesOrChanges(..))) => {
                             Kind::Definition
                         }

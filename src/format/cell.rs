@@ -90,7 +90,7 @@ impl<'a> Context<'a> {
 
 /// What the `i`-th value of a record is, counting the ID and the type.
 fn kind(record: &Record, i: usize) -> ParamKind {
-    let ty = record.ty;
+    let ty = record.ty();
     let Some(i) = i.checked_sub(HEAD) else {
         return ParamKind::Integer;
     };
@@ -114,7 +114,7 @@ pub struct Gaps {
 impl Gaps {
     /// If there is more than one vector, all are set off.
     fn of(record: &Record) -> Gaps {
-        let ty = record.ty;
+        let ty = record.ty();
         if ty.is_counted() {
             let points = Some((record.count as usize, ty));
             return Gaps { wide: 0, points };

@@ -105,14 +105,14 @@ fn same_item(a: (&str, &Document, &Item), b: (&str, &Document, &Item)) -> bool {
     match (a.2, b.2) {
         (Item::Record(x), Item::Record(y)) => same_record((a.0, a.1, x), (b.0, b.1, y)),
         (Item::Broken(x), Item::Broken(y)) => {
-            x.id == y.id && x.ty.map(|t| t.kind) == y.ty.map(|t| t.kind) && text(a) == text(b)
+            x.id == y.id && x.kind == y.kind && text(a) == text(b)
         }
         _ => false,
     }
 }
 
 fn same_head(x: &Record, y: &Record) -> bool {
-    x.id == y.id && x.ty.kind == y.ty.kind && x.params == y.params
+    x.id == y.id && x.kind == y.kind && x.params == y.params
 }
 
 fn same_value(a: (&str, &Token), b: (&str, &Token)) -> bool {

@@ -51,12 +51,12 @@ struct Row {
 
 /// Whether a record is printed in rows.
 pub fn is_wanted(context: &Context, record: &Record) -> bool {
-    if is_matrix(record.ty) {
+    if is_matrix(record.ty()) {
         return true;
     }
     let width = context.options.width;
     // A number and a space are the least.
-    record.ty.is_counted()
+    record.ty().is_counted()
         && (2 * record.params as usize > width
             || run::natural_width(context, record) > width
             || is_commented(context, record))
@@ -84,14 +84,14 @@ fn is_commented(context: &Context, record: &Record) -> bool {
 
 /// The values that are cut into rows; those before them are the first line.
 fn sections(record: &Record) -> Vec<Section> {
-    if is_matrix(record.ty) {
+    if is_matrix(record.ty()) {
         return vec![Section {
             values: HEAD..HEAD + MATRIX * MATRIX,
             group: MATRIX,
             per_row: 1,
         }];
     }
-    let mut start = HEAD + record.ty.params.len();
+    let mut start = HEAD + record.ty().params.len();
     let section = |group: &&[_]| {
         let values = start..start + group.len() * record.count as usize;
         start = values.end;
@@ -101,7 +101,7 @@ fn sections(record: &Record) -> Vec<Section> {
             per_row: 1,
         }
     };
-    record.ty.repeats.iter().map(section).collect()
+    record.ty().repeats.iter().map(section).collect()
 }
 
 /// Whether a point, a row of a matrix or the head of the record ends before a value.

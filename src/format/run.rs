@@ -87,7 +87,7 @@ impl<'a> Run<'a> {
             return;
         }
         let plain = entry.is_plain(context);
-        let other = |first: &Entry| first.record.ty.kind != entry.record.ty.kind;
+        let other = |first: &Entry| first.record.kind != entry.record.kind;
         if !plain || self.entries.first().is_some_and(other) {
             self.print(context, page);
         }

@@ -33,11 +33,11 @@ impl<'a> Properties<'a> {
             last: FxHashMap::default(),
         };
         for record in context.records() {
-            let family = record.ty.family;
+            let family = record.ty().family;
             if matches!(family, Family::Property | Family::Texture | Family::Colour) {
                 properties.given.entry(record.id).or_default().push(record);
             }
-            if !matches!(record.ty.effect, Effect::Defines(_)) {
+            if !matches!(record.ty().effect, Effect::Defines(_)) {
                 properties.last.insert(record.id, record.first);
             }
         }

@@ -49,9 +49,9 @@ impl<'a> Context<'a> {
     pub fn titles(&self) -> FxHashMap<u32, &'static str> {
         let mut titles = FxHashMap::default();
         for record in self.records() {
-            let placeholder = record.ty.kind == RecordKind::Undefined;
-            if !placeholder && !matches!(record.ty.effect, Effect::Changes(_)) {
-                titles.entry(record.id).or_insert(record.ty.title);
+            let placeholder = record.kind == RecordKind::Undefined;
+            if !placeholder && !matches!(record.ty().effect, Effect::Changes(_)) {
+                titles.entry(record.id).or_insert(record.ty().title);
             }
         }
         titles

@@ -152,7 +152,7 @@ pub fn hover_picture(analysis: &Analysis, id: u32, cancelled: &Arc<AtomicBool>) 
     if analysis.scene.nodes.len() > MAX_NODES {
         return None;
     }
-    let is_render = (analysis.definition(id)).is_some_and(|r| r.ty.kind == RecordKind::Render);
+    let is_render = (analysis.definition(id)).is_some_and(|r| r.kind == RecordKind::Render);
     let subject = match is_render {
         true => Subject::Scene,
         false => Subject::Object(id),

@@ -15,7 +15,7 @@ impl Resolver<'_> {
                 let geometry = geometry::shape(kind, p, &mut self.out)?;
                 self.scene.shapes.push(Shape {
                     id: p.id,
-                    ty: p.ty,
+                    kind,
                     span: p.span(),
                     geometry,
                 });

@@ -6,7 +6,7 @@ use super::geometry::Geometry;
 use crate::diagnostics::Span;
 use crate::geometry::Matrix;
 use crate::syntax::ids::IdTable;
-use crate::syntax::table::{Kind, RecordType};
+use crate::syntax::table::{Kind, RecordKind, RecordType, ShapeKind};
 
 pub type Vec3 = [f64; 3];
 /// Linear red, green, blue.
@@ -102,9 +102,15 @@ pub struct Origin {
 #[derive(Debug, Clone)]
 pub struct Shape {
     pub id: u32,
-    pub ty: &'static RecordType,
+    pub kind: ShapeKind,
     pub span: Span,
     pub geometry: Geometry,
+}
+
+impl Shape {
+    pub fn ty(&self) -> &'static RecordType {
+        RecordType::of(RecordKind::Shape(self.kind))
+    }
 }
 
 /// What a surface looks like before light falls on it.

@@ -15,28 +15,27 @@ pub struct Names {
 impl Names {
     /// `None` if a record names what is not there.
     pub fn new(document: &Document, scene: &Scene) -> Option<Names> {
-        let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(document.items.len());
-        let mut starts: Vec<u32> = vec![0];
-        for item in &document.items {
-            let Item::Record(record) = item else { continue };
-            let own = scene.ids.get(record.id)?;
-            if starts.len() < own as usize + 2 {
-                starts.resize(own as usize + 2, 0);
+        let records = || document.items.iter().filter_map(Item::record);
+        // Counted first, then written down: a list of pairs would take as much again.
+        let mut starts = vec![0; 2];
+        for record in records() {
+            let own = scene.ids.get(record.id)? as usize;
+            if starts.len() < own + 3 {
+                starts.resize(own + 3, 0);
             }
-            for name in references(document, record) {
-                pairs.push((own, scene.ids.get(name)?));
-                starts[own as usize + 1] += 1;
-            }
+            starts[own + 2] += references(document, record).count() as u32;
         }
         for i in 1..starts.len() {
             starts[i] += starts[i - 1];
         }
-        let mut names = vec![0; pairs.len()];
-        let mut next = starts.clone();
-        for (own, name) in pairs {
-            let at = &mut next[own as usize];
-            names[*at as usize] = name;
-            *at += 1;
+        let mut names = vec![0; starts[starts.len() - 1] as usize];
+        for record in records() {
+            // Where its names begin, one further than they do in the end.
+            let at = &mut starts[scene.ids.get(record.id)? as usize + 1];
+            for name in references(document, record) {
+                names[*at as usize] = scene.ids.get(name)?;
+                *at += 1;
+            }
         }
         Some(Names { starts, names })
     }
@@ -55,7 +54,7 @@ pub fn references<'d>(
     record: &'d Record,
 ) -> impl Iterator<Item = u32> + use<'d> {
     let refers = |p: &Param| matches!(p.kind, ParamKind::Reference { .. });
-    let params = record.ty.params.iter().chain(record.ty.optional);
+    let params = record.ty().params.iter().chain(record.ty().optional);
     // No type has both repeated parameters and references.
     (params.zip(document.values(record)))
         .filter(move |(p, value)| refers(p) && (1.0..=f64::from(u32::MAX)).contains(*value))

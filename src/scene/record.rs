@@ -26,7 +26,7 @@ impl<'a> Params<'a> {
             document,
             record: *record,
             values: document.values(record),
-            ty: record.ty,
+            ty: record.ty(),
             id: record.id,
             count: record.count as usize,
         }

@@ -48,7 +48,9 @@ fn definitions(document: &Document) -> FxHashMap<u32, Span> {
     let mut definition = FxHashMap::default();
     for item in &document.items {
         let (id, first) = match item {
-            Item::Record(r) if !matches!(r.ty.effect, Effect::Changes(_)) => (Some(r.id), r.first),
+            Item::Record(r) if !matches!(r.ty().effect, Effect::Changes(_)) => {
+                (Some(r.id), r.first)
+            }
             Item::Broken(b) => (b.id, b.first),
             _ => continue,
         };

@@ -88,7 +88,7 @@ impl<'a> Resolver<'a> {
             return;
         }
         let exists = self.exists(p.id);
-        match record.ty.effect {
+        match record.ty().effect {
             Effect::Defines(kind) => {
                 if self.duplicate(&p) {
                     return;
@@ -242,28 +242,27 @@ impl<'a> Resolver<'a> {
     }
 
     fn broken(&mut self, broken: &Broken, diagnostics: &mut [Diagnostic]) {
-        self.has_render |=
-            broken.ty.is_some_and(|t| t.kind == RecordKind::Render) || broken.id == Some(1);
+        self.has_render |= broken.kind == Some(RecordKind::Render) || broken.id == Some(1);
         if broken.fault == Fault::UnknownType {
             self.propose_type(broken, diagnostics);
         }
         // Whose ID another record has, may have lost its own.
         let taken = broken.fault != Fault::LostId
             && broken.id.is_some_and(|id| {
-                let render = broken.ty.is_some_and(|t| t.kind == RecordKind::Render);
+                let render = broken.kind == Some(RecordKind::Render);
                 let changes = broken
-                    .ty
+                    .ty()
                     .is_some_and(|t| matches!(t.effect, Effect::Changes(_)));
                 id == 1 && !render || self.exists(id) && !changes
             });
         if taken || broken.fault == Fault::LostId {
             let tokens = self.document.tokens[broken.first as usize].span();
-            let operation = broken.ty.is_some_and(|t| t.family == Family::Operation);
+            let operation = broken.ty().is_some_and(|t| t.family == Family::Operation);
             let names = self.document.significant(broken.first, broken.last);
             let names = names.filter_map(|t| u32::try_from(t.integer(self.text)?).ok());
             self.references.lost.push(Lost {
                 // Its type may be what was meant for the ID.
-                ty: broken.ty.filter(|_| !taken),
+                ty: broken.ty().filter(|_| !taken),
                 span: tokens,
                 names: names.filter(|_| operation).collect(),
             });
@@ -272,7 +271,7 @@ impl<'a> Resolver<'a> {
         if self.exists(id) {
             return;
         }
-        let kind = broken.ty.and_then(|t| match t.effect {
+        let kind = broken.ty().and_then(|t| match t.effect {
             Effect::Defines(kind) | Effect::DefinesOrChanges(kind, _) => Some(kind),
             Effect::Changes(_) => None,
         });
@@ -317,7 +316,7 @@ impl<'a> Resolver<'a> {
     /// Checks and keeps a record whose references name the end of the file.
     fn late_record(&mut self, record: &Record) {
         let p = Params::new(self.document, self.text, record);
-        let targets: Vec<Option<u32>> = (0..record.ty.params.len())
+        let targets: Vec<Option<u32>> = (0..record.ty().params.len())
             .map(|i| self.reference(&p, i, true).flatten())
             .collect();
         if p.ty.kind == RecordKind::Render {

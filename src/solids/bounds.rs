@@ -132,22 +132,22 @@ mod tests {
     fn unbounded_parts_do_not_count() {
         use crate::diagnostics::Span;
         use crate::scene::Shape;
-        use crate::syntax::table::RecordType;
-        let shape = |geometry, code| Shape {
+        use crate::syntax::table::ShapeKind;
+        let shape = |geometry, kind| Shape {
             id: 2,
-            ty: RecordType::by_code(code).unwrap(),
+            kind,
             span: Span::default(),
             geometry,
         };
         let scene = Scene {
             shapes: vec![
-                shape(Geometry::Plane([0.0, 1.0, 0.0, 0.0]), 3),
+                shape(Geometry::Plane([0.0, 1.0, 0.0, 0.0]), ShapeKind::Plane),
                 shape(
                     Geometry::Sphere {
                         centre: [1.0, 0.0, 0.0],
                         radius: 1.0,
                     },
-                    11,
+                    ShapeKind::Sphere,
                 ),
             ],
             nodes: vec![

@@ -59,7 +59,7 @@ pub fn named(scene: &Scene, mut node: NodeId) -> Option<Named> {
             Node::Shape(s) => {
                 let shape = &scene.shapes[s as usize];
                 return Some(Named {
-                    title: shape.ty.title,
+                    title: shape.ty().title,
                     id: copy.unwrap_or(shape.id),
                     span: shape.span,
                 });

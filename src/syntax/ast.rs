@@ -3,7 +3,7 @@
 
 use super::contents::Contents;
 use super::lexer::Token;
-use super::table::RecordType;
+use super::table::{RecordKind, RecordType};
 use crate::diagnostics::Span;
 
 /// A parsed scene text.
@@ -31,13 +31,16 @@ pub enum Item {
     Broken(Broken),
 }
 
+// A large file has millions of them.
+const _: () = assert!(size_of::<Token>() == 8 && size_of::<Item>() == 28);
+
 /// A record that can be read: its tokens are at `first..=last` of the document's tokens, trivia
 /// between them.
 #[derive(Debug, Clone, Copy)]
 pub struct Record {
     /// 1 to 2 147 483 647.
     pub id: u32,
-    pub ty: &'static RecordType,
+    pub kind: RecordKind,
     /// Token indices of the ID and of the record's last token.
     pub first: u32,
     pub last: u32,
@@ -57,7 +60,7 @@ pub struct Broken {
     /// The ID it most likely has; references to it are no errors.
     pub id: Option<u32>,
     /// Its type, if that could be told.
-    pub ty: Option<&'static RecordType>,
+    pub kind: Option<RecordKind>,
     pub fault: Fault,
 }
 
@@ -74,7 +77,27 @@ pub enum Fault {
     LostId,
 }
 
+impl Record {
+    pub fn ty(&self) -> &'static RecordType {
+        RecordType::of(self.kind)
+    }
+}
+
+impl Broken {
+    pub fn ty(&self) -> Option<&'static RecordType> {
+        self.kind.map(RecordType::of)
+    }
+}
+
 impl Item {
+    /// The record, if it is one that can be read.
+    pub fn record(&self) -> Option<&Record> {
+        match self {
+            Item::Record(record) => Some(record),
+            Item::Void { .. } | Item::Broken(_) => None,
+        }
+    }
+
     /// Token indices of its first and last token.
     pub fn ends(&self) -> (u32, u32) {
         match *self {

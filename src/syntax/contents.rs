@@ -26,7 +26,7 @@ impl Contents {
         };
         for item in items {
             match item {
-                Item::Record(r) => contents.kinds |= bit(r.ty),
+                Item::Record(r) => contents.kinds |= bit(r.kind),
                 Item::Broken(_) => contents.broken = true,
                 Item::Void { .. } => {}
             }
@@ -36,22 +36,19 @@ impl Contents {
 
     /// Whether there is a record of one of these kinds that can be read.
     pub fn has(&self, kinds: &[RecordKind]) -> bool {
-        kinds
-            .iter()
-            .any(|&k| self.kinds & bit(RecordType::of(k)) != 0)
+        kinds.iter().any(|&k| self.kinds & bit(k) != 0)
     }
 
     /// Whether there is a record that can be read of a type for which this holds.
     pub fn any(&self, holds: impl Fn(&RecordType) -> bool) -> bool {
         RECORD_TYPES
             .iter()
-            .any(|ty| self.kinds & bit(ty) != 0 && holds(ty))
+            .any(|ty| self.kinds & bit(ty.kind) != 0 && holds(ty))
     }
 }
 
-/// The bit of an entry of the table.
-fn bit(ty: &'static RecordType) -> u64 {
+/// The bit of a kind.
+fn bit(kind: RecordKind) -> u64 {
     debug_assert!(RECORD_TYPES.len() <= 64);
-    let offset = std::ptr::from_ref(ty).addr() - RECORD_TYPES.as_ptr().addr();
-    1 << (offset / size_of::<RecordType>())
+    1 << kind.place()
 }

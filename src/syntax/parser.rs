@@ -52,7 +52,9 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     }
     findings.append(&mut plan.notes);
     findings.extend(plan.items.iter().filter_map(|item| match item {
-        Item::Record(r) if r.params as usize > r.ty.params.len() && !r.ty.optional.is_empty() => {
+        Item::Record(r)
+            if r.params as usize > r.ty().params.len() && !r.ty().optional.is_empty() =>
+        {
             let start = r.value as usize - 2;
             let reading = signature::read(&columns, start, columns.len())?;
             two_ways(&columns, start, &reading)
@@ -272,7 +274,7 @@ impl<'s> Plan<'s> {
         while from > least && (context > 0 || !self.columns.starts_line(from)) {
             let Some(item) = self.items.pop() else { break };
             from -= significant(&item);
-            if matches!(item, Item::Record(r) if defines(r.ty)) {
+            if matches!(item, Item::Record(r) if defines(r.ty())) {
                 self.defined.pop();
             }
             context = context.saturating_sub(usize::from(self.columns.starts_line(from)));
@@ -462,7 +464,7 @@ impl<'s> Plan<'s> {
         self.items.iter().any(|item| match item {
             Item::Record(r) => {
                 let start = r.value as usize - 2;
-                defines(r.ty)
+                defines(r.ty())
                     && twice.binary_search(&r.id).is_ok()
                     && recovery::has_lost_id(self.columns, start, start + significant(item))
             }
@@ -564,7 +566,7 @@ fn significant(item: &Item) -> usize {
 fn whole(c: &Columns, start: usize, reading: &Reading) -> Record {
     Record {
         id: c.int(start).unwrap_or(0) as u32,
-        ty: reading.ty,
+        kind: reading.ty.kind,
         first: c.lexed.sigs[start].token(),
         last: c.lexed.sigs[reading.end - 1].token(),
         params: (reading.end - start - 2) as u32,

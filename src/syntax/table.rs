@@ -203,9 +203,7 @@ impl RecordType {
 
     /// The entry of a kind.
     pub fn of(kind: RecordKind) -> &'static RecordType {
-        // In the order of the table.
-        let at = RECORD_TYPES.binary_search_by_key(&kind, |t| t.kind);
-        &RECORD_TYPES[at.unwrap_or_default()]
+        &RECORD_TYPES[kind.place()]
     }
 
     /// The entry for a type number, if there is one.
@@ -588,6 +586,19 @@ macro_rules! record_types {
         /// The types of records of the language.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum RecordKind { $void, Shape(ShapeKind), $($other),* }
+
+        impl RecordKind {
+            /// Where its entry is in the table.
+            pub(super) fn place(self) -> usize {
+                enum Place { $void, $($shape,)* $($other),* }
+                let place = match self {
+                    RecordKind::$void => Place::$void,
+                    $(RecordKind::Shape(ShapeKind::$shape) => Place::$shape,)*
+                    $(RecordKind::$other => Place::$other,)*
+                };
+                place as usize
+            }
+        }
 
         /// Every record type of the language, in the order of the reference.
         pub static RECORD_TYPES: &[RecordType] = &[

@@ -113,7 +113,7 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
             reached[child as usize] = true;
         }
         match *node {
-            Node::Shape(shape) => count(scene.shapes[shape as usize].ty.kind),
+            Node::Shape(shape) => count(scene.shapes[shape as usize].ty().kind),
             Node::Union(..) => count(RecordKind::Union),
             Node::Intersection(..) => count(RecordKind::Intersection),
             Node::Difference(..) => count(RecordKind::Difference),

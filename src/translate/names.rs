@@ -41,7 +41,7 @@ pub fn comment(scene: &Scene, captions: &Captions, node: NodeId, id: u32) -> Opt
                 at = child;
                 continue;
             }
-            Node::Shape(shape) => scene.shapes[shape as usize].ty.kind,
+            Node::Shape(shape) => scene.shapes[shape as usize].ty().kind,
             Node::Union(..) => RecordKind::Union,
             Node::Intersection(..) => RecordKind::Intersection,
             Node::Difference(..) => RecordKind::Difference,

@@ -163,7 +163,7 @@ fn rows<'a>(text: &'a str, document: &Document) -> Vec<Row<'a>> {
                 line: l,
                 number,
                 text,
-                ty: r.ty,
+                ty: r.ty(),
                 tokens,
             });
         }

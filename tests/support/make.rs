@@ -6,7 +6,7 @@ use zpg::scene::{
     AmbientLight, Camera, Entity, Geometry, Node, NodeId, Optics, Origin, Paint, PointLight,
     Render, Rgb, Scene, Shape, Texture, Vec3, View,
 };
-use zpg::syntax::table::{Kind, RecordType};
+use zpg::syntax::table::{Kind, ShapeKind};
 
 /// A scene in the making; IDs count up from 2.
 #[derive(Default)]
@@ -80,11 +80,11 @@ impl Make {
         node
     }
 
-    pub fn shape(&mut self, code: i64, geometry: Geometry) -> NodeId {
+    pub fn shape(&mut self, kind: ShapeKind, geometry: Geometry) -> NodeId {
         let id = self.id();
         self.scene.shapes.push(Shape {
             id,
-            ty: RecordType::by_code(code).expect("a type of the table"),
+            kind,
             span: Span::default(),
             geometry,
         });
@@ -94,23 +94,23 @@ impl Make {
     }
 
     pub fn sphere(&mut self, centre: Vec3, radius: f64) -> NodeId {
-        self.shape(11, Geometry::Sphere { centre, radius })
+        self.shape(ShapeKind::Sphere, Geometry::Sphere { centre, radius })
     }
 
     pub fn cube(&mut self, min: Vec3, max: Vec3) -> NodeId {
-        self.shape(12, Geometry::Box { min, max })
+        self.shape(ShapeKind::Box, Geometry::Box { min, max })
     }
 
     pub fn plane(&mut self, abcd: [f64; 4]) -> NodeId {
-        self.shape(3, Geometry::Plane(abcd))
+        self.shape(ShapeKind::Plane, Geometry::Plane(abcd))
     }
 
     pub fn half_space(&mut self, abcd: [f64; 4]) -> NodeId {
-        self.shape(4, Geometry::HalfSpace(abcd))
+        self.shape(ShapeKind::HalfSpace, Geometry::HalfSpace(abcd))
     }
 
     pub fn rectangle(&mut self, min: [f64; 2], max: [f64; 2]) -> NodeId {
-        self.shape(5, Geometry::Rectangle { min, max })
+        self.shape(ShapeKind::Rectangle, Geometry::Rectangle { min, max })
     }
 
     fn operation(&mut self, node: Node) -> NodeId {

@@ -4,7 +4,7 @@ use zpg::diagnostics::Span;
 use zpg::geometry::Matrix;
 use zpg::geometry::vec::Vec3;
 use zpg::scene::*;
-use zpg::syntax::table::RecordType;
+use zpg::syntax::table::ShapeKind;
 use zpg::trace::{Picture, Ray, Settings, Tracer, selected_camera};
 
 #[derive(Default)]
@@ -33,18 +33,18 @@ impl Builder {
     }
 
     pub fn shape(&mut self, geometry: Geometry) -> NodeId {
-        let code = match geometry {
-            Geometry::Sphere { .. } => 11,
-            Geometry::Box { .. } => 12,
-            Geometry::HalfSpace(_) => 4,
-            Geometry::Plane(_) => 3,
-            Geometry::Rectangle { .. } => 5,
-            _ => 14,
+        let kind = match geometry {
+            Geometry::Sphere { .. } => ShapeKind::Sphere,
+            Geometry::Box { .. } => ShapeKind::Box,
+            Geometry::HalfSpace(_) => ShapeKind::HalfSpace,
+            Geometry::Plane(_) => ShapeKind::Plane,
+            Geometry::Rectangle { .. } => ShapeKind::Rectangle,
+            _ => ShapeKind::Torus,
         };
         let id = self.scene.shapes.len() as u32 + 2;
         self.scene.shapes.push(Shape {
             id,
-            ty: RecordType::by_code(code).unwrap(),
+            kind,
             span: Span::new(id, id + 1),
             geometry,
         });

@@ -66,7 +66,7 @@ fn copies(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     let mut named: Vec<u32> = findings.iter().filter_map(id).collect();
     named.sort_unstable();
     let twice = named.chunk_by(|a, b| a == b).filter(|c| c.len() > 1);
-    let is_copy = |record: &&Record| record.ty.kind == RecordKind::Copy;
+    let is_copy = |record: &&Record| record.kind == RecordKind::Copy;
     let copies = twice
         .filter_map(|c| analysis.definition(c[0]))
         .filter(is_copy);
@@ -81,7 +81,7 @@ fn copy(analysis: &Analysis, record: &Record) -> Option<Suspect> {
         .with("id", id.to_string())
         .with("kind", Value::Term(original.kind?.name()))
         .with("kinds", Value::OneOf(vec![Kind::Object.name()]))
-        .with("parameter", Value::Term(record.ty.params.first()?.doc))
+        .with("parameter", Value::Term(record.ty().params.first()?.doc))
         .label(original.span, "defined-here");
     let place = Place::both(analysis, operand.start).into_iter().next()?;
     let mut candidates = place.candidates(&finding, &[]);

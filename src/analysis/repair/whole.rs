@@ -168,7 +168,7 @@ fn references<'a>(
 ) -> impl Iterator<Item = (Token, i64)> {
     let text = analysis.source.text.as_str();
     (analysis.document.params(record).enumerate()).filter_map(move |(i, token)| {
-        let param = record.ty.param(i, record.count as usize)?;
+        let param = record.ty().param(i, record.count as usize)?;
         match param.kind {
             ParamKind::Reference { .. } => Some((*token, token.integer(text)?)),
             _ => None,
@@ -194,7 +194,7 @@ fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let mut spans: Vec<Span> = Vec::new();
     for record in records(analysis) {
         let before = edits.len();
-        if record.id == 1 && record.ty.kind != RecordKind::Render {
+        if record.id == 1 && record.kind != RecordKind::Render {
             let head = analysis.document.id_token(record).span();
             edits.push(edit(head, new.clone()));
         }
@@ -218,7 +218,7 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     if doubled.count() < MANY {
         return None;
     }
-    let is_render = |r: &&Record| r.ty.kind == RecordKind::Render;
+    let is_render = |r: &&Record| r.kind == RecordKind::Render;
     let render = records(analysis).find(is_render)?;
     let end = analysis.document.span(render.first, render.last).end;
     let rest = analysis.source.text.get(end as usize..)?;
@@ -244,7 +244,7 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     );
     let mut edits = vec![edit(root.0.span(), join.to_string())];
     for record in records(&second) {
-        if record.ty.kind == RecordKind::Render {
+        if record.kind == RecordKind::Render {
             let text = format!("{join} -101 {} {}", root.1, moved(other.1));
             let all = second.document.span(record.first, record.last);
             edits.push(edit(in_file(all), text));
@@ -286,10 +286,10 @@ pub fn cycles(analysis: &Analysis, findings: &mut [Diagnostic]) {
         let span = analysis.document.span(record.first, record.last);
         at.push((span.start, span.end, record.id));
         let late = matches!(
-            record.ty.kind,
+            record.kind,
             RecordKind::Render | RecordKind::MonoCamera | RecordKind::StereoCamera
         );
-        if !late && !matches!(record.ty.effect, Effect::Changes(_)) {
+        if !late && !matches!(record.ty().effect, Effect::Changes(_)) {
             let named = references(analysis, record).filter_map(|r| u32::try_from(r.1).ok());
             needs.entry(record.id).or_default().extend(named);
         }

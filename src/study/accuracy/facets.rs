@@ -5,7 +5,7 @@ use super::stage::Stage;
 use crate::diagnostics::{Error, Span};
 use crate::scene::{Geometry, Node, Paint, Scene, Shape, Texture, TriangleNormals};
 use crate::solids::bounds::node_bounds;
-use crate::syntax::table::{RECORD_TYPES, RecordKind, ShapeKind};
+use crate::syntax::table::ShapeKind;
 use crate::trace::plan::Effect;
 use crate::translate::mesh::{self, Options, Skin};
 use std::sync::Arc;
@@ -121,16 +121,9 @@ pub fn meshes(stage: &mut Stage) -> Result<Option<Facets>, Error> {
     }))
 }
 
-fn triangle_type() -> Option<&'static crate::syntax::table::RecordType> {
-    RECORD_TYPES
-        .iter()
-        .find(|t| t.kind == RecordKind::Shape(ShapeKind::Triangle))
-}
-
 /// A scene of the triangles of a mesh, with the optics and colours of their skins.
 fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Stage) -> Option<Scene> {
     let graph = &stage.tracer().graph;
-    let ty = triangle_type()?;
     let mut made = Scene {
         ambient_lights: whole.ambient_lights.clone(),
         point_lights: whole.point_lights.clone(),
@@ -157,7 +150,7 @@ fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Stage) -> Option<Scene> 
             let shape = made.shapes.len() as u32;
             made.shapes.push(Shape {
                 id: Skin::object(skin),
-                ty,
+                kind: ShapeKind::Triangle,
                 span: Span::default(),
                 geometry: Geometry::Triangle {
                     vertices: Box::new(vertices),

@@ -332,7 +332,7 @@ pub fn broken(items: &mut [Item], tokens: &[Token], glued: &[Span]) {
                 first: r.first,
                 last: r.last,
                 id: Some(r.id),
-                ty: Some(r.ty),
+                kind: Some(r.kind),
                 fault: Fault::Form,
             });
         }

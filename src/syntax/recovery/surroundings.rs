@@ -56,7 +56,7 @@ impl Surroundings {
                 Item::Broken(_) => continue,
             };
             all.records += 1;
-            match record.ty.effect {
+            match record.ty().effect {
                 Effect::Changes(_) => used.push(record.id),
                 Effect::Defines(_) | Effect::DefinesOrChanges(..) => {
                     all.defined.get_or_insert(record.id, record.value - 2);
@@ -94,7 +94,7 @@ impl Surroundings {
 /// The IDs that a record refers to.
 fn references(columns: &Columns, record: &Record) -> impl Iterator<Item = u32> {
     let values = &columns.lexed.values[record.value as usize..];
-    (values.iter().zip(record.ty.params))
+    (values.iter().zip(record.ty().params))
         .filter(|(_, p)| matches!(p.kind, ParamKind::Reference { .. }))
         .map(|(&value, _)| value as u32)
         .filter(|&id| id > 0)

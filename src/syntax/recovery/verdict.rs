@@ -2,8 +2,8 @@
 
 use super::super::ast::{self, Broken, Item, Record};
 use super::super::signature::Reading;
-use super::super::table::RecordType;
-use super::faults::{RENDER, integral, spoiled};
+use super::super::table::{RecordKind, RecordType};
+use super::faults::{integral, spoiled};
 use super::stretch::Stretch;
 
 /// The price of one error. All other prices are in relation to this one.
@@ -89,7 +89,7 @@ impl Piece {
                 .or_else(|| integral(stream, self.start))
                 .and_then(|id| u32::try_from(id).ok())
                 .filter(|&id| id > 0),
-            ty: None,
+            kind: None,
             fault: ast::Fault::Form,
         };
         match self.verdict {
@@ -98,7 +98,7 @@ impl Piece {
             },
             Verdict::Whole(r) => Item::Record(Record {
                 id: stream.sigs[self.start].int.unwrap_or(0) as u32,
-                ty: r.ty,
+                kind: r.ty.kind,
                 first: broken.first,
                 last: broken.last,
                 params: (r.end - self.start - 2) as u32,
@@ -106,30 +106,30 @@ impl Piece {
                 value: stream.value_index(self.start + 2),
             }),
             Verdict::Count { ty, .. } | Verdict::BadCount { ty } => {
-                broken.ty = Some(ty);
+                broken.kind = Some(ty.kind);
                 broken.fault = ast::Fault::Number;
                 Item::Broken(broken)
             }
             Verdict::Damaged { ty }
             | Verdict::Reals { ty }
             | Verdict::LostSign { meant: ty, .. } => {
-                broken.ty = Some(ty);
+                broken.kind = Some(ty.kind);
                 Item::Broken(broken)
             }
             Verdict::LostId { ty } => {
                 broken.id = (ty.code == 9999).then_some(1);
-                broken.ty = Some(ty);
+                broken.kind = Some(ty.kind);
                 broken.fault = ast::Fault::LostId;
                 Item::Broken(broken)
             }
             Verdict::Surplus { ty, id, .. } => {
                 broken.id = Some(id);
-                broken.ty = Some(ty);
+                broken.kind = Some(ty.kind);
                 Item::Broken(broken)
             }
             Verdict::Swapped => {
                 broken.id = Some(1);
-                broken.ty = RecordType::by_code(RENDER.into());
+                broken.kind = Some(RecordKind::Render);
                 Item::Broken(broken)
             }
             Verdict::UnknownType => {
@@ -139,14 +139,14 @@ impl Piece {
             Verdict::BadId { ty } => {
                 let spoiled = spoiled(stream, self.start).and_then(|id| u32::try_from(id).ok());
                 broken.id = spoiled.or(broken.id).filter(|&id| id > 0);
-                broken.ty = ty;
+                broken.kind = ty.map(|ty| ty.kind);
                 if broken.id.is_none() {
                     broken.fault = ast::Fault::LostId;
                 }
                 Item::Broken(broken)
             }
             Verdict::CutOff { ty } => {
-                broken.ty = ty;
+                broken.kind = ty.map(|ty| ty.kind);
                 Item::Broken(broken)
             }
             Verdict::BadType | Verdict::MissingType => Item::Broken(broken),

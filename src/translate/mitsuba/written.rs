@@ -20,7 +20,7 @@ impl<'a> Written<'a> {
     pub fn new(scene: &Scene, graph: &'a Graph) -> Written<'a> {
         Written {
             graph,
-            types: scene.shapes.iter().map(|s| (s.id, s.ty.kind)).collect(),
+            types: scene.shapes.iter().map(|s| (s.id, s.ty().kind)).collect(),
             exact: BTreeSet::new(),
             meshes: BTreeSet::new(),
         }

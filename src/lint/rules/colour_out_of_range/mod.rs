@@ -14,10 +14,10 @@ const PER_CENT_MAX: f64 = 100.0;
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
         // The parts of optics are shares of light, not colours.
-        if !matches!(record.ty.kind, RecordKind::Colour | RecordKind::Shape(_)) {
+        if !matches!(record.kind, RecordKind::Colour | RecordKind::Shape(_)) {
             continue;
         }
-        let Some(first) = record.ty.first_colour(record.count as usize) else {
+        let Some(first) = record.ty().first_colour(record.count as usize) else {
             continue;
         };
         let p = context.record_params(record);

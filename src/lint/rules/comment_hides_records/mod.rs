@@ -86,9 +86,9 @@ fn read(text: &str, block: Span, hidden: &mut Vec<(Span, &'static str, u32)>) {
         }
         match item {
             // `1 0` is as likely to be a pair of numbers as a placeholder.
-            Item::Record(r) if r.ty.kind != RecordKind::Undefined && (starts || follows) => {
+            Item::Record(r) if r.kind != RecordKind::Undefined && (starts || follows) => {
                 let place = Span::new(block.start + span.start, block.start + span.end);
-                waiting.push((place, r.ty.title, r.id));
+                waiting.push((place, r.ty().title, r.id));
                 end_of_whole = span.end as usize;
             }
             _ => {

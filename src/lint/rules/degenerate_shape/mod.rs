@@ -20,7 +20,7 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
     let (first, count) = why.params;
     let finding = Diagnostic::new(Code::W305, p.span_of(first, count))
         .case(why.case)
-        .with("type", Value::Term(shape.ty.title))
+        .with("type", Value::Term(shape.ty().title))
         .with("id", shape.id.to_string());
     if why.equal.is_empty() {
         return finding;

@@ -11,7 +11,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for item in &context.document.items {
         if let Item::Record(record) = item
-            && matches!(record.ty.kind, RecordKind::Optics | RecordKind::OpticsRgb)
+            && matches!(record.kind, RecordKind::Optics | RecordKind::OpticsRgb)
         {
             check_record(context, record, out);
         }
@@ -24,7 +24,7 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
         .iter()
         .filter_map(|t| t.number(context.text))
         .collect();
-    let channels: &[(&str, &str)] = match record.ty.kind {
+    let channels: &[(&str, &str)] = match record.kind {
         RecordKind::Optics => &[("", "")],
         _ => &[
             ("red", "sum-in-red"),

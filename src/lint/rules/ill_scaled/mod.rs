@@ -55,7 +55,7 @@ fn finding(context: &Context, shape: &Shape, small: Length, large: Length) -> Di
         .params(shape.span)
         .map_or(shape.span, |p| p.span_of(0, p.len()));
     Diagnostic::new(Code::W322, span)
-        .with("type", Value::Term(shape.ty.title))
+        .with("type", Value::Term(shape.ty().title))
         .with("id", shape.id.to_string())
         .with("large", Value::Term(large.what))
         .with("large-size", rough(large.size))

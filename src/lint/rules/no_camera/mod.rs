@@ -16,7 +16,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     // A camera that could not be read is no reason to say there is none.
-    let broken = |item: &Item| matches!(item, Item::Broken(b) if b.ty.is_none_or(|t| matches!(t.kind, RecordKind::Camera | RecordKind::ProjectionMatrix)));
+    let broken = |item: &Item| matches!(item, Item::Broken(b) if b.kind.is_none_or(|kind| matches!(kind, RecordKind::Camera | RecordKind::ProjectionMatrix)));
     if context.scene.view == View::Automatic
         && context.scene.cameras.is_empty()
         && !context.document.items.iter().any(broken)

@@ -13,10 +13,10 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let light = |k: Option<Kind>| matches!(k, Some(Kind::AmbientLight | Kind::PointLight));
     // One that is wrong was meant to be there.
     let meant = |item: &Item| match item {
-        Item::Record(r) => matches!(r.ty.kind, RecordKind::AmbientLight | RecordKind::PointLight),
-        Item::Broken(b) => {
-            b.ty.is_none_or(|t| matches!(t.kind, RecordKind::AmbientLight | RecordKind::PointLight))
-        }
+        Item::Record(r) => matches!(r.kind, RecordKind::AmbientLight | RecordKind::PointLight),
+        Item::Broken(b) => b
+            .kind
+            .is_none_or(|kind| matches!(kind, RecordKind::AmbientLight | RecordKind::PointLight)),
         Item::Void { .. } => false,
     };
     let contents = &context.document.contents;

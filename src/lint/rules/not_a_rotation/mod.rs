@@ -20,7 +20,7 @@ const DECIMALS: i32 = 12;
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for item in &context.document.items {
         if let Item::Record(record) = item
-            && record.ty.kind == RecordKind::RotationMatrix
+            && record.kind == RecordKind::RotationMatrix
         {
             check_record(&Params::new(context.document, context.text, record), out);
         }

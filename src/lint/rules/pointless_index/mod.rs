@@ -16,7 +16,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut any = false;
     for record in context
         .records()
-        .filter(|r| r.ty.kind == RecordKind::RefractiveIndex)
+        .filter(|r| r.kind == RecordKind::RefractiveIndex)
     {
         any = true;
         let p = context.record_params(record);
@@ -117,7 +117,7 @@ fn sources(context: &Context) -> Vec<Option<Span>> {
     for record in context.records() {
         let span = context.document.span(record.first, record.last);
         let made = scene.origins.get(next).is_some_and(|o| o.span == span);
-        match record.ty.kind {
+        match record.kind {
             RecordKind::RefractiveIndex => {
                 last.insert(record.id, Some(span));
             }

@@ -108,7 +108,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let [x, y, z] = met.point.map(|x| near(x, out_by));
     out.push(
         Diagnostic::new(Code::W312, span)
-            .with("type", Value::Term(shape.ty.title))
+            .with("type", Value::Term(shape.ty().title))
             .with("id", met.shape.to_string())
             .with("x", x)
             .with("y", y)
@@ -139,7 +139,7 @@ fn not_drawn(
     Some(
         Diagnostic::new(Code::W312, p.span_of(side, 1))
             .case("part")
-            .with("type", Value::Term(shape.ty.title))
+            .with("type", Value::Term(shape.ty().title))
             .with("id", leaf.id.to_string())
             .with("axis", AXES[axis])
             .with("reach", near(reach, clip.radius()))

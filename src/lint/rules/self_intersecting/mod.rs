@@ -61,7 +61,7 @@ fn profile(
     };
     out.push(
         Diagnostic::new(Code::W320, piece(a).1)
-            .with("type", Value::Term(shape.ty.title))
+            .with("type", Value::Term(shape.ty().title))
             .with("id", shape.id.to_string())
             .with("x", x)
             .with("y", y)

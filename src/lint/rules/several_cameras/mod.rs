@@ -13,10 +13,10 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     };
     // A selection counts even where it could not be read.
     let selects = |item: &Item| match item {
-        Item::Record(r) => matches!(r.ty.kind, RecordKind::MonoCamera | RecordKind::StereoCamera),
-        Item::Broken(b) => {
-            b.ty.is_none_or(|t| matches!(t.kind, RecordKind::MonoCamera | RecordKind::StereoCamera))
-        }
+        Item::Record(r) => matches!(r.kind, RecordKind::MonoCamera | RecordKind::StereoCamera),
+        Item::Broken(b) => b
+            .kind
+            .is_none_or(|kind| matches!(kind, RecordKind::MonoCamera | RecordKind::StereoCamera)),
         Item::Void { .. } => false,
     };
     if cameras.len() < 2 || context.document.items.iter().any(selects) {

@@ -30,14 +30,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     {
         let title = |id| Value::Term(titles.get(&id).copied().unwrap_or("object"));
         let document = context.document;
-        let case = match taker.ty.family {
+        let case = match taker.ty().family {
             Family::Operation => "",
             _ => "property",
         };
         out.push(
             Diagnostic::new(Code::W309, document.span(change.first, change.last))
                 .case(case)
-                .with("change", Value::Term(change.ty.title))
+                .with("change", Value::Term(change.ty().title))
                 .with("id", change.id.to_string())
                 .with("type", title(change.id))
                 .with("taker", title(taker.id))
@@ -84,7 +84,7 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
         &mut entries[number]
     }
     for record in context.records() {
-        let kind = record.ty.kind;
+        let kind = record.kind;
         if matches!(
             kind,
             RecordKind::Render | RecordKind::MonoCamera | RecordKind::StereoCamera
@@ -102,7 +102,7 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
             }
         }
         let own = entry(&mut ids, &mut entries, record.id);
-        if changes(record.ty) && own.taker.is_some() {
+        if changes(record.ty()) && own.taker.is_some() {
             match own.change {
                 None => own.change = Some(record),
                 Some(_) => own.more += 1,

@@ -58,7 +58,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             _ => d,
         };
         out.push(
-            d.with("shape", Value::Term(shape.ty.title))
+            d.with("shape", Value::Term(shape.ty().title))
                 .with("shape-id", shape.id.to_string())
                 .label(shape.span, "surface"),
         );

@@ -86,8 +86,8 @@ fn definitions(context: &Context) -> Vec<Definition> {
 fn spare_duplicates(context: &Context, all: &mut [Definition]) {
     let scene = context.scene;
     for record in context.records() {
-        let defines = matches!(record.ty.effect, Effect::Defines(_))
-            && record.ty.kind != RecordKind::Undefined;
+        let defines = matches!(record.ty().effect, Effect::Defines(_))
+            && record.kind != RecordKind::Undefined;
         if defines && let Some(number) = scene.ids.get(record.id) {
             let definition = &mut all[number as usize];
             let entity = scene.entities[definition.entity as usize];
