@@ -282,7 +282,7 @@ impl<'a> Resolver<'a> {
             span: self.document.tokens[broken.first as usize].span(),
         };
         // Where the type may be another one's, nothing is said of what refers to it.
-        let certain = broken.fault != Fault::Number;
+        let certain = broken.fault != Fault::Arity;
         self.push(entity, State::Broken(kind.filter(|_| certain)));
     }
 

@@ -1,5 +1,5 @@
-//! The typed syntax tree. Nothing of the source is lost in it: a [`Document`] keeps the whole token
-//! stream, comments and all, and its items are ranges of it.
+//! The typed syntax tree. Nothing of the source is lost in it: a [`Document`] keeps all tokens, comments too, and its
+//! items are ranges of them.
 
 use super::contents::Contents;
 use super::lexer::Token;
@@ -52,7 +52,7 @@ pub struct Record {
     pub value: u32,
 }
 
-/// A stretch of tokens that is no record.
+/// Tokens that are no record.
 #[derive(Debug, Clone, Copy)]
 pub struct Broken {
     pub first: u32,
@@ -64,13 +64,13 @@ pub struct Broken {
     pub fault: Fault,
 }
 
-/// What is wrong with a [`Broken`] stretch, as far as it matters to what others make of it.
+/// What is wrong with a [`Broken`] item, as far as it matters to what others make of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
     /// The form of its parameters.
     Form,
     /// The number of its parameters: its type may be another one's.
-    Number,
+    Arity,
     /// There is no such type.
     UnknownType,
     /// It has lost its ID: one undefined reference may mean it.
@@ -121,7 +121,7 @@ impl Document {
         self.span(first, last)
     }
 
-    /// The significant tokens of a stretch, in order.
+    /// The significant tokens among `first..=last`, in order.
     pub fn significant(&self, first: u32, last: u32) -> impl Iterator<Item = &Token> {
         self.tokens[first as usize..=last as usize]
             .iter()

@@ -8,7 +8,7 @@ use super::table::{RECORD_TYPES, RecordKind, RecordType};
 pub struct Contents {
     /// A bit for each record type, in the order of the table.
     kinds: u64,
-    /// There are stretches that could not be read.
+    /// There is something that could not be read.
     pub broken: bool,
     pub comments: bool,
     /// There is a comment over several lines.

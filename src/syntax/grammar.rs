@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use super::table::{Family, Kind, Param, ParamKind, RECORD_TYPES, RecordType};
 use crate::diagnostics::Code;
 
-/// Starts a generated stretch, with a name and ` -->`.
+/// Starts a generated part, with a name and ` -->`.
 const START: &str = "<!-- table:";
 /// Ends one.
 const END: &str = "<!-- end -->";

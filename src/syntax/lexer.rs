@@ -93,7 +93,7 @@ impl TokenKind {
     }
 }
 
-/// A kind and a stretch of the text, in eight bytes: a large file has millions of tokens.
+/// A kind and a place in the text, in eight bytes: a large file has millions of tokens.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Token {
     pub start: u32,

@@ -94,7 +94,7 @@ pub fn by_edits(
     let new_tokens = lexer::lex(new, &unclosed(edited));
     let mut new_ones = new_tokens.iter().peekable();
     let mut edits = edits.iter().peekable();
-    // How far what follows the last edit has moved, and the stretch of the new text that it put there.
+    // How far what follows the last edit has moved, and the part of the new text that it put there.
     let mut moved = 0;
     let mut inserted = (0, 0);
     for token in lexer::lex(old, &unclosed(document)) {

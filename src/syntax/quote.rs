@@ -1,6 +1,6 @@
 //! The user's text in messages.
 
-/// The longest stretch of the user's text that a message quotes, in characters.
+/// The longest part of the user's text that a message quotes, in characters.
 const QUOTE_MAX: usize = 24;
 
 /// A token's text for a message: shortened, control characters made visible.

@@ -8,23 +8,23 @@ use super::surroundings::Surroundings;
 use super::verdict::{Piece, Verdict};
 
 /// The IDs that the record at tokens `start..end` refers to.
-pub fn of_record(stream: &Stretch, start: usize, end: usize) -> impl Iterator<Item = i32> {
-    let params = stream.record_type(start + 1).map_or(&[][..], |t| t.params);
+pub fn of_record(stretch: &Stretch, start: usize, end: usize) -> impl Iterator<Item = i32> {
+    let params = stretch.record_type(start + 1).map_or(&[][..], |t| t.params);
     (start + 2..end)
         .zip(params)
         .filter(|(_, p)| matches!(p.kind, ParamKind::Reference { .. }))
-        .filter_map(|(i, _)| stream.sigs[i].int.filter(|&id| id > 0))
+        .filter_map(|(i, _)| stretch.sigs[i].int.filter(|&id| id > 0))
 }
 
 /// How many errors a reading of a stretch amounts to: its faults, the IDs that are defined
 /// twice, and those that are used and defined nowhere; each record that lost its ID accounts for one of these.
-pub fn damage(stream: &Stretch, around: &Surroundings, pieces: &[Piece]) -> usize {
+pub fn damage(stretch: &Stretch, around: &Surroundings, pieces: &[Piece]) -> usize {
     let mut defined = FxHashSet::default();
     let mut used = FxHashSet::default();
     let (mut faults, mut lost, mut twice) = (0, 0, 0);
     let elsewhere = |id: i32| around.is_defined(id as u32);
     for p in pieces {
-        let id = stream.sigs[p.start].int.filter(|&id| id > 0);
+        let id = stretch.sigs[p.start].int.filter(|&id| id > 0);
         match p.verdict {
             Verdict::Void => {}
             Verdict::Whole(r) => {
@@ -35,7 +35,7 @@ pub fn damage(stream: &Stretch, around: &Surroundings, pieces: &[Piece]) -> usiz
                     Effect::Changes(_) => used.extend(id),
                     Effect::DefinesOrChanges(..) => {}
                 }
-                used.extend(of_record(stream, p.start, r.end));
+                used.extend(of_record(stretch, p.start, r.end));
             }
             Verdict::LostId { .. } | Verdict::BadId { .. } => {
                 faults += 1;

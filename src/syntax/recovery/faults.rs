@@ -1,24 +1,24 @@
-//! What is wrong with a stretch of tokens that is no record, and how to say it.
+//! What is wrong with a piece that is no record, and what that costs.
 
 use super::super::lexer::TokenKind;
 use super::super::signature::{allows, fits};
-use super::super::table::{Effect, ParamKind, RecordType};
+use super::super::table::{Effect, ParamKind, RecordKind, RecordType};
 use super::stretch::{LONG, Stretch};
-use super::verdict::{FAULT, Verdict};
+use super::verdict::{CUT_OFF, FAULT, Verdict};
 
 /// The type that a token stands for, also where it is spelled as a real (`9.0`) or with a sign or
 /// letter glued to it (`11?`).
-pub fn type_at(stream: &Stretch, i: usize) -> Option<&'static RecordType> {
-    stream
+pub fn type_at(stretch: &Stretch, i: usize) -> Option<&'static RecordType> {
+    stretch
         .record_type(i)
-        .or_else(|| RecordType::by_code(integral(stream, i).or_else(|| spoiled(stream, i))?))
+        .or_else(|| RecordType::by_code(integral(stretch, i).or_else(|| spoiled(stretch, i))?))
 }
 
 /// The integer in a token with one sign or letter glued to it. An `e` is half an exponent.
-pub fn spoiled(stream: &Stretch, i: usize) -> Option<i64> {
+pub fn spoiled(stretch: &Stretch, i: usize) -> Option<i64> {
     let word = |k| matches!(k, TokenKind::MalformedNumber | TokenKind::Word);
-    stream.sigs.get(i).filter(|s| word(s.kind))?;
-    let text = stream.token(i).text(stream.text());
+    stretch.sigs.get(i).filter(|s| word(s.kind))?;
+    let text = stretch.token(i).text(stretch.text());
     let glue = |c: char| !c.is_ascii_digit() && !"+-.eE".contains(c);
     text.strip_prefix(glue)
         .or_else(|| text.strip_suffix(glue))?
@@ -27,23 +27,23 @@ pub fn spoiled(stream: &Stretch, i: usize) -> Option<i64> {
 }
 
 /// The type that follows a sign or word that stands in its place.
-fn type_behind_stray(stream: &Stretch, i: usize) -> Option<&'static RecordType> {
+fn type_behind_stray(stretch: &Stretch, i: usize) -> Option<&'static RecordType> {
     let stray = |k| matches!(k, TokenKind::Word | TokenKind::Invalid);
-    stream.sigs.get(i).filter(|s| stray(s.kind))?;
-    type_at(stream, i + 1)
+    stretch.sigs.get(i).filter(|s| stray(s.kind))?;
+    type_at(stretch, i + 1)
 }
 
 /// The value of a token that is a real with a whole value.
-pub fn integral(stream: &Stretch, i: usize) -> Option<i64> {
-    stream.sigs.get(i).filter(|s| s.kind == TokenKind::Real)?;
-    let x = stream.value(i);
+pub fn integral(stretch: &Stretch, i: usize) -> Option<i64> {
+    stretch.sigs.get(i).filter(|s| s.kind == TokenKind::Real)?;
+    let x = stretch.value(i);
     (x.fract() == 0.0 && x.abs() < 1e9).then_some(x as i64)
 }
 
-/// The count parameter of the counted record at `i`: `Err` where it cannot be used.
-pub fn count(stream: &Stretch, i: usize) -> Result<u64, ()> {
-    let s = stream.sigs.get(i).ok_or(())?;
-    let n = s.int.map(i64::from).or_else(|| integral(stream, i));
+/// The number of points of the counted record whose parameters begin at `i`: `Err` where it cannot be used.
+pub fn point_count(stretch: &Stretch, i: usize) -> Result<u64, ()> {
+    let s = stretch.sigs.get(i).ok_or(())?;
+    let n = s.int.map(i64::from).or_else(|| integral(stretch, i));
     u64::try_from(n.ok_or(())?)
         .ok()
         .filter(|&n| n >= 2)
@@ -51,49 +51,49 @@ pub fn count(stream: &Stretch, i: usize) -> Result<u64, ()> {
 }
 
 /// Whether the record at `i` is of a type whose length depends on a count.
-pub fn is_counted(stream: &Stretch, i: usize) -> bool {
-    type_at(stream, i + 1).is_some_and(RecordType::is_counted)
+pub fn is_counted(stretch: &Stretch, i: usize) -> bool {
+    type_at(stretch, i + 1).is_some_and(RecordType::is_counted)
 }
 
 /// Where a record should end whose parameters begin at `first`: `None` where nobody can tell.
-fn end_of(stream: &Stretch, first: usize, ty: &RecordType) -> Option<u64> {
+fn end_of(stretch: &Stretch, first: usize, ty: &RecordType) -> Option<u64> {
     let n = match ty.is_counted() {
-        true => count(stream, first).ok()?,
+        true => point_count(stretch, first).ok()?,
         false => 0,
     };
     Some((first as u64).saturating_add(ty.arity(n)))
 }
 
 /// Where the record that begins at `i` with an ID should end, perhaps behind the end of the text.
-pub fn expected_end(stream: &Stretch, i: usize) -> Option<usize> {
-    let end = end_of(stream, i + 2, type_at(stream, i + 1)?)?;
+pub fn expected_end(stretch: &Stretch, i: usize) -> Option<usize> {
+    let end = end_of(stretch, i + 2, type_at(stretch, i + 1)?)?;
     Some(usize::try_from(end).unwrap_or(usize::MAX))
 }
 
 /// Where the record that begins at `i` should end, by all ways to understand its head; never
 /// behind the end of the text.
-pub fn expected_ends(stream: &Stretch, i: usize) -> Vec<usize> {
+pub fn expected_ends(stretch: &Stretch, i: usize) -> Vec<usize> {
     let mut out = Vec::new();
     let mut add = |first: usize, ty: Option<&'static RecordType>| {
-        let end = ty.and_then(|ty| end_of(stream, first, ty));
-        if let Some(end) = end.filter(|&e| e <= stream.len() as u64 + 8) {
-            out.push((end as usize).min(stream.len()));
+        let end = ty.and_then(|ty| end_of(stretch, first, ty));
+        if let Some(end) = end.filter(|&e| e <= stretch.len() as u64 + 8) {
+            out.push((end as usize).min(stretch.len()));
         }
     };
-    add(i + 2, type_at(stream, i + 1));
-    add(i + 1, type_at(stream, i));
-    if let Some(ty) = type_behind_stray(stream, i + 1) {
+    add(i + 2, type_at(stretch, i + 1));
+    add(i + 1, type_at(stretch, i));
+    if let Some(ty) = type_behind_stray(stretch, i + 1) {
         add(i + 3, Some(ty));
     }
-    if type_at(stream, i + 1).is_none() {
+    if type_at(stretch, i + 1).is_none() {
         // Of an unknown type all that is known is how long records over several lines are.
         for params in [9, 10, 12, 16, 18] {
-            out.push((i + 2 + params).min(stream.len()));
+            out.push((i + 2 + params).min(stretch.len()));
         }
-        if let Ok(n) = count(stream, i + 2) {
+        if let Ok(n) = point_count(stretch, i + 2) {
             for per in [2, 5] {
                 let end = (i as u64 + 3).saturating_add(n.saturating_mul(per));
-                if end <= stream.len() as u64 {
+                if end <= stretch.len() as u64 {
                     out.push(end as usize);
                 }
             }
@@ -130,53 +130,53 @@ impl Known for Unknown {
 }
 
 /// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
-pub fn judge(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
-    let found = likeliest(stream, start, end, known);
+pub fn judge(stretch: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
+    let found = likeliest(stretch, start, end, known);
     debug_assert!(found.1 >= LEAST, "{found:?}");
     found
 }
 
-fn likeliest(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
-    let id = &stream.sigs[start];
+fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
+    let id = &stretch.sigs[start];
     if end == start + 1 && id.kind.is_bad() {
         return (Verdict::BadId { ty: None }, FAULT + 10);
     }
-    if let Some(ty) = all_but_reals(stream, start, end) {
+    if let Some(ty) = all_but_reals(stretch, start, end) {
         return (Verdict::Reals { ty }, REALS);
     }
-    if let Some(swapped) = swapped(stream, start, end) {
+    if let Some(swapped) = swapped(stretch, start, end) {
         return swapped;
     }
     let good_id = id.int.is_some_and(|id| id > 0);
     let ty = (start + 1 < end)
-        .then(|| type_at(stream, start + 1))
+        .then(|| type_at(stretch, start + 1))
         .flatten();
-    let behind_stray = type_behind_stray(stream, start + 1).filter(|_| start + 2 < end);
+    let behind_stray = type_behind_stray(stretch, start + 1).filter(|_| start + 2 < end);
     let with_id = match (ty, behind_stray) {
-        (Some(ty), _) => judge_params(stream, ty, start + 2, end),
+        (Some(ty), _) => judge_params(stretch, ty, start + 2, end),
         // The error is the stray token; if the rest is right, it is the only one.
-        (None, Some(ty)) if end_of(stream, start + 3, ty) == Some(end as u64) => {
+        (None, Some(ty)) if end_of(stretch, start + 3, ty) == Some(end as u64) => {
             (Verdict::BadType, FAULT)
         }
-        (None, _) => untyped(stream, start, end),
+        (None, _) => untyped(stretch, start, end),
     };
     if good_id {
-        if let Some(sign) = sign_of_known_type(stream, start, end, known) {
+        if let Some(sign) = sign_of_known_type(stretch, start, end, known) {
             return sign;
         }
-        if let Some(surplus) = surplus(stream, start, end, known) {
+        if let Some(surplus) = surplus(stretch, start, end, known) {
             return surplus;
         }
-        let lost = lost_id(stream, start, end).filter(|_| {
+        let lost = lost_id(stretch, start, end).filter(|_| {
             let missing = id.int.is_some_and(|id| known.is_missing(id));
             // `5 0 1 2 3` is an undefined object, unless something else must be here.
-            let undefined = ty.is_some_and(|t| t.code == 0)
-                && is_between(stream, start)
+            let undefined = ty.is_some_and(|t| t.kind == RecordKind::Undefined)
+                && is_between(stretch, start)
                 && !id.int.is_some_and(|id| known.misses_another(id));
             !missing && !undefined
         });
         let taken = id.int.is_some_and(|id| known.is_defined(id));
-        let in_order = if follows(stream, start) && !taken {
+        let in_order = if follows(stretch, start) && !taken {
             IN_ORDER
         } else {
             0
@@ -186,7 +186,7 @@ fn likeliest(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> 
             _ => with_id,
         };
     }
-    if let Some(lost) = lost_id(stream, start, end) {
+    if let Some(lost) = lost_id(stretch, start, end) {
         return lost;
     }
     // The ID itself is the fault; what is behind it may be right. A `0` that introduces a comment
@@ -198,21 +198,21 @@ fn likeliest(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> 
     };
     // One that is spelled as a real is an ID all the same: what else is wrong with the record is said, and
     // what refers to it, refers to it.
-    let spelled = integral(stream, start).is_some_and(|id| id > 0);
+    let spelled = integral(stretch, start).is_some_and(|id| id > 0);
     let of_record = with_id.0;
     let (verdict, price) = match with_id {
         (Verdict::Damaged { ty }, _) => {
             // A mere sign or word is likelier to stand in front of the ID than in its place.
             let extra = matches!(id.kind, TokenKind::Word | TokenKind::Invalid);
             // Nor is a number too many likely to be an undefined object's.
-            let extra = extra || ty.code == 0;
-            let price = FAULT + bad_price(stream, start + 2, end) + if extra { 50 } else { 0 };
+            let extra = extra || ty.kind == RecordKind::Undefined;
+            let price = FAULT + bad_price(stretch, start + 2, end) + if extra { 50 } else { 0 };
             (Verdict::BadId { ty: Some(ty) }, price + void)
         }
         (Verdict::CutOff { ty }, price) => (Verdict::BadId { ty }, price + FAULT + void),
         (_, price) => {
-            let ty = ty.filter(|t| t.code != 0);
-            let bad = bad_price(stream, start + 1, end);
+            let ty = ty.filter(|t| t.kind != RecordKind::Undefined);
+            let bad = bad_price(stretch, start + 1, end);
             (
                 Verdict::BadId { ty },
                 FAULT + 200 + price.min(200) + bad + void,
@@ -227,11 +227,11 @@ fn likeliest(stream: &Stretch, start: usize, end: usize, known: &impl Known) -> 
 }
 
 /// The number that two tokens are without the space between them.
-pub fn joined(stream: &Stretch, at: usize) -> Option<i32> {
-    if at + 1 >= stream.len() {
+pub fn joined(stretch: &Stretch, at: usize) -> Option<i32> {
+    if at + 1 >= stretch.len() {
         return None;
     }
-    let [one, two] = [at, at + 1].map(|i| stream.token(i).text(stream.text()));
+    let [one, two] = [at, at + 1].map(|i| stretch.token(i).text(stretch.text()));
     let digits = |text: &str| text.len() < 6 && text.bytes().all(|b| b.is_ascii_digit());
     let right = digits(two) && digits(one.strip_prefix('-').unwrap_or(one));
     right.then(|| format!("{one}{two}").parse().ok())?
@@ -240,20 +240,20 @@ pub fn joined(stream: &Stretch, at: usize) -> Option<i32> {
 /// A whole line that is a record but for a token too many in front of it, or for a space in its ID.
 /// Something else must speak for the ID: a definition is needed, and what is changed is there.
 fn surplus(
-    stream: &Stretch,
+    stretch: &Stretch,
     start: usize,
     end: usize,
     known: &impl Known,
 ) -> Option<(Verdict, u32)> {
-    let whole_line = stream.starts_line(start)
-        && stream.ends_line(end)
-        && stream.line(start) == stream.line(end - 1);
-    let ty = stream
+    let whole_line = stretch.starts_line(start)
+        && stretch.ends_line(end)
+        && stretch.line(start) == stretch.line(end - 1);
+    let ty = stretch
         .record_type(start + 2)
-        .filter(|t| t.code != 0 && whole_line)?;
+        .filter(|t| t.kind != RecordKind::Undefined && whole_line)?;
     let first = start + 3;
     let n = match ty.is_counted() {
-        true => count(stream, first).ok()?,
+        true => point_count(stretch, first).ok()?,
         false => 0,
     };
     let expected = end.checked_sub(first)?;
@@ -262,21 +262,23 @@ fn surplus(
     let right = exact
         && (first..end.min(first + VALUES_MAX)).all(|at| {
             let param = ty.param(at - first, n as usize);
-            param.is_some_and(|p| fits(stream.sigs[at].kind, p.kind) && allows(p, stream.value(at)))
+            param.is_some_and(|p| {
+                fits(stretch.sigs[at].kind, p.kind) && allows(p, stretch.value(at))
+            })
         });
-    if !right || lost_sign(stream, start, end) || stream.bad(start, first) > 0 {
+    if !right || lost_sign(stretch, start, end) || stretch.bad(start, first) > 0 {
         return None;
     }
-    let own = stream.sigs[start].int;
+    let own = stretch.sigs[start].int;
     let speaks = |id: i32| match ty.effect {
         Effect::Changes(_) => known.is_defined(id),
-        _ if ty.code == RENDER => id == 1,
+        _ if ty.kind == RecordKind::Render => id == 1,
         _ => known.is_missing(id),
     };
-    let in_front = stream.sigs[start + 1]
+    let in_front = stretch.sigs[start + 1]
         .int
         .filter(|_| !own.is_some_and(|id| known.is_missing(id)));
-    let ids = [(joined(stream, start), start), (in_front, start)];
+    let ids = [(joined(stretch, start), start), (in_front, start)];
     let (id, at) = (ids.into_iter())
         .find_map(|(id, at)| Some((id.filter(|&id| id > 0 && speaks(id))?, at)))?;
     let verdict = Verdict::Surplus {
@@ -292,31 +294,31 @@ fn surplus(
 /// of a surface of revolution with 30 points. Where the type as it stands might have lost a number as well, the ID
 /// must be one that can be changed.
 fn sign_of_known_type(
-    stream: &Stretch,
+    stretch: &Stretch,
     start: usize,
     end: usize,
     known: &impl Known,
 ) -> Option<(Verdict, u32)> {
-    let ty = stream.record_type(start + 1).filter(|_| start + 2 < end)?;
+    let ty = stretch.record_type(start + 1).filter(|_| start + 2 < end)?;
     let meant = RecordType::by_code(-i64::from(ty.code)).filter(|t| t.code < 0)?;
-    let whole_line = stream.starts_line(start)
-        && stream.ends_line(end)
-        && stream.line(start) == stream.line(end - 1);
+    let whole_line = stretch.starts_line(start)
+        && stretch.ends_line(end)
+        && stretch.line(start) == stretch.line(end - 1);
     let got = end - start - 2;
     let right = whole_line
         && got as u64 == meant.arity(0)
         && (start + 2..end)
             .zip(meant.params)
-            .all(|(at, p)| fits(stream.sigs[at].kind, p.kind) && allows(p, stream.value(at)));
+            .all(|(at, p)| fits(stretch.sigs[at].kind, p.kind) && allows(p, stretch.value(at)));
     if !right {
         return None;
     }
     let n = match ty.is_counted() {
-        true => count(stream, start + 2).unwrap_or(0),
+        true => point_count(stretch, start + 2).unwrap_or(0),
         false => 0,
     };
     let expected = ty.arity(n);
-    let changes = stream.sigs[start]
+    let changes = stretch.sigs[start]
         .int
         .is_some_and(|id| known.is_defined(id));
     let far = expected > 2 * got as u64 + 2;
@@ -336,22 +338,22 @@ fn sign_of_known_type(
 const IN_ORDER: u32 = 40;
 
 /// Whether a line begins with the next number after that which the line before begins with.
-fn follows(stream: &Stretch, start: usize) -> bool {
-    let line = stream.line(start);
-    let first = |line: usize| stream.sigs[stream.line_start(line)].int.map(i64::from);
+fn follows(stretch: &Stretch, start: usize) -> bool {
+    let line = stretch.line(start);
+    let first = |line: usize| stretch.sigs[stretch.line_start(line)].int.map(i64::from);
     line > 0
-        && stream.starts_line(start)
+        && stretch.starts_line(start)
         && first(line - 1).filter(|&id| id > 0).map(|id| id + 1) == first(line)
 }
 
 /// Whether a line begins with a number between those that the lines before and behind begin with. The render
 /// record is behind all.
-fn is_between(stream: &Stretch, start: usize) -> bool {
-    let line = stream.line(start);
-    let first = |line: usize| stream.sigs[stream.line_start(line)].int;
+fn is_between(stretch: &Stretch, start: usize) -> bool {
+    let line = stretch.line(start);
+    let first = |line: usize| stretch.sigs[stretch.line_start(line)].int;
     let id = first(line);
     let rises = line == 0 || first(line - 1) < id;
-    let next = (line + 1 < stream.line_count()).then(|| first(line + 1));
+    let next = (line + 1 < stretch.line_count()).then(|| first(line + 1));
     rises && next.is_none_or(|next| next == Some(1) || next > id)
 }
 
@@ -363,29 +365,29 @@ pub const LEAST: u32 = REALS;
 
 /// The price of the bad tokens among `from..to`: the same in every reading, lest one that swallows them
 /// is the cheaper for it.
-pub(super) fn bad_price(stream: &Stretch, from: usize, to: usize) -> u32 {
-    FAULT * stream.bad(from, to).min(BAD_MAX)
+pub(super) fn bad_price(stretch: &Stretch, from: usize, to: usize) -> u32 {
+    FAULT * stretch.bad(from, to).min(BAD_MAX)
 }
 
-/// How many bad tokens of one stretch are counted at most.
+/// How many bad tokens of one piece are counted at most.
 pub(super) const BAD_MAX: u32 = 1_000_000;
 
 /// The type of the record that a whole line is, if all that is wrong are integers spelled as reals.
-fn all_but_reals(stream: &Stretch, start: usize, end: usize) -> Option<&'static RecordType> {
-    let whole = |i: usize| integral(stream, i).is_some();
-    let line = start + 1 < end && stream.starts_line(start) && stream.ends_line(end);
-    if !line || stream.line(start) != stream.line(end - 1) {
+fn all_but_reals(stretch: &Stretch, start: usize, end: usize) -> Option<&'static RecordType> {
+    let whole = |i: usize| integral(stretch, i).is_some();
+    let line = start + 1 < end && stretch.starts_line(start) && stretch.ends_line(end);
+    if !line || stretch.line(start) != stretch.line(end - 1) {
         return None;
     }
-    let id = stream.sigs[start]
+    let id = stretch.sigs[start]
         .int
         .map(i64::from)
-        .or_else(|| integral(stream, start));
+        .or_else(|| integral(stretch, start));
     id.filter(|&id| id > 0)?;
-    let code = stream.sigs[start + 1].int.map(i64::from);
-    let ty = RecordType::by_code(code.or_else(|| integral(stream, start + 1))?)?;
+    let code = stretch.sigs[start + 1].int.map(i64::from);
+    let ty = RecordType::by_code(code.or_else(|| integral(stretch, start + 1))?)?;
     let n = match ty.is_counted() {
-        true => count(stream, start + 2).ok()?,
+        true => point_count(stretch, start + 2).ok()?,
         false => 0,
     };
     let got = (end - start - 2) as u64;
@@ -394,10 +396,10 @@ fn all_but_reals(stream: &Stretch, start: usize, end: usize) -> Option<&'static 
         return None;
     }
     // Where no integer is spelled as a real, nothing of this kind is wrong.
-    let mut respelled = stream.sigs[start].int.is_none() || code.is_none();
+    let mut respelled = stretch.sigs[start].int.is_none() || code.is_none();
     for i in start + 2..end {
         let param = ty.param(i - start - 2, n as usize)?;
-        if !fits(stream.sigs[i].kind, param.kind) {
+        if !fits(stretch.sigs[i].kind, param.kind) {
             if param.kind == ParamKind::FileName || !whole(i) {
                 return None;
             }
@@ -408,49 +410,48 @@ fn all_but_reals(stream: &Stretch, start: usize, end: usize) -> Option<&'static 
 }
 
 /// A line `9999 1 …` that would be the render record with its first two numbers swapped.
-fn swapped(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
-    let whole_line = stream.starts_line(start) && stream.ends_line(end);
-    if !whole_line || stream.line(start) != stream.line(end - 1) || end < start + 2 {
+fn swapped(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+    let whole_line = stretch.starts_line(start) && stretch.ends_line(end);
+    if !whole_line || stretch.line(start) != stretch.line(end - 1) || end < start + 2 {
         return None;
     }
-    let ty = stream.record_type(start).filter(|t| t.code == RENDER)?;
+    let ty = stretch
+        .record_type(start)
+        .filter(|t| t.kind == RecordKind::Render)?;
     let got = end - start - 2;
     let exact = got == ty.params.len() || got == ty.params.len() + ty.optional.len();
-    let right = stream.sigs[start + 1].int == Some(1)
+    let right = stretch.sigs[start + 1].int == Some(1)
         && exact
-        && wrong_kinds(stream, ty, start + 2, end) == 0;
+        && wrong_kinds(stretch, ty, start + 2, end) == 0;
     right.then_some((Verdict::Swapped, FAULT - 20))
 }
 
-/// The type of the render record, which has ID 1.
-pub const RENDER: i32 = 9999;
-
 /// Whether a record of unknown type would be right with a minus sign before the type.
-pub fn lost_sign(stream: &Stretch, start: usize, end: usize) -> bool {
-    let code = stream.sigs[start + 1].int.map(i64::from);
+pub fn lost_sign(stretch: &Stretch, start: usize, end: usize) -> bool {
+    let code = stretch.sigs[start + 1].int.map(i64::from);
     let ty = code
         .filter(|&c| c > 0)
         .and_then(|c| RecordType::by_code(-c));
-    ty.is_some_and(|ty| end_of(stream, start + 2, ty) == Some(end as u64))
+    ty.is_some_and(|ty| end_of(stretch, start + 2, ty) == Some(end as u64))
 }
 
-fn untyped(stream: &Stretch, start: usize, end: usize) -> (Verdict, u32) {
-    let Some(t) = stream.sigs.get(start + 1).filter(|_| start + 1 < end) else {
-        let cut = stream.has_unclosed_comment(start, end);
+fn untyped(stretch: &Stretch, start: usize, end: usize) -> (Verdict, u32) {
+    let Some(t) = stretch.sigs.get(start + 1).filter(|_| start + 1 < end) else {
+        let cut = stretch.has_unclosed_comment(start, end);
         return match cut {
-            true => (Verdict::CutOff { ty: None }, FAULT / 10),
+            true => (Verdict::CutOff { ty: None }, CUT_OFF),
             false => (Verdict::MissingType, FAULT + 60),
         };
     };
     let length = 10 * (end - start).min(20) as u32;
     // Over several lines only what is as long as such records are.
-    let over_lines = stream.line(end - 1) > stream.line(start);
-    let plausible = !over_lines || expected_ends(stream, start).contains(&end);
+    let over_lines = stretch.line(end - 1) > stretch.line(start);
+    let plausible = !over_lines || expected_ends(stretch, start).contains(&end);
     let penalty = if plausible { 0 } else { 2 * FAULT };
-    let bad = bad_price(stream, start + 2, end);
+    let bad = bad_price(stretch, start + 2, end);
     match t.int {
         // A lost sign is likelier than a lost ID.
-        Some(_) if lost_sign(stream, start, end) => (Verdict::UnknownType, FAULT - 20 + bad),
+        Some(_) if lost_sign(stretch, start, end) => (Verdict::UnknownType, FAULT - 20 + bad),
         Some(_) => (Verdict::UnknownType, FAULT + 30 + penalty + bad),
         None => (Verdict::BadType, FAULT + 30 + length / 10 + penalty + bad),
     }
@@ -461,42 +462,42 @@ const NOTHING_WRONG: u32 = 1_000 * FAULT;
 
 /// The parameters `first..end` of a record whose type is known.
 fn judge_params(
-    stream: &Stretch,
+    stretch: &Stretch,
     ty: &'static RecordType,
     first: usize,
     end: usize,
 ) -> (Verdict, u32) {
     let got = end - first;
-    let cut_off = || stream.has_unclosed_comment(first - 1, end.max(first));
+    let cut_off = || stretch.has_unclosed_comment(first - 1, end.max(first));
     let mut real_type = 0;
-    if stream.sigs[first - 1].int.is_none() {
+    if stretch.sigs[first - 1].int.is_none() {
         real_type = FAULT;
     }
     let n = match ty.is_counted() {
         true if got == 0 => {
             return match cut_off() {
-                true => (Verdict::CutOff { ty: Some(ty) }, FAULT / 10),
-                false => (Verdict::BadCount { ty }, FAULT + real_type),
+                true => (Verdict::CutOff { ty: Some(ty) }, CUT_OFF),
+                false => (Verdict::BadPointCount { ty }, FAULT + real_type),
             };
         }
-        true => match count(stream, first) {
-            Ok(n) if stream.line(first) == stream.line(first - 1) => n,
+        true => match point_count(stretch, first) {
+            Ok(n) if stretch.line(first) == stretch.line(first - 1) => n,
             Ok(n) if ty.arity(n) == got as u64 => n,
             _ => {
-                let bad = bad_price(stream, first + 1, end);
-                return (Verdict::BadCount { ty }, FAULT + real_type + bad);
+                let bad = bad_price(stretch, first + 1, end);
+                return (Verdict::BadPointCount { ty }, FAULT + real_type + bad);
             }
         },
         false => 0,
     };
-    let named = file_name(stream, ty, first, end).is_some();
-    let bad = stream.bad(first, end) as usize - usize::from(named);
+    let named = file_name(stretch, ty, first, end).is_some();
+    let bad = stretch.bad(first, end) as usize - usize::from(named);
     let base = ty.arity(n);
     let full = base + ty.optional.len() as u64;
     for expected in [base, full] {
         let (got, bad) = (got as u64, bad as u64);
         if got.saturating_sub(bad) <= expected && expected <= got {
-            let kinds = wrong_kinds(stream, ty, first, end);
+            let kinds = wrong_kinds(stretch, ty, first, end);
             let mistakes = (bad.min(u64::from(BAD_MAX)) as u32).max(kinds) * FAULT + real_type;
             if mistakes > 0 {
                 return (Verdict::Damaged { ty }, mistakes);
@@ -508,11 +509,11 @@ fn judge_params(
             // last of the line, or they are just those that follow.
             let (got, other) = (end - first, if expected == base { full } else { base });
             let expected = usize::try_from(other).unwrap_or(usize::MAX);
-            return (Verdict::Count { ty, got, expected }, 2 * FAULT);
+            return (Verdict::WrongArity { ty, got, expected }, 2 * FAULT);
         }
     }
     if cut_off() && (got as u64) < full {
-        return (Verdict::CutOff { ty: Some(ty) }, FAULT / 10);
+        return (Verdict::CutOff { ty: Some(ty) }, CUT_OFF);
     }
     let expected = match full.abs_diff(got as u64) < base.abs_diff(got as u64) {
         true => full,
@@ -521,7 +522,7 @@ fn judge_params(
     // A little more or less is a slip of the pen; hundreds are other records.
     let off = expected.abs_diff(got as u64).min(100_000) as u32;
     let off = if ty.is_counted() { off.min(40) } else { off };
-    let verdict = Verdict::Count {
+    let verdict = Verdict::WrongArity {
         ty,
         got,
         expected: usize::try_from(expected).unwrap_or(usize::MAX),
@@ -533,16 +534,16 @@ fn judge_params(
 }
 
 /// The token that is the file name of a record that has one: a word, and no bad one.
-pub fn file_name(stream: &Stretch, ty: &RecordType, first: usize, end: usize) -> Option<usize> {
+pub fn file_name(stretch: &Stretch, ty: &RecordType, first: usize, end: usize) -> Option<usize> {
     if ty.params.first()?.kind != ParamKind::FileName {
         return None;
     }
-    (first..end).find(|&i| fits(stream.sigs[i].kind, ParamKind::FileName))
+    (first..end).find(|&i| fits(stretch.sigs[i].kind, ParamKind::FileName))
 }
 
 /// How many parameters are numbers of the wrong kind (a real for an integer, a number for a name).
-pub fn wrong_kinds(stream: &Stretch, ty: &'static RecordType, first: usize, end: usize) -> u32 {
-    stream.sigs[first..end]
+pub fn wrong_kinds(stretch: &Stretch, ty: &'static RecordType, first: usize, end: usize) -> u32 {
+    stretch.sigs[first..end]
         .iter()
         .zip(ty.params.iter().chain(ty.optional))
         .filter(|(s, p)| !fits(s.kind, p.kind))
@@ -550,25 +551,27 @@ pub fn wrong_kinds(stream: &Stretch, ty: &'static RecordType, first: usize, end:
 }
 
 /// Whether the tokens would be a whole record if an ID stood in front.
-pub fn has_lost_id(stream: &Stretch, start: usize, end: usize) -> bool {
-    lost_id(stream, start, end).is_some()
+pub fn has_lost_id(stretch: &Stretch, start: usize, end: usize) -> bool {
+    lost_id(stretch, start, end).is_some()
 }
 
-fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
-    let ty = stream.record_type(start).filter(|t| t.code != 0)?;
+fn lost_id(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+    let ty = stretch
+        .record_type(start)
+        .filter(|t| t.kind != RecordKind::Undefined)?;
     // A negative number can be nothing but a type; others are one only for a whole line.
-    let whole_line = stream.starts_line(start) && stream.ends_line(end);
+    let whole_line = stretch.starts_line(start) && stretch.ends_line(end);
     if ty.code > 0 && !whole_line {
         return None;
     }
     let price = FAULT - 10;
     let n = match ty.is_counted() {
-        true => count(stream, start + 1).ok()?,
+        true => point_count(stretch, start + 1).ok()?,
         false => 0,
     };
     let got = (end - start - 1) as u64;
     let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
-    let over_lines = stream.line(start) != stream.line(end - 1);
+    let over_lines = stretch.line(start) != stretch.line(end - 1);
     if over_lines && !(ty.is_counted() || ty.params.len() >= LONG) {
         return None;
     }
@@ -578,7 +581,7 @@ fn lost_id(stream: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)>
             .all(|(i, at)| {
                 let param = ty.param(i, n as usize);
                 param.is_some_and(|p| {
-                    fits(stream.sigs[at].kind, p.kind) && allows(p, stream.value(at))
+                    fits(stretch.sigs[at].kind, p.kind) && allows(p, stretch.value(at))
                 })
             })
     };

@@ -2,12 +2,12 @@
 //! [`free`](super::free).
 //!
 //! A missing or extra number shifts everything behind it, and the shifted numbers may even parse.
-//! So all readings compete: the text is cut into records, VOIDs and broken stretches at the least
+//! So all readings compete: the text is cut into records, VOIDs and broken pieces at the least
 //! total price, found by dynamic programming over the tokens. A fault costs [`FAULT`]; a record that
 //! takes numbers from a line that says it is a record of its own costs more.
 
 use super::super::signature::Reading;
-use super::super::table::Effect;
+use super::super::table::{Effect, RecordKind};
 use super::faults;
 use super::stretch::Stretch;
 use super::sums::Sums;
@@ -33,7 +33,7 @@ const LONGEST_FIXED: usize = 20;
 
 /// The reading with the least damage. `strict` are the pieces of the reading without faults, if there is one.
 pub fn cut(
-    stream: &Stretch,
+    stretch: &Stretch,
     witnesses: &Witnesses,
     strict: Option<&[Piece]>,
     doubt_takeovers: bool,
@@ -43,9 +43,9 @@ pub fn cut(
         "free-form text is read by another search"
     );
     let search = Search {
-        stream,
+        stretch,
         witnesses,
-        sums: Sums::new(stream, witnesses),
+        sums: Sums::new(stretch, witnesses),
         doubt_takeovers,
     };
     match strict {
@@ -55,7 +55,7 @@ pub fn cut(
 }
 
 struct Search<'a, 's> {
-    stream: &'a Stretch<'s>,
+    stretch: &'a Stretch<'s>,
     witnesses: &'a Witnesses<'a>,
     sums: Sums,
     doubt_takeovers: bool,
@@ -63,7 +63,7 @@ struct Search<'a, 's> {
 
 impl Search<'_, '_> {
     fn run(&self) -> Vec<Piece> {
-        let n = self.stream.len();
+        let n = self.stretch.len();
         let mut price = vec![u64::MAX; n + 1];
         let mut from = vec![0u32; n + 1];
         price[0] = 0;
@@ -73,17 +73,17 @@ impl Search<'_, '_> {
                 continue;
             }
             ends.clear();
-            let exact = self.stream.read(i);
+            let exact = self.stretch.read(i);
             let mut offer = |end: usize, p: u32| {
                 // In the low bits, to choose among equals: pieces that do not begin with a line.
-                let hint = u64::from(!self.stream.starts_line(i));
+                let hint = u64::from(!self.stretch.starts_line(i));
                 let total = price[i] + (u64::from(p) << HINT_BITS) + hint;
                 if total < price[end] {
                     price[end] = total;
                     from[end] = i as u32;
                 }
             };
-            if self.stream.sigs[i].int == Some(0) {
+            if self.stretch.sigs[i].int == Some(0) {
                 offer(i + 1, self.void_price(i));
             }
             if let Some(r) = &exact {
@@ -126,22 +126,22 @@ impl Search<'_, '_> {
     fn verdict(&self, start: usize, end: usize) -> Verdict {
         let fault = self.fault(start, end);
         if end == start + 1
-            && self.stream.sigs[start].int == Some(0)
+            && self.stretch.sigs[start].int == Some(0)
             && self.void_price(start) <= fault.1
         {
             return Verdict::Void;
         }
-        match self.stream.read(start) {
+        match self.stretch.read(start) {
             Some(r) if r.end == end && self.record_price(start, r) <= fault.1 => Verdict::Whole(*r),
             _ => fault.0,
         }
     }
 
     fn void_price(&self, i: usize) -> u32 {
-        let behind = !self.stream.starts_line(i);
-        if self.stream.sigs[i].before_comment {
+        let behind = !self.stretch.starts_line(i);
+        if self.stretch.sigs[i].before_comment {
             let odd = behind && !self.witnesses.voids_behind_records;
-            return if odd && self.stream.ends_line(i + 1) {
+            return if odd && self.stretch.ends_line(i + 1) {
                 IMPLAUSIBLE
             } else {
                 0
@@ -149,24 +149,24 @@ impl Search<'_, '_> {
         }
         match behind {
             true => IMPLAUSIBLE,
-            false if self.stream.ends_line(i + 1) => 20,
+            false if self.stretch.ends_line(i + 1) => 20,
             false => 150,
         }
     }
 
     /// The price of a record that is right in form.
     fn record_price(&self, start: usize, r: &Reading) -> u32 {
-        let stream = self.stream;
-        let (first, last) = (stream.line(start), stream.line(r.end - 1));
-        let behind = !stream.starts_line(start);
-        if !behind && first == last && stream.ends_line(r.end) {
+        let stretch = self.stretch;
+        let (first, last) = (stretch.line(start), stretch.line(r.end - 1));
+        let behind = !stretch.starts_line(start);
+        if !behind && first == last && stretch.ends_line(r.end) {
             // One of several definitions of an ID, on a line that also reads well without its ID.
-            let id = stream.sigs[start].int.unwrap_or(0);
+            let id = stretch.sigs[start].int.unwrap_or(0);
             let too_many = matches!(r.ty.effect, Effect::Defines(_))
-                && (self.witnesses.head(stream, id)).is_some_and(|h| {
+                && (self.witnesses.head(stretch, id)).is_some_and(|h| {
                     h.definitions > 1 && (h.may_be_lost == 1 || h.first_line < Some(first))
                 });
-            return if too_many && faults::has_lost_id(stream, start, r.end) {
+            return if too_many && faults::has_lost_id(stretch, start, r.end) {
                 FAULT
             } else {
                 0
@@ -174,21 +174,21 @@ impl Search<'_, '_> {
         }
         let mut price = 0;
         // `ID 0` after something else is likelier two stray numbers than an undefined object.
-        if behind && r.end == start + 2 && r.ty.code == 0 {
+        if behind && r.end == start + 2 && r.ty.kind == RecordKind::Undefined {
             price += 400;
         }
         if last > first {
-            let witness = self.witnesses.takes_over(stream, start, r.end);
+            let witness = self.witnesses.takes_over(stretch, start, r.end);
             let slip = witness && self.witnesses.slips[last];
             price += match (behind, witness) {
                 _ if slip => TWO_SLIPS,
                 (true, true) => IMPLAUSIBLE,
-                (false, true) if self.witnesses.is_void_line(stream, last) => IMPLAUSIBLE,
+                (false, true) if self.witnesses.is_void_line(stretch, last) => IMPLAUSIBLE,
                 (false, true) if self.doubt_takeovers => IMPLAUSIBLE,
-                (false, true) if r.end == stream.line_end(last) => DOUBTFUL,
+                (false, true) if r.end == stretch.line_end(last) => DOUBTFUL,
                 (false, true) => IMPLAUSIBLE,
                 (true, false) => 300,
-                (false, false) if !stream.ends_line(r.end) => 200,
+                (false, false) if !stretch.ends_line(r.end) => 200,
                 (false, false) => 0,
             };
             // Complete records among its lines.
@@ -201,20 +201,20 @@ impl Search<'_, '_> {
     }
 
     fn objections(&self, start: usize, r: &Reading) -> u32 {
-        let id = self.stream.sigs[start].int.unwrap_or(0);
+        let id = self.stretch.sigs[start].int.unwrap_or(0);
         let mut price = 0;
-        if (id == 1) != (r.ty.code == 9999) {
+        if (id == 1) != (r.ty.kind == RecordKind::Render) {
             price += 600;
         }
-        let line = self.stream.line(start);
+        let line = self.stretch.line(start);
         let elsewhere = || {
-            let head = self.witnesses.head(self.stream, id);
+            let head = self.witnesses.head(self.stretch, id);
             head.is_some_and(|h| h.first_line != Some(line))
         };
         if matches!(r.ty.effect, Effect::Defines(_)) && elsewhere() {
             price += 700;
         }
-        if !self.stream.values_allowed(start, r) {
+        if !self.stretch.values_allowed(start, r) {
             price += 500;
         }
         price.min(DOUBTFUL)
@@ -222,19 +222,19 @@ impl Search<'_, '_> {
 
     /// The price of tokens `start..end` as one broken stretch, and what is wrong with it.
     fn fault(&self, start: usize, end: usize) -> (Verdict, u32) {
-        let stream = self.stream;
-        let (verdict, mut price) = faults::judge(stream, start, end, self.witnesses);
-        let (first, last) = (stream.line(start), stream.line(end - 1));
+        let stretch = self.stretch;
+        let (verdict, mut price) = faults::judge(stretch, start, end, self.witnesses);
+        let (first, last) = (stretch.line(start), stretch.line(end - 1));
         // A single token that can be nothing is passed over wherever it stands. Else a fault is
         // likelier to be a whole line, unless the rest of the line is whole records.
-        let passed_over = end == start + 1 && stream.sigs[start].kind.is_bad();
+        let passed_over = end == start + 1 && stretch.sigs[start].kind.is_bad();
         if !passed_over {
-            price += match stream.starts_line(start) {
+            price += match stretch.starts_line(start) {
                 true => 0,
                 false if self.sums.whole_until[start] => 30,
                 false => 300,
             };
-            price += match stream.ends_line(end) {
+            price += match stretch.ends_line(end) {
                 true => 0,
                 false if self.sums.whole_from[end] => 30,
                 false => 150,
@@ -244,27 +244,27 @@ impl Search<'_, '_> {
         if matches!(verdict, Verdict::UnknownType | Verdict::BadType) {
             let strong = |p: usize| {
                 self.sums.whole_from[p]
-                    && stream
+                    && stretch
                         .record_type(p + 1)
-                        .is_some_and(|t| t.code < 0 || t.code == 9999)
+                        .is_some_and(|t| t.code < 0 || t.kind == RecordKind::Render)
             };
             if (start + 2..end.min(start + 40)).any(strong) {
                 price += 50;
             }
             price += (end - start).saturating_sub(LONGEST_FIXED).min(100_000) as u32;
         }
-        if matches!(verdict, Verdict::BadCount { .. }) {
+        if matches!(verdict, Verdict::BadPointCount { .. }) {
             price += (end - start).min(1_000_000) as u32 / 4;
         }
         if last > first {
             price += 5 * (last - first).min(12) as u32;
-            if !(stream.starts_line(start) && stream.ends_line(end)) {
+            if !(stretch.starts_line(start) && stretch.ends_line(end)) {
                 price += 300;
             }
             // Lines that say they are records of their own.
             let mut own = self.sums.own_before[last + 1] - self.sums.own_before[first + 1];
             own += u32::from(
-                stream.starts_line(start) && self.witnesses.is_complete_line(stream, first),
+                stretch.starts_line(start) && self.witnesses.is_complete_line(stretch, first),
             );
             price += OWN_LINE * own.min(OWN_LINES_MAX);
         }
@@ -273,15 +273,15 @@ impl Search<'_, '_> {
 
     /// Where a broken stretch that begins at `i` may end.
     fn fault_ends(&self, i: usize, ends: &mut Vec<usize>) {
-        let stream = self.stream;
-        let line = stream.line(i);
-        let line_end = stream.line_end(line);
+        let stretch = self.stretch;
+        let line = stretch.line(i);
+        let line_end = stretch.line_end(line);
         ends.push(line_end);
-        let expected = faults::expected_ends(stream, i);
+        let expected = faults::expected_ends(stretch, i);
         // Where another record could begin.
         let reach = expected.iter().copied().max().unwrap_or(i + 2) + 6;
-        for end in i + 1..reach.min(i + 40).min(stream.len()) {
-            if end != line_end && stream.read(end).is_some() {
+        for end in i + 1..reach.min(i + 40).min(stretch.len()) {
+            if end != line_end && stretch.read(end).is_some() {
                 ends.push(end);
             }
         }
@@ -291,27 +291,27 @@ impl Search<'_, '_> {
             if e <= line_end + 3 || 2 * on_line > (e - i) + 4 {
                 continue;
             }
-            let at = stream.line(e.min(stream.len()) - 1);
+            let at = stretch.line(e.min(stretch.len()) - 1);
             for l in [at.saturating_sub(1), at, at + 1] {
-                if l > line && l < stream.line_count() {
-                    ends.push(stream.line_end(l));
+                if l > line && l < stretch.line_count() {
+                    ends.push(stretch.line_end(l));
                 }
             }
         }
         // What is left of a short record may stand on the next line.
-        if line + 1 < stream.line_count() && !self.sums.is_own(line + 1) {
-            let next = stream.line_end(line + 1);
+        if line + 1 < stretch.line_count() && !self.sums.is_own(line + 1) {
+            let next = stretch.line_end(line + 1);
             let near = |&e: &usize| e.abs_diff(next) <= 1;
             if next - line_end <= 3 && expected.iter().any(near) {
                 ends.push(next);
             }
         }
-        if faults::is_counted(stream, i)
-            && faults::expected_end(stream, i).is_none_or(|e| e > line_end)
+        if faults::is_counted(stretch, i)
+            && faults::expected_end(stretch, i).is_none_or(|e| e > line_end)
         {
             // The table of points may be of any length.
             let l = self.sums.table_end[line] as usize;
-            ends.push(stream.line_end(l));
+            ends.push(stretch.line_end(l));
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::super::lexer::{Token, TokenKind};
 use super::super::quote::quote;
 use super::super::signature::fits;
-use super::super::table::{ParamKind, RecordType};
+use super::super::table::{ParamKind, RecordKind, RecordType};
 use super::faults;
 use super::stretch::Stretch;
 use super::verdict::{Piece, Verdict};
@@ -40,15 +40,15 @@ pub fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
 }
 
 /// Reports everything that is wrong with the pieces of a text.
-pub fn pieces(stream: &Stretch, witnesses: &Witnesses, all: &[Piece], out: &mut Vec<Diagnostic>) {
-    let reporter = Reporter { stream };
+pub fn pieces(stretch: &Stretch, witnesses: &Witnesses, all: &[Piece], out: &mut Vec<Diagnostic>) {
+    let reporter = Reporter { stretch };
     for piece in all {
         match piece.verdict {
             Verdict::Void => {}
             Verdict::Whole(r) => {
-                let last = stream.line(r.end - 1);
-                if witnesses.is_complete_line(stream, last)
-                    && witnesses.takes_over(stream, piece.start, r.end)
+                let last = stretch.line(r.end - 1);
+                if witnesses.is_complete_line(stretch, last)
+                    && witnesses.takes_over(stretch, piece.start, r.end)
                 {
                     out.push(reporter.line_break(piece, r.ty));
                 }
@@ -59,28 +59,28 @@ pub fn pieces(stream: &Stretch, witnesses: &Witnesses, all: &[Piece], out: &mut 
 }
 
 struct Reporter<'a, 's> {
-    stream: &'a Stretch<'s>,
+    stretch: &'a Stretch<'s>,
 }
 
 impl Reporter<'_, '_> {
     fn span(&self, start: usize, end: usize) -> Span {
-        let last = self.stream.token(end.max(start + 1) - 1);
-        self.stream.token(start).span().to(last.span())
+        let last = self.stretch.token(end.max(start + 1) - 1);
+        self.stretch.token(start).span().to(last.span())
     }
 
     fn text(&self, i: usize) -> &str {
-        self.stream.token(i).text(self.stream.text())
+        self.stretch.token(i).text(self.stretch.text())
     }
 
     fn line_break(&self, piece: &Piece, ty: &RecordType) -> Diagnostic {
-        let last = self.stream.line(piece.end - 1);
-        let head = self.stream.line_start(last);
-        let line_end = self.stream.line_end(last);
+        let last = self.stretch.line(piece.end - 1);
+        let head = self.stretch.line_start(last);
+        let line_end = self.stretch.line_end(last);
         Diagnostic::new(Code::W314, self.span(head, piece.end))
             .with("type", Value::Term(ty.title))
             .with(
                 "line",
-                quote(&self.stream.text()[self.span(head, line_end).range()]),
+                quote(&self.stretch.text()[self.span(head, line_end).range()]),
             )
             .with("header", header(ty))
             .label(self.span(piece.start, head), "begin")
@@ -92,7 +92,7 @@ impl Reporter<'_, '_> {
             piece.verdict,
             Verdict::BadId { .. } | Verdict::LostId { .. } | Verdict::CutOff { .. }
         );
-        if is_record && self.stream.sigs[start].kind == TokenKind::Real {
+        if is_record && self.stretch.sigs[start].kind == TokenKind::Real {
             out.push(self.not_an_integer(start, "an ID"));
         }
         match piece.verdict {
@@ -101,7 +101,7 @@ impl Reporter<'_, '_> {
                 self.real_type(start, out);
                 self.params(ty, start + 2, end, out);
             }
-            Verdict::Count { ty, got, expected } => {
+            Verdict::WrongArity { ty, got, expected } => {
                 self.real_type(start, out);
                 self.bad_tokens(ty, start + 2, end, out);
                 out.push(self.count(piece, ty, got, expected));
@@ -109,7 +109,7 @@ impl Reporter<'_, '_> {
             Verdict::Surplus {
                 ty, expected, at, ..
             } => {
-                let span = self.stream.token(at).span();
+                let span = self.stretch.token(at).span();
                 let count = |n: usize| Value::Count(n as u64);
                 out.push(
                     Diagnostic::new(Code::E009, span)
@@ -127,7 +127,7 @@ impl Reporter<'_, '_> {
                 got,
                 expected,
             } => out.push(self.lost_sign(piece, (ty, meant), got, expected)),
-            Verdict::BadCount { ty } => {
+            Verdict::BadPointCount { ty } => {
                 self.real_type(start, out);
                 self.bad_count(ty, start, end, out);
                 self.commas(start + 3, end, out);
@@ -142,7 +142,7 @@ impl Reporter<'_, '_> {
             }
             Verdict::MissingType => out.push(self.missing_type(start)),
             Verdict::LostId { ty } => out.push(
-                Diagnostic::new(Code::E005, self.stream.token(start).span())
+                Diagnostic::new(Code::E005, self.stretch.token(start).span())
                     .case("lost")
                     .with("type", Value::Term(ty.title))
                     .with("number", ty.code.to_string())
@@ -150,12 +150,13 @@ impl Reporter<'_, '_> {
             ),
             Verdict::Swapped => {
                 let span = self.span(start, start + 2);
+                let head = format!("1 {}", RecordType::of(RecordKind::Render).code);
                 out.push(
                     Diagnostic::new(Code::E005, span)
                         .case("swapped")
                         .with("text", quote(self.text(start)))
-                        .with("number", "`1 9999`")
-                        .fix(write(Applicability::Unsafe, span, "1 9999".to_owned())),
+                        .with("number", format!("`{head}`"))
+                        .fix(write(Applicability::Unsafe, span, head)),
                 );
             }
             Verdict::BadId { ty } => {
@@ -169,7 +170,7 @@ impl Reporter<'_, '_> {
 
     /// A token that can be nothing at all, reported by its own form. `false` if it is none.
     fn bad_token(&self, i: usize, out: &mut Vec<Diagnostic>) -> bool {
-        let token = self.stream.token(i);
+        let token = self.stretch.token(i);
         let text = self.text(i);
         let span = token.span();
         let new = |code| Diagnostic::new(code, span).with("text", quote(text));
@@ -199,7 +200,7 @@ impl Reporter<'_, '_> {
     }
 
     fn bad_tokens(&self, ty: &RecordType, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
-        let name = faults::file_name(self.stream, ty, first, end);
+        let name = faults::file_name(self.stretch, ty, first, end);
         if let Some(d) = name.and_then(|name| self.spaced_name(name, end)) {
             out.push(d);
             return;
@@ -211,14 +212,14 @@ impl Reporter<'_, '_> {
 
     /// A file name with spaces in it, from token `name` to the end of its record.
     fn spaced_name(&self, name: usize, end: usize) -> Option<Diagnostic> {
-        let stream = self.stream;
+        let stretch = self.stretch;
         let dotted = |i: usize| self.text(i).contains('.');
         let word = |i: usize| {
-            let kind = stream.sigs[i].kind;
+            let kind = stretch.sigs[i].kind;
             kind.is_number() || matches!(kind, TokenKind::Word | TokenKind::MalformedNumber)
         };
         let one_name = end > name + 1
-            && stream.line(name) == stream.line(end - 1)
+            && stretch.line(name) == stretch.line(end - 1)
             && (name..end).all(word)
             && dotted(end - 1)
             && !(name..end - 1).any(dotted);
@@ -226,7 +227,7 @@ impl Reporter<'_, '_> {
             return None;
         }
         let span = self.span(name, end);
-        let text = &stream.text()[span.range()];
+        let text = &stretch.text()[span.range()];
         let apart = text.contains(['#', '"']);
         (!apart).then(|| {
             let quoted = format!("\"{text}\"");
@@ -241,7 +242,7 @@ impl Reporter<'_, '_> {
     /// The decimal commas among tokens that nothing else is said of.
     fn commas(&self, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
         for i in first..end {
-            if self.stream.sigs[i].kind == TokenKind::DecimalComma {
+            if self.stretch.sigs[i].kind == TokenKind::DecimalComma {
                 self.bad_token(i, out);
             }
         }
@@ -255,8 +256,8 @@ impl Reporter<'_, '_> {
             return;
         }
         for (i, p) in (first..end).zip(ty.params.iter().chain(ty.optional)) {
-            let span = self.stream.token(i).span();
-            if fits(self.stream.sigs[i].kind, p.kind) {
+            let span = self.stretch.token(i).span();
+            if fits(self.stretch.sigs[i].kind, p.kind) {
                 continue;
             }
             out.push(if p.kind == ParamKind::FileName {
@@ -270,11 +271,11 @@ impl Reporter<'_, '_> {
     }
 
     fn not_an_integer(&self, i: usize, what: &'static str) -> Diagnostic {
-        let (text, span) = (self.text(i), self.stream.token(i).span());
+        let (text, span) = (self.text(i), self.stretch.token(i).span());
         let d = Diagnostic::new(Code::E010, span)
             .with("text", quote(text))
             .with("parameter", Value::Term(what));
-        let value = self.stream.token(i).number(self.stream.text());
+        let value = self.stretch.token(i).number(self.stretch.text());
         match value.filter(|x| x.fract() == 0.0 && x.abs() < 1e15) {
             Some(x) => {
                 let whole = format!("{}", x as i64);
@@ -287,7 +288,7 @@ impl Reporter<'_, '_> {
 
     /// Reports a type that can be understood though it is not written as an integer.
     fn real_type(&self, start: usize, out: &mut Vec<Diagnostic>) {
-        if self.stream.sigs[start + 1].int.is_none() {
+        if self.stretch.sigs[start + 1].int.is_none() {
             self.bad_type(start + 1, out);
         }
     }
@@ -336,9 +337,9 @@ impl Reporter<'_, '_> {
         got: usize,
         expected: usize,
     ) -> Option<(usize, usize)> {
-        let stream = self.stream;
-        let (first, last) = (stream.line(piece.start), stream.line(piece.end - 1));
-        if first == last || stream.is_free {
+        let stretch = self.stretch;
+        let (first, last) = (stretch.line(piece.start), stretch.line(piece.end - 1));
+        if first == last || stretch.is_free {
             return None;
         }
         // The numbers of the head line behind ID, type and count.
@@ -348,9 +349,9 @@ impl Reporter<'_, '_> {
                 let from = if l == first {
                     head
                 } else {
-                    stream.line_start(l)
+                    stretch.line_start(l)
                 };
-                let to = stream.line_end(l).min(piece.end);
+                let to = stretch.line_end(l).min(piece.end);
                 (from.min(to), to)
             })
             .collect();
@@ -362,7 +363,7 @@ impl Reporter<'_, '_> {
         // How uneven the table is with row `r` put right: how often the length changes from row to
         // row (a short last row is none), and whether points and colours part at a row's end.
         let points = ty.repeats.first().map_or(0, |g| g.len() as i64);
-        let points = points * stream.sigs[(head - 1).min(piece.end - 1)].int.unwrap_or(0) as i64;
+        let points = points * stretch.sigs[(head - 1).min(piece.end - 1)].int.unwrap_or(0) as i64;
         let uneven = |r: usize| {
             let right = |i: usize| lengths[i] - if i == r { off } else { 0 };
             let begin = usize::from(lengths[0] == 0);
@@ -386,7 +387,7 @@ impl Reporter<'_, '_> {
         let best = (first_row..rows.len())
             .filter(|&r| lengths[r] - off > 0)
             .min_by_key(|&r| uneven(r))?;
-        let from = stream.line_start(first + best).max(piece.start);
+        let from = stretch.line_start(first + best).max(piece.start);
         Some((from, rows[best].1))
     }
 
@@ -413,9 +414,9 @@ impl Reporter<'_, '_> {
     }
 
     fn bad_count(&self, ty: &RecordType, start: usize, end: usize, out: &mut Vec<Diagnostic>) {
-        let on_line = self.stream.line(start + 1);
+        let on_line = self.stretch.line(start + 1);
         let Some(n) =
-            (start + 2 < end && self.stream.line(start + 2) == on_line).then_some(start + 2)
+            (start + 2 < end && self.stretch.line(start + 2) == on_line).then_some(start + 2)
         else {
             out.push(
                 Diagnostic::new(Code::E008, self.span(start, start + 2))
@@ -428,8 +429,8 @@ impl Reporter<'_, '_> {
         if self.bad_token(n, out) {
             return;
         }
-        let sig = &self.stream.sigs[n];
-        let new = |code| Diagnostic::new(code, self.stream.token(n).span()).case("count");
+        let sig = &self.stretch.sigs[n];
+        let new = |code| Diagnostic::new(code, self.stretch.token(n).span()).case("count");
         out.push(match sig.int {
             Some(value) => new(Code::E206)
                 .with("type", Value::Term(ty.title))
@@ -442,11 +443,11 @@ impl Reporter<'_, '_> {
     }
 
     fn unknown_type(&self, i: usize) -> Diagnostic {
-        Diagnostic::new(Code::E007, self.stream.token(i).span()).with("text", quote(self.text(i)))
+        Diagnostic::new(Code::E007, self.stretch.token(i).span()).with("text", quote(self.text(i)))
     }
 
     fn bad_type(&self, i: usize, out: &mut Vec<Diagnostic>) {
-        let token = self.stream.token(i);
+        let token = self.stretch.token(i);
         match token.kind() {
             TokenKind::Word | TokenKind::Quoted => out.push(
                 Diagnostic::new(Code::E006, token.span())
@@ -462,20 +463,20 @@ impl Reporter<'_, '_> {
     }
 
     fn missing_type(&self, start: usize) -> Diagnostic {
-        Diagnostic::new(Code::E006, self.stream.token(start).span())
+        Diagnostic::new(Code::E006, self.stretch.token(start).span())
             .with("text", quote(self.text(start)))
     }
 
     fn bad_id(&self, i: usize, out: &mut Vec<Diagnostic>) {
-        let sig = &self.stream.sigs[i];
-        let (text, span) = (self.text(i), self.stream.token(i).span());
+        let sig = &self.stretch.sigs[i];
+        let (text, span) = (self.text(i), self.stretch.token(i).span());
         let new = |code| Diagnostic::new(code, span).with("text", quote(text));
         let d = match sig.kind {
             TokenKind::Integer if sig.int.is_none() && !text.starts_with('-') => {
                 new(Code::E004).case("id")
             }
             TokenKind::Integer => new(Code::E005).case("negative"),
-            TokenKind::Real => match self.stream.token(i).number(self.stream.text()) {
+            TokenKind::Real => match self.stretch.token(i).number(self.stretch.text()) {
                 Some(x) if x.fract() == 0.0 && x > 0.0 => self.not_an_integer(i, "an ID"),
                 _ => new(Code::E005),
             },

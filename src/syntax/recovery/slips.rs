@@ -1,6 +1,7 @@
 //! Lines that would be records of their own but for a slip, and tables whose rows are none. Where the
 //! same mistake stands on many lines, no line is right, and these are the witnesses.
 
+use super::super::table::RecordKind;
 use super::faults::{Unknown, expected_end, has_lost_id, is_counted, judge, lost_sign};
 use super::stretch::Stretch;
 use super::verdict::Verdict;
@@ -16,13 +17,13 @@ pub enum Slip {
 }
 
 /// What a line looks like by itself; a line that may be a row of a table must have a type that no row has.
-pub fn slip(stream: &Stretch, line: usize, in_table: bool) -> Slip {
-    let (start, end) = (stream.line_start(line), stream.line_end(line));
-    let code = stream.sigs[start + 1..end]
+pub fn slip(stretch: &Stretch, line: usize, in_table: bool) -> Slip {
+    let (start, end) = (stretch.line_start(line), stretch.line_end(line));
+    let code = stretch.sigs[start + 1..end]
         .first()
         .and_then(|s| s.int)
         .unwrap_or(0);
-    let (ty, slip) = match judge(stream, start, end, &Unknown).0 {
+    let (ty, slip) = match judge(stretch, start, end, &Unknown).0 {
         Verdict::Damaged { ty } | Verdict::Reals { ty } => (Some(ty), Slip::Yes),
         Verdict::LostId { ty } => {
             return if in_table && ty.code > LEAST_HEAD {
@@ -34,28 +35,28 @@ pub fn slip(stream: &Stretch, line: usize, in_table: bool) -> Slip {
         Verdict::Swapped => (None, Slip::Yes),
         Verdict::Surplus { ty, .. } => (Some(ty), Slip::Yes),
         Verdict::LostSign { meant, .. } => (Some(meant), Slip::Yes),
-        Verdict::BadId { ty: Some(ty) } if stream.sigs[start].kind.is_bad() => {
+        Verdict::BadId { ty: Some(ty) } if stretch.sigs[start].kind.is_bad() => {
             (Some(ty), Slip::Yes)
         }
-        Verdict::Count { ty, got, expected }
+        Verdict::WrongArity { ty, got, expected }
             if got.abs_diff(expected) <= SLIP_MAX.min(1 + expected / 4) =>
         {
             let head = got > 0 || ty.code <= LEAST_HEAD;
             (Some(ty), if head { Slip::Yes } else { Slip::Maybe })
         }
-        Verdict::BadCount { ty } if end > start + 4 => (Some(ty), Slip::Yes),
-        Verdict::BadType if stream.sigs[start + 1].kind.is_bad() && end > start + 2 => {
+        Verdict::BadPointCount { ty } if end > start + 4 => (Some(ty), Slip::Yes),
+        Verdict::BadType if stretch.sigs[start + 1].kind.is_bad() && end > start + 2 => {
             (None, Slip::Yes)
         }
         Verdict::UnknownType => {
-            let right = lost_sign(stream, start, end);
+            let right = lost_sign(stretch, start, end);
             let odd = code.abs() >= NO_COORDINATE && end > start + 2;
             (None, if right || odd { Slip::Yes } else { Slip::Maybe })
         }
         _ => (None, Slip::No),
     };
     match ty {
-        Some(ty) if ty.code == 0 => Slip::No,
+        Some(ty) if ty.kind == RecordKind::Undefined => Slip::No,
         Some(ty) if in_table && ty.code > LEAST_HEAD => Slip::No,
         None if in_table => Slip::No,
         _ => slip,
@@ -73,16 +74,18 @@ const SLIP_MAX: usize = 2;
 
 /// One past the last line of the table that the record at the head of a line claims to have; the
 /// line itself where it claims none, or most of it stands on the line.
-pub fn rows_expected(stream: &Stretch, line: usize) -> usize {
-    let (start, end) = (stream.line_start(line), stream.line_end(line));
-    if stream.sigs[start].int.is_none_or(|id| id <= 0) {
+pub fn rows_expected(stretch: &Stretch, line: usize) -> usize {
+    let (start, end) = (stretch.line_start(line), stretch.line_end(line));
+    if stretch.sigs[start].int.is_none_or(|id| id <= 0) {
         return line;
     }
-    match (expected_end(stream, start), is_counted(stream, start)) {
+    match (expected_end(stretch, start), is_counted(stretch, start)) {
         (Some(e), _) if e > end + SLIP_MAX && 2 * (end - start) <= e - start + 4 => {
-            stream.line(e.min(stream.len()) - 1) + 2
+            stretch.line(e.min(stretch.len()) - 1) + 2
         }
-        (None, true) if end <= start + 3 && !has_lost_id(stream, start, end) => stream.line_count(),
+        (None, true) if end <= start + 3 && !has_lost_id(stretch, start, end) => {
+            stretch.line_count()
+        }
         _ => line,
     }
 }

@@ -1,6 +1,7 @@
 //! Sums and marks over the lines and tokens of a text, so that any stretch is judged at once, however
 //! long it is.
 
+use super::super::table::RecordKind;
 use super::slips::LEAST_HEAD;
 use super::stretch::Stretch;
 use super::witness::Witnesses;
@@ -26,27 +27,27 @@ impl Sums {
         self.own_before[line + 1] > self.own_before[line]
     }
 
-    pub fn new(stream: &Stretch, witnesses: &Witnesses) -> Sums {
-        let lines = 0..stream.line_count();
-        let length = |l: usize| stream.line_end(l) - stream.line_start(l);
+    pub fn new(stretch: &Stretch, witnesses: &Witnesses) -> Sums {
+        let lines = 0..stretch.line_count();
+        let length = |l: usize| stretch.line_end(l) - stretch.line_start(l);
         let own =
-            |l: usize| witnesses.ends[l] > 0 || witnesses.slips[l] || looks_like_a_head(stream, l);
+            |l: usize| witnesses.ends[l] > 0 || witnesses.slips[l] || looks_like_a_head(stretch, l);
         let complete = |l: usize| {
-            witnesses.is_complete_line(stream, l)
-                && !witnesses.is_void_line(stream, l)
+            witnesses.is_complete_line(stretch, l)
+                && !witnesses.is_void_line(stretch, l)
                 && (l == 0 || length(l) != length(l - 1))
         };
         let mut table_end: Vec<u32> = lines.clone().map(|l| l as u32).collect();
         for l in lines.clone().rev().skip(1) {
-            let row =
-                !own(l + 1) && stream.all_numbers(stream.line_start(l + 1), stream.line_end(l + 1));
+            let row = !own(l + 1)
+                && stretch.all_numbers(stretch.line_start(l + 1), stretch.line_end(l + 1));
             if row {
                 table_end[l] = table_end[l + 1];
             }
         }
-        let (whole_until, whole_from) = whole(stream);
+        let (whole_until, whole_from) = whole(stretch);
         Sums {
-            may_begin: may_begin(stream, &whole_from),
+            may_begin: may_begin(stretch, &whole_from),
             whole_until,
             whole_from,
             own_before: sums(lines.clone().map(own)),
@@ -58,23 +59,23 @@ impl Sums {
 }
 
 /// For each token (and the end): whether its line is whole records up to it, and from it on.
-fn whole(stream: &Stretch) -> (Vec<bool>, Vec<bool>) {
-    let n = stream.len();
+fn whole(stretch: &Stretch) -> (Vec<bool>, Vec<bool>) {
+    let n = stretch.len();
     let (mut until, mut from) = (vec![false; n + 1], vec![false; n + 1]);
     let step = |i: usize| {
-        if stream.sigs[i].int == Some(0) {
-            return stream.sigs[i].before_comment.then_some(i + 1);
+        if stretch.sigs[i].int == Some(0) {
+            return stretch.sigs[i].before_comment.then_some(i + 1);
         }
-        let end = stream.read(i)?.end;
-        (end > i + 2 && end <= stream.line_end(stream.line(i))).then_some(end)
+        let end = stretch.read(i)?.end;
+        (end > i + 2 && end <= stretch.line_end(stretch.line(i))).then_some(end)
     };
     for i in (0..n).rev() {
-        from[i] = step(i).is_some_and(|end| stream.ends_line(end) || from[end]);
+        from[i] = step(i).is_some_and(|end| stretch.ends_line(end) || from[end]);
     }
     for i in 0..n {
-        until[i] |= stream.starts_line(i);
+        until[i] |= stretch.starts_line(i);
         if until[i]
-            && let Some(end) = step(i).filter(|&e| e < n && !stream.starts_line(e))
+            && let Some(end) = step(i).filter(|&e| e < n && !stretch.starts_line(e))
         {
             until[end] = true;
         }
@@ -84,26 +85,28 @@ fn whole(stream: &Stretch) -> (Vec<bool>, Vec<bool>) {
 
 /// Where pieces may begin. Nothing begins in the middle of a line that begins as a
 /// record does, unless the line is a row of whole records: a number too many is not the ID of another record.
-fn may_begin(stream: &Stretch, whole_from: &[bool]) -> Vec<bool> {
-    let mut out = vec![true; stream.len() + 1];
-    for line in 0..stream.line_count() {
-        let (start, end) = (stream.line_start(line), stream.line_end(line));
+fn may_begin(stretch: &Stretch, whole_from: &[bool]) -> Vec<bool> {
+    let mut out = vec![true; stretch.len() + 1];
+    for line in 0..stretch.line_count() {
+        let (start, end) = (stretch.line_start(line), stretch.line_end(line));
         // What can be nothing may stand before the record.
         let head = (start..end)
-            .find(|&i| !stream.sigs[i].kind.is_bad())
+            .find(|&i| !stretch.sigs[i].kind.is_bad())
             .unwrap_or(end);
-        let headed = stream
+        let headed = stretch
             .sigs
             .get(head)
             .and_then(|s| s.int)
             .is_some_and(|id| id > 0)
             && head + 1 < end
-            && stream.record_type(head + 1).is_some_and(|t| t.code != 0);
-        if !headed || is_row_of_records(stream, head, end, whole_from) {
+            && stretch
+                .record_type(head + 1)
+                .is_some_and(|t| t.kind != RecordKind::Undefined);
+        if !headed || is_row_of_records(stretch, head, end, whole_from) {
             continue;
         }
         let behind = head + 1..end;
-        for (out, sig) in out[behind.clone()].iter_mut().zip(&stream.sigs[behind]) {
+        for (out, sig) in out[behind.clone()].iter_mut().zip(&stretch.sigs[behind]) {
             let heading = sig.int == Some(0) && sig.before_comment;
             *out = heading || sig.kind.is_bad();
         }
@@ -112,14 +115,14 @@ fn may_begin(stream: &Stretch, whole_from: &[bool]) -> Vec<bool> {
 }
 
 /// Whether tokens `start..end` are whole records with nothing odd about them.
-fn is_row_of_records(stream: &Stretch, start: usize, end: usize, whole_from: &[bool]) -> bool {
+fn is_row_of_records(stretch: &Stretch, start: usize, end: usize, whole_from: &[bool]) -> bool {
     let mut at = start;
     while at < end {
         if !whole_from[at] {
             return false;
         }
-        at = match stream.read(at) {
-            Some(r) if !stream.is_odd(at, r) => r.end,
+        at = match stretch.read(at) {
+            Some(r) if !stretch.is_odd(at, r) => r.end,
             Some(_) => return false,
             None => at + 1,
         };
@@ -139,10 +142,10 @@ fn sums(flags: impl Iterator<Item = bool>) -> Vec<u32> {
 }
 
 /// Whether a line begins like a record that no table of numbers would begin like.
-fn looks_like_a_head(stream: &Stretch, line: usize) -> bool {
-    let start = stream.line_start(line);
-    let id = stream.sigs[start].int.is_some_and(|id| id > 0);
-    id && stream
+fn looks_like_a_head(stretch: &Stretch, line: usize) -> bool {
+    let start = stretch.line_start(line);
+    let id = stretch.sigs[start].int.is_some_and(|id| id > 0);
+    id && stretch
         .record_type(start + 1)
-        .is_some_and(|t| t.code <= LEAST_HEAD || t.code == 9999)
+        .is_some_and(|t| t.code <= LEAST_HEAD || t.kind == RecordKind::Render)
 }

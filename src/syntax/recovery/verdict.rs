@@ -8,6 +8,8 @@ use super::stretch::Stretch;
 
 /// The price of one error. All other prices are in relation to this one.
 pub const FAULT: u32 = 1000;
+/// The price of a record that was cut off by a comment which nobody closed: that comment is an error already.
+pub const CUT_OFF: u32 = FAULT / 10;
 
 /// One piece of a stretch: tokens `start..end`.
 #[derive(Debug, Clone, Copy)]
@@ -31,8 +33,8 @@ pub enum Verdict {
     Reals {
         ty: &'static RecordType,
     },
-    /// Too few or too many parameters.
-    Count {
+    /// Not as many parameters as the type takes.
+    WrongArity {
         ty: &'static RecordType,
         got: usize,
         expected: usize,
@@ -52,8 +54,8 @@ pub enum Verdict {
         got: usize,
         expected: usize,
     },
-    /// The count of a counted type is missing or cannot be used.
-    BadCount {
+    /// The number of points, which a counted type begins with, is missing or cannot be used.
+    BadPointCount {
         ty: &'static RecordType,
     },
     /// There is no such type.
@@ -80,13 +82,13 @@ pub enum Verdict {
 
 impl Piece {
     /// The piece as an item of the tree.
-    pub fn item(&self, stream: &Stretch) -> Item {
-        let sig = |i: usize| stream.sigs[i];
+    pub fn item(&self, stretch: &Stretch) -> Item {
+        let sig = |i: usize| stretch.sigs[i];
         let mut broken = Broken {
             first: sig(self.start).token,
             last: sig(self.end - 1).token,
             id: (sig(self.start).int.map(i64::from))
-                .or_else(|| integral(stream, self.start))
+                .or_else(|| integral(stretch, self.start))
                 .and_then(|id| u32::try_from(id).ok())
                 .filter(|&id| id > 0),
             kind: None,
@@ -97,17 +99,17 @@ impl Piece {
                 token: sig(self.start).token,
             },
             Verdict::Whole(r) => Item::Record(Record {
-                id: stream.sigs[self.start].int.unwrap_or(0) as u32,
+                id: stretch.sigs[self.start].int.unwrap_or(0) as u32,
                 kind: r.ty.kind,
                 first: broken.first,
                 last: broken.last,
                 params: (r.end - self.start - 2) as u32,
                 count: r.count,
-                value: stream.value_index(self.start + 2),
+                value: stretch.value_index(self.start + 2),
             }),
-            Verdict::Count { ty, .. } | Verdict::BadCount { ty } => {
+            Verdict::WrongArity { ty, .. } | Verdict::BadPointCount { ty } => {
                 broken.kind = Some(ty.kind);
-                broken.fault = ast::Fault::Number;
+                broken.fault = ast::Fault::Arity;
                 Item::Broken(broken)
             }
             Verdict::Damaged { ty }
@@ -117,7 +119,7 @@ impl Piece {
                 Item::Broken(broken)
             }
             Verdict::LostId { ty } => {
-                broken.id = (ty.code == 9999).then_some(1);
+                broken.id = (ty.kind == RecordKind::Render).then_some(1);
                 broken.kind = Some(ty.kind);
                 broken.fault = ast::Fault::LostId;
                 Item::Broken(broken)
@@ -137,7 +139,7 @@ impl Piece {
                 Item::Broken(broken)
             }
             Verdict::BadId { ty } => {
-                let spoiled = spoiled(stream, self.start).and_then(|id| u32::try_from(id).ok());
+                let spoiled = spoiled(stretch, self.start).and_then(|id| u32::try_from(id).ok());
                 broken.id = spoiled.or(broken.id).filter(|&id| id > 0);
                 broken.kind = ty.map(|ty| ty.kind);
                 if broken.id.is_none() {

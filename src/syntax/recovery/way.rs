@@ -224,8 +224,10 @@ impl<'a, 's> Ways<'a, 's> {
         }
         let ParamKind::Reference { kinds, or_none } = param.kind else {
             let code = sig.int.map_or(0, |code| i64::from(code.saturating_abs()));
+            let is_render =
+                || RecordType::by_code(code).is_some_and(|t| t.kind == RecordKind::Render);
             let is_type = code >= i64::from(-LEAST_HEAD)
-                && (RecordType::by_code(-code).is_some() || code == 9999);
+                && (RecordType::by_code(-code).is_some() || is_render());
             return if is_type {
                 LIKE_A_TYPE
             } else {

@@ -3,7 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::super::signature::Reading;
-use super::super::table::Effect;
+use super::super::table::{Effect, RecordKind};
 use super::damage;
 use super::faults::{self, Known};
 use super::slips::{self, Slip};
@@ -56,26 +56,26 @@ impl Head {
 }
 
 impl<'a> Witnesses<'a> {
-    pub fn new(stream: &Stretch, around: &'a Surroundings) -> Witnesses<'a> {
-        let lines = stream.line_count();
+    pub fn new(stretch: &Stretch, around: &'a Surroundings) -> Witnesses<'a> {
+        let lines = stretch.line_count();
         let mut ends = vec![0u32; lines];
         let mut heads = FxHashMap::default();
         for (line, end) in ends.iter_mut().enumerate() {
-            let start = stream.line_start(line);
-            if stream.sigs[start].int == Some(0) {
-                let alone = stream.line_end(line) == start + 1;
-                if alone && stream.sigs[start].before_comment {
+            let start = stretch.line_start(line);
+            if stretch.sigs[start].int == Some(0) {
+                let alone = stretch.line_end(line) == start + 1;
+                if alone && stretch.sigs[start].before_comment {
                     *end = start as u32 + 1;
                 }
-            } else if let Some(r) = stream.read(start)
-                && testifies(stream, start, r)
+            } else if let Some(r) = stretch.read(start)
+                && testifies(stretch, start, r)
             {
                 *end = r.end as u32;
             }
         }
         // How much of the text is laid out in lines: a walk from record to record. One disturbed
-        // stretch is what one mistake makes, however long the record is that it spoils.
-        let (mut line, mut covered, mut stretches, mut disturbed) = (0, 0, 0, false);
+        // run is what one mistake makes, however long the record is that it spoils.
+        let (mut line, mut covered, mut runs, mut disturbed) = (0, 0, 0, false);
         let mut steps = 0;
         let mut used = FxHashSet::default();
         let mut slips = vec![false; lines];
@@ -83,35 +83,35 @@ impl<'a> Witnesses<'a> {
         let (mut slipped, mut table_to, mut in_tables, mut perhaps) = (0, 0, 0, Vec::new());
         while line < lines {
             let next = match ends[line] {
-                0 if run_to_line_end(stream, line) => line + 1,
+                0 if run_to_line_end(stretch, line) => line + 1,
                 0 => {
                     if line >= table_to {
-                        table_to = slips::rows_expected(stream, line);
+                        table_to = slips::rows_expected(stretch, line);
                     }
-                    match slips::slip(stream, line, line < table_to) {
+                    match slips::slip(stretch, line, line < table_to) {
                         Slip::Yes => {
-                            let head = &stream.sigs[stream.line_start(line)];
+                            let head = &stretch.sigs[stretch.line_start(line)];
                             ids_lost |= head.int.is_some_and(|code| code < 0);
                             slips[line] = true;
                             slipped += 1;
-                            let (start, end) = (stream.line_start(line), stream.line_end(line));
-                            used.extend(damage::of_record(stream, start, end));
+                            let (start, end) = (stretch.line_start(line), stretch.line_end(line));
+                            used.extend(damage::of_record(stretch, start, end));
                         }
                         Slip::Maybe => perhaps.push(line),
                         Slip::No => {}
                     }
                     in_tables += usize::from(line < table_to && !slips[line]);
-                    stretches += usize::from(!disturbed);
+                    runs += usize::from(!disturbed);
                     disturbed = true;
                     line += 1;
                     continue;
                 }
                 end => {
-                    let start = stream.line_start(line);
-                    let id = stream.sigs[start].int.unwrap_or(0);
-                    match stream.record_type(start + 1).map(|t| t.effect) {
+                    let start = stretch.line_start(line);
+                    let id = stretch.sigs[start].int.unwrap_or(0);
+                    match stretch.record_type(start + 1).map(|t| t.effect) {
                         Some(Effect::Defines(_)) => {
-                            let lost = faults::has_lost_id(stream, start, end as usize);
+                            let lost = faults::has_lost_id(stretch, start, end as usize);
                             let head = heads.entry(id).or_insert(Head::at(line));
                             head.definitions += 1;
                             head.may_be_lost += u32::from(lost);
@@ -124,8 +124,8 @@ impl<'a> Witnesses<'a> {
                         }
                         None => {}
                     }
-                    used.extend(damage::of_record(stream, start, end as usize));
-                    stream.line(end as usize - 1) + 1
+                    used.extend(damage::of_record(stretch, start, end as usize));
+                    stretch.line(end as usize - 1) + 1
                 }
             };
             disturbed = false;
@@ -135,7 +135,7 @@ impl<'a> Witnesses<'a> {
             line = next;
         }
         for line in perhaps {
-            let id = stream.sigs[stream.line_start(line)].int.unwrap_or(0);
+            let id = stretch.sigs[stretch.line_start(line)].int.unwrap_or(0);
             let elsewhere = u32::try_from(id).unwrap_or(0);
             slips[line] = (used.contains(&id) || around.is_used(elsewhere))
                 && !(heads.contains_key(&id) || around.is_defined(elsewhere));
@@ -145,14 +145,14 @@ impl<'a> Witnesses<'a> {
         let lines = lines + around.lines;
         covered += around.lines;
         steps += around.records;
-        stretches += around.stretches.saturating_sub(1);
+        runs += around.stretches.saturating_sub(1);
         let told = covered + slipped + in_tables;
         let mostly = 20 * covered >= 13 * lines
-            || (stretches <= 1 && steps >= 4 || lines < 12) && 3 * told + 2 >= 2 * lines;
+            || (runs <= 1 && steps >= 4 || lines < 12) && 3 * told + 2 >= 2 * lines;
         let few = lines < 12 && 4 * told >= 3 * lines;
         // The same mistake on every line leaves no line as a witness that it was laid out in lines.
         let slips_in_lines = slipped > 0 && 20 * (covered + slipped) >= 17 * lines;
-        let in_lines = steps > 0 && (steps + 2 >= 3 * stretches && mostly || few) || slips_in_lines;
+        let in_lines = steps > 0 && (steps + 2 >= 3 * runs && mostly || few) || slips_in_lines;
         if !in_lines {
             // What looks like a record at the head of a line is one by chance.
             heads.clear();
@@ -168,7 +168,7 @@ impl<'a> Witnesses<'a> {
             ids_lost,
             slipped,
             voids_behind_records: around.voids_behind_records
-                || voids_behind_records(stream, around),
+                || voids_behind_records(stretch, around),
             around,
         }
     }
@@ -178,10 +178,10 @@ impl<'a> Witnesses<'a> {
     }
 
     /// What is known of the lines that define an ID.
-    pub fn head(&self, stream: &Stretch, id: i32) -> Option<Head> {
+    pub fn head(&self, stretch: &Stretch, id: i32) -> Option<Head> {
         let here = self.heads.get(&id).copied();
         let elsewhere = u32::try_from(id).ok().filter(|_| self.in_lines);
-        let Some((at, ty)) = elsewhere.and_then(|id| stream.defined_elsewhere(self.around, id))
+        let Some((at, ty)) = elsewhere.and_then(|id| stretch.defined_elsewhere(self.around, id))
         else {
             return here;
         };
@@ -191,29 +191,29 @@ impl<'a> Witnesses<'a> {
             may_be_lost: 0,
         });
         head.definitions += u32::from(matches!(ty.effect, Effect::Defines(_)));
-        if stream.is_behind(at) {
+        if stretch.is_behind(at) {
             head.first_line = None;
         }
         Some(head)
     }
 
     /// Whether a line would be a complete record by itself.
-    pub fn is_complete_line(&self, stream: &Stretch, line: usize) -> bool {
-        self.ends[line] as usize == stream.line_end(line)
+    pub fn is_complete_line(&self, stretch: &Stretch, line: usize) -> bool {
+        self.ends[line] as usize == stretch.line_end(line)
     }
 
-    pub fn is_void_line(&self, stream: &Stretch, line: usize) -> bool {
-        self.ends[line] > 0 && stream.sigs[stream.line_start(line)].int == Some(0)
+    pub fn is_void_line(&self, stretch: &Stretch, line: usize) -> bool {
+        self.ends[line] > 0 && stretch.sigs[stretch.line_start(line)].int == Some(0)
     }
 
     /// Whether the record at tokens `start..end` takes its last parameters from the head of a line
     /// that says it is a record of its own. A line in a table of equally long lines says nothing.
-    pub fn takes_over(&self, stream: &Stretch, start: usize, end: usize) -> bool {
-        let (first, last) = (stream.line(start), stream.line(end - 1));
+    pub fn takes_over(&self, stretch: &Stretch, start: usize, end: usize) -> bool {
+        let (first, last) = (stretch.line(start), stretch.line(end - 1));
         if first == last || self.ends[last] == 0 {
             return first != last && self.slips[last];
         }
-        let length = |l: usize| stream.line_end(l) - stream.line_start(l);
+        let length = |l: usize| stretch.line_end(l) - stretch.line_start(l);
         !(last > first + 1 && length(last) == length(last - 1))
     }
 }
@@ -244,25 +244,25 @@ impl Known for Witnesses<'_> {
 /// Whether a record that begins with a line says something about the layout: it ends with a line
 /// too, and it is no row of a table by chance. Short records over several lines are rare, and so is
 /// an ID 1 without the type 9999.
-fn testifies(stream: &Stretch, start: usize, r: &Reading) -> bool {
-    let one_line = stream.line(start) == stream.line(r.end - 1);
+fn testifies(stretch: &Stretch, start: usize, r: &Reading) -> bool {
+    let one_line = stretch.line(start) == stretch.line(r.end - 1);
     let long = r.ty.is_counted() || r.ty.params.len() >= LONG;
-    let render = (stream.sigs[start].int == Some(1)) == (r.ty.code == 9999);
-    stream.ends_line(r.end)
+    let render = (stretch.sigs[start].int == Some(1)) == (r.ty.kind == RecordKind::Render);
+    stretch.ends_line(r.end)
         && r.end - start > 2
         && (one_line || long)
         && render
-        && stream.values_allowed(start, r)
+        && stretch.values_allowed(start, r)
 }
 
 /// Whether people here write `2 9 1 0 # a sphere #`: several do, or nobody does without the `0`.
-fn voids_behind_records(stream: &Stretch, around: &Surroundings) -> bool {
+fn voids_behind_records(stretch: &Stretch, around: &Surroundings) -> bool {
     let (mut with, mut without) = (0, usize::from(around.records > 0));
-    for line in 0..stream.line_count() {
-        let (start, end) = (stream.line_start(line), stream.line_end(line));
-        let last = &stream.sigs[end - 1];
+    for line in 0..stretch.line_count() {
+        let (start, end) = (stretch.line_start(line), stretch.line_end(line));
+        let last = &stretch.sigs[end - 1];
         if end - start > 2 && last.before_comment {
-            let read = |end: usize| stream.read(start).is_some_and(|r| r.end == end);
+            let read = |end: usize| stretch.read(start).is_some_and(|r| r.end == end);
             if last.int == Some(0) && read(end - 1) {
                 with += 1;
             } else if read(end) {
@@ -274,13 +274,13 @@ fn voids_behind_records(stream: &Stretch, around: &Surroundings) -> bool {
 }
 
 /// Whether a line is a row of several records that ends with its last one.
-fn run_to_line_end(stream: &Stretch, line: usize) -> bool {
-    let (mut i, end) = (stream.line_start(line), stream.line_end(line));
+fn run_to_line_end(stretch: &Stretch, line: usize) -> bool {
+    let (mut i, end) = (stretch.line_start(line), stretch.line_end(line));
     while i < end {
-        let sig = &stream.sigs[i];
+        let sig = &stretch.sigs[i];
         if sig.int == Some(0) && sig.before_comment {
             i += 1;
-        } else if let Some(r) = stream.read(i).filter(|r| r.end <= end && r.end > i + 2) {
+        } else if let Some(r) = stretch.read(i).filter(|r| r.end <= end && r.end > i + 2) {
             i = r.end;
         } else {
             return false;
@@ -292,18 +292,18 @@ fn run_to_line_end(stream: &Stretch, line: usize) -> bool {
 /// Whether a reading without faults has something in it that people do not write in a text laid out
 /// in lines: a record that straddles, a VOID without a comment behind a record, a heading's `0`
 /// taken for a number.
-pub fn is_odd(stream: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
+pub fn is_odd(stretch: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
     pieces.iter().any(|p| {
-        let behind = !stream.starts_line(p.start);
-        let last = stream.line(p.end - 1);
-        let over_lines = stream.line(p.start) != last;
+        let behind = !stretch.starts_line(p.start);
+        let last = stretch.line(p.end - 1);
+        let over_lines = stretch.line(p.start) != last;
         match p.verdict {
             Verdict::Void => behind,
             _ => {
                 (behind && (over_lines || p.end == p.start + 2))
                     || over_lines
-                        && witnesses.is_void_line(stream, last)
-                        && witnesses.takes_over(stream, p.start, p.end)
+                        && witnesses.is_void_line(stretch, last)
+                        && witnesses.takes_over(stretch, p.start, p.end)
             }
         }
     })

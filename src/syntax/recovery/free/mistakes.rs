@@ -1,9 +1,9 @@
 //! The records with one mistake that may begin at a token, and what each of them costs.
 
 use super::super::super::lexer::TokenKind;
-use super::super::super::table::RecordType;
+use super::super::super::table::{RecordKind, RecordType};
 use super::super::faults::{self, BAD_MAX, type_at};
-use super::super::verdict::{FAULT, Verdict};
+use super::super::verdict::{CUT_OFF, FAULT, Verdict};
 use super::super::way::{Id, OUT_OF_ORDER};
 use super::{FEW, Head, LONGEST, Search};
 
@@ -15,7 +15,36 @@ const COULD_BE_ID: u32 = 150;
 const UNTYPED: u32 = 10;
 /// The price of each token of what does not end with its line: a record's are together about as dear as an error.
 const GARBAGE: u32 = 150;
-/// How far the end of a record is looked for that has lost its type or its count.
+/// So many tokens of what is no record are counted.
+const COUNTED_MAX: usize = 10_000;
+/// What it costs more that a token which can be nothing stands for itself.
+const ALONE: u32 = 10;
+/// What it costs more to take tokens for no record at all.
+const NO_RECORD: u32 = 300;
+/// What a lost ID costs more before a type that reads like any other number.
+const LIKE_A_NUMBER: u32 = 60;
+/// What a number too many before the type costs more than an ID or a type with a space in it.
+const STRAY: u32 = 40;
+/// The same for a number that could be the type itself.
+const STRAY_TYPE: u32 = 100;
+/// What a token that can be no ID costs more in its place.
+const BAD_ID: u32 = 20;
+/// The price of each parameter that is missing or too many, beside that of the error.
+const MORE_OR_FEWER: u32 = 40;
+/// How much less it costs together: one more or fewer is what people mistake most.
+const ONE_IS_LIKELY: u32 = 20;
+/// The price of a wrong number of points where the numbers behind make up whole ones, and where they do not.
+const WHOLE_POINTS: u32 = 60;
+const PARTS_OF_POINTS: u32 = 200;
+/// How much less a lost sign costs than another error.
+const SIGN_IS_LIKELY: u32 = 20;
+/// What a wrong type costs more than another error.
+const WRONG_TYPE: u32 = 20;
+/// What it costs more where the number is the type of other records.
+const A_TYPE_AFTER_ALL: u32 = 30;
+/// So much speaks at most against parameters that are those of no type.
+const FITS_NO_TYPE: u32 = 200;
+/// How far the end of a record is looked for that has lost its type or its number of points.
 const REACH: usize = 64;
 
 impl Search<'_, '_> {
@@ -27,9 +56,9 @@ impl Search<'_, '_> {
         if let Some(ty) = type_at(self.stretch, at + 1) {
             match self.id_at(at) {
                 Some(id) => {
-                    self.wrong_number(at, id, ty);
+                    self.wrong_arity(at, id, ty);
                     if ty.is_counted() {
-                        self.wrong_count(at, id, ty);
+                        self.wrong_point_count(at, id, ty);
                     }
                     self.sign_of_known_type(at, id, ty);
                 }
@@ -52,7 +81,7 @@ impl Search<'_, '_> {
         if stretch.sigs[at].kind.is_bad() {
             self.offer(
                 (at, at + 1),
-                FAULT + 10,
+                FAULT + ALONE,
                 (Id::None, None),
                 Verdict::BadId { ty: None },
             );
@@ -65,7 +94,7 @@ impl Search<'_, '_> {
         };
         self.offer(
             (at, at + 1),
-            FAULT + 300 + real,
+            FAULT + NO_RECORD + real,
             (id, None),
             Verdict::MissingType,
         );
@@ -76,19 +105,19 @@ impl Search<'_, '_> {
                 let got = end - at - 2;
                 let verdict = match ty.map(|ty| (ty, ty.params.len())) {
                     None => self.type_verdict(at + 1),
-                    Some((ty, _)) if ty.is_counted() => Verdict::BadCount { ty },
+                    Some((ty, _)) if ty.is_counted() => Verdict::BadPointCount { ty },
                     Some((_, expected)) if expected == got => continue,
-                    Some((ty, expected)) => Verdict::Count { ty, got, expected },
+                    Some((ty, expected)) => Verdict::WrongArity { ty, got, expected },
                 };
-                let price = FAULT + faults::bad_price(stretch, at, end) + 300 + real;
+                let price = FAULT + faults::bad_price(stretch, at, end) + NO_RECORD + real;
                 let each = if end == line_end { UNTYPED } else { GARBAGE };
-                let price = price + each * (end - at).min(10_000) as u32;
+                let price = price + each * (end - at).min(COUNTED_MAX) as u32;
                 self.offer((at, end), price, (id, None), verdict);
             }
         }
         if stretch.has_unclosed_comment(at, line_end) {
             let ty = stretch.record_type(at + 1);
-            self.offer((at, line_end), FAULT / 10, (id, ty), Verdict::CutOff { ty });
+            self.offer((at, line_end), CUT_OFF, (id, ty), Verdict::CutOff { ty });
         }
     }
 
@@ -103,7 +132,11 @@ impl Search<'_, '_> {
 
     /// A record that has all but its ID.
     fn lost_id(&mut self, at: usize) {
-        let Some(ty) = self.stretch.record_type(at).filter(|t| t.code != 0) else {
+        let Some(ty) = self
+            .stretch
+            .record_type(at)
+            .filter(|t| t.kind != RecordKind::Undefined)
+        else {
             return;
         };
         let Some(head) = self.head(Id::Lost, ty, at + 1) else {
@@ -115,8 +148,9 @@ impl Search<'_, '_> {
             || self
                 .id_at(at)
                 .is_some_and(|id| id != 1 && self.ways.is_next(id, self.here));
-        let price =
-            FAULT + if ty.code > 0 { 60 } else { 0 } + if could_be { COULD_BE_ID } else { 0 };
+        let price = FAULT
+            + if ty.code > 0 { LIKE_A_NUMBER } else { 0 }
+            + if could_be { COULD_BE_ID } else { 0 };
         for end in self.right_ends(&head).filter(|&end| end > at + 1) {
             let doubts = self.params(&head, end);
             if doubts < DOUBTS_OF_FAULT_MAX {
@@ -132,12 +166,16 @@ impl Search<'_, '_> {
 
     /// A token in front of a record; or the ID is two tokens.
     fn too_many_in_front(&mut self, at: usize) {
-        let Some(ty) = self.stretch.record_type(at + 2).filter(|t| t.code != 0) else {
+        let Some(ty) = self
+            .stretch
+            .record_type(at + 2)
+            .filter(|t| t.kind != RecordKind::Undefined)
+        else {
             return;
         };
         let joined = faults::joined(self.stretch, at).and_then(|id| u32::try_from(id).ok());
         let joined = joined.filter(|&id| self.ways.id(id, Some(ty), self.here) < OUT_OF_ORDER);
-        for (id, price) in [(joined, 0), (self.id_at(at + 1), 40)] {
+        for (id, price) in [(joined, 0), (self.id_at(at + 1), STRAY)] {
             let Some(head) = id.and_then(|id| self.head(Id::Is(id), ty, at + 3)) else {
                 continue;
             };
@@ -151,9 +189,9 @@ impl Search<'_, '_> {
             faults::joined(self.stretch, at + 1).and_then(|code| RecordType::by_code(code.into()));
         // A negative number is likelier to be the type.
         let likely = self.stretch.record_type(at + 1).is_some_and(|t| t.code < 0);
-        let stray = if likely { 100 } else { 40 };
+        let stray = if likely { STRAY_TYPE } else { STRAY };
         for (ty, price) in [(joined, 0), (type_at(self.stretch, at + 2), stray)] {
-            let Some(ty) = ty.filter(|t| t.code != 0) else {
+            let Some(ty) = ty.filter(|t| t.kind != RecordKind::Undefined) else {
                 continue;
             };
             if let Some(head) = self.head(Id::Is(id), ty, at + 3) {
@@ -200,7 +238,7 @@ impl Search<'_, '_> {
             let verdict = Verdict::BadId { ty: Some(ty) };
             self.offer(
                 (at, end),
-                FAULT + real_type + doubts + 20,
+                FAULT + BAD_ID + real_type + doubts,
                 (Id::Lost, Some(ty)),
                 verdict,
             );
@@ -208,7 +246,7 @@ impl Search<'_, '_> {
     }
 
     /// A record with some parameters more or less than it takes, or with spoiled ones.
-    fn wrong_number(&mut self, at: usize, id: u32, ty: &'static RecordType) {
+    fn wrong_arity(&mut self, at: usize, id: u32, ty: &'static RecordType) {
         let stretch = self.stretch;
         let Some(head) = self.head(Id::Is(id), ty, at + 2) else {
             return;
@@ -237,12 +275,12 @@ impl Search<'_, '_> {
                     }
                     continue;
                 }
-                let verdict = Verdict::Count {
+                let verdict = Verdict::WrongArity {
                     ty,
                     got: end - head.first,
                     expected: wanted - head.first,
                 };
-                let off = 40 * end.abs_diff(wanted) as u32 - 20;
+                let off = MORE_OR_FEWER * end.abs_diff(wanted) as u32 - ONE_IS_LIKELY;
                 let price = FAULT * (1 + bad.min(BAD_MAX)) + real_type + off + doubts;
                 // Its type may be what is wrong.
                 self.offer((at, end), price, (head.id, None), verdict);
@@ -251,7 +289,7 @@ impl Search<'_, '_> {
     }
 
     /// A record whose count is a wrong one.
-    fn wrong_count(&mut self, at: usize, id: u32, ty: &'static RecordType) {
+    fn wrong_point_count(&mut self, at: usize, id: u32, ty: &'static RecordType) {
         let stretch = self.stretch;
         let id_price = self.ways.id(id, Some(ty), self.here);
         let head = self.head(Id::Is(id), ty, at + 2);
@@ -263,13 +301,13 @@ impl Search<'_, '_> {
             let got = end - at - 2;
             let verdict = match expected {
                 Some(expected) if expected.abs_diff(got) <= FEW => continue,
-                Some(expected) => Verdict::Count { ty, got, expected },
-                None => Verdict::BadCount { ty },
+                Some(expected) => Verdict::WrongArity { ty, got, expected },
+                None => Verdict::BadPointCount { ty },
             };
             // Whole points, with the count or without it.
             let per = ty.arity(1) as usize - 1;
             let whole = got > 0 && got % per <= 1;
-            let price = got as u32 + if whole { 60 } else { 200 };
+            let price = got as u32 + if whole { WHOLE_POINTS } else { PARTS_OF_POINTS };
             let bad = self.bad(ty, at + 2, end).min(BAD_MAX);
             let price = FAULT * (1 + bad) + price + id_price;
             self.offer((at, end), price, (Id::Is(id), Some(ty)), verdict);
@@ -286,7 +324,7 @@ impl Search<'_, '_> {
             return;
         };
         for end in self.right_ends(&head) {
-            let price = FAULT - 20 + self.doubts(&head, end).min(DOUBTS_OF_FAULT_MAX);
+            let price = FAULT - SIGN_IS_LIKELY + self.doubts(&head, end).min(DOUBTS_OF_FAULT_MAX);
             self.offer((at, end), price, (head.id, Some(ty)), Verdict::UnknownType);
         }
     }
@@ -327,7 +365,7 @@ impl Search<'_, '_> {
             let verdict = match ty {
                 None => self.type_verdict(at + 1),
                 Some(ty) if ty.params.len() == got || ty.is_counted() => continue,
-                Some(ty) => Verdict::Count {
+                Some(ty) => Verdict::WrongArity {
                     ty,
                     got,
                     expected: ty.params.len(),
@@ -346,11 +384,12 @@ impl Search<'_, '_> {
             let least = fits
                 .map(|head| self.params(&head, end))
                 .min()
-                .unwrap_or(200);
-            let length = UNTYPED * (end - at).min(10_000) as u32;
-            let known = if ty.is_some() { 30 } else { 0 };
+                .unwrap_or(FITS_NO_TYPE);
+            let length = UNTYPED * (end - at).min(COUNTED_MAX) as u32;
+            let known = if ty.is_some() { A_TYPE_AFTER_ALL } else { 0 };
             let bad = faults::bad_price(stretch, at + 2, end);
-            let price = FAULT + 20 + known + bad + id_price + least.min(200) + length;
+            let price =
+                FAULT + WRONG_TYPE + known + bad + id_price + least.min(FITS_NO_TYPE) + length;
             self.offer((at, end), price, (Id::Is(id), None), verdict);
         }
     }

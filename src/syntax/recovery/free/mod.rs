@@ -192,7 +192,7 @@ impl Search<'_, '_> {
     /// A record of a type whose parameters begin at a token; `None` if it is a counted one without its count.
     fn head(&self, id: Id, ty: &'static RecordType, first: usize) -> Option<Head> {
         let count = match ty.is_counted() {
-            true => faults::count(self.stretch, first).ok()?,
+            true => faults::point_count(self.stretch, first).ok()?,
             false => 0,
         };
         Some(Head {
