@@ -38,16 +38,18 @@ fn report(context: &Context, line: &mut Vec<&Item>, out: &mut Vec<Diagnostic>) {
             text: "\n".to_owned(),
         }
     });
-    let edits = edits.collect();
-    out.push(
-        Diagnostic::new(Code::S503, context.document.item_span(first))
-            .with("count", Value::Count(line.len() as u64))
-            .fix(Fix {
-                title: "fix",
-                values: Vec::new(),
-                applicability: Applicability::Safe,
-                edits,
-            }),
-    );
+    let fix = Fix {
+        title: "fix",
+        values: Vec::new(),
+        applicability: Applicability::Safe,
+        edits: edits.collect(),
+    };
+    let finding = Diagnostic::new(Code::S503, context.document.item_span(first))
+        .with("count", Value::Count(line.len() as u64));
+    // What could not be read is read by its lines: with others it may be something else.
+    out.push(match context.document.contents.broken {
+        true => finding,
+        false => finding.fix(fix),
+    });
     line.clear();
 }
