@@ -3,6 +3,7 @@
 //! The commands, the tests and the editor features all start from an [`Analysis`]. It prints nothing and
 //! knows of no command line.
 
+pub mod colours;
 mod commas;
 pub mod config;
 pub mod file;
@@ -80,6 +81,7 @@ impl Analysis {
     pub fn of(source: SourceFile) -> Analysis {
         let (document, mut read) = syntax::parse(&source.text);
         commas::join(&source, &mut read);
+        colours::join(&document, &source, &mut read);
         let scene = scene::resolve(&document, &source, &mut read);
         read.extend(encoding_note(&source));
         Analysis {

@@ -3,8 +3,8 @@
 //! A scene has linear colours, a picker sRGB; both ways go through the curve of the pictures.
 
 use crate::analysis::Analysis;
+use crate::analysis::colours::shortest;
 use crate::diagnostics::{Edit, Span};
-use crate::lint::spelling::spelled;
 use crate::scene::Rgb;
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Item, Record};
@@ -84,16 +84,6 @@ pub fn repaint(analysis: &Analysis, span: Span, picked: [f64; 3]) -> Option<Edit
         at = place.end;
     }
     Some(Edit { span, text: out })
-}
-
-/// The shortest decimal number that is shown as this.
-fn shortest(wanted: u8) -> String {
-    let exact = linear(f64::from(wanted) / 255.0);
-    let rounded = (0..=9).map(|digits| format!("{exact:.digits$}").parse().unwrap_or(exact));
-    let found = rounded
-        .into_iter()
-        .find(|x: &f64| srgb8(*x as f32) == wanted);
-    spelled(found.unwrap_or(exact))
 }
 
 /// A picked colour as linear numbers, for its name in the picker.

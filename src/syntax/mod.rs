@@ -24,6 +24,7 @@ pub mod contents;
 pub mod describe;
 pub mod directive;
 pub mod grammar;
+pub mod hex;
 pub mod ids;
 pub mod lexer;
 pub mod parser;

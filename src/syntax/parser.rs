@@ -24,7 +24,7 @@ use crate::diagnostics::{self, Code, Diagnostic, Value};
 pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     let mut findings = Vec::new();
     let mut lexed = Lexed::new(text, &[]);
-    if lexed.has_unclosed || lexed.has_word && lexed.has_long_comment {
+    if may_be_unclosed(&lexed, text) {
         let unclosed = recovery::comments::unclosed(text);
         if !unclosed.is_empty() && lexer::too_long(text, &unclosed).is_none() {
             lexed = Lexed::new(text, &unclosed);
@@ -69,7 +69,7 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
 /// The items of a text that needs no recovery; `None` for any other.
 pub fn parse_plain(text: &str) -> Option<Document> {
     let lexed = Lexed::new(text, &[]);
-    if lexed.has_unclosed || lexed.has_bad || lexed.has_word && lexed.has_long_comment {
+    if lexed.has_bad || may_be_unclosed(&lexed, text) {
         return None;
     }
     let columns = Columns {
@@ -78,6 +78,12 @@ pub fn parse_plain(text: &str) -> Option<Document> {
     };
     let Plan { items, gaps, .. } = Plan::of(columns);
     gaps.is_empty().then(|| document(lexed, items))
+}
+
+/// Whether a comment may have lost its `#`, or a `#` be none of a comment.
+fn may_be_unclosed(lexed: &Lexed, text: &str) -> bool {
+    let is_odd = || lexed.has_word || recovery::comments::has_colour(text);
+    lexed.has_unclosed || lexed.has_long_comment && is_odd()
 }
 
 fn document(lexed: Lexed, items: Vec<Item>) -> Document {

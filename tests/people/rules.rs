@@ -294,3 +294,66 @@ fn no_guesses_end_in_a_scene_that_draws_nothing() {
     }
     assert!(tried > 50, "{tried}");
 }
+
+#[test]
+fn colours_as_other_programs_write_them() {
+    for (written, meant) in [
+        ("#ff8000", "1 0.216 0"),
+        ("#ff8000 #", "1 0.216 0"),
+        ("#FF8000 # orange #", "1 0.216 0 # orange #"),
+        ("#ff8000 orange", "1 0.216 0 # orange #"),
+        ("0xff8000", "1 0.216 0"),
+        ("ff8000", "1 0.216 0"),
+        ("\"#ff8000\" # orange #", "1 0.216 0 # orange #"),
+        // Not a number of points, nor a power of ten.
+        ("804020", "0.216 0.051 0.0144"),
+        ("1e0000", "0.013 0 0"),
+        ("#fff", "1 1 1"),
+        ("#000000", "0 0 0"),
+    ] {
+        for (line, head) in [(1, "2 -701"), (15, "10 -701")] {
+            let (finding, fixed) = mended(&with(line, &format!("{head} {written}")));
+            assert_eq!((finding.code, finding.case), (Code::E003, "colour"));
+            assert_eq!(fixed, with(line, &format!("{head} {meant}")));
+        }
+    }
+    // Each of several, though the signs could pair up.
+    let text = with(1, "2 -701 #804020").replace("10 -701 1 0.9 0.8", "10 -701 #00ff00 # green #");
+    let found = errors(&text);
+    assert_eq!(found.len(), 2, "{found:?}");
+    let (fixed, _) = fixes::apply(&text, found.iter().filter_map(|d| d.fixes.first()));
+    let meant = with(1, "2 -701 0.216 0.051 0.0144");
+    assert_eq!(
+        fixed,
+        meant.replace("10 -701 1 0.9 0.8", "10 -701 0 1 0 # green #")
+    );
+    // A comment in the middle of a colour that is right.
+    for right in [
+        "2 -701 #ff8000 # 1 0.5 0.2",
+        "2 -701 #ff8000\nor so # 1 0.5 0.2",
+    ] {
+        assert_eq!(errors(&with(1, right)), [], "{right}");
+    }
+}
+
+#[test]
+fn a_reference_beside_one_that_is_none() {
+    let text = with(4, "4 -299 0 2");
+    let (finding, fixed) = mended(&text);
+    assert_eq!(finding.code, Code::E103);
+    // The colour in front would leave the optical property in vain.
+    assert_eq!(fixed, with(4, "4 -299 0 3"));
+    // An object is no property.
+    let text = "2 9 1\n3 -201 0.5 0.2 0.1\n15 11 0 3 0 2\n15 -299 0 2\n16 -101 2 15\n1 9999 16 0\n";
+    let (_, fixed) = mended(text);
+    assert_eq!(fixed, text.replace("-299 0 2", "-299 0 3"));
+}
+
+#[test]
+fn a_type_is_lost_before_a_number_that_is_one() {
+    for numbers in ["-3 -3 -3 3 3 3", "-1 -1 -1 1 1 1", "-2 -1 -2 2 1 2"] {
+        let (finding, fixed) = mended(&with(3, &format!("4 {numbers}")));
+        assert_eq!((finding.code, finding.case), (Code::E006, "lost"));
+        assert_eq!(fixed, with(3, &format!("4 12 {numbers}")));
+    }
+}

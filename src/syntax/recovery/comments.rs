@@ -6,6 +6,9 @@
 //! text that cannot be code, records that would be hidden, and comments that are given up at their
 //! line's end all have a price.
 
+use super::super::hex;
+use super::super::table::{RecordKind, RecordType};
+
 /// The price of giving a comment up at the end of its line: an error.
 const UNCLOSED: u32 = 110;
 /// The price of a line with words where code should be: an error too, and the likelier one.
@@ -53,6 +56,9 @@ pub fn unclosed(text: &str) -> Vec<u32> {
         for state in (0..STATES).filter(|&s| cost[s] < NEVER) {
             let reading = Reading::of(line, state);
             let price = cost[state].saturating_add(reading.price);
+            if let Some(sign) = colour(line).filter(|_| state == 0 && reading.end_state != 0) {
+                offer(0, cost[0], 0, Some(sign));
+            }
             offer(reading.end_state, price, state, None);
             // Given up: the comment that is open at the line's end, or the first one that opens.
             if reading.end_state != 0 && (state == 0 || hashes > 0) {
@@ -80,6 +86,31 @@ pub fn unclosed(text: &str) -> Vec<u32> {
     }
     out.reverse();
     out
+}
+
+/// Whether a `#` somewhere may be part of a colour and no comment's.
+pub fn has_colour(text: &str) -> bool {
+    memchr::memchr_iter(b'#', text.as_bytes()).any(|at| {
+        let line = text[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1);
+        hex::at_start(&text[at..]).is_some() && begins_colour(&text[line..at])
+    })
+}
+
+/// The `#` of a colour, `7 -701 #ff8000`, if it is the first one of a line: giving it up costs nothing.
+fn colour(line: &str) -> Option<usize> {
+    let at = line.find('#')?;
+    hex::at_start(&line[at..])?;
+    begins_colour(&line[..at]).then_some(at)
+}
+
+/// Whether a text is the ID and the type of a colour.
+fn begins_colour(text: &str) -> bool {
+    let mut words = text.split_whitespace();
+    let (Some(id), Some(code), None) = (words.next(), words.next(), words.next()) else {
+        return false;
+    };
+    let ty = code.parse().ok().and_then(RecordType::by_code);
+    id.parse::<u32>().is_ok() && ty.is_some_and(|ty| ty.kind == RecordKind::Colour)
 }
 
 /// One line read from one state with its `#` in plain alternation.

@@ -1,5 +1,6 @@
 //! What is wrong with a piece that is no record, and what that costs.
 
+use super::super::hex;
 use super::super::lexer::TokenKind;
 use super::super::signature::{allows, fits};
 use super::super::table::{Effect, ParamKind, RecordKind, RecordType};
@@ -146,6 +147,9 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
     }
     if let Some(swapped) = swapped(stretch, start, end) {
         return swapped;
+    }
+    if let Some(colour) = hex_colour(stretch, start, end) {
+        return colour;
     }
     let good_id = id.int.is_some_and(|id| id > 0);
     let ty = (start + 1 < end)
@@ -424,6 +428,24 @@ fn swapped(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)
         && exact
         && wrong_kinds(stretch, ty, start + 2, end) == 0;
     right.then_some((Verdict::Swapped, FAULT - 20))
+}
+
+/// A line `7 -701 ff8000`: a colour with one word in the place of its numbers.
+fn hex_colour(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+    let whole_line = stretch.starts_line(start) && stretch.ends_line(end);
+    if !whole_line || end != start + 3 || stretch.sigs[start].int.is_none_or(|id| id <= 0) {
+        return None;
+    }
+    let ty = stretch
+        .record_type(start + 1)
+        .filter(|t| t.kind == RecordKind::Colour)?;
+    hex::colour(stretch.token(start + 2).text(stretch.text()))?;
+    let verdict = Verdict::WrongArity {
+        ty,
+        got: 1,
+        expected: ty.params.len(),
+    };
+    Some((verdict, FAULT - 20))
 }
 
 /// Whether a record of unknown type would be right with a minus sign before the type.

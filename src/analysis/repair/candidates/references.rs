@@ -44,8 +44,9 @@ impl Place<'_> {
         }
         self.swapped(out);
         let id = |t: &Token| t.integer(self.text).unwrap_or(0);
-        // A single one is no more than one off.
-        let most = if all.len() > 1 { 4 } else { 2 };
+        // A single one is no more than one off, and 0 is none.
+        let several = all.iter().filter(|(t, _)| id(t) != 0).count() > 1;
+        let most = if several { 4 } else { 2 };
         for by in &[1, -1, 2, -2][..most] {
             let shifted: Option<Vec<(Token, String)>> = (all.iter())
                 .filter(|(t, _)| id(t) != 0)

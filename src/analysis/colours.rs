@@ -1,0 +1,83 @@
+//! A colour as other programs write it, `7 -701 #ff8000`, is one finding that says which numbers it is.
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span};
+use crate::lint::spelling::spelled;
+use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::table::RecordKind;
+use crate::syntax::{Document, Item, hex, quote};
+use crate::trace::bitmap::linear;
+use crate::trace::film::srgb8;
+
+/// What the parser found about colours in hexadecimal digits becomes one finding for each.
+pub fn join(document: &Document, source: &SourceFile, findings: &mut Vec<Diagnostic>) {
+    if !document.contents.broken {
+        return;
+    }
+    for item in &document.items {
+        let Item::Broken(broken) = item else { continue };
+        if broken.kind == Some(RecordKind::Colour)
+            && let Some(finding) = hexadecimal(document, &source.text, broken.first)
+        {
+            let start = document.tokens[broken.first as usize].start;
+            let record = start..finding.fixes[0].edits[0].span.end;
+            findings.retain(|d| !record.contains(&d.span.start));
+            findings.push(finding);
+        }
+    }
+}
+
+/// The colour in the place of the numbers of a record whose ID is at a token.
+fn hexadecimal(document: &Document, text: &str, id: u32) -> Option<Diagnostic> {
+    let tokens = document.tokens[id as usize..].iter();
+    let mut on_line = tokens.take_while(|t| t.kind() != TokenKind::Newline);
+    let word = on_line.by_ref().nth(2)?;
+    if !on_line.all(|t| t.kind().is_comment()) {
+        return None;
+    }
+    let (span, colour, comment) = match word.kind().is_comment() {
+        true => in_comment(word, text)?,
+        false => {
+            let within = word.text(text).trim_matches('"');
+            (word.span(), hex::colour(within)?, String::new())
+        }
+    };
+    let numbers = colour.map(shortest).join(" ");
+    Some(
+        Diagnostic::new(Code::E003, span)
+            .case("colour")
+            .with("text", quote(&text[span.range()]))
+            .with("number", quote(&numbers))
+            .fix(Fix::replace(
+                "fix",
+                Applicability::Unsafe,
+                word.span(),
+                numbers + &comment,
+            )),
+    )
+}
+
+/// A colour whose `#` began a comment; with what else the comment holds, as one.
+fn in_comment(sign: &Token, text: &str) -> Option<(Span, [u8; 3], String)> {
+    let whole = sign.text(text);
+    let (word, colour) = hex::at_start(whole)?;
+    let rest = whole[word.len()..].trim();
+    let words = rest.strip_prefix('#').unwrap_or(rest);
+    let words = words.strip_suffix('#').unwrap_or(words).trim();
+    let comment = match words {
+        "" => String::new(),
+        words if words.contains('#') => return None,
+        words => format!(" # {words} #"),
+    };
+    let span = Span::new(sign.start, sign.start + word.len() as u32);
+    Some((span, colour, comment))
+}
+
+/// The shortest decimal number that is shown as this part of a colour.
+pub fn shortest(wanted: u8) -> String {
+    let exact = linear(f64::from(wanted) / 255.0);
+    let rounded = (0..=9).map(|digits| format!("{exact:.digits$}").parse().unwrap_or(exact));
+    let found = rounded
+        .into_iter()
+        .find(|x: &f64| srgb8(*x as f32) == wanted);
+    spelled(found.unwrap_or(exact))
+}
