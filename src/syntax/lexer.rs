@@ -120,12 +120,12 @@ impl Token {
         TokenKind::ALL[(self.packed >> LENGTH_BITS) as usize]
     }
 
-    pub fn len(self) -> u32 {
+    pub fn length(self) -> u32 {
         self.packed & Token::LENGTH_MAX as u32
     }
 
     pub fn end(self) -> u32 {
-        self.start + self.len()
+        self.start + self.length()
     }
 
     pub fn span(&self) -> Span {
@@ -242,7 +242,7 @@ pub fn too_long(text: &str, unclosed: &[u32]) -> Option<Token> {
     if text.len() < Token::LENGTH_MAX {
         return None;
     }
-    Tokens::new(text, unclosed).find(|t| t.len() as usize == Token::LENGTH_MAX)
+    Tokens::new(text, unclosed).find(|t| t.length() as usize == Token::LENGTH_MAX)
 }
 
 /// A text's tokens, and of the significant ones what every reader asks for, in columns.

@@ -75,7 +75,7 @@ fn are_same_words(old: &[u8], new: &[u8]) -> bool {
 fn is_two(token: &Token, document: &Document) -> bool {
     let tokens = &document.tokens;
     let found = tokens.binary_search_by_key(&token.start, |t| t.start);
-    found.is_ok_and(|i| tokens[i].len() < token.len())
+    found.is_ok_and(|i| tokens[i].length() < token.length())
 }
 
 fn is_same((old, token): (&str, &Token), (new, other): (&str, &Token)) -> bool {

@@ -16,7 +16,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let mut budget = BYTES_MAX;
     for t in &context.document.tokens {
-        if t.kind() != TokenKind::Comment || t.len() < 2 {
+        if t.kind() != TokenKind::Comment || t.length() < 2 {
             continue;
         }
         let span = t.span();
