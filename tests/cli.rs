@@ -139,7 +139,7 @@ fn colour_is_a_choice() {
 fn wrong_usage_is_2() {
     let dir = folder(&[]);
     for args in [
-        &["check"][..],
+        &["probe"][..],
         &["check", "--format", "xml", "a"],
         &["nonsense"],
         &["explain", "E999"],

@@ -82,8 +82,18 @@ fn pictures_are_as_they_were_looked_at() {
     for scene in scenes() {
         let name = scene.file_stem().unwrap().to_string_lossy().into_owned();
         let picture = folder.path().join(format!("{name}.png"));
+        let text = fs::read_to_string(&scene).unwrap();
+        let is_stereo = text
+            .lines()
+            .any(|l| l.split_whitespace().nth(1) == Some("-503"));
+        let stereo: &[&str] = match is_stereo {
+            true => &["--stereo", "side-by-side"],
+            false => &[],
+        };
         let output = Command::new(env!("CARGO_BIN_EXE_zpg"))
-            .args(["render", "--stereo", "side-by-side", "--size", SIZE, "-o"])
+            .args(["render", "--size", SIZE])
+            .args(stereo)
+            .arg("-o")
             .arg(&picture)
             .arg(&scene)
             .output()

@@ -345,7 +345,7 @@ fn settings_are_those_of_the_command_line() {
     };
     assert_eq!(codes(s.diagnostics(1)), ["N602", "N603"]);
     let style = json!({ "tabSize": 2, "insertSpaces": true });
-    let format = json!({ "textDocument": { "uri": uri }, "options": style });
+    let format = json!({ "textDocument": { "uri": uri }, "options": style.clone() });
     let edits = s.ask("textDocument/formatting", format);
     assert_eq!(edits[0]["newText"], "3 11 0 1 0 1\n");
     let changed = json!({ "changes": [{ "uri": uri.replace("a.zpg", "zpg.toml"), "type": 2 }] });
@@ -353,8 +353,24 @@ fn settings_are_those_of_the_command_line() {
     s.tell("workspace/didChangeWatchedFiles", changed.clone());
     assert!(codes(s.diagnostics(1)).contains(&"W310".to_owned()));
     write("[lint]\nW310 = 7\n");
-    s.tell("workspace/didChangeWatchedFiles", changed);
+    s.tell("workspace/didChangeWatchedFiles", changed.clone());
     assert_eq!(codes(s.diagnostics(1))[0], "none");
+    // Files have codes of their own that are ignored, and may be left out.
+    write("[lint.per-file-ignores]\n\"a.zpg\" = [\"W310\"]\n\"!a.zpg\" = [\"N602\"]\n");
+    s.tell("workspace/didChangeWatchedFiles", changed.clone());
+    assert_eq!(codes(s.diagnostics(1)), ["N602", "N603"]);
+    write("exclude = [\"a.*\"]\n");
+    s.tell("workspace/didChangeWatchedFiles", changed);
+    assert_eq!(codes(s.diagnostics(1)), Vec::<String>::new());
+    let format = json!({ "textDocument": { "uri": uri }, "options": style });
+    assert_eq!(s.ask("textDocument/formatting", format), Value::Null);
+    let everywhere = json!({ "start": at(0, 0), "end": at(3, 0) });
+    let actions = json!({
+        "textDocument": { "uri": uri },
+        "range": everywhere,
+        "context": { "diagnostics": [] },
+    });
+    assert_eq!(s.ask("textDocument/codeAction", actions), Value::Null);
 }
 
 #[test]

@@ -40,6 +40,7 @@ mod metamorphic;
 mod mitsuba;
 mod mutations;
 mod never_worse;
+mod options;
 mod people;
 mod plan;
 mod portable;

@@ -162,7 +162,7 @@ fn an_object_needs_no_render_record() {
 
 /// What is not asked about is not spoken of.
 #[test]
-fn notes_are_on_what_the_question_is_about() {
+fn errors_alone_are_said() {
     let said = |scene: &str, args: &[&str]| {
         let dir = folder(scene);
         let args: Vec<&str> = ["a.zpg"].iter().chain(args).copied().collect();
@@ -177,15 +177,52 @@ fn notes_are_on_what_the_question_is_about() {
     assert_eq!(said(bare, &["--rays", "-"]), "");
     assert_eq!(said(bare, &["--point", "0 0 0"]), "");
     let pixel = ["--pixel", "1,1", "--size", "3x3"];
-    let seen = said(bare, &pixel);
-    assert!(seen.contains("N602") && seen.contains("N603"), "{seen}");
+    assert_eq!(said(bare, &pixel), "");
     assert_eq!(said(&scene("2 11 0 0 0 1", 2), &pixel), "");
     // No render record, which an object does without.
     let lone = "2 11 0 0 0 1\n";
     assert_eq!(said(lone, &["--object", "2", "--point", "0 0 0"]), "");
-    // Everything else is said: here that two records share a line.
-    let odd = said("2 11 0 0 0 1 1 9999 2 0\n", &DOWN);
-    assert!(odd.contains("S503") && !odd.contains("N60"), "{odd}");
+    // Two records share a line, and a colour is out of range: that is for check to say.
+    let odd = "2 11 0 0 0 1 2 -701 9 0 0\n1 9999 2 0\n";
+    assert_eq!(said(odd, &DOWN), "");
+    // Without warnings errors are not fewer.
+    let dir = folder("2 11 0 0 0 -1 2 -701 9 0 0\n1 9999 2 0\n");
+    let out = zpg(dir.path(), &["a.zpg", "--pixel", "0,0"], "");
+    let error = String::from_utf8(out.stderr).unwrap();
+    assert_eq!(out.status.code(), Some(1));
+    assert!(
+        error.contains("error[E201]") && error.contains("Found 1 error in 1 file"),
+        "{error}"
+    );
+    assert!(
+        !error.contains("W301") && !error.contains("S503"),
+        "{error}"
+    );
+}
+
+#[test]
+fn commas_between_numbers() {
+    let scene = scene("2 11 0 0 0 1", 2);
+    let plain = one(&scene, &["--ray", "0 0 9 0 0 -1"]);
+    for ray in ["0,0,9,0,0,-1", "0, 0, 9,  0, 0, -1", "0 0 9, 0 0 -1"] {
+        assert_eq!(one(&scene, &["--ray", ray]), plain, "{ray}");
+    }
+    let point = one(&scene, &["--point", "0.5, 0,0"]);
+    assert_eq!(point, one(&scene, &["--point", "0.5 0 0"]));
+    let dir = folder(&scene);
+    let out = zpg(
+        dir.path(),
+        &["a.zpg", "--rays", "-"],
+        "0,0,9,0,0,-1\n0 0 9 0 0 -1\n",
+    );
+    let lines = String::from_utf8(out.stdout).unwrap();
+    let lines: Vec<&str> = lines.lines().collect();
+    assert_eq!((lines.len(), lines[0]), (2, lines[1]));
+    // Decimal commas make too many numbers.
+    let out = zpg(dir.path(), &["a.zpg", "--ray", "0,5 0 9 0 0 -1"], "");
+    assert_eq!(out.status.code(), Some(2));
+    let error = String::from_utf8(out.stderr).unwrap();
+    assert!(error.contains("expected 6 numbers, found 7"), "{error}");
 }
 
 #[test]
@@ -353,7 +390,7 @@ fn wrong_usage() {
         ),
         (
             &["a.zpg", "--pixel", "0,0", "--camera", "90"],
-            "did you mean 900?",
+            "the scene has no camera 90; its cameras are 900",
         ),
         (
             &["a.zpg", "--point", "0 0 0", "--precision", "f16"],

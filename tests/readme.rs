@@ -135,7 +135,10 @@ fn the_first_command_draws() {
     let copy = folder.path().join(scene);
     fs::create_dir_all(copy.parent().unwrap()).unwrap();
     fs::copy(root().join(scene), &copy).unwrap();
-    assert_eq!(run(folder.path(), command), "");
+    assert_eq!(
+        run(folder.path(), command),
+        "Wrote pawns.png: 640 × 480 pixels\n"
+    );
     let picture = Path::new(scene).with_extension("png");
     let picture = folder.path().join(picture.file_name().unwrap());
     assert!(image::open(picture).unwrap().width() > 100);

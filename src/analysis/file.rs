@@ -4,28 +4,20 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::config::Configs;
-use super::{Analysis, Settings};
+use super::Analysis;
 use crate::diagnostics::Complaint;
 use crate::diagnostics::source::MAX_FILE_BYTES;
-use crate::lint::levels::Choice;
 
-/// The path that stands for standard input.
+/// The path that stands for standard input, or for standard output where something is written.
 pub const STDIN: &str = "-";
 
-/// Reads a scene file, with the settings of its folder; `-` is standard input.
+/// Reads a scene file; `-` is standard input. Findings have the weights of their codes.
 ///
 /// # Errors
 ///
-/// The file, or the settings of its folder, cannot be read.
+/// The file cannot be read.
 pub fn load(path: &Path) -> Result<Analysis, Complaint> {
-    let config = (Configs::default().for_file(path)).map_err(|e| e.complaint())?;
-    let bytes = read(path)?;
-    let analysis = Analysis::new(path.to_string_lossy(), bytes);
-    Ok(analysis.with_settings(Settings {
-        levels: config.levels.clone(),
-        choice: Choice::default(),
-    }))
+    Ok(Analysis::new(path.to_string_lossy(), read(path)?))
 }
 
 /// Reads a file's bytes; `-` is standard input.

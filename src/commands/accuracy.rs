@@ -197,7 +197,7 @@ fn study(
         language: look.language(),
         stop: stop_on_interrupt(look),
     };
-    let progress = Shown::new(options.budget, look.language());
+    let progress = Shown::new(options.budget, look);
     let scene = Arc::new(loaded.scene.clone());
     let name = file.to_string_lossy();
     let report = accuracy::run(&name, &scene, &images, camera, &options, &|what, share| {
@@ -239,8 +239,8 @@ struct Shown {
 }
 
 impl Shown {
-    fn new(budget: f64, language: Language) -> Shown {
-        let bar = progress_bar(1000);
+    fn new(budget: f64, look: LookChoice) -> Shown {
+        let bar = progress_bar(1000, look);
         if std::io::stderr().is_terminal()
             && let Ok(style) =
                 indicatif::ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}")
@@ -249,7 +249,7 @@ impl Shown {
         }
         Shown {
             bar,
-            language,
+            language: look.language(),
             start: Instant::now(),
             budget,
             last: Cell::new(""),
@@ -277,7 +277,7 @@ impl Shown {
 fn shapes(args: &Args, look: LookChoice) -> Status {
     let seconds = args.budget.map_or(60.0, |b| b.0);
     let stop = stop_on_interrupt(look);
-    let bar = progress_bar(1000);
+    let bar = progress_bar(1000, look);
     let entries = shapes::run(seconds, &stop, &|share| {
         bar.set_position((share * 1000.0) as u64)
     });

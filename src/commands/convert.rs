@@ -21,8 +21,8 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 /// Translate a scene for another program
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
-Every translation ends with a report on standard error: what of the scene is exact, what approximate
-and by how much, what is dropped.
+Every translation ends with a report on standard error: what of the scene is approximate and by how
+much, what is dropped, and how many features are exact; --verbose lists these too.
 
 Examples:
   zpg convert scene.zpg --to pov -o scene.pov
@@ -60,6 +60,10 @@ pub struct Args {
 
     #[command(flatten)]
     memory: Memory,
+
+    /// Report what is exact as well, each feature
+    #[arg(short, long, conflicts_with = "quiet")]
+    verbose: bool,
 
     /// Write the fidelity report as JSON, too
     #[arg(long, value_name = "FILE.json")]
@@ -150,7 +154,19 @@ fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
             None => Ok(()),
         });
     // Nobody is left to be told when standard error is gone.
-    let _ = write!(io::stderr(), "{}", made.report);
+    let _ = match args.verbose {
+        true => write!(io::stderr(), "{}", made.report),
+        false => {
+            let (inexact, exact) = made.report.brief();
+            let exact = match exact {
+                0 => String::new(),
+                _ if look.quiet => String::new(),
+                1 => "exact        1 feature (--verbose names it)\n".to_owned(),
+                n => format!("exact        {n} features (--verbose names them)\n"),
+            };
+            write!(io::stderr(), "{inexact}{exact}")
+        }
+    };
     match written {
         Ok(()) => Status::Clean,
         Err(complaint) => {

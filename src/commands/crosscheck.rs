@@ -160,7 +160,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Err(status) => return status,
     };
     let said = match args.with {
-        Program::Povray => povray::compare(args, &loaded).and_then(|c| answer(args, c)),
+        Program::Povray => povray::compare(args, &loaded, look).and_then(|c| answer(args, c)),
         Program::Mitsuba => mitsuba::compare(args, &loaded).and_then(|c| answer(args, c)),
     };
     match said {

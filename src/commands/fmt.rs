@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use super::rewrite::{bytes_of, diff, replace};
-use super::{LookChoice, Status, complain, paths, terminal};
+use super::settings::{Chosen, Scenes};
+use super::terminal::Complaints;
+use super::{LookChoice, Status, complain, terminal};
 use crate::analysis::config::{ConfigError, Configs};
 use crate::analysis::file::{self, STDIN};
 use crate::diagnostics::{Complaint, Value};
@@ -22,7 +24,8 @@ them are left as they are, and so are encoding and line breaks. With --check or 
 written, and the exit status is 1 when something would change. A file that is no scene is never
 written to; the exit status is 2.
 
-The style can be chosen in zpg.toml, the nearest one upwards from a scene; these are the defaults:
+The style can be chosen in zpg.toml, the nearest one upwards from a scene, or with --config. Its
+`exclude` leaves out files and folders. These are the defaults of the style:
   [format]
   width = 100                    where profiles wrap, and how far alignment goes
   align = true                   numbers and comments of neighbouring lines under each other
@@ -30,6 +33,7 @@ The style can be chosen in zpg.toml, the nearest one upwards from a scene; these
   numbers = \"shortest\"           or \"keep\": as they are written
 
 Examples:
+  zpg fmt                        all *.zpg in this folder and below
   zpg fmt scene.zpg
   zpg fmt scenes/                all *.zpg in the folder, .gitignore honoured
   zpg fmt --diff scene.zpg       what would change
@@ -37,9 +41,8 @@ Examples:
   zpg fmt --range 3-9 scene.zpg  lines 3 to 9 alone
   zpg fmt - < in.zpg > out.zpg")]
 pub struct Args {
-    /// Scene files or folders; `-` is standard input
-    #[arg(required = true, value_name = "PATH")]
-    paths: Vec<PathBuf>,
+    #[command(flatten)]
+    chosen: Chosen,
 
     /// Write nothing; name the files that would change
     #[arg(long)]
@@ -90,21 +93,35 @@ struct Formatted {
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
-    let found = paths::expand(&args.paths, look);
+    let stdin = args.stdin_filename.as_deref();
+    let Some(Scenes {
+        files: found,
+        configs,
+    }) = args.chosen.scenes(stdin, look)
+    else {
+        return Status::Failure;
+    };
+    if found.files.is_empty() && args.chosen.reads_stdin() {
+        return pass_through(args, look);
+    }
     if args.range.is_some() && found.files.len() != 1 {
         complain(look, &Complaint::new("range-of-many"));
         return Status::Failure;
     }
-    let configs = Configs::default();
-    let formatted = parallel::map(found.files.len(), |i| {
-        format_file(&found.files[i], args, &configs, look).unwrap_or_else(|complaint| {
-            complain(look, &complaint);
+    let results = parallel::map(found.files.len(), |i| {
+        format_file(&found.files[i], args, &configs, look)
+    });
+    let mut complaints = Complaints::new(look);
+    let results = results.into_iter().map(|result| {
+        result.unwrap_or_else(|complaint| {
+            complaints.say(complaint);
             Formatted {
                 outcome: Outcome::Failed,
                 output: Vec::new(),
             }
         })
     });
+    let formatted: Vec<_> = results.collect();
 
     let count = |of: fn(&Outcome) -> bool| formatted.iter().filter(|f| of(&f.outcome)).count();
     let changed = count(|o| matches!(o, Outcome::Changed));
@@ -123,11 +140,23 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         for file in &formatted {
             out.write_all(&file.output)?;
         }
-        if carries_data || changed + unchanged == 0 {
+        if carries_data || changed + unchanged == 0 || look.quiet {
             return Ok(());
         }
         writeln!(out, "{}", summary(changed, unchanged, only_looking, look))
     })
+}
+
+/// A scene from standard input that the settings exclude goes on as it is.
+fn pass_through(args: &Args, look: LookChoice) -> Status {
+    match file::read(Path::new(STDIN)) {
+        Ok(_) if args.check || args.diff => Status::Clean,
+        Ok(bytes) => terminal::print(look, Status::Clean, |out| out.write_all(&bytes)),
+        Err(complaint) => {
+            complain(look, &complaint);
+            Status::Failure
+        }
+    }
 }
 
 /// `2 files would be reformatted, 1 file left unchanged`

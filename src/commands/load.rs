@@ -8,56 +8,39 @@ use crate::analysis::{Analysis, file, repair};
 use crate::diagnostics::{Code, Complaint, Diagnostic, Error, Severity, Span};
 
 /// What a command needs of a scene besides that it is sound.
-#[derive(Debug, Clone, Copy)]
-pub struct Needs {
-    /// A render record.
-    pub render: bool,
-    /// A camera and a light, which are made up where there are none.
-    pub view: bool,
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Needs {
+    /// A render record: something is to be drawn.
+    Render,
+    Nothing,
 }
 
-impl Needs {
-    pub const ALL: Needs = Needs {
-        render: true,
-        view: true,
-    };
-
-    /// Whether someone with these needs wants to know.
-    fn concern(self, about: &Diagnostic) -> bool {
-        match about.code {
-            Code::E106 => self.render,
-            Code::N602 | Code::N603 => self.view,
-            _ => true,
-        }
-    }
-}
-
-/// Reads a scene for a command that needs a sound one: says everything there is to say about it, and
-/// gives the exit status where there are errors or nothing to draw.
+/// Reads a scene for a command that draws a sound one: says which errors it has, and gives the exit
+/// status where there are some or there is nothing to draw. All else is for `zpg check` to say.
 pub fn load_sound(path: &Path, look: LookChoice) -> Result<Analysis, Status> {
-    load_for(Needs::ALL, path, look)
+    load_for(Needs::Render, path, look)
 }
 
-/// As [`load_sound`], for a command that can do without some things; nothing is said about these.
+/// As [`load_sound`], for a command that may need less.
 pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Analysis, Status> {
     let analysis = file::load(path).map_err(|e| {
         complain(look, &e);
         Status::Failure
     })?;
+    let complete = needs == Needs::Nothing || analysis.scene.render.is_some();
+    if analysis.is_scene() && analysis.is_sound() && complete {
+        return Ok(analysis);
+    }
     let mut findings = repair::proposals(&analysis);
-    if needs.render {
+    if needs == Needs::Render {
         render_is_needed(&mut findings);
     }
-    findings.retain(|d| needs.concern(d));
+    findings.retain(Diagnostic::is_error);
     report(&analysis.source, &findings, look);
-    if !analysis.is_scene() {
-        return Err(Status::Failure);
-    }
-    let complete = !needs.render || analysis.scene.render.is_some();
-    if !analysis.is_sound() || !complete {
-        return Err(Status::Negative);
-    }
-    Ok(analysis)
+    Err(match analysis.is_scene() {
+        true => Status::Negative,
+        false => Status::Failure,
+    })
 }
 
 /// That there is no render record is a warning, and an error for commands that cannot do without one.

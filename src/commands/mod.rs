@@ -1,12 +1,13 @@
 //! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`, which
 //! returns the exit [`Status`].
 //!
-//! What they share: [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`draft`] writes files that
-//! appear when they are complete, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files and shows how, [`size`] reads `640x480`,
+//! What they share: [`camera`] finds a camera by its ID, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`draft`] writes files that
+//! appear when they are complete, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files and shows how, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
 //! is wrong with arguments.
 
 pub mod accuracy;
+mod camera;
 pub mod check;
 pub mod completions;
 pub mod convert;
@@ -23,10 +24,12 @@ pub mod plan;
 pub mod probe;
 pub mod render;
 mod rewrite;
+pub mod settings;
 pub mod size;
 pub mod terminal;
 pub mod usage;
 
+use camera::camera;
 pub use load::{Needs, load_for, load_sound, refuse};
 pub use terminal::{LookChoice, complain, report};
 

@@ -2,10 +2,12 @@
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
 use super::terminal::{LookChoice, complain, warn};
+use crate::analysis::config::Configs;
 use crate::analysis::file::{STDIN, unreadable};
 use crate::diagnostics::Complaint;
 
@@ -21,14 +23,14 @@ pub struct Files {
     pub failed: bool,
 }
 
-/// Expands folders to their `*.zpg`, recursively, without what `.gitignore` and its kin exclude.
+/// Expands folders to their `*.zpg`, recursively, without what `.gitignore` and its kin and the settings exclude.
 /// A file is taken whatever it is called, even one that does not exist: reading it will tell.
-pub fn expand(paths: &[PathBuf], look: LookChoice) -> Files {
+pub fn expand(paths: &[PathBuf], configs: &Arc<Configs>, look: LookChoice) -> Files {
     let mut found = Files::default();
     let mut seen = HashSet::new();
     for path in paths {
         if path.is_dir() {
-            let mut scenes = scenes_in(path, &mut found.failed, look);
+            let mut scenes = scenes_in(path, configs, &mut found.failed, look);
             if scenes.is_empty() {
                 warn(
                     look,
@@ -53,9 +55,34 @@ fn identity(file: &Path) -> PathBuf {
     file.canonicalize().unwrap_or_else(|_| file.to_owned())
 }
 
-fn scenes_in(folder: &Path, failed: &mut bool, look: LookChoice) -> Vec<PathBuf> {
+/// Whether a path stands for standard input.
+pub fn is_stdin(path: &Path) -> bool {
+    path.as_os_str() == STDIN
+}
+
+/// Whether settings exclude a file. Where they cannot be read, that is said when the file is.
+pub fn is_excluded(configs: &Configs, file: &Path) -> bool {
+    (configs.for_file(file)).is_ok_and(|config| config.excludes_file(file))
+}
+
+fn scenes_in(
+    folder: &Path,
+    configs: &Arc<Configs>,
+    failed: &mut bool,
+    look: LookChoice,
+) -> Vec<PathBuf> {
     let mut scenes = Vec::new();
-    for entry in WalkBuilder::new(folder).require_git(false).build() {
+    let mut walk = WalkBuilder::new(folder);
+    let configs = configs.clone();
+    walk.require_git(false).filter_entry(move |entry| {
+        // What was asked for by its name is taken.
+        let is_excluded = || {
+            let config = configs.for_file(entry.path());
+            config.is_ok_and(|config| config.excludes(entry.path()))
+        };
+        entry.depth() == 0 || !is_excluded()
+    });
+    for entry in walk.build() {
         match entry {
             Ok(entry) => {
                 let is_file = entry.path().is_file();
@@ -91,14 +118,14 @@ mod tests {
             fs::write(at(name), "").unwrap();
         }
         let paths = [at("sub/c.zpg"), dir.path().to_owned(), at("d.txt")];
-        let found = expand(&paths, LookChoice::default());
+        let found = expand(&paths, &Arc::default(), LookChoice::default());
         let expected = ["sub/c.zpg", "a.zpg", "b.zpg", "d.txt"].map(at);
         assert_eq!(found.files, expected);
         assert!(!found.failed);
         // One file by other names, and two that are not there.
         let other = at("sub/../a.zpg");
         let paths = [other, at("a.zpg"), at("none.zpg"), at("./none.zpg")];
-        let found = expand(&paths, LookChoice::default());
+        let found = expand(&paths, &Arc::default(), LookChoice::default());
         assert_eq!(found.files.len(), 2, "{:?}", found.files);
     }
 }

@@ -11,7 +11,7 @@ use std::str::FromStr;
 use super::memory::Memory;
 use super::size::Size;
 use super::terminal::print;
-use super::{LookChoice, Needs, Status, complain, load_for, refuse};
+use super::{LookChoice, Needs, Status, camera, complain, load_for, refuse};
 use crate::analysis::Analysis;
 use crate::analysis::file::{STDIN, unreadable};
 use crate::diagnostics::{Complaint, Error, Span, Value};
@@ -31,7 +31,7 @@ use rays::{BadRay, Input};
     after_help = "\
 Prints one JSON object a line, in the order of the rays. A ray's has all boundary crossings with t > 0,
 ascending, as if every surface let it through; t is in units of the direction's length. A file of rays
-has one a line, `ox oy oz dx dy dz`; empty lines and what follows a # are skipped. A line that is no
+has one a line, `ox oy oz dx dy dz` or with commas; empty lines and what follows a # are skipped. A line that is no
 such ray, or one that the precision has no numbers for, is complained about on standard error and has
 no answer; the others have theirs, and the exit status is 2. A line of more than 65536 bytes ends the
 file.
@@ -56,7 +56,7 @@ pub struct Args {
     #[arg(value_name = "FILE")]
     file: PathBuf,
 
-    /// Origin and direction of one ray
+    /// Origin and direction of one ray; commas may stand between the numbers
     #[arg(long, value_name = "OX OY OZ DX DY DZ", allow_hyphen_values = true)]
     ray: Option<RayArg>,
 
@@ -146,11 +146,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
-    let needs = Needs {
-        // An object can be asked about without one.
-        render: args.object.is_none(),
-        // Geometry looks the same from everywhere and in the dark.
-        view: args.pixel.is_some(),
+    // An object can be asked about without a render record.
+    let needs = match args.object {
+        Some(_) => Needs::Nothing,
+        None => Needs::Render,
     };
     let mut loaded = match load_for(needs, &args.file, look) {
         Ok(loaded) => loaded,
@@ -245,26 +244,21 @@ fn alone(scene: &Scene, id: u32) -> Result<Render, Error> {
                 ))
             }
         },
-        None => Err(unknown(scene, id, Kind::Object)),
+        None => Err(unknown(scene, id)),
     }
 }
 
-/// There is nothing of this kind with this ID; proposes the one nearest in spelling, and among
-/// those the nearest number.
-fn unknown(scene: &Scene, id: u32, kind: Kind) -> Error {
+/// There is no object with this ID; proposes the one nearest in spelling, and among those the nearest
+/// number.
+fn unknown(scene: &Scene, id: u32) -> Error {
     let written = id.to_string();
-    let of_kind = scene.entities.iter().filter(|e| e.kind == Some(kind));
-    let near = of_kind.map(|e| {
+    let objects = (scene.entities.iter()).filter(|e| e.kind == Some(Kind::Object));
+    let near = objects.map(|e| {
         let distance = strsim::osa_distance(&written, &e.id.to_string());
         (distance, e.id.abs_diff(id), e.id)
     });
-    let camera = kind == Kind::Camera;
     let complaint = match near.min() {
-        Some((.., near)) if camera => {
-            Complaint::new("no-such-camera-near").with("near", near.to_string())
-        }
         Some((.., near)) => Complaint::new("no-such-object-near").with("near", near.to_string()),
-        None if camera => Complaint::new("no-such-camera"),
         None => Complaint::new("no-such-object"),
     };
     Error::Request(complaint.with("id", id.to_string()))
@@ -304,10 +298,7 @@ fn pixel_answer(args: &Args, loaded: &Analysis, pixel: [u32; 2]) -> Result<Pixel
         ));
     }
     let camera: Camera = match args.camera {
-        Some(id) => match scene.cameras.iter().find(|c| c.id == id) {
-            Some(camera) => *camera,
-            None => return Err(unknown(scene, id, Kind::Camera)),
-        },
+        Some(id) => camera(scene, id)?,
         None => selected_camera(scene, f64::from(width) / f64::from(height)),
     };
     let tracer = tracer(args, loaded)?;

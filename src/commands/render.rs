@@ -17,7 +17,7 @@ use super::draft::{Draft, unwritable};
 use super::memory::{self, Memory};
 use super::size::Size;
 use super::terminal::{self, progress_bar, stop_on_interrupt, tell};
-use super::{LookChoice, Status, complain, load_sound, refuse, usage};
+use super::{LookChoice, Status, camera, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error, Span};
 use crate::scene::{Camera, Scene};
@@ -27,19 +27,21 @@ use crate::syntax::Document;
 use crate::trace::plan::Plan;
 use crate::trace::stats::{Counts, Intersections, Rays, Work};
 use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer};
-use output::Output;
+use output::{Output, is_stdout};
 
 /// Draw a scene
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Without -o the picture of SCENE.zpg is written to SCENE.png in the current folder. PNG is 8-bit sRGB,
-EXR and PFM are linear, unclamped 32-bit float. A scene with a stereo camera makes two pictures, SCENE_left.png and
+EXR and PFM are linear, unclamped 32-bit float. What is written is said on standard output; with `-o -`
+the PNG itself goes there. A scene with a stereo camera makes two pictures, SCENE_left.png and
 SCENE_right.png, unless --stereo says otherwise. Ctrl-C leaves no file.
 
 Examples:
   zpg render scene.zpg
   zpg render scene.zpg -o big.png --size 1920x1080 --samples 16
   zpg render scene.zpg -o film.exr --adaptive 0.01
+  zpg render scene.zpg -o - | convert - scene.jpg
   zpg render scene.zpg --cost
   zpg render scene.zpg --crop 200,100,64,64 --stats cost.json")]
 pub struct Args {
@@ -47,7 +49,7 @@ pub struct Args {
     #[arg(value_name = "FILE")]
     file: PathBuf,
 
-    /// Where to write the picture: .png, .exr or .pfm
+    /// Where to write the picture: .png, .exr or .pfm; `-` is standard output
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
 
@@ -83,9 +85,9 @@ pub struct Args {
     #[arg(long, value_name = "ID")]
     camera: Option<u32>,
 
-    /// How the two pictures of a stereo camera are put
-    #[arg(long, value_enum, default_value_t)]
-    stereo: Stereo,
+    /// How the two pictures of a stereo camera are put [default: pair]
+    #[arg(long, value_enum)]
+    stereo: Option<Stereo>,
 
     /// Threads to work with; 0: as many as there are processors. At most four times as many
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -203,12 +205,17 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     loaded.document = Document::default();
     let load = start.elapsed().as_secs_f64();
     match draw(args, &loaded, load, look) {
-        Ok(spent) => terminal::print(look, Status::Clean, |out| out.write_all(spent.as_bytes())),
+        // Where standard output carries the picture, it carries nothing else.
+        Ok(said) if args.output.as_deref().is_some_and(is_stdout) => {
+            said.lines().for_each(tell);
+            Status::Clean
+        }
+        Ok(said) => terminal::print(look, Status::Clean, |out| out.write_all(said.as_bytes())),
         Err(error) => refuse(&loaded, error, look),
     }
 }
 
-/// Draws, and says what it has cost if that is asked.
+/// Draws, and says what was written and, if that is asked, what it has cost.
 fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<String, Error> {
     let scene = &loaded.scene;
     let stop = stop_on_interrupt(look);
@@ -225,10 +232,18 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
     };
     let taken = f64::from(width) * f64::from(height) * pixel * cameras.len() as f64;
     args.memory.grant(taken, "picture-needs-memory")?;
+    let stereo = args.stereo.unwrap_or_default();
     let threads = memory::threads(args.threads, look);
-    let paths = per_camera(output_path(args), args, cameras.len());
+    let per_camera = |path: PathBuf| match stereo {
+        Stereo::Pair if cameras.len() > 1 => left_and_right(&path),
+        _ => vec![path],
+    };
+    let paths = per_camera(output_path(args));
+    if paths.len() > 1 && args.output.as_deref().is_some_and(is_stdout) {
+        return Err(Complaint::new("pair-on-stdout").into());
+    }
     let maps = args.heatmap.iter();
-    let maps = maps.flat_map(|path| per_camera(path.clone(), args, cameras.len()));
+    let maps = maps.flat_map(|path| per_camera(path.clone()));
     // What cannot be written is known before anything is drawn.
     let outputs = paths
         .iter()
@@ -266,7 +281,7 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
 
     let start = Instant::now();
     let rows = settings.crop.map_or(settings.height, |c| c.height);
-    let bar = progress_bar(u64::from(rows) * cameras.len() as u64);
+    let bar = progress_bar(u64::from(rows) * cameras.len() as u64, look);
     let mut pictures = Vec::new();
     for camera in &cameras {
         pictures.push(pool.install(|| tracer.render(camera, &settings, || bar.inc(1)))?);
@@ -280,17 +295,23 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
 
     let start = Instant::now();
     let (counts, samples) = totals(&pictures);
-    write_maps(maps, &pictures, args.stereo, look)?;
-    let films = compose(pictures, args.stereo, outputs.len());
+    write_maps(maps, &pictures, stereo, look)?;
+    let films = compose(pictures, stereo, outputs.len());
+    let mut said = String::new();
     for (output, film) in outputs.into_iter().zip(&films) {
-        output.finish(film)?;
+        if let Some(path) = output.finish(film)?.filter(|_| !look.quiet) {
+            let wrote = Complaint::new("wrote-picture")
+                .with("path", path.as_path())
+                .with("width", film.width.to_string())
+                .with("height", film.height.to_string());
+            said += &(wrote.wording(look.language()) + "\n");
+        }
     }
     seconds.encode = start.elapsed().as_secs_f64();
 
-    let spent = match args.cost {
-        true => spent(&cameras[0], loaded, &settings, (&seconds, &counts), look)?,
-        false => String::new(),
-    };
+    if args.cost {
+        said += &spent(&cameras[0], loaded, &settings, (&seconds, &counts), look)?;
+    }
     if let Some(path) = &args.stats {
         let stats = Stats {
             size: [settings.width, settings.height],
@@ -307,7 +328,7 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
         };
         write_stats(path, &stats)?;
     }
-    Ok(spent)
+    Ok(said)
 }
 
 /// Seconds that are taken to find out where the time of a picture goes.
@@ -402,17 +423,15 @@ fn settings(args: &Args) -> Result<Settings, Error> {
 
 /// The cameras that take the picture: one, or left and right.
 fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Error> {
-    if let Some(id) = args.camera {
-        let found = scene.cameras.iter().find(|c| c.id == id);
-        return match found {
-            Some(camera) => Ok(vec![*camera]),
-            None => Err(Complaint::new("no-such-camera")
-                .with("id", id.to_string())
-                .into()),
-        };
-    }
     let aspect = f64::from(args.size.width) / f64::from(args.size.height);
-    Ok(selected_cameras(scene, aspect))
+    let cameras = match args.camera {
+        Some(id) => vec![camera(scene, id)?],
+        None => selected_cameras(scene, aspect),
+    };
+    match args.stereo.is_some() && cameras.len() < 2 {
+        true => Err(Complaint::new("stereo-of-one").into()),
+        false => Ok(cameras),
+    }
 }
 
 /// Where the picture goes.
@@ -423,11 +442,8 @@ fn output_path(args: &Args) -> PathBuf {
     })
 }
 
-/// The path, or two for a stereo pair.
-fn per_camera(path: PathBuf, args: &Args, cameras: usize) -> Vec<PathBuf> {
-    if cameras < 2 || args.stereo != Stereo::Pair {
-        return vec![path];
-    }
+/// The paths of a stereo pair.
+fn left_and_right(path: &Path) -> Vec<PathBuf> {
     let extension = path.extension().unwrap_or_default().to_string_lossy();
     ["_left", "_right"]
         .map(|side| path.with_extension("").with_added(side, &extension))
@@ -494,6 +510,9 @@ fn write_maps(
         file.finish_map(map, max)?;
     }
     let scale = Complaint::new("heatmap-scale").with("max", max.to_string());
+    if look.quiet {
+        return Ok(());
+    }
     tell(&scale.wording(look.language()));
     Ok(())
 }

@@ -22,6 +22,10 @@ pub struct LookChoice {
     /// The language of messages
     #[arg(long, global = true, value_enum, default_value_t)]
     lang: LanguageChoice,
+
+    /// Print findings, answers and errors, and nothing besides
+    #[arg(short, long, global = true)]
+    pub quiet: bool,
 }
 
 /// When to colour what is printed.
@@ -66,6 +70,14 @@ impl LookChoice {
         }
     }
 
+    /// How findings look that go to a file.
+    pub fn on_file(self) -> Look {
+        Look {
+            colour: self.color == ColorChoice::Always,
+            language: self.language(),
+        }
+    }
+
     /// Whether to colour what goes to this stream.
     pub fn colour(self, stream: &impl IsTerminal) -> bool {
         let is_set = |name| std::env::var_os(name).is_some_and(|v| !v.is_empty());
@@ -94,8 +106,33 @@ pub fn complain(look: LookChoice, complaint: &Complaint) {
     tell(&format!("{kind}: {}", complaint.wording(look.language())));
 }
 
-/// Says on standard error what should be known.
+/// Complaints about many files: what is wrong with the settings of all of them is said once.
+pub struct Complaints {
+    look: LookChoice,
+    said: Vec<Complaint>,
+}
+
+impl Complaints {
+    pub fn new(look: LookChoice) -> Complaints {
+        Complaints {
+            look,
+            said: Vec::new(),
+        }
+    }
+
+    pub fn say(&mut self, complaint: Complaint) {
+        if self.said.last() != Some(&complaint) {
+            complain(self.look, &complaint);
+            self.said.push(complaint);
+        }
+    }
+}
+
+/// Says on standard error what should be known, unless nobody wants to.
 pub fn warn(look: LookChoice, complaint: &Complaint) {
+    if look.quiet {
+        return;
+    }
     let kind = look.language().say("warning", &[]);
     tell(&format!("{kind}: {}", complaint.wording(look.language())));
 }
@@ -121,8 +158,11 @@ pub fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
     stop
 }
 
-/// Shows how many rows of a picture are done.
-pub fn progress_bar(rows: u64) -> ProgressBar {
+/// Shows how many rows of a picture are done, unless nobody wants to know.
+pub fn progress_bar(rows: u64, look: LookChoice) -> ProgressBar {
+    if look.quiet {
+        return ProgressBar::hidden();
+    }
     // Draws on standard error, and only where that is a terminal.
     let bar = ProgressBar::with_draw_target(Some(rows), ProgressDrawTarget::stderr_with_hz(10));
     if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta:>4} left") {

@@ -4,8 +4,6 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::de::{Deserializer, Unexpected, Visitor};
-
 use crate::diagnostics::{Code, Complaint, Diagnostic, Language, Severity};
 
 /// What becomes of a finding.
@@ -17,28 +15,31 @@ pub enum Level {
     Off,
 }
 
-impl<'de> serde::Deserialize<'de> for Level {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Level, D::Error> {
-        from.deserialize_str(LevelVisitor)
+impl Level {
+    /// What the levels are called.
+    pub const NAMES: [&str; 4] = ["error", "warning", "note", "off"];
+
+    pub fn parse(text: &str) -> Option<Level> {
+        Some(match text {
+            "error" => Level::Error,
+            "warning" => Level::Warning,
+            "note" => Level::Note,
+            "off" => Level::Off,
+            _ => return None,
+        })
     }
-}
 
-struct LevelVisitor;
-
-impl Visitor<'_> for LevelVisitor {
-    type Value = Level;
-
-    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str("one of `error`, `warning`, `note`, `off`")
+    pub fn as_str(self) -> &'static str {
+        Level::NAMES[self as usize]
     }
 
-    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Level, E> {
-        match text {
-            "error" => Ok(Level::Error),
-            "warning" => Ok(Level::Warning),
-            "note" => Ok(Level::Note),
-            "off" => Ok(Level::Off),
-            _ => Err(E::invalid_value(Unexpected::Str(text), &self)),
+    /// What a finding of this severity has; nothing for a remark on style, which is none of the levels.
+    pub fn of(severity: Severity) -> Option<Level> {
+        match severity {
+            Severity::Error => Some(Level::Error),
+            Severity::Warning => Some(Level::Warning),
+            Severity::Note => Some(Level::Note),
+            Severity::Style => None,
         }
     }
 }
@@ -127,6 +128,11 @@ impl Selector {
         self.0.iter().all(|c| c.is_never_allowed())
     }
 
+    /// What it selects.
+    pub fn codes(&self) -> &[Code] {
+        &self.0
+    }
+
     pub fn holds(&self, code: Code) -> bool {
         self.0.contains(&code)
     }
@@ -145,13 +151,22 @@ pub struct Choice {
 
 /// A level for each code that has another one than its own.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Levels(Vec<(Code, Level)>);
+pub struct Levels {
+    own: Vec<(Code, Level)>,
+    /// What is not reported, whatever is asked for.
+    ignored: Vec<Code>,
+}
 
 impl Levels {
     /// Gives codes a level; what was said of them before counts no more.
     pub fn set(&mut self, codes: &Selector, level: Level) {
-        self.0.retain(|(code, _)| !codes.holds(*code));
-        self.0.extend(codes.0.iter().map(|&code| (code, level)));
+        self.own.retain(|(code, _)| !codes.holds(*code));
+        self.own.extend(codes.0.iter().map(|&code| (code, level)));
+    }
+
+    /// Takes codes out for good: no choice brings them back.
+    pub fn ignore(&mut self, codes: &Selector) {
+        self.ignored.extend(&codes.0);
     }
 
     /// Takes out what is off and gives the rest its weight. Errors of the language stay what they
@@ -161,7 +176,7 @@ impl Levels {
             if d.is_error() {
                 return true;
             }
-            match self.level(choice, d.code) {
+            match self.of(choice, d.code) {
                 Some(Level::Off) => return false,
                 Some(Level::Error) => d.severity = Severity::Error,
                 Some(Level::Warning) => d.severity = Severity::Warning,
@@ -174,18 +189,21 @@ impl Levels {
 
     /// Whether findings of a code that are no errors of the language are reported at all.
     pub fn is_on(&self, choice: &Choice, code: Code) -> bool {
-        self.level(choice, code) != Some(Level::Off)
+        self.of(choice, code) != Some(Level::Off)
     }
 
     /// The level of a code, if it is not its own.
-    fn level(&self, choice: &Choice, code: Code) -> Option<Level> {
+    pub fn of(&self, choice: &Choice, code: Code) -> Option<Level> {
+        if self.ignored.contains(&code) {
+            return Some(Level::Off);
+        }
         let narrowest = |list: &[Selector]| -> Option<usize> {
             let holding = list.iter().filter(|s| s.holds(code));
             holding.map(Selector::breadth).min()
         };
         let selected = narrowest(&choice.select);
         let denied = narrowest(&choice.deny);
-        let own = self.0.iter().find(|(c, _)| *c == code);
+        let own = self.own.iter().find(|(c, _)| *c == code);
         let mut level = own.map(|(_, level)| *level);
         if selected.is_some() {
             // Chosen by name, it is on.

@@ -93,6 +93,9 @@ impl<'a> Convert<'a> {
 
     /// All there is to say about the file.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        if self.file.is_excluded() {
+            return Vec::new();
+        }
         let config = self
             .file
             .config

@@ -48,14 +48,19 @@ impl Snapshot {
 
     /// How its findings weigh.
     pub fn settings(&self) -> Settings {
+        let path = path_of(&self.uri).unwrap_or_default();
+        let levels = self.config.as_ref().map(|c| c.levels(&path));
         Settings {
-            levels: self
-                .config
-                .as_ref()
-                .map(|c| c.levels.clone())
-                .unwrap_or_default(),
+            levels: levels.unwrap_or_default(),
             choice: Choice::default(),
         }
+    }
+
+    /// Whether its settings exclude it: nothing is said about it, and nothing is changed in it unasked.
+    pub fn is_excluded(&self) -> bool {
+        let path = path_of(&self.uri);
+        let config = self.config.as_ref().ok();
+        (path.zip(config)).is_some_and(|(path, config)| config.excludes_file(&path))
     }
 
     pub fn analysis(&self) -> &Analysis {

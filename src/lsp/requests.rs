@@ -198,12 +198,18 @@ fn rename_id(ask: &Ask, p: RenameParams) -> Answer<Option<WorkspaceEdit>> {
 
 fn format(ask: &Ask, p: DocumentFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
     let file = ask.file(&p.text_document)?;
+    if file.is_excluded() {
+        return Ok(None);
+    }
     let edits = formatting::whole(file.analysis(), &file.style());
     Ok(Some(ask.convert(file).text_edits(&edits)))
 }
 
 fn format_range(ask: &Ask, p: DocumentRangeFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
     let file = ask.file(&p.text_document)?;
+    if file.is_excluded() {
+        return Ok(None);
+    }
     let (first, mut last) = (p.range.start.line as usize, p.range.end.line as usize);
     // A selection of whole lines ends where the next one begins.
     if p.range.end.character == 0 && last > first {
@@ -215,6 +221,9 @@ fn format_range(ask: &Ask, p: DocumentRangeFormattingParams) -> Answer<Option<Ve
 
 fn format_on_type(ask: &Ask, p: DocumentOnTypeFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
     let file = ask.file(&p.text_document)?;
+    if file.is_excluded() {
+        return Ok(None);
+    }
     let convert = ask.convert(file);
     let offset = convert.places.offset(p.position);
     let edits = formatting::on_line_break(file.analysis(), &file.style(), offset);
@@ -238,6 +247,9 @@ fn workspace_symbols(
 
 fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionResponse>>> {
     let file = ask.file(&p.text_document)?;
+    if file.is_excluded() {
+        return Ok(None);
+    }
     let convert = ask.convert(file);
     let analysis = file.analysis();
     let language = ask.client.language;

@@ -114,6 +114,15 @@ impl Report {
         self.entries.values()
     }
 
+    /// The report without what is exact, and how many features are.
+    pub fn brief(&self) -> (Report, usize) {
+        let mut rest = self.clone();
+        rest.entries
+            .retain(|(fidelity, _), _| *fidelity != Fidelity::Exact);
+        let exact = self.entries.len() - rest.entries.len();
+        (rest, exact)
+    }
+
     pub fn has_dropped(&self) -> bool {
         self.entries().any(|e| e.fidelity == Fidelity::Dropped)
     }
@@ -175,6 +184,14 @@ mod tests {
         assert_eq!(
             r.to_string(),
             "exact        sphere ×2\napproximate  torus (1e-3): a mesh\ndropped      image texture\n"
+        );
+        let (brief, exact) = r.brief();
+        assert_eq!(
+            (brief.to_string().as_str(), exact),
+            (
+                "approximate  torus (1e-3): a mesh\ndropped      image texture\n",
+                1
+            )
         );
         assert!(r.has_dropped());
         assert_eq!(r.to_json()["features"][1]["bound"], "1e-3");

@@ -6,12 +6,17 @@ mod watch;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use super::draft::{Draft, unwritable};
 use super::memory::Memory;
+use super::paths::is_stdin;
 use super::rewrite::{bytes_of, diff, replace};
-use super::{LookChoice, Status, complain, paths, terminal};
-use crate::analysis::config::{ConfigError, Configs};
-use crate::analysis::file::{self, STDIN};
+use super::settings::{Chosen, Scenes};
+use super::terminal::Complaints;
+use super::{LookChoice, Status, complain, terminal};
+use crate::analysis::config::{ConfigError, Configs, whole};
+use crate::analysis::file;
 use crate::analysis::{Analysis, Settings, fixing, repair};
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::Look;
@@ -34,7 +39,11 @@ notes, style and all. Levels for a folder of scenes stand in zpg.toml; a comment
 `# zpg: allow(W307) #` allows a finding where it is. Of --select, --ignore and --deny the one that
 names fewer codes counts. Errors of the language are always reported.
 
+The settings of zpg.toml can also be given with --config. Its `exclude` leaves out files and folders
+that are come across, and `per-file-ignores` leaves out codes in some files.
+
 Examples:
+  zpg check                            all *.zpg in this folder and below
   zpg check scene.zpg
   zpg check scenes/                    all *.zpg in the folder, .gitignore honoured
   zpg check --fix scene.zpg            mend what is certain
@@ -42,17 +51,33 @@ Examples:
   zpg check --deny warnings scenes/    for a continuous build
   zpg check --format short scenes/     one line for each finding
   zpg check --format json - < scene.zpg
-  zpg check --format sarif scenes/ > zpg.sarif
+  zpg check --format sarif --output-file zpg.sarif scenes/
+  zpg check --isolated --config 'lint.W310=\"off\"' scenes/
 
 `zpg explain E101` tells more about a finding.")]
 pub struct Args {
-    /// Scene files or folders; `-` is standard input
-    #[arg(required = true, value_name = "PATH")]
-    paths: Vec<PathBuf>,
+    #[command(flatten)]
+    chosen: Chosen,
 
     /// How to print the findings
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+
+    /// Write the findings to this file, not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    output_file: Option<PathBuf>,
+
+    /// Exit with 0 even if there are errors; 2 stays 2
+    #[arg(long)]
+    exit_zero: bool,
+
+    /// List the files that would be checked
+    #[arg(long, conflicts_with_all = ["show_settings", "fix", "diff", "statistics", "watch"])]
+    show_files: bool,
+
+    /// Show the settings of the first file, as they could stand in its zpg.toml
+    #[arg(long, conflicts_with_all = ["fix", "diff", "statistics", "watch"])]
+    show_settings: bool,
 
     /// Mend what can be mended safely, in place; a scene from standard input goes to standard output
     #[arg(long)]
@@ -122,19 +147,25 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     }
     if args.watch {
-        return watch::run(&args.paths, look, || once(args, look));
+        return watch::run(&args.chosen.roots(), look, || once(args, look));
     }
     once(args, look)
 }
 
 /// Checks everything.
 fn once(args: &Args, look: LookChoice) -> Status {
-    let files = paths::expand(&args.paths, look);
+    let stdin = args.stdin_filename.as_deref();
+    let Some(Scenes { files, configs }) = args.chosen.scenes(stdin, look) else {
+        return Status::Failure;
+    };
     let checker = Checker {
         args,
         choice_of_look: look,
-        look: look.on(&io::stdout()),
-        configs: Configs::default(),
+        look: match args.output_file {
+            Some(_) => look.on_file(),
+            None => look.on(&io::stdout()),
+        },
+        configs,
         at_a_time: rayon::current_num_threads().min(files.files.len()),
         choice: Choice {
             select: args.select.clone(),
@@ -142,15 +173,19 @@ fn once(args: &Args, look: LookChoice) -> Status {
             deny: args.deny.clone(),
         },
     };
+    if args.show_files || args.show_settings {
+        return checker.show(&files.files);
+    }
     let results = parallel::map(files.files.len(), |i| checker.check(&files.files[i]));
 
     let mut failed = files.failed;
+    let mut complaints = Complaints::new(look);
     let mut all = Vec::new();
     for result in results {
         match result {
             Ok(checked) => all.push(checked),
             Err(complaint) => {
-                complain(look, &complaint);
+                complaints.say(complaint);
                 failed = true;
             }
         }
@@ -160,7 +195,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
     let changed = all.iter().any(|c| c.fixed > 0);
     let status = if failed || all.iter().any(|c| !c.is_scene) {
         Status::Failure
-    } else if total.errors > 0 || args.diff && changed {
+    } else if !args.exit_zero && (total.errors > 0 || args.diff && changed) {
         Status::Negative
     } else {
         Status::Clean
@@ -172,25 +207,82 @@ struct Checker<'a> {
     args: &'a Args,
     choice_of_look: LookChoice,
     look: Look,
-    configs: Configs,
+    configs: Arc<Configs>,
     choice: Choice,
     /// How many files are read at a time.
     at_a_time: usize,
 }
 
 impl Checker<'_> {
+    /// What a file goes by.
+    fn name<'p>(&'p self, path: &'p Path) -> &'p Path {
+        match &self.args.stdin_filename {
+            Some(name) if is_stdin(path) => name,
+            _ => path,
+        }
+    }
+
+    /// Lists the files, or shows the settings of the first one.
+    fn show(&self, files: &[PathBuf]) -> Status {
+        let look = self.choice_of_look;
+        let mut names: Vec<PathBuf> = files.iter().map(|f| whole(self.name(f))).collect();
+        if self.args.show_files {
+            names.sort();
+            return self.put(Status::Clean, |out| {
+                let mut lines = names.iter().map(|name| name.to_string_lossy());
+                lines.try_for_each(|name| writeln!(out, "{name}"))
+            });
+        }
+        let Some(file) = names.first() else {
+            complain(look, &Complaint::new("no-files"));
+            return Status::Failure;
+        };
+        let config = match self.configs.for_file(file) {
+            Ok(config) => config,
+            Err(e) => {
+                complain(look, &e.complaint());
+                return Status::Failure;
+            }
+        };
+        let from = match &config.path {
+            Some(path) => path.to_string_lossy().into_owned(),
+            None => "-".to_owned(),
+        };
+        self.put(Status::Clean, |out| {
+            writeln!(out, "# {}", file.to_string_lossy())?;
+            writeln!(out, "# zpg.toml: {from}")?;
+            out.write_all(config.show(file, &self.choice).as_bytes())
+        })
+    }
+
+    /// Writes to the file that was asked for, or to standard output.
+    fn put(&self, status: Status, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Status {
+        let look = self.choice_of_look;
+        let Some(path) = &self.args.output_file else {
+            return terminal::print(look, status, write);
+        };
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let written = std::fs::create_dir_all(folder)
+            .and_then(|()| Draft::create(path))
+            .and_then(|draft| draft.finish(path, write));
+        match written {
+            Ok(()) => status,
+            Err(e) => {
+                complain(look, &unwritable(path, &e));
+                Status::Failure
+            }
+        }
+    }
+
     /// Checks and mends one file.
     fn check(&self, path: &Path) -> Result<Checked, Complaint> {
-        let is_stdin = path.as_os_str() == STDIN;
-        let name = match &self.args.stdin_filename {
-            Some(name) if is_stdin => name.as_path(),
-            _ => path,
-        };
+        let is_stdin = is_stdin(path);
+        let name = self.name(path);
         let config = (self.configs.for_file(name)).map_err(ConfigError::complaint)?;
         self.args.memory.admit(path, self.at_a_time)?;
         let bytes = file::read(path)?;
         let settings = Settings {
-            levels: config.levels.clone(),
+            levels: config.levels(name),
             choice: self.choice.clone(),
         };
         let levelled = |analysis: Analysis| analysis.with_settings(settings.clone());
@@ -256,7 +348,7 @@ impl Checker<'_> {
         let args = self.args;
         let fixes = self.fixes(&all);
         // Where standard output carries a scene or a difference, it carries nothing else.
-        let mends_stdin = args.fix && args.paths.iter().any(|p| p.as_os_str() == STDIN);
+        let mends_stdin = args.fix && args.chosen.reads_stdin();
         let data: Vec<Vec<u8>> = (all.iter()).map(|c| c.data.clone()).collect();
         let report = |out: &mut dyn Write| {
             if args.statistics {
@@ -275,27 +367,30 @@ impl Checker<'_> {
                 &fixes,
                 total,
                 complete,
-                self.look,
+                (self.look, self.choice_of_look.quiet),
             )
         };
         if args.diff || mends_stdin {
-            let mut stderr = io::stderr().lock();
-            // Nobody is left to be told when standard error is gone.
-            let _ = match args.diff {
-                true => stderr.write_all(fixes.as_bytes()),
-                false => report(&mut stderr),
-            };
+            let mut status = status;
+            if args.diff {
+                fixes.lines().for_each(terminal::tell);
+            } else if args.output_file.is_some() {
+                status = self.put(status, report);
+            } else {
+                // Nobody is left to be told when standard error is gone.
+                let _ = report(&mut io::stderr().lock());
+            }
             return terminal::print(self.choice_of_look, status, |out| {
                 data.iter().try_for_each(|d| out.write_all(d))
             });
         }
-        terminal::print(self.choice_of_look, status, report)
+        self.put(status, report)
     }
 
     /// `Fixed 3 findings in 1 file.`, a line; empty if that is not so.
     fn fixes(&self, all: &[Checked]) -> String {
         let fixed = all.iter().map(|c| c.fixed).sum::<usize>();
-        if fixed == 0 {
+        if fixed == 0 || self.choice_of_look.quiet {
             return String::new();
         }
         let files = all.iter().filter(|c| c.fixed > 0).count();

@@ -53,7 +53,7 @@ impl Output {
 }
 
 /// Writes what was found in all files. `fixes` says in a line what was mended; `complete` is whether
-/// every file could be read.
+/// every file could be read; with `quiet` nothing is summed up.
 pub fn write(
     out: &mut dyn Write,
     format: Format,
@@ -61,7 +61,7 @@ pub fn write(
     fixes: &str,
     total: &Tally,
     complete: bool,
-    look: Look,
+    (look, quiet): (Look, bool),
 ) -> io::Result<()> {
     let mut reports = Vec::new();
     let mut scans = Vec::new();
@@ -74,7 +74,7 @@ pub fn write(
     }
     match format {
         // With nothing read there is nothing to sum up.
-        Format::Human if total.files > 0 => {
+        Format::Human if total.files > 0 && !quiet => {
             writeln!(out, "{fixes}{}", total.sentence(look.language))
         }
         Format::Human | Format::Short | Format::Github => Ok(()),

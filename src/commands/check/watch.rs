@@ -45,7 +45,9 @@ pub fn run(paths: &[PathBuf], look: LookChoice, check: impl Fn() -> Status) -> S
             let _ = write!(io::stdout(), "\x1b[2J\x1b[H");
         }
         check();
-        tell(&look.language().say("watching", &[]));
+        if !look.quiet {
+            tell(&look.language().say("watching", &[]));
+        }
         if !wait(&changes, look) {
             return Status::Failure;
         }

@@ -15,13 +15,7 @@ pub fn load(path: &Path, draws: bool, look: LookChoice) -> Result<Analysis, Stat
     match is_json {
         true => load_json(path, draws, look),
         false if draws => load_sound(path, look),
-        false => {
-            let needs = Needs {
-                render: false,
-                view: false,
-            };
-            load_for(needs, path, look)
-        }
+        false => load_for(Needs::Nothing, path, look),
     }
 }
 

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::{Args, Compared, Outcome, Pictures};
 use super::{cameras, each_camera, failed, images, made_folder, program, stem};
 use crate::analysis::Analysis;
-use crate::commands::terminal;
+use crate::commands::{LookChoice, terminal};
 use crate::diagnostics::Error;
 use crate::study::compare::Comparison;
 use crate::study::povray::{PROGRAM, render};
@@ -18,7 +18,11 @@ const HOW: &str =
     "with `apt-get install povray` or `brew install povray`, or from https://www.povray.org";
 
 /// Takes, compares and writes all pictures.
-pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison>>, Error> {
+pub fn compare(
+    args: &Args,
+    loaded: &Analysis,
+    look: LookChoice,
+) -> Result<Vec<Compared<Comparison>>, Error> {
     let scene = &loaded.scene;
     let size = (args.size.width, args.size.height);
     let bar = args.max_diff / 255.0;
@@ -47,9 +51,9 @@ pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison
         let theirs = render(&program, &translation, i, size, &folder, &name)
             .map_err(|e| failed(e, ("POV-Ray", HOW), &program, &folder))?;
         let most = (1.0 / translation.light_scale) as f32;
-        let progress = terminal::progress_bar(size.1.into());
-        let look = (&tracer, &cameras[i], &settings);
-        let (comparison, ours) = Comparison::of(look, &theirs, most, bar, || progress.inc(1))?;
+        let progress = terminal::progress_bar(size.1.into(), look);
+        let view = (&tracer, &cameras[i], &settings);
+        let (comparison, ours) = Comparison::of(view, &theirs, most, bar, || progress.inc(1))?;
         progress.finish_and_clear();
         let pictures = Pictures {
             ours: srgb(&ours),

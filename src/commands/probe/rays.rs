@@ -40,11 +40,12 @@ impl BadRay {
     }
 }
 
-/// Reads N numbers separated by white space.
+/// Reads N numbers separated by white space, commas or both.
 pub fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
     let mut out = [0.0; N];
     let mut count = 0;
-    for word in s.split_whitespace() {
+    let words = s.split(|c: char| c.is_whitespace() || c == ',');
+    for word in words.filter(|word| !word.is_empty()) {
         let number = match word.parse::<f64>() {
             Ok(x) if x.is_finite() => x,
             // "inf" and "NaN" are words to us.

@@ -1,9 +1,11 @@
-//! Picture files.
+//! Picture files, and pictures on standard output.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use crate::analysis::file::STDIN;
 use crate::commands::draft::{Draft, unwritable};
+use crate::commands::terminal::unprintable;
 use crate::diagnostics::Complaint;
 use crate::trace::film::Packing;
 use crate::trace::{CostMap, Film};
@@ -15,16 +17,28 @@ enum Format {
     Pfm,
 }
 
-/// A picture file to be: a temporary file beside it until the picture is complete.
+/// Where a picture goes, once it is complete.
+enum Place {
+    Stdout,
+    /// A temporary file beside this one until then.
+    File(PathBuf, Draft),
+}
+
+/// A picture to be.
 pub struct Output {
-    path: PathBuf,
+    place: Place,
     format: Format,
-    file: Draft,
 }
 
 impl Output {
-    /// Makes sure that the file can be written.
+    /// Makes sure that the file can be written. `-` is standard output, which takes a PNG.
     pub fn create(path: &Path) -> Result<Output, Complaint> {
+        if is_stdout(path) {
+            return Ok(Output {
+                place: Place::Stdout,
+                format: Format::Png,
+            });
+        }
         let extension = path.extension().unwrap_or_default().to_string_lossy();
         let format = match extension.to_lowercase().as_str() {
             "png" => Format::Png,
@@ -36,36 +50,60 @@ impl Output {
         };
         let file = Draft::create(path).map_err(|e| unwritable(path, &e))?;
         Ok(Output {
-            path: path.to_owned(),
+            place: Place::File(path.to_owned(), file),
             format,
-            file,
         })
     }
 
     /// The same for a map of costs, which is a PNG.
     pub fn create_map(path: &Path) -> Result<Output, Complaint> {
         let output = Output::create(path)?;
-        match output.format {
-            Format::Png => Ok(output),
+        match (&output.place, output.format) {
+            (Place::File(..), Format::Png) => Ok(output),
             _ => Err(Complaint::new("map-is-png").with("path", path)),
         }
     }
 
     /// Writes a map of costs whose scale ends at `max`.
     pub fn finish_map(self, costs: &CostMap, max: u32) -> Result<(), Complaint> {
-        self.file
-            .finish(&self.path, |out| costs.write_png(out, max))
-            .map_err(|e| unwritable(&self.path, &e))
+        self.place.put(|out| costs.write_png(out, max)).map(drop)
     }
 
-    pub fn finish(self, film: &Film) -> Result<(), Complaint> {
-        let write = |out: &mut dyn Write| match self.format {
+    /// Writes the picture; the file that it is in now.
+    pub fn finish(self, film: &Film) -> Result<Option<PathBuf>, Complaint> {
+        self.place.put(|out| match self.format {
             Format::Png => film.write_png(out, Packing::Quick),
             Format::Exr => film.write_exr(out),
             Format::Pfm => film.write_pfm(out),
-        };
-        self.file
-            .finish(&self.path, write)
-            .map_err(|e| unwritable(&self.path, &e))
+        })
     }
+}
+
+impl Place {
+    fn put(
+        self,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<Option<PathBuf>, Complaint> {
+        let (path, file) = match self {
+            Place::File(path, file) => (path, file),
+            Place::Stdout => {
+                let mut bytes = Vec::new();
+                let written = write(&mut bytes).and_then(|()| io::stdout().write_all(&bytes));
+                return match written.and_then(|()| io::stdout().flush()) {
+                    // Nobody reads any more: that is their choice.
+                    Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(unprintable(&e)),
+                    _ => Ok(None),
+                };
+            }
+        };
+        match file.finish(&path, write) {
+            Ok(()) => Ok(Some(path)),
+            Err(e) => Err(unwritable(&path, &e)),
+        }
+    }
+}
+
+/// Whether a path stands for standard output.
+pub fn is_stdout(path: &Path) -> bool {
+    path.as_os_str() == STDIN
 }

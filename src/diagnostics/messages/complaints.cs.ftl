@@ -5,7 +5,6 @@
 quoted = { $text }
 at-place = { $path }:{ $line }:{ $column }: { $why }
 at-line = { $path }:{ $line }: { $why }
-in-line = řádek { $line }: { $why }
 
 ## Soubory
 
@@ -27,6 +26,26 @@ io-is-a-directory = je to složka
 io-not-a-directory = není to složka
 io-full = na disku není místo
 io-read-only = disk je jen pro čtení
+
+## Nastavení
+
+in-line = řádek { $line }: { $why }
+setting-toml = tohle není TOML: { $reason }
+setting-unknown = nastavení { $key } neexistuje, jen { $known }
+setting-codes-known = kódy a `per-file-ignores`
+setting-value = `{ $key }`: očekává se { $wanted }, uvedeno je { $found }
+setting-glob = { $text } není vzor jmen souborů: { $reason }
+setting-table = tabulka
+setting-level = jedno z `error`, `warning`, `note`, `off`
+setting-codes = seznam kódů, například ["W307", "style"]
+setting-patterns = seznam vzorů jmen souborů, například ["old", "*/draft.zpg"]
+setting-width = celé číslo (šířka je od 20 do 1000)
+setting-bool = true nebo false
+setting-numbers = "shortest" nebo "keep"
+config-neither = --config: soubor { $path } neexistuje a nastavení se píše jako lint.W310="off"
+config-setting = --config { $text }: { $why }
+config-two-files = --config udává dva soubory s nastavením, { $first } a { $second }: udejte jeden
+config-isolated = --config { $path } nejde dohromady s --isolated, které žádný soubor s nastavením nečte
 
 ## Kódy a témata
 
@@ -64,6 +83,7 @@ left-unchanged = { $count ->
 }
 list-comma = { $first }, { $last }
 range-of-many = --range udává řádky jediného souboru
+no-files = není tu soubor se scénou, jehož nastavení by šlo ukázat
 
 ## Kreslení a dotazy
 
@@ -87,8 +107,11 @@ unseen-outside = mimo kvádr renderovacího záznamu
 unseen-inside = uvnitř neprůhledného tělesa { $id } ({ $type })
 map-is-png = mapa nákladů je obrázek PNG: jméno má končit na .png, ne { $path }
 
-no-such-camera = scéna nemá kameru { $id }
-no-such-camera-near = scéna nemá kameru { $id }; mysleli jste { $near }?
+no-such-camera = scéna nemá kameru { $id }; její kamery jsou { $cameras }
+no-cameras = scéna nemá kameru { $id }: nemá vůbec žádnou
+stereo-of-one = --stereo potřebuje dvě kamery a obrázek snímá jedna: ve scéně není stereoskopická kamera (typ -503), nebo jednu vybírá --camera
+pair-on-stdout = dva obrázky nelze poslat na standardní výstup: zvolte --stereo side-by-side nebo --stereo anaglyph
+wrote-picture = Zapsáno: { $path }, { $width } × { $height } pixelů
 no-such-object = scéna nemá objekt { $id }
 no-such-object-near = scéna nemá objekt { $id }; mysleli jste { $near }?
 not-an-object = { $id } je { $kind }, ne objekt

@@ -5,7 +5,6 @@
 quoted = { $text }
 at-place = { $path }:{ $line }:{ $column }: { $why }
 at-line = { $path }:{ $line }: { $why }
-in-line = line { $line }: { $why }
 
 ## Files
 
@@ -27,6 +26,26 @@ io-is-a-directory = Is a directory
 io-not-a-directory = Not a directory
 io-full = No space left on device
 io-read-only = Read-only file system
+
+## Settings
+
+in-line = line { $line }: { $why }
+setting-toml = this is not TOML: { $reason }
+setting-unknown = there is no setting { $key }, only { $known }
+setting-codes-known = codes and `per-file-ignores`
+setting-value = `{ $key }`: expected { $wanted }, found { $found }
+setting-glob = { $text } is no pattern of files: { $reason }
+setting-table = a table
+setting-level = one of `error`, `warning`, `note`, `off`
+setting-codes = a list of codes, such as ["W307", "style"]
+setting-patterns = a list of patterns of files, such as ["old", "*/draft.zpg"]
+setting-width = a whole number (a width is from 20 to 1000)
+setting-bool = true or false
+setting-numbers = "shortest" or "keep"
+config-neither = --config: there is no file { $path }, and a setting is written as in lint.W310="off"
+config-setting = --config { $text }: { $why }
+config-two-files = --config names two files of settings, { $first } and { $second }: name one
+config-isolated = --config { $path } does not go together with --isolated, which ignores all files of settings
 
 ## Codes and topics
 
@@ -61,6 +80,7 @@ left-unchanged = { $count ->
 } left unchanged
 list-comma = { $first }, { $last }
 range-of-many = --range takes the lines of one file
+no-files = there is no scene file to show the settings of
 
 ## Drawing and asking
 
@@ -84,8 +104,11 @@ unseen-outside = outside of the box of the render record
 unseen-inside = inside of the opaque { $type } { $id }
 map-is-png = a heatmap is a PNG picture: expected a name that ends in .png, not { $path }
 
-no-such-camera = the scene has no camera { $id }
-no-such-camera-near = the scene has no camera { $id }; did you mean { $near }?
+no-such-camera = the scene has no camera { $id }; its cameras are { $cameras }
+no-cameras = the scene has no camera { $id }: it has none at all
+stereo-of-one = --stereo needs two cameras, and the picture is taken by one: the scene has no stereo camera (type -503), or --camera chooses one
+pair-on-stdout = two pictures cannot be written to standard output: choose --stereo side-by-side or --stereo anaglyph
+wrote-picture = Wrote { $path }: { $width } × { $height } pixels
 no-such-object = the scene has no object { $id }
 no-such-object-near = the scene has no object { $id }; did you mean { $near }?
 not-an-object = { $id } is { $kind-a }, not an object
