@@ -3,6 +3,7 @@
 //! The commands, the tests and the editor features all start from an [`Analysis`]. It prints nothing and
 //! knows of no command line.
 
+pub mod allowing;
 pub mod colours;
 mod commas;
 pub mod config;

@@ -71,7 +71,8 @@ pub fn harms(before: &Analysis, after: &Analysis) -> bool {
     errors == errors_left && new.iter().any(more)
 }
 
-fn counts<'a>(all: impl Iterator<Item = &'a Diagnostic>) -> BTreeMap<Code, usize> {
+/// How many findings there are of each code.
+pub fn counts<'a>(all: impl Iterator<Item = &'a Diagnostic>) -> BTreeMap<Code, usize> {
     let mut counts = BTreeMap::new();
     all.for_each(|d| *counts.entry(d.code).or_default() += 1);
     counts

@@ -1,11 +1,9 @@
 //! What can be done about findings, and to a whole file.
 
-use crate::analysis::{Analysis, Settings, fixing, repair};
+use crate::analysis::{Analysis, Settings, allowing, fixing, repair};
 use crate::diagnostics::{
     Applicability, Code, Complaint, Diagnostic, Edit, Language, SourceFile, Span, fixes,
 };
-use crate::syntax::directive::is_directive;
-use crate::syntax::lexer::TokenKind;
 
 use super::formatting;
 
@@ -69,7 +67,7 @@ pub fn actions(analysis: &Analysis, span: Span, language: Language) -> Vec<Actio
     }
     let mut seen: Vec<Code> = Vec::new();
     for (finding, d) in here().filter(|(_, d)| !d.code.is_never_allowed()) {
-        if let Some(edit) = allow(analysis, d)
+        if let Some(edit) = allowing::edit(analysis, d)
             && !seen.contains(&d.code)
         {
             seen.push(d.code);
@@ -98,51 +96,6 @@ fn said(message: &'static str, code: Code, language: Language) -> String {
         .with("code", code.as_str())
         .with("name", code.name());
     complaint.wording(language)
-}
-
-/// A comment that allows a finding: behind the record, or at the head of the file where the finding is about
-/// no record. A comment that is there already is made longer.
-fn allow(analysis: &Analysis, d: &Diagnostic) -> Option<Edit> {
-    let (document, source) = (&analysis.document, &analysis.source);
-    let items = super::place::items_in(document, Span::new(d.span.start, d.span.start + 1));
-    let Some(item) = document
-        .items
-        .get(items.start)
-        .filter(|_| !items.is_empty())
-    else {
-        let start = u32::from(source.text.starts_with('\u{feff}')) * 3;
-        let break_ = crate::diagnostics::source::line_break(&source.text);
-        let text = format!("# zpg: allow({}) #{break_}", d.code.as_str());
-        let span = Span::new(start, start);
-        return Some(Edit { span, text });
-    };
-    let tokens = &document.tokens;
-    let behind = item.ends().1 as usize + 1;
-    let on_line = tokens[behind..]
-        .iter()
-        .take_while(|t| t.kind() != TokenKind::Newline);
-    let mut end = tokens[item.ends().1 as usize].end();
-    for token in on_line {
-        if token.kind() == TokenKind::UnterminatedComment {
-            return None;
-        }
-        if is_directive(token, &source.text) {
-            let close = token.text(&source.text).find(')')?;
-            let at = token.start + close as u32;
-            return Some(Edit {
-                span: Span::new(at, at),
-                text: format!(", {}", d.code.as_str()),
-            });
-        }
-        // A comment of several lines ends elsewhere.
-        if source.line_index(token.end()) != source.line_index(end) {
-            return None;
-        }
-        end = token.end();
-    }
-    let text = format!(" # zpg: allow({}) #", d.code.as_str());
-    let span = Span::new(end, end);
-    Some(Edit { span, text })
 }
 
 /// Whether "fix all" would find something to do.

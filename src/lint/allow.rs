@@ -10,7 +10,7 @@ use super::Context;
 use super::levels::Selector;
 use crate::diagnostics::{self, Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::syntax::Item;
-use crate::syntax::directive::{self, PREFIX, is_directive, without_word};
+use crate::syntax::directive::{self, is_directive};
 use crate::syntax::lexer::{Token, TokenKind};
 
 /// The comments that say so, as tokens.
@@ -137,20 +137,8 @@ impl Directive {
         } else {
             layout.below(line.end)
         };
-        let list = without_word(directive::inside(token.text(text)), PREFIX)
-            .and_then(|rest| without_word(rest, "allow"))
-            .and_then(|rest| rest.strip_prefix('('))
-            // What follows is the reason.
-            .and_then(|rest| rest.split_once(')'));
-        let entries = list.map(|(list, _)| {
-            let bracket = token.text(text).find('(').map_or(0, |i| i as u32 + 1);
-            let start = token.start + bracket;
-            let entries = list.split(',').map(|e| e.trim().to_owned());
-            (
-                entries.collect(),
-                Span::new(start, start + list.len() as u32),
-            )
-        });
+        let entries = directive::entries(token, text)
+            .map(|(span, all)| (all.into_iter().map(str::to_owned).collect(), span));
         Directive {
             comment: token.span(),
             removal: match alone {

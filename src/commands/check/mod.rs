@@ -17,7 +17,7 @@ use super::terminal::Complaints;
 use super::{LookChoice, Status, complain, terminal};
 use crate::analysis::config::{ConfigError, Configs, whole};
 use crate::analysis::file;
-use crate::analysis::{Analysis, Settings, fixing, repair};
+use crate::analysis::{Analysis, Settings, allowing, fixing, repair};
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::Look;
 use crate::diagnostics::{Code, Complaint, Language, Value, fixes};
@@ -47,6 +47,7 @@ Examples:
   zpg check scene.zpg
   zpg check scenes/                    all *.zpg in the folder, .gitignore honoured
   zpg check --fix scene.zpg            mend what is certain
+  zpg check --add-allow scenes/        have comments allow what is left
   zpg check --diff scene.zpg           show what --fix would change
   zpg check --deny warnings scenes/    for a continuous build
   zpg check --format short scenes/     one line for each finding
@@ -82,6 +83,10 @@ pub struct Args {
     /// Mend what can be mended safely, in place; a scene from standard input goes to standard output
     #[arg(long)]
     fix: bool,
+
+    /// Write comments that allow all findings that are left; errors cannot be allowed
+    #[arg(long, conflicts_with_all = ["fix", "diff", "watch", "show_files", "show_settings"])]
+    add_allow: bool,
 
     /// With --fix or --diff: apply guesses, too
     #[arg(long)]
@@ -129,6 +134,8 @@ struct Checked {
     statistics: Statistics,
     /// How many findings were mended.
     fixed: usize,
+    /// How many findings comments allow now.
+    allowed: usize,
     /// What guesses have changed, a line each.
     changes: Vec<String>,
 }
@@ -326,6 +333,17 @@ impl Checker<'_> {
                 replace(path, &bytes)?;
             }
         }
+        let mut allowed = 0;
+        if loaded.is_scene() && self.args.add_allow {
+            let made = allowing::all(loaded, |source| levelled(Analysis::of(source)));
+            (loaded, allowed) = (made.analysis, made.count);
+            let bytes = bytes_of(&loaded.source, &loaded.source.text)?;
+            if is_stdin {
+                data = bytes;
+            } else if allowed > 0 {
+                replace(path, &bytes)?;
+            }
+        }
         let mut tally = Tally::default();
         let findings = left.unwrap_or_else(|| repair::proposals(&loaded));
         tally.add(&findings);
@@ -341,6 +359,7 @@ impl Checker<'_> {
             tally,
             statistics,
             fixed,
+            allowed,
         })
     }
 
@@ -348,7 +367,7 @@ impl Checker<'_> {
         let args = self.args;
         let fixes = self.fixes(&all);
         // Where standard output carries a scene or a difference, it carries nothing else.
-        let mends_stdin = args.fix && args.chosen.reads_stdin();
+        let mends_stdin = (args.fix || args.add_allow) && args.chosen.reads_stdin();
         let data: Vec<Vec<u8>> = (all.iter()).map(|c| c.data.clone()).collect();
         let report = |out: &mut dyn Write| {
             if args.statistics {
@@ -387,19 +406,21 @@ impl Checker<'_> {
         self.put(status, report)
     }
 
-    /// `Fixed 3 findings in 1 file.`, a line; empty if that is not so.
+    /// `Fixed 3 findings in 1 file.` and its like, a line; empty if that is not so.
     fn fixes(&self, all: &[Checked]) -> String {
-        let fixed = all.iter().map(|c| c.fixed).sum::<usize>();
-        if fixed == 0 || self.choice_of_look.quiet {
+        let of = |checked: &Checked| checked.fixed + checked.allowed;
+        let changed = all.iter().map(of).sum::<usize>();
+        if changed == 0 || self.choice_of_look.quiet {
             return String::new();
         }
-        let files = all.iter().filter(|c| c.fixed > 0).count();
-        let message = match self.args.diff {
-            true => "would-fix",
-            false => "fixed",
+        let files = all.iter().filter(|c| of(c) > 0).count();
+        let message = match (self.args.add_allow, self.args.diff) {
+            (true, _) => "allowed",
+            (_, true) => "would-fix",
+            _ => "fixed",
         };
         let values = [
-            ("count", Value::Count(fixed as u64)),
+            ("count", Value::Count(changed as u64)),
             ("files", Value::Count(files as u64)),
         ];
         let changes = all.iter().flat_map(|c| &c.changes);

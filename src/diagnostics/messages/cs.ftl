@@ -59,6 +59,15 @@ fixed = Opraveno: { $count ->
 }).
 change = { $place }: { $old } → { $new }
 change-nothing = nic
+allowed = Dovoleno: { $count ->
+    [one] { $count } nález
+    [few] { $count } nálezy
+   *[other] { $count } nálezů
+} ({ $files ->
+    [one] { $files } soubor
+    [few] { $files } soubory
+   *[other] { $files } souborů
+}).
 would-fix = K opravě: { $count ->
     [one] { $count } nález
     [few] { $count } nálezy

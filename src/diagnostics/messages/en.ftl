@@ -59,6 +59,13 @@ fixed = Fixed { $count ->
 }.
 change = { $place }: { $old } → { $new }
 change-nothing = nothing
+allowed = Allowed { $count ->
+    [one] { $count } finding
+   *[other] { $count } findings
+} in { $files ->
+    [one] { $files } file
+   *[other] { $files } files
+}.
 would-fix = Would fix { $count ->
     [one] { $count } finding
    *[other] { $count } findings

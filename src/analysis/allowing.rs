@@ -1,0 +1,332 @@
+//! Comments that allow findings, put where they count: `# zpg: allow(W307) #`.
+//!
+//! The comment of a finding is written, in this order of preference,
+//!
+//! 1. into the comment of this kind that covers it already;
+//! 2. at the end of its record's last line;
+//! 3. straight behind the record, where a comment begins that goes on over several lines or never ends;
+//! 4. alone on the line above the record;
+//! 5. at the head of the file, which covers all of it, where the finding is in no record.
+//!
+//! What comes of a place is tried: the scene is read again, and must have fewer findings and none that is new.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::Analysis;
+use super::worse::{counts, has_new_errors};
+use crate::diagnostics::source::line_break;
+use crate::diagnostics::{Code, Diagnostic, Edit, SourceFile, Span, fixes};
+use crate::syntax::Item;
+use crate::syntax::directive::{entries, is_directive};
+use crate::syntax::lexer::{Token, TokenKind};
+
+/// The kinds of places, the best first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Merged,
+    EndOfLine,
+    BehindRecord,
+    LineAbove,
+    Head,
+}
+
+const KINDS: [Kind; 5] = [
+    Kind::Merged,
+    Kind::EndOfLine,
+    Kind::BehindRecord,
+    Kind::LineAbove,
+    Kind::Head,
+];
+
+/// So many times a scene is read again to find out which of many comments did harm.
+const TRIALS: usize = 64;
+
+/// Where a comment or a part of it is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    /// Into a comment, as its first entry or behind others.
+    List { at: u32, first: bool },
+    /// Behind what stands on the line.
+    Line(u32),
+    /// On a line of its own.
+    Own(u32),
+}
+
+impl Place {
+    fn edit(self, codes: &BTreeSet<Code>, text: &str) -> Edit {
+        let codes: Vec<&str> = codes.iter().map(|c| c.as_str()).collect();
+        let codes = codes.join(", ");
+        let (at, text) = match self {
+            Place::List { at, first: true } => (at, codes),
+            Place::List { at, first: false } => (at, format!(", {codes}")),
+            Place::Line(at) => (at, format!(" # zpg: allow({codes}) #")),
+            Place::Own(at) => (at, format!("# zpg: allow({codes}) #{}", line_break(text))),
+        };
+        Edit {
+            span: Span::new(at, at),
+            text,
+        }
+    }
+}
+
+/// The edit that has a comment allow a finding; nothing for errors of the language.
+pub fn edit(analysis: &Analysis, finding: &Diagnostic) -> Option<Edit> {
+    let finder = Finder::new(analysis);
+    let place = KINDS.iter().find_map(|&kind| finder.place(finding, kind))?;
+    let codes = BTreeSet::from([finding.code]);
+    Some(place.edit(&codes, &analysis.source.text))
+}
+
+/// A scene whose comments allow all findings that can be allowed.
+pub struct Allowed {
+    pub analysis: Analysis,
+    /// How many findings that has taken away.
+    pub count: usize,
+}
+
+/// Has comments allow all findings, as far as possible. `again` reads the scene with another text.
+pub fn all(mut analysis: Analysis, again: impl Fn(SourceFile) -> Analysis) -> Allowed {
+    let total = analysis.findings().len();
+    let mut trials = TRIALS;
+    for kind in KINDS {
+        let edits = Finder::new(&analysis).edits(kind);
+        if edits.is_empty() {
+            continue;
+        }
+        if let Some(better) = attempt(&analysis, &edits, &again) {
+            analysis = better;
+            continue;
+        }
+        // From the end, so that the places before stay where they are.
+        for edit in edits.iter().rev() {
+            if trials == 0 || edits.len() == 1 {
+                break;
+            }
+            trials -= 1;
+            let one = std::slice::from_ref(edit);
+            if let Some(better) = attempt(&analysis, one, &again) {
+                analysis = better;
+            }
+        }
+    }
+    let count = total.saturating_sub(analysis.findings().len());
+    Allowed { analysis, count }
+}
+
+/// The scene after some edits, if there is less to be said of it and nothing new.
+fn attempt(
+    analysis: &Analysis,
+    edits: &[Edit],
+    again: impl Fn(SourceFile) -> Analysis,
+) -> Option<Analysis> {
+    let text = fixes::edited(&analysis.source.text, edits);
+    let after = again(analysis.source.with_text(text));
+    let [old, new] = [analysis, &after].map(|a| counts(a.findings().iter()));
+    let is_new = |(code, count): (&Code, &usize)| old.get(code).is_none_or(|old| count > old);
+    let is_better = after.is_scene()
+        && after.findings().len() < analysis.findings().len()
+        && !new.iter().any(is_new)
+        && !has_new_errors(analysis, &after)
+        && says_the_same(analysis, &after);
+    is_better.then_some(after)
+}
+
+/// Whether two scenes are the same but for comments.
+fn says_the_same(a: &Analysis, b: &Analysis) -> bool {
+    fn tokens(analysis: &Analysis) -> impl Iterator<Item = &str> {
+        let counts = |t: &&Token| !t.kind().is_comment() && t.kind() != TokenKind::Newline;
+        let all = analysis.document.tokens.iter().filter(counts);
+        all.map(|t| t.text(&analysis.source.text))
+    }
+    tokens(a).eq(tokens(b))
+}
+
+/// Finds places in a scene.
+struct Finder<'a> {
+    analysis: &'a Analysis,
+    /// Indices of the items that are not void.
+    records: Vec<u32>,
+    /// Indices of the comments that allow something.
+    directives: Vec<u32>,
+}
+
+impl<'a> Finder<'a> {
+    fn new(analysis: &'a Analysis) -> Finder<'a> {
+        let document = &analysis.document;
+        let is_record = |item: &Item| !matches!(item, Item::Void { .. });
+        let items = (0..).zip(&document.items);
+        let is_one = |t: &Token| is_directive(t, &analysis.source.text);
+        let tokens = (0..).zip(&document.tokens);
+        Finder {
+            analysis,
+            records: items
+                .filter(|(_, i)| is_record(i))
+                .map(|(n, _)| n)
+                .collect(),
+            directives: tokens.filter(|(_, t)| is_one(t)).map(|(n, _)| n).collect(),
+        }
+    }
+
+    /// What is to be written for all findings at places of a kind.
+    fn edits(&self, kind: Kind) -> Vec<Edit> {
+        let mut all: BTreeMap<Place, BTreeSet<Code>> = BTreeMap::new();
+        for finding in self.analysis.findings() {
+            if let Some(place) = self.place(finding, kind) {
+                all.entry(place).or_default().insert(finding.code);
+            }
+        }
+        let text = &self.analysis.source.text;
+        let mut edits: Vec<Edit> = all
+            .iter()
+            .map(|(place, codes)| place.edit(codes, text))
+            .collect();
+        edits.sort_by_key(|edit| edit.span.start);
+        edits
+    }
+
+    fn place(&self, finding: &Diagnostic, kind: Kind) -> Option<Place> {
+        if finding.code.is_never_allowed() {
+            return None;
+        }
+        let at = finding.span.start;
+        if finding.code == Code::S504 {
+            // It is about a comment of this kind, which alone can allow it.
+            let is_it = |&&i: &&u32| self.token(i).start == at;
+            let own = self
+                .directives
+                .iter()
+                .find(is_it)
+                .filter(|_| kind == Kind::Merged)?;
+            return self.list(*own, finding.code);
+        }
+        let Some(record) = self.record_at(at) else {
+            return self.of_file(finding.code, kind);
+        };
+        match kind {
+            Kind::Merged => self.merged(record, finding.code),
+            Kind::EndOfLine => self.end_of_line(record).map(Place::Line),
+            Kind::BehindRecord => Some(Place::Line(self.span(record).end)),
+            Kind::LineAbove => self.line_above(record).map(Place::Own),
+            Kind::Head => self.of_file(finding.code, kind),
+        }
+    }
+
+    fn token(&self, i: u32) -> &'a Token {
+        &self.analysis.document.tokens[i as usize]
+    }
+
+    /// The span of the record with this number among them.
+    fn span(&self, record: usize) -> Span {
+        let document = &self.analysis.document;
+        document.item_span(&document.items[self.records[record] as usize])
+    }
+
+    fn line(&self, at: u32) -> usize {
+        self.analysis.source.line_index(at)
+    }
+
+    /// The record that a place is in, or the last one that ends on its line.
+    fn record_at(&self, at: u32) -> Option<usize> {
+        let next = self.records.partition_point(|&i| {
+            let document = &self.analysis.document;
+            document.item_span(&document.items[i as usize]).end <= at
+        });
+        if next < self.records.len() {
+            let span = self.span(next);
+            // Before it on its line counts, too.
+            if span.start <= at || self.line(span.start) == self.line(at) {
+                return Some(next);
+            }
+        }
+        let before = next.checked_sub(1)?;
+        let end = self.span(before).end.saturating_sub(1);
+        (self.line(end) == self.line(at)).then_some(before)
+    }
+
+    /// The lines from where a record begins to where it ends.
+    fn lines(&self, record: usize) -> std::ops::RangeInclusive<usize> {
+        let span = self.span(record);
+        self.line(span.start)..=self.line(span.end.saturating_sub(1))
+    }
+
+    /// A comment on the lines of a record, or alone above it.
+    fn merged(&self, record: usize, code: Code) -> Option<Place> {
+        let lines = self.lines(record);
+        let line = |i: u32| self.line(self.token(i).start);
+        let first = self
+            .directives
+            .partition_point(|&i| line(i) < *lines.start());
+        let on_lines = self.directives[first..]
+            .iter()
+            .take_while(|&&i| line(i) <= *lines.end());
+        let on_lines = on_lines.copied().find_map(|i| self.list(i, code));
+        let above = || {
+            let above = *self.directives[..first].last()?;
+            let is_next = line(above) + 1 == *lines.start() && !self.is_at_head(above);
+            let is_alone = is_next && self.record_at(self.token(above).start).is_none();
+            self.list(above, code).filter(|_| is_alone)
+        };
+        on_lines.or_else(above)
+    }
+
+    /// Whether no record begins before a comment.
+    fn is_at_head(&self, directive: u32) -> bool {
+        self.records.is_empty() || self.token(directive).start < self.span(0).start
+    }
+
+    /// Behind the last entry between the brackets of a comment, unless the code is there.
+    fn list(&self, directive: u32, code: Code) -> Option<Place> {
+        let token = self.token(directive);
+        let (list, all) = entries(token, &self.analysis.source.text)?;
+        let has = |entry: &&str| entry.eq_ignore_ascii_case(code.as_str());
+        if all.iter().any(has) {
+            return None;
+        }
+        Some(Place::List {
+            at: list.end,
+            first: all.iter().all(|entry| entry.is_empty()),
+        })
+    }
+
+    /// Behind all that stands on a record's last line.
+    fn end_of_line(&self, record: usize) -> Option<u32> {
+        let document = &self.analysis.document;
+        let (_, last) = document.items[self.records[record] as usize].ends();
+        let mut end = self.span(record).end;
+        let on_line = document.tokens[last as usize + 1..].iter();
+        for token in on_line.take_while(|t| t.kind() != TokenKind::Newline) {
+            // A comment of several lines ends elsewhere.
+            let ends_here = self.line(token.end()) == self.line(end);
+            if token.kind() == TokenKind::UnterminatedComment || !ends_here {
+                return None;
+            }
+            end = token.end();
+        }
+        Some(end)
+    }
+
+    /// The start of the line that a record begins on, if nothing stands before it there. Above the first record it
+    /// would be the head of the file.
+    fn line_above(&self, record: usize) -> Option<u32> {
+        let source = &self.analysis.source;
+        let start = self.span(record).start;
+        let line = source.line_span(self.line(start)).start;
+        let before = &source.text[line as usize..start as usize];
+        (record > 0 && before.trim().is_empty()).then_some(line)
+    }
+
+    /// At the head of the file.
+    fn of_file(&self, code: Code, kind: Kind) -> Option<Place> {
+        let first = self.directives.first().copied();
+        let head =
+            first.filter(|&i| self.is_at_head(i) && self.record_at(self.token(i).start).is_none());
+        match (kind, head) {
+            (Kind::Merged, Some(head)) => self.list(head, code),
+            (Kind::Head, _) => {
+                let mark = self.analysis.source.text.starts_with('\u{feff}');
+                Some(Place::Own(u32::from(mark) * 3))
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! Comments that allow what is found: `zpg check --add-allow`.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use zpg::analysis::{Analysis, allowing};
+use zpg::diagnostics::Code;
+
+use crate::support::program::zpg;
+
+/// All samples of the rules, and all scenes.
+fn scenes() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut all = Vec::new();
+    for folder in ["src/lint", "scenes", "tests/corpus", "tests/recovery"] {
+        let files = ignore::Walk::new(root.join(folder)).map(|e| e.unwrap().into_path());
+        all.extend(files.filter(|p| p.extension().is_some_and(|e| e == "zpg")));
+    }
+    all.sort();
+    all
+}
+
+/// How often each code is found.
+fn counts(analysis: &Analysis) -> BTreeMap<Code, usize> {
+    let mut counts = BTreeMap::new();
+    let codes = analysis.findings().iter().map(|d| d.code);
+    codes.for_each(|code| *counts.entry(code).or_default() += 1);
+    counts
+}
+
+/// What is left can be allowed by no comment, nothing is new, and nothing is left to do.
+#[test]
+fn what_can_be_allowed_is_allowed_once() {
+    let (mut scenes_with_some, mut allowed, mut left) = (0, 0, Vec::new());
+    for path in scenes() {
+        let read = |bytes| Analysis::new(path.to_string_lossy(), bytes);
+        let before = read(fs::read(&path).unwrap());
+        if !before.is_scene() {
+            continue;
+        }
+        let old = counts(&before);
+        let made = allowing::all(before, Analysis::of);
+        let source = &made.analysis.source;
+        let bytes = source.encode(&source.text).unwrap();
+        let after = read(bytes);
+        let new = counts(&after);
+        assert_eq!(new, counts(&made.analysis), "{}", path.display());
+        for (code, count) in &new {
+            let name = path.display();
+            assert!(
+                old.get(code) >= Some(count),
+                "{name}: more of {code:?}:\n{}",
+                source.text
+            );
+            let can_be = !code.is_never_allowed() && *code != Code::S504;
+            if can_be {
+                left.push(format!("{name}: {code:?}\n{}", source.text));
+            }
+        }
+        scenes_with_some += usize::from(made.count > 0);
+        allowed += made.count;
+        let text = after.source.text.clone();
+        let again = allowing::all(after, Analysis::of);
+        assert_eq!(
+            (again.count, &again.analysis.source.text),
+            (0, &text),
+            "{}",
+            path.display()
+        );
+    }
+    assert!(left.is_empty(), "{}: {}", left.len(), left.join("\n"));
+    assert!(
+        scenes_with_some > 250 && allowed > 500,
+        "{scenes_with_some} {allowed}"
+    );
+}
+
+fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    for (name, bytes) in files {
+        fs::write(dir.path().join(name), bytes).unwrap();
+    }
+    dir
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+const REST: &str = "9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
+
+/// The scene that comes of one, from standard input to standard output.
+fn made(scene: &str, args: &[&str]) -> String {
+    let dir = folder(&[]);
+    let args = [&["check", "--add-allow", "-"], args].concat();
+    text(&zpg(dir.path(), &args, scene).stdout)
+}
+
+#[test]
+fn where_the_comment_stands() {
+    for (before, after) in [
+        // Behind the record, with what there is already.
+        (
+            "2 11 0 0 0 1\n2 -701 2 0 0\n",
+            "2 11 0 0 0 1\n2 -701 2 0 0 # zpg: allow(W301) #\n",
+        ),
+        (
+            "2 11 0 0 0 1\n2 -701 2 0 0 # red #\n",
+            "2 11 0 0 0 1\n2 -701 2 0 0 # red # # zpg: allow(W301) #\n",
+        ),
+        // Two codes on a line, in one comment.
+        (
+            "2 11 0 0 0 1 2 -701 2 0 0\n",
+            "2 11 0 0 0 1 2 -701 2 0 0 # zpg: allow(W301, S503) #\n",
+        ),
+        // Into the comment that is there, before its reason.
+        (
+            "2 11 0 0 0 1 2 -701 2 0 0 # ZPG: Allow(S503) as it is meant #\n",
+            "2 11 0 0 0 1 2 -701 2 0 0 # ZPG: Allow(S503, W301) as it is meant #\n",
+        ),
+        (
+            "2 11 0 0 0 1\n# zpg: allow(S501) #\n2 ⟨-701⟩ 2 0 0\n",
+            "2 11 0 0 0 1\n# zpg: allow(S501, W301) #\n2 ⟨-701⟩ 2 0 0\n",
+        ),
+        // The last line of a record, and no line where a long comment begins.
+        (
+            "2 11 0 0 0 1\n2 -701 2\n0 0\n",
+            "2 11 0 0 0 1\n2 -701 2\n0 0 # zpg: allow(W301) #\n",
+        ),
+        (
+            "2 11 0 0 0 1\n2 -701 2 0 0 # a\nlong one #\n",
+            "2 11 0 0 0 1\n2 -701 2 0 0 # zpg: allow(W301) # # a\nlong one #\n",
+        ),
+        // What is in no record: at the head, for all of the file.
+        (
+            "2 11 0 0 0 1\n# bare #\n",
+            "# zpg: allow(S502) #\n2 11 0 0 0 1\n# bare #\n",
+        ),
+    ] {
+        let (before, after) = (format!("{before}{REST}"), format!("{after}{REST}"));
+        assert_eq!(made(&before, &[]), after);
+        assert_eq!(made(&after, &[]), after);
+    }
+    // Line breaks and a mark at the head stay.
+    let scene = "\u{feff}# bare #\r\n2 11 0 0 0 1\r\n1 9999 2 0\r\n";
+    let chosen = made(scene, &["--select", "S502"]);
+    assert_eq!(
+        chosen,
+        scene.replace("# bare", "# zpg: allow(S502) #\r\n# bare")
+    );
+}
+
+#[test]
+fn files_are_changed_and_errors_stay() {
+    let warned = format!("2 11 0 0 0 1\n2 -701 2 0 0\n3 11 0 0 0 -1\n4 -101 2 3\n{REST}");
+    let good = format!("2 11 0 0 0 1\n{REST}");
+    let dir = folder(&[("a.zpg", warned.as_bytes()), ("b.zpg", good.as_bytes())]);
+    let read = |name: &str| fs::read_to_string(dir.path().join(name)).unwrap();
+    let run = zpg(
+        dir.path(),
+        &["check", "--add-allow", "--ignore", "W310"],
+        "",
+    );
+    assert_eq!(run.status.code(), Some(1));
+    let out = text(&run.stdout);
+    assert!(
+        out.starts_with("error[E201]") && !out.contains("W301"),
+        "{out}"
+    );
+    assert!(
+        out.contains("Allowed 1 finding in 1 file.\nFound 1 error in 1 file."),
+        "{out}"
+    );
+    let after = warned.replace("2 0 0\n3", "2 0 0 # zpg: allow(W301) #\n3");
+    assert_eq!((read("a.zpg"), read("b.zpg")), (after.clone(), good));
+    // Once more: nothing to do.
+    let run = zpg(
+        dir.path(),
+        &["check", "--add-allow", "--ignore", "W310", "--lang", "cs"],
+        "",
+    );
+    assert!(!text(&run.stdout).contains("Dovoleno"));
+    assert_eq!(read("a.zpg"), after);
+    let run = zpg(
+        dir.path(),
+        &["check", "--format", "short", "--ignore", "W310"],
+        "",
+    );
+    assert_eq!(
+        text(&run.stdout).lines().count(),
+        1,
+        "{}",
+        text(&run.stdout)
+    );
+    // What settings take for an error can be allowed.
+    fs::write(
+        dir.path().join("a.zpg"),
+        format!("2 11 0 0 0 1\n2 -701 2 0 0\n{REST}"),
+    )
+    .unwrap();
+    let run = zpg(
+        dir.path(),
+        &["check", "--add-allow", "--deny", "W301", "a.zpg"],
+        "",
+    );
+    assert_eq!(run.status.code(), Some(0));
+    let out = text(&run.stdout);
+    assert_eq!(out, "Allowed 1 finding in 1 file.\nAll checks passed!\n");
+    for other in ["--fix", "--diff", "--watch"] {
+        let run = zpg(dir.path(), &["check", "--add-allow", other], "");
+        assert_eq!(run.status.code(), Some(2));
+    }
+    // What is no scene is left alone.
+    fs::write(dir.path().join("c.zpg"), "no scene\n").unwrap();
+    let run = zpg(dir.path(), &["check", "--add-allow", "c.zpg"], "");
+    assert_eq!(
+        (run.status.code(), read("c.zpg")),
+        (Some(2), "no scene\n".to_owned())
+    );
+}
+
+#[test]
+fn the_encoding_stays() {
+    let scene = b"2 11 0 0 0 1\r\n2 -701 2 0 0 # \xe8erven\xe1 #\r\n9 -501 0 0 5 0 0 -1 0 1 0 45\r\n50 -402 1\r\n1 9999 2 0\r\n";
+    let dir = folder(&[("a.zpg", scene)]);
+    let run = zpg(dir.path(), &["check", "--add-allow", "a.zpg"], "");
+    assert_eq!(run.status.code(), Some(0));
+    let after = fs::read(dir.path().join("a.zpg")).unwrap();
+    let comment = b" # zpg: allow(W301, N601) #";
+    let at = 14 + b"2 -701 2 0 0 # \xe8erven\xe1 #".len();
+    assert_eq!(after, [&scene[..at], &comment[..], &scene[at..]].concat());
+}
