@@ -4,11 +4,16 @@
 use std::path::Path;
 
 use zpg::analysis::Analysis;
-use zpg::diagnostics::{Code, Language};
+use zpg::diagnostics::{Code, Language, SourceFile};
+use zpg::translate::json;
 
-/// The ```` ```zpg ```` fences of a page.
-fn examples(page: &str) -> Vec<&str> {
-    page.split("```zpg\n")
+/// The ```` ```zpg ```` fences of a page, or those of JSON.
+fn examples(code: Code) -> Vec<&'static str> {
+    let fence = match code {
+        Code::E015 => "```json\n",
+        _ => "```zpg\n",
+    };
+    (code.explanation().split(fence))
         .skip(1)
         .filter_map(|rest| rest.split_once("```"))
         .map(|(scene, _)| scene)
@@ -33,10 +38,14 @@ fn windows_1250(text: &str) -> Vec<u8> {
 }
 
 /// What is found in a scene in a folder, a line each.
-fn findings(folder: &Path, scene: Vec<u8>) -> Vec<(Code, String)> {
+fn findings(folder: &Path, code: Code, scene: Vec<u8>) -> Vec<(Code, String)> {
     let path = folder.join("scene.zpg");
     std::fs::write(&path, &scene).unwrap();
-    let loaded = Analysis::new(path.to_str().unwrap(), scene);
+    let path = path.to_str().unwrap();
+    let loaded = match code {
+        Code::E015 => json::analyse(SourceFile::new(path, scene)),
+        _ => Analysis::new(path, scene),
+    };
     loaded
         .findings()
         .iter()
@@ -61,7 +70,7 @@ fn examples_are_true() {
     let mut wrong = String::new();
     let folder = folder();
     for &code in Code::ALL {
-        let scenes = examples(code.explanation());
+        let scenes = examples(code);
         let &[bad, good] = scenes.as_slice() else {
             wrong += &format!("{}: {} examples, not two\n", code.as_str(), scenes.len());
             continue;
@@ -72,11 +81,13 @@ fn examples_are_true() {
             Code::N604 => bad.encode_utf16().flat_map(u16::to_le_bytes).collect(),
             _ => bad.into(),
         };
-        let found = findings(folder.path(), bytes);
+        let found = findings(folder.path(), code, bytes);
         if found.is_empty() || found.iter().any(|&(c, _)| c != code) {
             wrong += &format!("{}: the bad scene has {found:#?}\n", code.as_str());
         }
-        let found = findings(folder.path(), good.into());
+        let mut found = findings(folder.path(), code, good.into());
+        // The good JSON is one line; it has neither camera nor light.
+        found.retain(|&(c, _)| code != Code::E015 || !matches!(c, Code::N602 | Code::N603));
         if !found.is_empty() {
             wrong += &format!("{}: the good scene has {found:#?}\n", code.as_str());
         }

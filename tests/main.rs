@@ -60,6 +60,7 @@ mod recovery;
 mod render_output;
 mod robustness;
 mod sarif;
+mod scene_json;
 mod shapes_doubt;
 mod shapes_quadrics;
 mod strangers;

@@ -12,12 +12,13 @@ pub mod fixing;
 pub mod repair;
 mod worse;
 
+use std::fmt;
 use std::sync::OnceLock;
 
 use rustc_hash::FxHashMap;
 
 use crate::diagnostics::source::Encoding;
-use crate::diagnostics::{self, Code, Diagnostic, SourceFile, Span};
+use crate::diagnostics::{self, Code, Diagnostic, SourceFile, Span, Value};
 use crate::lint;
 use crate::lint::levels::{Choice, Levels};
 use crate::scene::{self, Scene};
@@ -40,6 +41,57 @@ pub struct Analysis {
     findings: OnceLock<Vec<Diagnostic>>,
     definitions: OnceLock<FxHashMap<u32, u32>>,
     bounds: OnceLock<Vec<NodeBounds>>,
+    /// For a scene in another notation, the records that say the same.
+    foreign: Option<Foreign>,
+}
+
+/// Records in the place of a file in another notation.
+#[derive(Debug)]
+struct Foreign {
+    records: Box<Analysis>,
+    origin: Box<dyn Origin>,
+}
+
+/// The way from records back to the file that they were made of.
+pub trait Origin: fmt::Debug + Send + Sync {
+    /// What a stretch of the records is in the file, and what it is called there.
+    fn place(&self, file: &SourceFile, records: &SourceFile, span: Span) -> (Span, Option<String>);
+
+    /// The part of the file that it is in, quickly.
+    fn part(&self, file: &SourceFile, records: &SourceFile, span: Span) -> Span;
+
+    /// What has an ID that the file does not have.
+    fn name(&self, id: u32) -> Option<String>;
+}
+
+impl Foreign {
+    /// What is found in the records, said of the file. The notation of the records is nobody's matter.
+    fn findings(&self, file: &SourceFile, settings: &Settings) -> Vec<Diagnostic> {
+        let records = &self.records.source;
+        let mut all = self.records.find(settings);
+        all.retain(|d| !d.code.is_about_notation());
+        for d in &mut all {
+            (d.span, d.at) = self.origin.place(file, records, d.span);
+            for label in &mut d.labels {
+                label.span = self.origin.place(file, records, label.span).0;
+            }
+            d.fixes.clear();
+            for (name, value) in &mut d.values {
+                if let (true, Value::Text(text)) = (is_id(name), &*value)
+                    && let Some(name) = text.parse().ok().and_then(|id| self.origin.name(id))
+                {
+                    *value = name.into();
+                }
+            }
+        }
+        diagnostics::sort(&mut all);
+        all
+    }
+}
+
+/// Whether an ID fills this place of a message.
+fn is_id(place: &str) -> bool {
+    matches!(place, "id" | "other" | "source") || place.ends_with("-id")
 }
 
 /// How much findings weigh: what `zpg.toml` says, and what was asked for in one run.
@@ -58,6 +110,44 @@ impl Analysis {
         }
     }
 
+    /// A scene in another notation, of which records were made.
+    pub fn foreign(source: SourceFile, records: Analysis, origin: Box<dyn Origin>) -> Analysis {
+        let mut scene = records.scene.clone();
+        scene.move_spans(|span| origin.part(&source, &records.source, span));
+        Analysis {
+            scene,
+            foreign: Some(Foreign {
+                records: Box::new(records),
+                origin,
+            }),
+            ..Analysis::bare(source)
+        }
+    }
+
+    /// A scene in another notation that cannot be read.
+    pub fn unreadable(source: SourceFile, finding: Diagnostic) -> Analysis {
+        Analysis {
+            read: vec![finding],
+            ..Analysis::bare(source)
+        }
+    }
+
+    /// A scene without records and without findings.
+    fn bare(source: SourceFile) -> Analysis {
+        Analysis {
+            source,
+            document: Document::default(),
+            scene: Scene::default(),
+            is_scene: true,
+            read: Vec::new(),
+            settings: Settings::default(),
+            findings: OnceLock::new(),
+            definitions: OnceLock::new(),
+            bounds: OnceLock::new(),
+            foreign: None,
+        }
+    }
+
     /// A file that is no scene.
     pub fn stranger(stranger: Stranger) -> Analysis {
         let Stranger { source, finding } = stranger;
@@ -66,15 +156,10 @@ impl Analysis {
             ..Document::default()
         };
         Analysis {
-            source,
             document,
-            scene: Scene::default(),
             is_scene: false,
             read: vec![finding],
-            settings: Settings::default(),
-            findings: OnceLock::new(),
-            definitions: OnceLock::new(),
-            bounds: OnceLock::new(),
+            ..Analysis::bare(source)
         }
     }
 
@@ -86,15 +171,10 @@ impl Analysis {
         let scene = scene::resolve(&document, &source, &mut read);
         read.extend(encoding_note(&source));
         Analysis {
-            source,
             document,
             scene,
-            is_scene: true,
             read,
-            settings: Settings::default(),
-            findings: OnceLock::new(),
-            definitions: OnceLock::new(),
-            bounds: OnceLock::new(),
+            ..Analysis::bare(source)
         }
     }
 
@@ -108,6 +188,17 @@ impl Analysis {
         }
     }
 
+    /// Forgets the text's records, which take more memory than the scene. Nothing can be found in them any more.
+    pub fn forget_records(&mut self) {
+        self.document = Document::default();
+        self.foreign = None;
+    }
+
+    /// Whether the file is records: what is in another notation can only be read.
+    pub fn is_records(&self) -> bool {
+        self.is_scene && self.foreign.is_none()
+    }
+
     /// Whether the file is a scene.
     pub fn is_scene(&self) -> bool {
         self.is_scene
@@ -116,13 +207,14 @@ impl Analysis {
     /// Whether the scene has no errors of its own, whatever settings take for one. The rules are not run
     /// for that: they never find errors.
     pub fn is_sound(&self) -> bool {
-        !self.read.iter().any(Diagnostic::is_error)
+        let has_none = !self.read.iter().any(Diagnostic::is_error);
+        has_none && (self.foreign.as_ref()).is_none_or(|foreign| foreign.records.is_sound())
     }
 
     /// Everything there is to say about the scene, with the settings applied, sorted by place. The rules
     /// are run when this is first called.
     pub fn findings(&self) -> &[Diagnostic] {
-        self.findings.get_or_init(|| self.find())
+        self.findings.get_or_init(|| self.find(&self.settings))
     }
 
     /// The findings, if somebody has asked for them already.
@@ -164,11 +256,16 @@ impl Analysis {
 
     /// The findings, which are looked for again when they are asked for next.
     fn take_findings(&mut self) -> Vec<Diagnostic> {
-        self.findings.take().unwrap_or_else(|| self.find())
+        self.findings
+            .take()
+            .unwrap_or_else(|| self.find(&self.settings))
     }
 
-    fn find(&self) -> Vec<Diagnostic> {
-        let Settings { levels, choice } = &self.settings;
+    fn find(&self, settings: &Settings) -> Vec<Diagnostic> {
+        if let Some(foreign) = &self.foreign {
+            return foreign.findings(&self.source, settings);
+        }
+        let Settings { levels, choice } = settings;
         let mut all = self.read.clone();
         if self.is_scene {
             let context = lint::Context::new(&self.source.text, &self.document, &self.scene);

@@ -1,7 +1,5 @@
 //! `zpg convert`: the scene for other programs.
 
-mod input;
-
 use std::collections::HashSet;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -10,7 +8,7 @@ use super::draft::{Draft, unwritable};
 use super::memory::Memory;
 use super::size::Size;
 use super::terminal::unprintable;
-use super::{LookChoice, Status, complain, refuse, usage};
+use super::{LookChoice, Needs, Status, complain, load_for, refuse, usage};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::Texture;
@@ -87,7 +85,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
-    let loaded = match input::load(&args.file, args.to.draws(), look) {
+    let needs = match args.to.draws() {
+        true => Needs::Render,
+        false => Needs::Nothing,
+    };
+    let loaded = match load_for(needs, &args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use super::load::is_json;
 use super::rewrite::{bytes_of, diff, replace};
 use super::settings::{Chosen, Scenes};
 use super::terminal::Complaints;
@@ -191,6 +192,9 @@ fn format_file(
     };
     let config = configs.for_file(name).map_err(ConfigError::complaint)?;
     let bytes = file::read(path)?;
+    if is_json(name, &bytes) {
+        return Err(Complaint::new("json-not-formatted").with("path", name));
+    }
     let source = match recognise::read(name.to_string_lossy(), bytes) {
         Ok(source) => source,
         Err(stranger) => {

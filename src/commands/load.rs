@@ -4,8 +4,10 @@ use std::path::Path;
 
 use super::Status;
 use super::terminal::{LookChoice, complain, report};
-use crate::analysis::{Analysis, file, repair};
-use crate::diagnostics::{Code, Complaint, Diagnostic, Error, Severity, Span};
+use crate::analysis::file::{self, STDIN};
+use crate::analysis::{Analysis, repair};
+use crate::diagnostics::{Code, Complaint, Diagnostic, Error, Severity, SourceFile, Span};
+use crate::translate::json;
 
 /// What a command needs of a scene besides that it is sound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,6 +15,24 @@ pub enum Needs {
     /// A render record: something is to be drawn.
     Render,
     Nothing,
+}
+
+/// Whether a file is a scene in JSON: its name says so, or from standard input the first character.
+pub fn is_json(path: &Path, bytes: &[u8]) -> bool {
+    if path.as_os_str() == STDIN {
+        let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        return text.trim_ascii_start().starts_with(b"{");
+    }
+    (path.extension()).is_some_and(|e| e.eq_ignore_ascii_case("json"))
+}
+
+/// Reads a scene, as records or as JSON; never fails. `path` is what it goes by.
+pub fn analyse(path: &Path, bytes: Vec<u8>) -> Analysis {
+    let name = path.to_string_lossy();
+    match is_json(path, &bytes) {
+        true => json::analyse(SourceFile::new(name, bytes)),
+        false => Analysis::new(name, bytes),
+    }
 }
 
 /// Reads a scene for a command that draws a sound one: says which errors it has, and gives the exit
@@ -23,10 +43,11 @@ pub fn load_sound(path: &Path, look: LookChoice) -> Result<Analysis, Status> {
 
 /// As [`load_sound`], for a command that may need less.
 pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Analysis, Status> {
-    let analysis = file::load(path).map_err(|e| {
+    let bytes = file::read(path).map_err(|e| {
         complain(look, &e);
         Status::Failure
     })?;
+    let analysis = analyse(path, bytes);
     let complete = needs == Needs::Nothing || analysis.scene.render.is_some();
     if analysis.is_scene() && analysis.is_sound() && complete {
         return Ok(analysis);
@@ -44,7 +65,7 @@ pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Analysis,
 }
 
 /// That there is no render record is a warning, and an error for commands that cannot do without one.
-pub fn render_is_needed(findings: &mut [Diagnostic]) {
+fn render_is_needed(findings: &mut [Diagnostic]) {
     let about = findings.iter_mut().filter(|d| d.code == Code::E106);
     about.for_each(|d| d.severity = Severity::Error);
 }

@@ -24,7 +24,7 @@ Examples:
   zpg plan scene.zpg
   zpg plan scene.zpg --json")]
 pub struct Args {
-    /// The scene; `-` is standard input
+    /// The scene, as records or as JSON; `-` is standard input
     #[arg(value_name = "FILE")]
     file: PathBuf,
 

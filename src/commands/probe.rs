@@ -52,7 +52,7 @@ Examples:
   zpg probe scene.zpg --point \"0 1 0\" --object 4"
 )]
 pub struct Args {
-    /// The scene; `-` is standard input
+    /// The scene, as records or as JSON; `-` is standard input
     #[arg(value_name = "FILE")]
     file: PathBuf,
 

@@ -23,7 +23,6 @@ use crate::diagnostics::{Complaint, Error, Span};
 use crate::scene::{Camera, Scene};
 use crate::solids::frame::selected_cameras;
 use crate::study::accuracy::{cost, words};
-use crate::syntax::Document;
 use crate::trace::plan::Plan;
 use crate::trace::stats::{Counts, Intersections, Rays, Work};
 use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer};
@@ -45,7 +44,7 @@ Examples:
   zpg render scene.zpg --cost
   zpg render scene.zpg --crop 200,100,64,64 --stats cost.json")]
 pub struct Args {
-    /// The scene; `-` is standard input
+    /// The scene, as records or as JSON; `-` is standard input
     #[arg(value_name = "FILE")]
     file: PathBuf,
 
@@ -202,7 +201,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Err(status) => return status,
     };
     // The records are not needed any more, and take more memory than the scene.
-    loaded.document = Document::default();
+    loaded.forget_records();
     let load = start.elapsed().as_secs_f64();
     match draw(args, &loaded, load, look) {
         // Where standard output carries the picture, it carries nothing else.

@@ -95,6 +95,7 @@ codes! {
     E012 "unexpected-word";
     E013 "limit-exceeded";
     E014 "not-a-scene";
+    E015 "malformed-json";
     E101 "undefined-id";
     E102 "duplicate-id";
     E103 "wrong-kind";
@@ -146,6 +147,12 @@ codes! {
 }
 
 impl Code {
+    /// Whether it is about how records are written, and not about the scene that they make.
+    pub fn is_about_notation(self) -> bool {
+        use Code::{N601, N604, N605, W314, W315};
+        self.severity() == Severity::Style || matches!(self, N601 | N604 | N605 | W314 | W315)
+    }
+
     /// `E101`.
     pub fn as_str(self) -> &'static str {
         self.entry().code

@@ -72,6 +72,8 @@ impl Fix {
 pub struct Diagnostic {
     pub code: Code,
     pub severity: Severity,
+    /// What the place is called in a file that is no text of records: `nodes[3].radius`.
+    pub at: Option<String>,
     /// Which of the code's messages it is, where there are several: `decimal-comma` for
     /// `E003-decimal-comma`. Empty for the message `E003`.
     pub case: &'static str,
@@ -91,6 +93,7 @@ impl Diagnostic {
         Diagnostic {
             code,
             severity: code.severity(),
+            at: None,
             case: "",
             values: Vec::new(),
             span,

@@ -91,8 +91,12 @@ impl Diagnostic {
         };
         let speaker = Speaker::new(language, own).filled(language, &self.values);
         let own = |name: &str| speaker.attribute(name);
+        let message = speaker.message(&speaker.own);
         Wording {
-            message: speaker.message(&speaker.own),
+            message: match &self.at {
+                Some(at) => format!("{at}: {message}"),
+                None => message,
+            },
             label: own("label").unwrap_or_else(|| speaker.message("here")),
             labels: (self.labels.iter())
                 .map(|l| speaker.phrase(l.phrase))

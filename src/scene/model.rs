@@ -90,6 +90,22 @@ impl Node {
     }
 }
 
+impl Scene {
+    /// Has all that was made by records lie elsewhere.
+    pub fn move_spans(&mut self, to: impl Fn(Span) -> Span) {
+        self.origins.iter_mut().for_each(|o| o.span = to(o.span));
+        self.shapes.iter_mut().for_each(|s| s.span = to(s.span));
+        self.promises.iter_mut().for_each(|p| p.span = to(p.span));
+        self.entities.iter_mut().for_each(|e| e.span = to(e.span));
+        self.render.iter_mut().for_each(|r| r.span = to(r.span));
+        for paint in &mut self.paints {
+            if let Some(Texture::Image { span, .. }) = &mut paint.texture {
+                *span = to(*span);
+            }
+        }
+    }
+}
+
 /// The record that made a node: every node is made by one record, and a record makes at most one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Origin {

@@ -36,7 +36,7 @@ pub fn proposals(analysis: &Analysis) -> Vec<Diagnostic> {
         findings,
         trials: TRIALS.min(TOKENS / tokens),
     };
-    if analysis.is_scene() && engine.findings.iter().any(is_tried) {
+    if analysis.is_records() && engine.findings.iter().any(is_tried) {
         engine.whole();
         engine.elsewhere();
         engine.lines();

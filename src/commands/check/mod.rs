@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::draft::{Draft, unwritable};
+use super::load::{analyse, is_json};
 use super::memory::Memory;
 use super::paths::is_stdin;
 use super::rewrite::{bytes_of, diff, replace};
@@ -38,6 +39,8 @@ CODE is a code (W307), its name (overlapping-union), how codes begin (W3), or on
 notes, style and all. Levels for a folder of scenes stand in zpg.toml; a comment
 `# zpg: allow(W307) #` allows a finding where it is. Of --select, --ignore and --deny the one that
 names fewer codes counts. Errors of the language are always reported.
+
+A scene in JSON (FILE.json) is checked as one of records is, but --fix, --diff and --add-allow refuse it.
 
 The settings of zpg.toml can also be given with --config. Its `exclude` leaves out files and folders
 that are come across, and `per-file-ignores` leaves out codes in some files.
@@ -293,7 +296,11 @@ impl Checker<'_> {
             choice: self.choice.clone(),
         };
         let levelled = |analysis: Analysis| analysis.with_settings(settings.clone());
-        let mut loaded = levelled(Analysis::new(name.to_string_lossy(), bytes));
+        let changes_it = self.args.fix || self.args.diff || self.args.add_allow;
+        if changes_it && is_json(name, &bytes) {
+            return Err(Complaint::new("json-not-changed").with("path", name));
+        }
+        let mut loaded = levelled(analyse(name, bytes));
         let mut data = Vec::new();
         let mut fixed = 0;
         let mut left = None;
@@ -337,11 +344,11 @@ impl Checker<'_> {
         if loaded.is_scene() && self.args.add_allow {
             let made = allowing::all(loaded, |source| levelled(Analysis::of(source)));
             (loaded, allowed) = (made.analysis, made.count);
-            let bytes = bytes_of(&loaded.source, &loaded.source.text)?;
+            let source = &loaded.source;
             if is_stdin {
-                data = bytes;
+                data = bytes_of(source, &source.text)?;
             } else if allowed > 0 {
-                replace(path, &bytes)?;
+                replace(path, &bytes_of(source, &source.text)?)?;
             }
         }
         let mut tally = Tally::default();

@@ -94,7 +94,7 @@ fn matters(event: &Event) -> bool {
 
 /// Scenes, the pictures they name, and settings.
 fn is_read(path: &Path) -> bool {
-    let extensions = ["zpg", "png", "jpg", "jpeg"];
+    let extensions = ["zpg", "json", "png", "jpg", "jpeg"];
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     let settings = path.file_name().is_some_and(|n| n == "zpg.toml");
     settings || extensions.iter().any(|e| extension.eq_ignore_ascii_case(e))

@@ -159,13 +159,12 @@ many-files = překlad má více souborů ({ $documents ->
     [few] { $meshes } sítě
    *[other] { $meshes } sítí
 }): určete pomocí -o, kam je zapsat, například -o scena.xml
-at-part = { $path }: { $part }: { $why }
 
 ## Scény jako JSON
 
-json-at-place = { $place } (řádek { $line }, sloupec { $column }): { $why }
-json-at = řádek { $line }, sloupec { $column }: { $why }
-json-place = { $place }: { $why }
+json-deep = seznamy a objekty jsou do sebe vnořeny příliš hluboko
+json-not-formatted = { $path } je scéna v JSON, a tu zpg fmt neupravuje
+json-not-changed = { $path } je scéna v JSON, a tu zpg check jen čte: --fix, --diff a --add-allow jsou pro záznamy
 json-ends = není to JSON: text končí příliš brzy, něco není uzavřeno
 json-syntax = není to JSON: { $what }
 json-missing = chybí `{ $field }`: doplňte je

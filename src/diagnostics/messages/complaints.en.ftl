@@ -154,13 +154,12 @@ many-files = the translation is more than one file ({ $documents ->
     [one] { $meshes } mesh
    *[other] { $meshes } meshes
 }): say with -o where to write it, as in -o scene.xml
-at-part = { $path }: { $part }: { $why }
 
 ## Scenes as JSON
 
-json-at-place = { $place } (line { $line }, column { $column }): { $why }
-json-at = line { $line }, column { $column }: { $why }
-json-place = { $place }: { $why }
+json-deep = lists and objects lie too deep in one another
+json-not-formatted = { $path } is a scene in JSON, which zpg fmt does not lay out
+json-not-changed = { $path } is a scene in JSON, which zpg check only reads: --fix, --diff and --add-allow are for records
 json-ends = this is not JSON: it ends too early, something is not closed
 json-syntax = this is not JSON: { $what }
 json-missing = `{ $field }` is missing: add it

@@ -289,7 +289,9 @@ E014-long = komentář nebo slovo v souboru má 256 MiB nebo více
     .help = komentář se ukončuje znakem `#`
 E014-json = JSON není scéna
 E014-scene-json = soubor je scéna zapsaná v JSON
-    .help = `zpg convert FILE --to zpg` ji zapíše jako záznamy
+    .help = přečte se, když jméno končí na .json; `zpg convert FILE.json --to zpg` ji zapíše jako záznamy
+
+E015 = { $why }
 
 W314 = { $type } si bere poslední čísla z řádku, který by byl sám celým záznamem
     .label = vzato ze začátku tohoto řádku

@@ -277,7 +277,9 @@ E014-long = a comment or word of this file takes 256 MiB or more
     .help = end a comment with `#`
 E014-json = this is JSON, not a scene
 E014-scene-json = this is a scene written as JSON
-    .help = `zpg convert FILE --to zpg` writes it as records
+    .help = it is read if its name ends with .json; `zpg convert FILE.json --to zpg` writes it as records
+
+E015 = { $why }
 
 W314 = this { $type } takes its last numbers from a line that would be a record of its own
     .label = taken from the start of this line

@@ -1,9 +1,13 @@
 //! The resolved scene as JSON, for programs that read scenes and for programs that write them.
 //!
 //! [`write()`] makes a [`model::Scene`] of a resolved scene; [`read()`] takes JSON apart and finds what is
-//! wrong with it; [`spell()`] writes the records of the language that make the same scene. The schema is
+//! wrong with it; [`spell()`] writes the records of the language that make the same scene; [`analyse()`] does both,
+//! and says what there is to say of the scene in the words and places of the JSON. The schema is
 //! `grammar/scene.schema.json`.
 
+mod fields;
+mod file;
+mod locate;
 pub mod model;
 mod read;
 mod spell;
@@ -12,6 +16,7 @@ mod unreadable;
 mod verdict;
 mod write;
 
+pub use file::analyse;
 pub use read::read;
 pub use spell::{Place, Records, spell};
 pub use unreadable::Unreadable;

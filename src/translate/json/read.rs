@@ -14,12 +14,14 @@ use crate::diagnostics::Complaint;
 /// What is wrong with it, and where.
 pub fn read(text: &str) -> Result<Scene, Unreadable> {
     // Some programs put a byte order mark in front.
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut parser = serde_json::Deserializer::from_str(text);
+    let json = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mark = text.len() - json.len();
+    let mut parser = serde_json::Deserializer::from_str(json);
     let scene: Scene = serde_path_to_error::deserialize(&mut parser)
-        .map_err(|e| Unreadable::form(text, &e.path().to_string(), e.inner()))?;
-    parser.end().map_err(|e| Unreadable::form(text, ".", &e))?;
-    check(&scene).map_err(|(at, why)| Unreadable::content(at, why))?;
+        .map_err(|e| Unreadable::form(json, mark, e.path(), e.inner()))?;
+    let nowhere = |e: serde_json::Error| Unreadable::syntax(json, mark, &e);
+    parser.end().map_err(nowhere)?;
+    check(&scene).map_err(|(at, why)| Unreadable::content(text, at, why))?;
     Ok(scene)
 }
 

@@ -8,6 +8,7 @@
 use std::collections::{HashMap, HashSet};
 use std::fmt::{self, Write};
 
+use super::locate::Path;
 use super::model::{self, Item, Node, Rgb, Scene, Texture, Volume};
 use crate::geometry::Matrix;
 use crate::scene::geometry::Parameter;
@@ -33,19 +34,38 @@ pub enum Place {
     Bound(u32),
 }
 
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Place {
+    /// The way to it.
+    pub fn path(self) -> Path {
+        let list = |name: &'static str, i: u32| Path::default().name(name).item(i as usize);
         match self {
-            Place::Head => f.write_str("version"),
-            Place::Node(i) => write!(f, "nodes[{i}]"),
-            Place::AmbientLight(i) => write!(f, "ambient_lights[{i}]"),
-            Place::PointLight(i) => write!(f, "point_lights[{i}]"),
-            Place::Camera(i) => write!(f, "cameras[{i}]"),
-            Place::View => f.write_str("view"),
-            Place::Render => f.write_str("render"),
-            Place::Bound(i) => write!(f, "bounds[{i}]"),
+            Place::Head => Path::default().name("version"),
+            Place::Node(i) => list("nodes", i),
+            Place::AmbientLight(i) => list("ambient_lights", i),
+            Place::PointLight(i) => list("point_lights", i),
+            Place::Camera(i) => list("cameras", i),
+            Place::View => Path::default().name("view"),
+            Place::Render => Path::default().name("render"),
+            Place::Bound(i) => list("bounds", i),
         }
     }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.path().fmt(f)
+    }
+}
+
+/// What a record says of its place, where its type does not tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Matter {
+    /// What its type says; of a heading nothing.
+    Type(Option<RecordKind>),
+    /// A colour that a pattern names.
+    PatternColour(u8),
+    /// The colour of the background.
+    Background,
 }
 
 /// The records of a scene.
@@ -55,6 +75,10 @@ pub struct Records {
     pub text: String,
     /// What each line stands for.
     pub places: Vec<Place>,
+    /// And what of it.
+    pub matters: Vec<Matter>,
+    /// The IDs that the model does not have, and what they were made up for.
+    pub made_up: HashMap<u32, Place>,
 }
 
 /// Writes the records that make a scene, which has passed through [`read`](super::read()).
@@ -68,10 +92,13 @@ pub fn spell(scene: &Scene) -> Records {
         let allow = "# zpg: allow(not-a-rotation) #\n";
         speller.text.insert_str(0, allow);
         speller.places.insert(0, Place::Head);
+        speller.matters.insert(0, Matter::Type(None));
     }
     Records {
         text: speller.text,
         places: speller.places,
+        matters: speller.matters,
+        made_up: speller.made_up,
     }
 }
 
@@ -79,8 +106,12 @@ struct Speller<'a> {
     scene: &'a Scene,
     text: String,
     places: Vec<Place>,
+    matters: Vec<Matter>,
+    made_up: HashMap<u32, Place>,
     /// What the next lines stand for.
     place: Place,
+    /// The matter of the next colour, if it is not the one of its object.
+    matter: Option<Matter>,
     ids: HashSet<u32>,
     next_id: u32,
     /// For each node that has been written, the ID of the object that it is.
@@ -109,7 +140,10 @@ impl<'a> Speller<'a> {
             scene,
             text: String::new(),
             places: Vec::new(),
+            matters: Vec::new(),
+            made_up: HashMap::new(),
             place: Place::Head,
+            matter: None,
             next_id: ids.iter().max().map_or(2, |m| m + 1),
             ids,
             holders: Vec::with_capacity(scene.nodes.len()),
@@ -128,6 +162,7 @@ impl<'a> Speller<'a> {
                 self.next_id + 1
             };
         }
+        self.made_up.insert(self.next_id, self.place);
         self.next_id
     }
 
@@ -144,11 +179,14 @@ impl<'a> Speller<'a> {
         }
         self.text.push('\n');
         self.places.push(self.place);
+        let own = Matter::Type(Some(kind));
+        self.matters.push(self.matter.unwrap_or(own));
     }
 
     fn heading(&mut self, text: &str) {
         let _ = writeln!(self.text, "0 # {text} #");
         self.places.push(self.place);
+        self.matters.push(Matter::Type(None));
     }
 
     fn objects(&mut self) {
@@ -267,7 +305,7 @@ impl<'a> Speller<'a> {
             Texture::Colour(rgb) => self.record(id, RecordKind::Colour, &reals(&[*rgb])),
             Texture::Image(file) => self.record(id, RecordKind::ImageTexture, &[Param::Name(file)]),
             Texture::Checkerboard { n, m, colours } => {
-                let [c, d] = colours.map(|c| Param::Integer(self.colour(c)));
+                let [c, d] = self.pattern(colours);
                 self.record(
                     id,
                     RecordKind::Checkerboard,
@@ -275,20 +313,30 @@ impl<'a> Speller<'a> {
                 );
             }
             Texture::Solid { colours, size } => {
-                let [c, d] = colours.map(|c| Param::Integer(self.colour(c)));
+                let [c, d] = self.pattern(colours);
                 self.record(id, RecordKind::SolidTexture, &[c, d, Param::Real(*size)]);
             }
         }
     }
 
+    /// The IDs of the colours of a pattern.
+    fn pattern(&mut self, colours: &[Rgb; 2]) -> [Param<'static>; 2] {
+        [0, 1].map(|i| {
+            let matter = Matter::PatternColour(i);
+            Param::Integer(self.colour(colours[usize::from(i)], matter))
+        })
+    }
+
     /// The ID of a colour.
-    fn colour(&mut self, rgb: Rgb) -> u32 {
+    fn colour(&mut self, rgb: Rgb, matter: Matter) -> u32 {
         let key = rgb.map(f64::to_bits);
         if let Some(&id) = self.colours.get(&key) {
             return id;
         }
         let id = self.fresh();
+        self.matter = Some(matter);
         self.record(id, RecordKind::Colour, &reals(&[rgb]));
+        self.matter = None;
         self.colours.insert(key, id);
         id
     }
@@ -390,7 +438,7 @@ impl<'a> Speller<'a> {
         self.heading("what is drawn");
         let background = match render.background == [0.0; 3] {
             true => 0,
-            false => self.colour(render.background),
+            false => self.colour(render.background, Matter::Background),
         };
         let root = self.used(render.root);
         let mut params = vec![Param::Integer(root), Param::Integer(background)];

@@ -98,18 +98,12 @@ fn mistakes_are_named_by_their_place() {
     let scene = |nodes: &str, more: &str| format!(r#"{{"version": 1, "nodes": [{nodes}]{more}}}"#);
     let ball = r#"{"type": "sphere", "radius": 1}"#;
     for (json, says) in [
-        (
-            String::from("{"),
-            "line 1: this is not JSON: it ends too early",
-        ),
+        (String::from("{"), "this is not JSON: it ends too early"),
         (
             String::from("{\"version\": 1,\n\"nodes\": [],}"),
-            "line 2: this is not JSON: ",
+            "this is not JSON: key must be a string",
         ),
-        (
-            scene("", "") + "x",
-            "line 1: this is not JSON: trailing characters",
-        ),
+        (scene("", "") + "x", "this is not JSON: trailing characters"),
         (
             scene(r#"{"type": "copy", "of": 1}"#, "")[1..].to_owned(),
             "this is not JSON: ",
@@ -120,70 +114,70 @@ fn mistakes_are_named_by_their_place() {
         ),
         (
             scene(r#"{"type": "ball"}"#, ""),
-            "nodes[0].type (line 1): there is no kind `ball`, only `surface-of-revolution`, ",
+            "nodes[0].type: there is no kind `ball`, only `surface-of-revolution`, ",
         ),
         (
             scene(r#"{"type": "sphere", "radius": 1, "colour": 3}"#, ""),
-            "nodes[0].colour (line 1): there is no `colour` here, only `centre`, `radius`",
+            "nodes[0].colour: there is no `colour` here, only `centre`, `radius`",
         ),
         (
             scene(&format!("{ball},\n{{\"type\": \"sphere\"}}"), ""),
-            "nodes[1] (line 2): `radius` is missing: add it",
+            "nodes[1]: `radius` is missing: add it",
         ),
         (
             scene(r#"{"type": "torus", "minor": 1}"#, ""),
-            "nodes[0] (line 1): `major` is missing: add it",
+            "nodes[0]: `major` is missing: add it",
         ),
         (
             scene(r#"{"type": "sphere", "radius": "1"}"#, ""),
-            "nodes[0].radius (line 1): expected a number, found `\"1\"`",
+            "nodes[0].radius: expected a number, found `\"1\"`",
         ),
         (
             scene(r#"{"type": "sphere", "radius": 1, "centre": [0, 1]}"#, ""),
-            "nodes[0].centre (line 1): expected a list of 3, found a list of 2",
+            "nodes[0].centre: expected a list of 3, found a list of 2",
         ),
         (
             scene(
                 r#"{"type": "paint", "of": 0, "texture": {"color": [0, 1, 1]}}"#,
                 "",
             ),
-            "nodes[0].texture (line 1): there is no kind `color`, only `colour`, ",
+            "nodes[0].texture: there is no kind `color`, only `colour`, ",
         ),
         (
             scene(r#"{"type": "copy", "of": -1}"#, ""),
-            "nodes[0].of (line 1): expected a whole number from 0 to 4294967295, found `-1`",
+            "nodes[0].of: expected a whole number from 0 to 4294967295, found `-1`",
         ),
         (
             scene(r#"{"type": 3}"#, ""),
-            "nodes[0].type (line 1): expected a text in quotation marks, found `3`",
+            "nodes[0].type: expected a text in quotation marks, found `3`",
         ),
         (
             scene("3", ""),
-            "nodes[0] (line 1): expected an object in braces, found `3`",
+            "nodes[0]: expected an object in braces, found `3`",
         ),
         (
             scene("", r#", "cameras": [{"position": [0, 0, 1, 1]}]"#),
-            "cameras[0].position (line 1): the list is too long",
+            "cameras[0].position: the list is too long",
         ),
         (
             scene("", r#", "cameras": {}"#),
-            "cameras (line 1): expected a list, found an object in braces",
+            "cameras: expected a list, found an object in braces",
         ),
         (
             scene("", r#", "render": {"root": 0, "root": 1}"#),
-            "render (line 1): `root` is there twice: leave one of them out",
+            "render: `root` is there twice: leave one of them out",
         ),
         (
             scene("", r#", "view": "mono""#),
-            "view.mono (line 1): expected an object in braces, found a text in quotation marks",
+            "view.mono: expected an object in braces, found a text in quotation marks",
         ),
         (
             String::from("[]"),
-            "line 1: expected an object in braces, found a list of 0",
+            "expected an object in braces, found a list of 0",
         ),
         (
             scene(r#"{"type": "sphere", "radius": 1e999}"#, ""),
-            "nodes[0].radius (line 1): the number is too large",
+            "nodes[0].radius: the number is too large",
         ),
         (
             scene(r#"{"type": "copy", "of": 0}"#, ""),
@@ -202,20 +196,126 @@ fn mistakes_are_named_by_their_place() {
             "view: there is no camera 0",
         ),
     ] {
-        // Columns are those of where the parser was, at the mistake or right behind it.
-        let found = read(&json).unwrap_err().to_string();
-        let mut parts: Vec<&str> = found.split(", column ").collect();
-        for part in parts.iter_mut().skip(1) {
-            *part = part.trim_start_matches(|c: char| c.is_ascii_digit());
+        let found = read(&json).unwrap_err();
+        assert!(found.to_string().contains(says), "{json}: {found}");
+        let line = json[..found.span.start as usize].matches('\n').count();
+        assert_eq!(line, json.matches('\n').count(), "{json}: {found}");
+        // The place is the value itself, where the text is JSON.
+        if let Some(at) = &found.at {
+            let last = at.rsplit(['.', '[']).next().unwrap().trim_end_matches(']');
+            let before = &json[..found.span.start as usize];
+            let named = before.ends_with(&format!("\"{last}\": "));
+            let is_itself = json[found.span.range()] == format!("\"{last}\"");
+            let is_item = last.parse::<u32>().is_ok();
+            assert!(named || is_itself || is_item, "{json}: {found}");
         }
-        let found = parts.concat();
-        assert!(found.contains(says), "{json}: {found}");
     }
     let json = scene("", r#", "render": {"root": "a"}"#);
-    let end = json.find("\"a\"").unwrap() + 3;
-    let says = format!("render.root (line 1, column {end}): expected a whole number");
-    let found = read(&json).unwrap_err().to_string();
-    assert!(found.starts_with(&says), "{found}");
+    let found = read(&json).unwrap_err();
+    assert_eq!(&json[found.span.range()], "\"a\"");
+    assert!(
+        found
+            .to_string()
+            .starts_with("render.root: expected a whole number"),
+        "{found}"
+    );
+    // Behind a mark and over several lines, too.
+    let json = format!("\u{feff}\n{}", json.replace(',', ",\n"));
+    assert_eq!(&json[read(&json).unwrap_err().span.range()], "\"a\"");
+    let json = scene("", "}");
+    let found = read(&json).unwrap_err();
+    assert_eq!((&json[found.span.range()], found.at), ("}", None));
+}
+
+/// However deep lists and objects lie in one another, they are refused in words.
+#[test]
+fn depth_is_refused() {
+    let deep = |open: &str, close: &str, n: usize| open.repeat(n) + &close.repeat(n);
+    let all = [
+        deep("[", "]", 100_000),
+        "[".repeat(100_000),
+        deep("{\"a\":", "}", 100_000),
+        format!("{{\"version\": 1, \"nodes\": {}}}", deep("[", "]", 100_000)),
+        format!(
+            "{{\"version\": 1, \"nodes\": [{{\"type\": \"sphere\", \"radius\": {}}}]}}",
+            deep("[", "]", 100_000)
+        ),
+        format!(
+            "{{\"version\": 1, \"nodes\": [{{\"type\": {}1{}}}]}}",
+            "{\"a\":".repeat(100_000),
+            "}".repeat(100_000)
+        ),
+    ];
+    let said: Vec<String> = all
+        .iter()
+        .map(|json| read(json).unwrap_err().to_string())
+        .collect();
+    for said in &said {
+        assert!(said.len() < 200, "{said}");
+    }
+    assert!(
+        said[4].contains("lie too deep in one another"),
+        "{}",
+        said[4]
+    );
+    assert!(said[1].contains("it ends too early"), "{}", said[1]);
+}
+
+/// Each number of the records is the value of the model that it is said to be.
+#[test]
+fn numbers_are_the_values_that_they_are_called() {
+    let at = |json: &serde_json::Value, path: &locate::Path| {
+        path.0
+            .iter()
+            .try_fold(json.clone(), |value, step| match step {
+                locate::Step::Name(name) => value.get(name.as_ref()).cloned(),
+                locate::Step::Index(i) => value.get(*i).cloned(),
+            })
+    };
+    let corpus = include_str!("../../../tests/corpus/all-types.zpg");
+    let mut texts = vec![corpus.to_owned()];
+    let mut random = crate::testing::random();
+    texts.extend((0..50).map(|_| random_scene(&mut random)));
+    let (mut numbers, mut names) = (0, 0);
+    for text in texts {
+        let (scene, found) = resolve(&text);
+        if found.iter().any(Diagnostic::is_error) {
+            continue;
+        }
+        let model = write(&scene);
+        let json = serde_json::to_value(&model).unwrap();
+        let records = spell(&model);
+        assert_eq!(records.matters.len(), records.places.len());
+        for (i, line) in records
+            .text
+            .lines()
+            .enumerate()
+            .filter(|(_, l)| !l.contains('#'))
+        {
+            let value = |part| fields::value(&model, records.places[i], records.matters[i], part);
+            for (k, word) in line.split(' ').skip(2).enumerate() {
+                let path = value(fields::Part::Parameter(k));
+                let Some(found) = at(&json, &path) else {
+                    panic!("{line}: {path} is not there");
+                };
+                match (word.parse::<f64>(), found.as_f64()) {
+                    (Ok(written), Some(found)) if word.contains(['.', 'e']) => {
+                        assert_eq!(written.to_bits(), found.to_bits(), "{line}: {path}");
+                        numbers += 1;
+                    }
+                    // What names something else goes by its index, and a colour by itself.
+                    _ => names += 1,
+                }
+            }
+            let id = at(&json, &value(fields::Part::Id)).and_then(|id| id.as_u64());
+            let is_path = value(fields::Part::Id).to_string().ends_with(".id");
+            assert!(
+                !is_path || id == line.split(' ').next().unwrap().parse().ok(),
+                "{line}"
+            );
+        }
+    }
+    assert!(numbers > 500 && names > 100, "{numbers} {names}");
 }
 
 #[test]

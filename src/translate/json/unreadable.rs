@@ -4,83 +4,113 @@ use std::fmt;
 
 use serde::de::IgnoredAny;
 use serde_json::{Map, Value, error::Category};
+use serde_path_to_error::Segment;
 
+use super::locate::{Path, Places, Step};
 use super::model::Item;
 use super::spell::Place;
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Span};
 
 /// Why a text is no scene in JSON, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unreadable {
     /// Names and indices, as in `cameras[0].fovy`; `None` for the text as a whole.
-    at: Option<String>,
-    /// Line and column, where they are known. For a node they are those of its end.
-    position: Option<(usize, usize)>,
-    why: Complaint,
+    pub at: Option<String>,
+    /// The value in question, or where the text ceases to be JSON.
+    pub span: Span,
+    pub why: Complaint,
 }
 
 impl Unreadable {
     /// Something refers to what is not there, or cannot be what it is.
-    pub fn content(at: Place, why: Complaint) -> Unreadable {
+    pub fn content(text: &str, at: Place, why: Complaint) -> Unreadable {
         Unreadable {
             at: Some(at.to_string()),
-            position: None,
+            span: Places::new(text).find(text, &at.path()),
             why,
         }
     }
 
-    /// The text is not JSON, or not of the form that the schema has; the error is at a path, `.` for all of
-    /// the text.
-    pub fn form(text: &str, path: &str, error: &serde_json::Error) -> Unreadable {
-        if let Err(e) = serde_json::from_str::<IgnoredAny>(text) {
-            return Unreadable {
-                at: None,
-                position: Some((e.line(), e.column())),
-                why: match e.classify() {
-                    Category::Eof => Complaint::new("json-ends"),
-                    _ => Complaint::new("json-syntax").with("what", Complaint::quoted(said(&e))),
-                },
-            };
-        }
-        let said = said(error);
-        let node = node_at_fault(text, path);
-        let field = node.as_ref().and_then(|node| field_at_fault(node, &said));
+    /// The text is not JSON. `mark` is the length of the mark before it.
+    pub fn syntax(text: &str, mark: usize, error: &serde_json::Error) -> Unreadable {
+        let at = mark + offset(text, error.line(), error.column());
         Unreadable {
-            at: match (path, field) {
-                (".", _) => None,
-                (path, Some(field)) => Some(format!("{path}.{field}")),
-                (path, None) => Some(path.to_owned()),
+            at: None,
+            span: Span::new(at as u32, at as u32 + 1),
+            why: match error.classify() {
+                Category::Eof => Complaint::new("json-ends"),
+                _ => Complaint::new("json-syntax").with("what", Complaint::quoted(said(error))),
             },
-            position: Some((error.line(), error.column())),
-            why: why(&said),
         }
     }
 
-    /// In words that can be put into any language.
-    pub fn complaint(&self) -> Complaint {
-        let positioned = |message, (line, column): (usize, usize)| {
-            Complaint::new(message)
-                .with("line", line.to_string())
-                .with("column", column.to_string())
-        };
-        let complaint = match (&self.at, self.position) {
-            (Some(_), Some(position)) => positioned("json-at-place", position),
-            (None, Some(position)) => positioned("json-at", position),
-            (_, None) => Complaint::new("json-place"),
-        };
-        complaint
-            .with("place", self.at.clone().unwrap_or_default())
-            .with("why", self.why.clone())
+    /// The text is not JSON, or not of the form that the schema has; the error is at a path.
+    pub fn form(
+        text: &str,
+        mark: usize,
+        path: &serde_path_to_error::Path,
+        error: &serde_json::Error,
+    ) -> Unreadable {
+        if let Err(e) = serde_json::from_str::<IgnoredAny>(text) {
+            return Unreadable::syntax(text, mark, &e);
+        }
+        let said = said(error);
+        if said == "recursion limit exceeded" {
+            let unreadable = Unreadable::syntax(text, mark, error);
+            let why = Complaint::new("json-deep");
+            return Unreadable { why, ..unreadable };
+        }
+        let mut way = way(path);
+        let node = node_at_fault(text, &way);
+        if let Some(field) = node.as_ref().and_then(|node| field_at_fault(node, &said)) {
+            way = way.name(field.clone());
+        }
+        let found = Places::new(text).find(text, &way);
+        let moved = |at: u32| at + mark as u32;
+        Unreadable {
+            at: Some(way.to_string()).filter(|at| !at.is_empty()),
+            span: Span::new(moved(found.start), moved(found.end)),
+            why: why(&said),
+        }
     }
 }
 
 impl fmt::Display for Unreadable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.complaint().fmt(f)
+        match &self.at {
+            Some(at) => write!(f, "{at}: {}", self.why),
+            None => self.why.fmt(f),
+        }
     }
 }
 
 impl std::error::Error for Unreadable {}
+
+/// The byte of a line and a column, both from 1, of the parser.
+fn offset(text: &str, line: usize, column: usize) -> usize {
+    let mut lines = text.split_inclusive('\n');
+    let before: usize = lines
+        .by_ref()
+        .take(line.saturating_sub(1))
+        .map(str::len)
+        .sum();
+    let mut at = (before + column.saturating_sub(1)).min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+/// The path of an error.
+fn way(path: &serde_path_to_error::Path) -> Path {
+    path.iter()
+        .fold(Path::default(), |way, segment| match segment {
+            Segment::Seq { index } => way.item(*index),
+            Segment::Map { key } => way.name(key.clone()),
+            Segment::Enum { variant } => way.name(variant.clone()),
+            Segment::Unknown => way,
+        })
+}
 
 /// An error without its position.
 fn said(error: &serde_json::Error) -> String {
@@ -90,12 +120,11 @@ fn said(error: &serde_json::Error) -> String {
 }
 
 /// The node that a path leads to.
-fn node_at_fault(text: &str, path: &str) -> Option<Map<String, Value>> {
-    let index: usize = path
-        .strip_prefix("nodes[")?
-        .strip_suffix(']')?
-        .parse()
-        .ok()?;
+fn node_at_fault(text: &str, way: &Path) -> Option<Map<String, Value>> {
+    let index = match way.0.as_slice() {
+        [Step::Name(list), Step::Index(index)] if list == "nodes" => *index,
+        _ => return None,
+    };
     let scene: Value = serde_json::from_str(text).ok()?;
     scene["nodes"][index].as_object().cloned()
 }

@@ -1,0 +1,99 @@
+//! A scene in JSON as it is analysed: by way of its records, with everything said of the JSON.
+
+use std::collections::HashMap;
+
+use super::fields::{Part, values};
+use super::locate::{Path, Places};
+use super::model::Scene;
+use super::spell::{Matter, Place, Records, spell};
+use super::{Unreadable, read};
+use crate::analysis::{Analysis, Origin};
+use crate::diagnostics::{Code, Diagnostic, SourceFile, Span};
+use crate::syntax::table::RecordKind;
+
+/// Reads a scene in JSON; never fails. What is wrong with the JSON is a finding.
+pub fn analyse(source: SourceFile) -> Analysis {
+    match read(&source.text) {
+        Err(unreadable) => Analysis::unreadable(source, finding(unreadable)),
+        Ok(model) => {
+            let Records {
+                text,
+                places,
+                matters,
+                made_up,
+            } = spell(&model);
+            // Pictures are looked for beside the JSON.
+            let records = SourceFile::new(source.path.clone(), text.into_bytes());
+            let origin = Json {
+                values: Places::new(&source.text),
+                model,
+                places,
+                matters,
+                made_up,
+            };
+            Analysis::foreign(source, Analysis::of(records), Box::new(origin))
+        }
+    }
+}
+
+/// What is wrong with the JSON, as a finding.
+fn finding(unreadable: Unreadable) -> Diagnostic {
+    let Unreadable { at, span, why } = unreadable;
+    let finding = Diagnostic::new(Code::E015, span).with("why", why);
+    Diagnostic { at, ..finding }
+}
+
+/// The way back from the records.
+#[derive(Debug)]
+struct Json {
+    model: Scene,
+    values: Places,
+    places: Vec<Place>,
+    matters: Vec<Matter>,
+    made_up: HashMap<u32, Place>,
+}
+
+impl Json {
+    fn path(&self, records: &SourceFile, span: Span) -> Option<Path> {
+        let line = records.line_index(span.start);
+        let (&place, &matter) = self.places.get(line).zip(self.matters.get(line))?;
+        let whole = records.line_span(line);
+        let text = records.slice(whole);
+        let is_image = matter == Matter::Type(Some(RecordKind::ImageTexture));
+        // One blank stands between two words; the name of a picture may have more.
+        let word = |at: u32| {
+            let at = (at.clamp(whole.start, whole.end) - whole.start) as usize;
+            let words = text.as_bytes()[..at].iter().filter(|b| **b == b' ').count();
+            if is_image { words.min(2) } else { words }
+        };
+        let (first, last) = (word(span.start), word(span.end.max(span.start + 1) - 1));
+        let part = |word: usize| match word {
+            0 => Part::Id,
+            1 => Part::Type,
+            n => Part::Parameter(n - 2),
+        };
+        let parts: Vec<Part> = (first..=last.max(first)).map(part).collect();
+        Some(values(&self.model, place, matter, &parts))
+    }
+}
+
+impl Origin for Json {
+    fn place(&self, file: &SourceFile, records: &SourceFile, span: Span) -> (Span, Option<String>) {
+        match self.path(records, span) {
+            // What the file lacks is said where it begins.
+            None => (Span::default(), None),
+            Some(path) => (self.values.find(&file.text, &path), Some(path.to_string())),
+        }
+    }
+
+    fn part(&self, file: &SourceFile, records: &SourceFile, span: Span) -> Span {
+        let place = self.places.get(records.line_index(span.start));
+        place.map_or(Span::default(), |place| {
+            self.values.find(&file.text, &place.path())
+        })
+    }
+
+    fn name(&self, id: u32) -> Option<String> {
+        self.made_up.get(&id).map(Place::to_string)
+    }
+}
