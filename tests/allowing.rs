@@ -220,6 +220,21 @@ fn files_are_changed_and_errors_stay() {
     );
 }
 
+/// A file may be a single line with tens of thousands of findings on it.
+#[test]
+fn one_line_takes_no_longer_than_many() {
+    for separator in [' ', '\n'] {
+        let record = |i: u32| format!("{i} 11 {} 0 0 1 {i} -701 2 0 0{separator}", 3 * i);
+        let scene: String = (2..20_000).map(record).collect();
+        let before = Analysis::new("a.zpg", (scene + "1 9999 2 0\n").into_bytes());
+        let found = before.findings().len();
+        let start = std::time::Instant::now();
+        let made = allowing::all(before, Analysis::of);
+        assert_eq!((made.count, made.analysis.findings().len()), (found, 0));
+        assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
+    }
+}
+
 #[test]
 fn the_encoding_stays() {
     let scene = b"2 11 0 0 0 1\r\n2 -701 2 0 0 # \xe8erven\xe1 #\r\n9 -501 0 0 5 0 0 -1 0 1 0 45\r\n50 -402 1\r\n1 9999 2 0\r\n";

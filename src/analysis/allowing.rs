@@ -10,7 +10,10 @@
 //!
 //! What comes of a place is tried: the scene is read again, and must have fewer findings and none that is new.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
+
+use rustc_hash::FxHashMap;
 
 use super::Analysis;
 use super::worse::{counts, has_new_errors};
@@ -148,6 +151,8 @@ struct Finder<'a> {
     records: Vec<u32>,
     /// Indices of the comments that allow something.
     directives: Vec<u32>,
+    /// What is known of where lines end: a file may be a single line.
+    ends: RefCell<FxHashMap<usize, Option<u32>>>,
 }
 
 impl<'a> Finder<'a> {
@@ -164,6 +169,7 @@ impl<'a> Finder<'a> {
                 .map(|(n, _)| n)
                 .collect(),
             directives: tokens.filter(|(_, t)| is_one(t)).map(|(n, _)| n).collect(),
+            ends: RefCell::default(),
         }
     }
 
@@ -288,8 +294,18 @@ impl<'a> Finder<'a> {
         })
     }
 
-    /// Behind all that stands on a record's last line.
+    /// Behind all that stands on a record's last line, which is the same for all records that end on it.
     fn end_of_line(&self, record: usize) -> Option<u32> {
+        let line = *self.lines(record).end();
+        if let Some(&known) = self.ends.borrow().get(&line) {
+            return known;
+        }
+        let end = self.find_end_of_line(record);
+        self.ends.borrow_mut().insert(line, end);
+        end
+    }
+
+    fn find_end_of_line(&self, record: usize) -> Option<u32> {
         let document = &self.analysis.document;
         let (_, last) = document.items[self.records[record] as usize].ends();
         let mut end = self.span(record).end;
