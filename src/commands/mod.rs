@@ -1,7 +1,7 @@
 //! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`, which
 //! returns the exit [`Status`].
 //!
-//! What they share: [`camera`] finds a camera by its ID, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`draft`] writes files that
+//! What they share: [`camera()`] finds a camera by its ID, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`draft`] writes files that
 //! appear when they are complete, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files and shows how, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
 //! is wrong with arguments.
