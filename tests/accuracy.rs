@@ -358,15 +358,17 @@ fn advice_names_the_cheapest_way_to_the_goal_with_slack() {
         let part = report.advice_parts.iter().find(|a| a.what == what);
         part.map_or("", |a| a.text.as_str())
     };
-    let limit = "The error of this picture is its edges: 7.40 steps of an 8-bit picture at the default. \
-                 `--adaptive 0.02` brings it to 1.01 for 25 times the time. `--samples 64` does so, too, \
-                 for 64 times. All other errors stay below 0.060 steps.";
+    let limit = "The largest error of this picture is that of edges: 7.40 steps at the default, as the root mean \
+                 square; a step is 1/255. `--adaptive 0.02` brings it to 1.01 for 25 times the time. \
+                 `--samples 64` brings it to 0.90, for 64 times. At the default each other kind of error stays \
+                 below 0.060 steps.";
     assert_eq!(text("limit"), limit);
     assert_eq!(report.advice, limit);
-    let change = "`--depth 16` puts 16 of 16 wrong pixels right, of 1000 that were looked at, for 4 % more time.";
+    let change = "In 16 of the 1000 pixels that were looked at the light that is cut shows by more than a step. \
+                  `--depth 16` puts 16 of them right for 4 % more time.";
     assert_eq!(text("change"), change);
-    let numbers = "Doubles are exact here: double-double costs 10 times as much and gives the same picture. \
-                   Single precision gets 21 pixels wrong and saves nothing.";
+    let numbers = "Doubles are enough here: double-double, which has twice as many digits, costs 10 times as much \
+                   and gives the same picture. Single precision gets 21 pixels wrong and takes as long.";
     assert_eq!(text("numbers"), numbers);
     let front: Vec<&str> = (report.rows.iter().filter(|r| r.pareto))
         .map(|r| r.setting.as_str())
@@ -389,7 +391,8 @@ fn advice_where_nothing_is_to_be_done_and_where_nothing_helps() {
         "{}",
         enough.advice
     );
-    let save = "`--cutoff 1/256` saves 34 % of the time, and no more pixels are off by a step.";
+    let save =
+        "`--cutoff 1/256` saves 34 % of the time, and no further pixel is off by more than a step.";
     assert_eq!(enough.advice_parts[1].text, save);
     let hopeless = report_of(&[
         (Axis::Samples, "1", 1.0, 30.0, 900),
@@ -445,7 +448,8 @@ fn a_report_says_what_to_set() {
     let (status, out, error) = zpg(dir.path(), &args);
     assert_eq!((status, error.as_str()), (Some(0), ""), "{out}");
     assert!(
-        out.lines().count() < 60 && out.contains("▶ The error of this picture is its edges"),
+        out.lines().count() < 60
+            && out.contains("▶ The largest error of this picture is that of edges"),
         "{out}"
     );
 
@@ -536,7 +540,7 @@ fn a_report_in_czech_on_one_axis() {
     );
     assert_eq!(status, Some(0), "{out}");
     assert!(
-        out.contains("Největší chyba tohoto obrázku jsou hrany"),
+        out.contains("Největší chyba tohoto obrázku: hrany"),
         "{out}"
     );
     assert!(

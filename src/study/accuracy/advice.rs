@@ -164,6 +164,7 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
                         "accuracy-advice-dearer",
                         &[
                             ("option", other.option.clone().into()),
+                            ("error", error(other.steps()).into()),
                             ("times", words::times(language, time).into()),
                         ],
                     );

@@ -9,19 +9,19 @@ accuracy-advice-none = Nebylo dokončeno nic, z čeho by šlo radit.
 accuracy-advice-wrong = Reference je chybná: nezávislý sledovač paprsků se 71 číslicemi dává jinou barvu v { $wrong } z { $pixels } pixelů (největší rozdíl { $largest }, na místech { $places }). Proto tu není žádná rada. Nahlaste prosím tuto scénu.
 accuracy-advice-unchecked = Referenci neověřil nezávislý sledovač paprsků: { $why }.
 accuracy-advice-enough = Výchozí nastavení stačí: žádný druh chyby nedosahuje { $goal } kroku osmibitového obrázku (největší: { $kind }, { $error }).
-accuracy-advice-limit = Největší chyba tohoto obrázku jsou { $kind }: { $error } kroku osmibitového obrázku při výchozím nastavení.
+accuracy-advice-limit = Největší chyba tohoto obrázku: { $kind }, { $error } kroku při výchozím nastavení (střední kvadratická odchylka; krok je 1/255).
 accuracy-at-most = nejvýše { $error }
 accuracy-advice-set = `{ $option }` ji sníží na { $error } za { $times }násobek času.
-accuracy-advice-dearer = Totéž svede `{ $option }` za { $times }násobek.
+accuracy-advice-dearer = `{ $option }` ji sníží na { $error } za { $times }násobek.
 accuracy-advice-even = I `{ $option }`, za { $times }násobek času, ponechá { $error }.
-accuracy-advice-others = Všechny ostatní chyby jsou menší než { $error } kroku.
+accuracy-advice-others = Každý z ostatních druhů chyby je při výchozím nastavení menší než { $error } kroku.
 accuracy-price = za { $percent } % času navíc
 accuracy-price-none = bez měřitelného času navíc
-accuracy-advice-repair = `{ $option }` opraví { $right } z { $off } chybných pixelů, z { $pixels } prohlédnutých, { $price }.
-accuracy-advice-save = `{ $option }` ušetří { $percent } % času a o krok se neliší žádný pixel navíc.
-accuracy-advice-no-change = Žádné levnější nastavení neušetří desetinu času, aniž by to bylo vidět.
-accuracy-numbers-same = Čísla s dvojitou přesností jsou tu přesná: double-double stojí { $times }násobek a dává tentýž obrázek.
-accuracy-numbers-unseen = Čísla s dvojitou přesností jsou přesná na pohled: double-double stojí { $times }násobek a neopraví žádný pixel.
+accuracy-advice-repair = Z { $pixels } prohlédnutých pixelů je v { $off } uříznuté světlo vidět o víc než krok. `{ $option }` jich opraví { $right } { $price }.
+accuracy-advice-save = `{ $option }` ušetří { $percent } % času a žádný další pixel se neliší o víc než krok.
+accuracy-advice-no-change = Žádné nastavení neušetří desetinu času, aniž by to bylo vidět.
+accuracy-numbers-same = Čísla s dvojitou přesností tu stačí: double-double, které má dvakrát tolik číslic, stojí { $times }násobek a dává tentýž obrázek.
+accuracy-numbers-unseen = Čísla s dvojitou přesností na pohled stačí: double-double, které má dvakrát tolik číslic, stojí { $times }násobek a neopraví žádný pixel.
 accuracy-numbers-untimed = Čísla s dvojitou přesností nepokazí žádný pixel.
 accuracy-numbers-report = Čísla s dvojitou přesností se mýlí v { $off ->
     [one] { $off } pixelu
@@ -33,13 +33,13 @@ accuracy-numbers-f32 = Jednoduchá přesnost { $off ->
     [few] pokazí { $off } pixely
    *[other] pokazí { $off } pixelů
 } a { $price }.
-accuracy-numbers-plain = Prosté jádro s dvojitou přesností, které nezná meze svých chyb, { $off ->
+accuracy-numbers-plain = Počítání, jaké má většina sledovačů paprsků a které nehlídá vlastní zaokrouhlování (`plain-f64`, pro srovnání), { $off ->
     [0] tu nepokazí nic
     [one] pokazí { $off } pixel
     [few] pokazí { $off } pixely
    *[other] pokazí { $off } pixelů
 } a { $price }.
-accuracy-saves-nothing = neušetří nic
+accuracy-saves-nothing = trvá stejně dlouho
 accuracy-saves = ušetří { $percent } %
 accuracy-costs = stojí o { $percent } % víc
 
@@ -83,6 +83,9 @@ accuracy-stopped = Bylo zastaveno, než se vše dokončilo.
 accuracy-columns = { "  " }   CPU  × výchozí     chyba     FLIP   o >1
 accuracy-legend = ◆ výchozí  ● nic vyzkoušeného není rychlejší a přesnější  ○ něco je; chyba: střední kvadratická v krocích 1/255; dalších { $left } v accuracy.json
 accuracy-same = totéž
+accuracy-note-columns = Chyba: střední kvadratická odchylka od reference v krocích 1/255. FLIP: jak velký rozdíl lidé vidí, od 0 do 1. Pixely: ty, v nichž se některý kanál liší o víc než krok, a kolik jich bylo prohlédnuto; pomalá nastavení se měří na menším počtu. Na čele: nic vyzkoušeného není rychlejší a zároveň přesnější. Adaptive: vzorky přibývají, dokud odhad chyby pixelu neklesne pod toto číslo. Cutoff: paprsky, které váží méně, se zahodí. `plain-f32` a `plain-f64` jsou tu pro srovnání, stejně jako řešiče a sítě: `zpg render` taková nastavení nemá.
+accuracy-note-objects = Kde je čas a kde chyba. Pixel se počítá k tomu, co vidí jeho střed.
+accuracy-note-effects = Co stojí jednotlivé efekty. Jsou vyňaty po jednom; překrývají se, takže podíly nedají dohromady celek.
 accuracy-background = pozadí
 accuracy-time-by = čas podle toho, co je vidět
 accuracy-error-by = chyba podle toho, co je vidět
@@ -108,7 +111,7 @@ accuracy-sub-facets = rovné kousky místo křivých ploch
 accuracy-own-error = vlastní chyba reference
 accuracy-none = nic
 accuracy-table-head = | nastavení | čas CPU | × výchozí | chyba | FLIP | o > 1 | |
-accuracy-markdown-head = | nastavení | × výchozí | chyba | FLIP | o > 1 | největší | |
+accuracy-markdown-head = | nastavení | čas, × výchozí | chyba, kroky | FLIP | pixely o > 1 krok | největší, 1 = bílá | |
 accuracy-default = výchozí
 accuracy-front = na čele
 accuracy-recommended = doporučeno

@@ -9,19 +9,19 @@ accuracy-advice-none = Nothing was finished that advice could rest on.
 accuracy-advice-wrong = The reference is wrong: an independent tracer in 71 digits comes to another colour in { $wrong } of { $pixels } pixels (largest difference { $largest }, at { $places }). No advice is given. Please report this scene.
 accuracy-advice-unchecked = The reference was not checked by the independent tracer: { $why }.
 accuracy-advice-enough = The default settings are enough: no kind of error reaches { $goal } steps of an 8-bit picture (largest: { $kind }, { $error }).
-accuracy-advice-limit = The error of this picture is its { $kind }: { $error } steps of an 8-bit picture at the default.
+accuracy-advice-limit = The largest error of this picture is that of { $kind }: { $error } steps at the default, as the root mean square; a step is 1/255.
 accuracy-at-most = at most { $error }
 accuracy-advice-set = `{ $option }` brings it to { $error } for { $times } times the time.
-accuracy-advice-dearer = `{ $option }` does so, too, for { $times } times.
+accuracy-advice-dearer = `{ $option }` brings it to { $error }, for { $times } times.
 accuracy-advice-even = Even `{ $option }`, at { $times } times the time, leaves { $error }.
-accuracy-advice-others = All other errors stay below { $error } steps.
+accuracy-advice-others = At the default each other kind of error stays below { $error } steps.
 accuracy-price = for { $percent } % more time
 accuracy-price-none = for no measurable time
-accuracy-advice-repair = `{ $option }` puts { $right } of { $off } wrong pixels right, of { $pixels } that were looked at, { $price }.
-accuracy-advice-save = `{ $option }` saves { $percent } % of the time, and no more pixels are off by a step.
-accuracy-advice-no-change = No cheaper setting saves a tenth of the time unseen.
-accuracy-numbers-same = Doubles are exact here: double-double costs { $times } times as much and gives the same picture.
-accuracy-numbers-unseen = Doubles are exact to the eye: double-double costs { $times } times as much and puts no pixel right.
+accuracy-advice-repair = In { $off } of the { $pixels } pixels that were looked at the light that is cut shows by more than a step. `{ $option }` puts { $right } of them right { $price }.
+accuracy-advice-save = `{ $option }` saves { $percent } % of the time, and no further pixel is off by more than a step.
+accuracy-advice-no-change = No setting saves a tenth of the time without a change that can be seen.
+accuracy-numbers-same = Doubles are enough here: double-double, which has twice as many digits, costs { $times } times as much and gives the same picture.
+accuracy-numbers-unseen = Doubles are enough to the eye: double-double, which has twice as many digits, costs { $times } times as much and puts no pixel right.
 accuracy-numbers-untimed = Doubles put no pixel wrong.
 accuracy-numbers-report = Doubles are wrong in { $off ->
     [one] { $off } pixel
@@ -32,12 +32,12 @@ accuracy-numbers-f32 = Single precision { $off ->
     [one] gets { $off } pixel wrong
    *[other] gets { $off } pixels wrong
 } and { $price }.
-accuracy-numbers-plain = A plain kernel in doubles, without bounds on its errors, { $off ->
-    [0] puts nothing wrong here
+accuracy-numbers-plain = The arithmetic of most ray tracers, which does not watch its own rounding (`plain-f64`, to compare with), { $off ->
+    [0] gets nothing wrong here
     [one] gets { $off } pixel wrong
    *[other] gets { $off } pixels wrong
 } and { $price }.
-accuracy-saves-nothing = saves nothing
+accuracy-saves-nothing = takes as long
 accuracy-saves = saves { $percent } %
 accuracy-costs = costs { $percent } % more
 
@@ -81,6 +81,9 @@ accuracy-stopped = It was stopped before all was done.
 accuracy-columns = { "  " }   CPU  × default     error     FLIP   off >1
 accuracy-legend = ◆ default  ● nothing tried is faster and more accurate  ○ something is; error: root mean square in steps of 1/255; { $left } more in accuracy.json
 accuracy-same = same
+accuracy-note-columns = Error: root mean square of the difference from the reference, in steps of 1/255. FLIP: how much of a difference people see, from 0 to 1. Pixels: those in which a channel is off by more than a step, and how many were looked at; slow settings are measured on fewer. On the front: nothing that was tried is both faster and more accurate. Adaptive: more samples until the estimated error of a pixel is below this. Cutoff: rays that count for less are dropped. `plain-f32` and `plain-f64` are there to compare with, and so are solvers and tessellations: `zpg render` has no such settings.
+accuracy-note-objects = Where time and error are. A pixel counts for what its centre sees.
+accuracy-note-effects = What each effect costs. Effects are taken out one at a time; they overlap, so that the shares do not add up.
 accuracy-background = background
 accuracy-time-by = time by what is seen first
 accuracy-error-by = error by what is seen first
@@ -106,7 +109,7 @@ accuracy-sub-facets = flat pieces for curved surfaces
 accuracy-own-error = reference’s own error
 accuracy-none = none
 accuracy-table-head = | setting | CPU time | × default | error | FLIP | off > 1 | |
-accuracy-markdown-head = | setting | × default | error | FLIP | off > 1 | largest | |
+accuracy-markdown-head = | setting | time, × default | error, steps | FLIP | pixels off > 1 step | largest, 1 = white | |
 accuracy-default = the default
 accuracy-front = on the front
 accuracy-recommended = recommended

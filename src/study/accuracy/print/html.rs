@@ -1,11 +1,12 @@
 //! The report as one page that needs nothing else: no script, light, dark and print.
 
 use super::super::advice::names;
-use super::super::report::{Object, Report, Row};
+use super::super::report::{Report, Row};
 use super::super::rungs::{Axis, Kind};
 use super::super::words::{self, local, say};
 use super::image;
 use super::svg::{self, escaped};
+use super::tables::{self, Table};
 use super::terminal::{sureness, whole_default};
 use crate::diagnostics::Language;
 use std::fmt::Write as _;
@@ -309,9 +310,9 @@ impl Page<'_> {
         }
         self.section("accuracy-section-shares", "accuracy-note-shares");
         self.add("<div class=\"two\"><div>");
-        self.objects();
+        self.shared(&tables::objects(report, self.language));
         self.add("</div><div>");
-        self.effects();
+        self.shared(&tables::effects(report, self.language));
         self.add("</div></div>");
         if let Some(maps) = &report.maps {
             let (time, most_time) = image::map(maps.width, maps.height, &maps.time);
@@ -331,63 +332,20 @@ impl Page<'_> {
         self.add("</section>");
     }
 
-    fn objects(&mut self) {
-        let head = self.say("accuracy-objects-head");
-        let heads: String = (head.trim_matches('|').split('|').enumerate())
-            .map(|(i, t)| {
-                format!(
-                    "<th{}>{}</th>",
-                    if i == 0 { "" } else { " class=\"n\"" },
-                    t.trim()
-                )
-            })
-            .collect();
-        self.add(&format!("<table><thead><tr>{heads}</tr></thead><tbody>"));
-        let language = self.language;
-        let percent = |share: f64| words::percent(language, share) + " %";
-        let shown: Vec<&Object> = self.report.objects.iter().take(8).collect();
-        for object in shown {
-            let name = match object.id {
-                0 => self.say("accuracy-background"),
-                id => format!("#{id}"),
-            };
-            let micro = local(language, format!("{:.2}", object.microseconds_per_pixel));
-            self.add(&format!(
-                "<tr><td>{name}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{micro}</td></tr>",
-                percent(object.share_of_pixels),
-                percent(object.share_of_time),
-                percent(object.share_of_error),
-            ));
-        }
-        self.add("</tbody></table>");
-    }
-
-    fn effects(&mut self) {
-        let head = self.say("accuracy-effects-head");
-        let heads: String = (head.trim_matches('|').split('|').enumerate())
-            .map(|(i, t)| {
-                format!(
-                    "<th{}>{}</th>",
-                    if i == 0 { "" } else { " class=\"n\"" },
-                    t.trim()
-                )
-            })
-            .collect();
-        self.add(&format!("<table><thead><tr>{heads}</tr></thead><tbody>"));
-        for effect in &self.report.effects {
-            let name = escaped(&words::effect(self.language, effect.name));
-            let saved = match (effect.saved, effect.within_noise) {
-                (None, _) => "–".into(),
-                (_, true) => self.say("accuracy-within-noise"),
-                (Some(s), false) => words::percent(self.language, s) + " %",
-            };
-            self.add(&format!(
-                "<tr><td>{name}</td><td class=\"n\">{saved}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>",
-                effect.rays_saved,
-                words::error(self.language, effect.error.steps)
-            ));
-        }
-        self.add("</tbody></table>");
+    fn shared(&mut self, table: &Table) {
+        let cell = |tag: &str, (i, text): (usize, &String)| {
+            let class = if i == 0 { "" } else { " class=\"n\"" };
+            format!("<{tag}{class}>{}</{tag}>", escaped(text))
+        };
+        let row = |tag: &str, cells: &[String]| -> String {
+            let cells: String = cells.iter().enumerate().map(|c| cell(tag, c)).collect();
+            format!("<tr>{cells}</tr>")
+        };
+        let head = row("th", &table.head);
+        let rows: String = table.rows.iter().map(|cells| row("td", cells)).collect();
+        self.add(&format!(
+            "<table><thead>{head}</thead><tbody>{rows}</tbody></table>"
+        ));
     }
 
     fn rest(&mut self) {

@@ -3,6 +3,7 @@
 use super::super::report::{Report, Row};
 use super::super::rungs::Kind;
 use super::super::words::{self, local, say};
+use super::tables::{self, Table};
 use super::terminal::sureness;
 use crate::diagnostics::Language;
 use std::fmt::Write as _;
@@ -59,6 +60,23 @@ pub fn text(report: &Report, language: Language) -> String {
             );
         }
     }
+    let _ = writeln!(out, "\n{}", say(language, "accuracy-note-columns", &[]));
+    for (note, table) in [
+        ("accuracy-note-objects", tables::objects(report, language)),
+        ("accuracy-note-effects", tables::effects(report, language)),
+    ] {
+        if !table.rows.is_empty() {
+            let _ = writeln!(out, "\n{}\n\n{}", say(language, note, &[]), shown(&table));
+        }
+    }
     let _ = writeln!(out, "\n{}", sureness(report, language));
     out
+}
+
+fn shown(table: &Table) -> String {
+    let line = |cells: &[String]| format!("| {} |", cells.join(" | "));
+    let rule = format!("|---|{}", "---:|".repeat(table.head.len() - 1));
+    let mut lines = vec![line(&table.head), rule];
+    lines.extend(table.rows.iter().map(|cells| line(cells)));
+    lines.join("\n")
 }

@@ -4,6 +4,7 @@ pub mod html;
 mod image;
 pub mod markdown;
 pub mod svg;
+mod tables;
 pub mod terminal;
 
 use super::report::Report;

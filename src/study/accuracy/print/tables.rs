@@ -1,0 +1,61 @@
+//! Tables that the page and the Markdown have in common.
+
+use super::super::report::Report;
+use super::super::words::{self, local, say};
+use crate::diagnostics::Language;
+
+/// The first column is text, the others are numbers.
+pub struct Table {
+    pub head: Vec<String>,
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    fn new(language: Language, head: &'static str) -> Table {
+        let head = say(language, head, &[]);
+        let cells = head.trim_matches('|').split('|');
+        Table {
+            head: cells.map(|cell| cell.trim().to_owned()).collect(),
+            rows: Vec::new(),
+        }
+    }
+}
+
+/// Time and error by what is seen first, the dearest objects first.
+pub fn objects(report: &Report, language: Language) -> Table {
+    let mut table = Table::new(language, "accuracy-objects-head");
+    let percent = |share: f64| words::percent(language, share) + " %";
+    for object in report.objects.iter().take(8) {
+        let name = match object.id {
+            0 => say(language, "accuracy-background", &[]),
+            id => format!("#{id}"),
+        };
+        table.rows.push(vec![
+            name,
+            percent(object.share_of_pixels),
+            percent(object.share_of_time),
+            percent(object.share_of_error),
+            local(language, format!("{:.2}", object.microseconds_per_pixel)),
+        ]);
+    }
+    table
+}
+
+/// What goes with each effect that is taken out.
+pub fn effects(report: &Report, language: Language) -> Table {
+    let mut table = Table::new(language, "accuracy-effects-head");
+    for effect in &report.effects {
+        let saved = match (effect.saved, effect.within_noise) {
+            (None, _) => "–".into(),
+            (_, true) => say(language, "accuracy-within-noise", &[]),
+            (Some(s), false) => words::percent(language, s) + " %",
+        };
+        table.rows.push(vec![
+            words::effect(language, effect.name),
+            saved,
+            effect.rays_saved.to_string(),
+            words::error(language, effect.error.steps),
+        ]);
+    }
+    table
+}
