@@ -394,6 +394,11 @@ fn advice_where_nothing_is_to_be_done_and_where_nothing_helps() {
     let save =
         "`--cutoff 1/256` saves 34 % of the time, and no further pixel is off by more than a step.";
     assert_eq!(enough.advice_parts[1].text, save);
+    let stopped = report_of(&[]);
+    assert_eq!(
+        stopped.advice,
+        "Nothing was finished that advice could rest on."
+    );
     let hopeless = report_of(&[
         (Axis::Samples, "1", 1.0, 30.0, 900),
         (Axis::Samples, "4", 4.0, 12.0, 800),

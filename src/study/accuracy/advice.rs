@@ -208,6 +208,10 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
 
 /// Wrong pixels that are put right for little, or time that is saved unseen.
 fn change(report: &Report, language: Language) -> Option<Advice> {
+    // Where it was stopped before a setting was timed there is nothing to be said.
+    if !report.rows.iter().any(|r| r.times_default.is_some()) {
+        return None;
+    }
     let noise = report.noise.relative;
     let worst = largest(report).and_then(Row::kind);
     let mut said = Vec::new();
