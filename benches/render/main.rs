@@ -16,9 +16,11 @@ const SIZE: [u32; 2] = [640, 480];
 /// POV-Ray is run once where it takes longer than this, in seconds.
 const LONG: f64 = 10.0;
 const RUNS: usize = 5;
-/// A pixel differs if one of its channels does by more than this, in 255ths.
-const ALIKE: u8 = 3;
-/// More pixels than this may not differ: an edge runs through the middle of some.
+/// A pixel differs if one of its channels does by more than this, linear, of white.
+const ALIKE: f64 = 0.01;
+/// It lies on an edge if it differs from a neighbour by more than this: what is seen there is up to rounding.
+const EDGE: f64 = 0.1;
+/// More pixels than this may not differ, those on edges apart.
 const FEW: f64 = 0.01;
 
 /// What is promised: how many times as long POV-Ray takes.
@@ -117,8 +119,8 @@ fn measured(scene: &Scene, folder: &Path) -> [f64; 2] {
         "+WT1".to_owned(),
         "-D".to_owned(),
         "-GA".to_owned(),
-        "+FN8".to_owned(),
-        "File_Gamma=sRGB".to_owned(),
+        "+FN16".to_owned(),
+        "File_Gamma=1.0".to_owned(),
     ];
     let mut least = [f64::INFINITY; 2];
     for run in 0..RUNS {
@@ -153,14 +155,48 @@ fn seconds(command: &[String]) -> f64 {
 
 /// The share of the pixels that differ.
 fn differing(folder: &Path) -> f64 {
-    let [.., ours, theirs] = files(folder);
-    let [ours, theirs] = [ours, theirs].map(|path| {
-        let picture = image::open(&path).expect("a picture was written");
-        picture.to_rgb8()
-    });
-    let differ =
-        |a: &image::Rgb<u8>, b: &image::Rgb<u8>| (0..3).any(|c| a.0[c].abs_diff(b.0[c]) > ALIKE);
-    let pixels = ours.pixels().zip(theirs.pixels());
-    let count = pixels.filter(|(a, b)| differ(a, b)).count();
-    count as f64 / f64::from(SIZE[0] * SIZE[1])
+    let [scene, pov, _, theirs] = files(folder);
+    let exact = folder.join("ours.pfm");
+    let [width, height] = SIZE;
+    let drawn = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .arg("render")
+        .arg(&scene)
+        .arg(format!("--size={width}x{height}"))
+        .arg("-o")
+        .arg(&exact)
+        .output();
+    assert!(drawn.is_ok_and(|out| out.status.success()));
+    let map = std::fs::read(&exact).expect("a picture was written");
+    let numbers = map.len() - 12 * (width * height) as usize;
+    let ours: Vec<f64> = (map[numbers..].chunks_exact(4))
+        .map(|b| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])))
+        .collect();
+    // All light is multiplied by a number, so that it fits into the file.
+    let text = std::fs::read_to_string(&pov).expect("a scene was written");
+    let scale = text
+        .split("Light_Scale = ")
+        .nth(1)
+        .and_then(|s| s.split(';').next());
+    let scale: f64 = scale.map_or(1.0, |s| s.parse().expect("a number"));
+    let theirs = image::open(theirs)
+        .expect("a picture was written")
+        .to_rgb16();
+    // A float map begins with the last row.
+    let at = |x: u32, y: u32| 3 * ((height - 1 - y) * width + x) as usize;
+    let is_edge = |x: u32, y: u32| {
+        let beside = |x: u32, y: u32| {
+            (x.saturating_sub(1)..(x + 2).min(width))
+                .flat_map(move |x| (y.saturating_sub(1)..(y + 2).min(height)).map(move |y| (x, y)))
+        };
+        beside(x, y)
+            .any(|(u, v)| (0..3).any(|c| (ours[at(x, y) + c] - ours[at(u, v) + c]).abs() > EDGE))
+    };
+    let differs = |&(x, y): &(u32, u32)| {
+        let pixel = theirs.get_pixel(x, y).0;
+        let off = |c: usize| (ours[at(x, y) + c] - f64::from(pixel[c]) / 65535.0 / scale).abs();
+        (0..3).any(|c| off(c) > ALIKE) && !is_edge(x, y)
+    };
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let count = pixels.filter(differs).count();
+    count as f64 / f64::from(width * height)
 }

@@ -400,7 +400,8 @@ fn lenses(seed: u64) -> Scene {
         let [a, b] = [-half, half].map(|z| w.new_record(format_args!("11 0 0 {z} {r}")));
         let id = w.new_record(format_args!("-102 {a} {b}"));
         w.line(format_args!("{id} -201 0.02 0.08 0.9"));
-        w.line(format_args!("{id} -203 1.5 1.5 1.5"));
+        // With more of it light would be totally reflected, which POV-Ray does in another way.
+        w.line(format_args!("{id} -203 1.1 1.1 1.1"));
         w.turned(id);
         let [x, y, z] = [i % 4, i / 4 % 3, i / 12].map(|k| 2.4 * f64::from(k) - 3.6);
         w.moved(id, [x, y, z]);
@@ -434,7 +435,7 @@ fn everything(seed: u64) -> Scene {
         match i % 13 {
             0 => {
                 w.line(format_args!("{id} -201 0.05 0.05 0.9"));
-                w.line(format_args!("{id} -203 1.4 1.45 1.5"));
+                w.line(format_args!("{id} -203 1.45 1.45 1.45"));
             }
             1 | 2 => w.line(format_args!("{id} -201 0.6 0.4 0")),
             3 => w.line(format_args!("{id} -299 {board} 0")),

@@ -3,7 +3,7 @@
 //! [`compile`] turns a [`Scene`](crate::scene::Scene) into a [`graph`] in which shared parts stay shared. A
 //! [`Tracer`] holds the graph and everything else that a picture needs, and knows what cannot be drawn
 //! before the first ray. In the order in which a pixel comes about: [`camera`] and [`sampling`] make rays,
-//! [`search`] finds what they meet in the graph, [`shapes`] knows where a line crosses a shape, [`shade`] adds
+//! [`search`] finds what they meet in the graph, along trees of boxes, [`shapes`] knows where a line crosses a shape, [`shade`] adds
 //! up the light, [`film`] keeps it. [`probe`] and [`membership`] answer questions about single rays and
 //! points.
 //!

@@ -36,11 +36,17 @@ impl Compiler<'_> {
             };
             // The root stays an object, whatever it holds.
             let may_vanish = i != 0;
-            let made = match draft.kind {
-                Kind::Intersection => self.finish_intersection(draft, &mut finished, may_vanish)?,
-                Kind::Union | Kind::Difference => {
+            let stays_open = may_vanish && uses[i as usize] == 1;
+            let is_whole = match draft.kind {
+                Kind::Intersection => true,
+                Kind::Difference => false,
+                Kind::Union => !stays_open && !has_open(&draft.first, &finished),
+            };
+            let made = match is_whole {
+                true => self.finish_whole(draft, &mut finished, may_vanish)?,
+                false => {
                     let open = self.opened(draft, &mut finished, &mut budget)?;
-                    match may_vanish && uses[i as usize] == 1 {
+                    match stays_open {
                         true => Finished::Open(open),
                         false => self.close(open, may_vanish),
                     }
@@ -54,7 +60,8 @@ impl Compiler<'_> {
         Ok(self.graph)
     }
 
-    fn finish_intersection(
+    /// Makes an object of a draft as it is.
+    fn finish_whole(
         &mut self,
         mut draft: Draft,
         finished: &mut [Finished],
@@ -64,7 +71,7 @@ impl Compiler<'_> {
         for parts in [&mut draft.first, &mut draft.cuts] {
             *parts = self.settle_all(std::mem::take(parts), finished)?;
         }
-        if draft.first.len() < operands {
+        if draft.kind != Kind::Union && draft.first.len() < operands {
             // What is in something empty is nowhere.
             return Ok(Finished::Empty);
         }
@@ -87,22 +94,18 @@ impl Compiler<'_> {
         }
         let cuts = self.settle_all(draft.cuts, finished)?;
         let cuts: Vec<(Part, Aabb)> = cuts.into_iter().map(|c| (c, self.bounds(&c))).collect();
-        Ok(match pieces::cut(pieces, cuts, budget) {
-            Ok(pieces) => pieces,
-            Err((pieces, cuts)) => match self.close(pieces, true) {
-                Finished::Object(object) => {
-                    vec![Piece {
-                        cuts: cuts.into_iter().map(|(cut, _)| cut).collect(),
-                        ..self.piece(plain(object))
-                    }]
-                }
-                Finished::Alias(part) => vec![Piece {
-                    cuts: cuts.into_iter().map(|(cut, _)| cut).collect(),
-                    ..self.piece(part)
-                }],
-                _ => Vec::new(),
-            },
-        })
+        if pieces::cut(&mut pieces, &cuts, budget) {
+            return Ok(pieces);
+        }
+        let whole = match self.close(pieces, true) {
+            Finished::Object(object) => plain(object),
+            Finished::Alias(part) => part,
+            Finished::Empty | Finished::Open(_) => return Ok(Vec::new()),
+        };
+        Ok(vec![Piece {
+            cuts: cuts.into_iter().map(|(cut, _)| cut).collect(),
+            ..self.piece(whole)
+        }])
     }
 
     /// The pieces of an operand of a union, or of what is cut.
@@ -368,6 +371,14 @@ fn uses(drafts: &[Draft]) -> Vec<u32> {
         }
     }
     uses
+}
+
+/// Whether one of the parts is a union whose parts may become those of what it is a part of.
+fn has_open(parts: &[Part], finished: &[Finished]) -> bool {
+    parts.iter().any(|part| match part.target {
+        Target::Object(draft) => matches!(finished[draft as usize], Finished::Open(_)),
+        Target::Shape(_) => false,
+    })
 }
 
 /// An object where it is, as it is.

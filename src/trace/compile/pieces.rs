@@ -21,34 +21,29 @@ pub const BUDGET: usize = 1 << 24;
 /// So many parts may be reached by a cut, on average.
 const MOST: usize = 8;
 
-/// Takes cuts, with their bounds, away from the pieces that they reach. Gives them back where that would only repeat
-/// them: a single cut that reaches both of two parts is better taken away from the two together.
-#[allow(clippy::type_complexity)]
-pub fn cut(
-    mut pieces: Vec<Piece>,
-    cuts: Vec<(Part, Aabb)>,
-    budget: &mut usize,
-) -> Result<Vec<Piece>, (Vec<Piece>, Vec<(Part, Aabb)>)> {
-    if let [only] = &mut pieces[..] {
-        only.cuts.extend(cuts.into_iter().map(|(cut, _)| cut));
-        return Ok(pieces);
+/// Takes cuts, with their bounds, away from the pieces that they reach. Does nothing, and says `false`, where that
+/// would only repeat them: a single cut that reaches both of two parts is better taken away from the two together.
+pub fn cut(pieces: &mut [Piece], cuts: &[(Part, Aabb)], budget: &mut usize) -> bool {
+    if let [only] = pieces {
+        only.cuts.extend(cuts.iter().map(|(cut, _)| cut));
+        return true;
     }
     let Some(left) = budget.checked_sub(pieces.len() * cuts.len()) else {
-        return Err((pieces, cuts));
+        return false;
     };
     *budget = left;
     let reaches = |piece: &Piece, bounds: &Aabb| piece.bounds.overlaps(bounds);
-    let reached = cuts
-        .iter()
-        .map(|(_, bounds)| pieces.iter().filter(|p| reaches(p, bounds)).count());
-    let repeated: usize = reached.sum();
-    if repeated > cuts.len() * (1 + pieces.len() / 4).min(MOST) {
-        return Err((pieces, cuts));
+    let reached = |(_, bounds): &(Part, Aabb)| pieces.iter().filter(|p| reaches(p, bounds)).count();
+    let all: usize = cuts.iter().map(reached).sum();
+    if all > cuts.len() * (1 + pieces.len() / 4).min(MOST) {
+        return false;
     }
-    for piece in &mut pieces {
-        let own = cuts.iter().filter(|(_, bounds)| reaches(piece, bounds));
-        let own: Vec<Part> = own.map(|(cut, _)| *cut).collect();
+    for piece in pieces {
+        let own: Vec<Part> = (cuts.iter())
+            .filter(|(_, bounds)| reaches(piece, bounds))
+            .map(|(cut, _)| *cut)
+            .collect();
         piece.cuts.extend(own);
     }
-    Ok(pieces)
+    true
 }
