@@ -11,6 +11,7 @@
 //!
 //! Three lines name the folder: the code's in `diagnostics/code.rs`, and two here.
 
+mod angle_in_radians;
 mod asymmetric_quadric;
 mod bare_comment;
 mod bound_too_small;
@@ -63,6 +64,7 @@ const OPTICS: &[RecordKind] = &[R::Optics, R::OpticsRgb];
 const INDICES: &[RecordKind] = &[R::RefractiveIndex];
 const ROTATION_MATRICES: &[RecordKind] = &[R::RotationMatrix];
 const QUADRICS: &[RecordKind] = &[R::Shape(S::Quadric)];
+const CAMERAS: &[RecordKind] = &[R::Camera];
 const COLOURS: &[RecordKind] = &[R::Colour, R::Shape(S::ColouredSurfaceOfRevolution)];
 const SURFACES: &[RecordKind] = &[
     R::Shape(S::Plane),
@@ -189,6 +191,11 @@ pub const RULES: &[Rule] = &[
         code: Code::W322,
         check: ill_scaled::check,
         asks_for: &[],
+    },
+    Rule {
+        code: Code::W323,
+        check: angle_in_radians::check,
+        asks_for: &[CAMERAS],
     },
     Rule {
         code: Code::N602,

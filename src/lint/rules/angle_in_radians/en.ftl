@@ -1,0 +1,4 @@
+W323 = an angle of view of { $angle } degrees looks like { $degrees }° in radians
+    .label = this is in degrees
+    .note = as it is, the picture shows a tiny part of the scene only
+    .fix = write { $degrees }

@@ -1,0 +1,76 @@
+//! W323: an angle of view that is a usual one in radians.
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
+use crate::lint::Context;
+use crate::scene::Camera;
+use crate::scene::record::Params;
+use crate::solids::distance;
+use crate::syntax::table::RecordKind;
+
+/// The angles that people know by heart in radians: they are known with two decimals.
+const BY_HEART: [u32; 4] = [30, 45, 60, 90];
+
+/// What is drawn fits into a picture that was meant to be as narrow as it is: it is seen under an angle of no more
+/// than this many times that of the picture. In radians it would be 57 times.
+const FITS: f64 = 4.0;
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let cameras = &context.scene.cameras;
+    for record in context.records().filter(|r| r.kind == RecordKind::Camera) {
+        let p = context.record_params(record);
+        let Some(degrees) = meant(&p) else { continue };
+        let Some(camera) = cameras.iter().find(|c| c.id == p.id) else {
+            continue;
+        };
+        if camera.projection.is_some() || fits(context, camera) {
+            continue;
+        }
+        let degrees = degrees.to_string();
+        out.push(
+            Diagnostic::new(Code::W323, p.span_of(FOVY, 1))
+                .with("angle", p.text_of(FOVY).to_owned())
+                .with("degrees", degrees.clone())
+                .fix(Fix::replace(
+                    "fix",
+                    Applicability::Unsafe,
+                    p.span_of(FOVY, 1),
+                    degrees,
+                )),
+        );
+    }
+}
+
+/// The place of the angle of view in the record.
+const FOVY: usize = 9;
+
+/// The usual angle, in degrees, that a number is in radians, as far as its decimals go; rounded or cut off.
+fn meant(p: &Params) -> Option<u32> {
+    let x = p.number(FOVY);
+    let (_, decimals) = p.text_of(FOVY).split_once('.')?;
+    if !decimals.bytes().all(|b| b.is_ascii_digit()) {
+        return None;
+    }
+    let is = |degrees: &u32, within: f64| {
+        let more = f64::from(*degrees).to_radians() - x;
+        -within / 2.0 <= more && more < within
+    };
+    match decimals.len() {
+        0 | 1 => None,
+        2 => BY_HEART.into_iter().find(|d| is(d, 0.01)),
+        // π may have been 3.14.
+        _ => (2..=35).map(|k| 5 * k).find(|d| is(d, 0.001)),
+    }
+}
+
+/// Whether all that ends of what is drawn fits into the picture as it is: it is small, or far away.
+fn fits(context: &Context, camera: &Camera) -> bool {
+    let Some(render) = context.scene.render else {
+        return false;
+    };
+    let all = context.bounds()[render.root as usize].bounded;
+    if !all.is_bounded() {
+        return false;
+    }
+    let away = distance(all.centre(), camera.position);
+    away > 0.0 && 2.0 * (all.radius() / away).atan().to_degrees() <= FITS * camera.fovy
+}
