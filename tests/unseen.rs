@@ -5,10 +5,12 @@ use super::trace_support::{Builder, Random, optics, small};
 use rayon::prelude::*;
 use zpg::analysis::Analysis;
 use zpg::geometry::Matrix;
-use zpg::scene::{Geometry, NodeId, Paint, Scene, Texture};
+use zpg::scene::{Camera, Geometry, NodeId, Paint, Scene, Texture};
+use zpg::solids::bounds::node_bounds;
 use zpg::solids::frame::selected_cameras;
+use zpg::trace::plan::unseen::view;
 use zpg::trace::plan::{Effect, Plan};
-use zpg::trace::{Images, Numbers, Settings, Tracer};
+use zpg::trace::{Images, Numbers, Settings, Tracer, members};
 
 /// The pictures of all cameras, without what is unseen or with it, as bits; and what they have cost.
 fn pictures(scene: &Scene, plan: Plan, numbers: Numbers) -> (Vec<[u32; 3]>, u64) {
@@ -261,6 +263,66 @@ fn pictures_are_the_same_without_what_is_unseen() {
         5 * some > all && 25 * quieter > all && 200 * unclipped > all,
         "{some} {quieter} {unclipped}"
     );
+}
+
+/// A camera somewhere about a scene, in it or beside it, that looks anywhere.
+fn random_camera(r: &mut Random) -> Camera {
+    let far = [2.0, 6.0, 20.0][r.below(3) as usize];
+    let matrix = match r.below(4) {
+        0 => Some(Matrix([
+            [2.0, 0.0, 0.0, 0.0],
+            [0.0, 2.4, 0.0, 0.0],
+            [0.0, 0.0, -1.5, -10.0],
+            [0.0, 0.0, -1.0, 0.0],
+        ])),
+        1 => Some(Matrix::scaling(0.25, 0.25, -0.1)),
+        _ => None,
+    };
+    Camera {
+        id: 0,
+        position: r.point(far).0,
+        direction: r.point(1.0).0,
+        up: [0.1, 1.0, 0.2],
+        fovy: [10.0, 45.0, 120.0][r.below(3) as usize],
+        projection: matrix,
+    }
+}
+
+/// Where a camera is said to see nothing, its picture has the colour of the background; and a point that is said to be
+/// in something opaque is in the scene, by exact numbers.
+#[test]
+fn what_is_out_of_view_is_in_no_picture() {
+    let found: Vec<[usize; 2]> = seeds("UNSEEN_SEEDS", 0..cases(300, 1500))
+        .into_par_iter()
+        .map(|seed| {
+            let scene = random_scene(seed);
+            let (bounds, root) = (node_bounds(&scene), scene.render.unwrap().root);
+            let plan = Plan::of_picture(&scene).unwrap();
+            let tracer = Tracer::planned(&scene, &Images::default(), plan).unwrap();
+            let mut r = Random(seed << 20 | 7);
+            let mut count = [0; 2];
+            for _ in 0..12 {
+                let camera = random_camera(&mut r);
+                if view::out_of_view(&scene, &bounds, root, &camera).is_some() {
+                    let picture = tracer.render(&camera, &small(32, 24), || ()).unwrap();
+                    let empty = |p: &[f32; 3]| *p == [0.1, 0.2, 0.3];
+                    assert!(picture.film.pixels.iter().all(empty), "{seed} {camera:?}");
+                    count[0] += 1;
+                }
+                let place = camera.position;
+                let held = view::held(&scene, &bounds, root, &[place]);
+                if held[0].is_some_and(|h| !h.on_surface) {
+                    let exact = members(&scene, root, place.into()).unwrap();
+                    assert!(exact.in_root, "{seed} {place:?}");
+                    count[1] += 1;
+                }
+            }
+            count
+        })
+        .collect();
+    let [unseen, inside] = [0, 1].map(|i| found.iter().map(|c| c[i]).sum::<usize>());
+    println!("{unseen} cameras that see nothing, {inside} in something");
+    assert!(unseen > found.len() && 4 * inside > found.len());
 }
 
 const NOTHING: [u32; 0] = [];

@@ -136,6 +136,7 @@ codes! {
     W321 "coincident-faces" of rule "coincident_faces";
     W322 "ill-scaled" of rule "ill_scaled";
     W323 "angle-in-radians" of rule "angle_in_radians";
+    W324 "nothing-in-view" of rule "nothing_in_view";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use super::Context;
 use super::levels::Selector;
+use super::rules::OF_PICTURES;
 use crate::diagnostics::{self, Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::syntax::Item;
 use crate::syntax::directive::{self, is_directive};
@@ -53,7 +54,11 @@ pub fn apply(context: &Context, out: &mut Vec<Diagnostic>) {
 
 /// The findings by their codes. However many comments there are, and however much each of them
 /// covers, a finding is looked at once.
-struct Found(BTreeMap<Code, OfCode>);
+struct Found {
+    codes: BTreeMap<Code, OfCode>,
+    /// What has not been looked for: whether there is any is not known.
+    open: &'static [Code],
+}
 
 /// Findings of one code, in their order.
 #[derive(Default)]
@@ -79,13 +84,21 @@ impl Found {
         for of in codes.values_mut() {
             of.steps = vec![0; of.starts.len() + 1];
         }
-        Found(codes)
+        let open: &[Code] = match all.iter().any(Diagnostic::is_error) {
+            true => OF_PICTURES,
+            false => &[],
+        };
+        Found { codes, open }
     }
 
     /// Allows what begins in a stretch of text, its end included; says whether anything does.
     fn allow(&mut self, codes: &Selector, covers: Span) -> bool {
         let mut any = false;
-        for (_, of) in self.0.iter_mut().filter(|(code, _)| codes.holds(**code)) {
+        for (_, of) in self
+            .codes
+            .iter_mut()
+            .filter(|(code, _)| codes.holds(**code))
+        {
             let first = of.starts.partition_point(|&s| s < covers.start);
             let last = of.starts.partition_point(|&s| s <= covers.end);
             if first < last {
@@ -100,7 +113,7 @@ impl Found {
     /// For each finding whether it is allowed.
     fn allowed(&self, count: usize) -> Vec<bool> {
         let mut out = vec![false; count];
-        for of in self.0.values() {
+        for of in self.codes.values() {
             let mut depth = 0;
             for (&i, step) in of.indices.iter().zip(&of.steps) {
                 depth += step;
@@ -177,6 +190,7 @@ impl Directive {
             } else if self
                 .covers
                 .is_some_and(|covers| found.allow(&codes, covers))
+                || found.open.iter().any(|code| codes.is(*code))
             {
                 used.push(entry);
             } else {

@@ -111,8 +111,11 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
     let contents = &context.document.contents;
     // What a comment allows must be looked for, if only to know that it is there.
     let all = allow::any(context);
+    let is_wrong = out.iter().any(Diagnostic::is_error);
     let has = |rule: &&rules::Rule| {
-        (all || asked(rule.code)) && rule.asks_for.iter().all(|kinds| contents.has(kinds))
+        (all || asked(rule.code))
+            && rule.asks_for.iter().all(|kinds| contents.has(kinds))
+            && !(is_wrong && rules::OF_PICTURES.contains(&rule.code))
     };
     let rules: Vec<&rules::Rule> = rules::RULES.iter().filter(has).collect();
     let found = |i: usize| {

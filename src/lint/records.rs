@@ -6,8 +6,9 @@ use super::Context;
 use crate::diagnostics::{Applicability, Fix, Span};
 use crate::scene::names;
 use crate::scene::record::Params;
+use crate::scene::{Camera, View};
 use crate::syntax::lexer::TokenKind;
-use crate::syntax::table::{Effect, RecordKind};
+use crate::syntax::table::{Effect, Kind, RecordKind};
 use crate::syntax::{Item, Record};
 
 impl<'a> Context<'a> {
@@ -82,4 +83,22 @@ impl<'a> Context<'a> {
         }
         Fix::replace(title, applicability, Span::new(at, at), text)
     }
+}
+
+/// The cameras that are written and take the picture, with the records that define them.
+pub fn chosen_cameras<'c>(context: &'c Context) -> Vec<(&'c Camera, Params<'c>)> {
+    let scene = context.scene;
+    let chosen = match scene.view {
+        View::Automatic => vec![],
+        View::Mono(at) => vec![at],
+        View::Stereo { left, right } if left == right => vec![left],
+        View::Stereo { left, right } => vec![left, right],
+    };
+    let of = |at: usize| {
+        let camera = scene.cameras.get(at)?;
+        let entity = (scene.entities.iter().rev())
+            .find(|e| e.id == camera.id && e.kind == Some(Kind::Camera))?;
+        Some((camera, context.params(entity.span)?))
+    };
+    chosen.into_iter().filter_map(of).collect()
 }

@@ -5,6 +5,7 @@ use crate::diagnostics::{Code, Severity};
 use crate::scene::{Node, NodeId, Scene, View};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::proofs::{Literals, Proofs};
+use crate::trace::plan::unseen::view::out_of_view;
 
 /// What weighs most first.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -72,29 +73,14 @@ fn useless(scene: &Scene, bounds: &[NodeBounds]) -> usize {
     count
 }
 
-/// Whether all that is drawn lies behind the camera.
+/// Whether the camera sees nothing of all that is drawn.
 fn is_unseen(scene: &Scene, bounds: &[NodeBounds]) -> bool {
     let (Some(render), View::Mono(at)) = (&scene.render, &scene.view) else {
         return false;
     };
-    let Some(camera) = scene.cameras.get(*at).filter(|c| c.projection.is_none()) else {
+    let Some(camera) = scene.cameras.get(*at) else {
         return false;
     };
-    let all = bounds[render.root as usize].all;
-    if all.is_empty() {
-        return true;
-    }
-    // The corner that is farthest along the view.
-    let depth: f64 = (0..3)
-        .map(|i| {
-            let d = camera.direction[i];
-            let far = if d < 0.0 { all.min[i] } else { all.max[i] };
-            if d == 0.0 {
-                0.0
-            } else {
-                d * (far - camera.position[i])
-            }
-        })
-        .sum();
-    depth < 0.0
+    let nothing = bounds[render.root as usize].all.is_empty();
+    nothing || out_of_view(scene, bounds, render.root, camera).is_some()
 }

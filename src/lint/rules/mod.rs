@@ -28,6 +28,7 @@ mod no_light;
 mod no_real_points;
 mod not_a_rotation;
 mod notation_separator;
+mod nothing_in_view;
 mod overlapping_union;
 mod pointless_index;
 mod scene_box_cuts;
@@ -65,6 +66,8 @@ const INDICES: &[RecordKind] = &[R::RefractiveIndex];
 const ROTATION_MATRICES: &[RecordKind] = &[R::RotationMatrix];
 const QUADRICS: &[RecordKind] = &[R::Shape(S::Quadric)];
 const CAMERAS: &[RecordKind] = &[R::Camera];
+/// What defines cameras.
+const CAMERA_RECORDS: &[RecordKind] = &[R::Camera, R::ProjectionMatrix];
 const COLOURS: &[RecordKind] = &[R::Colour, R::Shape(S::ColouredSurfaceOfRevolution)];
 const SURFACES: &[RecordKind] = &[
     R::Shape(S::Plane),
@@ -198,6 +201,11 @@ pub const RULES: &[Rule] = &[
         asks_for: &[CAMERAS],
     },
     Rule {
+        code: Code::W324,
+        check: nothing_in_view::check,
+        asks_for: &[CAMERA_RECORDS, RENDER],
+    },
+    Rule {
         code: Code::N602,
         check: no_camera::check,
         asks_for: &[],
@@ -223,6 +231,9 @@ pub const RULES: &[Rule] = &[
         asks_for: &[],
     },
 ];
+
+/// Rules about the picture as a whole. What an error leaves out of a scene may be what would be seen: they do not run then.
+pub const OF_PICTURES: &[Code] = &[Code::W324];
 
 #[cfg(test)]
 mod tests {

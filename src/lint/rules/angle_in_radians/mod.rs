@@ -18,13 +18,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let cameras = &context.scene.cameras;
     for record in context.records().filter(|r| r.kind == RecordKind::Camera) {
         let p = context.record_params(record);
-        let Some(degrees) = meant(&p) else { continue };
-        let Some(camera) = cameras.iter().find(|c| c.id == p.id) else {
-            continue;
-        };
-        if camera.projection.is_some() || fits(context, camera) {
+        // Few numbers look like that.
+        if usual(&p).is_none() {
             continue;
         }
+        let camera = cameras.iter().find(|c| c.id == p.id);
+        let Some(degrees) = camera.and_then(|c| meant(context, c, &p)) else {
+            continue;
+        };
         let degrees = degrees.to_string();
         out.push(
             Diagnostic::new(Code::W323, p.span_of(FOVY, 1))
@@ -43,8 +44,17 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 /// The place of the angle of view in the record.
 const FOVY: usize = 9;
 
+/// The angle in degrees that is meant by a camera, and by the record that defines it, whose angle of view looks like
+/// radians.
+pub fn meant(context: &Context, camera: &Camera, p: &Params) -> Option<u32> {
+    if p.ty.kind != RecordKind::Camera || camera.projection.is_some() {
+        return None;
+    }
+    usual(p).filter(|_| !fits(context, camera))
+}
+
 /// The usual angle, in degrees, that a number is in radians, as far as its decimals go; rounded or cut off.
-fn meant(p: &Params) -> Option<u32> {
+fn usual(p: &Params) -> Option<u32> {
     let x = p.number(FOVY);
     let (_, decimals) = p.text_of(FOVY).split_once('.')?;
     if !decimals.bytes().all(|b| b.is_ascii_digit()) {

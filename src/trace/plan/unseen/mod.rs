@@ -7,6 +7,7 @@
 mod hidden;
 mod members;
 mod starts;
+pub mod view;
 
 use crate::diagnostics::Span;
 use crate::geometry::Aabb;

@@ -1,0 +1,12 @@
+W324 = nothing will be seen: all that is drawn lies { $where ->
+        [behind] behind the camera { $id }
+        [left] to the left of what the camera { $id } sees
+        [right] to the right of what the camera { $id } sees
+        [above] above what the camera { $id } sees
+        [below] below what the camera { $id } sees
+       *[beside] beside what the camera { $id } sees
+    }
+    .label = the camera looks this way
+    .note = in a picture of { $width } by { $height } pixels
+    .help = move the camera, or turn it to what is drawn
+    .fix = look at the middle of what is drawn

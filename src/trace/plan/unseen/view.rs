@@ -1,0 +1,352 @@
+//! What a camera cannot see wherever it looks in its picture, since it lies behind the camera or beside what the
+//! picture shows; and what a point is inside of.
+//!
+//! Both ask the parts of the outermost union, by boxes that are never too small: a part that is beside by its box is
+//! beside. Something that is not convex may be beside without being known to be.
+
+use std::ops::ControlFlow;
+
+use super::members::{Member, members};
+use crate::geometry::array::{cross, dot, sub, unit};
+use crate::geometry::boxes::Boxes;
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Camera, Node, NodeId, Scene, Vec3};
+use crate::solids::bounds::NodeBounds;
+use crate::solids::frame::Basis;
+use crate::solids::inside::Inside;
+use crate::solids::shapes::facts::Facts;
+use crate::solids::within::{CLEAR, far};
+use crate::solids::{Named, named};
+use crate::trace::camera::View;
+
+/// The size of a picture, in pixels, where none is asked for.
+pub const USUAL: [u32; 2] = [640, 480];
+
+/// By which part of the picture what is beside it must be beside: far more than rounding moves a ray.
+const MARGIN: f64 = 0.01;
+
+/// The least product of a unit vector with one that is meant to be at right angles to it.
+const UPRIGHT: f64 = -1e-15;
+
+/// Parts that are asked, one after the other; scenes whose parts are shared without end have more.
+const PARTS: usize = 1 << 20;
+
+/// Where something lies that a camera does not see.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    Behind,
+    Left,
+    Right,
+    Above,
+    Below,
+    /// On several of these, or across their borders.
+    Beside,
+}
+
+/// The sides that can be told, in the order in which they are named.
+const SIDES: [Side; 5] = [
+    Side::Behind,
+    Side::Left,
+    Side::Right,
+    Side::Above,
+    Side::Below,
+];
+
+/// All that a camera can see in a picture of the usual size: every ray starts between four places and goes between
+/// four directions.
+struct Field {
+    starts: [Vec3; 4],
+    directions: [Vec3; 4],
+    /// Directions into the field: from behind, from its four sides, and along the axes.
+    inwards: Vec<Vec3>,
+}
+
+impl Field {
+    /// `None` for a camera that takes no pictures.
+    fn of(camera: &Camera) -> Option<Field> {
+        let [width, height] = USUAL.map(f64::from);
+        let view = View::new(camera, USUAL[0], USUAL[1])?;
+        let (low, high) = (-MARGIN, 1.0 + MARGIN);
+        let corners = [(low, low), (high, low), (high, high), (low, high)];
+        let mut starts = [[0.0; 3]; 4];
+        let mut directions = [[0.0; 3]; 4];
+        for (i, (x, y)) in corners.into_iter().enumerate() {
+            let ray = view.ray(x * width, y * height)?;
+            (starts[i], directions[i]) = (ray.line.origin.0, ray.line.direction.0);
+        }
+        // The side between two neighbouring corners, turned to the corners across.
+        let side = |a: usize, b: usize| {
+            let along = match starts[a] == starts[b] {
+                true => directions[b],
+                false => sub(starts[b], starts[a]),
+            };
+            let n = unit(cross(directions[a], along))?;
+            let c = (b + 1) % 4;
+            let across = match starts[a] == starts[c] {
+                true => directions[c],
+                false => sub(starts[c], starts[a]),
+            };
+            Some(if dot(n, across) < 0.0 {
+                n.map(|x| -x)
+            } else {
+                n
+            })
+        };
+        // Left, right, above, below, as in SIDES.
+        let mut inwards = vec![
+            Basis::of(camera)?.forward,
+            side(3, 0)?,
+            side(1, 2)?,
+            side(0, 1)?,
+            side(2, 3)?,
+        ];
+        for i in 0..3 {
+            for sign in [-1.0, 1.0] {
+                let mut axis = [0.0; 3];
+                axis[i] = sign;
+                inwards.push(axis);
+            }
+        }
+        Some(Field {
+            starts,
+            directions,
+            inwards,
+        })
+    }
+
+    /// For each direction inwards whether a box lies beyond the border of the field against it.
+    fn beyond(&self, b: &Aabb) -> impl Iterator<Item = bool> {
+        self.inwards.iter().map(|n| {
+            if !self.directions.iter().all(|d| dot(*n, *d) >= UPRIGHT) {
+                return false;
+            }
+            let least = (self.starts.iter()).fold(f64::INFINITY, |m, s| m.min(dot(*n, *s)));
+            let most: f64 = (0..3)
+                .filter(|&i| n[i] != 0.0)
+                .map(|i| (n[i] * b.min[i]).max(n[i] * b.max[i]))
+                .sum();
+            let size = self.starts.iter().map(far).fold(b.far(), f64::max);
+            most + CLEAR * size < least
+        })
+    }
+}
+
+/// Where all that is drawn lies, if a camera sees nothing of it in a picture of the usual size. `None` where it may see
+/// something, or where there is nothing.
+pub fn out_of_view(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    root: NodeId,
+    camera: &Camera,
+) -> Option<Side> {
+    let field = Field::of(camera)?;
+    let clip = scene.render.and_then(|r| r.clip);
+    let clip = clip.map_or(Aabb::ALL, |(min, max)| Aabb::new(min, max));
+    // Of every side whether all parts so far lie there.
+    let mut all = [true; SIDES.len()];
+    let mut parts = 0;
+    let seen = parts_below(scene, bounds, root, |b| {
+        let b = b.intersection(&clip);
+        if b.is_empty() {
+            return ControlFlow::Continue(());
+        }
+        parts += 1;
+        let mut any = false;
+        for (i, beyond) in field.beyond(&b).enumerate() {
+            any |= beyond;
+            if let Some(all) = all.get_mut(i) {
+                *all &= beyond;
+            }
+        }
+        if any {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    });
+    if seen.is_break() || parts == 0 {
+        return None;
+    }
+    let side = all.iter().position(|all| *all);
+    Some(side.map_or(Side::Beside, |i| SIDES[i]))
+}
+
+/// Goes through the boxes of the parts of the outermost union until it is told to stop, or there are too many.
+fn parts_below(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    root: NodeId,
+    mut found: impl FnMut(&Aabb) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let mut left = PARTS;
+    let mut todo = vec![(root, Matrix::IDENTITY)];
+    while let Some((node, matrix)) = todo.pop() {
+        if left == 0 {
+            return ControlFlow::Break(());
+        }
+        left -= 1;
+        match scene.nodes[node as usize] {
+            Node::Transform { child, matrix: m } => {
+                todo.push((child, matrix.after(&scene.matrices[m as usize])));
+            }
+            Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, matrix)),
+            Node::Union(a, b) => todo.extend([(a, matrix), (b, matrix)]),
+            Node::Shape(s) => found(&scene.shapes[s as usize].geometry.bounds(&matrix))?,
+            _ => found(&bounds[node as usize].all.transformed(&matrix))?,
+        }
+    }
+    ControlFlow::Continue(())
+}
+
+/// Where a point is with regard to something that lets no light through.
+#[derive(Debug, Clone, Copy)]
+pub struct Held {
+    pub solid: Named,
+    /// It is on the surface, as far as rounding can tell.
+    pub on_surface: bool,
+}
+
+/// The opaque solids that points are in: for each point the first part of the outermost union that holds it, with room
+/// around it, or else one that has it on its surface, as planes have. What the region that is drawn may cut open holds
+/// nothing.
+pub fn held(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    root: NodeId,
+    points: &[Vec3],
+) -> Vec<Option<Held>> {
+    let mut out = vec![None; points.len()];
+    // Most points are outside of everything.
+    if !points
+        .iter()
+        .any(|p| bounds[root as usize].all.contains(*p))
+    {
+        return out;
+    }
+    let clip = scene.render.and_then(|r| r.clip);
+    let clip = clip.map_or(Aabb::ALL, |(min, max)| Aabb::new(min, max));
+    let parts = members(scene, bounds, root);
+    let counts = |m: &Member| !m.clear && clip.holds(&m.bounds);
+    let numbered = parts.iter().enumerate().filter(|(_, m)| counts(m));
+    let boxes = Boxes::new(numbered.map(|(i, m)| (i as u32, m.bounds)));
+    let mut asked = Asked {
+        scene,
+        inside: Inside::new(scene, bounds),
+        left: PAIRS,
+    };
+    for (held, point) in out.iter_mut().zip(points) {
+        let around = CLEAR * far(point).max(1.0);
+        let here = Aabb::new(point.map(|x| x - around), point.map(|x| x + around));
+        let mut near = Vec::new();
+        boxes.near(&here, &mut near);
+        near.sort_unstable();
+        for i in near {
+            match asked.where_is(point, &parts[i as usize]) {
+                Some(found) if !found.on_surface => {
+                    *held = Some(found);
+                    break;
+                }
+                found => *held = held.or(found),
+            }
+        }
+    }
+    out
+}
+
+/// Pairs of points and parts that are asked about.
+const PAIRS: usize = 1 << 18;
+
+struct Asked<'a> {
+    scene: &'a Scene,
+    inside: Inside<'a>,
+    left: usize,
+}
+
+impl Asked<'_> {
+    /// Where a point is with regard to a part; `None` where it is outside, or that is not known.
+    fn where_is(&mut self, point: &Vec3, part: &Member) -> Option<Held> {
+        self.left = self.left.checked_sub(1)?;
+        let scene = self.scene;
+        let solid = named(scene, part.node)?;
+        let back = part.matrix.inverse()?;
+        let size = match part.bounds.is_bounded() {
+            true => part.bounds.radius(),
+            false => 0.0,
+        };
+        let around = CLEAR * far(point).max(size);
+        if part.sheet {
+            let [a, b, c, d] = part.geometry(scene)?.plane()?;
+            let side = |p: Vec3| dot([a, b, c], back.point(p)) + d;
+            let sides: Vec<f64> = places_around(*point, around).map(side).collect();
+            let both = sides.iter().any(|s| *s > 0.0) && sides.iter().any(|s| *s < 0.0);
+            let on_surface = true;
+            return both.then_some(Held { solid, on_surface });
+        }
+        let node = below(scene, part.node);
+        let mut count = 0;
+        for place in places_around(*point, around) {
+            count += usize::from(self.inside.node(node, back.point(place))?);
+        }
+        let on_surface = count < PLACES;
+        (count > 0).then_some(Held { solid, on_surface })
+    }
+}
+
+/// The node below what moves, paints and copies one.
+fn below(scene: &Scene, mut node: NodeId) -> NodeId {
+    while let Node::Transform { child, .. } | Node::Paint { child, .. } | Node::Copy { child, .. } =
+        scene.nodes[node as usize]
+    {
+        node = child;
+    }
+    node
+}
+
+/// How many places are asked about around a point.
+const PLACES: usize = 7;
+
+/// A point and what is so far away from it along the axes.
+fn places_around(p: Vec3, by: f64) -> impl Iterator<Item = Vec3> {
+    let aside = (0..6).map(move |i| {
+        let mut q = p;
+        q[i / 2] += if i % 2 == 0 { by } else { -by };
+        q
+    });
+    std::iter::once(p).chain(aside)
+}
+
+/// The largest width or height, in pixels of a picture of the usual size, of all that is drawn; `None` where that is not
+/// known: it has no end, or not all of it is in front of the camera, or the camera has a projection of its own.
+pub fn pixels(scene: &Scene, bounds: &[NodeBounds], root: NodeId, camera: &Camera) -> Option<f64> {
+    let all = bounds[root as usize].all;
+    if camera.projection.is_some() || !all.is_bounded() {
+        return None;
+    }
+    let clip = scene.render.and_then(|r| r.clip);
+    let all = clip.map_or(all, |(min, max)| all.intersection(&Aabb::new(min, max)));
+    if all.is_empty() {
+        return None;
+    }
+    let basis = Basis::of(camera)?;
+    // The height of a picture at distance 1.
+    let height = 2.0 * libm::tan(camera.fovy.to_radians() / 2.0);
+    let scale = f64::from(USUAL[1]) / height;
+    let mut picture = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for corner in 0..8 {
+        let p: Vec3 = std::array::from_fn(|i| match corner >> i & 1 {
+            0 => all.min[i],
+            _ => all.max[i],
+        });
+        let v = sub(p, camera.position);
+        let depth = dot(v, basis.forward);
+        if depth <= CLEAR * far(&p).max(far(&camera.position)) {
+            return None;
+        }
+        for (range, axis) in picture.iter_mut().zip([basis.right, basis.up]) {
+            let x = scale * dot(v, axis) / depth;
+            *range = [range[0].min(x), range[1].max(x)];
+        }
+    }
+    let size = picture.map(|[low, high]| high - low);
+    Some(size[0].max(size[1])).filter(|x| x.is_finite())
+}
