@@ -137,6 +137,7 @@ codes! {
     W322 "ill-scaled" of rule "ill_scaled";
     W323 "angle-in-radians" of rule "angle_in_radians";
     W324 "nothing-in-view" of rule "nothing_in_view";
+    W325 "camera-in-solid" of rule "camera_in_solid";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -15,6 +15,7 @@ mod angle_in_radians;
 mod asymmetric_quadric;
 mod bare_comment;
 mod bound_too_small;
+mod camera_in_solid;
 mod coincident_faces;
 mod colour_out_of_range;
 mod comment_hides_records;
@@ -206,6 +207,11 @@ pub const RULES: &[Rule] = &[
         asks_for: &[CAMERA_RECORDS, RENDER],
     },
     Rule {
+        code: Code::W325,
+        check: camera_in_solid::check,
+        asks_for: &[CAMERA_RECORDS, RENDER],
+    },
+    Rule {
         code: Code::N602,
         check: no_camera::check,
         asks_for: &[],
@@ -233,7 +239,7 @@ pub const RULES: &[Rule] = &[
 ];
 
 /// Rules about the picture as a whole. What an error leaves out of a scene may be what would be seen: they do not run then.
-pub const OF_PICTURES: &[Code] = &[Code::W324];
+pub const OF_PICTURES: &[Code] = &[Code::W324, Code::W325];
 
 #[cfg(test)]
 mod tests {
