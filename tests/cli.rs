@@ -5,7 +5,8 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-const GOOD: &str = "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
+const GOOD: &str =
+    "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
 
 /// Runs zpg in a folder.
 fn zpg(folder: &Path, args: &[&str]) -> Output {
@@ -326,8 +327,8 @@ fn github_gets_a_command_for_each_finding() {
     let said = text(&run.stdout);
     assert!(
         said.starts_with(
-            "::error file=a b.zpg,line=4,col=8,endLine=4,endColumn=9,title=zpg (E101 undefined-id)::\
-             a b.zpg:4:8: E101: 7 is not defined"
+            "::error file=a b.zpg,line=5,col=8,endLine=5,endColumn=9,title=zpg (E101 undefined-id)::\
+             a b.zpg:5:8: E101: 7 is not defined"
         ),
         "{said}"
     );

@@ -138,6 +138,7 @@ codes! {
     W323 "angle-in-radians" of rule "angle_in_radians";
     W324 "nothing-in-view" of rule "nothing_in_view";
     W325 "camera-in-solid" of rule "camera_in_solid";
+    W326 "lamp-in-solid" of rule "lamp_in_solid";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -23,6 +23,7 @@ mod degenerate_shape;
 mod empty_result;
 mod energy_gain;
 mod ill_scaled;
+mod lamp_in_solid;
 mod mixed_intersection;
 mod no_camera;
 mod no_light;
@@ -69,6 +70,7 @@ const QUADRICS: &[RecordKind] = &[R::Shape(S::Quadric)];
 const CAMERAS: &[RecordKind] = &[R::Camera];
 /// What defines cameras.
 const CAMERA_RECORDS: &[RecordKind] = &[R::Camera, R::ProjectionMatrix];
+const LAMPS: &[RecordKind] = &[R::PointLight];
 const COLOURS: &[RecordKind] = &[R::Colour, R::Shape(S::ColouredSurfaceOfRevolution)];
 const SURFACES: &[RecordKind] = &[
     R::Shape(S::Plane),
@@ -212,6 +214,11 @@ pub const RULES: &[Rule] = &[
         asks_for: &[CAMERA_RECORDS, RENDER],
     },
     Rule {
+        code: Code::W326,
+        check: lamp_in_solid::check,
+        asks_for: &[LAMPS, RENDER],
+    },
+    Rule {
         code: Code::N602,
         check: no_camera::check,
         asks_for: &[],
@@ -239,7 +246,7 @@ pub const RULES: &[Rule] = &[
 ];
 
 /// Rules about the picture as a whole. What an error leaves out of a scene may be what would be seen: they do not run then.
-pub const OF_PICTURES: &[Code] = &[Code::W324, Code::W325];
+pub const OF_PICTURES: &[Code] = &[Code::W324, Code::W325, Code::W326];
 
 #[cfg(test)]
 mod tests {
