@@ -32,7 +32,9 @@ pub fn left(analysis: &Analysis) -> Left {
     for d in analysis.findings() {
         match (d.severity, d.code) {
             (Severity::Error, _) => left.errors += 1,
-            (_, Code::W310 | Code::W319 | Code::W305 | Code::W306) => left.in_vain += 1,
+            (_, Code::W310 | Code::W319 | Code::W305 | Code::W306 | Code::W327) => {
+                left.in_vain += 1;
+            }
             (Severity::Warning, _) => left.warnings += 1,
             (Severity::Note, _) => left.notes += 1,
             (Severity::Style, _) => {}

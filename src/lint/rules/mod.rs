@@ -33,6 +33,7 @@ mod notation_separator;
 mod nothing_in_view;
 mod overlapping_union;
 mod pointless_index;
+mod pointless_transformation;
 mod scene_box_cuts;
 mod self_intersecting;
 mod several_cameras;
@@ -71,6 +72,8 @@ const CAMERAS: &[RecordKind] = &[R::Camera];
 /// What defines cameras.
 const CAMERA_RECORDS: &[RecordKind] = &[R::Camera, R::ProjectionMatrix];
 const LAMPS: &[RecordKind] = &[R::PointLight];
+const TRANSFORMATIONS: &[RecordKind] =
+    &[R::Translation, R::Rotation, R::Scaling, R::RotationMatrix];
 const COLOURS: &[RecordKind] = &[R::Colour, R::Shape(S::ColouredSurfaceOfRevolution)];
 const SURFACES: &[RecordKind] = &[
     R::Shape(S::Plane),
@@ -217,6 +220,11 @@ pub const RULES: &[Rule] = &[
         code: Code::W326,
         check: lamp_in_solid::check,
         asks_for: &[LAMPS, RENDER],
+    },
+    Rule {
+        code: Code::W327,
+        check: pointless_transformation::check,
+        asks_for: &[TRANSFORMATIONS],
     },
     Rule {
         code: Code::N602,

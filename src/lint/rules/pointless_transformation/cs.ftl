@@ -1,0 +1,3 @@
+W327 = { $type } s těmito čísly nic nemění
+    .label = vše zůstává tam, kde je
+    .help = napište čísla, která byla míněna, nebo záznam vynechte
