@@ -140,6 +140,7 @@ codes! {
     W325 "camera-in-solid" of rule "camera_in_solid";
     W326 "lamp-in-solid" of rule "lamp_in_solid";
     W327 "pointless-transformation" of rule "pointless_transformation";
+    W328 "up-along-view" of rule "up_along_view";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -41,6 +41,7 @@ mod several_records_per_line;
 mod stale_operand;
 mod surface_operand;
 mod unused_definition;
+mod up_along_view;
 
 use super::Context;
 use crate::diagnostics::{Code, Diagnostic};
@@ -225,6 +226,11 @@ pub const RULES: &[Rule] = &[
         code: Code::W327,
         check: pointless_transformation::check,
         asks_for: &[TRANSFORMATIONS],
+    },
+    Rule {
+        code: Code::W328,
+        check: up_along_view::check,
+        asks_for: &[CAMERAS],
     },
     Rule {
         code: Code::N602,
