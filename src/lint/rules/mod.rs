@@ -38,6 +38,7 @@ mod scene_box_cuts;
 mod self_intersecting;
 mod several_cameras;
 mod several_records_per_line;
+mod smaller_than_a_pixel;
 mod stale_operand;
 mod surface_operand;
 mod unused_definition;
@@ -233,6 +234,11 @@ pub const RULES: &[Rule] = &[
         asks_for: &[CAMERAS],
     },
     Rule {
+        code: Code::W329,
+        check: smaller_than_a_pixel::check,
+        asks_for: &[CAMERA_RECORDS, RENDER],
+    },
+    Rule {
         code: Code::N602,
         check: no_camera::check,
         asks_for: &[],
@@ -260,7 +266,7 @@ pub const RULES: &[Rule] = &[
 ];
 
 /// Rules about the picture as a whole. What an error leaves out of a scene may be what would be seen: they do not run then.
-pub const OF_PICTURES: &[Code] = &[Code::W324, Code::W325, Code::W326];
+pub const OF_PICTURES: &[Code] = &[Code::W324, Code::W325, Code::W326, Code::W329];
 
 #[cfg(test)]
 mod tests {
