@@ -63,7 +63,8 @@ static STARTS: LazyLock<Vec<u8>> = LazyLock::new(|| {
 
 /// The sRGB transfer function (IEC 61966-2-1), to 8 bits, with what is out of range clipped.
 pub fn srgb8(linear: f32) -> u8 {
-    let in_range = linear.max(0.0).min(1.0);
+    // What is no number is black.
+    let in_range = if linear > 0.0 { linear.min(1.0) } else { 0.0 };
     let start = STARTS[(in_range.to_bits() >> DIGITS) as usize];
     start + u8::from(start < u8::MAX && STEPS[usize::from(start)] <= in_range)
 }

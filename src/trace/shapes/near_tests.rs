@@ -68,7 +68,7 @@ fn aimed(random: &mut Random, shape: &Primitive) -> Line {
         target - direction * away,
         direction * random.length(-3.0, 3.0),
     );
-    if random.next() % 2 == 0 {
+    if random.next().is_multiple_of(2) {
         return Line::new(origin, direction);
     }
     let (x, y) = (random.point(1.0).unit(), random.point(1.0));
