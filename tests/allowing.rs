@@ -88,7 +88,7 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-const REST: &str = "9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
+const REST: &str = "9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
 
 /// The scene that comes of one, from standard input to standard output.
 fn made(scene: &str, args: &[&str]) -> String {
@@ -237,7 +237,7 @@ fn one_line_takes_no_longer_than_many() {
 
 #[test]
 fn the_encoding_stays() {
-    let scene = b"2 11 0 0 0 1\r\n2 -701 2 0 0 # \xe8erven\xe1 #\r\n9 -501 0 0 5 0 0 -1 0 1 0 45\r\n50 -402 1\r\n1 9999 2 0\r\n";
+    let scene = b"2 11 0 0 0 1\r\n2 -701 2 0 0 # \xe8erven\xe1 #\r\n9 -501 0 0 5 0 0 -1 0 1 0 45\r\n50 -401 1\r\n1 9999 2 0\r\n";
     let dir = folder(&[("a.zpg", scene)]);
     let run = zpg(dir.path(), &["check", "--add-allow", "a.zpg"], "");
     assert_eq!(run.status.code(), Some(0));

@@ -6,11 +6,11 @@ use std::process::Output;
 
 use crate::support::program;
 
-const GOOD: &str = "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
+const GOOD: &str = "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
 /// A warning and a remark on style: a colour out of range, two records on a line.
 const WARNED: &str =
-    "2 11 0 0 0 1 2 -701 2 0 0\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
-const BAD: &str = "2 11 0 0 0 -1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
+    "2 11 0 0 0 1 2 -701 2 0 0\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
+const BAD: &str = "2 11 0 0 0 -1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
 
 fn zpg(folder: &Path, args: &[&str]) -> Output {
     program::zpg(folder, args, "")
@@ -496,7 +496,7 @@ fn pictures_are_said_to_be_written() {
 #[test]
 fn cameras_that_are_not_there() {
     let two = "8 -501 0 0 9 0 0 -1 0 1 0 45\n10 -501 1 0 9 0 0 -1 0 1 0 45\n";
-    let stereo = format!("2 11 0 0 0 1\n{two}60 -503 8 10\n50 -402 1\n1 9999 2 0\n");
+    let stereo = format!("2 11 0 0 0 1\n{two}60 -503 8 10\n50 -401 1\n1 9999 2 0\n");
     let dir = folder(&[
         ("a.zpg", GOOD),
         ("s.zpg", &stereo),
@@ -548,7 +548,8 @@ fn cameras_that_are_not_there() {
 
 #[test]
 fn reports_say_what_is_not_exact() {
-    let dir = folder(&[("a.zpg", GOOD)]);
+    let scene = GOOD.replace("50 -401 1\n", "50 -402 1\n50 -1 3 5 5\n");
+    let dir = folder(&[("a.zpg", &scene)]);
     let report = |args: &[&str]| {
         let args = [&["convert", "a.zpg", "--to", "ply"], args].concat();
         text(&zpg(dir.path(), &args).stderr)
