@@ -23,25 +23,19 @@ struct Case {
     work: fn(&Work) -> u64,
 }
 
+/// Somewhere in a cube.
+fn moved(id: u32) -> String {
+    let [x, y, z] = [31, 57, 83].map(|k| f64::from(id.wrapping_mul(k) % 97) / 12.0 - 4.0);
+    format!("{id} -1 {x:?} {y:?} {z:?}\n")
+}
+
 fn ball(id: u32) -> String {
-    let at = |k: u32| f64::from(id.wrapping_mul(k) % 97) / 12.0 - 4.0;
-    format!(
-        "{id} 9 0.6\n{id} -1 {:?} {:?} {:?}\n",
-        at(31),
-        at(57),
-        at(83)
-    )
+    format!("{id} 9 0.6\n") + &moved(id)
 }
 
 fn facet(id: u32, normals: &str) -> String {
-    let at = |k: u32| f64::from(id.wrapping_mul(k) % 97) / 12.0 - 4.0;
     let kind = if normals.is_empty() { 6 } else { 8 };
-    format!(
-        "{id} {kind} 0 0 0  1.5 0 0  0 1.5 0.4 {normals}\n{id} -1 {:?} {:?} {:?}\n",
-        at(31),
-        at(57),
-        at(83)
-    )
+    format!("{id} {kind} 0 0 0  1.5 0 0  0 1.5 0.4 {normals}\n") + &moved(id)
 }
 
 const CASES: [Case; 5] = [

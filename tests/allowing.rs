@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use zpg::analysis::{Analysis, allowing};
 use zpg::diagnostics::Code;
 
-use crate::support::program::zpg;
+use crate::support::program::{folder, text, zpg};
 
 /// All samples of the rules, and all scenes.
 fn scenes() -> Vec<PathBuf> {
@@ -76,23 +76,11 @@ fn what_can_be_allowed_is_allowed_once() {
     );
 }
 
-fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
-    for (name, bytes) in files {
-        fs::write(dir.path().join(name), bytes).unwrap();
-    }
-    dir
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
-
 const REST: &str = "9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
 
 /// The scene that comes of one, from standard input to standard output.
 fn made(scene: &str, args: &[&str]) -> String {
-    let dir = folder(&[]);
+    let dir = tempfile::tempdir().unwrap();
     let args = [&["check", "--add-allow", "-"], args].concat();
     text(&zpg(dir.path(), &args, scene).stdout)
 }

@@ -5,25 +5,11 @@ use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::support::program::zpg;
+use crate::support::program::{folder, text, zpg};
 
 /// A decimal comma (a safe fix), a torus that runs through itself (a guess), and energy gain (none).
 const SCENE: &str = "2 9 0,5\n3 14 1 3\n35 -201 0.7 0.7 0.7\n4 -101 2 3\n4 -299 0 35\n\
                      9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 4 0\n";
-
-fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        let path = dir.path().join(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
-    }
-    dir
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
 
 /// The codes and severities that `--format short` prints.
 fn short(folder: &Path, args: &[&str]) -> (Vec<String>, Option<i32>) {

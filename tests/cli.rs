@@ -5,6 +5,8 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use crate::support::program::{folder, text};
+
 const GOOD: &str =
     "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
 
@@ -26,18 +28,6 @@ fn zpg_with(folder: &Path, args: &[&str], input: &[u8]) -> Output {
     // A command that does not read closes the pipe.
     let _ = child.stdin.take().unwrap().write_all(input);
     child.wait_with_output().unwrap()
-}
-
-fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
-    for (name, bytes) in files {
-        fs::write(dir.path().join(name), bytes).unwrap();
-    }
-    dir
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
 }
 
 #[test]
@@ -116,7 +106,7 @@ fn an_unreadable_file_does_not_stop_the_others() {
 
 #[test]
 fn standard_input_is_a_dash() {
-    let dir = folder(&[]);
+    let dir = tempfile::tempdir().unwrap();
     let run = zpg_with(
         dir.path(),
         &["check", "--format=json", "-"],
@@ -138,7 +128,7 @@ fn colour_is_a_choice() {
 
 #[test]
 fn wrong_usage_is_2() {
-    let dir = folder(&[]);
+    let dir = tempfile::tempdir().unwrap();
     for args in [
         &["probe"][..],
         &["check", "--format", "xml", "a"],
@@ -155,7 +145,7 @@ fn wrong_usage_is_2() {
 
 #[test]
 fn explain_lists_all_topics() {
-    let dir = folder(&[]);
+    let dir = tempfile::tempdir().unwrap();
     let run = zpg(dir.path(), &["explain"]);
     assert_eq!(run.status.code(), Some(0));
     let list = text(&run.stdout);
@@ -165,7 +155,7 @@ fn explain_lists_all_topics() {
 
 #[test]
 fn explain_suggests() {
-    let dir = folder(&[]);
+    let dir = tempfile::tempdir().unwrap();
     let run = zpg(dir.path(), &["explain", "chekerboard"]);
     assert_eq!(
         text(&run.stderr),
@@ -180,7 +170,7 @@ fn explain_suggests() {
 
 #[test]
 fn completions_name_the_commands() {
-    let dir = folder(&[]);
+    let dir = tempfile::tempdir().unwrap();
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let run = zpg(dir.path(), &["completions", shell]);
         assert_eq!(run.status.code(), Some(0));
@@ -190,7 +180,7 @@ fn completions_name_the_commands() {
 
 #[test]
 fn a_closed_pipe_is_no_failure() {
-    let dir = folder(&[]);
+    let dir = tempfile::tempdir().unwrap();
     let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
         .args(["completions", "zsh"])
         .current_dir(dir.path())
@@ -206,7 +196,7 @@ fn a_closed_pipe_is_no_failure() {
 
 #[test]
 fn fmt_rewrites_files() {
-    let dir = folder(&[("a.zpg", b"2  9 1.50 3 9 2"), ("b.zpg", b"2 9 1\n")]);
+    let dir = folder(&[("a.zpg", "2  9 1.50 3 9 2"), ("b.zpg", "2 9 1\n")]);
     let run = zpg(dir.path(), &["fmt", "--check", "."]);
     assert_eq!(run.status.code(), Some(1));
     assert_eq!(
@@ -233,7 +223,7 @@ fn fmt_rewrites_files() {
 
 #[test]
 fn fmt_keeps_the_encoding() {
-    let dir = folder(&[]);
+    let dir = tempfile::tempdir().unwrap();
     let run = zpg_with(dir.path(), &["fmt", "-"], b"2  9 1 # p\xf8\xedklad #\r\n");
     assert_eq!(run.status.code(), Some(0));
     assert_eq!(run.stdout, b"2 9 1  # p\xf8\xedklad #\r\n");
@@ -242,20 +232,24 @@ fn fmt_keeps_the_encoding() {
 
 #[test]
 fn fmt_has_a_style_to_choose() {
-    let style = b"[format]\nalign = false\ngroup = false\nnumbers = \"keep\"\n";
-    let scene = b"2 11 0 0 0 1.50\n3  11 0 -1 0 1\n";
+    let style = "[format]\nalign = false\ngroup = false\nnumbers = \"keep\"\n";
+    let scene = "2 11 0 0 0 1.50\n3  11 0 -1 0 1\n";
     let dir = folder(&[("zpg.toml", style), ("a.zpg", scene)]);
     let run = zpg(dir.path(), &["fmt", "a.zpg"]);
     assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     let formatted = fs::read_to_string(dir.path().join("a.zpg")).unwrap();
     assert_eq!(formatted, "2 11 0 0 0 1.50\n3 11 0 -1 0 1\n");
     // Standard input goes by the folder it is said to be from.
-    let run = zpg_with(dir.path(), &["fmt", "-"], scene);
+    let run = zpg_with(dir.path(), &["fmt", "-"], scene.as_bytes());
     assert_eq!(text(&run.stdout), formatted);
-    let elsewhere = folder(&[]);
+    let elsewhere = tempfile::tempdir().unwrap();
     let name = elsewhere.path().join("b.zpg");
     let name = name.to_str().unwrap();
-    let run = zpg_with(dir.path(), &["fmt", "-", "--stdin-filename", name], scene);
+    let run = zpg_with(
+        dir.path(),
+        &["fmt", "-", "--stdin-filename", name],
+        scene.as_bytes(),
+    );
     assert_eq!(text(&run.stdout), "2 11  0  0 0  1.5\n3 11  0 -1 0  1\n");
 
     fs::write(dir.path().join("zpg.toml"), "[format]\nwidth = 9\n").unwrap();

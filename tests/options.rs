@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Output;
 
-use crate::support::program;
+use crate::support::program::{self, folder, text};
 
 const GOOD: &str = "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
 /// A warning and a remark on style: a colour out of range, two records on a line.
@@ -14,20 +14,6 @@ const BAD: &str = "2 11 0 0 0 -1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 999
 
 fn zpg(folder: &Path, args: &[&str]) -> Output {
     program::zpg(folder, args, "")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
-
-fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        let path = dir.path().join(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
-    }
-    dir
 }
 
 /// `a.zpg W301`, a line for each finding.
@@ -65,7 +51,7 @@ fn no_path_is_this_folder() {
     let run = zpg(dir.path(), &["fmt"]);
     assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     assert_eq!(zpg(dir.path(), &["fmt", "--check"]).status.code(), Some(0));
-    let empty = folder(&[]);
+    let empty = tempfile::tempdir().unwrap();
     let run = zpg(empty.path(), &["check"]);
     assert_eq!(run.status.code(), Some(0));
     assert_eq!(text(&run.stderr), "warning: no scene files (*.zpg) in .\n");

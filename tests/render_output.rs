@@ -5,6 +5,8 @@ use std::io::Cursor;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use crate::support::program::folder;
+
 /// A ball and a thin box on black.
 const SCENE: &str = "2 11 0 0 0 1\n3 12 1.5 -1 0 1.52 1 0.1\n4 -101 2 3\n9 -501 0 0 8 0 0 -1 0 1 0 30\n\
                      50 -401 1\n1 9999 4 0\n";
@@ -15,14 +17,6 @@ fn zpg(folder: &Path, args: &str) -> Output {
         .current_dir(folder)
         .output()
         .unwrap()
-}
-
-fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
-    for (name, bytes) in files {
-        fs::write(dir.path().join(name), bytes).unwrap();
-    }
-    dir
 }
 
 #[track_caller]

@@ -6,22 +6,10 @@ use std::process::Output;
 
 use serde_json::{Value, json};
 
-use crate::support::program;
+use crate::support::program::{self, folder, text};
 
 fn zpg(folder: &Path, args: &[&str]) -> Output {
     program::zpg(folder, args, "")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
-
-fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        fs::write(dir.path().join(name), text).unwrap();
-    }
-    dir
 }
 
 const GOOD: &str = r#"{"version": 1,
@@ -294,7 +282,7 @@ fn what_no_command_can_read() {
         "[".repeat(100_000).into_bytes(),
         r#"{"a":"#.repeat(100_000).into_bytes(),
     ] {
-        let dir = folder(&[]);
+        let dir = tempfile::tempdir().unwrap();
         fs::write(dir.path().join("a.json"), &bytes).unwrap();
         for args in [
             &["check", "a.json"][..],

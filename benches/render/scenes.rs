@@ -87,6 +87,22 @@ impl Writer {
         all
     }
 
+    /// A floor and a wall, for glass to be seen before.
+    fn room(&mut self) -> Vec<u32> {
+        ["12 -12 -7 -12 12 -6 8", "12 -12 -6 -13 12 12 -12"]
+            .map(|record| {
+                let id = self.new_record(record);
+                self.coloured(id);
+                id
+            })
+            .into()
+    }
+
+    fn glass(&mut self, id: u32, index: f64) {
+        self.line(format_args!("{id} -201 0.02 0.08 0.9"));
+        self.line(format_args!("{id} -203 {index} {index} {index}"));
+    }
+
     fn lamps(&mut self, positions: &[[f64; 3]], intensity: f64) {
         self.new_record("-401 0.15");
         for &at in positions {
@@ -186,20 +202,13 @@ fn tori(seed: u64) -> Scene {
 
 fn glass(seed: u64) -> Scene {
     let mut w = Writer::new(seed);
-    let mut parts = vec![
-        w.new_record("12 -12 -7 -12 12 -6 8"),
-        w.new_record("12 -12 -6 -13 12 12 -12"),
-    ];
-    for id in parts.clone() {
-        w.coloured(id);
-    }
+    let mut parts = w.room();
     for i in 0..28 {
         let place = [i % 4, i / 4 % 4, i / 16].map(|k| 2.6 * f64::from(k) - 3.9);
         let [x, y, z] = place;
         let r = w.real(0.8, 1.2);
         let id = w.new_record(format_args!("11 {x} {y} {z} {r}"));
-        w.line(format_args!("{id} -201 0.02 0.08 0.9"));
-        w.line(format_args!("{id} -203 1.5 1.5 1.5"));
+        w.glass(id, 1.5);
         parts.push(id);
     }
     let root = w.union(&parts);
@@ -387,21 +396,14 @@ fn machined(seed: u64) -> Scene {
 
 fn lenses(seed: u64) -> Scene {
     let mut w = Writer::new(seed);
-    let mut parts = vec![
-        w.new_record("12 -12 -7 -12 12 -6 8"),
-        w.new_record("12 -12 -6 -13 12 12 -12"),
-    ];
-    for id in parts.clone() {
-        w.coloured(id);
-    }
+    let mut parts = w.room();
     for i in 0..36 {
         let r = w.real(1.1, 1.6);
         let half = w.real(0.7, 0.9);
         let [a, b] = [-half, half].map(|z| w.new_record(format_args!("11 0 0 {z} {r}")));
         let id = w.new_record(format_args!("-102 {a} {b}"));
-        w.line(format_args!("{id} -201 0.02 0.08 0.9"));
         // With more of it light would be totally reflected, which POV-Ray does in another way.
-        w.line(format_args!("{id} -203 1.1 1.1 1.1"));
+        w.glass(id, 1.1);
         w.turned(id);
         let [x, y, z] = [i % 4, i / 4 % 3, i / 12].map(|k| 2.4 * f64::from(k) - 3.6);
         w.moved(id, [x, y, z]);

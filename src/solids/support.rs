@@ -4,8 +4,8 @@ use std::cell::Cell;
 
 use super::extent::beyond;
 use super::shapes::facts::{Facts, Support};
+use crate::geometry::Matrix;
 use crate::geometry::array::dot;
-use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Vec3, Volume};
 
 /// How often a way outwards is corrected: each time the point found is at least as far out, and with
@@ -49,36 +49,6 @@ pub fn support_points<'a>(
 pub fn extent(geometry: &Geometry, m: &Matrix, d: Vec3) -> Option<(f64, f64)> {
     let along = |d: Vec3| Some(dot(moved_support(geometry, m, d)?.point, d));
     Some((-along(d.map(|x| -x))?, along(d)?))
-}
-
-/// A box around a moved shape, from how far it goes along each axis, a little wider than all roundings; `None` for
-/// shapes without end. A geodesic sphere counts as the sphere around it.
-pub fn bounds(geometry: &Geometry, m: &Matrix) -> Option<Aabb> {
-    /// Thousands of roundings.
-    const SLACK: f64 = 1e-12;
-    let sphere = match *geometry {
-        Geometry::GeodesicSphere { radius, .. } => Geometry::Sphere {
-            centre: [0.0; 3],
-            radius,
-        },
-        _ => return bounds_of(geometry, m, SLACK),
-    };
-    bounds_of(&sphere, m, SLACK)
-}
-
-fn bounds_of(geometry: &Geometry, m: &Matrix, slack: f64) -> Option<Aabb> {
-    let mut out = Aabb::ALL;
-    for i in 0..3 {
-        let row = m.0[i];
-        let far = |sign: f64| {
-            let point = geometry.support([0, 1, 2].map(|j| sign * row[j]))?.point;
-            let terms = [0, 1, 2].map(|j| row[j] * point[j]);
-            let size = terms.iter().fold(row[3].abs(), |sum, t| sum + t.abs());
-            Some(terms.iter().sum::<f64>() + row[3] + sign * slack * size)
-        };
-        (out.min[i], out.max[i]) = (far(-1.0)?, far(1.0)?);
-    }
-    Some(out)
 }
 
 /// Where to look for what reaches beyond a volume: towards the sides of a box, and all around a sphere

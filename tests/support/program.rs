@@ -21,3 +21,20 @@ pub fn zpg(folder: &Path, arguments: &[&str], input: &str) -> Output {
         .map(|mut i| i.write_all(input.as_bytes()));
     child.wait_with_output().expect("zpg ends")
 }
+
+/// What it has printed.
+pub fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("it prints text")
+}
+
+/// A folder with these files, which may lie in folders of their own.
+pub fn folder<T: AsRef<[u8]>>(files: &[(&str, T)]) -> tempfile::TempDir {
+    let dir = tempfile::tempdir().expect("there is room for temporary files");
+    for (name, contents) in files {
+        let path = dir.path().join(name);
+        let parent = path.parent().expect("a file lies in a folder");
+        std::fs::create_dir_all(parent).expect("the folder can be made");
+        std::fs::write(path, contents).expect("the file can be written");
+    }
+    dir
+}

@@ -9,6 +9,7 @@
 use super::super::signature::Reading;
 use super::super::table::{Effect, RecordKind};
 use super::faults;
+use super::heads;
 use super::stretch::Stretch;
 use super::sums::Sums;
 use super::verdict::{FAULT, Piece, Verdict};
@@ -277,7 +278,7 @@ impl Search<'_, '_> {
         let line = stretch.line(i);
         let line_end = stretch.line_end(line);
         ends.push(line_end);
-        let expected = faults::expected_ends(stretch, i);
+        let expected = heads::expected_ends(stretch, i);
         // Where another record could begin.
         let reach = expected.iter().copied().max().unwrap_or(i + 2) + 6;
         for end in i + 1..reach.min(i + 40).min(stretch.len()) {
@@ -306,8 +307,8 @@ impl Search<'_, '_> {
                 ends.push(next);
             }
         }
-        if faults::is_counted(stretch, i)
-            && faults::expected_end(stretch, i).is_none_or(|e| e > line_end)
+        if heads::is_counted(stretch, i)
+            && heads::expected_end(stretch, i).is_none_or(|e| e > line_end)
         {
             // The table of points may be of any length.
             let l = self.sums.table_end[line] as usize;

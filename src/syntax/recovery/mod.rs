@@ -28,6 +28,7 @@ pub mod comments;
 mod damage;
 mod faults;
 mod free;
+mod heads;
 mod layout;
 pub mod report;
 pub mod respell;

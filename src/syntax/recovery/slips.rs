@@ -2,7 +2,8 @@
 //! same mistake stands on many lines, no line is right, and these are the witnesses.
 
 use super::super::table::RecordKind;
-use super::faults::{Unknown, expected_end, has_lost_id, is_counted, judge, lost_sign};
+use super::faults::{Unknown, has_lost_id, judge, lost_sign};
+use super::heads::{expected_end, is_counted};
 use super::stretch::Stretch;
 use super::verdict::Verdict;
 

@@ -3,7 +3,7 @@
 use super::super::ast::{self, Broken, Item, Record};
 use super::super::signature::Reading;
 use super::super::table::{RecordKind, RecordType};
-use super::faults::{integral, spoiled};
+use super::heads::{integral, spoiled};
 use super::stretch::Stretch;
 
 /// The price of one error. All other prices are in relation to this one.

@@ -5,7 +5,7 @@ use super::{Compiler, Draft, Kind};
 use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::wide_bvh::{Frame, Tree};
-use crate::solids::support;
+use crate::solids::shapes::facts::Facts;
 use crate::trace::graph::outermost;
 use crate::trace::graph::{Coat, Graph, Group, Holds, Object, Operation, Part, Target};
 use std::collections::HashSet;
@@ -334,8 +334,7 @@ impl Compiler<'_> {
         // The box of a turned box is larger than that of what is in it.
         let record = self.graph.records[p as usize] as usize;
         let geometry = &self.scene.shapes[record].geometry;
-        let tight = support::bounds(geometry, &self.graph.matrices[placement]);
-        tight.map_or(image, |tight| image.intersection(&tight))
+        image.intersection(&geometry.bounds(&self.graph.matrices[placement]))
     }
 
     /// The parts of an object, and what the boxes of its trees are reckoned in.

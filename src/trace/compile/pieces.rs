@@ -47,3 +47,61 @@ pub fn cut(pieces: &mut [Piece], cuts: &[(Part, Aabb)], budget: &mut usize) -> b
     }
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace::graph::Target;
+
+    fn part(shape: u32) -> Part {
+        Part {
+            target: Target::Shape(shape),
+            placement: 0,
+            paint: 0,
+            inverted: false,
+            shape,
+            owner: 0,
+        }
+    }
+
+    /// From x to x + 1.
+    fn at(x: f64) -> Aabb {
+        Aabb::new([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0])
+    }
+
+    fn row(count: u32) -> Vec<Piece> {
+        (0..count)
+            .map(|i| Piece {
+                part: part(i),
+                bounds: at(3.0 * f64::from(i)),
+                cuts: Vec::new(),
+            })
+            .collect()
+    }
+
+    fn cuts(pieces: &[Piece]) -> Vec<usize> {
+        pieces.iter().map(|p| p.cuts.len()).collect()
+    }
+
+    #[test]
+    fn tools_go_to_what_they_reach() {
+        let mut pieces = row(3);
+        let mut budget = 100;
+        // The second one touches, the last one is nowhere.
+        let tools = [0.5, 4.0, 6.0, 20.0].map(|x| (part(9), at(x)));
+        assert!(cut(&mut pieces, &tools, &mut budget));
+        assert_eq!((cuts(&pieces), budget), (vec![1, 1, 1], 88));
+        let all = (part(9), Aabb::ALL);
+        assert!(!cut(&mut pieces, &[all], &mut budget));
+        assert_eq!(cuts(&pieces), [1, 1, 1]);
+    }
+
+    #[test]
+    fn one_part_has_all_cuts_and_no_work_is_endless() {
+        let mut one = row(1);
+        let tools = [(part(9), at(50.0)), (part(8), at(0.0))];
+        assert!(cut(&mut one, &tools, &mut 0));
+        assert_eq!(cuts(&one), [2]);
+        assert!(!cut(&mut row(3), &tools, &mut 5));
+    }
+}

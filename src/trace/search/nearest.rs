@@ -42,12 +42,16 @@ impl<'g, R: Precision> Walker<'g, R> {
     /// wins, then the first operand's. A search for any crossing takes the first one found.
     pub fn nearest(&mut self, ray: &Ray<R>, from: R, to: R, search: Search) -> Option<Crossing<R>> {
         self.begin(ray);
-        self.entries.clear();
-        let mut best = Best::new(ray, from, to);
         self.search = search;
+        self.look_everywhere(ray, from, Best::new(ray, from, to))
+    }
+
+    /// Goes on with a search that nothing has been found in.
+    fn look_everywhere(&mut self, ray: &Ray<R>, from: R, mut best: Best<R>) -> Option<Crossing<R>> {
+        self.entries.clear();
         self.open_union(0, from);
         while let Some(entry) = self.entries.pop() {
-            if search != Search::First && best.found.is_some() {
+            if self.search != Search::First && best.found.is_some() {
                 break;
             }
             if entry.near > best.limit.to_f64() {
@@ -80,16 +84,16 @@ impl<'g, R: Precision> Walker<'g, R> {
         if self.in_the_way.len() <= light {
             self.in_the_way.resize(light + 1, None);
         }
+        self.begin(ray);
+        self.search = search;
+        let mut best = Best::new(ray, from, to);
         if let Some(part) = self.in_the_way[light] {
-            self.begin(ray);
-            self.search = search;
-            let mut best = Best::new(ray, from, to);
             self.meet(ray, Leaf { part, context: 0 }, from, &mut best);
             if best.found.is_some() {
                 return best.found;
             }
         }
-        let found = self.nearest(ray, from, to, search);
+        let found = self.look_everywhere(ray, from, best);
         let leaf = found.map(|found| found.place.leaf);
         let is_own = |leaf: &Leaf| leaf.context == 0;
         self.in_the_way[light] = leaf.filter(is_own).map(|leaf| leaf.part);

@@ -2,7 +2,8 @@
 
 use super::super::super::lexer::TokenKind;
 use super::super::super::table::{RecordKind, RecordType};
-use super::super::faults::{self, BAD_MAX, type_at};
+use super::super::faults::{self, BAD_MAX};
+use super::super::heads::type_at;
 use super::super::verdict::{CUT_OFF, FAULT, Verdict};
 use super::super::way::{Id, OUT_OF_ORDER};
 use super::{FEW, Head, LONGEST, Search};

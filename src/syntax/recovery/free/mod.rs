@@ -9,6 +9,7 @@ mod mistakes;
 use super::super::signature::Reading;
 use super::super::table::{RECORD_TYPES, RecordKind, RecordType};
 use super::faults;
+use super::heads;
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
 use super::verdict::{Piece, Verdict};
@@ -192,7 +193,7 @@ impl Search<'_, '_> {
     /// A record of a type whose parameters begin at a token; `None` if it is a counted one without its count.
     fn head(&self, id: Id, ty: &'static RecordType, first: usize) -> Option<Head> {
         let count = match ty.is_counted() {
-            true => faults::point_count(self.stretch, first).ok()?,
+            true => heads::point_count(self.stretch, first).ok()?,
             false => 0,
         };
         Some(Head {
