@@ -4,8 +4,6 @@
 //! Both ask the parts of the outermost union, by boxes that are never too small: a part that is beside by its box is
 //! beside. Something that is not convex may be beside without being known to be.
 
-use std::ops::ControlFlow;
-
 use super::members::{Member, members};
 use crate::geometry::array::{cross, dot, sub, unit};
 use crate::geometry::boxes::Boxes;
@@ -28,8 +26,9 @@ const MARGIN: f64 = 0.01;
 /// The least product of a unit vector with one that is meant to be at right angles to it.
 const UPRIGHT: f64 = -1e-15;
 
-/// Parts that are asked, one after the other; scenes whose parts are shared without end have more.
-const PARTS: usize = 1 << 20;
+/// Boxes that are asked, one after the other. Scenes whose parts are shared without end have more; nothing is said of
+/// them.
+const BOXES: usize = 1 << 14;
 
 /// Where something lies that a camera does not see.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -145,44 +144,41 @@ pub fn out_of_view(
     // Of every side whether all parts so far lie there.
     let mut all = [true; SIDES.len()];
     let mut parts = 0;
-    let seen = parts_below(scene, bounds, root, |b| {
+    let is_beyond = |b: &Aabb| {
         let b = b.intersection(&clip);
         if b.is_empty() {
-            return ControlFlow::Continue(());
+            return true;
+        }
+        let beyond: Vec<bool> = field.beyond(&b).collect();
+        if !beyond.contains(&true) {
+            return false;
         }
         parts += 1;
-        let mut any = false;
-        for (i, beyond) in field.beyond(&b).enumerate() {
-            any |= beyond;
-            if let Some(all) = all.get_mut(i) {
-                *all &= beyond;
-            }
+        for (all, beyond) in all.iter_mut().zip(beyond) {
+            *all &= beyond;
         }
-        if any {
-            ControlFlow::Continue(())
-        } else {
-            ControlFlow::Break(())
-        }
-    });
-    if seen.is_break() || parts == 0 {
+        true
+    };
+    if !all_below(scene, bounds, root, is_beyond) || parts == 0 {
         return None;
     }
     let side = all.iter().position(|all| *all);
     Some(side.map_or(Side::Beside, |i| SIDES[i]))
 }
 
-/// Goes through the boxes of the parts of the outermost union until it is told to stop, or there are too many.
-fn parts_below(
+/// Whether something is true of the boxes of all parts of the outermost union. Where it is true of the box of many, it is
+/// true of theirs. `false` where there are too many.
+fn all_below(
     scene: &Scene,
     bounds: &[NodeBounds],
     root: NodeId,
-    mut found: impl FnMut(&Aabb) -> ControlFlow<()>,
-) -> ControlFlow<()> {
-    let mut left = PARTS;
+    mut is_true: impl FnMut(&Aabb) -> bool,
+) -> bool {
+    let mut left = BOXES;
     let mut todo = vec![(root, Matrix::IDENTITY)];
     while let Some((node, matrix)) = todo.pop() {
         if left == 0 {
-            return ControlFlow::Break(());
+            return false;
         }
         left -= 1;
         match scene.nodes[node as usize] {
@@ -190,12 +186,14 @@ fn parts_below(
                 todo.push((child, matrix.after(&scene.matrices[m as usize])));
             }
             Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, matrix)),
+            Node::Shape(s) if is_true(&scene.shapes[s as usize].geometry.bounds(&matrix)) => {}
+            Node::Shape(_) => return false,
+            _ if is_true(&bounds[node as usize].all.transformed(&matrix)) => {}
             Node::Union(a, b) => todo.extend([(a, matrix), (b, matrix)]),
-            Node::Shape(s) => found(&scene.shapes[s as usize].geometry.bounds(&matrix))?,
-            _ => found(&bounds[node as usize].all.transformed(&matrix))?,
+            _ => return false,
         }
     }
-    ControlFlow::Continue(())
+    true
 }
 
 /// Where a point is with regard to something that lets no light through.
