@@ -4,6 +4,7 @@ use super::exponent::{exponent, shifted, shifted_vector};
 use super::matrix::Matrix;
 use super::number::Real;
 use super::vec::Vec3;
+use wide::f64x4;
 
 /// How far a line may be from the one that is meant: what its way into this space has rounded.
 /// Both bound every component.
@@ -138,6 +139,11 @@ impl<R: Real> Affine<R> {
                 point = greater(point, R::gamma(4) * (row.dot(o) + offset));
             }
         }
+        self.carried(point, vector, before)
+    }
+
+    /// What the map rounds, and the slack before it, carried along.
+    fn carried(&self, mut point: R, mut vector: R, before: Slack<R>) -> Slack<R> {
         if before != Slack::default() {
             let spread = self.spread * (R::ONE + R::gamma(5));
             point += spread * before.origin;
@@ -220,6 +226,43 @@ impl<R: Real> Affine<R> {
         let offset = linear.vector(self.offset).map(|x| R::ZERO - x);
         let finite = offset.is_finite() && rows.iter().all(|row| row.is_finite());
         finite.then(|| Affine::of(rows, offset))
+    }
+}
+
+impl Affine<f64> {
+    /// The images of a point and a vector, the reciprocals of the latter, and [`slack`](Self::slack): the same numbers,
+    /// the three axes side by side.
+    #[inline]
+    pub fn image(&self, origin: Vec3, direction: Vec3, before: Slack) -> (Slack, Vec3, Vec3, Vec3) {
+        let lanes = |v: Vec3| f64x4::new([v[0], v[1], v[2], 0.0]);
+        let vector = |lanes: f64x4| {
+            let [x, y, z, _] = lanes.to_array();
+            Vec3::new(x, y, z)
+        };
+        let columns = [0, 1, 2].map(|j| lanes(Vec3(self.rows.map(|row| row[j]))));
+        let sizes = columns.map(f64x4::abs);
+        let dot = |columns: [f64x4; 3], v: Vec3| {
+            let [x, y, z] = v.0.map(f64x4::splat);
+            columns[0] * x + columns[1] * y + columns[2] * z
+        };
+        let moved = dot(columns, origin) + lanes(self.offset);
+        let turned = dot(columns, direction);
+        let inverse = f64x4::ONE / turned;
+        let slack = match self.plain == [false; 3] {
+            true => {
+                let gamma = f64x4::splat(<f64 as Real>::gamma(5));
+                let point = gamma * (dot(sizes, origin.abs()) + lanes(self.offset.abs()));
+                let vector = gamma * dot(sizes, direction.abs());
+                let greatest = |lanes: f64x4| {
+                    let greater = |a: f64, b: f64| if a > b { a } else { b };
+                    let [x, y, z, _] = lanes.to_array();
+                    greater(greater(greater(0.0, x), y), z)
+                };
+                self.carried(greatest(point), greatest(vector), before)
+            }
+            false => self.slack(origin, direction, before),
+        };
+        (slack, vector(moved), vector(turned), vector(inverse))
     }
 }
 

@@ -34,11 +34,32 @@ pub trait Traced: Real {
 
     /// A line in quad-double, as it has come into its space.
     fn closer(line: &Line<Self>) -> Line<Qd>;
+
+    /// The image of a line under a map, with what the map rounds.
+    fn image(line: &Line<Self>, map: &Affine<Self>) -> Line<Self> {
+        Line {
+            slack: map.slack(line.origin, line.direction, line.slack),
+            history: Self::remember(line, map),
+            ..Line::new(map.point(line.origin), map.vector(line.direction))
+        }
+    }
+
+    /// A line in doubles, as bounds are met in them whatever the precision; what is lost is in its slack.
+    fn coarse(line: &Line<Self>) -> Line {
+        let mut coarse: Line = line.cast();
+        let lost = |exact: Vec3<Self>, rounded: Vec3| {
+            let off = (exact - rounded.cast()).abs().max_component();
+            off.to_f64() * 2.0
+        };
+        coarse.slack.origin += lost(line.origin, coarse.origin);
+        coarse.slack.direction += lost(line.direction, coarse.direction);
+        coarse
+    }
 }
 
 /// Numbers whose lines keep nothing: what the maps have rounded stays as it is.
 macro_rules! without_history {
-    ($($number:ty),+) => {$(
+    ($($number:ty $(as $same:ty)?),+) => {$(
         impl Traced for $number {
             type History = ();
 
@@ -48,11 +69,22 @@ macro_rules! without_history {
             fn closer(line: &Line<$number>) -> Line<Qd> {
                 line.cast()
             }
+
+            $(
+                fn image(line: &Line<$same>, map: &Affine<$same>) -> Line<$same> {
+                    let (slack, origin, direction, inverse) = map.image(line.origin, line.direction, line.slack);
+                    Line { origin, direction, inverse, slack, history: () }
+                }
+
+                fn coarse(line: &Line<$same>) -> Line {
+                    *line
+                }
+            )?
         }
     )+};
 }
 
-without_history!(f32, f64, Qd);
+without_history!(f32, f64 as f64, Qd);
 
 /// The line before the last map, and the map.
 #[derive(Debug, Clone, Copy)]
@@ -143,11 +175,7 @@ impl<R: Traced> Line<R> {
                 ..*self
             };
         }
-        Line {
-            slack: map.slack(self.origin, self.direction, self.slack),
-            history: R::remember(self, map),
-            ..Line::new(map.point(self.origin), map.vector(self.direction))
-        }
+        R::image(self, map)
     }
 
     /// In quad-double, as it has come into this space.

@@ -9,7 +9,7 @@ use super::aabb::Aabb;
 use super::bvh::Bvh;
 use super::line::Line;
 use super::vec::Vec3;
-use wide::f32x8;
+use wide::{f32x4, f32x8};
 
 /// Children of a node at most.
 pub const WIDTH: usize = 8;
@@ -286,28 +286,30 @@ impl Beam {
         if !(near && pace.is_normal() && unpace.is_normal()) {
             return Beam::LOST;
         }
-        let mut beam = Beam {
+        let lanes = |v: Vec3| f32x4::new([v[0] as f32, v[1] as f32, v[2] as f32, 0.0]);
+        let (o, d) = (lanes(origin), lanes(direction));
+        // Half a unit in the last place of o, and of the sums below, twice over; and more than what is lost where
+        // numbers underflow.
+        let off = o.abs() * f32x4::splat(2.0 * f32::EPSILON)
+            + f32x4::splat(drift as f32 * 1.001)
+            + f32x4::splat(LEAST);
+        let still = d.abs().simd_lt(f32x4::splat(LEAST));
+        let off = off + (still & f32x4::splat(STILL));
+        let d = still.select(f32x4::splat(LEAST).copysign(d), d);
+        let forth = off.copysign(d);
+        let three = |lanes: f32x4| {
+            let [x, y, z, _] = lanes.to_array();
+            [x, y, z]
+        };
+        Beam {
+            enter: three(o + forth),
+            leave: three(o - forth),
+            inverse: three(f32x4::ONE / d),
+            falls: three(d).map(|d| d < 0.0),
+            lost: false,
             pace,
             unpace,
-            lost: false,
-            ..Beam::LOST
-        };
-        for i in 0..3 {
-            let (o, mut d) = (origin[i] as f32, direction[i] as f32);
-            // Half a unit in the last place of o, and of the sums below, twice over; and more than what is lost where
-            // numbers underflow.
-            let mut off = o.abs() * (2.0 * f32::EPSILON) + drift as f32 * 1.001 + LEAST;
-            if d.abs() < LEAST {
-                d = LEAST.copysign(d);
-                off += STILL;
-            }
-            let forth = off.copysign(d);
-            beam.enter[i] = o + forth;
-            beam.leave[i] = o - forth;
-            beam.inverse[i] = 1.0 / d;
-            beam.falls[i] = d < 0.0;
         }
-        beam
     }
 
     /// A parameter of the line as one of the beam.

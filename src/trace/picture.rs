@@ -7,7 +7,6 @@ use super::costs::CostMap;
 use super::film::{Film, developed};
 use super::plan::Effect;
 use super::precision::Precision;
-use super::ray::Ray;
 use super::sampling::sample;
 use super::shade::{Features, Limits, Shader};
 use super::stats::Counts;
@@ -250,8 +249,7 @@ impl<'t> Drawing<'t> {
                 });
                 self.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
                     let (x0, y0) = (x - left, y - top);
-                    let at =
-                        |x: u32, y: u32| &first[y as usize * around.width as usize + x as usize];
+                    let at = |x: u32, y: u32| &first[y as usize][x as usize];
                     let columns = x0.saturating_sub(1)..(x0 + 2).min(around.width);
                     let rows = y0.saturating_sub(1)..(y0 + 2).min(around.height);
                     let near = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
@@ -260,12 +258,14 @@ impl<'t> Drawing<'t> {
                 })
             }
         };
-        let numbers = || pixels.iter().map(|p: &Pixel| p.samples);
+        // Row by row as they were drawn: one list of all would be as large again.
+        let all = || pixels.iter().flatten();
+        let numbers = || all().map(|p: &Pixel| p.samples);
         Picture {
             film: Film {
                 width: crop.width,
                 height: crop.height,
-                pixels: pixels.iter().map(|p| p.colour).collect(),
+                pixels: gathered(&pixels, |p| p.colour),
             },
             samples: Samples {
                 min: numbers().min().unwrap_or(0),
@@ -275,9 +275,9 @@ impl<'t> Drawing<'t> {
             costs: CostMap {
                 width: crop.width,
                 height: crop.height,
-                tests: pixels.iter().map(|p| p.tests).collect(),
+                tests: gathered(&pixels, |p| p.tests),
             },
-            total_reflection: pixels.iter().map(|p| p.total_reflection).collect(),
+            total_reflection: gathered(&pixels, |p| p.total_reflection),
             counts,
         }
     }
@@ -310,7 +310,7 @@ impl<'t> Drawing<'t> {
         progress: &(dyn Fn() + Sync),
         counts: &mut Counts,
         draw: Draw<R, T>,
-    ) -> Vec<T> {
+    ) -> Vec<Vec<T>> {
         let rows = parallel::map_with(
             part.height as usize,
             || self.pen(),
@@ -331,13 +331,19 @@ impl<'t> Drawing<'t> {
                 (row, pen.shader.counts())
             },
         );
-        let mut all = Vec::with_capacity(part.width as usize * part.height as usize);
-        for (row, cost) in rows {
-            all.extend(row);
+        let count = |(row, cost)| {
             *counts += cost;
-        }
-        all
+            row
+        };
+        rows.into_iter().map(count).collect()
     }
+}
+
+/// Something of each pixel, row by row.
+fn gathered<T>(rows: &[Vec<Pixel>], what: impl Fn(&Pixel) -> T) -> Vec<T> {
+    let mut all = Vec::with_capacity(rows.iter().map(Vec::len).sum());
+    all.extend(rows.iter().flatten().map(what));
+    all
 }
 
 /// A finished pixel.
@@ -376,9 +382,9 @@ impl<R: Precision> Pen<'_, '_, R> {
     pub(super) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
         let [dx, dy] = sample(x, y, i, n);
         let [dx, dy] = [dx + self.drawing.shift[0], dy + self.drawing.shift[1]];
-        match self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy) {
-            Some(ray) if ray.cast::<R>().line.is_sound() => {
-                let mut ray: Ray<R> = ray.cast();
+        let ray = self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy);
+        match ray.map(|ray| ray.cast::<R>()) {
+            Some(mut ray) if ray.line.is_sound() => {
                 ray.outside = self.drawing.outside;
                 Vec3(self.shader.radiance(ray))
             }

@@ -2,10 +2,8 @@
 
 use super::graph::Graph;
 use crate::geometry::affine::Affine;
-use crate::geometry::affine::Slack;
 use crate::geometry::dd::Dd;
-use crate::geometry::line::{Line, Traced};
-use crate::geometry::number::Real;
+use crate::geometry::line::Traced;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
@@ -35,9 +33,6 @@ pub trait Precision: Traced {
 
     /// The map of a placement into the space below it.
     fn back(maps: &Self::Maps, graph: &Graph, placement: u32) -> Affine<Self>;
-
-    /// The line in doubles, as bounding boxes are clipped in them whatever the precision.
-    fn coarse(line: &Line<Self>) -> Line;
 }
 
 impl Precision for f64 {
@@ -53,11 +48,6 @@ impl Precision for f64 {
     fn back(_: &(), graph: &Graph, placement: u32) -> Affine {
         graph.placements[placement as usize].back
     }
-
-    #[inline]
-    fn coarse(line: &Line) -> Line {
-        *line
-    }
 }
 
 impl Precision for f32 {
@@ -66,10 +56,6 @@ impl Precision for f32 {
 
     fn back(_: &(), graph: &Graph, placement: u32) -> Affine<f32> {
         graph.placements[placement as usize].back.cast()
-    }
-
-    fn coarse(line: &Line<f32>) -> Line {
-        line.cast()
     }
 }
 
@@ -85,18 +71,5 @@ impl Precision for Dd {
             let coarse = || graph.placements[placement as usize].back.cast();
             out.inverse().unwrap_or_else(coarse)
         })
-    }
-
-    fn coarse(line: &Line<Dd>) -> Line {
-        let mut coarse: Line = line.cast();
-        let rounded = |v: crate::geometry::vec::Vec3<Dd>| {
-            let lost = v.map(|x| Dd::of(x.parts().1)).abs().max_component();
-            lost.to_f64() * 2.0
-        };
-        coarse.slack = Slack {
-            origin: coarse.slack.origin + rounded(line.origin),
-            direction: coarse.slack.direction + rounded(line.direction),
-        };
-        coarse
     }
 }

@@ -7,37 +7,7 @@
 //! Recipes, section 9.4).
 
 use crate::geometry::number::Real;
-
-/// The most points an interval falls apart at: two of inflection, three stationary, two ends.
-pub const MOST_POINTS: usize = 7;
-
-/// Up to [`MOST_POINTS`] numbers, ascending.
-#[derive(Debug, Clone, Copy)]
-pub struct Points<R> {
-    list: [R; MOST_POINTS],
-    length: usize,
-}
-
-impl<R: Real> Points<R> {
-    fn new() -> Points<R> {
-        Points {
-            list: [R::ZERO; MOST_POINTS],
-            length: 0,
-        }
-    }
-
-    /// Adds a number that exceeds all before it; others add nothing.
-    fn push(&mut self, x: R) {
-        if self.length == 0 || x > self.list[self.length - 1] {
-            self.list[self.length] = x;
-            self.length += 1;
-        }
-    }
-
-    pub fn as_slice(&self) -> &[R] {
-        &self.list[..self.length]
-    }
-}
+use std::ops::ControlFlow;
 
 /// c₄t⁴ + c₃t³ + c₂t² + c₁t + c₀. Any of the coefficients may vanish.
 #[derive(Debug, Clone, Copy)]
@@ -79,42 +49,45 @@ impl<R: Real> Quartic<R> {
         (p.mul_add(t, d), q.mul_add(t, p))
     }
 
-    /// Points from `from` to `to`, both included, between any two of which the quartic is monotone
-    /// and its curvature keeps its sign, as far as rounding tells. Where it hides a pair of
-    /// stationary points, they are so close to each other and to one of these points that the
-    /// slope between is as small as its own rounding error.
+    /// Visits points from `from` to `to`, both included, between any two of which the quartic is monotone
+    /// and its curvature keeps its sign, as far as rounding tells: ascending, until the visitor breaks off.
+    /// Where it hides a pair of stationary points, they are so close to each other and to one of these points
+    /// that the slope between is as small as its own rounding error.
     ///
     /// # Inputs
     /// `from < to`, both finite. Whatever the coefficients, the points are numbers in between.
-    pub fn pieces(&self, from: R, to: R) -> Points<R> {
+    #[inline]
+    pub fn pieces(&self, from: R, to: R, mut visit: impl FnMut(R) -> ControlFlow<()>) {
         let [a, b, c, ..] = self.c;
         let (two, three) = (R::of(2.0), R::of(3.0));
         let slope = [R::of(4.0) * a, three * b, two * c];
-        let mut bends = Points::new();
-        bends.push(from);
-        for t in quadratic(three * slope[0], two * slope[1], slope[2]) {
-            if t > from && t < to {
-                bends.push(t);
-            }
+        let mut last = from;
+        let mut last_slope = self.slope_at(slope, from).0;
+        if visit(from).is_break() {
+            return;
         }
-        bends.push(to);
-
-        let mut points = Points::new();
-        let mut before: Option<(R, R)> = None;
-        for &t in bends.as_slice() {
-            let s = self.slope_at(slope, t).0;
-            if let Some((last, last_slope)) = before
-                && (last_slope < R::ZERO && s > R::ZERO || last_slope > R::ZERO && s < R::ZERO)
-            {
+        let [first, second] = quadratic(three * slope[0], two * slope[1], slope[2]);
+        for bend in [first, second, to] {
+            // Numbers that exceed all before them.
+            if !(bend > last && bend <= to) {
+                continue;
+            }
+            let s = self.slope_at(slope, bend).0;
+            if last_slope < R::ZERO && s > R::ZERO || last_slope > R::ZERO && s < R::ZERO {
                 let precision = R::ROUNDOFF * (to - from);
-                let start = (last + t) * R::of(0.5);
+                let start = (last + bend) * R::of(0.5);
                 let f = |x| self.slope_at(slope, x);
-                points.push(root_between(f, (last, t), s > R::ZERO, start, precision));
+                let stationary = root_between(f, (last, bend), s > R::ZERO, start, precision);
+                if stationary > last && visit(stationary).is_break() {
+                    return;
+                }
+                last = last.max(stationary);
             }
-            points.push(t);
-            before = Some((t, s));
+            if bend > last && visit(bend).is_break() {
+                return;
+            }
+            (last, last_slope) = (bend, s);
         }
-        points
     }
 }
 
@@ -193,12 +166,32 @@ mod tests {
     use super::*;
     use crate::geometry::dd::Dd;
 
+    /// All points that an interval falls apart at.
+    fn points<R: Real>(q: &Quartic<R>, from: R, to: R) -> Vec<R> {
+        let mut all = Vec::new();
+        q.pieces(from, to, |t| {
+            all.push(t);
+            ControlFlow::Continue(())
+        });
+        // Who breaks off has seen the first of them.
+        for count in 1..=all.len() {
+            let mut seen = Vec::new();
+            q.pieces(from, to, |t| {
+                seen.push(t);
+                match seen.len() < count {
+                    true => ControlFlow::Continue(()),
+                    false => ControlFlow::Break(()),
+                }
+            });
+            assert!(seen == all[..count]);
+        }
+        all
+    }
+
     /// All roots, by the sign of the quartic at the points its interval falls apart at.
     fn roots<R: Real>(c: [f64; 5], from: f64, to: f64) -> Vec<f64> {
         let q = Quartic { c: c.map(R::of) };
-        let points = q.pieces(R::of(from), R::of(to));
-        points
-            .as_slice()
+        points(&q, R::of(from), R::of(to))
             .windows(2)
             .filter_map(|p| {
                 let (a, b) = (q.at(p[0]).0, q.at(p[1]).0);
@@ -278,8 +271,7 @@ mod tests {
         for i in 0..n.pow(5) {
             let c = std::array::from_fn(|k| values[i / n.pow(k as u32) % n]);
             let q = Quartic { c };
-            let points = q.pieces(-3.0, 1e9);
-            let p = points.as_slice();
+            let p = points(&q, -3.0, 1e9);
             assert!(p.first() == Some(&-3.0) && p.last() == Some(&1e9));
             assert!(p.windows(2).all(|w| w[0] < w[1]), "{c:?} {p:?}");
             let root = root_between(|t| q.at(t), (-3.0, 1e9), true, 0.0, 1e-7);

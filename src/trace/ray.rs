@@ -9,6 +9,8 @@ use crate::geometry::vec::Vec3;
 pub struct Left<R = f64> {
     /// Which surface: the shape's geometry and the way it is placed.
     pub surface: u64,
+    /// The number of its shape.
+    pub primitive: u32,
     /// Whether the ray goes into the surface's solid. Crossings alternate, so this and being
     /// nearest to the origin single out the root that is the starting point itself.
     pub entering: bool,
@@ -45,6 +47,7 @@ impl<R: Traced> Ray<R> {
             line: self.line.cast(),
             left: self.left.map(|left| Left {
                 surface: left.surface,
+                primitive: left.primitive,
                 entering: left.entering,
                 skin: S::of_parts(left.skin.parts()),
                 passage: left.passage,

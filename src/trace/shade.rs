@@ -121,12 +121,12 @@ impl<'t, R: Precision> Shader<'t, R> {
     pub fn radiance(&mut self, ray: Ray<R>) -> Rgb {
         self.rays.camera += 1;
         let mut sum = Vec3::ZERO;
-        self.branches.push(Branch {
+        let mut branch = Branch {
             ray,
             weight: Vec3::ONE,
             depth: 0,
-        });
-        while let Some(branch) = self.branches.pop() {
+        };
+        loop {
             let hit = match self.features.glass {
                 false => self.walkers.first_hit::<false>(&branch.ray),
                 true => self.walkers.first_hit::<true>(&branch.ray),
@@ -141,6 +141,10 @@ impl<'t, R: Precision> Shader<'t, R> {
                 None => self.tracer.background,
             };
             sum = sum + light.times(branch.weight);
+            match self.branches.pop() {
+                Some(next) => branch = next,
+                None => break,
+            }
         }
         sum.0
     }

@@ -31,8 +31,9 @@ pub struct Hit<R = f64> {
     pub inside: [bool; 2],
     /// Whether the ray goes against the normal.
     pub entering: bool,
-    /// Number of the surface; see [`Left`].
+    /// Numbers of the surface and its shape; see [`Left`].
     pub surface: u64,
+    pub primitive: u32,
     /// Bound on the point's distance from the true surface.
     pub skin: R,
     /// How the ray passes the surface that the face is a part of.
@@ -45,6 +46,7 @@ impl<R: Precision> Hit<R> {
         let mut ray = Ray::new(self.point, direction);
         ray.left = Some(Left {
             surface: self.surface,
+            primitive: self.primitive,
             entering: self.entering == onwards,
             skin: self.skin,
             passage: self.passage.map(|p| p.turned(!onwards)),
@@ -77,6 +79,7 @@ impl<R: Precision> Hit<R> {
             inside: self.inside,
             entering: self.entering,
             surface: self.surface,
+            primitive: self.primitive,
             skin: skin + normal.abs().dot(point.abs() * S::gamma(2)),
             passage: self.passage,
         }
@@ -198,7 +201,8 @@ impl<R: Precision> Walker<'_, R> {
         owner: Leaf,
     ) -> Option<Hit<R>> {
         let line = self.line(leaf);
-        let primitive = self.primitive(leaf);
+        let number = self.primitive_number(leaf);
+        let primitive = &self.graph.primitives[number as usize];
         let located = primitive.intersect().locate(&line, root);
         let (mut point, mut error, mut normal) = (located.point, located.error, located.normal);
         let shape = primitive.shape();
@@ -251,6 +255,7 @@ impl<R: Precision> Walker<'_, R> {
             inside: [false; 2],
             entering: normal.dot(ray.line.direction) < R::ZERO,
             surface: self.surface(leaf),
+            primitive: number,
             skin,
             passage: self.passage(leaf, &line, (root.face, located.point)),
         })

@@ -41,6 +41,9 @@ pub struct Walker<'g, R: Precision = f64> {
     pub(in crate::trace) start: Option<Start<R>>,
 }
 
+/// All of a line.
+const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
 /// Mixes a number into a key (the finaliser of splitmix64; Steele, Lea and Flood, 2014).
 fn mix(key: u64, value: u64) -> u64 {
     let mut z = (key ^ value).wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -93,11 +96,16 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Forgets the last ray; context 0 is the root's.
     pub fn begin(&mut self, ray: &Ray<R>) {
-        self.contexts.clear();
+        let beam = Beam::new(&R::coarse(&ray.line), &self.graph.root().frame);
+        self.contexts.truncate(1);
+        if let Some(root) = self.contexts.first_mut() {
+            (root.line, root.beam) = (ray.line, beam);
+            return;
+        }
         self.contexts.push(Context {
             object: self.graph.root,
             line: ray.line,
-            beam: Beam::new(&R::coarse(&ray.line), &self.graph.root().frame),
+            beam,
             parent: 0,
             part: 0,
             depth: 0,
@@ -115,8 +123,12 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// The shape of a leaf. Leaves are made of shapes only, when they are crossed.
     pub fn primitive(&self, leaf: Leaf) -> &'g Primitive {
+        &self.graph.primitives[self.primitive_number(leaf) as usize]
+    }
+
+    pub fn primitive_number(&self, leaf: Leaf) -> u32 {
         match self.part(leaf.part).target {
-            Target::Shape(p) => &self.graph.primitives[p as usize],
+            Target::Shape(p) => p,
             Target::Object(_) => unreachable!("objects have no surface of their own"),
         }
     }
@@ -267,26 +279,50 @@ impl<'g, R: Precision> Walker<'g, R> {
         from: R,
         ahead: Option<[f64; 2]>,
     ) -> usize {
-        let line = self.line(leaf);
-        let mut roots = std::mem::take(&mut self.roots);
-        roots.clear();
+        self.counts.shape += 1;
+        self.roots.clear();
         let shape = &self.graph.primitives[primitive as usize];
-        if line.is_sound() {
-            if self.is_asked(ray, leaf, (shape, &line), ahead)
-                && !self.is_solved_otherwise(primitive, &line, &mut roots)
-            {
-                shape.intersect().crossings(&line, &mut roots);
+        // In double-double the crossing with the surface that the ray has left is asked for.
+        let goes_out = R::DOUBT == Doubt::GoesOn
+            && ahead.is_some()
+            && ray.left.as_ref().is_some_and(|left| {
+                left.primitive == primitive
+                    && !(left.entering && shape.shape().is_solid())
+                    && left.surface == self.surface(leaf)
+            });
+        if goes_out && shape.shape().is_convex() {
+            return 0;
+        }
+        let line = self.line(leaf);
+        if !line.is_sound() {
+            self.roots.inside = lost_inside(shape, &line);
+            self.status.uncertain = true;
+            return 0;
+        }
+        // Single precision has its own idea of where a line is.
+        let is_asked = R::DOUBT == Doubt::Stands
+            || match goes_out {
+                true => shape.shape().is_met_again(&R::coarse(&line)),
+                false => (shape.shape()).is_near(&R::coarse(&line), ahead.unwrap_or(EVERYWHERE)),
+            };
+        if !is_asked {
+            return 0;
+        }
+        let mut roots = std::mem::take(&mut self.roots);
+        if !self.is_solved_otherwise(primitive, &line, &mut roots) {
+            match ahead {
+                Some([start, _]) => {
+                    let near = from + (from - R::of(start));
+                    (shape.intersect()).first_crossings(&line, near, &mut roots);
+                }
+                None => shape.intersect().crossings(&line, &mut roots),
             }
-        } else {
-            roots.inside = lost_inside(shape, &line);
-            roots.uncertain = true;
         }
         debug_assert!(
             roots.list.iter().all(|r| r.t.is_finite())
                 && roots.list.windows(2).all(|w| w[0].t <= w[1].t),
             "{shape:?} {line:?} {roots:?}"
         );
-        self.counts.shape += 1;
         self.status.uncertain |= roots.uncertain;
         if let Some(normal) = roots.along {
             self.lies_along(leaf, &line, primitive, normal);
@@ -301,32 +337,6 @@ impl<'g, R: Precision> Walker<'g, R> {
         };
         self.roots = roots;
         behind
-    }
-
-    /// Whether a shape has to be asked for its crossings.
-    #[inline]
-    fn is_asked(
-        &self,
-        ray: &Ray<R>,
-        leaf: Leaf,
-        (shape, line): (&Primitive, &Line<R>),
-        ahead: Option<[f64; 2]>,
-    ) -> bool {
-        // Single precision has its own idea of where a line is.
-        if R::DOUBT == Doubt::Stands {
-            return true;
-        }
-        let (shape, line) = (shape.shape(), R::coarse(line));
-        // In double-double the crossing with the surface that the ray has left is asked for.
-        let left = ray.left.filter(|_| R::DOUBT == Doubt::GoesOn);
-        let goes_out = ahead.is_some()
-            && left.is_some_and(|left| {
-                left.surface == self.surface(leaf) && !(left.entering && shape.is_solid())
-            });
-        match goes_out {
-            true => shape.is_met_again(&line),
-            false => shape.is_near(&line, ahead.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])),
-        }
     }
 
     /// Has another solver find the crossings, where there is one that knows the shape.

@@ -115,6 +115,12 @@ pub trait Intersect<R: Traced = f64> {
     /// Appends all crossings to the cleared `roots`.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>);
 
+    /// The same for who wants the first crossing that is not near the start of a ray, and all before it: not up to t =
+    /// `near`, nor by less than a hundredth of the numbers behind a crossing. Of those after it there may be none.
+    fn first_crossings(&self, line: &Line<R>, _near: R, roots: &mut Roots<R>) {
+        self.crossings(line, roots);
+    }
+
     /// The point of one of the line's crossings.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R>;
 

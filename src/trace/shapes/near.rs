@@ -8,7 +8,7 @@ use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 
 /// Points of a line are known to this part of a shape's size, or nothing is said about it.
-const KNOWN: f64 = 1e-9;
+pub const KNOWN: f64 = 1e-9;
 /// A ball around a shape is wider by this part, and so is a slab.
 const WIDER: f64 = 1.0 + 1.0 / 1024.0;
 /// Polynomials of a line's points, of first to fourth degree in them and in units of the shape's size, are off by less

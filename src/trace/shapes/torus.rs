@@ -13,17 +13,20 @@
 
 use super::closer::decide_closer;
 use super::doubt::is_final;
-use super::near::{Approach, Ball, MARGIN, is_quartic_above};
+use super::near::{Approach, Ball, KNOWN, MARGIN, is_quartic_above};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::exponent::{exponent, shifted, shifted_vector};
 use crate::geometry::line::{Line, Traced};
+use crate::geometry::number::Real;
+use crate::geometry::qd::Qd;
 use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::quartic::{Quartic, root_between};
 use crate::trace::shapes::support::Support;
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 /// Faces of a torus: the outer surface, and the one around the lemon.
 const OUTER: u32 = 0;
@@ -102,7 +105,9 @@ impl Torus {
     /// errors shrink with the tube as those of the quartic's coefficients do not. Where two
     /// neighbours differ is one root: the quartic's, polished by Newton's method on the g that
     /// changes sign. A point too close to the surface to tell is taken for a touch.
-    fn decide<R: Traced>(&self, line: &Line<R>, roots: &mut Roots<R>) {
+    ///
+    /// Goes no farther than to the first crossing after `enough`.
+    fn decide<R: Traced>(&self, line: &Line<R>, enough: R, roots: &mut Roots<R>) {
         let longest = line.direction.abs().max_component();
         let unit = exponent(longest.to_f64());
         let origin = shifted_vector(line.origin, -self.size);
@@ -149,6 +154,10 @@ impl Torus {
                         roots.uncertain = true;
                     }
                     _ => roots.push(t, face),
+                }
+                match t > enough {
+                    true => ControlFlow::Break(()),
+                    false => ControlFlow::Continue(()),
                 }
             })
             .then(|| roots.uncertain = true);
@@ -236,8 +245,25 @@ impl Shape for Torus {
 
 impl<R: Traced> Intersect<R> for Torus {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        self.decide(line, roots);
-        decide_closer(line, roots, |line, roots| self.decide(line, roots));
+        self.decide(line, R::INFINITY, roots);
+        decide_closer(line, roots, |line, roots| {
+            self.decide(line, Qd::INFINITY, roots);
+        });
+    }
+
+    fn first_crossings(&self, line: &Line<R>, near: R, roots: &mut Roots<R>) {
+        let reach = line.origin.abs().max_component() + R::of(self.major + self.minor);
+        let size = reach / line.direction.abs().max_component();
+        let slack = line.slack.origin + line.slack.direction * size;
+        // Written so that NaN is no bound. Single precision does not know so well where a line is.
+        if R::ROUNDOFF <= R::of(f64::EPSILON) && slack <= R::of(KNOWN) * reach {
+            self.decide(line, near + size * R::of(0.01), roots);
+            if !roots.uncertain {
+                return;
+            }
+            roots.clear();
+        }
+        self.crossings(line, roots);
     }
 
     fn speed(&self, _: &Line<R>, _: Root<R>) -> Option<R> {
@@ -343,9 +369,9 @@ impl<R: Traced> Flatness<'_, R> {
 }
 
 impl<R: Traced> Scaled<R> {
-    /// Passes on the t of all crossings, ascending, and their faces; returns whether there may be
-    /// others, or fewer.
-    fn crossings(&self, mut crossing: impl FnMut(R, u32)) -> bool {
+    /// Passes on the t of all crossings, ascending, and their faces, until it is broken off; returns
+    /// whether there may be others up to there, or fewer.
+    fn crossings(&self, mut crossing: impl FnMut(R, u32) -> ControlFlow<()>) -> bool {
         let (two, four) = (R::of(2.0), R::of(4.0));
         let (p, d) = (self.near, self.direction);
         let a = d.dot(d);
@@ -395,26 +421,29 @@ impl<R: Traced> Scaled<R> {
             most: R::of(3.0) * slope_error * (to - from),
         };
 
-        let points = quartic.pieces(from, to);
-        let points = points.as_slice();
-        let (mut last, mut uncertain) = ((from, Side::Outside), false);
-        for (i, &t) in points.iter().enumerate().skip(1) {
-            let side = if i + 1 == points.len() {
-                Side::Outside
-            } else if let Some(side) = self.side(t, &flatness) {
-                side
-            } else {
-                uncertain = true;
-                continue;
+        let (mut last, mut uncertain) = (None, false);
+        quartic.pieces(from, to, |t| {
+            let Some(before) = last else {
+                last = Some((from, Side::Outside));
+                return ControlFlow::Continue(());
             };
-            if side.is_inside() != last.1.is_inside() {
-                let enters = side.is_inside();
-                let lemon = side == Side::Lemon || last.1 == Side::Lemon;
-                let t = self.root(&quartic, (last.0, t), enters, lemon);
-                crossing(t, if lemon { LEMON } else { OUTER });
+            let side = match t < to {
+                true => self.side(t, &flatness),
+                false => Some(Side::Outside),
+            };
+            let Some(side) = side else {
+                uncertain = true;
+                return ControlFlow::Continue(());
+            };
+            last = Some((t, side));
+            if side.is_inside() == before.1.is_inside() {
+                return ControlFlow::Continue(());
             }
-            last = (t, side);
-        }
+            let enters = side.is_inside();
+            let lemon = side == Side::Lemon || before.1 == Side::Lemon;
+            let root = self.root(&quartic, (before.0, t), enters, lemon);
+            crossing(root, if lemon { LEMON } else { OUTER })
+        });
         uncertain
     }
 

@@ -1,5 +1,6 @@
 //! The solid of revolution: a profile polyline turned about the y axis.
 
+mod beside;
 mod layers;
 mod path;
 #[cfg(test)]
@@ -15,9 +16,12 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::solids::shapes as solids;
 use crate::trace::shapes::support::Support;
+use beside::{Beside, Passing};
 use layers::Piece;
 use path::{Cut, Path, Ring, normaliser};
+use std::cell::LazyCell;
 use std::f64::consts::TAU;
+use std::ops::Deref;
 use tree::Run;
 
 /// Points (x, y) with x ≥ 0 turned about the y axis. Inside is what the closed profile surrounds
@@ -40,6 +44,7 @@ pub struct Revolution {
     /// The height of the centre, times `scale`.
     centre: f64,
     tree: Vec<Run>,
+    beside: Beside,
     /// Arc length from the profile's first point to each point, times `scale`.
     arc: Vec<f64>,
 }
@@ -64,6 +69,7 @@ impl Revolution {
         }
         let pieces = layers::pieces(&points);
         let tree = tree::build(&points, &pieces);
+        let beside = Beside::new(&points, &pieces, &tree, scale);
         let centre = tree
             .first()
             .map_or(0.0, |run| 0.5 * run.y[0] + 0.5 * run.y[1]);
@@ -84,6 +90,7 @@ impl Revolution {
             scale,
             centre,
             tree,
+            beside,
             arc,
         }
     }
@@ -172,6 +179,15 @@ impl Shape for Revolution {
         let limit = (radius / size).powi(2);
         let form = [flat(d, d), flat(p, d), flat(p, p) - limit];
         !is_above(form, stretch, MARGIN)
+    }
+
+    /// The line crosses no piece ahead but that of its origin. If it crossed that once more, it would stay inside.
+    fn is_met_again(&self, line: &Line) -> bool {
+        let Some(passing) = self.beside.passing(line, true) else {
+            return true;
+        };
+        let met = self.beside.met(&self.tree, &passing);
+        met.map(|(_, met)| met.count_ones()).sum::<u32>() > 1
     }
 
     /// u as on the sphere, v the arc length along the profile, as a share of all of it: 0 on the
@@ -407,18 +423,26 @@ impl Revolution {
     /// Decided ring by ring as [`path`] explains, so that the list is even, hence alternates. Two
     /// crossings at the same t are a layer without thickness and cancel.
     fn decide<R: Traced>(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let Some(path) = Path::new(line, self.scale, self.centre) else {
-            roots.uncertain = true;
-            return;
+        // Single precision has its own idea of where a line is.
+        let passing = match R::ROUNDOFF > R::of(f64::EPSILON) {
+            true => None,
+            false => self.beside.passing(&R::coarse(line), false),
         };
-        self.append(&path, roots);
-        if is_last::<R>() && roots.uncertain && !path.climbs() {
+        let passing = passing.as_ref();
+        // Most lines that come so far miss all the same.
+        let path = LazyCell::new(|| Path::new(line, self.scale, self.centre));
+        self.append(&path, passing, roots);
+        if is_last::<R>()
+            && roots.uncertain
+            && let Some(path) = path.as_ref()
+            && !path.climbs()
+        {
             // A line in the plane of a seam may lie in a surface, and inside is only what is so
             // just above and just below.
-            let above = self.closely(&path, &mut roots.uncertain);
-            let below = self.closely(&path.seams_below(), &mut roots.uncertain);
+            let above = self.closely(path, passing, &mut roots.uncertain);
+            let below = self.closely(&path.seams_below(), passing, &mut roots.uncertain);
             roots.list = common(&above, &below);
-            if self.has_step(&path) {
+            if self.has_step(path) {
                 roots.along = Some(Vec3::new(0.0, 1.0, 0.0));
             }
         }
@@ -434,17 +458,24 @@ impl Revolution {
     }
 
     /// Appends the crossings, in order; their faces say whether the line goes against them.
-    fn append<R: Traced>(&self, path: &Path<R>, roots: &mut Roots<R>) {
+    fn append<R: Traced>(
+        &self,
+        path: &impl Deref<Target = Option<Path<R>>>,
+        passing: Option<&Passing>,
+        roots: &mut Roots<R>,
+    ) {
         // The largest error of a crossing.
         let mut error = R::ZERO;
-        roots.uncertain |= self.cuts(path, |piece, _, list| {
+        roots.uncertain |= self.cuts(path, passing, |path, piece, _, list| {
             for cut in list.into_iter().flatten() {
                 error = error.max(path.t_error(cut));
                 roots.push(path.t(cut.tau), self.marked(piece, cut));
             }
         });
-        if !settle(roots, error) {
-            let kept = self.closely(path, &mut roots.uncertain);
+        if !settle(roots, error)
+            && let Some(path) = path.as_ref()
+        {
+            let kept = self.closely(path, passing, &mut roots.uncertain);
             roots.list.clear();
             roots.list.extend(kept.iter().map(|x| x.root));
         }
@@ -454,22 +485,17 @@ impl Revolution {
     /// or fewer.
     fn cuts<R: Traced>(
         &self,
-        path: &Path<R>,
-        mut found: impl FnMut(&Piece, [&Ring<R>; 2], [Option<Cut<R>>; 2]),
+        path: &impl Deref<Target = Option<Path<R>>>,
+        passing: Option<&Passing>,
+        mut found: impl FnMut(&Path<R>, &Piece, [&Ring<R>; 2], [Option<Cut<R>>; 2]),
     ) -> bool {
         let mut uncertain = false;
-        let mut run = 0;
-        while let Some(here) = self.tree.get(run) {
-            if path.misses(here) {
-                run = here.next as usize;
-                continue;
-            }
-            run += 1;
-            if !here.is_leaf() {
-                continue;
-            }
+        let mut cut = |path: &Path<R>, run: &Run, mut met: u32| {
+            let pieces = &self.pieces[run.first as usize..run.end as usize];
             let mut last: Option<(u32, Ring<R>)> = None;
-            for piece in &self.pieces[here.first as usize..here.end as usize] {
+            while met != 0 {
+                let piece = &pieces[met.trailing_zeros() as usize];
+                met &= met - 1;
                 let ring = |point: u32| path.ring(self.points[point as usize]);
                 let before = match last {
                     Some((point, ring)) if point == piece.from => ring,
@@ -478,8 +504,24 @@ impl Revolution {
                 let after = ring(piece.to);
                 let cuts = path.segment(&before, &after);
                 uncertain |= before.is_uncertain() || after.is_uncertain() || cuts.uncertain;
-                found(piece, [&before, &after], cuts.list);
+                found(path, piece, [&before, &after], cuts.list);
                 last = Some((piece.to, after));
+            }
+        };
+        let Some(line) = passing else {
+            let Some(path) = path.as_ref() else {
+                return true;
+            };
+            let leaves = tree::leaves(&self.tree, |_, run| path.misses(run));
+            leaves.for_each(|(_, run)| cut(path, run, run.all()));
+            return uncertain;
+        };
+        for (run, met) in self.beside.met(&self.tree, line) {
+            if met != 0 {
+                let Some(path) = path.as_ref() else {
+                    return true;
+                };
+                cut(path, run, met);
             }
         }
         uncertain
@@ -492,9 +534,14 @@ impl Revolution {
 
     /// The crossings once more, compared one by one. Two in one place are a layer without thickness
     /// and cancel, as do, where decisions are final, two that cannot be told from such.
-    fn closely<R: Traced>(&self, path: &Path<R>, uncertain: &mut bool) -> Vec<Close<R>> {
+    fn closely<R: Traced>(
+        &self,
+        path: &Path<R>,
+        passing: Option<&Passing>,
+        uncertain: &mut bool,
+    ) -> Vec<Close<R>> {
         let mut all: Vec<Close<R>> = Vec::new();
-        self.cuts(path, |piece, [a, b], list| {
+        self.cuts(&&Some(*path), passing, |path, piece, [a, b], list| {
             for mut cut in list.into_iter().flatten() {
                 cut.error = path.closer_error(cut, a, b);
                 all.push(Close {

@@ -2,8 +2,8 @@
 
 use super::layers::Piece;
 
-/// Pieces in one leaf.
-const LEAF: usize = 4;
+/// Pieces in one leaf, at most 32.
+const LEAF: usize = 12;
 
 /// A run of consecutive pieces.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,11 +23,38 @@ impl Run {
         (self.end - self.first) as usize <= LEAF
     }
 
+    /// All of its pieces, a bit each from the lowest. For leaves.
+    pub fn all(&self) -> u32 {
+        u32::MAX >> (u32::BITS - (self.end - self.first))
+    }
+
     fn join(&mut self, radius: [f64; 2], y: [f64; 2]) {
         for (mine, other) in [(&mut self.radius, radius), (&mut self.y, y)] {
             *mine = [mine[0].min(other[0]), mine[1].max(other[1])];
         }
     }
+}
+
+/// The leaves of a tree with their numbers, without those in runs that are missed.
+pub fn leaves(
+    tree: &[Run],
+    mut misses: impl FnMut(usize, &Run) -> bool,
+) -> impl Iterator<Item = (usize, &Run)> {
+    let mut next = 0;
+    std::iter::from_fn(move || {
+        while let Some(run) = tree.get(next) {
+            let here = next;
+            if misses(here, run) {
+                next = run.next as usize;
+                continue;
+            }
+            next += 1;
+            if run.is_leaf() {
+                return Some((here, run));
+            }
+        }
+        None
+    })
 }
 
 /// The tree over the pieces between points, in preorder: runs are halved until they are leaves.
