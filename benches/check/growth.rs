@@ -1,10 +1,9 @@
 //! How the time grows with the number of records.
 
-use std::fmt::Write;
 use std::path::Path;
 
 use super::scenes::RECORDS;
-use super::{Table, least};
+use super::{Table, least, plot};
 use zpg::analysis::Analysis;
 
 const COUNTS: [usize; 4] = [1_000, 10_000, 100_000, 1_000_000];
@@ -45,45 +44,7 @@ pub fn growth(_folder: &Path, table: &mut Table) {
         curves.push((name, times));
     }
     let path = concat!(env!("CARGO_TARGET_TMPDIR"), "/growth.svg");
-    if std::fs::write(path, svg(&curves)).is_ok() {
+    if std::fs::write(path, plot::svg(&COUNTS, &curves)).is_ok() {
         println!("\n`{path}` has the curves.");
     }
-}
-
-/// Logarithmic on both axes: records to the right, seconds upwards.
-fn svg(curves: &[(&str, Vec<f64>)]) -> String {
-    const COLOURS: [&str; 6] = [
-        "#1b9e77", "#d95f02", "#7570b3", "#e7298a", "#66a61e", "#a6761d",
-    ];
-    let x = |n: usize| 60.0 + 160.0 * ((n as f64).log10() - 3.0);
-    let y = |seconds: f64| 40.0 + 80.0 * (1.0 - seconds.log10());
-    let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"760\" height=\"520\" font-family=\"sans-serif\" font-size=\"12\">\n".to_owned();
-    for decade in -4..=1 {
-        let at = y(10f64.powi(decade));
-        let _ = writeln!(
-            out,
-            "<path d=\"M60 {at}H540\" stroke=\"#ccc\"/><text x=\"8\" y=\"{at}\">1e{decade} s</text>"
-        );
-    }
-    for n in COUNTS {
-        let at = x(n);
-        let _ = writeln!(
-            out,
-            "<path d=\"M{at} 40V440\" stroke=\"#ccc\"/><text x=\"{at}\" y=\"460\">{n}</text>"
-        );
-    }
-    for (i, (name, times)) in curves.iter().enumerate() {
-        let points: Vec<String> = (COUNTS.iter().zip(times))
-            .map(|(&n, &t)| format!("{:.1},{:.1}", x(n), y(t.max(1e-4))))
-            .collect();
-        let last = times.last().copied().unwrap_or(1.0);
-        let _ = writeln!(
-            out,
-            "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/><text x=\"548\" y=\"{}\" fill=\"{1}\">{name}</text>",
-            points.join(" "),
-            COLOURS[i % COLOURS.len()],
-            y(last) + 4.0,
-        );
-    }
-    out + "</svg>\n"
 }

@@ -3,6 +3,8 @@
 //! `cargo bench --bench check -- process small`.
 
 mod growth;
+#[path = "../plot.rs"]
+mod plot;
 mod program;
 mod scenes;
 

@@ -2,9 +2,15 @@
 //! pixel; the least of some runs in turn. The two pictures are held against each other. Fails if a bar is missed. See
 //! benches/README.md.
 //!
-//! `cargo bench --bench render` draws all of them; `-- tori lights` those whose names hold these words; `-- write DIR`
-//! writes the scenes.
+//! Then what certainty costs, what a second thread brings, how the phases grow with the scene, and some single figures.
+//!
+//! `cargo bench --bench render` measures all; `-- tori lights` the scenes whose names hold these words; `-- povray`,
+//! `certainty`, `threads`, `growth` or `around` that part; `-- write DIR` writes the scenes.
 
+mod growth;
+mod kernels;
+#[path = "../plot.rs"]
+mod plot;
 mod scenes;
 
 use std::path::{Path, PathBuf};
@@ -27,6 +33,22 @@ const FEW: f64 = 0.01;
 const MEAN: f64 = 3.5;
 const LEAST: f64 = 2.5;
 
+/// How many bars are missed.
+#[derive(Default)]
+struct Bars {
+    missed: usize,
+}
+
+impl Bars {
+    fn judge(&mut self, is_met: bool) -> &'static str {
+        self.missed += usize::from(!is_met);
+        if is_met { "" } else { "MISSED" }
+    }
+}
+
+/// What is measured besides, by the names to ask for them.
+const PARTS: [&str; 5] = ["povray", "certainty", "threads", "growth", "around"];
+
 fn main() {
     let asked: Vec<String> = std::env::args()
         .skip(1)
@@ -39,39 +61,58 @@ fn main() {
     {
         return write_all(&scenes, Path::new(folder));
     }
+    let (parts, names): (Vec<String>, Vec<String>) =
+        (asked.into_iter()).partition(|a| PARTS.contains(&a.as_str()));
+    let is_asked = |part: &str| parts.is_empty() || parts.iter().any(|p| p == part);
+    let chosen: Vec<&Scene> = (scenes.iter())
+        .filter(|s| names.is_empty() || names.iter().any(|a| s.name.contains(a.as_str())))
+        .collect();
     let folder = tempfile::tempdir().expect("there is room for temporary files");
-    let is_asked =
-        |s: &&Scene| asked.is_empty() || asked.iter().any(|a| s.name.contains(a.as_str()));
+    let (folder, mut bars) = (folder.path(), Bars::default());
+    if is_asked("povray") {
+        beside_pov_ray(&chosen, folder, &mut bars);
+    }
+    if is_asked("certainty") {
+        kernels::certainty(&chosen, &mut bars);
+    }
+    if is_asked("threads") {
+        growth::threads(&chosen, folder, &mut bars);
+    }
+    if is_asked("growth") {
+        growth::growth(folder, &mut bars);
+    }
+    if is_asked("around") {
+        growth::around(&scenes, folder, &mut bars);
+    }
+    if bars.missed > 0 {
+        println!("\n{} bars are missed.", bars.missed);
+        std::process::exit(1);
+    }
+}
+
+fn beside_pov_ray(scenes: &[&Scene], folder: &Path, bars: &mut Bars) {
     println!("| scene | POV-Ray, s | zpg, s | ratio | bar | pixels that differ | |");
     println!("|---|---:|---:|---:|---:|---:|---|");
-    let (mut logarithms, mut missed) = (Vec::new(), 0);
-    for scene in scenes.iter().filter(is_asked) {
-        let [theirs, ours] = measured(scene, folder.path());
+    let mut logarithms = Vec::new();
+    for scene in scenes {
+        let [theirs, ours] = measured(scene, folder);
         let ratio = theirs / ours;
         if !scene.csg {
             logarithms.push(ratio.ln());
         }
-        let differ = differing(folder.path());
+        let differ = differing(folder);
         let bar = scene.bar.unwrap_or(LEAST);
-        let is_missed = ratio < bar || differ > FEW;
-        missed += usize::from(is_missed);
         println!(
             "| {} | {theirs:.2} | {ours:.2} | {ratio:.2} | {bar} | {:.2} % | {} |",
             scene.name,
             differ * 100.0,
-            if is_missed { "MISSED" } else { "" }
+            bars.judge(ratio >= bar && differ <= FEW)
         );
     }
     let mean = (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp();
-    if asked.is_empty() {
-        let is_missed = mean < MEAN;
-        missed += usize::from(is_missed);
-        let verdict = if is_missed { "MISSED" } else { "" };
+    if logarithms.len() == 9 {
+        let verdict = bars.judge(mean >= MEAN);
         println!("| mean of those without CSG | | | {mean:.2} | {MEAN} | | {verdict} |");
-    }
-    if missed > 0 {
-        println!("\n{missed} bars are missed.");
-        std::process::exit(1);
     }
 }
 
