@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 use std::sync::Arc;
 
 use serde_json::Value;
@@ -434,7 +433,7 @@ fn advice_where_nothing_is_to_be_done_and_where_nothing_helps() {
 }
 
 fn zpg(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
-    let run = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let run = crate::support::program::command()
         .args(args)
         .current_dir(folder)
         .output()

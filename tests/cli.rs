@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
 use crate::support::program::{folder, text};
 
@@ -16,7 +16,7 @@ fn zpg(folder: &Path, args: &[&str]) -> Output {
 }
 
 fn zpg_with(folder: &Path, args: &[&str], input: &[u8]) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let mut child = crate::support::program::command()
         .args(args)
         .current_dir(folder)
         .env_remove("NO_COLOR")
@@ -50,7 +50,7 @@ fn a_killed_run_leaves_nothing_for_long() {
         names.sort();
         names
     };
-    let mut long = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let mut long = crate::support::program::command()
         .args(["render", "a.zpg", "--size", "9000x9000", "--samples", "64"])
         .current_dir(dir.path())
         .spawn()
@@ -181,7 +181,7 @@ fn completions_name_the_commands() {
 #[test]
 fn a_closed_pipe_is_no_failure() {
     let dir = tempfile::tempdir().unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let mut child = crate::support::program::command()
         .args(["completions", "zsh"])
         .current_dir(dir.path())
         .stdout(Stdio::piped())

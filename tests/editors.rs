@@ -43,9 +43,10 @@ fn home() -> (tempfile::TempDir, PathBuf, String) {
         home.path().display(),
         std::env::var("PATH").unwrap()
     );
-    let (program, folder) = (env!("CARGO_BIN_EXE_zpg"), home.path().display());
+    let (program, folder) = (crate::support::program::PATH, home.path().display());
     let script = format!(
         "#!/bin/sh\n\
+         export LC_ALL=C\n\
          [ \"$1\" = lsp ] || exec {program} \"$@\"\n\
          tee -a {folder}/asked.$$ | {program} lsp | tee -a {folder}/said.$$\n"
     );

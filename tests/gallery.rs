@@ -7,7 +7,6 @@ use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use zpg::syntax::ast::Item;
 use zpg::syntax::table::RECORD_TYPES;
@@ -90,7 +89,7 @@ fn pictures_are_as_they_were_looked_at() {
             true => &["--stereo", "side-by-side"],
             false => &[],
         };
-        let output = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        let output = crate::support::program::command()
             .args(["render", "--size", SIZE])
             .args(stereo)
             .arg("-o")

@@ -579,7 +579,7 @@ fn commands_make_what_they_say() {
 
 /// Starts the server, sends it some bytes, and gives what it says and its exit status.
 fn spoken_to(bytes: &[u8]) -> (String, Option<i32>) {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let mut child = crate::support::program::command()
         .args(["lsp", "--stdio"])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -681,7 +681,7 @@ fn any_text_is_a_scene() {
 #[cfg(unix)]
 fn it_ends_with_its_parent() {
     let mut parent = Command::new("sleep").arg("1000").spawn().unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let mut child = crate::support::program::command()
         .arg("lsp")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

@@ -2,7 +2,6 @@
 
 use serde_json::Value;
 use std::fs;
-use std::process::Command;
 use zpg::syntax::table::ShapeKind;
 
 struct Folder(tempfile::TempDir);
@@ -14,7 +13,7 @@ impl Folder {
 
     fn run(&self, scene: &str, args: &[&str]) -> Vec<u8> {
         fs::write(self.0.path().join("scene.zpg"), scene).unwrap();
-        let out = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        let out = crate::support::program::command()
             .current_dir(self.0.path())
             .args(args)
             .output()

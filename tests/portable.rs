@@ -3,7 +3,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// Functions of floating-point numbers that are not correctly rounded everywhere.
 const FUNCTIONS: [&str; 22] = [
@@ -74,7 +73,7 @@ fn pictures_have_the_same_bits_everywhere() {
         .map(|(name, _)| {
             let scene = format!("{}/scenes/gallery/{name}.zpg", env!("CARGO_MANIFEST_DIR"));
             let picture = folder.path().join(format!("{name}.pfm"));
-            let output = Command::new(env!("CARGO_BIN_EXE_zpg"))
+            let output = crate::support::program::command()
                 .args(["render", "--size", "96x72", "-o"])
                 .arg(&picture)
                 .arg(scene)

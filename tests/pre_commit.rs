@@ -94,7 +94,7 @@ impl Setup {
 
     /// Runs a command that sees the program under test, and nothing of the user's settings.
     fn run(&self, folder: &Path, command: &mut Command, what: &str) -> Output {
-        let program = Path::new(env!("CARGO_BIN_EXE_zpg")).parent().unwrap();
+        let program = Path::new(crate::support::program::PATH).parent().unwrap();
         let path = std::env::var_os("PATH").unwrap_or_default();
         let places = [program.to_owned()]
             .into_iter()
@@ -107,6 +107,7 @@ impl Setup {
             .env("PATH", std::env::join_paths(places).unwrap())
             .env("PRE_COMMIT_HOME", self.path("cache"))
             .env("PRE_COMMIT_COLOR", "never")
+            .env("LC_ALL", "C")
             .env("GIT_CONFIG_GLOBAL", self.path("no-such-file"))
             .env("GIT_CONFIG_NOSYSTEM", "1")
             .env("GIT_AUTHOR_NAME", "A. Student")

@@ -10,7 +10,7 @@ use std::process::{Command, Output, Stdio};
 use trace_support::Random;
 
 fn command(folder: &Path, args: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_zpg"));
+    let mut command = crate::support::program::command();
     command
         .arg("probe")
         .args(args)

@@ -4,7 +4,6 @@
 
 use crate::campaign::rng::Rng;
 use crate::exact::algebra::{Q, q, to_f64};
-use std::process::Command;
 use zpg::analysis::Analysis;
 use zpg::diagnostics::Code;
 use zpg::geometry::Matrix;
@@ -369,7 +368,7 @@ fn povray_sees_what_infinite_and_reversed_matrices_see() {
         );
         std::fs::write(folder.path().join("a.zpg"), scene).unwrap();
         let run = |args: &[&str]| {
-            Command::new(env!("CARGO_BIN_EXE_zpg"))
+            crate::support::program::command()
                 .current_dir(folder.path())
                 .args(args)
                 .output()

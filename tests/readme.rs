@@ -3,7 +3,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// The README is read in a few minutes.
 const MOST_WORDS: usize = 900;
@@ -55,7 +54,7 @@ fn run(folder: &Path, command: &str) -> String {
         _ if words[0] == "zpg" => &words[1..],
         _ => panic!("an unknown program: {command}"),
     };
-    let output = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let output = crate::support::program::command()
         .args(arguments)
         .current_dir(folder)
         .output()

@@ -12,7 +12,7 @@ const SCENE: &str = "2 11 0 0 0 1\n3 12 1.5 -1 0 1.52 1 0.1\n4 -101 2 3\n9 -501 
                      50 -401 1\n1 9999 4 0\n";
 
 fn zpg(folder: &Path, args: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_zpg"))
+    crate::support::program::command()
         .args(args.split_whitespace())
         .current_dir(folder)
         .output()
@@ -238,7 +238,7 @@ fn ctrl_c_leaves_no_file() {
     use std::time::{Duration, Instant};
     let dir = folder(&[("a.zpg", SCENE.as_bytes())]);
     let files = || fs::read_dir(dir.path()).unwrap().count();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let mut child = crate::support::program::command()
         .args([
             "render",
             "a.zpg",

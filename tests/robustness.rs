@@ -19,9 +19,10 @@ fn run(arguments: &[&str], input: &[u8]) -> (i32, String) {
         .arg(format!(
             "ulimit -v {MEMORY_KIB}; ulimit -s {STACK_KIB}; exec \"$0\" \"$@\""
         ))
-        .arg(env!("CARGO_BIN_EXE_zpg"))
+        .arg(crate::support::program::PATH)
         .args(arguments)
         .env("RUST_BACKTRACE", "0")
+        .env("LC_ALL", "C")
         .stdin(Stdio::piped())
         .stdout(Stdio::null())
         .stderr(Stdio::piped())

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
 use crate::any_files::{self, Pool};
 
@@ -12,7 +12,7 @@ const FORMATTED: &str =
 
 fn zpg(folder: &Path, args: &[&str], input: &[u8]) -> Output {
     use std::io::Write;
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let mut child = crate::support::program::command()
         .args(args)
         .current_dir(folder)
         .stdin(Stdio::piped())

@@ -7,7 +7,6 @@ use rayon::prelude::*;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 use zpg::analysis::Analysis;
 use zpg::geometry::Matrix;
 use zpg::scene::{Geometry, NodeId, Paint, Scene, Texture, TriangleNormals};
@@ -105,7 +104,7 @@ fn each_effect_is_counted_where_it_shows() {
         let head = "90 -501 0 0 9 0 0 -1 0 1 0 45\n91 -402 1\n91 -1 5 6 9\n80 -701 1 0 0\n81 -701 0 1 0\n\
                     2 11 0 0 0 1\n3 12 -4 -4 -3 4 4 -2\n";
         fs::write(folder.path().join("a.zpg"), format!("{head}{records}\n")).unwrap();
-        let out = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        let out = crate::support::program::command()
             .current_dir(folder.path())
             .args("render a.zpg -o a.pfm --size 40x30 --stats a.json".split(' '))
             .output()

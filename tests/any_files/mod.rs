@@ -109,6 +109,7 @@ fn batch(size: usize, seed: u64, pool: &Pool) -> Tally {
 
 fn zpg(arguments: &[&str], folder: &Path) -> Option<i32> {
     Command::new(env!("CARGO_BIN_EXE_zpg"))
+        .env("LC_ALL", "C")
         .args(arguments)
         .arg(folder)
         .stdout(Stdio::null())

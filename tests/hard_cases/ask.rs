@@ -6,7 +6,7 @@ use dashu_int::{IBig, UBig};
 use serde_json::Value;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precision {
@@ -135,7 +135,7 @@ fn three<T>(value: &Value, of: impl Fn(&Value) -> T) -> [T; 3] {
 
 /// The answers to many rays about a scene, or about one of its objects.
 pub fn ask(scene: &Path, object: Option<u32>, rays: &[Ray], precision: Precision) -> Vec<Said> {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_zpg"));
+    let mut command = crate::support::program::command();
     command.arg("probe").arg(scene);
     command.args(["--rays", "-", "--precision", precision.name()]);
     if let Some(id) = object {

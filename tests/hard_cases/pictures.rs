@@ -3,13 +3,12 @@
 use super::ask::{Precision, Ray, Written, all_held, data};
 use super::trace_support::Random;
 use std::path::Path;
-use std::process::Command;
 
 /// Renders a scene; linear RGB from the top row on.
 fn render(scene: &Path, size: (usize, usize), precision: Precision) -> Vec<[f32; 3]> {
     let folder = tempfile::tempdir().unwrap();
     let (width, height) = size;
-    let out = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let out = crate::support::program::command()
         .arg("render")
         .arg(scene)
         .args(["--size", &format!("{width}x{height}"), "-o", "out.pfm"])
@@ -105,7 +104,7 @@ pub fn row_32_equal_spheres_cost_nothing(precision: Precision) {
     let two = Written::new(&format!("3 11 0 0 0 1\n4 11 0 0 0 1\n2 -101 3 4\n{camera}"));
     let tests = |scene: &Written| {
         let folder = tempfile::tempdir().unwrap();
-        let out = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        let out = crate::support::program::command()
             .arg("render")
             .arg(&scene.path)
             .args(["--size", "32x24", "-o", "out.png", "--stats", "stats.json"])

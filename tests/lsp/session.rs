@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::io::BufReader;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Stdio};
 use std::thread;
 use std::time::Duration;
 
@@ -57,7 +57,7 @@ impl Session {
 
     /// The server as it is installed.
     pub fn program(capabilities: Value) -> Session {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+        let mut child = crate::support::program::command()
             .arg("lsp")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())

@@ -4,9 +4,19 @@ use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+/// The program, which speaks English whatever the environment says.
+pub fn command() -> Command {
+    let mut command = Command::new(PATH);
+    command.env("LC_ALL", "C");
+    command
+}
+
+/// Where the program is, for those that are run by others.
+pub const PATH: &str = env!("CARGO_BIN_EXE_zpg");
+
 /// Runs it in a folder, with something on its standard input.
 pub fn zpg(folder: &Path, arguments: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let mut child = command()
         .args(arguments)
         .current_dir(folder)
         .stdin(Stdio::piped())
