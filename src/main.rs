@@ -4,57 +4,7 @@ mod machine;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand};
-
-use zpg::commands::{
-    LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, lsp, plan,
-    probe, render, usage,
-};
-
-/// Tools for scenes in the ZPG scene language
-#[derive(Debug, Parser)]
-#[command(
-    name = "zpg",
-    version,
-    arg_required_else_help = true,
-    after_help = "\
-Exit status: 0 done and clean; 1 the scene has errors, or the answer is \"no\"; 2 wrong usage, or
-a file cannot be read or written, or is no scene.
-
-Examples:
-  zpg check scene.zpg       what is wrong with a scene
-  zpg fmt scene.zpg         one record a line, numbers in their shortest spelling
-  zpg render scene.zpg      a picture, scene.png
-  zpg plan scene.zpg        which effects the picture needs, and why
-  zpg accuracy scene.zpg    what each step of accuracy costs in time
-  zpg convert scene.zpg --to pov -o scene.pov
-  zpg crosscheck scene.zpg --with povray
-  zpg probe scene.zpg --ray \"0 0 9  0 0 -1\"
-  zpg explain E101          what a finding means and how to fix it
-  zpg explain checkerboard  what a record type means and how it is written"
-)]
-struct Cli {
-    #[command(subcommand)]
-    command: Command,
-
-    #[command(flatten)]
-    look: LookChoice,
-}
-
-#[derive(Debug, Subcommand)]
-enum Command {
-    Check(check::Args),
-    Fmt(fmt::Args),
-    Convert(convert::Args),
-    Crosscheck(crosscheck::Args),
-    Render(render::Args),
-    Probe(probe::Args),
-    Plan(plan::Args),
-    Accuracy(accuracy::Args),
-    Explain(explain::Args),
-    Lsp(lsp::Args),
-    Completions(completions::Args),
-}
+use zpg::commands::{Status, cli};
 
 fn main() -> ExitCode {
     match machine::suffices() {
@@ -69,22 +19,5 @@ fn main() -> ExitCode {
 /// Kept apart from [`main`], which has to run on any machine.
 #[inline(never)]
 fn run() -> ExitCode {
-    let cli = match Cli::try_parse() {
-        Ok(cli) => cli,
-        Err(error) => return usage::refuse(&error, std::env::args_os()).into(),
-    };
-    let status = match &cli.command {
-        Command::Check(args) => check::run(args, cli.look),
-        Command::Fmt(args) => fmt::run(args, cli.look),
-        Command::Convert(args) => convert::run(args, cli.look),
-        Command::Crosscheck(args) => crosscheck::run(args, cli.look),
-        Command::Render(args) => render::run(args, cli.look),
-        Command::Probe(args) => probe::run(args, cli.look),
-        Command::Plan(args) => plan::run(args, cli.look),
-        Command::Accuracy(args) => accuracy::run(args, cli.look),
-        Command::Explain(args) => explain::run(args, cli.look),
-        Command::Lsp(args) => lsp::run(args, cli.look),
-        Command::Completions(args) => completions::run(args, Cli::command(), cli.look),
-    };
-    status.into()
+    cli::run().into()
 }

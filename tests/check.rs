@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 use crate::support::program::{folder, text, zpg};
 
@@ -284,17 +284,17 @@ fn wrong_usage_in_both_languages() {
         (
             &["check", "a.zpg", "--format", "xml"],
             "error: `xml` is not a value of `--format <FORMAT>`: there are human, short, json,",
-            "chyba: `xml` není hodnota pro `--format <FORMAT>`: možnosti jsou human, short, json,",
+            "chyba: `xml` není hodnota pro `--format <TVAR>`: možnosti jsou human, short, json,",
         ),
         (
             &["check", "a.zpg", "--select", "W399"],
             "error: `W399` is not a value of `--select <CODE>`: there is no code `W399`; did you mean",
-            "chyba: `W399` není hodnota pro `--select <CODE>`: kód `W399` neexistuje; mysleli jste",
+            "chyba: `W399` není hodnota pro `--select <KÓD>`: kód `W399` neexistuje; mysleli jste",
         ),
         (
             &["render", "a.zpg", "--size", "9"],
             "`--size <WxH>`: expected WxH, as in 640x480",
-            "`--size <WxH>`: očekává se ŠxV, například 640x480",
+            "`--size <ŠxV>`: očekává se ŠxV, například 640x480",
         ),
         (
             &["render", "a.zpg", "--samples", "0"],
@@ -304,7 +304,7 @@ fn wrong_usage_in_both_languages() {
         (
             &["render", "a.zpg", "--adaptive", "0.1", "--samples", "2"],
             "`--adaptive <TOL>` does not go together with `--samples <N>`",
-            "`--adaptive <TOL>` nelze uvést spolu s `--samples <N>`",
+            "`--adaptive <MEZ>` nelze uvést spolu s `--samples <N>`",
         ),
         (
             &["probe", "a.zpg", "--ray", "0 0 x 0 0 1"],
@@ -329,12 +329,12 @@ fn wrong_usage_in_both_languages() {
         (
             &["render"],
             "error: missing: <FILE>",
-            "chyba: chybí: <FILE>",
+            "chyba: chybí: <SOUBOR>",
         ),
         (
             &["explain", "--color"],
             "`--color <WHEN>` needs a value: there are auto, always, never",
-            "`--color <WHEN>` potřebuje hodnotu: možnosti jsou auto, always, never",
+            "`--color <KDY>` potřebuje hodnotu: možnosti jsou auto, always, never",
         ),
     ] {
         for (language, expected) in [("en", english), ("cs", czech)] {
@@ -356,7 +356,7 @@ fn wrong_usage_in_both_languages() {
 #[test]
 fn watching_checks_again() {
     let dir = folder(&[("a.zpg", SCENE)]);
-    let mut child = Command::new(env!("CARGO_BIN_EXE_zpg"))
+    let mut child = crate::support::program::command()
         .args(["check", "--watch", "--format", "short", "a.zpg"])
         .current_dir(dir.path())
         .stdout(Stdio::piped())

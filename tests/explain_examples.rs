@@ -13,7 +13,7 @@ fn examples(code: Code) -> Vec<&'static str> {
         Code::E015 => "```json\n",
         _ => "```zpg\n",
     };
-    (code.explanation().split(fence))
+    (code.explanation(Language::English).split(fence))
         .skip(1)
         .filter_map(|rest| rest.split_once("```"))
         .map(|(scene, _)| scene)
@@ -95,10 +95,44 @@ fn examples_are_true() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
+/// The fenced blocks of a page, whole.
+fn fences(page: &str) -> Vec<&str> {
+    page.split("```").skip(1).step_by(2).collect()
+}
+
+#[test]
+fn czech_pages_have_the_same_examples() {
+    for &code in Code::ALL {
+        let [english, czech] =
+            [Language::English, Language::Czech].map(|l| fences(code.explanation(l)));
+        assert_eq!(english, czech, "{}", code.as_str());
+    }
+}
+
+#[test]
+fn every_czech_page_has_its_headings() {
+    for &code in Code::ALL {
+        let [english, czech] = [Language::English, Language::Czech].map(|l| {
+            let page = code.explanation(l).lines();
+            let headings = page.filter(|line| line.starts_with("## "));
+            headings.collect::<Vec<_>>()
+        });
+        let all = [
+            ("## What it does", "## Co to hlásí"),
+            ("## Why is this bad", "## Proč je to špatně"),
+            ("## Example", "## Příklad"),
+            ("## Fix", "## Oprava"),
+        ];
+        let translated = |heading: &&str| all.iter().find(|h| h.0 == *heading).map(|h| h.1);
+        let expected: Vec<_> = english.iter().filter_map(translated).collect();
+        assert_eq!(czech, expected, "{}", code.as_str());
+    }
+}
+
 #[test]
 fn every_page_has_its_headings() {
     for &code in Code::ALL {
-        let page = code.explanation();
+        let page = code.explanation(Language::English);
         let mut headings = page.lines().filter(|l| l.starts_with("## "));
         assert_eq!(
             headings.next(),

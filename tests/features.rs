@@ -78,7 +78,12 @@ impl Fixture {
 }
 
 fn hints_of(f: &Fixture) -> String {
-    let all = hints::hints(&f.scene, f.all(), hints::Wanted::default());
+    let all = hints::hints(
+        &f.scene,
+        f.all(),
+        hints::Wanted::default(),
+        Language::English,
+    );
     f.with(
         all.into_iter()
             .map(|h| (h.at, format!("‹{}›", h.text)))
@@ -94,23 +99,25 @@ fn hover_of(f: &Fixture) -> String {
 }
 
 fn signature_of(f: &Fixture) -> String {
-    f.each(|at| match signature::signature(&f.scene, at) {
-        None => "nothing".to_owned(),
-        Some(s) => {
-            let mut label = s.label.clone();
-            let active = s.active.map(|i| &s.params[i]);
-            if let Some(param) = active {
-                label.insert(param.at.1, '›');
-                label.insert(param.at.0, '‹');
+    f.each(
+        |at| match signature::signature(&f.scene, at, Language::English) {
+            None => "nothing".to_owned(),
+            Some(s) => {
+                let mut label = s.label.clone();
+                let active = s.active.map(|i| &s.params[i]);
+                if let Some(param) = active {
+                    label.insert(param.at.1, '›');
+                    label.insert(param.at.0, '‹');
+                }
+                format!("{label}\n{}", active.map_or("", |p| p.doc.as_str()))
             }
-            format!("{label}\n{}", active.map_or("", |p| p.doc.as_str()))
-        }
-    })
+        },
+    )
 }
 
 fn completion_of(f: &Fixture) -> String {
     f.each(|at| {
-        let found = completion::completion(&f.scene, at);
+        let found = completion::completion(&f.scene, at, Language::English);
         let word = f.scene.source.slice(found.word);
         let mut out = format!("in the place of `{word}`:\n");
         for p in &found.proposals {
@@ -174,7 +181,7 @@ fn symbols_of(f: &Fixture) -> String {
             .for_each(|s| add(f, s, depth + 1, out));
     }
     let mut out = String::new();
-    symbols::symbols(&f.scene)
+    symbols::symbols(&f.scene, Language::English)
         .iter()
         .for_each(|s| add(f, s, 0, &mut out));
     out
@@ -182,13 +189,19 @@ fn symbols_of(f: &Fixture) -> String {
 
 fn calls_of(f: &Fixture) -> String {
     f.each(|at| {
-        let Some(node) = calls::prepare(&f.scene, at) else {
+        let Some(node) = calls::prepare(&f.scene, at, Language::English) else {
             return "nothing".to_owned();
         };
         let mut out = format!("{}\n", node.name);
         for (sign, all) in [
-            ("made into", calls::incoming(&f.scene, node.id)),
-            ("made of", calls::outgoing(&f.scene, node.id)),
+            (
+                "made into",
+                calls::incoming(&f.scene, node.id, Language::English),
+            ),
+            (
+                "made of",
+                calls::outgoing(&f.scene, node.id, Language::English),
+            ),
         ] {
             for call in all {
                 let at: Vec<String> = call.at.iter().map(|s| f.place(*s)).collect();
@@ -350,7 +363,7 @@ fn no_place_is_too_odd() {
         let f = Fixture::read(&text);
         let all = f.all();
         for wanted in [all, Span::new(all.end / 3, all.end / 2)] {
-            hints::hints(&f.scene, wanted, hints::Wanted::default());
+            hints::hints(&f.scene, wanted, hints::Wanted::default(), Language::Czech);
             tokens::tokens(&f.scene, wanted);
         }
         for answer in [
@@ -362,11 +375,11 @@ fn no_place_is_too_odd() {
             if let Some(hover) = hover::hover(&f.scene, at, Language::Czech) {
                 assert!(text.get(hover.span.range()).is_some());
             }
-            signature::signature(&f.scene, at);
-            let word = completion::completion(&f.scene, at).word;
+            signature::signature(&f.scene, at, Language::Czech);
+            let word = completion::completion(&f.scene, at, Language::Czech).word;
             assert!(word.start <= at && text.get(word.range()).is_some());
             uses::definition(&f.scene, at);
-            calls::prepare(&f.scene, at);
+            calls::prepare(&f.scene, at, Language::Czech);
             let spans = selection::selection(&f.scene, at);
             let holds =
                 |pair: &[Span]| pair[1].start <= pair[0].start && pair[0].end <= pair[1].end;

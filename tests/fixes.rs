@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use crate::trace_support;
 use zpg::analysis::Analysis;
-use zpg::diagnostics::{Applicability, Code, Diagnostic, Severity, fixes};
+use zpg::diagnostics::{Applicability, Code, Diagnostic, Language, Severity, fixes};
 
 /// What the examples leave out: other cases of a code, and comments between any two tokens.
 const TRIGGERS: &[&str] = &[
@@ -49,7 +49,10 @@ fn scenes() -> Vec<(String, String)> {
         .map(|t| (t.clone(), t))
         .collect();
     for code in Code::ALL {
-        let fences = code.explanation().split("```zpg\n").skip(1);
+        let fences = code
+            .explanation(Language::English)
+            .split("```zpg\n")
+            .skip(1);
         for (i, fence) in fences.enumerate() {
             let scene = fence.split("```").next().unwrap();
             all.push((

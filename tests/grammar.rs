@@ -6,7 +6,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use zpg::analysis::Analysis;
-use zpg::diagnostics::Code;
+use zpg::diagnostics::{Code, Language};
 use zpg::features::tokens::{self, Role};
 use zpg::syntax::grammar;
 use zpg::syntax::table::{Family, Param, ParamKind, RECORD_TYPES, RecordType};
@@ -32,48 +32,83 @@ fn agrees(name: &str, expected: &str) {
 
 #[test]
 fn the_reference_is_up_to_date() {
-    let reference = fs::read_to_string(path("reference.md")).unwrap();
-    agrees("reference.md", &grammar::fill(&reference).unwrap());
+    for (name, language) in REFERENCES {
+        let reference = fs::read_to_string(path(name)).unwrap();
+        agrees(name, &grammar::fill(&reference, language).unwrap());
+    }
 }
+
+/// The reference in each language.
+const REFERENCES: [(&str, Language); 2] = [
+    ("reference.md", Language::English),
+    ("reference.cs.md", Language::Czech),
+];
 
 #[test]
 fn the_reference_has_every_record_type() {
-    let reference = fs::read_to_string(path("reference.md")).unwrap();
-    for ty in RECORD_TYPES {
-        let row = format!("| {} | `{}` |", ty.code, ty.keyword);
-        assert!(reference.contains(&row), "{row}");
+    for (name, language) in REFERENCES {
+        let reference = fs::read_to_string(path(name)).unwrap();
+        for ty in RECORD_TYPES {
+            let row = match language {
+                Language::English => format!("| {} | `{}` |", ty.code, ty.keyword),
+                Language::Czech => {
+                    format!(
+                        "| {} | {}, `{}` |",
+                        ty.code,
+                        language.name(ty.title),
+                        ty.keyword
+                    )
+                }
+            };
+            assert!(reference.contains(&row), "{name}: {row}");
+        }
     }
 }
 
 #[test]
 fn the_scenes_in_the_reference_are_good() {
-    let reference = fs::read_to_string(path("reference.md")).unwrap();
-    let scenes: Vec<_> = reference
-        .split("```zpg\n")
-        .skip(1)
-        .filter_map(|rest| rest.split_once("```"))
-        .collect();
-    assert!(!scenes.is_empty());
-    for (scene, _) in scenes {
-        let loaded = Analysis::new("scene.zpg", scene.into());
-        assert!(loaded.findings().is_empty(), "{:#?}", loaded.findings());
+    for (name, _) in REFERENCES {
+        let reference = fs::read_to_string(path(name)).unwrap();
+        let scenes: Vec<_> = reference
+            .split("```zpg\n")
+            .skip(1)
+            .filter_map(|rest| rest.split_once("```"))
+            .collect();
+        assert!(!scenes.is_empty());
+        for (scene, _) in scenes {
+            let loaded = Analysis::new("scene.zpg", scene.into());
+            assert!(loaded.findings().is_empty(), "{:#?}", loaded.findings());
+        }
     }
 }
 
 #[test]
 fn the_pages_of_the_codes_are_up_to_date() {
-    let mut pages = "# Diagnostics\n\nThe pages that `zpg explain` shows.\n".to_owned();
-    for code in Code::ALL {
-        let page = code.explanation().replace("\n## ", "\n### ");
-        let page = page.replacen("## ", "### ", 1);
-        pages += &format!(
-            "\n## {} {}\n\n{}\n",
-            code.as_str(),
-            code.name(),
-            page.trim_end()
-        );
+    for (name, language, head) in [
+        (
+            "diagnostics.md",
+            Language::English,
+            "# Diagnostics\n\nThe pages that `zpg explain` shows.\n",
+        ),
+        (
+            "diagnostics.cs.md",
+            Language::Czech,
+            "# Nálezy\n\nStránky, které ukazuje `zpg explain`.\n",
+        ),
+    ] {
+        let mut pages = head.to_owned();
+        for code in Code::ALL {
+            let page = code.explanation(language).replace("\n## ", "\n### ");
+            let page = page.replacen("## ", "### ", 1);
+            pages += &format!(
+                "\n## {} {}\n\n{}\n",
+                code.as_str(),
+                code.name(),
+                page.trim_end()
+            );
+        }
+        agrees(name, &pages);
     }
-    agrees("diagnostics.md", &pages);
 }
 
 #[test]

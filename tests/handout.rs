@@ -70,3 +70,72 @@ fn repaired_examples() {
         assert!(loaded.scene.render.is_some());
     }
 }
+
+/// The pages of what the handout leaves open: the page, the reference whose last section says the same, and how
+/// the heading of that begins.
+const PAGES: [[&str; 3]; 2] = [
+    ["docs/handout.md", "grammar/reference.md", "## 9. "],
+    ["docs/handout.cs.md", "grammar/reference.cs.md", "## 9. "],
+];
+
+fn read(path: &str) -> String {
+    std::fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
+}
+
+#[test]
+fn the_reference_says_what_the_pages_say() {
+    for [page, reference, heading] in PAGES {
+        let (page, reference) = (read(page), read(reference));
+        let section = reference.split(&format!("\n{heading}")).nth(1).unwrap();
+        let section = format!("# {}", section.replace("\n### ", "\n## "));
+        assert_eq!(page, section);
+    }
+}
+
+/// Each example is a part of the scene at the top: before its last line, or in place of it.
+#[test]
+fn what_the_pages_show_is_true() {
+    for [page, ..] in PAGES {
+        let text = read(page);
+        let blocks = |fence: &str| -> Vec<String> {
+            let opening = format!("```{fence}\n");
+            let all = text.split(&opening).skip(1);
+            all.map(|rest| rest.split("```").next().unwrap().to_owned())
+                .collect()
+        };
+        let scenes = blocks("zpg");
+        let [scene] = scenes.as_slice() else {
+            panic!("{page}: {} scenes", scenes.len());
+        };
+        let (before, last) = scene.trim_end().rsplit_once('\n').unwrap();
+        let parts = blocks("zpg part");
+        assert!(parts.len() > 30, "{page}");
+        for part in parts {
+            let is_render = |line: &str| line.starts_with("1 9999");
+            let whole = match part.lines().any(is_render) {
+                true => format!("{before}\n{part}"),
+                false => format!("{before}\n{part}{last}\n"),
+            };
+            let loaded = zpg::analysis::Analysis::new("scene.zpg", whole.clone().into_bytes());
+            assert!(
+                loaded.is_sound(),
+                "{page}: {:#?}\n{whole}",
+                loaded.findings()
+            );
+        }
+    }
+}
+
+#[test]
+fn the_pages_have_the_same_examples() {
+    let parts = |page: &str| -> Vec<String> {
+        let text = read(page);
+        let blocks = text.split("```").skip(1).step_by(2);
+        // Comments are in the language of the page.
+        let bare = |block: &str| block.split('#').step_by(2).collect::<String>();
+        blocks
+            .map(|b| bare(b).split_whitespace().collect::<Vec<_>>().join(" "))
+            .collect()
+    };
+    assert_eq!(parts(PAGES[0][0]), parts(PAGES[1][0]));
+}

@@ -17,6 +17,7 @@ mod cli;
 mod convert_json;
 mod convert_mesh;
 mod crosscheck;
+mod czech;
 mod editors;
 mod explain_examples;
 mod extreme_numbers;
@@ -24,6 +25,7 @@ mod features;
 mod fixes;
 mod formatting;
 mod gallery;
+mod glossary;
 mod grammar;
 mod handout;
 mod hard_cases;
@@ -79,6 +81,22 @@ fn every_file_takes_part() {
         let name = path.file_stem().unwrap().to_str().unwrap();
         if name != "main" && path.extension().is_some_and(|e| e == "rs") {
             assert!(text.contains(&format!("\nmod {name};\n")), "{name}");
+        }
+    }
+}
+
+/// Tests do not depend on the language of whoever runs them.
+#[test]
+fn the_program_is_run_in_english() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/tests");
+    let variable = ["CARGO_BIN", "EXE_zpg"].join("_");
+    for entry in ignore::Walk::new(root) {
+        let path = entry.unwrap().into_path();
+        let is_source = path.extension().is_some_and(|e| e == "rs");
+        if is_source {
+            let text = std::fs::read_to_string(&path).unwrap();
+            let sets_it = text.contains("env(\"LC_ALL\", \"C\")");
+            assert!(!text.contains(&variable) || sets_it, "{}", path.display());
         }
     }
 }

@@ -7,18 +7,21 @@ use fluent_syntax::ast::{
     Attribute, CallArguments, Entry, Expression, InlineExpression, Pattern, PatternElement,
 };
 use zpg::diagnostics::{Code, Language, Value};
-use zpg::syntax::table::{Effect, Kind, ParamKind, RECORD_TYPES};
+use zpg::syntax::table::{Effect, Family, Kind, ParamKind, RECORD_TYPES};
+use zpg::translate::Feature;
 
 /// All messages of a language: those of the diagnostics and those in the folders of rules.
-fn messages_of(tag: &str) -> String {
+fn messages_of(own: &str) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files: Vec<_> = (ignore::Walk::new(root).map(|e| e.unwrap().into_path()))
         .filter(|path| {
-            let name = path
-                .file_name()
-                .and_then(|n| n.to_str())
-                .unwrap_or_default();
-            name == format!("{tag}.ftl") || name == format!("complaints.{tag}.ftl")
+            // Some files are Czech alone: English has their texts in the source.
+            let path = path.to_string_lossy();
+            let other = |tag| path.replace(&format!("{own}.ftl"), &format!("{tag}.ftl"));
+            path.ends_with(&format!("{own}.ftl"))
+                && ["en", "cs"]
+                    .iter()
+                    .all(|tag| Path::new(&other(tag)).exists())
         })
         .collect();
     files.sort();
@@ -28,7 +31,10 @@ fn messages_of(tag: &str) -> String {
     texts.collect()
 }
 
-const CZECH_TERMS: &str = include_str!("../src/diagnostics/messages/terms.cs.ftl");
+const CZECH_TERMS: &str = concat!(
+    include_str!("../src/diagnostics/messages/terms.cs.ftl"),
+    include_str!("../src/diagnostics/messages/phrases.cs.ftl")
+);
 
 /// Messages and, as `message.attribute`, their attributes; with the places of each.
 type Catalogue = BTreeMap<String, BTreeSet<String>>;
@@ -169,18 +175,38 @@ fn every_name_of_the_language_is_translated() {
         };
     }
     names.insert(Kind::Undefined.name());
-    names.extend(sources().iter().flat_map(|s| literals(s, "Value::Term(\"")));
-    let value = |name| {
-        Language::Czech.say(
-            "list-and",
-            &[("first", Value::Term(name)), ("last", "".into())],
-        )
+    names.extend(Family::ALL.map(Family::title));
+    names.extend(Feature::all().map(Feature::name));
+    for source in sources() {
+        for opening in [
+            "Value::Term(",
+            "Complaint::term(",
+            "Fidelity::approximate(",
+            "Verdict::exact(",
+            "Verdict::approximate(",
+            "Verdict::dropped(",
+            "report.state(",
+            "report.count(",
+            "ProgramError::Unexpected(",
+            "language.name(",
+        ] {
+            names.extend(first_arguments(source, opening));
+        }
+    }
+    for source in [
+        include_str!("../src/trace/plan/notes.rs"),
+        include_str!("../src/trace/plan/mod.rs"),
+    ] {
+        names.extend(source.split('"').skip(1).step_by(2));
+    }
+    names.remove("");
+    let id = |name: &&str| {
+        let words = name.split(|c: char| !c.is_ascii_alphanumeric());
+        let words = words.filter(|w| !w.is_empty());
+        words.fold("term".to_owned(), |id, w| id + "-" + &w.to_lowercase())
     };
-    let missing: Vec<_> = names
-        .iter()
-        .filter(|name| value(name).starts_with(**name))
-        // Words that are the same in both languages.
-        .filter(|name| !["torus", "hyperboloid"].contains(name))
+    let missing: Vec<_> = (names.iter())
+        .filter(|name| !terms.contains_key(&id(name)))
         .collect();
     assert!(missing.is_empty(), "not translated: {missing:#?}");
 }
@@ -204,12 +230,20 @@ fn sources() -> Vec<&'static str> {
     all
 }
 
-/// What stands between some opening and the next quotation mark, everywhere in a text.
-fn literals(text: &'static str, opening: &str) -> Vec<&'static str> {
-    text.split(opening)
-        .skip(1)
-        .filter_map(|rest| rest.split('"').next())
-        .collect()
+/// The texts that calls of a function begin with, everywhere in a source.
+fn first_arguments(source: &'static str, opening: &str) -> Vec<&'static str> {
+    let calls = source.split(opening).skip(1);
+    let texts = calls.filter_map(|rest| rest.trim_start().strip_prefix('"')?.split('"').next());
+    texts.collect()
+}
+
+/// What a record type means stands in the table, and in Czech by its keyword.
+#[test]
+fn every_summary_is_translated() {
+    let text = include_str!("../src/diagnostics/messages/summaries.cs.ftl");
+    let there: BTreeSet<String> = catalogue(text).into_keys().collect();
+    let keyword = |t: &zpg::syntax::table::RecordType| format!("summary-{}", t.keyword);
+    assert_eq!(there, RECORD_TYPES.iter().map(keyword).collect());
 }
 
 #[test]

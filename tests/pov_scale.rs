@@ -272,7 +272,7 @@ fn every_record_has_a_line_in_the_report() {
         let loaded = zpg::analysis::Analysis::new("scene.zpg", text.clone().into());
         assert!(loaded.is_sound(), "{:?}\n{text}", loaded.findings());
         let translation = pov::write(&loaded.scene, &Options::default()).unwrap();
-        seen.extend(translation.report.entries().map(|e| e.feature.clone()));
+        seen.extend(translation.report.entries().map(|e| e.feature));
         assert!(!translation.report.has_dropped(), "{}", translation.report);
     }
     let missing: Vec<_> = RECORD_TYPES

@@ -773,8 +773,8 @@ fn random() {
         let doubtful: Vec<_> = translation
             .report
             .entries()
-            .filter(|e| e.fidelity != Fidelity::Exact && !KNOWN.contains(&e.feature.as_str()))
-            .map(|e| e.feature.as_str())
+            .filter(|e| e.fidelity != Fidelity::Exact && !KNOWN.contains(&e.feature))
+            .map(|e| e.feature)
             .collect();
         for outcome in compare(&name, &loaded.scene, Path::new("."), (96, 72)) {
             println!(

@@ -16,6 +16,7 @@ use super::{LookChoice, Status, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error, Language};
+use crate::study::accuracy::advice::in_language;
 use crate::study::accuracy::print::terminal;
 use crate::study::accuracy::rungs::Axis;
 use crate::study::accuracy::{self, Options, Report, run::BUDGET, shapes};
@@ -165,7 +166,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
                     serde_json::to_writer_pretty(&mut *out, &report)?;
                     writeln!(out)
                 }
-                false => out.write_all(terminal::text(&report, language, Some(&page)).as_bytes()),
+                false => {
+                    let report = in_language(&report, language);
+                    out.write_all(terminal::text(&report, language, Some(&page)).as_bytes())
+                }
             })
         }
         Err(error) => refuse(&loaded, error, look),
@@ -194,7 +198,6 @@ fn study(
         runs: args.runs,
         budget: args.budget.map_or(BUDGET, |b| b.0),
         goal: args.goal,
-        language: look.language(),
         stop: stop_on_interrupt(look),
     };
     let progress = Shown::new(options.budget, look);

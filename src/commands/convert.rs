@@ -10,8 +10,10 @@ use super::size::Size;
 use super::terminal::unprintable;
 use super::{LookChoice, Needs, Status, complain, load_for, refuse, usage};
 use crate::analysis::Analysis;
-use crate::diagnostics::{Complaint, Error};
+use crate::diagnostics::{Complaint, Error, Value};
 use crate::scene::Texture;
+use crate::translate::Fidelity;
+use crate::translate::fidelity::row;
 use crate::translate::registry::{TARGETS, named};
 use crate::translate::target::{Options, Output, Prepared, Target};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -48,7 +50,7 @@ pub struct Args {
     size: Size,
 
     /// How often a ray may be mirrored or refracted
-    #[arg(long, default_value_t = 10, value_name = "N")]
+    #[arg(long, default_value_t = 10, value_name = "N", value_parser = usage::whole::<u32>)]
     depth: u32,
 
     /// How far meshes may be from curved surfaces, in scene units; by default a thousandth of the
@@ -155,20 +157,20 @@ fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
             }
             None => Ok(()),
         });
-    // Nobody is left to be told when standard error is gone.
-    let _ = match args.verbose {
-        true => write!(io::stderr(), "{}", made.report),
+    let language = look.language();
+    let said = match args.verbose {
+        true => made.report.text(language),
         false => {
             let (inexact, exact) = made.report.brief();
-            let exact = match exact {
-                0 => String::new(),
-                _ if look.quiet => String::new(),
-                1 => "exact        1 feature (--verbose names it)\n".to_owned(),
-                n => format!("exact        {n} features (--verbose names them)\n"),
-            };
-            write!(io::stderr(), "{inexact}{exact}")
+            let count = [("count", Value::Count(exact as u64))];
+            let line = language.say("fidelity-exact-count", &count);
+            let is_said = exact > 0 && !look.quiet;
+            let exact = is_said.then(|| row(&Fidelity::Exact, &line, language));
+            inexact.text(language) + &exact.unwrap_or_default()
         }
     };
+    // Nobody is left to be told when standard error is gone.
+    let _ = write!(io::stderr(), "{said}");
     match written {
         Ok(()) => Status::Clean,
         Err(complaint) => {

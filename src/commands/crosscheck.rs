@@ -15,7 +15,7 @@ use super::{LookChoice, Status, complain, convert, load_sound, terminal, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
 use crate::commands::refuse;
-use crate::diagnostics::{Complaint, Error};
+use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::scene::{Camera, Scene};
 use crate::solids::frame::selected_cameras;
 use crate::study::program::ProgramError;
@@ -64,7 +64,7 @@ pub struct Args {
     max_diff: f64,
 
     /// povray: how often a ray may be mirrored or refracted
-    #[arg(long, default_value_t = 10, value_name = "N")]
+    #[arg(long, default_value_t = 10, value_name = "N", value_parser = usage::whole::<u32>)]
     depth: u32,
 
     /// mitsuba: how far meshes may be from curved surfaces, as for convert
@@ -138,9 +138,12 @@ trait Outcome: Serialize {
         true
     }
 
-    /// The numbers for people, a line each.
-    fn print(&self, args: &Args, out: &mut dyn Write) -> io::Result<()>;
+    /// The numbers for people, a line each: what it is, and the rest of the line.
+    fn lines(&self, args: &Args, language: Language) -> Vec<(&'static str, Complaint)>;
 }
+
+/// How wide the first column of the answer is.
+const WIDTH: usize = 18;
 
 /// Three pictures of 8-bit RGB.
 struct Pictures {
@@ -160,8 +163,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Err(status) => return status,
     };
     let said = match args.with {
-        Program::Povray => povray::compare(args, &loaded, look).and_then(|c| answer(args, c)),
-        Program::Mitsuba => mitsuba::compare(args, &loaded).and_then(|c| answer(args, c)),
+        Program::Povray => {
+            povray::compare(args, &loaded, look).and_then(|c| answer(args, c, look.language()))
+        }
+        Program::Mitsuba => {
+            mitsuba::compare(args, &loaded).and_then(|c| answer(args, c, look.language()))
+        }
     };
     match said {
         Ok((agrees, text)) => {
@@ -177,7 +184,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 }
 
 /// Writes the numbers, and gives what is to be said of them.
-fn answer<T: Outcome>(args: &Args, pictures: Vec<Compared<T>>) -> Result<(bool, Vec<u8>), Error> {
+fn answer<T: Outcome>(
+    args: &Args,
+    pictures: Vec<Compared<T>>,
+    language: Language,
+) -> Result<(bool, Vec<u8>), Error> {
     let answer = Answer {
         scene: args.file.to_string_lossy().into_owned(),
         with: args.with.name(),
@@ -194,24 +205,30 @@ fn answer<T: Outcome>(args: &Args, pictures: Vec<Compared<T>>) -> Result<(bool, 
     if args.json {
         return Ok((answer.agrees, json));
     }
-    let mut text = Vec::new();
+    let mut text = String::new();
     for Compared { name, comparison } in &answer.pictures {
         let agrees = match (comparison.share() <= SHARE, comparison.tells()) {
-            (true, true) => "agrees",
-            (true, false) => "CANNOT BE COMPARED",
-            (false, _) => "DIFFERS",
+            (true, true) => "crosscheck-agrees",
+            (true, false) => "crosscheck-cannot",
+            (false, _) => "crosscheck-differs",
         };
-        let [w, h] = answer.size;
-        // Writing to memory cannot fail.
-        let _ = writeln!(
-            text,
-            "{}{name} with {}, {w}x{h}: {agrees}",
-            answer.scene, answer.with
-        );
-        let _ = comparison.print(args, &mut text);
+        let [width, height] = answer.size;
+        let line = Complaint::new("crosscheck-answer")
+            .with("scene", answer.scene.clone())
+            .with("name", *name)
+            .with("with", answer.with)
+            .with("width", width.to_string())
+            .with("height", height.to_string())
+            .with("answer", Complaint::new(agrees));
+        text += &(line.wording(language) + "\n");
+        for (what, line) in comparison.lines(args, language) {
+            let (what, line) = (language.say(what, &[]), line.wording(language));
+            text += &format!("  {what:<WIDTH$} {line}\n");
+        }
     }
-    let _ = writeln!(text, "Pictures and numbers are in {}", folder.display());
-    Ok((answer.agrees, text))
+    let last = Complaint::new("crosscheck-folder").with("folder", folder.as_path());
+    text += &(last.wording(language) + "\n");
+    Ok((answer.agrees, text.into_bytes()))
 }
 
 /// The scene's name without its extension; for standard input `scene`.
@@ -289,14 +306,16 @@ fn failed(
 ) -> Complaint {
     match error {
         ProgramError::Missing => Complaint::new("no-program")
-            .with("how", how)
+            .with("how", Complaint::new(how))
             .with("path", path),
         ProgramError::Start(e) => Complaint::new("program-failed").with("said", e.to_string()),
         ProgramError::Io(e) => return unwritable(folder, &e),
         ProgramError::Failed(said) => {
             Complaint::new("program-failed").with("said", said.replace('\n', "\n    "))
         }
-        ProgramError::Unexpected(what) => Complaint::new("program-strange").with("what", what),
+        ProgramError::Unexpected(what) => {
+            Complaint::new("program-strange").with("what", Value::Term(what))
+        }
     }
     .with("program", name)
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{LookChoice, Status, complain, terminal};
-use crate::diagnostics::{Code, Complaint, Value};
+use crate::diagnostics::{Code, Complaint, Language, Value};
 use crate::features::pages::{code_page, type_page};
 use crate::syntax::quote;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
@@ -26,12 +26,14 @@ pub struct Args {
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
     let Some(topic) = &args.topic else {
-        return terminal::print(look, Status::Clean, |out| out.write_all(index().as_bytes()));
+        return terminal::print(look, Status::Clean, |out| {
+            out.write_all(index(look.language()).as_bytes())
+        });
     };
-    match page(topic) {
+    match page(topic, look.language()) {
         Some(page) => terminal::print(look, Status::Clean, |out| out.write_all(page.as_bytes())),
         None => {
-            let near = suggestions(topic)
+            let near = suggestions(topic, look.language())
                 .into_iter()
                 .map(|s| Value::from(format!("`{s}`")));
             let near = near.reduce(|first, last| {
@@ -51,32 +53,58 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 }
 
 /// All topics, a line each.
-fn index() -> String {
+fn index(language: Language) -> String {
     let mut index = String::new();
-    for code in Code::ALL {
-        // Writing to a string cannot fail.
-        let _ = writeln!(index, "{:>5}  {}", code.as_str(), code.name());
+    for &code in Code::ALL {
+        let title = match language {
+            Language::English => String::new(),
+            Language::Czech => first_sentence(code, language),
+        };
+        let line = format!("{:>5}  {:<24}  {title}", code.as_str(), code.name());
+        index += line.trim_end();
+        index.push('\n');
     }
     index.push('\n');
     for ty in RECORD_TYPES {
-        let _ = writeln!(index, "{:>5}  {}", ty.code, ty.keyword);
+        let name = match language {
+            Language::English => ty.keyword.to_owned(),
+            Language::Czech => language.name(ty.title),
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(index, "{:>5}  {name}", ty.code);
     }
     index
 }
 
+/// What a page says first, in one line.
+fn first_sentence(code: Code, language: Language) -> String {
+    let page = code.explanation(language);
+    let text = page.split("\n\n").nth(1).unwrap_or_default();
+    let text = text.replace('\n', " ");
+    let ends = [". ", ": "].into_iter().filter_map(|end| text.find(end));
+    let end = ends.min().unwrap_or(text.len());
+    text[..end].trim_end_matches('.').to_owned()
+}
+
 /// The page on a topic.
-fn page(topic: &str) -> Option<String> {
+fn page(topic: &str, language: Language) -> Option<String> {
     let topic = normalise(topic);
     if let Some(code) = Code::parse(&topic) {
-        return Some(code_page(code));
+        return Some(code_page(code, language));
     }
     let ty = match topic.parse::<i64>() {
         Ok(number) => RecordType::by_code(number)?,
         Err(_) => RECORD_TYPES
             .iter()
-            .find(|t| t.keyword == topic || normalise(t.title) == topic)?,
+            .find(|t| names(t).any(|name| normalise(&name) == topic))?,
     };
-    Some(type_page(ty))
+    Some(type_page(ty, language))
+}
+
+/// What a record type goes by, in any language.
+fn names(ty: &RecordType) -> impl Iterator<Item = String> {
+    let titles = [Language::English, Language::Czech].map(|l| l.name(ty.title));
+    [ty.keyword.to_owned()].into_iter().chain(titles)
 }
 
 /// Names are spelled in lower case with hyphens.
@@ -88,7 +116,7 @@ fn normalise(topic: &str) -> String {
 const MAX_SUGGESTIONS: usize = 3;
 
 /// The names nearest to what was typed, nearest first.
-fn suggestions(topic: &str) -> Vec<String> {
+fn suggestions(topic: &str, language: Language) -> Vec<String> {
     let topic = normalise(topic);
     let allowed = (topic.chars().count() / 3).clamp(1, 3);
     let codes = Code::ALL
@@ -97,8 +125,13 @@ fn suggestions(topic: &str) -> Vec<String> {
     let types = RECORD_TYPES
         .iter()
         .flat_map(|t| [t.keyword.to_owned(), t.code.to_string()]);
+    let czech = (RECORD_TYPES.iter()).filter_map(|t| match language {
+        Language::English => None,
+        Language::Czech => Some(normalise(&language.name(t.title))),
+    });
     let mut near: Vec<(usize, String)> = codes
         .chain(types)
+        .chain(czech)
         .filter_map(|name| {
             let distance = strsim::damerau_levenshtein(&topic, &name);
             // `light` is part of `point-light`.
@@ -124,28 +157,39 @@ mod tests {
     #[test]
     fn topics_have_several_names() {
         for topic in ["E101", "e101", "undefined-id", "Undefined ID"] {
-            assert!(page(topic).unwrap().starts_with("# undefined-id (E101)"));
+            assert!(
+                page(topic, Language::English)
+                    .unwrap()
+                    .starts_with("# undefined-id (E101)")
+            );
         }
-        for topic in ["-402", "point-light", "point light"] {
-            assert!(page(topic).unwrap().starts_with("# point light (-402)"));
+        for topic in ["-402", "point-light", "point light", "bodové světlo"] {
+            let page = page(topic, Language::English);
+            assert!(page.unwrap().starts_with("# point light (-402)"));
         }
-        assert!(page("-400").is_none());
+        let page_of_a_ball = page("Koule", Language::Czech).unwrap();
+        assert!(page_of_a_ball.starts_with("# koule (11)"));
+        assert!(page("-400", Language::English).is_none());
     }
 
     #[test]
     fn what_was_meant() {
-        assert_eq!(suggestions("chekerboard"), ["checkerboard"]);
         assert_eq!(
-            suggestions("light"),
+            suggestions("chekerboard", Language::English),
+            ["checkerboard"]
+        );
+        assert_eq!(
+            suggestions("light", Language::English),
             ["ambient-light", "no-light", "point-light"]
         );
-        assert_eq!(suggestions("e0001"), ["E001"]);
-        assert!(suggestions("quite something else").is_empty());
+        assert_eq!(suggestions("e0001", Language::English), ["E001"]);
+        assert_eq!(suggestions("sachovnice", Language::Czech), ["šachovnice"]);
+        assert!(suggestions("quite something else", Language::English).is_empty());
     }
 
     #[test]
     fn a_page_of_a_record_type() {
-        insta::assert_snapshot!(page("torus").unwrap(), @r#"
+        insta::assert_snapshot!(page("torus", Language::English).unwrap(), @r#"
         # torus (14)
 
         Shapes; keyword `torus`. Defines an object.
@@ -163,7 +207,7 @@ mod tests {
 
             2 14 1 0.25
         "#);
-        insta::assert_snapshot!(page("2").unwrap(), @r#"
+        insta::assert_snapshot!(page("2", Language::English).unwrap(), @r#"
         # coloured surface of revolution (2)
 
         Shapes; keyword `coloured-surface-of-revolution`. Defines an object.
@@ -192,10 +236,15 @@ mod tests {
     #[test]
     fn every_topic_has_a_page() {
         for code in Code::ALL {
-            assert!(code_page(*code).lines().count() > 10, "{}", code.as_str());
+            for language in [Language::English, Language::Czech] {
+                let page = code_page(*code, language);
+                assert!(page.lines().count() > 10, "{}", code.as_str());
+            }
         }
         for ty in RECORD_TYPES {
-            assert!(type_page(ty).contains(ty.example));
+            assert!(type_page(ty, Language::English).contains(ty.example));
+            let czech = type_page(ty, Language::Czech);
+            assert!(czech.contains(ty.example) && !czech.contains(ty.summary));
         }
     }
 }

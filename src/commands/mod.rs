@@ -2,19 +2,22 @@
 //! returns the exit [`Status`].
 //!
 //! What they share: [`camera()`] finds a camera by its ID, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`draft`] writes files that
-//! appear when they are complete, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files and shows how, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
+//! appear when they are complete, [`help`] gives `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files and shows how, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
 //! is wrong with arguments.
 
 pub mod accuracy;
 mod camera;
 pub mod check;
+pub mod cli;
 pub mod completions;
 pub mod convert;
 pub mod crosscheck;
 pub mod draft;
 pub mod explain;
 pub mod fmt;
+mod help;
+mod language;
 pub mod load;
 pub mod lsp;
 pub mod memory;

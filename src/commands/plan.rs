@@ -108,7 +108,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     };
     let decisions = plan.effects.iter();
     let parts = plan.unseen.iter();
-    let part = |p| Part::new(p, &loaded.source, look.language());
+    let language = match args.json {
+        true => Language::English,
+        false => look.language(),
+    };
+    let part = |p| Part::new(p, &loaded.source, language);
     let answer = Answer {
         effects: decisions.map(|d| Effect::new(d, &loaded.source)).collect(),
         unreached: &plan.unreached,
@@ -122,7 +126,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         true => serde_json::to_writer_pretty(&mut out, &answer)
             .map_err(io::Error::from)
             .and_then(|()| writeln!(out)),
-        false => print(&mut out, &answer),
+        false => print(&mut out, &answer, language),
     };
     match written {
         // Nobody reads any more.
@@ -138,50 +142,70 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 /// So many IDs are printed, and so many parts; JSON has all.
 const SHOWN: usize = 20;
 
+/// How wide the first column is.
+const WIDTH: usize = 20;
+
 /// The answer for people: what is on with its reasons, what is off, what there is.
-fn print(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn print(out: &mut dyn Write, answer: &Answer, language: Language) -> io::Result<()> {
+    let say = |message, values: &[(&'static str, Value)]| language.say(message, values);
+    let [on, off] = ["plan-on", "plan-off"].map(|message| say(message, &[]));
+    let states = on.chars().count().max(off.chars().count());
     for effect in &answer.effects {
-        let state = if effect.on { "on " } else { "off" };
-        writeln!(out, "{:<20} {state}  {}", effect.name, effect.note)?;
+        let state = if effect.on { &on } else { &off };
+        let (name, note) = (language.name(effect.name), language.name(effect.note));
+        writeln!(out, "{name:<WIDTH$} {state:<states$}  {note}")?;
         for b in &effect.because {
-            writeln!(out, "{:<20}      line {}: {} {}", "", b.line, b.id, b.text)?;
+            let values = [
+                ("line", Value::from(b.line.to_string())),
+                ("id", b.id.to_string().into()),
+                ("text", Value::Term(b.text)),
+            ];
+            let because = say("plan-because", &values);
+            writeln!(out, "{:<WIDTH$} {:<states$}  {because}", "", "")?;
         }
     }
     writeln!(out)?;
-    for (what, counts) in [("shapes", answer.shapes), ("operations", answer.operations)] {
-        let each: Vec<String> = counts
-            .iter()
-            .map(|(name, n)| format!("{n} {name}"))
-            .collect();
-        let list = if each.is_empty() {
-            "none".into()
-        } else {
-            each.join(", ")
-        };
-        writeln!(out, "{what:<20} {list}")?;
-    }
-    writeln!(out, "{:<20} {}", "media at once", answer.medium_depth)?;
-    let ids: Vec<String> = answer
-        .unreached
-        .iter()
-        .take(SHOWN)
-        .map(u32::to_string)
-        .collect();
-    let list = match answer.unreached.len() {
-        0 => "nothing".into(),
-        n if n > SHOWN => format!("{} and {} more", ids.join(", "), n - SHOWN),
-        _ => ids.join(", "),
+    let row = |out: &mut dyn Write, what: &'static str, text: &str| {
+        writeln!(out, "{:<WIDTH$} {text}", say(what, &[]))
     };
-    writeln!(out, "{:<20} {list}", "not drawn")?;
-    for part in answer.unseen.iter().take(SHOWN) {
-        writeln!(
-            out,
-            "{:<20} line {}: {}, {}",
-            "not seen", part.line, part.id, part.why
-        )?;
+    for (what, counts) in [
+        ("plan-shapes", answer.shapes),
+        ("plan-operations", answer.operations),
+    ] {
+        let count = |(name, n): (&&'static str, &u32)| {
+            let values = [
+                ("count", Value::from(n.to_string())),
+                ("name", Value::Term(name)),
+            ];
+            say("plan-count", &values)
+        };
+        let each: Vec<String> = counts.iter().map(count).collect();
+        let list = match each.is_empty() {
+            true => say("plan-none", &[]),
+            false => each.join(", "),
+        };
+        row(out, what, &list)?;
     }
-    if let Some(more @ 1..) = answer.unseen.len().checked_sub(SHOWN) {
-        writeln!(out, "{:<20} and {more} more", "not seen")?;
+    row(out, "plan-media", &answer.medium_depth.to_string())?;
+    let ids = answer.unreached.iter().take(SHOWN).map(u32::to_string);
+    let ids = ids.collect::<Vec<_>>().join(", ");
+    let more = |n: usize| ("more", Value::from(n.to_string()));
+    let list = match answer.unreached.len() {
+        0 => say("plan-nothing", &[]),
+        n if n > SHOWN => say("plan-ids-more", &[("ids", ids.into()), more(n - SHOWN)]),
+        _ => ids,
+    };
+    row(out, "plan-not-drawn", &list)?;
+    for part in answer.unseen.iter().take(SHOWN) {
+        let values = [
+            ("line", Value::from(part.line.to_string())),
+            ("id", part.id.to_string().into()),
+            ("why", part.why.clone().into()),
+        ];
+        row(out, "plan-not-seen", &say("plan-part", &values))?;
+    }
+    if let Some(left @ 1..) = answer.unseen.len().checked_sub(SHOWN) {
+        row(out, "plan-not-seen", &say("plan-more", &[more(left)]))?;
     }
     Ok(())
 }

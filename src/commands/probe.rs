@@ -11,7 +11,7 @@ use std::str::FromStr;
 use super::memory::Memory;
 use super::size::Size;
 use super::terminal::print;
-use super::{LookChoice, Needs, Status, camera, complain, load_for, refuse};
+use super::{LookChoice, Needs, Status, camera, complain, load_for, refuse, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::{STDIN, unreadable};
 use crate::diagnostics::{Complaint, Error, Span, Value};
@@ -82,12 +82,12 @@ pub struct Args {
     size: Size,
 
     /// The camera that --pixel is seen by; of a stereo pair the left one, if nothing is said
-    #[arg(long, value_name = "ID", requires = "pixel")]
+    #[arg(long, value_name = "ID", requires = "pixel", value_parser = usage::whole::<u32>)]
     camera: Option<u32>,
 
     /// Ask about this object as it stands at the end of the file, not about the whole scene; the
     /// render record's box does not apply
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID", value_parser = usage::whole::<u32>)]
     object: Option<u32>,
 
     /// The numbers to compute with; with dd, t, points and normals are strings of 32 digits. It does

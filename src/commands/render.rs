@@ -19,7 +19,7 @@ use super::size::Size;
 use super::terminal::{self, progress_bar, stop_on_interrupt, tell};
 use super::{LookChoice, Status, camera, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
-use crate::diagnostics::{Complaint, Error, Span};
+use crate::diagnostics::{Complaint, Error, Span, Value};
 use crate::scene::{Camera, Scene};
 use crate::solids::frame::selected_cameras;
 use crate::study::accuracy::{cost, words};
@@ -65,7 +65,7 @@ pub struct Args {
     adaptive: Option<f64>,
 
     /// How often a ray may be reflected or refracted
-    #[arg(long, value_name = "N", default_value_t = 10)]
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = usage::whole::<u32>)]
     depth: u32,
 
     /// Leave out what counts for less than this; 0 leaves out nothing [default: 1/4096]
@@ -81,7 +81,7 @@ pub struct Args {
     crop: Option<CropArg>,
 
     /// Take the picture with this camera of the scene
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID", value_parser = usage::whole::<u32>)]
     camera: Option<u32>,
 
     /// How the two pictures of a stereo camera are put [default: pair]
@@ -89,7 +89,7 @@ pub struct Args {
     stereo: Option<Stereo>,
 
     /// Threads to work with; 0: as many as there are processors. At most four times as many
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = usage::whole::<usize>)]
     threads: usize,
 
     #[command(flatten)]
@@ -360,14 +360,15 @@ fn spent(
         .map(|(name, share)| format!("{} {}", words::effect(language, name), percent(*share)))
         .collect();
     let text = |x: f64| words::seconds(language, x);
-    let phases = format!(
-        "load {} · plan {} · build {} · trace {} · encode {}",
-        text(seconds.load),
-        text(seconds.plan),
-        text(seconds.build),
-        text(seconds.trace),
-        text(seconds.encode)
-    );
+    let phase = |name, x: f64| (name, Value::from(text(x)));
+    let phases = [
+        phase("load", seconds.load),
+        phase("plan", seconds.plan),
+        phase("build", seconds.build),
+        phase("trace", seconds.trace),
+        phase("encode", seconds.encode),
+    ];
+    let phases = language.say("cost-seconds", &phases);
     let rays = counts.rays;
     let all = [
         ("cost-camera", rays.camera.to_string()),

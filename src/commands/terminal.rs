@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::Status;
+use super::language::{self, LanguageChoice};
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::{self, Look};
 use crate::diagnostics::{Complaint, Diagnostic, Language, SourceFile};
@@ -19,9 +20,9 @@ pub struct LookChoice {
     #[arg(long, global = true, value_enum, default_value_t, value_name = "WHEN")]
     color: ColorChoice,
 
-    /// The language of messages
-    #[arg(long, global = true, value_enum, default_value_t)]
-    lang: LanguageChoice,
+    /// The language of messages [default: that of LC_ALL, LC_MESSAGES or LANG]
+    #[arg(long, global = true, value_enum)]
+    lang: Option<LanguageChoice>,
 
     /// Print findings, answers and errors, and nothing besides
     #[arg(short, long, global = true)]
@@ -38,26 +39,11 @@ enum ColorChoice {
     Never,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-enum LanguageChoice {
-    /// English
-    #[default]
-    En,
-    /// Czech
-    Cs,
-}
-
 impl LookChoice {
     /// What is asked for among arguments of which the rest cannot be read.
     pub fn among(args: impl Iterator<Item = OsString>) -> LookChoice {
-        let args: Vec<_> = args.map(|a| a.to_string_lossy().into_owned()).collect();
-        let czech = |pair: &[String]| pair[0] == "--lang" && pair[1] == "cs";
-        let is_czech = args.iter().any(|a| a == "--lang=cs") || args.windows(2).any(czech);
         LookChoice {
-            lang: match is_czech {
-                true => LanguageChoice::Cs,
-                false => LanguageChoice::En,
-            },
+            lang: language::among(args),
             ..LookChoice::default()
         }
     }
@@ -92,11 +78,10 @@ impl LookChoice {
         }
     }
 
+    /// The language that is asked for, or that of the environment.
     pub fn language(self) -> Language {
-        match self.lang {
-            LanguageChoice::En => Language::English,
-            LanguageChoice::Cs => Language::Czech,
-        }
+        self.lang
+            .map_or_else(language::of_environment, Language::from)
     }
 }
 
@@ -165,7 +150,9 @@ pub fn progress_bar(rows: u64, look: LookChoice) -> ProgressBar {
     }
     // Draws on standard error, and only where that is a terminal.
     let bar = ProgressBar::with_draw_target(Some(rows), ProgressDrawTarget::stderr_with_hz(10));
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta:>4} left") {
+    let left = (look.language()).say("progress-left", &[("time", "{eta:>4}".into())]);
+    let template = format!("{{wide_bar}} {{percent:>3}} %  {left}");
+    if let Ok(style) = ProgressStyle::with_template(&template) {
         bar.set_style(style);
     }
     bar

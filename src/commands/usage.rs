@@ -1,11 +1,13 @@
 //! Wrong usage, in the language that was asked for.
 
 use std::error::Error;
-use std::ffi::OsString;
+use std::io::{self, Write};
 use std::str::FromStr;
 
+use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
+use super::help::own_words;
 use super::terminal::{complain, tell};
 use super::{LookChoice, Status};
 use crate::diagnostics::Complaint;
@@ -26,25 +28,45 @@ pub fn number<T: FromStr + Copy>(
     }
 }
 
+/// Reads a whole number from 0 on.
+pub fn whole<T: FromStr + Copy>(text: &str) -> Result<T, Complaint> {
+    number(text, "expected-whole-number", |_| true)
+}
+
 /// Answers arguments that cannot be read, and those that ask for help.
-pub fn refuse(error: &clap::Error, args: impl Iterator<Item = OsString>) -> Status {
+pub fn refuse(error: &clap::Error, look: LookChoice) -> Status {
+    let language = look.language();
     let Some(what) = complaint(error) else {
+        let help = error.render();
         // Nobody is left to be told when the stream is gone.
-        let _ = error.print();
         return match error.use_stderr() {
-            true => Status::Failure,
-            false => Status::Clean,
+            true => {
+                let help = laid_out(&help, look.colour(&io::stderr()));
+                let _ = write!(io::stderr(), "{}", own_words(help, language));
+                Status::Failure
+            }
+            false => {
+                let help = laid_out(&help, look.colour(&io::stdout()));
+                let _ = write!(io::stdout(), "{}", own_words(help, language));
+                Status::Clean
+            }
         };
     };
-    let look = LookChoice::among(args);
-    let say = |line: Complaint| tell(&format!("\n{}", line.wording(look.language())));
+    let say = |line: Complaint| tell(&format!("\n{}", line.wording(language)));
     complain(look, &what);
     let usage = error.get(ContextKind::Usage).map(ToString::to_string);
     if let Some(usage) = usage.as_deref().and_then(|u| u.strip_prefix("Usage: ")) {
-        say(Complaint::new("usage").with("usage", usage.to_owned()));
+        say(Complaint::new("usage").with("usage", own_words(usage.to_owned(), language)));
     }
     say(Complaint::new("usage-more"));
     Status::Failure
+}
+
+fn laid_out(help: &StyledStr, colour: bool) -> String {
+    match colour {
+        true => help.ansi().to_string(),
+        false => help.to_string(),
+    }
 }
 
 /// What is wrong with the arguments; nothing if that is for clap to say, as help is.
@@ -81,6 +103,8 @@ fn complaint(error: &clap::Error) -> Option<Complaint> {
                 None => what,
             }
         }
+        ErrorKind::InvalidUtf8 => Complaint::new("usage-not-text"),
+        // Help and the version. No argument takes several values or needs an equals sign.
         _ => return None,
     };
     let near = [

@@ -1,5 +1,7 @@
 //! The registry of codes. A code is stable: its number and name never change their meaning.
 
+use super::language::Language;
+
 /// How much a finding weighs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -25,8 +27,8 @@ impl Severity {
 struct Entry {
     code: &'static str,
     name: &'static str,
-    /// The file `explain/CODE.md`; of a rule `explain.md` in its folder.
-    explanation: &'static str,
+    /// The files `explain/CODE.md` and `CODE.cs.md`; of a rule `explain.md` and `explain.cs.md` in its folder.
+    explanation: [&'static str; 2],
     /// The messages of a rule in English and Czech. Those of other codes stand in `messages/`.
     messages: Option<[&'static str; 2]>,
 }
@@ -40,10 +42,16 @@ macro_rules! of_rule {
 
 macro_rules! explanation {
     ($code:ident) => {
-        include_str!(concat!("explain/", stringify!($code), ".md"))
+        [
+            include_str!(concat!("explain/", stringify!($code), ".md")),
+            include_str!(concat!("explain/", stringify!($code), ".cs.md")),
+        ]
     };
     ($code:ident $rule:literal) => {
-        of_rule!($rule, "explain.md")
+        [
+            of_rule!($rule, "explain.md"),
+            of_rule!($rule, "explain.cs.md"),
+        ]
     };
 }
 
@@ -171,8 +179,8 @@ impl Code {
     }
 
     /// The page that `zpg explain` shows: what it does, why it matters, an example, the fix.
-    pub fn explanation(self) -> &'static str {
-        self.entry().explanation
+    pub fn explanation(self, language: Language) -> &'static str {
+        self.entry().explanation[language as usize]
     }
 
     /// The messages of a lint rule, in English and in Czech.

@@ -5,7 +5,10 @@ use std::error::Error;
 use std::fmt;
 use std::io;
 
-use super::wording::{Language, Value};
+use serde::{Serialize, Serializer};
+
+use super::language::Language;
+use super::wording::Value;
 
 /// A message of the catalogues with what fills its places, still in no language.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,6 +31,11 @@ impl Complaint {
         Complaint::new("quoted").with("text", text.to_string())
     }
 
+    /// Words that stand in the source in English, and by them in the catalogues of other languages.
+    pub fn term(words: &'static str) -> Complaint {
+        Complaint::new("quoted").with("text", Value::Term(words))
+    }
+
     #[must_use]
     pub fn with(mut self, place: &'static str, value: impl Into<Value>) -> Complaint {
         self.values.push((place, value.into()));
@@ -40,6 +48,13 @@ impl Complaint {
     }
 }
 
+/// Words of the source, as [`Complaint::term`] takes them.
+impl From<&'static str> for Complaint {
+    fn from(words: &'static str) -> Complaint {
+        Complaint::term(words)
+    }
+}
+
 /// In English, for those who do not ask for a language.
 impl fmt::Display for Complaint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -48,6 +63,20 @@ impl fmt::Display for Complaint {
 }
 
 impl Error for Complaint {}
+
+/// In English: programs read it.
+impl Serialize for Complaint {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+/// Nothing.
+impl Default for Complaint {
+    fn default() -> Complaint {
+        Complaint::quoted("")
+    }
+}
 
 impl From<Complaint> for Value {
     fn from(inner: Complaint) -> Value {
@@ -58,7 +87,11 @@ impl From<Complaint> for Value {
 /// An error of the operating system, without its number. The common ones are known in every language.
 impl From<&io::Error> for Complaint {
     fn from(error: &io::Error) -> Complaint {
-        let known = error.raw_os_error().and(match error.kind() {
+        let text = error.to_string();
+        let words = text.find(" (os error ");
+        // Libraries say more than the system does, and keep its number in the text.
+        let is_system = error.raw_os_error().is_some() || words.is_some();
+        let known = match error.kind() {
             io::ErrorKind::NotFound => Some("io-not-found"),
             io::ErrorKind::PermissionDenied => Some("io-denied"),
             io::ErrorKind::IsADirectory => Some("io-is-a-directory"),
@@ -66,11 +99,10 @@ impl From<&io::Error> for Complaint {
             io::ErrorKind::StorageFull => Some("io-full"),
             io::ErrorKind::ReadOnlyFilesystem => Some("io-read-only"),
             _ => None,
-        });
-        known.map_or_else(
+        };
+        known.filter(|_| is_system).map_or_else(
             || {
-                let text = error.to_string();
-                let words = text.find(" (os error ").map_or(&*text, |at| &text[..at]);
+                let words = words.map_or(&*text, |at| &text[..at]);
                 Complaint::quoted(words)
             },
             Complaint::new,

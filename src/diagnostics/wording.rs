@@ -24,14 +24,7 @@ use fluent_syntax::ast::Pattern;
 use super::code::Code;
 use super::complaint::Complaint;
 use super::diagnostic::Diagnostic;
-
-/// A language that messages are given in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Language {
-    #[default]
-    English,
-    Czech,
-}
+use super::language::Language;
 
 /// What stands in a place of a message.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -130,11 +123,33 @@ impl Language {
         term(self, name)
     }
 
+    /// A name in a form of the language: in English with its article.
+    pub fn form(self, name: &'static str, form: &str) -> String {
+        match self {
+            Language::English => with_article(name),
+            Language::Czech => {
+                let own = self.own(&term_id(name), Some(form));
+                own.unwrap_or_else(|| term(self, name))
+            }
+        }
+    }
+
+    /// A message that only some languages have, or an attribute of it. English has it elsewhere: in the
+    /// table of records, with the commands.
+    pub fn own(self, message: &str, attribute: Option<&str>) -> Option<String> {
+        let message = self.catalogue().get_message(message)?;
+        let pattern = match attribute {
+            Some(name) => message.get_attribute(name)?.value(),
+            None => message.value()?,
+        };
+        Some(plain(self, pattern))
+    }
+
     fn catalogue(self) -> &'static Catalogue {
         static ALL: [OnceLock<Catalogue>; 2] = [const { OnceLock::new() }; 2];
         ALL[self as usize].get_or_init(|| {
-            let (tag, texts) = self.sources();
-            let mut bundle = FluentBundle::new_concurrent(tag.parse().into_iter().collect());
+            let texts = self.sources();
+            let mut bundle = FluentBundle::new_concurrent(self.tag().parse().into_iter().collect());
             // No marks around what fills a place: everything is read from left to right.
             bundle.set_use_isolating(false);
             let rules = Code::ALL.iter().filter_map(|code| code.messages());
@@ -148,31 +163,27 @@ impl Language {
         })
     }
 
-    /// `en`.
-    pub fn tag(self) -> &'static str {
-        self.sources().0
-    }
-
-    /// The language's tag and its files.
-    fn sources(self) -> (&'static str, &'static [&'static str]) {
+    /// The language's files.
+    fn sources(self) -> &'static [&'static str] {
         match self {
-            Language::English => (
-                "en",
-                &[
-                    include_str!("messages/en.ftl"),
-                    include_str!("messages/complaints.en.ftl"),
-                    include_str!("../study/accuracy/en.ftl"),
-                ],
-            ),
-            Language::Czech => (
-                "cs",
-                &[
-                    include_str!("messages/cs.ftl"),
-                    include_str!("messages/complaints.cs.ftl"),
-                    include_str!("../study/accuracy/cs.ftl"),
-                    include_str!("messages/terms.cs.ftl"),
-                ],
-            ),
+            Language::English => &[
+                include_str!("messages/en.ftl"),
+                include_str!("messages/complaints.en.ftl"),
+                include_str!("messages/answers.en.ftl"),
+                include_str!("../study/accuracy/en.ftl"),
+                include_str!("../translate/en.ftl"),
+            ],
+            Language::Czech => &[
+                include_str!("messages/cs.ftl"),
+                include_str!("messages/complaints.cs.ftl"),
+                include_str!("messages/answers.cs.ftl"),
+                include_str!("../study/accuracy/cs.ftl"),
+                include_str!("../translate/cs.ftl"),
+                include_str!("messages/terms.cs.ftl"),
+                include_str!("messages/phrases.cs.ftl"),
+                include_str!("messages/summaries.cs.ftl"),
+                include_str!("../commands/help.cs.ftl"),
+            ],
         }
     }
 }
@@ -258,6 +269,9 @@ impl<'a> Speaker<'a> {
 
 /// A name of the language in another language.
 fn term(language: Language, name: &'static str) -> String {
+    if name.is_empty() {
+        return String::new();
+    }
     let message = match language {
         Language::English => None,
         Language::Czech => language.catalogue().get_message(&term_id(name)),

@@ -3,6 +3,7 @@
 use rustc_hash::FxHashSet;
 
 use crate::analysis::Analysis;
+use crate::diagnostics::Language;
 use crate::diagnostics::Span;
 use crate::syntax::table::{
     Constraint, Effect, Family, Kind, Param, ParamKind, RECORD_TYPES, RecordType,
@@ -57,21 +58,21 @@ pub struct Completion {
 const MAX_IDS: usize = 200;
 
 /// What may be typed at an offset.
-pub fn completion(analysis: &Analysis, offset: u32) -> Completion {
+pub fn completion(analysis: &Analysis, offset: u32, language: Language) -> Completion {
     let Some(typing) = typing(analysis, offset) else {
         return Completion::default();
     };
     let word = analysis.source.slice(typing.word);
     let proposals = match typing.index {
-        _ if typing.complete => new_id(analysis),
-        0 => new_id(analysis)
+        _ if typing.complete => new_id(analysis, language),
+        0 => new_id(analysis, language)
             .into_iter()
-            .chain(changes(analysis))
+            .chain(changes(analysis, language))
             .collect(),
-        1 => types(analysis, &typing, word),
+        1 => types(analysis, &typing, word, language),
         i => typing.ty.map_or_else(Vec::new, |ty| {
             let param = ty.param(i - 2, typing.count);
-            param.map_or_else(Vec::new, |p| values(analysis, p, offset))
+            param.map_or_else(Vec::new, |p| values(analysis, p, offset, language))
         }),
     };
     Completion {
@@ -81,10 +82,10 @@ pub fn completion(analysis: &Analysis, offset: u32) -> Completion {
 }
 
 /// The next free ID, to begin a record with.
-fn new_id(analysis: &Analysis) -> Vec<Proposal> {
+fn new_id(analysis: &Analysis, language: Language) -> Vec<Proposal> {
     let id = entity::next_id(analysis).map(|id| id.to_string());
     let proposal = |id: String| Proposal {
-        detail: "the next free ID".to_owned(),
+        detail: language.name("the next free ID"),
         doc: String::new(),
         filter: id.clone(),
         insert: Insert::Text(id.clone()),
@@ -95,7 +96,7 @@ fn new_id(analysis: &Analysis) -> Vec<Proposal> {
 }
 
 /// The IDs that records may change.
-fn changes(analysis: &Analysis) -> Vec<Proposal> {
+fn changes(analysis: &Analysis, language: Language) -> Vec<Proposal> {
     let kinds = [
         Kind::Object,
         Kind::PointLight,
@@ -105,12 +106,12 @@ fn changes(analysis: &Analysis) -> Vec<Proposal> {
         Kind::Texture,
         Kind::Colour,
     ];
-    ids(analysis, &kinds, u32::MAX)
+    ids(analysis, &kinds, u32::MAX, language)
 }
 
 /// The types that a record with this ID may have: those that define where the ID is new, those that change
 /// what it names where it is not.
-fn types(analysis: &Analysis, typing: &Typing, word: &str) -> Vec<Proposal> {
+fn types(analysis: &Analysis, typing: &Typing, word: &str, language: Language) -> Vec<Proposal> {
     let by_number = word.starts_with(|c: char| c.is_ascii_digit() || "+-".contains(c));
     let others = |r: &crate::syntax::Record| {
         let start = analysis.document.tokens[r.first as usize].start;
@@ -134,12 +135,17 @@ fn types(analysis: &Analysis, typing: &Typing, word: &str) -> Vec<Proposal> {
         .iter()
         .filter(fits)
         .map(|ty| Proposal {
-            label: format!("{} {}", ty.code, ty.title),
+            label: format!("{} {}", ty.code, language.name(ty.title)),
             detail: ty.signature(),
-            doc: format!("{}\n\n```zpg\n{}\n```\n", ty.summary, ty.example),
+            doc: format!("{}\n\n```zpg\n{}\n```\n", ty.summary(language), ty.example),
             filter: match by_number {
                 true => ty.code.to_string(),
-                false => format!("{} {}", ty.title, ty.code),
+                false => {
+                    // Whoever writes English names finds them, too.
+                    let name = language.name(ty.title);
+                    let english = (name != ty.title).then(|| format!(" {}", ty.title));
+                    format!("{name}{} {}", english.unwrap_or_default(), ty.code)
+                }
             },
             insert: Insert::Record {
                 code: ty.code,
@@ -192,10 +198,10 @@ fn last_of(analysis: &Analysis, kinds: &[Kind], before: u32, used: &FxHashSet<u3
 }
 
 /// What a parameter may be.
-fn values(analysis: &Analysis, param: &Param, offset: u32) -> Vec<Proposal> {
-    let value = |text: &str, detail: &str, kind| Proposal {
+fn values(analysis: &Analysis, param: &Param, offset: u32, language: Language) -> Vec<Proposal> {
+    let value = |text: &str, detail: &'static str, kind| Proposal {
         label: text.to_owned(),
-        detail: detail.to_owned(),
+        detail: language.name(detail),
         doc: String::new(),
         filter: text.to_owned(),
         insert: Insert::Text(text.to_owned()),
@@ -205,7 +211,7 @@ fn values(analysis: &Analysis, param: &Param, offset: u32) -> Vec<Proposal> {
         (ParamKind::Reference { kinds, or_none }, _) => {
             let none = or_none.then(|| value("0", "none", Sort::Value));
             none.into_iter()
-                .chain(ids(analysis, kinds, offset))
+                .chain(ids(analysis, kinds, offset, language))
                 .collect()
         }
         (ParamKind::FileName, _) => {
@@ -232,7 +238,7 @@ fn values(analysis: &Analysis, param: &Param, offset: u32) -> Vec<Proposal> {
 }
 
 /// The IDs of these kinds that are defined before an offset, the last one first.
-fn ids(analysis: &Analysis, kinds: &[Kind], before: u32) -> Vec<Proposal> {
+fn ids(analysis: &Analysis, kinds: &[Kind], before: u32, language: Language) -> Vec<Proposal> {
     let fits = |e: &&crate::scene::Entity| {
         e.kind.is_some_and(|k| kinds.contains(&k)) && e.span.end <= before
     };
@@ -245,7 +251,7 @@ fn ids(analysis: &Analysis, kinds: &[Kind], before: u32) -> Vec<Proposal> {
         .take(MAX_IDS);
     all.map(|e| Proposal {
         label: e.id.to_string(),
-        detail: entity::described(analysis, e.id).unwrap_or_default(),
+        detail: entity::described(analysis, e.id, language).unwrap_or_default(),
         doc: String::new(),
         filter: e.id.to_string(),
         insert: Insert::Text(e.id.to_string()),

@@ -1,7 +1,7 @@
 //! What an ID means: what it is called, what it looks like.
 
 use crate::analysis::Analysis;
-use crate::diagnostics::Span;
+use crate::diagnostics::{Language, Span};
 use crate::scene::{Entity, Node, NodeId, Rgb, Texture};
 use crate::syntax::directive::{inside, is_directive};
 use crate::syntax::table::{Kind, RecordKind};
@@ -44,21 +44,21 @@ pub fn comment(analysis: &Analysis, record: &Record) -> Option<String> {
 }
 
 /// What people call an entity: its comment, or the title of its record.
-pub fn name(analysis: &Analysis, id: u32) -> Option<String> {
+pub fn name(analysis: &Analysis, id: u32, language: Language) -> Option<String> {
     let record = analysis.definition(id)?;
-    Some(comment(analysis, record).unwrap_or_else(|| record.ty().title.to_owned()))
+    Some(comment(analysis, record).unwrap_or_else(|| language.name(record.ty().title)))
 }
 
 /// The record's type and, where there is one, its comment: "sphere, a ball". Where the record cannot be read,
 /// what it makes.
-pub fn described(analysis: &Analysis, id: u32) -> Option<String> {
+pub fn described(analysis: &Analysis, id: u32, language: Language) -> Option<String> {
     let Some(record) = analysis.definition(id) else {
-        return Some(entity(analysis, id)?.kind?.name().to_owned());
+        return Some(language.name(entity(analysis, id)?.kind?.name()));
     };
-    let title = record.ty().title;
+    let title = language.name(record.ty().title);
     Some(match comment(analysis, record) {
         Some(comment) => format!("{title}, {comment}"),
-        None => title.to_owned(),
+        None => title,
     })
 }
 

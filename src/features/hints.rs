@@ -1,7 +1,7 @@
 //! What is written between the numbers of a scene so that they can be read: `21 11 sphere x:0 y:10 z:0 r:10`.
 
 use crate::analysis::Analysis;
-use crate::diagnostics::Span;
+use crate::diagnostics::{Language, Span, Value};
 use crate::lint::spelling::rough;
 use crate::syntax::Record;
 use crate::syntax::lexer::Token;
@@ -65,18 +65,24 @@ impl Wanted {
 }
 
 /// The hints within a stretch of text, in order.
-pub fn hints(analysis: &Analysis, visible: Span, wanted: Wanted) -> Vec<Hint> {
+pub fn hints(analysis: &Analysis, visible: Span, wanted: Wanted, language: Language) -> Vec<Hint> {
     let mut out = Vec::new();
     for item in &analysis.document.items[place::items_in(&analysis.document, visible)] {
         if let Some(record) = place::readable(analysis, item) {
-            of_record(analysis, &record, visible, &mut out);
+            of_record(analysis, &record, visible, language, &mut out);
         }
     }
     out.retain(|hint| wanted.wants(hint.kind));
     out
 }
 
-fn of_record(analysis: &Analysis, record: &Record, visible: Span, out: &mut Vec<Hint>) {
+fn of_record(
+    analysis: &Analysis,
+    record: &Record,
+    visible: Span,
+    language: Language,
+    out: &mut Vec<Hint>,
+) {
     let document = &analysis.document;
     let ty = record.ty();
     let count = record.count as usize;
@@ -92,35 +98,46 @@ fn of_record(analysis: &Analysis, record: &Record, visible: Span, out: &mut Vec<
         let Some(i) = i.checked_sub(1) else {
             out.push(Hint {
                 at: token.end(),
-                text: ty.title.to_owned(),
+                text: language.name(ty.title),
                 kind: Kind::Type,
-                doc: ty.summary.to_owned(),
+                doc: ty.summary(language).into_owned(),
             });
             continue;
         };
         let Some(param) = ty.param(i, count) else {
             continue;
         };
-        if let Some(name) = label(ty, param, i, count) {
+        if let Some(name) = label(ty, param, i, count, language) {
             out.push(Hint {
                 at: token.start,
                 text: name,
                 kind: Kind::Parameter,
-                doc: format!("{} ({})", param.doc, param.rule_text()),
+                doc: format!(
+                    "{} ({})",
+                    language.name(param.doc),
+                    param.rule_text(language)
+                ),
             });
         }
-        out.extend(reference(analysis, param, token));
+        out.extend(reference(analysis, param, token, language));
         if param.kind == ParamKind::Count {
-            out.extend(profile(analysis, record, token.end()));
+            out.extend(profile(analysis, record, token.end(), language));
         }
     }
 }
 
 /// What stands before a parameter. Matrices have a hint a row, repeated groups their number from the second on.
-fn label(ty: &RecordType, param: &Param, i: usize, count: usize) -> Option<String> {
+fn label(
+    ty: &RecordType,
+    param: &Param,
+    i: usize,
+    count: usize,
+    language: Language,
+) -> Option<String> {
     let is_matrix = ty.vectors == [4, 4, 4, 4];
     if is_matrix {
-        return i.is_multiple_of(4).then(|| format!("row {}:", i / 4 + 1));
+        let row = [("row", (i / 4 + 1).to_string().into())];
+        return i.is_multiple_of(4).then(|| language.say("hint-row", &row));
     }
     let mut at = i.checked_sub(ty.params.len());
     for group in ty.repeats {
@@ -139,10 +156,15 @@ fn label(ty: &RecordType, param: &Param, i: usize, count: usize) -> Option<Strin
     Some(format!("{}:", param.name))
 }
 
-fn reference(analysis: &Analysis, param: &Param, token: &Token) -> Option<Hint> {
+fn reference(
+    analysis: &Analysis,
+    param: &Param,
+    token: &Token,
+    language: Language,
+) -> Option<Hint> {
     let id = place::reference(param, token, &analysis.source.text)?;
-    let name = entity::name(analysis, id)?;
-    let doc = entity::described(analysis, id).unwrap_or_default();
+    let name = entity::name(analysis, id, language)?;
+    let doc = entity::described(analysis, id, language).unwrap_or_default();
     Some(Hint {
         at: token.end(),
         text: shortened(&name),
@@ -162,7 +184,7 @@ fn shortened(name: &str) -> String {
 }
 
 /// How wide and high a profile is.
-fn profile(analysis: &Analysis, record: &Record, at: u32) -> Option<Hint> {
+fn profile(analysis: &Analysis, record: &Record, at: u32, language: Language) -> Option<Hint> {
     let of_profile = matches!(
         record.kind,
         RecordKind::Shape(ShapeKind::SurfaceOfRevolution | ShapeKind::ColouredSurfaceOfRevolution)
@@ -183,11 +205,12 @@ fn profile(analysis: &Analysis, record: &Record, at: u32) -> Option<Hint> {
     if low > high {
         return None;
     }
-    let [radius, low, high] = [radius, low, high].map(rough);
+    let [radius, low, high] = [radius, low, high].map(|x| Value::from(rough(x)));
+    let extent = [("radius", radius), ("low", low), ("high", high)];
     Some(Hint {
         at,
-        text: format!("points, radius ≤ {radius}, y {low} to {high}"),
+        text: language.say("hint-profile", &extent),
         kind: Kind::Profile,
-        doc: "the extent of the profile".to_owned(),
+        doc: language.say("hint-profile-doc", &[]),
     })
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::analysis::Analysis;
-use crate::diagnostics::{Language, Span};
+use crate::diagnostics::{Language, Span, Value};
 use crate::geometry::Aabb;
 use crate::lint::spelling::{near, rough};
 use crate::syntax::Record;
@@ -33,9 +33,9 @@ pub fn hover(analysis: &Analysis, offset: u32, language: Language) -> Option<Hov
     if let Some(place) = &place {
         id = place.id(&analysis.source.text);
         markdown = match place.role {
-            Role::Id => about_entity(analysis, place.record.id),
-            Role::Type => about_record(analysis, place.record),
-            Role::Param(i, param) => about_param(analysis, place, i, param, id),
+            Role::Id => about_entity(analysis, place.record.id, language),
+            Role::Type => about_record(analysis, place.record, language),
+            Role::Param(i, param) => about_param(analysis, place, (i, param), id, language),
         };
     }
     // Rules are not run for this: they may take longer than anybody waits.
@@ -45,7 +45,7 @@ pub fn hover(analysis: &Analysis, offset: u32, language: Language) -> Option<Hov
     for d in findings.iter().filter(|d| here(d.span)) {
         span = span.or(Some(d.span));
         let words = d.wording(language);
-        let page = pages::code_page(d.code);
+        let page = pages::code_page(d.code, language);
         let page = page.split_once('\n').map_or("", |(_, rest)| rest).trim();
         divide(&mut markdown);
         let (code, name) = (d.code.as_str(), d.code.name());
@@ -65,9 +65,9 @@ fn divide(markdown: &mut String) {
 }
 
 /// A record's type, with the values that stand in it.
-fn about_record(analysis: &Analysis, record: &Record) -> String {
+fn about_record(analysis: &Analysis, record: &Record, language: Language) -> String {
     let ty = record.ty();
-    let mut out = heading(ty);
+    let mut out = heading(ty, language);
     let values: Vec<String> = (analysis
         .document
         .params(record)
@@ -75,7 +75,7 @@ fn about_record(analysis: &Analysis, record: &Record) -> String {
         .enumerate())
     .filter_map(|(i, token)| {
         let param = ty.param(i, record.count as usize)?;
-        let unit = param.unit_text();
+        let unit = param.unit_text(language);
         let unit = if unit.is_empty() {
             String::new()
         } else {
@@ -84,7 +84,8 @@ fn about_record(analysis: &Analysis, record: &Record) -> String {
         let text = token.text(&analysis.source.text);
         Some(format!(
             "- `{}` = {text}: {}{unit}\n",
-            param.name, param.doc
+            param.name,
+            language.name(param.doc)
         ))
     })
     .collect();
@@ -94,99 +95,97 @@ fn about_record(analysis: &Analysis, record: &Record) -> String {
     out.extend(values);
     let more = (record.params as usize).saturating_sub(MAX_VALUES);
     if more > 0 {
-        let _ = writeln!(out, "- and {more} more");
+        let more = [("more", more.to_string().into())];
+        let _ = writeln!(out, "- {}", language.say("hover-values-more", &more));
     }
     out
 }
 
-fn heading(ty: &RecordType) -> String {
+fn heading(ty: &RecordType, language: Language) -> String {
     let signature = format!("ID {} {}", ty.code, ty.signature());
     format!(
         "**{}**\n\n```text\n{}\n```\n\n{}\n",
-        ty.title,
+        language.name(ty.title),
         signature.trim_end(),
-        ty.summary
+        ty.summary(language)
     )
 }
 
 fn about_param(
     analysis: &Analysis,
     place: &Place,
-    i: usize,
-    param: &Param,
+    (i, param): (usize, &Param),
     id: Option<u32>,
+    language: Language,
 ) -> String {
     let ty = place.record.ty();
     let value = place.token.text(&analysis.source.text);
-    let number = i + 1;
+    let values = [
+        ("rule", Value::from(param.rule_text(language))),
+        ("number", (i + 1).to_string().into()),
+        ("count", place.record.params.to_string().into()),
+        ("type", Value::Term(ty.title)),
+    ];
     let mut out = format!(
-        "`{}` = {value}: {}\n\n{}, number {number} of {} of {}\n",
+        "`{}` = {value}: {}\n\n{}\n",
         param.name,
-        param.doc,
-        param.rule_text(),
-        place.record.params,
-        crate::diagnostics::wording::with_article(ty.title),
+        language.name(param.doc),
+        language.say("hover-parameter", &values),
     );
     if let Some(id) = id.filter(|&id| analysis.definition(id).is_some()) {
         divide(&mut out);
-        out.push_str(&about_entity(analysis, id));
+        out.push_str(&about_entity(analysis, id, language));
     }
     out
 }
 
 /// What an ID stands for.
-fn about_entity(analysis: &Analysis, id: u32) -> String {
+fn about_entity(analysis: &Analysis, id: u32, language: Language) -> String {
     let Some(record) = analysis.definition(id) else {
-        return format!("{id} is not defined\n");
+        let id = [("id", id.to_string().into())];
+        return language.say("hover-undefined", &id) + "\n";
     };
     let line = analysis
         .source
         .line_index(entity::span(analysis, record).start)
         + 1;
-    let mut out = format!("**{id}: {}**", record.ty().title);
+    let mut out = format!("**{id}: {}**", language.name(record.ty().title));
     if let Some(comment) = entity::comment(analysis, record) {
         let _ = write!(out, ", {}", escaped(&comment));
     }
     let _ = write!(
         out,
-        " (line {line})\n\n```zpg\n{}\n```\n",
+        " {}\n\n```zpg\n{}\n```\n",
+        language.say("hover-line", &[("line", line.to_string().into())]),
         first_line(analysis, record)
     );
     if let Some(rgb) = entity::colour(analysis, id) {
         let [r, g, b] = rgb.map(rough);
         let [x, y, z] = rgb.map(|c| srgb8(c as f32));
-        let _ = write!(
-            out,
-            "\nColour {r} {g} {b}, shown as `#{x:02x}{y:02x}{z:02x}`\n"
-        );
+        let values = [
+            ("colour", format!("{r} {g} {b}").into()),
+            ("shown", format!("#{x:02x}{y:02x}{z:02x}").into()),
+        ];
+        let _ = write!(out, "\n{}\n", language.say("hover-colour", &values));
     }
     let node = entity::entity(analysis, id).and_then(|e| e.node);
     if let Some(bounds) = node.and_then(|n| analysis.bounds().get(n as usize)) {
-        let _ = write!(out, "\n{}\n", bounds_text(&bounds.all));
+        let _ = write!(out, "\n{}\n", bounds_text(&bounds.all, language));
     }
     let uses = super::uses::occurrences(analysis, id);
     let (changes, references) = super::uses::counts(&uses);
-    let _ = write!(
-        out,
-        "\nUsed {}, changed {}\n",
-        times(references),
-        times(changes)
-    );
+    let values = [
+        ("uses", Value::Count(references as u64)),
+        ("changes", Value::Count(changes as u64)),
+    ];
+    let _ = write!(out, "\n{}\n", language.say("hover-uses", &values));
     out
 }
 
-fn times(n: usize) -> String {
-    match n {
-        0 => "nowhere".to_owned(),
-        1 => "once".to_owned(),
-        n => format!("{n} times"),
-    }
-}
-
 /// Where the object is when the file ends.
-fn bounds_text(all: &Aabb) -> String {
+fn bounds_text(all: &Aabb, language: Language) -> String {
     if all.is_empty() {
-        return "Bounds: empty".to_owned();
+        return language.say("hover-bounds-empty", &[]);
     }
     let size = |i: usize| all.max[i] - all.min[i];
     // Boxes are never too small: what is below a thousandth of the size is rounding.
@@ -200,14 +199,19 @@ fn bounds_text(all: &Aabb) -> String {
             x if x == f64::NEG_INFINITY => "−∞".to_owned(),
             x => near(x, size),
         };
-        format!("{name} {} to {}", end(all.min[i]), end(all.max[i]))
+        let values = [
+            ("axis", Value::from(name)),
+            ("low", end(all.min[i]).into()),
+            ("high", end(all.max[i]).into()),
+        ];
+        Value::from(language.say("hover-side", &values))
     };
-    format!(
-        "Bounds: {}, {}, {}",
-        side(0, "x"),
-        side(1, "y"),
-        side(2, "z")
-    )
+    let sides = [
+        ("x", side(0, "x")),
+        ("y", side(1, "y")),
+        ("z", side(2, "z")),
+    ];
+    language.say("hover-bounds", &sides)
 }
 
 /// The record as it is written, in one line and not too long.

@@ -1,6 +1,7 @@
 //! The parameters of a record while it is typed.
 
 use crate::analysis::Analysis;
+use crate::diagnostics::Language;
 use crate::syntax::table::{Param, RecordType};
 
 use super::place::typing;
@@ -9,7 +10,7 @@ use super::place::typing;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Signature {
     pub label: String,
-    pub doc: &'static str,
+    pub doc: String,
     pub params: Vec<Parameter>,
     /// Index into `params`; `None` behind the last one, or before the first.
     pub active: Option<usize>,
@@ -24,25 +25,25 @@ pub struct Parameter {
 }
 
 /// The signature of the record that is typed at an offset, once its type is known.
-pub fn signature(analysis: &Analysis, offset: u32) -> Option<Signature> {
+pub fn signature(analysis: &Analysis, offset: u32, language: Language) -> Option<Signature> {
     let typing = typing(analysis, offset)?;
     let ty = typing.ty?;
     if typing.complete {
         return None;
     }
-    let (label, params) = label(ty);
+    let (label, params) = label(ty, language);
     let active = typing.index.checked_sub(2);
     let active = active.and_then(|i| listed(ty, i, typing.count));
     Some(Signature {
         label,
-        doc: ty.summary,
+        doc: ty.summary(language).into_owned(),
         params,
         active,
     })
 }
 
 /// The label as [`RecordType::signature`] has it, with each parameter's place in it.
-fn label(ty: &'static RecordType) -> (String, Vec<Parameter>) {
+fn label(ty: &'static RecordType, language: Language) -> (String, Vec<Parameter>) {
     let mut label = format!("ID {}", ty.code);
     let mut params = Vec::new();
     let mut add = |label: &mut String, group: &'static [Param], open: &str, close: &str| {
@@ -56,7 +57,11 @@ fn label(ty: &'static RecordType) -> (String, Vec<Parameter>) {
             label.push_str(param.name);
             params.push(Parameter {
                 at: (start, label.len()),
-                doc: format!("{} ({})", param.doc, param.rule_text()),
+                doc: format!(
+                    "{} ({})",
+                    language.name(param.doc),
+                    param.rule_text(language)
+                ),
             });
         }
         label.push_str(close);

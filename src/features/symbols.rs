@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::analysis::Analysis;
-use crate::diagnostics::Span;
+use crate::diagnostics::{Language, Span};
 use crate::syntax::table::{Effect, Family, Kind, RecordKind};
 use crate::syntax::{Item, Record};
 
@@ -15,7 +15,7 @@ pub struct Symbol {
     /// "21 ball".
     pub name: String,
     /// The type's title.
-    pub detail: &'static str,
+    pub detail: String,
     pub sort: Sort,
     /// From the first record below it to its own.
     pub span: Span,
@@ -42,7 +42,7 @@ const MAX_DEPTH: usize = 40;
 
 /// The outline of a scene. Each entity is there once, below the first operation that names it, seen from the
 /// render record.
-pub fn symbols(analysis: &Analysis) -> Vec<Symbol> {
+pub fn symbols(analysis: &Analysis, language: Language) -> Vec<Symbol> {
     let all = Definitions::of(analysis);
     // Who hangs on whom: depth first from the last record, as operands are defined before.
     let mut parent: Vec<Option<usize>> = vec![None; all.records.len()];
@@ -74,7 +74,12 @@ pub fn symbols(analysis: &Analysis) -> Vec<Symbol> {
     let mut below: Vec<Vec<Symbol>> = (0..all.records.len()).map(|_| Vec::new()).collect();
     let mut tops = Vec::new();
     for (i, above) in parent.iter().enumerate() {
-        let symbol = symbol(analysis, all.records[i], std::mem::take(&mut below[i]));
+        let symbol = symbol(
+            analysis,
+            all.records[i],
+            std::mem::take(&mut below[i]),
+            language,
+        );
         match above {
             Some(above) => below[*above].push(symbol),
             None => tops.push(symbol),
@@ -119,12 +124,17 @@ impl<'a> Definitions<'a> {
     }
 }
 
-fn symbol(analysis: &Analysis, record: &Record, children: Vec<Symbol>) -> Symbol {
+fn symbol(
+    analysis: &Analysis,
+    record: &Record,
+    children: Vec<Symbol>,
+    language: Language,
+) -> Symbol {
     let own = entity::span(analysis, record);
     let span = children.iter().fold(own, |span, child| span.to(child.span));
     Symbol {
-        name: label(analysis, record),
-        detail: record.ty().title,
+        name: label(analysis, record, language),
+        detail: language.name(record.ty().title),
         sort: sort(record),
         span,
         id_span: analysis.document.id_token(record).span(),
@@ -133,13 +143,10 @@ fn symbol(analysis: &Analysis, record: &Record, children: Vec<Symbol>) -> Symbol
 }
 
 /// "21 ball": the ID and the comment, or the type.
-pub fn label(analysis: &Analysis, record: &Record) -> String {
+pub fn label(analysis: &Analysis, record: &Record, language: Language) -> String {
     let words = entity::comment(analysis, record);
-    format!(
-        "{} {}",
-        record.id,
-        words.as_deref().unwrap_or(record.ty().title)
-    )
+    let words = words.unwrap_or_else(|| language.name(record.ty().title));
+    format!("{} {words}", record.id)
 }
 
 /// What a record defines, for its sign.
@@ -162,16 +169,19 @@ pub fn sort(record: &Record) -> Sort {
 }
 
 /// The entities whose ID, type or comment holds the words of a query, in any case.
-pub fn matching(analysis: &Analysis, query: &str, limit: usize) -> Vec<Symbol> {
+pub fn matching(analysis: &Analysis, query: &str, limit: usize, language: Language) -> Vec<Symbol> {
     let query = query.to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();
     let fits = |record: &&&Record| {
-        let text = format!("{} {}", label(analysis, record), record.ty().title).to_lowercase();
+        // Names are found in both languages.
+        let title = record.ty().title;
+        let label = label(analysis, record, language);
+        let text = format!("{label} {title} {}", language.name(title)).to_lowercase();
         words.iter().all(|word| text.contains(word))
     };
     let all = Definitions::of(analysis);
     let found = all.records.iter().filter(fits).take(limit);
     found
-        .map(|record| symbol(analysis, record, Vec::new()))
+        .map(|record| symbol(analysis, record, Vec::new(), language))
         .collect()
 }

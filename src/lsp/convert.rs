@@ -188,7 +188,7 @@ impl<'a> Convert<'a> {
         let active = signature.active.unwrap_or(parameters.len()) as u32;
         let only = SignatureInformation {
             label: signature.label,
-            documentation: Some(Documentation::String(signature.doc.to_owned())),
+            documentation: Some(Documentation::String(signature.doc)),
             parameters: Some(parameters),
             active_parameter: None,
         };
@@ -280,7 +280,7 @@ impl<'a> Convert<'a> {
             .collect();
         DocumentSymbol {
             name: symbol.name,
-            detail: Some(symbol.detail.to_owned()),
+            detail: Some(symbol.detail),
             kind: symbol_kind(symbol.sort),
             tags: None,
             deprecated: None,
@@ -295,7 +295,7 @@ impl<'a> Convert<'a> {
             name: node.name,
             kind: symbol_kind(node.sort),
             tags: None,
-            detail: Some(node.detail.to_owned()),
+            detail: Some(node.detail),
             uri: self.uri(),
             range: self.places.range(node.span),
             selection_range: self.places.range(node.id_span),

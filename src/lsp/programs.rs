@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 use super::ask::{Ask, Refusal, refusal};
 use super::documents::Snapshot;
 use super::uri::{path_of, uri_of};
-use crate::diagnostics::{Code, Complaint, Language};
+use crate::diagnostics::{Code, Complaint};
 use crate::features::pages;
 use crate::syntax::table::RecordType;
 use crate::translate::registry;
@@ -102,10 +102,11 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
 
 /// The page of a code or a type.
 fn explain(ask: &Ask, topic: &str) -> Result<Value, Refusal> {
+    let language = ask.client.language;
     let ty = || RecordType::by_code(topic.parse().ok()?).or_else(|| RecordType::by_keyword(topic));
     let page = match (Code::parse(topic), ty()) {
-        (Some(code), _) => (code.as_str(), pages::code_page(code)),
-        (None, Some(ty)) => (ty.keyword, pages::type_page(ty)),
+        (Some(code), _) => (code.as_str(), pages::code_page(code, language)),
+        (None, Some(ty)) => (ty.keyword, pages::type_page(ty, language)),
         (None, None) => {
             let why = Complaint::new("no-topic").with("text", crate::syntax::quote(topic));
             return Err(ask.refuse(&why));
@@ -169,9 +170,7 @@ impl<'a> Job<'a> {
         let io = |e: &std::io::Error| why(Complaint::from(e));
         let program = std::env::current_exe().map_err(|e| io(&e))?;
         let mut command = Command::new(program);
-        if self.ask.client.language == Language::Czech {
-            command.args(["--lang", "cs"]);
-        }
+        command.args(["--lang", self.ask.client.language.tag()]);
         let pipes = (command.args(arguments).current_dir(&self.folder))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())

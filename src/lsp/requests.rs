@@ -120,7 +120,12 @@ fn inlay_hints(ask: &Ask, p: InlayHintParams) -> Answer<Option<Vec<InlayHint>>> 
     let file = ask.file(&p.text_document)?;
     let convert = ask.convert(file);
     let visible = convert.places.span(p.range);
-    let all = hints::hints(file.analysis(), visible, ask.preferences.hints);
+    let all = hints::hints(
+        file.analysis(),
+        visible,
+        ask.preferences.hints,
+        ask.client.language,
+    );
     Ok(Some(all.into_iter().map(|h| convert.hint(h)).collect()))
 }
 
@@ -141,13 +146,13 @@ fn hover(ask: &Ask, p: HoverParams) -> Answer<Option<Hover>> {
 
 fn signature_help(ask: &Ask, p: SignatureHelpParams) -> Answer<Option<SignatureHelp>> {
     let (convert, offset) = ask.place(&p.text_document_position_params)?;
-    let found = signature::signature(convert.file.analysis(), offset);
+    let found = signature::signature(convert.file.analysis(), offset, ask.client.language);
     Ok(found.map(|s| convert.signature(s)))
 }
 
 fn complete(ask: &Ask, p: CompletionParams) -> Answer<Option<CompletionResponse>> {
     let (convert, offset) = ask.place(&p.text_document_position_params)?;
-    let found = completion::completion(convert.file.analysis(), offset);
+    let found = completion::completion(convert.file.analysis(), offset, ask.client.language);
     // A number and a name are compared with different words: ask again once it is known which it is.
     let is_incomplete = found.word.start == found.word.end;
     let items = convert.completion(found);
@@ -233,7 +238,7 @@ fn format_on_type(ask: &Ask, p: DocumentOnTypeFormattingParams) -> Answer<Option
 fn document_symbols(ask: &Ask, p: DocumentSymbolParams) -> Answer<Option<DocumentSymbolResponse>> {
     let file = ask.file(&p.text_document)?;
     let convert = ask.convert(file);
-    let all = symbols::symbols(file.analysis()).into_iter();
+    let all = symbols::symbols(file.analysis(), ask.client.language).into_iter();
     let all: Vec<DocumentSymbol> = all.map(|s| convert.symbol(s)).collect();
     Ok(Some(all.into()))
 }
@@ -451,7 +456,7 @@ fn prepare_calls(
     p: CallHierarchyPrepareParams,
 ) -> Answer<Option<Vec<CallHierarchyItem>>> {
     let (convert, offset) = ask.place(&p.text_document_position_params)?;
-    let node = calls::prepare(convert.file.analysis(), offset);
+    let node = calls::prepare(convert.file.analysis(), offset, ask.client.language);
     Ok(node.map(|n| vec![convert.call_item(n)]))
 }
 
@@ -471,7 +476,7 @@ fn incoming_calls(
     p: CallHierarchyIncomingCallsParams,
 ) -> Answer<Option<Vec<CallHierarchyIncomingCall>>> {
     let (convert, id) = called(ask, &p.item)?;
-    let all = calls::incoming(convert.file.analysis(), id).into_iter();
+    let all = calls::incoming(convert.file.analysis(), id, ask.client.language).into_iter();
     let all = all.map(|call| CallHierarchyIncomingCall {
         from_ranges: call.at.iter().map(|s| convert.places.range(*s)).collect(),
         from: convert.call_item(call.node),
@@ -484,7 +489,7 @@ fn outgoing_calls(
     p: CallHierarchyOutgoingCallsParams,
 ) -> Answer<Option<Vec<CallHierarchyOutgoingCall>>> {
     let (convert, id) = called(ask, &p.item)?;
-    let all = calls::outgoing(convert.file.analysis(), id).into_iter();
+    let all = calls::outgoing(convert.file.analysis(), id, ask.client.language).into_iter();
     let all = all.map(|call| CallHierarchyOutgoingCall {
         from_ranges: call.at.iter().map(|s| convert.places.range(*s)).collect(),
         to: convert.call_item(call.node),

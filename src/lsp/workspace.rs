@@ -53,7 +53,7 @@ fn scenes(folder: &Path) -> impl Iterator<Item = std::path::PathBuf> {
 fn add(ask: &Ask, uri: &Uri, analysis: &Analysis, query: &str, out: &mut Vec<WorkspaceSymbol>) {
     let places = Places::new(&analysis.source, ask.client.units);
     let left = MAX_SYMBOLS.saturating_sub(out.len());
-    for symbol in symbols::matching(analysis, query, left) {
+    for symbol in symbols::matching(analysis, query, left, ask.client.language) {
         out.push(WorkspaceSymbol {
             location: Location {
                 uri: uri.clone(),
@@ -65,7 +65,7 @@ fn add(ask: &Ask, uri: &Uri, analysis: &Analysis, query: &str, out: &mut Vec<Wor
                 name: symbol.name,
                 kind: symbol_kind(symbol.sort),
                 tags: None,
-                container_name: Some(symbol.detail.to_owned()),
+                container_name: Some(symbol.detail),
             },
         });
     }

@@ -1,9 +1,10 @@
 //! The record table in words: what `zpg explain` and the language reference say about a record
 //! type and its parameters.
 
-use crate::diagnostics::wording::with_article;
+use std::borrow::Cow;
 
 use super::table::{Constraint, Effect, Kind, Param, ParamKind, RecordType, Unit};
+use crate::diagnostics::Language;
 
 /// A parameter with the group it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,76 +30,106 @@ impl RecordType {
         fixed.chain(repeated).chain(optional)
     }
 
+    /// What the record means, in a sentence or two.
+    pub fn summary(&self, language: Language) -> Cow<'static, str> {
+        let own = language.own(&format!("summary-{}", self.keyword), None);
+        own.map_or(Cow::Borrowed(self.summary), Cow::Owned)
+    }
+
     /// What a record of this type does with its ID: "Defines an object."
-    pub fn effect_text(&self) -> String {
+    pub fn effect_text(&self, language: Language) -> String {
+        let all = |place, kinds: &[Kind], form| (place, any_of(kinds, form, language).into());
         match self.effect {
-            Effect::Defines(kind) => format!("Defines {}.", with_article(kind.name())),
-            Effect::Changes(kinds) => format!("Changes {}.", any_of(kinds)),
-            Effect::DefinesOrChanges(new, kinds) => format!(
-                "On a new ID it defines {}; on the ID of {} it changes that.",
-                with_article(new.name()),
-                any_of(kinds)
-            ),
+            Effect::Defines(kind) => language.say("record-defines", &[all("kind", &[kind], "acc")]),
+            Effect::Changes(kinds) => language.say("record-changes", &[all("kinds", kinds, "acc")]),
+            Effect::DefinesOrChanges(new, kinds) => {
+                let values = [all("kind", &[new], "acc"), all("kinds", kinds, "gen")];
+                language.say("record-defines-or-changes", &values)
+            }
         }
     }
 }
 
 impl Param {
     /// What stands in its place: "number", "ID of a colour, or 0".
-    pub fn value_text(&self) -> String {
+    pub fn value_text(&self, language: Language) -> String {
         match self.kind {
-            ParamKind::Real => "number".to_owned(),
-            ParamKind::Integer => "integer".to_owned(),
-            ParamKind::Count => "integer, a count".to_owned(),
+            ParamKind::Real => language.say("record-number", &[]),
+            ParamKind::Integer => language.say("record-integer", &[]),
+            ParamKind::Count => language.say("record-count", &[]),
             ParamKind::Reference { kinds, or_none } => {
-                let or_none = if or_none { ", or 0 for none" } else { "" };
-                format!("ID of {}{or_none}", any_of(kinds))
+                let message = match or_none {
+                    true => "record-id-or-none",
+                    false => "record-id",
+                };
+                let kinds = any_of(kinds, "gen", language);
+                language.say(message, &[("kinds", kinds.into())])
             }
-            ParamKind::FileName => "file name".to_owned(),
+            ParamKind::FileName => language.say("record-file-name", &[]),
         }
     }
 
     /// Its unit, where it has one.
-    pub fn unit_text(&self) -> &'static str {
+    pub fn unit_text(&self, language: Language) -> String {
         match self.unit {
-            Unit::None => "",
-            Unit::Length => "scene units",
-            Unit::Degrees => "degrees",
-            Unit::Share => "a share",
+            Unit::None => String::new(),
+            Unit::Length => language.say("record-scene-units", &[]),
+            Unit::Degrees => language.say("record-degrees", &[]),
+            Unit::Share => language.say("record-share", &[]),
         }
     }
 
     /// What its value must satisfy, where there is something.
-    pub fn constraint_text(&self) -> String {
+    pub fn constraint_text(&self, language: Language) -> String {
+        let between = |message, low: f64, high: f64| {
+            let values = [
+                ("low", low.to_string().into()),
+                ("high", high.to_string().into()),
+            ];
+            language.say(message, &values)
+        };
         match self.constraint {
             Constraint::Any => String::new(),
             Constraint::Positive => "> 0".to_owned(),
             Constraint::ProfileRadius => "≥ 0".to_owned(),
-            Constraint::NonZeroScale => "not 0".to_owned(),
-            Constraint::Between(low, high) => format!("> {low} and < {high}"),
-            Constraint::Within(low, high) => format!("{low} to {high}"),
+            Constraint::NonZeroScale => language.say("record-not-zero", &[]),
+            Constraint::Between(low, high) => between("record-between", low, high),
+            Constraint::Within(low, high) => between("record-within", low, high),
             Constraint::AtLeast(low) => format!("≥ {low}"),
-            Constraint::Axis => "1, 2 or 3".to_owned(),
+            Constraint::Axis => language.say("record-axis", &[]),
         }
     }
 
     /// Value, unit, constraint and default in one line: "number, scene units, > 0, default 1".
-    pub fn rule_text(&self) -> String {
-        let mut parts = vec![self.value_text()];
-        parts.extend(Some(self.unit_text().to_owned()).filter(|s| !s.is_empty()));
-        parts.extend(Some(self.constraint_text()).filter(|s| !s.is_empty()));
-        parts.extend(self.default.map(|d| format!("default {d}")));
+    pub fn rule_text(&self, language: Language) -> String {
+        let default = self.default.map(|number| {
+            let values = [("number", number.into())];
+            language.say("record-default", &values)
+        });
+        let parts = [
+            self.value_text(language),
+            self.unit_text(language),
+            self.constraint_text(language),
+            default.unwrap_or_default(),
+        ];
+        let parts: Vec<String> = parts.into_iter().filter(|p| !p.is_empty()).collect();
         parts.join(", ")
     }
 }
 
-/// "an object, a point light or a camera".
-fn any_of(kinds: &[Kind]) -> String {
-    let names: Vec<_> = kinds.iter().map(|k| with_article(k.name())).collect();
-    match names.split_last() {
-        Some((last, [])) => (*last).to_owned(),
-        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
-        None => String::new(),
+/// "an object, a point light or a camera"; `form` is that of languages in which names have several.
+fn any_of(kinds: &[Kind], form: &str, language: Language) -> String {
+    let name = |kind: &Kind| language.form(kind.name(), form);
+    let names: Vec<String> = kinds.iter().map(name).collect();
+    match names.as_slice() {
+        [rest @ .., last] if !rest.is_empty() => {
+            let values = [
+                ("first", rest.join(", ").into()),
+                ("last", last.clone().into()),
+            ];
+            language.say("list-or", &values)
+        }
+        names => names.concat(),
     }
 }
 
@@ -109,24 +140,34 @@ mod tests {
     #[test]
     fn parameters_in_words() {
         let of = |keyword: &str| RecordType::by_keyword(keyword).unwrap();
-        let rules = |keyword| -> Vec<String> {
-            of(keyword)
-                .described()
-                .map(|(_, p)| p.rule_text())
-                .collect()
+        let rules = |keyword, language| -> Vec<String> {
+            let all = of(keyword).described();
+            all.map(|(_, p)| p.rule_text(language)).collect()
         };
+        use Language::{Czech, English};
         assert_eq!(
-            rules("parabolic-cylinder"),
+            rules("parabolic-cylinder", English),
             ["number, scene units, > 0, default 1"]
         );
         assert_eq!(
-            rules("assign")[0],
+            rules("parabolic-cylinder", Czech),
+            ["číslo, jednotky scény, > 0, výchozí 1"]
+        );
+        assert_eq!(
+            rules("assign", English)[0],
             "ID of a texture or a colour, or 0 for none"
         );
-        assert_eq!(rules("optics")[0], "number, a share, 0 to 1");
         assert_eq!(
-            of("translate").effect_text(),
+            rules("assign", Czech)[0],
+            "ID textury nebo barvy, nebo 0 pro žádnou"
+        );
+        assert_eq!(rules("optics", English)[0], "number, a share, 0 to 1");
+        assert_eq!(rules("optics", Czech)[0], "číslo, podíl, 0 až 1");
+        let effect = |language| of("translate").effect_text(language);
+        assert_eq!(
+            effect(English),
             "Changes an object, a point light or a camera."
         );
+        assert_eq!(effect(Czech), "Mění objekt, bodové světlo nebo kameru.");
     }
 }

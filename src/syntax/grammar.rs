@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 use super::table::{Family, Kind, Param, ParamKind, RECORD_TYPES, RecordType};
-use crate::diagnostics::Code;
+use crate::diagnostics::{Code, Language};
 
 /// Starts a generated part, with a name and ` -->`.
 const START: &str = "<!-- table:";
@@ -13,7 +13,7 @@ const END: &str = "<!-- end -->";
 
 /// A text with everything between its markers (`<!-- table:shapes -->` to `<!-- end -->`) written
 /// anew. The error says which marker is wrong.
-pub fn fill(text: &str) -> Result<String, String> {
+pub fn fill(text: &str, language: Language) -> Result<String, String> {
     let mut out = String::new();
     let mut rest = text;
     while let Some(at) = rest.find(START) {
@@ -21,7 +21,7 @@ pub fn fill(text: &str) -> Result<String, String> {
             .split_once(" -->")
             .ok_or("a marker does not end")?;
         let marker = &rest[at..at + START.len() + name.len() + " -->".len()];
-        let table = table(name).ok_or_else(|| format!("there is no table `{name}`"))?;
+        let table = table(name, language).ok_or_else(|| format!("there is no table `{name}`"))?;
         let end = rest[at..]
             .find(END)
             .ok_or_else(|| format!("table `{name}` does not end"))?;
@@ -34,32 +34,38 @@ pub fn fill(text: &str) -> Result<String, String> {
 }
 
 /// The table of a family, by the slug of its title, or that of the diagnostics.
-fn table(name: &str) -> Option<String> {
+fn table(name: &str, language: Language) -> Option<String> {
     if name == "diagnostics" {
-        return Some(diagnostics());
+        return Some(diagnostics(language));
     }
     let slug = |f: &&Family| f.title().to_lowercase().replace(' ', "-") == name;
-    Family::ALL.iter().find(slug).map(|&f| family(f))
+    Family::ALL.iter().find(slug).map(|&f| family(f, language))
 }
 
-fn family(family: Family) -> String {
-    let mut out = String::from(
-        "| type | keyword | parameters | meaning | values |\n|---:|---|---|---|---|\n",
-    );
+fn family(family: Family, language: Language) -> String {
+    let mut out = language.say("record-table", &[]) + "\n|---:|---|---|---|---|\n";
     for ty in RECORD_TYPES.iter().filter(|t| t.family == family) {
         // Writing to a string cannot fail.
         let _ = writeln!(
             out,
-            "| {} | `{}` | {} | {} {} | {} |",
+            "| {} | {} | {} | {} {} | {} |",
             ty.code,
-            ty.keyword,
+            names(ty, language),
             code(&ty.signature()),
-            ty.summary,
-            ty.effect_text(),
-            values(ty)
+            ty.summary(language),
+            ty.effect_text(language),
+            values(ty, language)
         );
     }
     out
+}
+
+/// The keyword, and in other languages the name before it.
+fn names(ty: &RecordType, language: Language) -> String {
+    match language {
+        Language::English => format!("`{}`", ty.keyword),
+        Language::Czech => format!("{}, `{}`", language.name(ty.title), ty.keyword),
+    }
 }
 
 fn code(text: &str) -> String {
@@ -70,10 +76,10 @@ fn code(text: &str) -> String {
 }
 
 /// What the parameters may be; neighbours with the same rule share it.
-fn values(ty: &RecordType) -> String {
+fn values(ty: &RecordType, language: Language) -> String {
     let mut groups: Vec<(Vec<&str>, String)> = Vec::new();
     for (_, p) in ty.described() {
-        let rule = p.rule_text();
+        let rule = p.rule_text(language);
         match groups.last_mut() {
             Some((names, last)) if *last == rule => names.push(p.name),
             _ => groups.push((vec![p.name], rule)),
@@ -89,11 +95,11 @@ fn values(ty: &RecordType) -> String {
     text.join("; ")
 }
 
-fn diagnostics() -> String {
-    let mut out = String::from("| code | name | what it does |\n|---|---|---|\n");
+fn diagnostics(language: Language) -> String {
+    let mut out = language.say("codes-table", &[]) + "\n|---|---|---|\n";
     for code in Code::ALL {
         let what = code
-            .explanation()
+            .explanation(language)
             .split("\n\n")
             .nth(1)
             .unwrap_or("")
@@ -256,16 +262,16 @@ mod tests {
     #[test]
     fn wrong_markers_are_named() {
         assert_eq!(
-            fill("<!-- table:nonsense --><!-- end -->").unwrap_err(),
+            fill("<!-- table:nonsense --><!-- end -->", Language::English).unwrap_err(),
             "there is no table `nonsense`"
         );
         assert_eq!(
-            fill("<!-- table:lights -->").unwrap_err(),
+            fill("<!-- table:lights -->", Language::English).unwrap_err(),
             "table `lights` does not end"
         );
-        let filled = fill("a <!-- table:lights -->x<!-- end --> b").unwrap();
+        let filled = fill("a <!-- table:lights -->x<!-- end --> b", Language::English).unwrap();
         assert!(filled.starts_with("a <!-- table:lights -->\n| type |"));
         assert!(filled.ends_with("<!-- end --> b"));
-        assert_eq!(fill(&filled).unwrap(), filled);
+        assert_eq!(fill(&filled, Language::English).unwrap(), filled);
     }
 }

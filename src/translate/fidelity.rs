@@ -1,21 +1,40 @@
 //! The account that every translation gives of itself: feature by feature, whether the target shows
 //! what the scene says.
+//!
+//! Its words stand in the source in English, and by them in the catalogues of other languages
+//! ([`Complaint::term`]); those with places to fill are messages.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 
 use super::feature::{Feature, used};
+use crate::diagnostics::{Complaint, Language};
 use crate::scene::Scene;
 
 /// How well one feature of the scene came through.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Fidelity {
     Exact,
     /// With a bound on the error, in words or numbers.
-    Approximate(String),
+    Approximate(Complaint),
     /// Not in the translation at all.
     Dropped,
+}
+
+impl Fidelity {
+    /// With a bound in words.
+    pub fn approximate(bound: &'static str) -> Fidelity {
+        Fidelity::Approximate(Complaint::term(bound))
+    }
+
+    /// As JSON names it.
+    fn name(&self) -> &'static str {
+        match self {
+            Fidelity::Exact => "exact",
+            Fidelity::Approximate(_) => "approximate",
+            Fidelity::Dropped => "dropped",
+        }
+    }
 }
 
 /// What a target makes of a feature in general.
@@ -23,25 +42,25 @@ pub enum Fidelity {
 pub struct Verdict {
     pub fidelity: Fidelity,
     /// How the feature is expressed, where that is worth saying.
-    pub note: Cow<'static, str>,
+    pub note: Complaint,
 }
 
 impl Verdict {
-    pub fn exact(note: impl Into<Cow<'static, str>>) -> Verdict {
+    pub fn exact(note: impl Into<Complaint>) -> Verdict {
         Verdict {
             fidelity: Fidelity::Exact,
             note: note.into(),
         }
     }
 
-    pub fn approximate(bound: &str, note: impl Into<Cow<'static, str>>) -> Verdict {
+    pub fn approximate(bound: impl Into<Complaint>, note: impl Into<Complaint>) -> Verdict {
         Verdict {
-            fidelity: Fidelity::Approximate(bound.to_owned()),
+            fidelity: Fidelity::Approximate(bound.into()),
             note: note.into(),
         }
     }
 
-    pub fn dropped(note: impl Into<Cow<'static, str>>) -> Verdict {
+    pub fn dropped(note: impl Into<Complaint>) -> Verdict {
         Verdict {
             fidelity: Fidelity::Dropped,
             note: note.into(),
@@ -52,20 +71,23 @@ impl Verdict {
 /// One line of the report.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {
-    pub feature: String,
+    pub feature: &'static str,
     pub fidelity: Fidelity,
     /// How the feature is expressed, where that is worth saying.
-    pub note: String,
+    pub note: Complaint,
     /// How many times the scene uses it; 0 for properties of the scene as a whole.
     pub uses: u64,
 }
+
+/// How well a feature came through, its bound in English, and its name: entries are sorted by these.
+type Key = (u8, String, &'static str);
 
 /// What became of the features a scene uses.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Report {
     /// The program translated for, as `--to` names it.
     pub target: &'static str,
-    entries: BTreeMap<(Fidelity, String), Entry>,
+    entries: BTreeMap<Key, Entry>,
 }
 
 impl Report {
@@ -82,29 +104,34 @@ impl Report {
         for (feature, uses) in used(scene) {
             let verdict = verdict(feature);
             report
-                .add(feature.name(), verdict.fidelity, &verdict.note)
+                .add(feature.name(), verdict.fidelity, verdict.note)
                 .uses = uses;
         }
         report
     }
 
     /// Counts one more use of a feature.
-    pub fn count(&mut self, feature: &str, fidelity: Fidelity, note: &str) {
-        self.add(feature, fidelity, note).uses += 1;
+    pub fn count(&mut self, feature: &'static str, fidelity: Fidelity, note: impl Into<Complaint>) {
+        self.add(feature, fidelity, note.into()).uses += 1;
     }
 
     /// States something about the scene as a whole.
-    pub fn state(&mut self, feature: &str, fidelity: Fidelity, note: &str) {
-        self.add(feature, fidelity, note);
+    pub fn state(&mut self, feature: &'static str, fidelity: Fidelity, note: impl Into<Complaint>) {
+        self.add(feature, fidelity, note.into());
     }
 
-    fn add(&mut self, feature: &str, fidelity: Fidelity, note: &str) -> &mut Entry {
+    fn add(&mut self, feature: &'static str, fidelity: Fidelity, note: Complaint) -> &mut Entry {
+        let (rank, bound) = match &fidelity {
+            Fidelity::Exact => (0, String::new()),
+            Fidelity::Approximate(bound) => (1, bound.to_string()),
+            Fidelity::Dropped => (2, String::new()),
+        };
         self.entries
-            .entry((fidelity.clone(), feature.to_owned()))
+            .entry((rank, bound, feature))
             .or_insert_with(|| Entry {
-                feature: feature.to_owned(),
+                feature,
                 fidelity,
-                note: note.to_owned(),
+                note,
                 uses: 0,
             })
     }
@@ -118,7 +145,7 @@ impl Report {
     pub fn brief(&self) -> (Report, usize) {
         let mut rest = self.clone();
         rest.entries
-            .retain(|(fidelity, _), _| *fidelity != Fidelity::Exact);
+            .retain(|_, entry| entry.fidelity != Fidelity::Exact);
         let exact = self.entries.len() - rest.entries.len();
         (rest, exact)
     }
@@ -127,47 +154,69 @@ impl Report {
         self.entries().any(|e| e.fidelity == Fidelity::Dropped)
     }
 
-    /// The report as `--report` writes it.
+    /// The report as `--report` writes it, in English.
     pub fn to_json(&self) -> serde_json::Value {
         let features: Vec<_> = self
             .entries()
             .map(|e| {
-                let (fidelity, bound) = match &e.fidelity {
-                    Fidelity::Exact => ("exact", None),
-                    Fidelity::Approximate(bound) => ("approximate", Some(bound)),
-                    Fidelity::Dropped => ("dropped", None),
+                let bound = match &e.fidelity {
+                    Fidelity::Approximate(bound) => Some(bound.to_string()),
+                    Fidelity::Exact | Fidelity::Dropped => None,
                 };
+                let note = e.note.to_string();
                 serde_json::json!({
                     "feature": e.feature,
-                    "fidelity": fidelity,
+                    "fidelity": e.fidelity.name(),
                     "bound": bound,
-                    "note": (!e.note.is_empty()).then_some(&e.note),
+                    "note": (!note.is_empty()).then_some(note),
                     "uses": e.uses,
                 })
             })
             .collect();
         serde_json::json!({ "version": 1, "target": self.target, "features": features })
     }
+
+    /// For people, a line for each entry.
+    pub fn text(&self, language: Language) -> String {
+        let mut out = String::new();
+        for e in self.entries() {
+            let bound = match &e.fidelity {
+                Fidelity::Approximate(bound) => format!(" ({})", bound.wording(language)),
+                Fidelity::Exact | Fidelity::Dropped => String::new(),
+            };
+            let name = language.name(e.feature);
+            let mut line = format!("{name}{bound}");
+            if e.uses > 1 {
+                line += &format!(" ×{}", e.uses);
+            }
+            let note = e.note.wording(language);
+            if !note.is_empty() && note != name {
+                line += &format!(": {note}");
+            }
+            out += &row(&e.fidelity, &line, language);
+        }
+        out
+    }
 }
 
+/// In English, for those who do not ask for a language.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for e in self.entries() {
-            match &e.fidelity {
-                Fidelity::Exact => write!(f, "exact        {}", e.feature)?,
-                Fidelity::Approximate(bound) => write!(f, "approximate  {} ({bound})", e.feature)?,
-                Fidelity::Dropped => write!(f, "dropped      {}", e.feature)?,
-            }
-            if e.uses > 1 {
-                write!(f, " ×{}", e.uses)?;
-            }
-            if !e.note.is_empty() {
-                write!(f, ": {}", e.note)?;
-            }
-            writeln!(f)?;
-        }
-        Ok(())
+        f.write_str(&self.text(Language::English))
     }
+}
+
+/// How wide the first column of a report is.
+const WIDTH: usize = 12;
+
+/// A line of a report: what becomes of it, and the rest.
+pub fn row(fidelity: &Fidelity, line: &str, language: Language) -> String {
+    let what = match fidelity {
+        Fidelity::Exact => "fidelity-exact",
+        Fidelity::Approximate(_) => "fidelity-approximate",
+        Fidelity::Dropped => "fidelity-dropped",
+    };
+    format!("{:<WIDTH$} {line}\n", language.say(what, &[]))
 }
 
 #[cfg(test)]
@@ -180,20 +229,24 @@ mod tests {
         r.state("image texture", Fidelity::Dropped, "");
         r.count("sphere", Fidelity::Exact, "");
         r.count("sphere", Fidelity::Exact, "");
-        r.count("torus", Fidelity::Approximate("1e-3".into()), "a mesh");
+        r.count("torus", Fidelity::approximate("a material"), "a mesh");
         assert_eq!(
-            r.to_string(),
-            "exact        sphere ×2\napproximate  torus (1e-3): a mesh\ndropped      image texture\n"
+            r.text(Language::English),
+            "exact        sphere ×2\napproximate  torus (a material): a mesh\ndropped      image texture\n"
+        );
+        assert_eq!(
+            r.text(Language::Czech),
+            "přesně       koule ×2\npřibližně    torus (materiál): síť\nvynecháno    obrazová textura\n"
         );
         let (brief, exact) = r.brief();
         assert_eq!(
-            (brief.to_string().as_str(), exact),
+            (brief.text(Language::English).as_str(), exact),
             (
-                "approximate  torus (1e-3): a mesh\ndropped      image texture\n",
+                "approximate  torus (a material): a mesh\ndropped      image texture\n",
                 1
             )
         );
         assert!(r.has_dropped());
-        assert_eq!(r.to_json()["features"][1]["bound"], "1e-3");
+        assert_eq!(r.to_json()["features"][1]["bound"], "a material");
     }
 }

@@ -41,11 +41,9 @@ impl Output {
         let written = match format {
             Format::Human => human::write(&mut text, source, &diagnostics, look),
             Format::Short => short::write(&mut text, source, &diagnostics, language),
-            Format::Json => return Output::Json(json::File::new(source, diagnostics, language)),
-            Format::Sarif => {
-                return Output::Sarif(sarif::File::new(source, diagnostics, language));
-            }
-            Format::Github => github::write(&mut text, source, &diagnostics, language),
+            Format::Json => return Output::Json(json::File::new(source, diagnostics)),
+            Format::Sarif => return Output::Sarif(sarif::File::new(source, diagnostics)),
+            Format::Github => github::write(&mut text, source, &diagnostics),
         };
         debug_assert!(written.is_ok(), "memory takes everything");
         Output::Text(text)
@@ -79,6 +77,6 @@ pub fn write(
         }
         Format::Human | Format::Short | Format::Github => Ok(()),
         Format::Json => json::write(out, &reports, total),
-        Format::Sarif => sarif::write(out, &scans, look.language, complete),
+        Format::Sarif => sarif::write(out, &scans, complete),
     }
 }

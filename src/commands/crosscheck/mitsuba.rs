@@ -1,12 +1,11 @@
 //! Geometry, beside Mitsuba's.
 
-use std::io::{self, Write};
-
 use super::{Args, Compared, Outcome, Pictures};
 use super::{cameras, each_camera, failed, images, made_folder, program, stem};
 use crate::analysis::Analysis;
-use crate::diagnostics::Error;
-use crate::study::geometry::{self, Comparison, Differences, Shared, our_normals, their_normals};
+use crate::diagnostics::{Complaint, Error, Language, Value};
+use crate::study::accuracy::words::local;
+use crate::study::geometry::{self, Comparison, Shared, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
 use crate::study::program::ProgramError;
 use crate::syntax::Captions;
@@ -14,7 +13,7 @@ use crate::trace::Tracer;
 use crate::translate::about_camera;
 use crate::translate::mitsuba::{Integrator, Options, is_exact, square_size, write};
 
-const HOW: &str = "with `pip install mitsuba numpy`, and name that Python with --program";
+const HOW: &str = "crosscheck-how-mitsuba";
 
 /// So many pairs of surfaces in one place are named.
 const NAMED: usize = 3;
@@ -79,62 +78,55 @@ impl Outcome for Comparison {
         Comparison::tells(self)
     }
 
-    fn print(&self, _: &Args, out: &mut dyn Write) -> io::Result<()> {
-        writeln!(
-            out,
-            "  off silhouettes    {} of {} pixels show another shape, place or normal ({:.3} %)",
-            self.wrong,
-            self.pixels - self.silhouettes - self.cut_off - self.undecided - self.in_one_place,
-            100.0 * self.share_wrong,
-        )?;
-        writeln!(
-            out,
-            "  silhouettes        {} pixels at the edges of shapes and faces, which are not compared",
-            self.silhouettes,
-        )?;
-        if self.cut_off > 0 {
-            writeln!(
-                out,
-                "  left out           {} pixels where parts without end are cut off in the translation",
-                self.cut_off,
-            )?;
+    fn lines(&self, _: &Args, language: Language) -> Vec<(&'static str, Complaint)> {
+        let number = |text: String| local(language, text);
+        let pixels = |message, n: usize| Complaint::new(message).with("pixels", n.to_string());
+        let compared =
+            self.pixels - self.silhouettes - self.cut_off - self.undecided - self.in_one_place;
+        let percent = number(format!("{:.3}", 100.0 * self.share_wrong));
+        let off = pixels("crosscheck-mitsuba-off", compared)
+            .with("wrong", self.wrong.to_string())
+            .with("percent", percent);
+        let silhouettes = pixels("crosscheck-mitsuba-silhouettes", self.silhouettes);
+        let mut lines = vec![
+            ("crosscheck-off-silhouettes", off),
+            ("crosscheck-silhouettes", silhouettes),
+        ];
+        let mut left_out = |message, n: usize, pairs: String| {
+            if n > 0 {
+                let line = pixels(message, n).with("pairs", pairs);
+                lines.push(("crosscheck-left-out", line));
+            }
+        };
+        let pair = |s: &Shared| {
+            let [first, last] = s.shapes.map(|id| Value::from(id.to_string()));
+            language.say("list-and", &[("first", first), ("last", last)])
+        };
+        let mut pairs: Vec<String> = self.shared.iter().take(NAMED).map(pair).collect();
+        if self.shared.len() > NAMED {
+            pairs.push("…".to_owned());
         }
-        if self.undecided > 0 {
-            writeln!(
-                out,
-                "  left out           {} pixels where single precision, which Mitsuba computes in, takes \
-                 something else for what is seen",
-                self.undecided,
-            )?;
+        left_out("crosscheck-mitsuba-cut", self.cut_off, String::new());
+        left_out(
+            "crosscheck-mitsuba-undecided",
+            self.undecided,
+            String::new(),
+        );
+        left_out(
+            "crosscheck-mitsuba-shared",
+            self.in_one_place,
+            pairs.join(", "),
+        );
+        for (kind, d) in [
+            ("crosscheck-exact", &self.exact),
+            ("crosscheck-meshes", &self.meshes),
+        ] {
+            let line = pixels("crosscheck-mitsuba-differences", d.pixels)
+                .with("distance", number(format!("{:.2e}", d.distance)))
+                .with("share", number(format!("{:.3}", d.distance_by_allowed)))
+                .with("angle", number(format!("{:.3}", d.angle)));
+            lines.push((kind, line));
         }
-        if self.in_one_place > 0 {
-            let pair = |s: &Shared| format!("{} and {}", s.shapes[0], s.shapes[1]);
-            let named: Vec<String> = self.shared.iter().take(NAMED).map(pair).collect();
-            let more = match self.shared.len() > NAMED {
-                true => ", …",
-                false => "",
-            };
-            writeln!(
-                out,
-                "  left out           {} pixels where the surfaces of two shapes are in one place, and which of \
-                 them is seen is arbitrary: {}{more}",
-                self.in_one_place,
-                named.join(", "),
-            )?;
-        }
-        for (kind, d) in [("exact shapes", &self.exact), ("meshes", &self.meshes)] {
-            let Differences {
-                pixels,
-                distance,
-                distance_by_allowed,
-                angle,
-            } = d;
-            writeln!(
-                out,
-                "  {kind:<18} {pixels} pixels; positions differ by at most {distance:.2e}, \
-                 {distance_by_allowed:.3} of what is allowed; normals by at most {angle:.3}°",
-            )?;
-        }
-        Ok(())
+        lines
     }
 }

@@ -1,12 +1,11 @@
 //! Pictures, beside POV-Ray's.
 
-use std::io::{self, Write};
-
 use super::{Args, Compared, Outcome, Pictures};
 use super::{cameras, each_camera, failed, images, made_folder, program, stem};
 use crate::analysis::Analysis;
 use crate::commands::{LookChoice, terminal};
-use crate::diagnostics::Error;
+use crate::diagnostics::{Complaint, Error, Language};
+use crate::study::accuracy::words::local;
 use crate::study::compare::Comparison;
 use crate::study::povray::{PROGRAM, render};
 use crate::syntax::Captions;
@@ -14,8 +13,7 @@ use crate::trace::film::srgb8;
 use crate::trace::{Film, Settings, Tracer};
 use crate::translate::pov;
 
-const HOW: &str =
-    "with `apt-get install povray` or `brew install povray`, or from https://www.povray.org";
+const HOW: &str = "crosscheck-how-povray";
 
 /// Takes, compares and writes all pictures.
 pub fn compare(
@@ -79,27 +77,36 @@ impl Outcome for Comparison {
         self.differing.share_off_silhouettes
     }
 
-    fn print(&self, args: &Args, out: &mut dyn Write) -> io::Result<()> {
-        writeln!(
-            out,
-            "  off silhouettes    {} pixels differ by more than {}/255 ({:.3} %); \
-             the largest difference is {:.2}/255, the mean {:.3}/255",
-            self.differing.off_silhouettes,
-            args.max_diff,
-            100.0 * self.differing.share_off_silhouettes,
-            255.0 * self.difference.largest,
-            255.0 * self.difference.mean,
-        )?;
-        writeln!(
-            out,
-            "  on silhouettes     {} pixels differ",
-            self.differing.on_silhouettes
-        )?;
-        writeln!(
-            out,
-            "  total reflection   in {} pixels, not compared: POV-Ray has it otherwise",
-            self.total_reflection
-        )?;
-        writeln!(out, "  FLIP               {:.4}", self.flip)
+    fn lines(&self, args: &Args, language: Language) -> Vec<(&'static str, Complaint)> {
+        let number = |text: String| local(language, text);
+        let pixels = |message, n: usize| Complaint::new(message).with("pixels", n.to_string());
+        let differing = &self.differing;
+        let percent = format!("{:.3}", 100.0 * differing.share_off_silhouettes);
+        let off = pixels("crosscheck-povray-off", differing.off_silhouettes)
+            .with("most", number(args.max_diff.to_string()))
+            .with("percent", number(percent))
+            .with(
+                "largest",
+                number(format!("{:.2}", 255.0 * self.difference.largest)),
+            )
+            .with(
+                "mean",
+                number(format!("{:.3}", 255.0 * self.difference.mean)),
+            );
+        vec![
+            ("crosscheck-off-silhouettes", off),
+            (
+                "crosscheck-on-silhouettes",
+                pixels("crosscheck-povray-on", differing.on_silhouettes),
+            ),
+            (
+                "crosscheck-total-reflection",
+                pixels("crosscheck-povray-total", self.total_reflection),
+            ),
+            (
+                "crosscheck-flip",
+                Complaint::quoted(number(format!("{:.4}", self.flip))),
+            ),
+        ]
     }
 }

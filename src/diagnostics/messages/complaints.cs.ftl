@@ -1,4 +1,4 @@
-### Co se netýká místa ve scéně, česky: soubory, nastavení, přání na příkazovém řádku.
+### Co se netýká místa ve scéně, česky: soubory, nastavení, přání na příkazové řádce.
 
 ## Slova kolem a slova cizí
 
@@ -30,11 +30,11 @@ io-read-only = disk je jen pro čtení
 ## Nastavení
 
 in-line = řádek { $line }: { $why }
-setting-toml = tohle není TOML: { $reason }
+setting-toml = tohle není TOML
 setting-unknown = nastavení { $key } neexistuje, jen { $known }
 setting-codes-known = kódy a `per-file-ignores`
 setting-value = `{ $key }`: očekává se { $wanted }, uvedeno je { $found }
-setting-glob = { $text } není vzor jmen souborů: { $reason }
+setting-glob = { $text } není vzor jmen souborů
 setting-table = tabulka
 setting-level = jedno z `error`, `warning`, `note`, `off`
 setting-codes = seznam kódů, například ["W307", "style"]
@@ -60,7 +60,7 @@ no-topic-near = žádný nález ani typ záznamu se nejmenuje { $text }; mysleli
 ## Sledování
 
 stdin-not-watched = standardní vstup nelze sledovat
-cannot-watch = změny nelze sledovat: { $reason }
+cannot-watch = změny nelze sledovat
 watching = Sleduji změny; konec Ctrl-C
 
 ## Formátování
@@ -94,13 +94,13 @@ draw-matrix = transformaci, jejíž inverze je mimo rozsah čísel
 draw-projection = pohled kamery s touto projekcí
 crop-too-large = --crop přesahuje obrázek o velikosti { $width }x{ $height } pixelů
 too-many-pixels = obrázek má nejvýše { $max } pixelů
-picture-needs-memory = obrázek by zabral { $needed } paměti a --memory dovoluje { $memory }: zvolte menší --size nebo --crop
-file-needs-memory = je tak dlouhý, že by bylo třeba asi { $needed } paměti, a --memory dovoluje { $memory }
-too-many-parts-in-one-place = scéna má { $parts } částí, počítá-li se každý výskyt, a tolik jich leží přes sebe, že by paprsky potřebovaly víc, než dovoluje --memory { $memory }: ať se překrývá méně kopií, nebo dovolte víc
+picture-needs-memory = obrázek by zabral { $needed } paměti a --memory povoluje { $memory }: zvolte menší --size nebo --crop
+file-needs-memory = je tak dlouhý, že by bylo třeba asi { $needed } paměti, a --memory povoluje { $memory }
+too-many-parts-in-one-place = scéna má { $parts } částí, počítá-li se každý výskyt, a tolik jich leží přes sebe, že by paprsky potřebovaly víc, než povoluje --memory { $memory }: ať se překrývá méně kopií, nebo povolte víc
 expected-memory = očekává se množství paměti, například 800M nebo 12G
 fewer-threads = --threads { $wanted } je příliš mnoho; spustí se { $most }, čtyři na každý procesor
-no-threads = vlákna nelze spustit: { $reason }
-ctrl-c-leaves = po Ctrl-C mohou zůstat dočasné soubory: { $reason }
+no-threads = vlákna nelze spustit
+ctrl-c-leaves = po Ctrl-C mohou zůstat dočasné soubory
 heatmap-scale = mapa nákladů: testy průsečíků na pixel, od 0 (černá) do { $max } (světle žlutá), ve stupnici log(1 + n)
 unknown-format = formát souboru { $path } není poznat: jméno má končit na .png, .exr nebo .pfm
 unseen-outside = mimo kvádr renderovacího záznamu
@@ -138,10 +138,10 @@ program-failed = { $program } selhal:
     { $said }
 program-strange = { $program }: { $what }
 
-## Překlad
+## Převod
 
 camera-nowhere = kamera { $id } nikam nehledí
-camera-of-no-lens = projekční matice kamery { $id } nemá paprsky, které by POV-Ray mohl sledovat: nevycházejí z jednoho bodu ani nejsou rovnoběžné
+camera-of-no-lens = matice projekce kamery { $id } nemá paprsky, které by POV-Ray mohl sledovat: nevycházejí z jednoho bodu ani nejsou rovnoběžné
 camera-of-no-squares = kamera { $id } nemá při { $size } čtvercové pixely a takovou kameru Mitsuba nemá: zvolte --size { $other }
 camera-of-never-squares = kamera { $id } nemá při { $size } čtvercové pixely, takovou kameru Mitsuba nemá a žádná jiná --size nepomůže
 too-many-triangles = je třeba nejméně { $needed } trojúhelníků a vytvoří se jich nejvýše { $most }: zvolte větší --tolerance nebo menší část scény
@@ -150,7 +150,7 @@ too-many-joined = vzájemně se překrývá { $solids } těles, mezi nimi tvar {
 mesh-without-name = scéna ze standardního vstupu nemá jméno: místo pro soubor { $format } určete pomocí -o
 would-overwrite-image = { $path } je obrázek, který scéna používá, a byl by přepsán: zvolte jiné jméno pomocí -o
 would-overwrite-scene = { $path } je sama scéna a byla by přepsána: zvolte jiné jméno pomocí -o
-many-files = překlad má více souborů ({ $documents ->
+many-files = převod má více souborů ({ $documents ->
     [one] { $documents } dokument
     [few] { $documents } dokumenty
    *[other] { $documents } dokumentů
@@ -166,7 +166,7 @@ json-deep = seznamy a objekty jsou do sebe vnořeny příliš hluboko
 json-not-formatted = { $path } je scéna v JSON, a tu zpg fmt neupravuje
 json-not-changed = { $path } je scéna v JSON, a tu zpg check jen čte: --fix, --diff a --add-allow jsou pro záznamy
 json-ends = není to JSON: text končí příliš brzy, něco není uzavřeno
-json-syntax = není to JSON: { $what }
+json-syntax = není to JSON: tento znak sem nepatří
 json-missing = chybí `{ $field }`: doplňte je
 json-twice = `{ $field }` je uvedeno dvakrát: jedno vynechte
 json-no-field = `{ $field }` zde být nemůže, jen { $known }
@@ -204,6 +204,7 @@ usage-conflict = `{ $arg }` nelze uvést spolu s `{ $other }`
 usage-no-value = `{ $arg }` potřebuje hodnotu
 usage-flag = `{ $arg }` je bez hodnoty, ale uvedeno je `{ $text }`
 usage-value = `{ $text }` není hodnota pro `{ $arg }`
+usage-not-text = některý argument není text v UTF-8
 usage-values = možnosti jsou { $values }
 with-reason = { $what }: { $reason }
 with-near = { $what }; mysleli jste `{ $near }`?
@@ -218,6 +219,7 @@ expected-difference = očekává se číslo větší než 0, nejvýše 255
 expected-tolerance = očekává se číslo větší než 0, nejvýše 1
 expected-cutoff = očekává se číslo od 0 do 1
 expected-samples = očekává se celé číslo od 1 do 1048576
+expected-whole-number = očekává se celé číslo od 0 do 4294967295
 expected-time = očekává se čas jako 90s, 2m nebo 1h, nejvýše den
 expected-runs = očekává se počet běhů od 1 do 100
 expected-goal = očekává se počet kroků nad 0, nejvýše 255

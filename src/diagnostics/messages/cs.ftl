@@ -59,7 +59,7 @@ fixed = Opraveno: { $count ->
 }).
 change = { $place }: { $old } → { $new }
 change-nothing = nic
-allowed = Dovoleno: { $count ->
+allowed = Povoleno: { $count ->
     [one] { $count } nález
     [few] { $count } nálezy
    *[other] { $count } nálezů
@@ -165,7 +165,7 @@ E006 = za ID { $text } chybí typ
     .help = záznam má tvar `ID TYP parametry…`
 E006-word = { $text } není typ záznamu
     .label = zde mělo být číslo typu
-    .help = číslo typu zjistíte příkazem `zpg explain` s anglickým názvem, například `zpg explain sphere`
+    .help = číslo typu zjistíte příkazem `zpg explain` se jménem, například `zpg explain koule`
 E006-lost = záznamu chybí typ: jeho čísla odpovídají typu { $number } ({ $type })
     .label = za tímto ID chybí typ
 
@@ -283,13 +283,13 @@ E014-known = { $kind ->
 E014-binary = binární data nejsou scéna
 E014-pov-ray = soubor vypadá jako scéna POV-Raye
     .label = řádek v jazyce POV-Raye
-    .help = scény POV-Raye číst nelze; `zpg convert FILE --to pov` překládá opačným směrem
+    .help = scény POV-Raye číst nelze; `zpg convert SOUBOR --to pov` převádí opačným směrem
 E014-long = komentář nebo slovo v souboru má 256 MiB nebo více
     .label = začíná zde
     .help = komentář se ukončuje znakem `#`
 E014-json = JSON není scéna
 E014-scene-json = soubor je scéna zapsaná v JSON
-    .help = přečte se, když jméno končí na .json; `zpg convert FILE.json --to zpg` ji zapíše jako záznamy
+    .help = přečte se, když jméno končí na .json; `zpg convert SOUBOR.json --to zpg` ji zapíše jako záznamy
 
 E015 = { $why }
 
@@ -426,14 +426,14 @@ E206-least = { $type }: { $parameter } musí být aspoň { $low }
 E206-count = { $type }: počet bodů profilu nemůže být { $value }
     .label = N, počet bodů profilu, musí být aspoň 2
 
-E207 = směr pohledu kamery a vektor „nahoru“ (up-vector) jsou rovnoběžné
+E207 = směr pohledu kamery a vektor „nahoru“ jsou rovnoběžné
     .label = společně mají určit, kde je v obrazu nahoře
     .help = vektor „nahoru“ bývá `0 1 0`; míří-li kamera přímo nahoru nebo dolů, zvolte `0 0 1`
-E207-projection = pro část obrázku nemá tato projekční matice žádný paprsek
+E207-projection = pro část obrázku nemá tato matice projekce žádný paprsek
     .label = není tam vidět nic, co je před kamerou
     .help = kamera hledí proti ose z: poslední řádek perspektivy bývá 0 0 -1 0
 
-E207-nearly = směr pohledu kamery a vektor „nahoru“ (up-vector) jsou až na zaokrouhlení rovnoběžné
+E207-nearly = směr pohledu kamery a vektor „nahoru“ jsou až na zaokrouhlení rovnoběžné
     .label = { E207.label }
     .help = { E207.help }
 
@@ -461,10 +461,10 @@ nothing-drawn = nic z toho se nezobrazí
 ## Poznámky a styl
 
 S504 = { $count ->
-    [one] { $entries } se zde dovoluje, ale nevyskytuje
-   *[other] { $entries } se zde dovolují, ale nevyskytují
+    [one] { $entries } se zde povoluje, ale nevyskytuje
+   *[other] { $entries } se zde povolují, ale nevyskytují
 }
-    .label = není co dovolit
+    .label = není co povolit
     .fix = { $count ->
         [one] odstranit to
        *[other] odstranit je
@@ -479,6 +479,6 @@ S504-no-code = { $count ->
 }
     .help = všechny kódy vypíše `zpg explain`
 S504-error = { $count ->
-    [one] chybu { $code } dovolit nelze
-   *[other] chyby dovolit nelze: { $code }
+    [one] chybu { $code } povolit nelze
+   *[other] chyby povolit nelze: { $code }
 }

@@ -67,22 +67,22 @@ struct Report<'a> {
 }
 
 impl File {
-    /// A file's findings, which are sorted by their offset.
-    pub fn new(file: &SourceFile, diagnostics: Vec<Diagnostic>, language: Language) -> File {
+    /// A file's findings, which are sorted by their offset. They are in English: programs read them.
+    pub fn new(file: &SourceFile, diagnostics: Vec<Diagnostic>) -> File {
         let mut locator = Locator::new(file);
         File {
             path: file.path.clone(),
             diagnostics: diagnostics
                 .into_iter()
-                .map(|d| Finding::new(&mut locator, d, language))
+                .map(|d| Finding::new(&mut locator, d))
                 .collect(),
         }
     }
 }
 
 impl Finding {
-    fn new(locator: &mut Locator, d: Diagnostic, language: Language) -> Finding {
-        let words = d.wording(language);
+    fn new(locator: &mut Locator, d: Diagnostic) -> Finding {
+        let words = d.wording(Language::English);
         let labels = d.labels.iter().zip(words.labels);
         let fixes = d.fixes.into_iter().zip(words.fixes);
         Finding {
@@ -162,12 +162,7 @@ mod tests {
         let mut tally = Tally::default();
         tally.add(std::slice::from_ref(&d));
         let mut out = Vec::new();
-        write(
-            &mut out,
-            &[File::new(&file, vec![d], Language::English)],
-            &tally,
-        )
-        .unwrap();
+        write(&mut out, &[File::new(&file, vec![d])], &tally).unwrap();
         insta::assert_snapshot!(String::from_utf8(out).unwrap(), @r#"
         {
           "version": 1,
@@ -249,7 +244,7 @@ mod tests {
         let in_text = file.text.find('x').unwrap() as u32;
         assert_ne!(at, in_text as usize);
         let d = Diagnostic::new(Code::E106, Span::new(in_text, in_text + 1));
-        let json = serde_json::to_value(File::new(&file, vec![d], Language::English)).unwrap();
+        let json = serde_json::to_value(File::new(&file, vec![d])).unwrap();
         assert_eq!(json["diagnostics"][0]["span"]["start"]["offset"], at);
         assert_eq!(json["diagnostics"][0]["span"]["start"]["column"], at + 1);
     }

@@ -100,11 +100,11 @@ impl Tally {
     }
 }
 
-/// What a finding says besides its second places, as lines of one text.
-fn one_text(words: &Wording, language: Language) -> String {
+/// What a finding says besides its second places, as lines of one text; for programs, in English.
+fn one_text(words: &Wording) -> String {
     let mut lines = vec![words.message.as_str()];
     // A label that points says nothing where nothing is pointed at.
-    if words.label != language.say("here", &[]) {
+    if words.label != Language::English.say("here", &[]) {
         lines.push(&words.label);
     }
     lines.extend(words.notes.iter().chain(&words.help).map(String::as_str));

@@ -12,6 +12,9 @@ use super::{one_text, plain_path};
 use crate::diagnostics::source::{Locator, SourceFile};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Language, Severity, Span};
 
+/// Programs read it, whoever runs them.
+const LANGUAGE: Language = Language::English;
+
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
 const VERSION: &str = "2.1.0";
 
@@ -194,7 +197,7 @@ struct Content {
 
 impl File {
     /// A file's findings, which are sorted by their offset.
-    pub fn new(file: &SourceFile, diagnostics: Vec<Diagnostic>, language: Language) -> File {
+    pub fn new(file: &SourceFile, diagnostics: Vec<Diagnostic>) -> File {
         let location = ArtifactLocation {
             uri: uri(&file.path, cfg!(windows)),
         };
@@ -205,7 +208,7 @@ impl File {
         };
         let findings = diagnostics
             .into_iter()
-            .map(|d| (d.code, places.finding(d, language)))
+            .map(|d| (d.code, places.finding(d)))
             .collect();
         File {
             artifact: Artifact { location, encoding },
@@ -221,9 +224,9 @@ struct Places<'a> {
 }
 
 impl Places<'_> {
-    fn finding(&mut self, d: Diagnostic, language: Language) -> Finding {
-        let words = d.wording(language);
-        let text = one_text(&words, language);
+    fn finding(&mut self, d: Diagnostic) -> Finding {
+        let words = d.wording(LANGUAGE);
+        let text = one_text(&words);
         let labels = d.labels.iter().zip(words.labels);
         let fixes = d.fixes.into_iter().zip(words.fixes);
         Finding {
@@ -286,7 +289,7 @@ impl Places<'_> {
 
 impl Rule {
     fn new(code: Code) -> Rule {
-        let page = code.explanation();
+        let page = code.explanation(LANGUAGE);
         let what = section(page, "What it does");
         let first = what.find(". ").map_or(what.as_str(), |end| &what[..=end]);
         Rule {
@@ -380,12 +383,7 @@ fn uri(path: &str, windows: bool) -> String {
 }
 
 /// Writes the log of a run. `complete` is whether all files could be read.
-pub fn write(
-    out: &mut dyn Write,
-    files: &[File],
-    language: Language,
-    complete: bool,
-) -> io::Result<()> {
+pub fn write(out: &mut dyn Write, files: &[File], complete: bool) -> io::Result<()> {
     let findings = || files.iter().flat_map(|file| &file.findings);
     let spoke: BTreeSet<Code> = findings().map(|&(code, _)| code).collect();
     let spoke = Vec::from_iter(spoke);
@@ -404,7 +402,7 @@ pub fn write(
             invocations: [Invocation {
                 execution_successful: complete,
             }],
-            language: language.tag(),
+            language: LANGUAGE.tag(),
             column_kind: "unicodeCodePoints",
             newline_sequences: ["\r\n", "\n", "\r"],
             artifacts: files.iter().map(|file| &file.artifact).collect(),

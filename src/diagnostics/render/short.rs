@@ -23,7 +23,7 @@ pub fn write(
             place.line,
             place.column,
             d.code.as_str(),
-            d.severity.as_str(),
+            language.say(d.severity.as_str(), &[]),
             visible(&d.wording(language).message),
         )?;
     }

@@ -4,7 +4,7 @@
 //!
 //! - `mod.rs`: `check`, which looks at a scene and adds its findings;
 //! - `explain.md`: the page of `zpg explain`, with a scene that is wrong and one that is right, both of which
-//!   a test checks; `explain.cs.md` is the place of the Czech page;
+//!   a test checks; `explain.cs.md`: the page in Czech, with the same scenes;
 //! - `en.ftl` and `cs.ftl`: its messages;
 //! - `tests/*.zpg`: scenes, and beside each a snapshot of all that is printed about it and of what fixes make
 //!   of it (`tests/lint_rules.rs` runs them).
@@ -274,6 +274,8 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
+    use crate::diagnostics::Language;
+
     /// Every folder is listed, as a rule and with its code, and has its files.
     #[test]
     fn folders_are_complete() {
@@ -284,13 +286,16 @@ mod tests {
             if !path.is_dir() {
                 continue;
             }
-            for file in ["mod.rs", "explain.md", "en.ftl", "cs.ftl"] {
+            for file in ["mod.rs", "explain.md", "explain.cs.md", "en.ftl", "cs.ftl"] {
                 assert!(path.join(file).exists(), "{} lacks {file}", path.display());
             }
             let name = entry.file_name().into_string().unwrap().replace('_', "-");
             let code = Code::ALL.iter().find(|c| c.name() == name);
             let page = fs::read_to_string(path.join("explain.md")).unwrap();
-            assert!(code.is_some_and(|c| c.explanation() == page), "{name}");
+            assert!(
+                code.is_some_and(|c| c.explanation(Language::English) == page),
+                "{name}"
+            );
             assert!(RULES.iter().any(|r| Some(&r.code) == code), "{name}");
             count += 1;
         }

@@ -5,6 +5,13 @@ use super::rungs::{Axis, Kind};
 use super::words::{self, count, say};
 use crate::diagnostics::Language;
 
+/// A report whose advice is in a language.
+pub fn in_language(report: &Report, language: Language) -> Report {
+    let mut own = report.clone();
+    advise(&mut own, language);
+    own
+}
+
 /// Writes the advice into a report.
 pub fn advise(report: &mut Report, language: Language) {
     let parts = match wrong_reference(report, language) {

@@ -45,7 +45,7 @@ accuracy-costs = stojí o { $percent } % víc
 
 accuracy-skip-unasked = nežádáno
 accuracy-skip-light = nic nezrcadlí a nic nepropouští světlo: žádné světlo se neuřízne
-accuracy-skip-solver = nekreslí se žádný anuloid ani rotační plocha
+accuracy-skip-solver = nekreslí se žádný torus ani rotační těleso
 accuracy-skip-levels = nekreslí se žádná geodetická koule
 accuracy-skip-glass = něčím prochází světlo, a trojúhelník nemá vnitřek
 accuracy-skip-flat = všechno je rovné
@@ -71,10 +71,10 @@ accuracy-step-objects = objekty
 accuracy-step-pictures = obrázky
 
 accuracy-effect-shadows = stíny
-accuracy-effect-transparent-shadows = průsvitné stíny
+accuracy-effect-transparent-shadows = průhledné stíny
 accuracy-effect-reflection = zrcadlení
 accuracy-effect-refraction = lom
-accuracy-effect-dispersion = rozklad světla
+accuracy-effect-dispersion = disperze
 accuracy-effect-textures = textury
 accuracy-effect-smooth-normals = hladké normály
 

@@ -3,6 +3,7 @@
 use super::measure::Measured;
 use super::rungs::{Axis, Kind};
 use super::timing::Spread;
+use crate::diagnostics::Complaint;
 use crate::scene::Rgb;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -84,7 +85,7 @@ pub struct Budget {
     /// The side of a tile; `null` where the whole picture was measured.
     pub tile: Option<u32>,
     /// What was left out to keep it.
-    pub cut: Vec<String>,
+    pub cut: Vec<Complaint>,
 }
 
 #[derive(Debug, Clone, Serialize, Default)]
@@ -110,7 +111,7 @@ pub struct Margin {
     pub steps: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rmse: Option<f64>,
-    pub how: String,
+    pub how: Complaint,
 }
 
 #[derive(Debug, Clone, Serialize, Default)]
@@ -125,7 +126,7 @@ pub struct Checked {
     /// Where: the first few wrong pixels.
     pub wrong_pixels: Vec<[u32; 2]>,
     /// Why nothing was checked.
-    pub not_checked: Option<String>,
+    pub not_checked: Option<Complaint>,
 }
 
 #[derive(Debug, Clone, Serialize)]
@@ -210,7 +211,7 @@ impl From<Measured> for RowError {
 #[derive(Debug, Clone, Serialize)]
 pub struct Skipped {
     pub axis: &'static str,
-    pub why: String,
+    pub why: Complaint,
 }
 
 #[derive(Debug, Clone, Serialize)]

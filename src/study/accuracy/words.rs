@@ -1,7 +1,7 @@
 //! Numbers and names as people read them.
 
 use super::rungs::Kind;
-use crate::diagnostics::{Language, Value};
+use crate::diagnostics::{Complaint, Language, Value};
 
 /// What fills places of a message.
 pub type Filled<'a> = &'a [(&'static str, Value)];
@@ -67,6 +67,11 @@ pub fn seconds(language: Language, seconds: f64) -> String {
             s => format!("{s:.0} s"),
         },
     )
+}
+
+/// Each in words.
+pub fn each(language: Language, all: &[Complaint]) -> Vec<String> {
+    all.iter().map(|one| one.wording(language)).collect()
 }
 
 pub fn count(n: usize) -> Value {

@@ -1,6 +1,7 @@
 //! How much of a scene without end becomes triangles, and how fine they are.
 
 use super::options::{DEFAULT_TOLERANCE, Options};
+use crate::diagnostics::Complaint;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, Scene, Texture, Vec3};
 use crate::solids::bounds::{NodeBounds, node_bounds};
@@ -42,15 +43,15 @@ impl Extent {
     }
 
     /// Where parts without end are cut off, in words.
-    pub fn cut_off(&self) -> String {
+    pub fn cut_off(&self) -> Complaint {
         if self.boxed {
-            return "cut to the render box".to_owned();
+            return Complaint::term("cut to the render box");
         }
         let times = match self.cut == self.region {
             true => AROUND,
             false => AROUND * FLAT,
         };
-        format!("cut to {times} times the bounds of what has an end and of the faces around it")
+        Complaint::new("fidelity-cut").with("times", times.to_string())
     }
 
     /// The region and the tolerance for a scene.

@@ -46,3 +46,4 @@ pub use parts::Parts;
 pub use shape::is_faceted;
 pub use skin::Skin;
 pub use soup::Mesh;
+pub use verdict::within;

@@ -160,11 +160,11 @@ pub(super) fn account(report: &mut Report, extent: &Extent, troubles: &Troubles)
         report.count("parts without end", fidelity, "");
     }
     for _ in 0..troubles.uncut {
-        let fidelity = Fidelity::Approximate("an operand was left as it is".to_owned());
+        let fidelity = Fidelity::approximate("an operand was left as it is");
         report.count("operations that failed", fidelity, "");
     }
     for _ in 0..troubles.unjoined {
-        let fidelity = Fidelity::Approximate("both are there, one in the other".to_owned());
+        let fidelity = Fidelity::approximate("both are there, one in the other");
         report.count("overlapping parts that were not joined", fidelity, "");
     }
 }

@@ -1,8 +1,14 @@
 //! What a mesh makes of each feature.
 
 use super::shape;
+use crate::diagnostics::Complaint;
 use crate::syntax::table::RecordKind;
 use crate::translate::{Effect, Feature, Verdict};
+
+/// Off by no more than the tolerance.
+pub fn within(tolerance: f64) -> Complaint {
+    Complaint::new("fidelity-within").with("tolerance", format!("{tolerance:.3e}"))
+}
 
 pub fn verdict(target: &str, feature: Feature, tolerance: f64) -> Verdict {
     match feature {
@@ -12,11 +18,11 @@ pub fn verdict(target: &str, feature: Feature, tolerance: f64) -> Verdict {
 }
 
 fn record(target: &str, kind: RecordKind, tolerance: f64) -> Verdict {
-    let within = format!("within {tolerance:.3e}");
+    let within = || within(tolerance);
     match kind {
         RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
         RecordKind::Shape(kind) if shape::is_faceted(kind) => Verdict::exact("triangles"),
-        RecordKind::Shape(_) => Verdict::approximate(&within, "triangles"),
+        RecordKind::Shape(_) => Verdict::approximate(within(), "triangles"),
         RecordKind::Translation
         | RecordKind::Rotation
         | RecordKind::Scaling
@@ -24,7 +30,7 @@ fn record(target: &str, kind: RecordKind, tolerance: f64) -> Verdict {
         RecordKind::Union
         | RecordKind::Intersection
         | RecordKind::Difference
-        | RecordKind::Complement => Verdict::approximate(&within, "cut and joined as meshes"),
+        | RecordKind::Complement => Verdict::approximate(within(), "cut and joined as meshes"),
         RecordKind::Copy => Verdict::exact(""),
         RecordKind::Optics | RecordKind::OpticsRgb | RecordKind::RefractiveIndex => match target {
             "ply" => Verdict::dropped("a PLY file has colours only"),

@@ -20,7 +20,7 @@ mod xml;
 use super::mesh::{self, picture};
 use super::names::Names;
 use super::{Fidelity, Report};
-use crate::diagnostics::Error;
+use crate::diagnostics::{Complaint, Error};
 use crate::geometry::Aabb;
 use crate::scene::{Camera, Scene};
 use crate::solids::bounds::node_bounds;
@@ -189,20 +189,20 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     });
     parts.account(&mut report);
     if bsdfs.brightest() > 1.0 {
-        let fidelity = Fidelity::Approximate("1 instead: Mitsuba knows none".to_owned());
+        let fidelity = Fidelity::approximate("1 instead: Mitsuba knows none");
         report.state("colours above 1", fidelity, "");
     }
     for _ in 0..clashes {
-        let doubt = "which of them is seen is up to rounding and the tolerance".to_owned();
-        report.count("surfaces in one place", Fidelity::Approximate(doubt), "");
+        let doubt = "which of them is seen is up to rounding and the tolerance";
+        report.count("surfaces in one place", Fidelity::approximate(doubt), "");
     }
     for camera in &cameras {
         if !scenery::is_exact(camera, options.size) {
             let why = match square_size(&cameras, options.size) {
-                Some((width, height)) => {
-                    format!("pixels are made square: choose --size {width}x{height}")
-                }
-                None => "pixels are made square, and no --size helps".to_owned(),
+                Some((width, height)) => Complaint::new("fidelity-square-pixels")
+                    .with("width", width.to_string())
+                    .with("height", height.to_string()),
+                None => Complaint::term("pixels are made square, and no --size helps"),
             };
             let fidelity = Fidelity::Approximate(why);
             report.count(

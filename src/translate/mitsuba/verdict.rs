@@ -1,6 +1,7 @@
 //! What Mitsuba makes of each feature.
 
 use super::written::Written;
+use crate::diagnostics::{Complaint, Value};
 use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::translate::{Effect, Feature, Verdict, mesh};
 
@@ -15,8 +16,8 @@ pub fn verdict(feature: Feature, tolerance: f64, written: &Written) -> Verdict {
 type Counts = [usize; 2];
 
 fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> Verdict {
-    let within = format!("within {tolerance:.3e}");
-    let facets = |note: &'static str| Verdict::approximate(&within, note);
+    let within = || mesh::within(tolerance);
+    let facets = |note: &'static str| Verdict::approximate(within(), note);
     let [exact, meshes] = counts;
     match kind {
         RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
@@ -24,7 +25,7 @@ fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> Verdict {
             Verdict::exact(made("sphere", counts))
         }
         RecordKind::Shape(ShapeKind::SphereAtOrigin | ShapeKind::Sphere) => {
-            Verdict::approximate(&within, made("sphere", counts))
+            Verdict::approximate(within(), made("sphere", counts))
         }
         RecordKind::Shape(ShapeKind::Plane | ShapeKind::HalfSpace) if exact == 0 && meshes > 0 => {
             Verdict::exact("a mesh")
@@ -87,34 +88,27 @@ fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> Verdict {
 const STRAIGHT: &str = "straight between the points of a mesh";
 
 /// What shapes became: `2 spheres, 1 mesh`.
-fn made(own: &str, counts: Counts) -> String {
+fn made(own: &'static str, counts: Counts) -> Complaint {
     match counts {
-        [_, 0] => own.to_owned(),
-        [0, _] => "a mesh".to_owned(),
-        [exact, meshes] => {
-            let many = if exact > 1 { "s" } else { "" };
-            format!("{exact} {own}{many}, {}", of_meshes(meshes))
-        }
+        [_, 0] => Complaint::term(own),
+        [0, _] => Complaint::term("a mesh"),
+        counts => counted("fidelity-made", own, counts),
     }
 }
 
 /// On what textures were laid: `checkerboard, on 2 exact shapes and 1 mesh`.
-fn laid(name: &str, [exact, meshes]: Counts) -> String {
-    if exact == 0 {
-        return name.to_owned();
+fn laid(name: &'static str, counts: Counts) -> Complaint {
+    match counts {
+        [0, _] => Complaint::term(name),
+        counts => counted("fidelity-laid", name, counts),
     }
-    let shapes = if exact > 1 { "shapes" } else { "shape" };
-    format!(
-        "{name}, on {exact} exact {shapes} and {}",
-        of_meshes(meshes)
-    )
 }
 
-fn of_meshes(count: usize) -> String {
-    match count {
-        1 => "1 mesh".to_owned(),
-        n => format!("{n} meshes"),
-    }
+fn counted(message: &'static str, name: &'static str, [exact, meshes]: Counts) -> Complaint {
+    Complaint::new(message)
+        .with("name", Value::Term(name))
+        .with("exact", Value::Count(exact as u64))
+        .with("meshes", Value::Count(meshes as u64))
 }
 
 fn of_effect(effect: Effect) -> Verdict {
@@ -156,12 +150,13 @@ mod tests {
 
     #[test]
     fn shapes_are_counted() {
+        let made = |own, counts| made(own, counts).to_string();
         assert_eq!(made("sphere", [3, 0]), "sphere");
         assert_eq!(made("sphere", [0, 3]), "a mesh");
         assert_eq!(made("sphere", [1, 2]), "1 sphere, 2 meshes");
         assert_eq!(made("cube", [2, 1]), "2 cubes, 1 mesh");
         assert_eq!(
-            laid("checkerboard", [2, 1]),
+            laid("checkerboard", [2, 1]).to_string(),
             "checkerboard, on 2 exact shapes and 1 mesh"
         );
     }

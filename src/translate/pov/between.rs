@@ -140,8 +140,7 @@ impl Builder<'_> {
         let parts = |m: &Meeting| groups[m.earlier].nodes.len() + groups[m.later].nodes.len();
         if meetings.iter().map(parts).sum::<usize>() > MANY {
             meetings.clear();
-            let plain =
-                Fidelity::Approximate("light goes through the faces within them, too".to_owned());
+            let plain = Fidelity::approximate("light goes through the faces within them, too");
             let crowds = "crowds of overlapping parts of many media";
             self.report.state(crowds, plain, "written as they are");
         }

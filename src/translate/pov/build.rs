@@ -15,6 +15,7 @@ use super::sets::Sets;
 use super::sheets;
 use super::spread;
 use super::volumes::{self, Volumes};
+use crate::diagnostics::Complaint;
 use crate::geometry::Aabb;
 use crate::geometry::vec::Vec3;
 use crate::scene::{Node, NodeId, Scene, View};
@@ -370,11 +371,10 @@ impl<'a> Builder<'a> {
 
     /// Says that faces of an object lie in those of another; 0 is nobody's object.
     pub fn faces_in_one_place(&mut self, id: u32) {
-        let example = match id {
-            0 => String::new(),
-            id => format!(", as in {id}"),
+        let doubt = match id {
+            0 => Complaint::term("which is seen is up to rounding"),
+            id => Complaint::new("fidelity-rounding").with("id", id.to_string()),
         };
-        let doubt = format!("which is seen is up to rounding{example}");
         let known = |e: &crate::translate::fidelity::Entry| e.feature == FACES;
         if !self.report.entries().any(known) {
             self.report.state(FACES, Fidelity::Approximate(doubt), "");
@@ -505,9 +505,8 @@ impl<'a> Builder<'a> {
     pub fn media_are_approximate(&mut self) {
         self.report.count(
             "operations on media of different index",
-            Fidelity::Approximate(
-                "light that goes through faces between the media may take another way, and show another picture"
-                    .to_owned(),
+            Fidelity::approximate(
+                "light that goes through faces between the media may take another way, and show another picture",
             ),
             "an object has one index there",
         );

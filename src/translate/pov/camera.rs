@@ -4,7 +4,7 @@ use super::Options;
 use super::build::Builder;
 use super::frame::Frame;
 use super::text::{entity, vector};
-use crate::diagnostics::Error;
+use crate::diagnostics::{Complaint, Error};
 use crate::geometry::Aabb;
 use crate::geometry::array::{add, cross, dot, length, sub, unit};
 use crate::scene::sight::Sight;
@@ -55,9 +55,10 @@ pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<V
                     let pixels = off * f64::from(options.size.0.max(options.size.1));
                     builder.report.state(
                         "camera far away",
-                        Fidelity::Approximate(format!(
-                            "its rays are made parallel: off by less than {pixels:.1e} pixels"
-                        )),
+                        Fidelity::Approximate(
+                            Complaint::new("fidelity-parallel")
+                                .with("pixels", format!("{pixels:.1e}")),
+                        ),
                         "",
                     );
                     lens
@@ -73,8 +74,8 @@ pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<V
                 {
                     builder.report.state(
                         "near plane of the projection matrix",
-                        Fidelity::Approximate(
-                            "what lies between the camera and the near plane is seen".to_owned(),
+                        Fidelity::approximate(
+                            "what lies between the camera and the near plane is seen",
                         ),
                         "",
                     );
@@ -85,7 +86,7 @@ pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<V
         if lens.parallel {
             builder.report.state(
                 "parallel rays",
-                Fidelity::Approximate("moved by a billionth of the picture".to_owned()),
+                Fidelity::approximate("moved by a billionth of the picture"),
                 "so that none runs exactly along a face",
             );
         }

@@ -240,13 +240,13 @@ impl Builder<'_> {
         {
             self.report.count(
                 "cut faces through overlapping transparent parts",
-                Fidelity::Approximate("faces between the parts may show twice".to_owned()),
+                Fidelity::approximate("faces between the parts may show twice"),
                 "",
             );
         } else if self.cut_open {
             self.report.count(
                 "cut faces through overlapping parts that are seen from within",
-                Fidelity::Approximate("faces between the parts show".to_owned()),
+                Fidelity::approximate("faces between the parts show"),
                 "",
             );
         }
@@ -311,9 +311,8 @@ impl Builder<'_> {
     ) -> Piece {
         self.report.count(
             "cut faces of composite objects",
-            Fidelity::Approximate(
-                "where parts overlap the mean of their textures; textures laid on shapes are misplaced"
-                    .to_owned(),
+            Fidelity::approximate(
+                "where parts overlap the mean of their textures; textures laid on shapes are misplaced",
             ),
             "cutaway_textures",
         );

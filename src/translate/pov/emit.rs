@@ -159,7 +159,7 @@ impl<'b, 'a> Emitter<'b, 'a> {
                         normals: TriangleNormals::PerVertex(n),
                         ..
                     } if !triangle::are_equally_long(n) => {
-                        let fidelity = Fidelity::Approximate(triangle::BOUND.to_owned());
+                        let fidelity = Fidelity::approximate(triangle::BOUND);
                         let report = &mut self.builder.report;
                         report.count("vertex normals of different length", fidelity, "a mesh");
                     }

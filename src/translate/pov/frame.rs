@@ -7,6 +7,7 @@ use super::build::Builder;
 use super::camera::Eye;
 use super::reach::reach;
 use super::text::{number, vector};
+use crate::diagnostics::Complaint;
 use crate::scene::Vec3;
 use crate::solids::frame::seen_box;
 use crate::translate::fidelity::Fidelity;
@@ -63,21 +64,21 @@ impl Frame {
                 unit = unit.max(power_of_two_about(wanted.min(FAR_FOR_NEAR / reach.far)));
             }
             let overlooked = OVERLOOKED / unit;
+            let nearer = |message| {
+                let length = format!("{overlooked:.1e}");
+                Fidelity::Approximate(Complaint::new(message).with("length", length))
+            };
             if reach.near * unit < SIZE * OVERLOOKED {
                 builder.report.state(
                     "things that are small beside what is far away",
-                    Fidelity::Approximate(format!(
-                        "shadows and mirrored light that begin nearer than {overlooked:.1e} may be overlooked"
-                    )),
+                    nearer("fidelity-overlooked"),
                     "",
                 );
             }
             if reach.gap < overlooked {
                 builder.report.state(
                     "narrow gaps behind transparent surfaces",
-                    Fidelity::Approximate(format!(
-                        "what is nearer than {overlooked:.1e} behind a surface may be overlooked"
-                    )),
+                    nearer("fidelity-overlooked-behind"),
                     "",
                 );
             }

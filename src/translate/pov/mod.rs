@@ -56,7 +56,7 @@ mod volumes;
 use std::fmt::Write as _;
 
 use super::{Fidelity, File, Report};
-use crate::diagnostics::Error;
+use crate::diagnostics::{Complaint, Error};
 use crate::scene::{Optics, Render, Scene};
 use crate::solids::contacts;
 use crate::syntax::Captions;
@@ -201,8 +201,8 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     if builder.cut_open && builder.refractive {
         builder.report.state(
             "refraction in solids that the render box cuts open",
-            Fidelity::Approximate(
-                "rays that enter through the cut leave the solid as if they entered it".to_owned(),
+            Fidelity::approximate(
+                "rays that enter through the cut leave the solid as if they entered it",
             ),
             "",
         );
@@ -210,7 +210,7 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     if builder.unseen_twice {
         builder.report.state(
             "depth of rays in parts that others surround",
-            Fidelity::Approximate("light that is mirrored there takes two steps more".to_owned()),
+            Fidelity::approximate("light that is mirrored there takes two steps more"),
             "",
         );
     }
@@ -236,23 +236,22 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
         builder.report.state(
             "bounding volumes left out",
             Fidelity::Exact,
-            &format!(
-                "of {}{more}: not proved to hold their objects, or written without a name",
-                ids.join(", ")
-            ),
+            Complaint::new("fidelity-volumes").with("ids", ids.join(", ") + more),
         );
     }
     if builder.looks.has_jpeg(&builder.aspects) {
         builder.report.state(
             "JPEG pictures",
-            Fidelity::Approximate("decoders differ by a few 255ths".to_owned()),
+            Fidelity::approximate("decoders differ by a few 255ths"),
             "",
         );
     }
     if options.depth >= MOST_LEVELS {
         builder.report.state(
             "depth",
-            Fidelity::Approximate(format!("rays end at depth {}", MOST_LEVELS - 1)),
+            Fidelity::Approximate(
+                Complaint::new("fidelity-depth").with("depth", (MOST_LEVELS - 1).to_string()),
+            ),
             "",
         );
     }

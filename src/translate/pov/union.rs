@@ -389,9 +389,7 @@ impl Builder<'_> {
         if earlier.medium.is_some() && earlier.medium == later.medium {
             self.report.count(
                 "parts of one medium that overlap, with another medium between them",
-                Fidelity::Approximate(
-                    "what is seen through the overlap may be another picture".to_owned(),
-                ),
+                Fidelity::approximate("what is seen through the overlap may be another picture"),
                 "",
             );
         }

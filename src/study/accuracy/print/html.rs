@@ -3,7 +3,7 @@
 use super::super::advice::names;
 use super::super::report::{Report, Row};
 use super::super::rungs::{Axis, Kind};
-use super::super::words::{self, local, say};
+use super::super::words::{self, each, local, say};
 use super::image;
 use super::svg::{self, escaped};
 use super::tables::{self, Table};
@@ -354,7 +354,11 @@ impl Page<'_> {
             let heading = self.say("accuracy-section-skipped");
             self.add(&format!("<section><h2>{heading}</h2><ul>"));
             for s in &report.skipped {
-                self.add(&format!("<li>{}: {}</li>", s.axis, escaped(&s.why)));
+                self.add(&format!(
+                    "<li>{}: {}</li>",
+                    s.axis,
+                    escaped(&s.why.wording(self.language))
+                ));
             }
             self.add("</ul></section>");
         }
@@ -362,7 +366,7 @@ impl Page<'_> {
         let language = self.language;
         let mut lines = Vec::new();
         for (kind, reference) in &report.reference {
-            let mut text = format!("{kind}: {}", reference.margin.how);
+            let mut text = format!("{kind}: {}", reference.margin.how.wording(self.language));
             if let Some(n) = reference.samples.filter(|n| *n > 1) {
                 let _ = write!(text, "; {n} samples");
             }
@@ -376,7 +380,10 @@ impl Page<'_> {
         }
         if !report.budget.cut.is_empty() {
             let cut = say(language, "accuracy-cut", &[]);
-            lines.push(format!("{cut}: {}", report.budget.cut.join(", ")));
+            lines.push(format!(
+                "{cut}: {}",
+                each(self.language, &report.budget.cut).join(", ")
+            ));
         }
         let machine = &report.machine;
         lines.push(format!(

@@ -7,12 +7,14 @@ pub mod svg;
 mod tables;
 pub mod terminal;
 
+use super::advice::in_language;
 use super::report::Report;
 use crate::diagnostics::Language;
 
-/// Names and contents of the files of a report.
+/// Names and contents of the files of a report. What people read is in their language.
 pub fn files(report: &Report, language: Language) -> Vec<(&'static str, String)> {
     let json = serde_json::to_string_pretty(report).unwrap_or_default() + "\n";
+    let report = &in_language(report, language);
     vec![
         ("accuracy.json", json),
         ("accuracy.md", markdown::text(report, language)),

@@ -230,10 +230,10 @@ fn summaries(out: &mut String, report: &Report, language: Language) {
         .collect();
     list("accuracy-taken-out", effects);
     let skipped: Vec<String> = (report.skipped.iter())
-        .map(|s| format!("{}: {}", s.axis, s.why))
+        .map(|s| format!("{}: {}", s.axis, s.why.wording(language)))
         .collect();
     list("accuracy-not-run", skipped);
-    list("accuracy-cut", report.budget.cut.clone());
+    list("accuracy-cut", words::each(language, &report.budget.cut));
     line(out, &sureness(report, language));
 }
 

@@ -13,7 +13,7 @@ use super::report::{Reference, Report, Skipped};
 use super::rungs::{Axis, Kernel, Rung, Settings};
 use super::stage::{Drawn, Stage, Timed};
 use super::tiles::{TILE, Tile, WHOLE, chosen};
-use crate::diagnostics::{Error, Language};
+use crate::diagnostics::{Complaint, Error};
 use crate::scene::{Camera, Rgb, Scene};
 use crate::trace::Images;
 use crate::trace::stats::Rays;
@@ -34,7 +34,6 @@ pub struct Options {
     pub budget: f64,
     /// The error that is wanted, in steps.
     pub goal: f64,
-    pub language: Language,
     /// Once this is set, what is finished is reported.
     pub stop: Arc<AtomicBool>,
 }
@@ -89,7 +88,7 @@ struct Run<'i> {
     facets: BTreeMap<Axis, Settings>,
     reference: BTreeMap<&'static str, Reference>,
     skipped: Vec<Skipped>,
-    cut: Vec<String>,
+    cut: Vec<Complaint>,
     start: Instant,
     progress: Progress<'i>,
     threads: f64,
@@ -153,10 +152,6 @@ pub fn run(
 fn load() -> Option<f64> {
     let text = std::fs::read_to_string("/proc/loadavg").ok()?;
     text.split_whitespace().next()?.parse().ok()
-}
-
-fn say(language: Language, message: &'static str) -> String {
-    language.say(message, &[])
 }
 
 impl Run<'_> {

@@ -1,7 +1,7 @@
 //! Which rungs there are, and what each costs, by a few tiles of each.
 
-use super::{Entry, Known, LEAST_PIXELS, Run, rays, say};
-use crate::diagnostics::Error;
+use super::{Entry, Known, LEAST_PIXELS, Run, rays};
+use crate::diagnostics::{Complaint, Error};
 use crate::study::accuracy::facets::Facets;
 use crate::study::accuracy::report::Skipped;
 use crate::study::accuracy::rungs::{Axis, Kernel, Rung, Settings, ladder};
@@ -13,7 +13,6 @@ const CALIBRATION: f64 = 0.01;
 impl Run<'_> {
     /// The rungs of the axes that the scene calls for.
     pub(super) fn plan(&mut self) -> Result<(), Error> {
-        let language = self.options.language;
         for axis in Axis::ALL {
             let wanted = self.options.axes.contains(&axis);
             let why = match wanted {
@@ -49,13 +48,13 @@ impl Run<'_> {
                 rungs.retain(|r| matches!(r.settings.kernel, Kernel::Ours(_)));
                 self.skipped.push(Skipped {
                     axis: "precision plain",
-                    why: say(language, no_plain),
+                    why: Complaint::new(no_plain),
                 });
             }
             if let Some(why) = why {
                 self.skipped.push(Skipped {
                     axis: axis.name(),
-                    why: say(language, why),
+                    why: Complaint::new(why),
                 });
             }
             self.rungs.extend(rungs);
@@ -173,7 +172,7 @@ impl Run<'_> {
             if which(&self.rungs[i]) && !self.known[i].dropped && !self.rungs[i].is_default() {
                 self.known[i].dropped = true;
                 let name = format!("{} {}", self.rungs[i].axis.name(), self.rungs[i].label);
-                self.cut.push(name);
+                self.cut.push(Complaint::quoted(name));
             }
         }
     }

@@ -1,7 +1,7 @@
 //! What the errors are measured against: each kind of error has a reference beyond every rung on its axes.
 
-use super::{LEAST_PIXELS, Run, say};
-use crate::diagnostics::Error;
+use super::{LEAST_PIXELS, Run};
+use crate::diagnostics::{Complaint, Error};
 use crate::scene::Rgb;
 use crate::study::accuracy::check;
 use crate::study::accuracy::measure::compare;
@@ -28,13 +28,12 @@ impl Run<'_> {
         let tiles = self.tiles_for(self.seconds(0.1) * self.threads, cost, LEAST_PIXELS);
         let drawn = self.stage.draw(&settings, &self.tiles[..tiles])?;
         self.exact = drawn.colours;
-        let language = self.options.language;
         let mut reference = Reference {
             precision: Some("dd"),
             margin: Margin {
                 rmse: None,
                 steps: None,
-                how: say(language, "accuracy-how-naive"),
+                how: Complaint::new("accuracy-how-naive"),
             },
             ..Reference::default()
         };
@@ -56,7 +55,7 @@ impl Run<'_> {
                 checked
             }
             Err(why) => Checked {
-                not_checked: Some(say(language, why)),
+                not_checked: Some(Complaint::new(why)),
                 ..Checked::default()
             },
         });
@@ -110,7 +109,7 @@ impl Run<'_> {
             margin: Margin {
                 steps: Some(margin.steps),
                 rmse: Some(margin.rmse),
-                how: say(self.options.language, "accuracy-how-light"),
+                how: Complaint::new("accuracy-how-light"),
             },
             ..Reference::default()
         };
@@ -171,7 +170,7 @@ impl Run<'_> {
             margin: Margin {
                 steps: Some(margin),
                 rmse: None,
-                how: say(self.options.language, "accuracy-how-edges"),
+                how: Complaint::new("accuracy-how-edges"),
             },
             ..Reference::default()
         };

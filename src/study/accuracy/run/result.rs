@@ -1,7 +1,7 @@
 //! The report of what was found.
 
 use super::{Run, SLACK, load, rays};
-use crate::diagnostics::Error;
+use crate::diagnostics::{Error, Language};
 use crate::study::accuracy::advice;
 use crate::study::accuracy::report::{
     Budget, Effect, Goal, Machine, Noise, Report, Row, RowError, mark_front,
@@ -144,7 +144,7 @@ impl Run<'_> {
             stopped,
         };
         mark_front(&mut report);
-        advice::advise(&mut report, options.language);
+        advice::advise(&mut report, Language::English);
         if !stopped {
             self.pictures(&mut report)?;
         }

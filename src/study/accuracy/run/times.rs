@@ -1,7 +1,7 @@
 //! How long each rung takes, in shuffled rounds.
 
-use super::{Entry, LEAST_PIXELS, LEAST_SECONDS, Run, say};
-use crate::diagnostics::Error;
+use super::{Entry, LEAST_PIXELS, LEAST_SECONDS, Run};
+use crate::diagnostics::{Complaint, Error};
 use crate::study::accuracy::rungs::Settings;
 use crate::study::accuracy::stage::Timed;
 use crate::study::accuracy::tiles::shuffle;
@@ -56,7 +56,7 @@ impl Run<'_> {
             for i in dropped {
                 let name = format!("{} {}", self.rungs[i].axis.name(), self.rungs[i].label);
                 self.known[i].dropped = true;
-                self.cut.push(name);
+                self.cut.push(Complaint::quoted(name));
                 entries.retain(|e| *e != Entry::Rung(i));
             }
             (tiles, predicted) = plan(self, &entries, runs);
@@ -64,8 +64,7 @@ impl Run<'_> {
         if predicted > 1.1 * seconds && self.options.runs.is_none() {
             runs = 3;
             (tiles, predicted) = plan(self, &entries, runs);
-            self.cut
-                .push(say(self.options.language, "accuracy-cut-runs"));
+            self.cut.push(Complaint::new("accuracy-cut-runs"));
         }
         self.predicted = predicted;
         let mut order: Vec<usize> = (0..entries.len()).collect();

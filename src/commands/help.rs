@@ -1,0 +1,215 @@
+//! `--help` in other languages than English.
+//!
+//! English stands with the commands, in the comments that clap reads. Other languages have catalogues:
+//! `help-render` is the command, `help-render-size` its argument, or `help-any-size` where all commands have
+//! the same. `.value` is the name of the value, another attribute one of the possible values, `.after` the text
+//! at the end. Words that clap has in English alone are replaced when all is laid out.
+
+use clap::{Arg, Command};
+
+use crate::diagnostics::Language;
+
+/// The words of clap's own, and the messages that say them. One that holds another stands before it.
+const WORDS: [(&str, &str); 15] = [
+    ("Usage:", "help-word-usage"),
+    ("Commands:", "help-word-commands"),
+    ("Arguments:", "help-word-arguments"),
+    ("Options:", "help-word-options"),
+    ("[OPTIONS]", "help-word-any-options"),
+    ("[COMMAND]", "help-word-any-command"),
+    ("<COMMAND>", "help-word-command"),
+    ("[default:", "help-word-default"),
+    ("[possible values:", "help-word-values"),
+    (
+        "Print this message or the help of the given subcommand(s)",
+        "help-word-help-command",
+    ),
+    (
+        "Print help for the subcommand(s)",
+        "help-word-help-of-commands",
+    ),
+    ("Print help (see more with '--help')", "help-word-help-more"),
+    (
+        "Print help (see a summary with '-h')",
+        "help-word-help-less",
+    ),
+    ("Print help", "help-word-help"),
+    ("Print version", "help-word-version"),
+];
+
+/// The command line with all texts in a language.
+pub fn in_language(command: Command, language: Language) -> Command {
+    match language {
+        Language::English => command,
+        Language::Czech => translated(command, language),
+    }
+}
+
+/// What clap has laid out, with its own words in a language.
+pub fn own_words(text: String, language: Language) -> String {
+    match language {
+        Language::English => text,
+        Language::Czech => {
+            let all = WORDS
+                .iter()
+                .fold(text, |text, (word, message)| match text.contains(word) {
+                    true => text.replace(word, &language.say(message, &[])),
+                    false => text,
+                });
+            // Empty lines of a text are indented as the others are.
+            let lines = all.split_inclusive('\n').map(|line| match line.trim_end() {
+                "" => "\n",
+                _ => line,
+            });
+            lines.collect()
+        }
+    }
+}
+
+fn translated(command: Command, language: Language) -> Command {
+    let name = command.get_name().to_owned();
+    let id = format!("help-{name}");
+    let mut command = command
+        .mut_args(|arg| of_arg(&name, arg, language))
+        .mut_subcommands(|sub| translated(sub, language));
+    if let Some(about) = language.own(&id, None) {
+        command = command.about(about);
+    }
+    match language.own(&id, Some("after")) {
+        Some(after) => command.after_help(after),
+        None => command,
+    }
+}
+
+/// The message about an argument.
+fn id_of(command: &str, arg: &Arg, language: Language) -> Option<String> {
+    let of = |command| format!("help-{command}-{}", arg.get_id());
+    let ids = [of(command), of("any")].into_iter();
+    ids.into_iter().find(|id| language.own(id, None).is_some())
+}
+
+fn of_arg(command: &str, arg: Arg, language: Language) -> Arg {
+    let Some(id) = id_of(command, &arg, language) else {
+        return arg;
+    };
+    let say = |attribute: Option<&str>| language.own(&id, attribute);
+    let help = say(None).unwrap_or_default();
+    let arg = match say(Some("value")) {
+        // It is shown until the program ends.
+        Some(name) => arg.value_name(&*name.leak()),
+        None => arg,
+    };
+    let values = arg.get_possible_values();
+    if values.iter().all(|v| v.get_help().is_none()) {
+        return arg.help(help);
+    }
+    // What a value means cannot be changed behind its parser.
+    let names: Vec<&str> = values.iter().map(|v| v.get_name()).collect();
+    let width = names.iter().map(|n| n.len()).max().unwrap_or(0);
+    let line = |name: &&str| match say(Some(name)) {
+        Some(meaning) => format!(
+            "\n- {:width$} {meaning}",
+            format!("{name}:"),
+            width = width + 1
+        ),
+        None => format!("\n- {name}"),
+    };
+    let heading = language.say("help-word-values-below", &[]);
+    let meanings: String = names.iter().map(line).collect();
+    let short = language.say("help-word-values", &[]);
+    let short = format!("{help} {short} {}]", names.join(", "));
+    let long = format!("{help}\n\n{heading}{meanings}");
+    arg.hide_possible_values(true).help(short).long_help(long)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use clap::CommandFactory;
+
+    use super::*;
+    use crate::commands::cli::Cli;
+
+    const CZECH: &str = include_str!("help.cs.ftl");
+
+    /// All messages and attributes that a command asks for, and what it has none for.
+    fn asked(command: &Command, used: &mut BTreeSet<String>, missing: &mut Vec<String>) {
+        let language = Language::Czech;
+        let name = command.get_name();
+        let id = format!("help-{name}");
+        let mut ask = |id: &str, attribute: Option<&str>| {
+            let whole = attribute.map_or(id.to_owned(), |a| format!("{id}.{a}"));
+            match language.own(id, attribute) {
+                Some(_) => {
+                    used.insert(whole);
+                }
+                None => missing.push(whole),
+            }
+        };
+        ask(&id, None);
+        if command.get_after_help().is_some() {
+            ask(&id, Some("after"));
+        }
+        for arg in command.get_arguments() {
+            let Some(id) = id_of(name, arg, language) else {
+                ask(&format!("help-{name}-{}", arg.get_id()), None);
+                continue;
+            };
+            ask(&id, None);
+            if arg.get_action().takes_values() {
+                ask(&id, Some("value"));
+            }
+            let values = arg.get_possible_values();
+            if values.iter().any(|v| v.get_help().is_some()) {
+                values.iter().for_each(|v| ask(&id, Some(v.get_name())));
+            }
+        }
+        for sub in command.get_subcommands() {
+            asked(sub, used, missing);
+        }
+    }
+
+    #[test]
+    fn czech_has_all_texts_and_no_others() {
+        let (mut used, mut missing) = (BTreeSet::new(), Vec::new());
+        asked(&Cli::command(), &mut used, &mut missing);
+        assert!(missing.is_empty(), "not in help.cs.ftl: {missing:#?}");
+        used.extend(WORDS.map(|(_, message)| message.to_owned()));
+        used.insert("help-word-values-below".to_owned());
+        let mut message = "";
+        for line in CZECH.lines() {
+            let name = line.split(" =").next().unwrap_or_default();
+            let there = match name.strip_prefix("    .") {
+                Some(attribute) => format!("{message}.{attribute}"),
+                None if line.starts_with("help-") => {
+                    message = name;
+                    name.to_owned()
+                }
+                None => continue,
+            };
+            assert!(used.contains(&there), "nothing asks for {there}");
+        }
+    }
+
+    #[test]
+    fn every_help_is_czech() {
+        let mut command = in_language(Cli::command(), Language::Czech);
+        command.build();
+        let names: Vec<String> = (command.get_subcommands())
+            .map(|c| c.get_name().to_owned())
+            .collect();
+        for name in names {
+            let sub = command.find_subcommand_mut(&name).unwrap();
+            for help in [sub.render_help(), sub.render_long_help()] {
+                let help = own_words(help.to_string(), Language::Czech);
+                for word in [
+                    "Usage", "Options", "Print", "default", "possible", "OPTIONS",
+                ] {
+                    assert!(!help.contains(word), "{word} in {help}");
+                }
+                assert!(help.contains("Použití: zpg "), "{help}");
+            }
+        }
+    }
+}

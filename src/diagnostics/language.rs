@@ -1,0 +1,18 @@
+//! The languages that messages are given in; what they say is in [`wording`](super::wording).
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Language {
+    #[default]
+    English,
+    Czech,
+}
+
+impl Language {
+    /// `en`.
+    pub fn tag(self) -> &'static str {
+        match self {
+            Language::English => "en",
+            Language::Czech => "cs",
+        }
+    }
+}

@@ -1,0 +1,101 @@
+### Co příkazy odpovídají lidem, česky.
+
+## zpg plan
+
+plan-on = ano
+plan-off = ne
+plan-because = řádek { $line }: { $id } { $text }
+plan-shapes = tvary
+plan-operations = operace
+plan-count = { $count }× { $name }
+plan-none = žádné
+plan-media = prostředí naráz
+plan-not-drawn = nekreslí se
+plan-nothing = nic takového
+plan-ids-more = { $ids } a dalších { $more }
+plan-not-seen = není vidět
+plan-part = řádek { $line }: { $id }, { $why }
+plan-more = a dalších { $more }
+
+## zpg render
+
+progress-left = zbývá { $time }
+cost-seconds = čtení { $load } · plán { $plan } · příprava { $build } · paprsky { $trace } · zápis { $encode }
+
+## zpg crosscheck
+
+crosscheck-answer = { $scene }{ $name }, { $with }, { $width }x{ $height }: { $answer }
+crosscheck-agrees = souhlasí
+crosscheck-differs = LIŠÍ SE
+crosscheck-cannot = NELZE POROVNAT
+crosscheck-folder = Obrázky a čísla jsou ve složce { $folder }
+crosscheck-off-silhouettes = mimo obrysy
+crosscheck-on-silhouettes = na obrysech
+crosscheck-silhouettes = obrysy
+crosscheck-total-reflection = úplný odraz
+crosscheck-flip = FLIP
+crosscheck-left-out = vynecháno
+crosscheck-exact = přesné tvary
+crosscheck-meshes = sítě
+crosscheck-povray-off = pixelů, které se liší o víc než { $most }/255: { $pixels } ({ $percent } %); největší rozdíl je { $largest }/255, střední { $mean }/255
+crosscheck-povray-on = pixelů, které se liší: { $pixels }
+crosscheck-povray-total = pixelů: { $pixels }; nesrovnává se, POV-Ray ho má jinak
+crosscheck-mitsuba-off = jiný tvar, jiné místo nebo jinou normálu ukazuje { $wrong } z { $pixels } pixelů ({ $percent } %)
+crosscheck-mitsuba-silhouettes = pixelů na hranách tvarů a stěn: { $pixels }; ty se nesrovnávají
+crosscheck-mitsuba-cut = pixelů, kde jsou části bez konce v převodu uříznuté: { $pixels }
+crosscheck-mitsuba-undecided = pixelů, kde jednoduchá přesnost, ve které Mitsuba počítá, vidí něco jiného: { $pixels }
+crosscheck-mitsuba-shared = pixelů, kde jsou plochy dvou tvarů na jednom místě, takže je náhoda, která z nich je vidět: { $pixels }; jsou to { $pairs }
+crosscheck-mitsuba-differences = pixelů: { $pixels }; polohy se liší nejvýše o { $distance }, to je { $share } toho, co se připouští; normály nejvýše o { $angle }°
+crosscheck-how-povray = příkazem `apt-get install povray` nebo `brew install povray`, nebo z https://www.povray.org
+crosscheck-how-mitsuba = příkazem `pip install mitsuba numpy`; který Python to je, udejte pomocí --program
+
+## Typy záznamů: zpg explain, referenční příručka, editory
+
+record-defines = Definuje { $kind }.
+record-changes = Mění { $kinds }.
+record-defines-or-changes = S novým ID definuje { $kind }; s ID { $kinds } mění to, co pod ním už je.
+record-number = číslo
+record-integer = celé číslo
+record-count = celé číslo, počet
+record-id = ID { $kinds }
+record-id-or-none = ID { $kinds }, nebo 0 pro žádnou
+record-file-name = jméno souboru
+record-scene-units = jednotky scény
+record-degrees = stupně
+record-share = podíl
+record-not-zero = různé od 0
+record-between = > { $low } a < { $high }
+record-within = { $low } až { $high }
+record-axis = 1, 2 nebo 3
+record-default = výchozí { $number }
+record-page = { $family }; anglické jméno `{ $keyword }`. { $effect }
+record-parameters = Parametry
+record-example = Příklad
+record-repeated = pak N-krát:
+record-repeated-again = pak znovu N-krát:
+record-optional = pak buď všechny tyto, nebo žádný, na posledním řádku záznamu:
+record-table = | typ | jméno | parametry | význam | hodnoty |
+codes-table = | kód | název | co hlásí |
+
+## Editory
+
+hint-row = řádek { $row }:
+hint-profile = bodů, poloměr ≤ { $radius }, y { $low } až { $high }
+hint-profile-doc = rozsah profilu
+hover-values-more = a dalších { $more }
+hover-parameter = { $rule }, číslo { $number } z { $count }: { $type }
+hover-undefined = { $id } není definováno
+hover-line = (řádek { $line })
+hover-colour = Barva { $colour }, zobrazí se jako `{ $shown }`
+hover-uses = Použito { $uses ->
+    [0] nikde
+    [one] jednou
+   *[other] { $uses }×
+}, změněno { $changes ->
+    [0] nikde
+    [one] jednou
+   *[other] { $changes }×
+}
+hover-bounds = Meze: { $x }, { $y }, { $z }
+hover-bounds-empty = Meze: prázdné
+hover-side = { $axis } { $low } až { $high }

@@ -1,0 +1,101 @@
+### What commands answer to people, in English.
+
+## zpg plan
+
+plan-on = on
+plan-off = off
+plan-because = line { $line }: { $id } { $text }
+plan-shapes = shapes
+plan-operations = operations
+plan-count = { $count } { $name }
+plan-none = none
+plan-media = media at once
+plan-not-drawn = not drawn
+plan-nothing = nothing
+plan-ids-more = { $ids } and { $more } more
+plan-not-seen = not seen
+plan-part = line { $line }: { $id }, { $why }
+plan-more = and { $more } more
+
+## zpg render
+
+progress-left = { $time } left
+cost-seconds = load { $load } · plan { $plan } · build { $build } · trace { $trace } · encode { $encode }
+
+## zpg crosscheck
+
+crosscheck-answer = { $scene }{ $name } with { $with }, { $width }x{ $height }: { $answer }
+crosscheck-agrees = agrees
+crosscheck-differs = DIFFERS
+crosscheck-cannot = CANNOT BE COMPARED
+crosscheck-folder = Pictures and numbers are in { $folder }
+crosscheck-off-silhouettes = off silhouettes
+crosscheck-on-silhouettes = on silhouettes
+crosscheck-silhouettes = silhouettes
+crosscheck-total-reflection = total reflection
+crosscheck-flip = FLIP
+crosscheck-left-out = left out
+crosscheck-exact = exact shapes
+crosscheck-meshes = meshes
+crosscheck-povray-off = { $pixels } pixels differ by more than { $most }/255 ({ $percent } %); the largest difference is { $largest }/255, the mean { $mean }/255
+crosscheck-povray-on = { $pixels } pixels differ
+crosscheck-povray-total = in { $pixels } pixels, not compared: POV-Ray has it otherwise
+crosscheck-mitsuba-off = { $wrong } of { $pixels } pixels show another shape, place or normal ({ $percent } %)
+crosscheck-mitsuba-silhouettes = { $pixels } pixels at the edges of shapes and faces, which are not compared
+crosscheck-mitsuba-cut = { $pixels } pixels where parts without end are cut off in the translation
+crosscheck-mitsuba-undecided = { $pixels } pixels where single precision, which Mitsuba computes in, takes something else for what is seen
+crosscheck-mitsuba-shared = { $pixels } pixels where the surfaces of two shapes are in one place, and which of them is seen is arbitrary: { $pairs }
+crosscheck-mitsuba-differences = { $pixels } pixels; positions differ by at most { $distance }, { $share } of what is allowed; normals by at most { $angle }°
+crosscheck-how-povray = with `apt-get install povray` or `brew install povray`, or from https://www.povray.org
+crosscheck-how-mitsuba = with `pip install mitsuba numpy`, and name that Python with --program
+
+## Types of records: zpg explain, the reference, editors
+
+record-defines = Defines { $kind }.
+record-changes = Changes { $kinds }.
+record-defines-or-changes = On a new ID it defines { $kind }; on the ID of { $kinds } it changes that.
+record-number = number
+record-integer = integer
+record-count = integer, a count
+record-id = ID of { $kinds }
+record-id-or-none = ID of { $kinds }, or 0 for none
+record-file-name = file name
+record-scene-units = scene units
+record-degrees = degrees
+record-share = a share
+record-not-zero = not 0
+record-between = > { $low } and < { $high }
+record-within = { $low } to { $high }
+record-axis = 1, 2 or 3
+record-default = default { $number }
+record-page = { $family }; keyword `{ $keyword }`. { $effect }
+record-parameters = Parameters
+record-example = Example
+record-repeated = then N times:
+record-repeated-again = then N times again:
+record-optional = then all of these or none, on the record's last line:
+record-table = | type | keyword | parameters | meaning | values |
+codes-table = | code | name | what it does |
+
+## Editors
+
+hint-row = row { $row }:
+hint-profile = points, radius ≤ { $radius }, y { $low } to { $high }
+hint-profile-doc = the extent of the profile
+hover-values-more = and { $more } more
+hover-parameter = { $rule }, number { $number } of { $count } of { $type-a }
+hover-undefined = { $id } is not defined
+hover-line = (line { $line })
+hover-colour = Colour { $colour }, shown as `{ $shown }`
+hover-uses = Used { $uses ->
+    [0] nowhere
+    [one] once
+   *[other] { $uses } times
+}, changed { $changes ->
+    [0] nowhere
+    [one] once
+   *[other] { $changes } times
+}
+hover-bounds = Bounds: { $x }, { $y }, { $z }
+hover-bounds-empty = Bounds: empty
+hover-side = { $axis } { $low } to { $high }

@@ -1,0 +1,152 @@
+//! All Czech texts keep to the glossary, `docs/glossary.cs.md`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
+use zpg::diagnostics::Language;
+use zpg::syntax::table::RECORD_TYPES;
+
+const GLOSSARY: &str = include_str!("../docs/glossary.cs.md");
+
+/// A term in English and Czech, and how words begin that are to be avoided.
+struct Term {
+    english: &'static str,
+    czech: &'static str,
+    avoided: Vec<&'static str>,
+}
+
+fn glossary() -> Vec<Term> {
+    let rows = GLOSSARY.lines().filter(|line| line.starts_with("| "));
+    let terms = rows.map(|row| {
+        let cells: Vec<_> = row.split('|').map(str::trim).collect();
+        let [_, english, czech, avoided, _] = cells[..] else {
+            panic!("{row}");
+        };
+        let avoided = avoided.split(',').map(str::trim);
+        Term {
+            english,
+            czech,
+            avoided: avoided.filter(|word| !word.is_empty()).collect(),
+        }
+    });
+    terms.filter(|term| term.english != "anglicky").collect()
+}
+
+/// All files with Czech texts.
+fn files() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folders = ["src", "docs", "grammar"].map(|folder| root.join(folder));
+    let all = folders.into_iter().flat_map(ignore::Walk::new);
+    let paths = all.map(|entry| entry.unwrap().into_path());
+    let is_czech = |path: &PathBuf| {
+        let name = path.file_name().unwrap().to_string_lossy();
+        name == "cs.ftl" || name.ends_with(".cs.ftl") || name.ends_with(".cs.md")
+    };
+    let is_glossary = |path: &PathBuf| path.ends_with("docs/glossary.cs.md");
+    paths
+        .filter(is_czech)
+        .filter(|path| !is_glossary(path))
+        .collect()
+}
+
+/// The words of a catalogue, without names and places.
+fn catalogue(text: &str) -> String {
+    let resource = fluent_syntax::parser::parse(text).expect("no error in the catalogue");
+    let mut out = String::new();
+    for entry in &resource.body {
+        if let Entry::Message(message) = entry {
+            let attributes = message.attributes.iter().map(|a| &a.value);
+            for pattern in message.value.iter().chain(attributes) {
+                add(pattern, &mut out);
+                out.push('\n');
+            }
+        }
+    }
+    out
+}
+
+fn add(pattern: &Pattern<&str>, out: &mut String) {
+    for element in &pattern.elements {
+        match element {
+            PatternElement::TextElement { value } => out.push_str(value),
+            PatternElement::Placeable {
+                expression: Expression::Select { variants, .. },
+            } => {
+                for variant in variants {
+                    add(&variant.value, out);
+                    out.push('\n');
+                }
+            }
+            PatternElement::Placeable {
+                expression: Expression::Inline(InlineExpression::StringLiteral { value }),
+            } => out.push_str(value),
+            PatternElement::Placeable { .. } => out.push('…'),
+        }
+    }
+}
+
+/// A text without code, in lower case, with single spaces.
+fn prose(text: &str) -> String {
+    let fences: String = text.split("```").step_by(2).collect();
+    let code: Vec<&str> = fences.split('`').step_by(2).collect();
+    let words = code.join("…").to_lowercase();
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Where a word begins with this, with what stands around it.
+fn found<'a>(prose: &'a str, beginning: &str) -> Option<&'a str> {
+    let word = |c: char| c.is_alphanumeric();
+    let (at, _) = prose.match_indices(beginning).find(|(at, _)| {
+        let before = prose[..*at].chars().next_back();
+        !before.is_some_and(|c| word(c) || c == '-')
+    })?;
+    let start = prose[..at].char_indices().rev().nth(20).map_or(0, |c| c.0);
+    let end = prose[at..]
+        .char_indices()
+        .nth(40)
+        .map_or(prose.len(), |c| at + c.0);
+    Some(&prose[start..end])
+}
+
+#[test]
+fn no_text_has_a_word_that_is_avoided() {
+    let mut wrong = String::new();
+    let (files, terms) = (files(), glossary());
+    assert!(files.len() > 100);
+    for path in files {
+        let text = fs::read_to_string(&path).unwrap();
+        let text = match path.extension().is_some_and(|e| e == "ftl") {
+            true => catalogue(&text),
+            false => text,
+        };
+        let prose = prose(&text);
+        for term in &terms {
+            for avoided in &term.avoided {
+                if let Some(place) = found(&prose, avoided) {
+                    wrong += &format!("{}: …{place}… say {}\n", path.display(), term.czech);
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// The names of record types are those of the glossary.
+#[test]
+fn names_are_those_of_the_glossary() {
+    let terms = glossary();
+    for ty in RECORD_TYPES {
+        let term = terms.iter().find(|t| t.english == ty.title);
+        let term = term.unwrap_or_else(|| panic!("{} is not in the glossary", ty.title));
+        assert_eq!(Language::Czech.name(ty.title), term.czech);
+    }
+}
+
+#[test]
+fn words_are_found_where_they_begin() {
+    assert!(found("vnitřní poloprostoru", "poloprost").is_some());
+    assert!(found("nepovolit", "povol").is_none());
+    assert!(found("volba --threads", "threads").is_none());
+    assert_eq!(prose("a `default`\nb\n```\nlampa\n```\n"), "a … b");
+}
