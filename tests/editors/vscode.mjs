@@ -36,7 +36,7 @@ const settings = {
   "editor.inlayHints.enabled": "on",
   "editor.hover.delay": 100,
   "editor.codeActionsOnSave": {},
-  "zpg.serverPath": zpg,
+  "zpg.serverPath": join(home, "nowhere", "zpg"),
 };
 writeFileSync(join(home, "data", "data", "User", "settings.json"), JSON.stringify(settings));
 
@@ -130,11 +130,46 @@ async function inTheWindow() {
     throw new Error(`${what}: ${JSON.stringify(await lines())}`);
   };
 
+  /** Waits for a message, and presses one of its buttons; the driver of the tests lets none pop up. */
+  const complaint = async (text, button) => {
+    const shown = page.locator(".notifications-center .notification-list-item", { hasText: text }).first();
+    for (let tries = 0; !(await shown.isVisible()); tries += 1) {
+      assert.ok(tries < 20, `no message with ${text}`);
+      await palette("Notifications: Show Notifications");
+      await page.waitForTimeout(250);
+    }
+    if (button) {
+      await shown.locator(".monaco-button", { hasText: button }).click();
+      await shown.waitFor({ state: "detached" });
+    }
+  };
+  /** Sets where zpg is, in the editor of settings that a button has opened. */
+  const set = async (path) => {
+    const input = page.locator(".settings-editor .setting-item-contents", { hasText: "Server Path" }).locator("input");
+    await input.fill(path);
+    await page.waitForTimeout(500);
+    await palette("View: Close Editor");
+  };
+
   await step("a scene is opened", async () => {
     await page.goto(`${base}/?folder=${workspace}`);
     await page.locator(".explorer-folders-view .monaco-list-row", { hasText: "a.zpg" }).dblclick();
     await page.locator(".editor-instance .view-line").first().waitFor();
   });
+  await step("zpg is not there", () => complaint(`is not at ${join(home, "nowhere", "zpg")}`, "Open Settings"));
+  await step("the setting is wrong", () => set("zpg-is-nowhere"));
+  await step("zpg is not in the PATH", async () => {
+    await complaint("zpg-is-nowhere, which finds the mistakes in scenes, is not in the PATH", "How to Install");
+    const frame = page.frameLocator("iframe.webview.ready").frameLocator("#active-frame");
+    await frame.getByText("cargo install --path .").first().waitFor();
+  });
+  await step("a command says so too", async () => {
+    await palette("View: Close Editor");
+    await palette("ZPG: Render");
+    await complaint("zpg-is-nowhere", "Open Settings");
+  });
+  // The server starts as soon as the setting is right.
+  await step("the setting is right", () => set(zpg));
   await step("a squiggle", () => page.locator(".squiggly-error").first().waitFor());
   await step("hints", () => until("no hints", (all) => all.some((l) => /11\s*sphere\s*x:\s*0\s*y:\s*1/.test(l))));
   await step("a colour box", () => page.locator(".colorpicker-color-decoration").first().waitFor());

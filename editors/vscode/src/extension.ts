@@ -3,33 +3,41 @@
 import * as vscode from "vscode";
 import { LanguageClient, LanguageClientOptions, ServerOptions } from "vscode-languageclient/node";
 import { Preview } from "./preview";
+import { complain, program } from "./program";
 
 let client: LanguageClient | undefined;
+
+/** What says how zpg is installed. */
+let page: vscode.Uri;
+
+/** The start that runs, or has run: one begins where the last has ended. */
+let starting: Promise<void> = Promise.resolve();
 
 /** Commands that the server may name in buttons; the others are the server's own. */
 const OWN_COMMANDS = ["zpg.preview", "zpg.showReferences"];
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
+  page = vscode.Uri.joinPath(context.extensionUri, "INSTALL.md");
   const preview = new Preview(() => client);
   const command = (name: string, run: (...args: any[]) => unknown) =>
     context.subscriptions.push(vscode.commands.registerCommand(name, run));
-  command("zpg.preview", () => preview.open());
+  command("zpg.preview", async () => (await isRunning()) && preview.open());
   command("zpg.showReferences", showReferences);
   command("zpg.renderScene", () => onScene("zpg.render"));
   command("zpg.planScene", () => onScene("zpg.plan"));
   command("zpg.crosscheckScene", () => onScene("zpg.crosscheck"));
   command("zpg.accuracyOfScene", () => onScene("zpg.accuracy"));
   command("zpg.convertScene", convert);
-  command("zpg.restart", async () => {
-    await stop();
-    await start();
-  });
-  context.subscriptions.push(preview);
-  await start();
+  command("zpg.restart", restart);
+  const changed = vscode.workspace.onDidChangeConfiguration(
+    (e) => e.affectsConfiguration("zpg.serverPath") && restart(),
+  );
+  context.subscriptions.push(preview, changed);
+  await restart();
 }
 
-export function deactivate(): Thenable<void> | undefined {
-  return stop();
+export async function deactivate(): Promise<void> {
+  await stop();
 }
 
 async function stop(): Promise<void> {
@@ -38,10 +46,23 @@ async function stop(): Promise<void> {
   await old?.dispose();
 }
 
+function restart(): Promise<void> {
+  starting = starting.then(async () => {
+    await stop();
+    await start();
+  });
+  return starting;
+}
+
 async function start(): Promise<void> {
+  const found = await program();
+  if (found.fault !== undefined) {
+    // Nothing waits for the answer.
+    void complain(found, page, restart);
+    return;
+  }
   const settings = vscode.workspace.getConfiguration("zpg");
-  const path = settings.get<string>("serverPath") || "zpg";
-  const server: ServerOptions = { command: path, args: ["lsp"] };
+  const server: ServerOptions = { command: found.path, args: ["lsp"] };
   const options: LanguageClientOptions = {
     documentSelector: [{ language: "zpg" }],
     synchronize: { configurationSection: "zpg" },
@@ -60,36 +81,32 @@ async function start(): Promise<void> {
       },
     },
   };
-  client = new LanguageClient("zpg", "ZPG", server, options);
+  const made = new LanguageClient("zpg", "ZPG", server, options);
   try {
-    await client.start();
-  } catch (error) {
-    client = undefined;
-    await sayWhatIsMissing(path, error);
+    await made.start();
+    client = made;
+  } catch {
+    void complain({ path: found.path, fault: "silent" }, page, restart);
   }
 }
 
-async function sayWhatIsMissing(path: string, error: unknown): Promise<void> {
-  const settings = "Open Settings";
-  const again = "Try Again";
-  const chosen = await vscode.window.showErrorMessage(
-    `zpg could not be started as "${path}". Install it (cargo install --path . in the folder of zpg), ` +
-      `or set zpg.serverPath to where it is. ${error instanceof Error ? error.message : ""}`,
-    settings,
-    again,
-  );
-  if (chosen === settings) {
-    await vscode.commands.executeCommand("workbench.action.openSettings", "zpg.serverPath");
-  } else if (chosen === again) {
-    await start();
+/** Whether there is a server; says what is wrong where there is none. */
+async function isRunning(): Promise<boolean> {
+  await starting;
+  if (client === undefined) {
+    await restart();
   }
+  return client !== undefined;
 }
 
 /** Runs a command of the server on the scene in the active editor. */
 async function onScene(command: string, ...args: unknown[]): Promise<void> {
   const scene = vscode.window.activeTextEditor?.document;
-  if (scene?.languageId !== "zpg" || client === undefined) {
+  if (scene?.languageId !== "zpg") {
     void vscode.window.showInformationMessage("Open a scene first.");
+    return;
+  }
+  if (!(await isRunning()) || client === undefined) {
     return;
   }
   const asked = client;

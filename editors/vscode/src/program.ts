@@ -1,0 +1,81 @@
+// The program that the extension needs: where it is, and what is said when it is nowhere.
+
+import { execFile } from "node:child_process";
+import { homedir } from "node:os";
+import { join } from "node:path";
+import * as vscode from "vscode";
+
+/** What speaks against a program. */
+export type Fault = "missing" | "forbidden" | "strange" | "silent";
+
+/** A program to start, or what is wrong with it. */
+export type Program = { path: string; fault?: Fault };
+
+/** How long it may take to say its version, in milliseconds. */
+const PATIENCE = 10000;
+
+/** What the setting names. A name that is not in the PATH is looked for where cargo installs, too. */
+export async function program(): Promise<Program> {
+  const named = vscode.workspace.getConfiguration("zpg").get<string>("serverPath") || "zpg";
+  const path = named.replace(/^~(?=[/\\])/, homedir());
+  const fault = await faultOf(path);
+  if (fault === "missing" && isName(path)) {
+    const installed = join(homedir(), ".cargo", "bin", path);
+    if ((await faultOf(installed)) === undefined) {
+      return { path: installed };
+    }
+  }
+  return { path, fault };
+}
+
+/** Whether it is looked for in the PATH. */
+function isName(path: string): boolean {
+  return !/[/\\]/.test(path);
+}
+
+function faultOf(path: string): Promise<Fault | undefined> {
+  return new Promise((resolve) => {
+    execFile(path, ["--version"], { timeout: PATIENCE }, (error, out) => {
+      if (error === null) {
+        resolve(out.startsWith("zpg ") ? undefined : "strange");
+        return;
+      }
+      const faults: Record<string, Fault> = { ENOENT: "missing", EACCES: "forbidden" };
+      resolve(faults[String(error.code)] ?? "strange");
+    });
+  });
+}
+
+/** What is wrong, and what to do about it. */
+function message({ path, fault }: Program): string {
+  const cure = "Install it, or set zpg.serverPath to where it is.";
+  switch (fault) {
+    case "missing":
+      return isName(path)
+        ? `The program ${path}, which finds the mistakes in scenes, is not in the PATH. ${cure}`
+        : `The program zpg, which finds the mistakes in scenes, is not at ${path}. ${cure}`;
+    case "forbidden":
+      return `You may not run ${path}. Allow it (chmod +x), or set zpg.serverPath to another zpg.`;
+    case "silent":
+      return `${path} was started and does not answer. The view "Output: ZPG" has what it said.`;
+    default:
+      return `${path} is not zpg: it does not say its version. Set zpg.serverPath to where zpg is.`;
+  }
+}
+
+/** Says what is wrong; `again` is what starts it. */
+export async function complain(wrong: Program, page: vscode.Uri, again: () => Promise<void>): Promise<void> {
+  const [how, settings, retry] = ["How to Install", "Open Settings", "Try Again"];
+  const chosen = await vscode.window.showErrorMessage(message(wrong), how, settings, retry);
+  switch (chosen) {
+    case how:
+      return vscode.commands.executeCommand("markdown.showPreview", page);
+    case settings:
+      // Where the program runs elsewhere than the window, it has settings there.
+      return vscode.env.remoteName === undefined
+        ? vscode.commands.executeCommand("workbench.action.openSettings", "zpg.serverPath")
+        : vscode.commands.executeCommand("workbench.action.openRemoteSettings", { query: "zpg.serverPath" });
+    case retry:
+      return again();
+  }
+}
