@@ -161,6 +161,33 @@ fn vscode() {
     all_kept_to_the_protocol(home.path());
 }
 
+/// What the editors above do not ask for: pulled diagnostics, differences of tokens, files that change, cancelling.
+#[test]
+#[ignore = "needs pytest-lsp"]
+fn flows() {
+    let (home, _, _) = home();
+    let output = Command::new(installed("pytest/bin/python"))
+        .args([
+            "-m",
+            "pytest",
+            "-q",
+            "-p",
+            "no:cacheprovider",
+            "-o",
+            "asyncio_mode=auto",
+        ])
+        .arg(root().join("tests/editors/flows"))
+        .arg("--basetemp")
+        .arg(home.path().join("scenes"))
+        .env("HOME", home.path())
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .env("ZPG", home.path().join("zpg"))
+        .output()
+        .unwrap();
+    has_passed(&output);
+    all_kept_to_the_protocol(home.path());
+}
+
 /// What the grammar of the extension makes of lines whose scopes stand below them.
 #[test]
 #[ignore = "needs vscode-tmgrammar-test"]

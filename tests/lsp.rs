@@ -574,6 +574,18 @@ fn commands_make_what_they_say() {
     std::thread::sleep(Duration::from_millis(100));
     s.tell("$/cancelRequest", json!({ "id": id }));
     assert_eq!(s.answer(id).unwrap_err()["code"], -32800);
+    // Its draft of the picture is removed.
+    let has_drafts = || {
+        let mut names = std::fs::read_dir(folder.path())
+            .unwrap()
+            .map(|e| e.unwrap().file_name());
+        names.any(|name| name.to_string_lossy().starts_with('.'))
+    };
+    let start = Instant::now();
+    while has_drafts() {
+        assert!(start.elapsed() < Duration::from_secs(20), "a draft is left");
+        std::thread::sleep(Duration::from_millis(20));
+    }
     assert_eq!(s.end(), Some(0));
 }
 

@@ -8,7 +8,7 @@ use lsp_server::{ErrorCode, ResponseError};
 
 use super::client::{Client, Preferences};
 use super::convert::Convert;
-use super::documents::{Snapshot, Snapshots};
+use super::documents::{Changes, Snapshot, Snapshots};
 use super::outgoing::Outgoing;
 use super::tokens_sent::TokensSent;
 use crate::diagnostics::Complaint;
@@ -21,6 +21,7 @@ pub struct Ask {
     pub folders: Vec<Uri>,
     pub outgoing: Outgoing,
     pub tokens_sent: Arc<TokensSent>,
+    pub changes: Changes,
     /// Set when the client does not want the answer any more.
     pub cancelled: Arc<AtomicBool>,
 }

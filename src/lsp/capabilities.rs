@@ -43,6 +43,7 @@ pub fn capabilities(client: &Client) -> ServerCapabilities {
     };
     let pull = DiagnosticOptions {
         identifier: Some("zpg".to_owned()),
+        workspace_diagnostics: true,
         ..DiagnosticOptions::default()
     };
     ServerCapabilities {

@@ -17,6 +17,9 @@ pub struct Client {
     pub pulls: bool,
     pub snippets: bool,
     pub markdown: bool,
+    /// It shows what is said of a parameter. Eglot 1.17, of Emacs 30, fails at the last parameter of a signature
+    /// if anything is said of it.
+    pub shows_parameters: bool,
     /// Code actions may get their edits later.
     pub resolves_edits: bool,
     /// Edits may name the version that they are for.
@@ -39,6 +42,8 @@ pub struct Preferences {
     pub pictures: bool,
     /// Buttons above records.
     pub lenses: bool,
+    /// Findings of all scenes in the folder, for clients that ask for them; not only of the open ones.
+    pub whole_folder: bool,
     /// Commands of the client's own that buttons may call: `zpg.preview`, `zpg.showReferences`.
     pub commands: Vec<String>,
 }
@@ -49,6 +54,7 @@ impl Default for Preferences {
             hints: Wanted::default(),
             pictures: false,
             lenses: true,
+            whole_folder: true,
             commands: Vec::new(),
         }
     }
@@ -96,6 +102,10 @@ impl Client {
             pulls: text.is_some_and(|t| t.diagnostic.is_some()),
             snippets: item.and_then(|i| i.snippet_support) == Some(true),
             markdown: formats.is_none_or(|f| f.contains(&gen_lsp_types::MarkupKind::Markdown)),
+            shows_parameters: params
+                .client_info
+                .as_ref()
+                .is_none_or(|c| c.name != "Eglot"),
             resolves_edits: resolves.is_some_and(|r| r.properties.iter().any(|p| p == "edit")),
             versioned_edits: workspace.and_then(|w| w.workspace_edit.as_ref()?.document_changes)
                 == Some(true),

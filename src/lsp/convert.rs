@@ -181,7 +181,8 @@ impl<'a> Convert<'a> {
         let units = |byte: usize| signature.label[..byte].encode_utf16().count() as u32;
         let parameters = signature.params.iter().map(|p| ParameterInformation {
             label: ParameterInformationLabel::Tuple((units(p.at.0), units(p.at.1))),
-            documentation: Some(Documentation::String(p.doc.clone())),
+            documentation: (self.client.shows_parameters)
+                .then(|| Documentation::String(p.doc.clone())),
         });
         let parameters: Vec<_> = parameters.collect();
         // Behind the last one: none is active.

@@ -18,6 +18,16 @@ pub struct Documents {
     open: HashMap<Uri, Document>,
     /// The `zpg.toml` files, each read once until one of them changes.
     configs: Configs,
+    pub changes: Changes,
+    /// The number of the next snapshot.
+    next: u64,
+}
+
+/// How often files have changed that scenes depend on.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Changes {
+    pub settings: u64,
+    pub pictures: u64,
 }
 
 struct Document {
@@ -34,6 +44,8 @@ pub type Snapshots = HashMap<Uri, Arc<Snapshot>>;
 pub struct Snapshot {
     pub uri: Uri,
     pub version: i32,
+    /// No two snapshots have the same.
+    pub number: u64,
     /// What its `zpg.toml` says, or what is wrong with that.
     pub config: Result<Arc<Config>, Complaint>,
     text: Arc<String>,
@@ -44,6 +56,24 @@ impl Snapshot {
     /// What messages call it: the path, or the URI of what is no file.
     fn name(uri: &Uri) -> String {
         path_of(uri).map_or_else(|| uri.0.clone(), |path| path.to_string_lossy().into_owned())
+    }
+
+    /// A file that is not open.
+    pub fn on_disk(
+        uri: Uri,
+        config: Result<Arc<Config>, Complaint>,
+        analysis: Analysis,
+    ) -> Snapshot {
+        let mut file = Snapshot {
+            uri,
+            version: 0,
+            number: 0,
+            config,
+            text: Arc::default(),
+            analysis: OnceLock::new(),
+        };
+        file.analysis = analysis.with_settings(file.settings()).into();
+        file
     }
 
     /// How its findings weigh.
@@ -111,7 +141,21 @@ impl Documents {
     /// Forgets what settings were read: one of the files has changed.
     pub fn forget_configs(&mut self) {
         self.configs = Configs::default();
+        self.changes.settings += 1;
         self.open.values_mut().for_each(|d| d.snapshot = None);
+    }
+
+    /// Forgets what was read of the files that name a picture, and gives them: it is there now, gone or another.
+    pub fn forget_picture(&mut self, name: &str) -> Vec<Uri> {
+        self.changes.pictures += 1;
+        let mut shown = Vec::new();
+        for (uri, document) in &mut self.open {
+            if document.text.contains(name) {
+                document.snapshot = None;
+                shown.push(uri.clone());
+            }
+        }
+        shown
     }
 
     pub fn uris(&self) -> Vec<Uri> {
@@ -121,7 +165,9 @@ impl Documents {
     /// A file as it is now.
     pub fn snapshot(&mut self, uri: &Uri) -> Option<Arc<Snapshot>> {
         let document = self.open.get_mut(uri)?;
+        let next = &mut self.next;
         let snapshot = document.snapshot.get_or_insert_with(|| {
+            *next += 1;
             let config = match path_of(uri) {
                 Some(path) => self.configs.for_file(&path).map_err(|e| e.complaint()),
                 None => Ok(Arc::default()),
@@ -129,6 +175,7 @@ impl Documents {
             Arc::new(Snapshot {
                 uri: uri.clone(),
                 version: document.version,
+                number: *next,
                 config,
                 text: document.text.clone(),
                 analysis: OnceLock::new(),

@@ -20,6 +20,7 @@ mod parent;
 mod position;
 mod programs;
 mod publish;
+mod pull;
 mod requests;
 mod stdio;
 mod tokens_sent;
@@ -36,9 +37,9 @@ use std::time::{Duration, Instant};
 
 use crossbeam_channel::{Sender, unbounded};
 use gen_lsp_types::{
-    DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWorkspaceFoldersParams,
-    DidCloseTextDocumentParams, DidOpenTextDocumentParams, InitializeParams, InitializeResult,
-    ServerInfo, Uri, WorkspaceFolders,
+    DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
+    DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
+    InitializeParams, InitializeResult, ServerInfo, Uri, WorkspaceFolders,
 };
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
 use serde::de::DeserializeOwned;
@@ -183,7 +184,7 @@ impl Server {
             parent::end_with(process);
         }
         if client.watches_files {
-            outgoing.request("client/registerCapability", watch_settings());
+            outgoing.request("client/registerCapability", watched_files());
         }
         let mut preferences = Preferences::default();
         if let Some(options) = &params.initialization_options {
@@ -269,6 +270,7 @@ impl Server {
             folders: self.folders.clone(),
             outgoing: self.outgoing.clone(),
             tokens_sent: self.tokens_sent.clone(),
+            changes: self.documents.changes,
             cancelled,
         };
         let pending = self.pending.clone();
@@ -350,8 +352,9 @@ impl Server {
                 }
             }
             "workspace/didChangeWatchedFiles" => {
-                self.documents.forget_configs();
-                self.changed = self.documents.uris();
+                if let Some(p) = read::<DidChangeWatchedFilesParams>(params) {
+                    p.changes.iter().for_each(|c| self.file_has_changed(&c.uri));
+                }
                 if self.client.pulls && self.client.refreshes_diagnostics {
                     self.outgoing
                         .request("workspace/diagnostic/refresh", Value::Null);
@@ -372,6 +375,21 @@ impl Server {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// A file that is not open was written or deleted: settings, or a picture.
+    fn file_has_changed(&mut self, uri: &Uri) {
+        let path = uri::path_of(uri).unwrap_or_default();
+        let is_picture = workspace::PICTURES
+            .iter()
+            .any(|&e| path.extension().is_some_and(|own| own == e));
+        match path.file_name().and_then(|name| name.to_str()) {
+            Some(name) if is_picture => self.changed.extend(self.documents.forget_picture(name)),
+            _ => {
+                self.documents.forget_configs();
+                self.changed = self.documents.uris();
+            }
         }
     }
 
@@ -401,12 +419,17 @@ fn read<P: DeserializeOwned>(params: Value) -> Option<P> {
     }
 }
 
-/// Has the client tell when settings change.
-fn watch_settings() -> Value {
+/// Has the client tell when settings or pictures change.
+fn watched_files() -> Value {
+    let pictures = format!("**/*.{{{}}}", workspace::PICTURES.join(","));
+    let watchers = [
+        json!({ "globPattern": "**/zpg.toml" }),
+        json!({ "globPattern": pictures }),
+    ];
     json!({ "registrations": [{
-        "id": "settings",
+        "id": "files",
         "method": "workspace/didChangeWatchedFiles",
-        "registerOptions": { "watchers": [{ "globPattern": "**/zpg.toml" }] },
+        "registerOptions": { "watchers": watchers },
     }] })
 }
 

@@ -8,11 +8,12 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use gen_lsp_types::{ExecuteCommandParams, LspAny, TextDocumentIdentifier, Uri};
 use lsp_server::ErrorCode;
 use serde_json::{Value, json};
+use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, Signal, System};
 
 use super::ask::{Ask, Refusal, refusal};
 use super::documents::Snapshot;
@@ -141,6 +142,9 @@ struct Job<'a> {
 /// How often a program is looked at.
 const STEP: Duration = Duration::from_millis(20);
 
+/// How long one may take to end.
+const GRACE: Duration = Duration::from_secs(10);
+
 impl<'a> Job<'a> {
     fn of(ask: &'a Ask, file: &'a Snapshot) -> Job<'a> {
         let path = path_of(&file.uri);
@@ -200,8 +204,7 @@ impl<'a> Job<'a> {
                 return Ok(Some(status.success()));
             }
             if self.ask.is_cancelled() {
-                child.kill()?;
-                child.wait()?;
+                end(child)?;
                 return Ok(None);
             }
             thread::sleep(STEP);
@@ -218,6 +221,25 @@ impl<'a> Job<'a> {
         self.ask.outgoing.show_document(&path);
         Ok(json!({ "uri": uri_of(&path), "text": text }))
     }
+}
+
+/// Ends a program as Ctrl-C does, so that it removes its drafts of files; one that does not listen is killed.
+fn end(child: &mut Child) -> std::io::Result<()> {
+    let pid = Pid::from_u32(child.id());
+    let mut system = System::new();
+    let which = ProcessesToUpdate::Some(&[pid]);
+    system.refresh_processes_specifics(which, true, ProcessRefreshKind::nothing());
+    let process = system.process(pid);
+    let is_told = process.and_then(|p| p.kill_with(Signal::Interrupt)) == Some(true);
+    let latest = Instant::now() + GRACE;
+    while is_told && Instant::now() < latest {
+        if child.try_wait()?.is_some() {
+            return Ok(());
+        }
+        thread::sleep(STEP);
+    }
+    child.kill()?;
+    child.wait().map(drop)
 }
 
 fn all_of(stream: Option<impl Read>) -> String {

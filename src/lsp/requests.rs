@@ -8,7 +8,7 @@ use super::ask::{Ask, Refusal, refusal};
 use super::capabilities::{FIX_ALL, RENUMBER};
 use super::convert::Convert;
 use super::documents::Snapshot;
-use super::{drawing, programs, workspace};
+use super::{drawing, programs, pull, workspace};
 use crate::diagnostics::{Edit, Span};
 use crate::features::actions::{self, What};
 use crate::features::{
@@ -38,7 +38,8 @@ pub fn handler(method: &str) -> Option<(Lane, Handler)> {
         method,
         found: None,
     };
-    find.on::<DocumentDiagnosticRequest>(Lane::Quick, diagnostics)
+    find.on::<DocumentDiagnosticRequest>(Lane::Quick, pull::of_file)
+        .on::<WorkspaceDiagnosticRequest>(Lane::Slow, pull::of_folders)
         .on::<InlayHintRequest>(Lane::Quick, inlay_hints)
         .on::<HoverRequest>(Lane::Slow, hover)
         .on::<SignatureHelpRequest>(Lane::Quick, signature_help)
@@ -100,20 +101,6 @@ impl Snapshot {
     fn style(&self) -> Options {
         self.config.as_ref().map(|c| c.format).unwrap_or_default()
     }
-}
-
-fn diagnostics(ask: &Ask, p: DocumentDiagnosticParams) -> Answer<DocumentDiagnosticReport> {
-    let file = ask.file(&p.text_document)?;
-    let items = ask.convert(file).diagnostics();
-    let report = FullDocumentDiagnosticReport {
-        result_id: None,
-        items,
-    };
-    Ok(RelatedFullDocumentDiagnosticReport {
-        related_documents: None,
-        full_document_diagnostic_report: report,
-    }
-    .into())
 }
 
 fn inlay_hints(ask: &Ask, p: InlayHintParams) -> Answer<Option<Vec<InlayHint>>> {

@@ -1,6 +1,8 @@
-//! Symbols of all scenes in the client's folders.
+//! The scenes in the client's folders, and their symbols.
 
-use std::path::Path;
+use std::collections::HashSet;
+use std::fs::Metadata;
+use std::path::PathBuf;
 
 use gen_lsp_types::{BaseSymbolInformation, Location, Uri, WorkspaceSymbol};
 use ignore::WalkBuilder;
@@ -12,10 +14,43 @@ use super::uri::{path_of, uri_of};
 use crate::analysis::{Analysis, file};
 use crate::features::symbols;
 
-/// How many symbols are given, files looked at, and bytes read of those that are not open.
+/// How many symbols are given, entries of a folder and scenes looked at, and bytes read of those.
 const MAX_SYMBOLS: usize = 500;
+const MAX_ENTRIES: usize = 20_000;
 const MAX_FILES: usize = 2000;
 const MAX_BYTES: u64 = 32_000_000;
+
+/// How the names of pictures end that a scene may show.
+pub const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
+
+/// A scene on disk.
+pub struct OnDisk {
+    pub uri: Uri,
+    pub path: PathBuf,
+    pub metadata: Metadata,
+}
+
+/// The scenes in the client's folders, open or not, as far as there are not too many.
+pub fn scenes(ask: &Ask) -> impl Iterator<Item = OnDisk> {
+    let folders = ask.folders.iter().filter_map(path_of);
+    let walk = folders.flat_map(|folder| WalkBuilder::new(folder).build().take(MAX_ENTRIES));
+    let paths = walk.filter_map(|entry| Some(entry.ok()?.into_path()));
+    let scenes = paths.filter(|path| path.extension().is_some_and(|e| e == "zpg"));
+    let mut bytes = 0;
+    let scenes = scenes.filter_map(|path| {
+        let metadata = std::fs::metadata(&path).ok().filter(Metadata::is_file)?;
+        let uri = uri_of(&path)?;
+        Some(OnDisk {
+            uri,
+            path,
+            metadata,
+        })
+    });
+    scenes.take(MAX_FILES).take_while(move |scene| {
+        bytes += scene.metadata.len();
+        bytes <= MAX_BYTES
+    })
+}
 
 /// The entities that a query fits, of open files first.
 pub fn symbols(ask: &Ask, query: &str) -> Vec<WorkspaceSymbol> {
@@ -23,31 +58,17 @@ pub fn symbols(ask: &Ask, query: &str) -> Vec<WorkspaceSymbol> {
     for file in ask.files.values() {
         add(ask, &file.uri, file.analysis(), query, &mut out);
     }
-    let (mut files, mut bytes) = (0, 0);
-    for folder in ask.folders.iter().filter_map(path_of) {
-        for path in scenes(&folder) {
-            files += 1;
-            bytes += std::fs::metadata(&path).map_or(0, |m| m.len());
-            let is_enough = files > MAX_FILES || bytes > MAX_BYTES || out.len() >= MAX_SYMBOLS;
-            if is_enough || ask.is_cancelled() {
-                return out;
-            }
-            let Some(uri) = uri_of(&path).filter(|uri| !ask.files.contains_key(uri)) else {
-                continue;
-            };
-            if let Ok(read) = file::read(&path) {
-                let analysis = Analysis::new(path.to_string_lossy(), read);
-                add(ask, &uri, &analysis, query, &mut out);
-            }
+    let open: HashSet<PathBuf> = ask.files.keys().filter_map(path_of).collect();
+    for scene in scenes(ask).filter(|scene| !open.contains(&scene.path)) {
+        if out.len() >= MAX_SYMBOLS || ask.is_cancelled() {
+            return out;
+        }
+        if let Ok(read) = file::read(&scene.path) {
+            let analysis = Analysis::new(scene.path.to_string_lossy(), read);
+            add(ask, &scene.uri, &analysis, query, &mut out);
         }
     }
     out
-}
-
-fn scenes(folder: &Path) -> impl Iterator<Item = std::path::PathBuf> {
-    let walk = WalkBuilder::new(folder).build().filter_map(Result::ok);
-    let is_scene = |path: &std::path::PathBuf| path.extension().is_some_and(|e| e == "zpg");
-    walk.map(ignore::DirEntry::into_path).filter(is_scene)
 }
 
 fn add(ask: &Ask, uri: &Uri, analysis: &Analysis, query: &str, out: &mut Vec<WorkspaceSymbol>) {
