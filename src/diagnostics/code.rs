@@ -150,6 +150,7 @@ codes! {
     W327 "pointless-transformation" of rule "pointless_transformation";
     W328 "up-along-view" of rule "up_along_view";
     W329 "smaller-than-a-pixel" of rule "smaller_than_a_pixel";
+    W330 "nothing-lit" of rule "nothing_lit";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -14,6 +14,7 @@
 mod angle_in_radians;
 mod asymmetric_quadric;
 mod bare_comment;
+
 mod bound_too_small;
 mod camera_in_solid;
 mod coincident_faces;
@@ -31,6 +32,7 @@ mod no_real_points;
 mod not_a_rotation;
 mod notation_separator;
 mod nothing_in_view;
+mod nothing_lit;
 mod overlapping_union;
 mod pointless_index;
 mod pointless_transformation;
@@ -239,6 +241,11 @@ pub const RULES: &[Rule] = &[
         asks_for: &[CAMERA_RECORDS, RENDER],
     },
     Rule {
+        code: Code::W330,
+        check: nothing_lit::check,
+        asks_for: &[CAMERA_RECORDS, RENDER, LAMPS],
+    },
+    Rule {
         code: Code::N602,
         check: no_camera::check,
         asks_for: &[],
@@ -266,7 +273,7 @@ pub const RULES: &[Rule] = &[
 ];
 
 /// Rules about the picture as a whole. What an error leaves out of a scene may be what would be seen: they do not run then.
-pub const OF_PICTURES: &[Code] = &[Code::W324, Code::W325, Code::W326, Code::W329];
+pub const OF_PICTURES: &[Code] = &[Code::W324, Code::W325, Code::W326, Code::W329, Code::W330];
 
 #[cfg(test)]
 mod tests {

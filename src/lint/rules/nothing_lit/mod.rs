@@ -1,0 +1,97 @@
+//! W330: things are seen, and no light falls on any of them.
+//!
+//! There are no bounds for what mirrors and glass show, so a small picture is looked at.
+
+use crate::diagnostics::{Code, Diagnostic};
+use crate::lint::Context;
+use crate::lint::records::chosen_cameras;
+use crate::lint::rules::{camera_in_solid, lamp_in_solid};
+use crate::scene::{AmbientLight, Camera, Scene};
+use crate::syntax::table::Kind;
+use crate::trace::{Settings, Tracer};
+
+/// The size of the picture, in pixels: a few milliseconds in all.
+const SIZE: [u32; 2] = [96, 72];
+/// Every so many of its pixels are looked at first: mostly one of them is lit.
+const SCATTERED: usize = 131;
+/// Larger scenes take longer than a few milliseconds.
+const MAX_NODES: usize = 1000;
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let scene = context.scene;
+    let is_dark = |light: &AmbientLight| light.intensity == 0.0 || light.colour == [0.0; 3];
+    if scene.nodes.len() > MAX_NODES || !scene.ambient_lights.iter().all(is_dark) {
+        return;
+    }
+    let is_lamp = |id: u32| scene.point_lights.iter().any(|light| light.id == id);
+    let lamp = (scene.entities.iter())
+        .find(|e| e.kind == Some(Kind::PointLight) && is_lamp(e.id))
+        .map(|e| e.span);
+    let Some(lamp) = lamp else { return };
+    for (camera, p) in chosen_cameras(context) {
+        if glance(scene, camera) != Some(Seen { lit: false }) {
+            continue;
+        }
+        // It is no lamp's fault where all is black by itself.
+        let mut bright = scene.clone();
+        bright.ambient_lights.push(AmbientLight {
+            id: 0,
+            intensity: 1.0,
+            colour: [1.0; 3],
+        });
+        if glance(&bright, camera) != Some(Seen { lit: true }) {
+            continue;
+        }
+        if is_shut_in(context) {
+            return;
+        }
+        out.push(
+            Diagnostic::new(Code::W330, lamp)
+                .with("id", camera.id.to_string())
+                .with("width", SIZE[0].to_string())
+                .with("height", SIZE[1].to_string())
+                .label(p.span(), "camera"),
+        );
+    }
+}
+
+/// Whether a camera is inside of something, or all lights are: of that other rules speak.
+fn is_shut_in(context: &Context) -> bool {
+    let (mut cameras, mut lights) = (Vec::new(), Vec::new());
+    camera_in_solid::check(context, &mut cameras);
+    lamp_in_solid::check(context, &mut lights);
+    !cameras.is_empty() || lights.len() == context.scene.point_lights.len()
+}
+
+/// What a small picture shows besides the background.
+#[derive(Debug, PartialEq)]
+struct Seen {
+    /// Whether light comes from any of it.
+    lit: bool,
+}
+
+/// `None` where there is nothing to be seen, or no picture.
+fn glance(scene: &Scene, camera: &Camera) -> Option<Seen> {
+    let tracer = Tracer::new(scene).ok()?;
+    let settings = Settings {
+        width: SIZE[0],
+        height: SIZE[1],
+        ..Settings::default()
+    };
+    let looked = tracer.pixels(camera, &settings, |pixels| {
+        let mut seen = None;
+        let all = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
+        for (x, y) in all.clone().step_by(SCATTERED).chain(all) {
+            if pixels.seen(x, y).is_none() {
+                continue;
+            }
+            let lit = pixels.sum(x, y, 0..1, 1) != [0.0; 3];
+            seen = Some(Seen { lit });
+            if lit {
+                break;
+            }
+        }
+        seen
+    });
+    looked.ok()?
+}
