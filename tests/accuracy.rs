@@ -18,6 +18,7 @@ use zpg::study::accuracy::rungs::{Axis, Kernel, Settings};
 use zpg::study::accuracy::stage::Stage;
 use zpg::study::accuracy::tiles::{Tile, chosen};
 use zpg::study::naive::{Naive, Wide};
+use zpg::trace::camera::View;
 use zpg::trace::film::developed;
 use zpg::trace::switches::Without;
 use zpg::trace::{self, Images, Numbers, Tracer, selected_camera};
@@ -112,6 +113,68 @@ fn the_independent_tracer_agrees_and_sees_what_is_off() {
     let checked = check::check(&stage, &images, &settings, &order, &right, 0.0);
     let checked = checked.unwrap().unwrap();
     assert_eq!((checked.wrong, checked.wrong_pixels), (1, vec![order[7].1]));
+}
+
+/// A ray along a generator of a cone: which side of it the camera's doubles lie on is no mistake of the tracer. Another
+/// colour is one all the same.
+#[test]
+fn what_the_rounding_of_a_camera_changes_is_no_mistake() {
+    let scene = hard("cone-apex");
+    let images = Images::default();
+    let size = [96, 72];
+    let camera = selected_camera(&scene, 96.0 / 72.0);
+    let mut stage = Stage::new(scene.clone(), &images, camera, size).unwrap();
+    let [x, y] = [79, 35];
+    let tile = Tile {
+        x,
+        y,
+        width: 1,
+        height: 1,
+    };
+    let settings = with(Kernel::Ours(Numbers::Dd));
+    let mut ours = stage.draw(&settings, &[tile]).unwrap().colours;
+    let pixels = vec![(0, [x, y])];
+    let checked = |ours: &[[f64; 3]]| {
+        let checked = check::check(&stage, &images, &settings, &pixels, ours, 0.0);
+        let checked = checked.unwrap().unwrap();
+        (checked.pixels, checked.wrong, checked.camera_rounding)
+    };
+    assert_eq!(checked(&ours), (1, 0, 1));
+    ours[0][1] += 1e-5;
+    assert_eq!(checked(&ours), (1, 1, 0));
+}
+
+/// The rays of all cameras are those of doubles: far nearer to the exact ones than [`check::SAME_RAY`], so that no
+/// wrong ray is taken for a rounded one.
+#[test]
+fn rays_of_cameras_are_right_but_for_rounding() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let scenes = ["gallery", "hard"].map(|name| fs::read_dir(folder.join(name)).unwrap());
+    let mut count = 0;
+    for entry in scenes.into_iter().flatten() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|e| e != "zpg") || path.metadata().unwrap().len() > 100_000 {
+            continue;
+        }
+        let analysis = Analysis::new("scene.zpg", fs::read(&path).unwrap());
+        let scene = analysis.scene;
+        for camera in &scene.cameras {
+            let [width, height] = SIZE;
+            let images = Images::default();
+            let view = View::new(camera, width, height).unwrap();
+            let Ok(naive) = Naive::<Wide>::new(&scene, &images, camera, SIZE, 0, 1.0) else {
+                continue;
+            };
+            for place in [[0, 0], [17, 30], [47, 35]] {
+                let [x, y] = place.map(|x: u32| f64::from(x) + 0.5);
+                let line = view.ray(x, y).unwrap().line;
+                let off = naive.aside(place, line.origin.0, line.direction.0);
+                assert!(off < 1e-14, "{path:?}: {off:e}");
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 60, "{count}");
 }
 
 /// All shapes, operations and textures, in the corners of the hard scenes.
@@ -270,7 +333,8 @@ fn report_of(rows: &[(Axis, &'static str, f64, f64, usize)]) -> Report {
             steps_interval: [steps; 2],
             rmse: steps / 255.0,
             relmse: 0.0,
-            max: steps,
+            max: steps / 255.0,
+            max_steps: steps,
             flip: 0.0,
             pixels: 1000,
             pixels_off: off,

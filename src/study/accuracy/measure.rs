@@ -29,8 +29,9 @@ pub struct Measured {
     /// Mean of squares over (reference² + 0.01), linear (Rousselle et al., "Adaptive Sampling and
     /// Reconstruction using Greedy Error Minimization", 2011).
     pub relmse: f64,
-    /// The largest difference of a channel, linear.
+    /// The largest difference of a channel, linear, and in steps.
     pub max: f64,
+    pub max_steps: f64,
     /// The mean of FLIP (Andersson et al., 2020), tile by tile where not all of the picture was measured.
     pub flip: f64,
     /// Pixels of which a channel is off by more than a step.
@@ -52,7 +53,8 @@ pub fn distance(a: Rgb, b: Rgb) -> f64 {
 pub fn compare(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]], all: bool) -> Measured {
     let mut squares = Vec::with_capacity(tiles.len());
     let mut rest = found.iter().zip(reference);
-    let (mut linear, mut relative, mut max) = (0.0, 0.0, 0.0f64);
+    let (mut linear, mut relative) = (0.0, 0.0);
+    let (mut max, mut max_steps) = (0.0f64, 0.0f64);
     let (mut pixels_off, mut pixels_differ, mut pixels) = (0, 0, 0);
     for size in tiles {
         let count = size[0] as usize * size[1] as usize;
@@ -63,7 +65,9 @@ pub fn compare(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]], all: bool) 
             if a == b {
                 continue;
             }
-            pixels_off += usize::from(distance(*a, *b) > 1.0);
+            let farthest = distance(*a, *b);
+            pixels_off += usize::from(farthest > 1.0);
+            max_steps = max_steps.max(farthest);
             for c in 0..3 {
                 let (d, s) = (a[c] - b[c], steps(a[c]) - steps(b[c]));
                 square += s * s;
@@ -101,6 +105,7 @@ pub fn compare(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]], all: bool) 
         rmse: (linear / values).sqrt(),
         relmse: relative / values,
         max,
+        max_steps,
         flip: match pixels_differ {
             0 => 0.0,
             _ => flip(found, reference, tiles),
@@ -165,6 +170,7 @@ mod tests {
             "{}",
             m.steps
         );
+        assert!((m.max_steps - off).abs() < 1e-9 && m.max == 0.5);
         assert!((m.rmse - (0.25f64 / 384.0).sqrt()).abs() < 1e-12);
         assert!((m.relmse - 0.25 / 0.26 / 384.0).abs() < 1e-12);
         assert!(m.interval[0] == 0.0 && m.interval[1] > m.steps);

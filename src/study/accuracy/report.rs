@@ -119,9 +119,9 @@ pub struct Checked {
     pub pixels: usize,
     pub rays: u64,
     pub wrong: usize,
-    /// Pixels that differ no more than rounding the camera's rays to doubles explains.
-    pub swaying: usize,
-    /// The largest difference of a channel, linear, in pixels that do not sway.
+    /// Pixels that differ only since the rays of the camera are rounded to doubles.
+    pub camera_rounding: usize,
+    /// The largest difference of a channel, linear, in all others.
     pub largest: f64,
     /// Where: the first few wrong pixels.
     pub wrong_pixels: Vec<[u32; 2]>,
@@ -167,6 +167,7 @@ pub struct RowError {
     pub rmse: f64,
     pub relmse: f64,
     pub max: f64,
+    pub max_steps: f64,
     pub flip: f64,
     pub pixels: usize,
     pub pixels_off: usize,
@@ -197,6 +198,7 @@ impl From<Measured> for RowError {
             rmse: m.rmse,
             relmse: m.relmse,
             max: m.max,
+            max_steps: m.max_steps,
             flip: m.flip,
             pixels: m.pixels,
             pixels_off: m.pixels_off,

@@ -22,6 +22,7 @@ use crate::scene::{Camera, Rgb, Scene, Texture};
 use crate::trace::film::developed;
 use crate::trace::{Film, Images};
 use light::{Lens, RayCounts, Scenery, radiance};
+use number::Ray;
 use solid::Solids;
 
 /// A scene made ready, with its camera.
@@ -95,27 +96,35 @@ impl<'s, T: Number> Naive<'s, T> {
         })
     }
 
-    /// By how much the colour of a pixel changes, at most, where the direction of its ray is off by what
-    /// doubles round it by.
+    /// How far a ray of doubles is from the right one through the centre of a pixel: its direction, and where it starts
+    /// beside the distance of that from the origin of coordinates.
+    pub fn aside(&self, [x, y]: [u32; 2], origin: [f64; 3], direction: [f64; 3]) -> f64 {
+        let right = self.lens.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let most = |a: [f64; 3], b: [T; 3]| {
+            let off = (0..3).map(|i| (T::of(a[i]) - b[i]).abs().wide());
+            off.fold(0.0, f64::max)
+        };
+        let far = origin.iter().fold(1.0, |far, x| f64::max(far, x.abs()));
+        most(direction, right.direction).max(most(origin, right.origin) / far)
+    }
+
+    /// What a ray shows.
     ///
     /// # Errors
     ///
     /// What is too much for it.
-    pub fn sway(&self, [x, y]: [u32; 2]) -> Result<f64, Unfit> {
+    pub fn along(&self, origin: [f64; 3], direction: [f64; 3]) -> Result<Rgb, Unfit> {
         let (scenery, mut solids) = self.ready()?;
+        let ray = Ray {
+            origin: origin.map(T::of),
+            direction: direction.map(T::of),
+        };
         let mut rays = RayCounts::default();
-        let ray = self.lens.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let middle = radiance(&scenery, &mut solids, ray, false, &mut rays);
-        let mut most = 0.0;
-        for i in 0..6 {
-            let mut ray = ray;
-            let by = f64::EPSILON * if i < 3 { 1.0 } else { -1.0 };
-            ray.direction[i % 3] = ray.direction[i % 3] + T::of(by);
-            let beside = radiance(&scenery, &mut solids, ray, false, &mut rays);
-            let off = (0..3).map(|c| (middle[c] - beside[c]).abs());
-            most = off.fold(most, f64::max);
+        let colour = radiance(&scenery, &mut solids, ray, false, &mut rays);
+        match solids.is_exhausted() {
+            true => Err(Unfit::TooManyParts),
+            false => Ok(colour),
         }
-        Ok(most)
     }
 
     /// Follows the rays through the centres of pixels, on all threads.

@@ -56,7 +56,7 @@ pub fn text(report: &Report, language: Language) -> String {
                     "{} / {}",
                     e.pixels_off, e.pixels
                 )),
-                error.map_or(String::new(), |e| local(language, format!("{:.2e}", e.max))),
+                error.map_or(String::new(), |e| words::error(language, e.max_steps)),
             );
         }
     }

@@ -2,6 +2,7 @@
 
 pub mod html;
 mod image;
+mod labels;
 pub mod markdown;
 pub mod svg;
 mod tables;

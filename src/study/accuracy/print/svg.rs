@@ -4,6 +4,7 @@
 use super::super::report::{Report, Row};
 use super::super::rungs::{Axis, Kind};
 use super::super::words::{self, local, say};
+use super::labels::{self, Frame, Label, Placed, Surroundings};
 use crate::diagnostics::Language;
 use std::fmt::Write as _;
 
@@ -27,7 +28,7 @@ svg.panels{width:100%;height:auto;display:block;font-family:system-ui,'DejaVu Sa
 .tick{font-size:11.5px;fill:var(--mut)}.tiny{font-size:10.5px;fill:var(--mut)}.lab{font-size:11px}
 .ttl{font-size:15px;font-weight:700;fill:var(--fg)}.sub{font-size:12px;fill:var(--mut)}
 .front{stroke:var(--mut);stroke-width:6;opacity:.22;fill:none;stroke-linejoin:round}
-.curve{fill:none;stroke-width:1.4}.def{fill:none;stroke:var(--fg);stroke-width:1.6}
+.curve{fill:none;stroke-width:1.4}.lead{fill:none;stroke-width:.7;opacity:.6}.def{fill:none;stroke:var(--fg);stroke-width:1.6}
 .c1{stroke:var(--c1)}.c2{stroke:var(--c2)}.c3{stroke:var(--c3)}.c4{stroke:var(--c4)}.c5{stroke:var(--c5)}.c6{stroke:var(--c6)}
 .c1.full{fill:var(--c1)}.c2.full{fill:var(--c2)}.c3.full{fill:var(--c3)}.c4.full{fill:var(--c4)}.c5.full{fill:var(--c5)}.c6.full{fill:var(--c6)}
 .open{fill:var(--bg)}
@@ -332,6 +333,12 @@ fn marks(out: &mut String, report: &Report, rows: &[&Row], s: &Scale, language: 
             .collect();
         points.join("L")
     };
+    let segments = |places: &[(f64, f64)], weight: f64| -> Vec<([[f64; 2]; 2], f64)> {
+        let pairs = places.windows(2);
+        pairs
+            .map(|p| ([[p[0].0, p[0].1], [p[1].0, p[1].1]], weight))
+            .collect()
+    };
     let mut front: Vec<(f64, f64)> = rows
         .iter()
         .filter(|r| r.pareto)
@@ -342,7 +349,18 @@ fn marks(out: &mut String, report: &Report, rows: &[&Row], s: &Scale, language: 
         let _ = writeln!(out, "<path d=\"M{}\" class=\"front\"/>", line(&front));
     }
     let best = super::super::advice::recommended(report).map(Row::name);
-    let mut taken: Vec<(f64, f64, f64)> = Vec::new();
+    let goal = s.x(report.goal.steps);
+    let one = s.y(1.0);
+    let mut around = Surroundings {
+        within: Frame([s.left, TOP, s.x[1] - 2.0, BOTTOM]),
+        points: Vec::new(),
+        lines: vec![
+            ([[goal, TOP], [goal, BOTTOM]], 0.6),
+            ([[s.x[0], one], [s.x[1], one]], 0.4),
+        ],
+    };
+    around.lines.extend(segments(&front, 0.3));
+    let (mut labels, mut names) = (Vec::new(), Vec::new());
     for axis in Axis::ALL {
         let own: Vec<&&Row> = rows.iter().filter(|r| r.is_on(axis)).collect();
         let places: Vec<(f64, f64)> = own.iter().map(|r| place(s, r)).collect();
@@ -355,6 +373,7 @@ fn marks(out: &mut String, report: &Report, rows: &[&Row], s: &Scale, language: 
                 "<path d=\"M{}\" class=\"curve {class}\"/>",
                 line(&places)
             );
+            around.lines.extend(segments(&places, 1.5));
         }
         for (row, (x, y)) in own.iter().zip(&places) {
             if row.default {
@@ -372,33 +391,31 @@ fn marks(out: &mut String, report: &Report, rows: &[&Row], s: &Scale, language: 
             );
             let mark = shape.draw(*x, *y, &format!("{class} {fill}"));
             let _ = writeln!(out, "<g>{mark}<title>{}</title></g>", escaped(&title));
+            labels.push(Label {
+                point: around.points.len(),
+                width: 6.4 * row.setting.chars().count() as f64,
+                needed: row.default || best.as_deref() == Some(&row.name()),
+            });
+            names.push((class, escaped(&row.setting)));
+            around.points.push([*x, *y]);
         }
-        for (row, (x, y)) in own.iter().zip(&places) {
-            let text = &row.setting;
-            let width = 6.2 * text.chars().count() as f64;
-            let (lx, anchor, start) = match x + 10.0 + width > s.x[1] {
-                true => (x - 9.0, "end", x - 9.0 - width),
-                false => (x + 9.0, "start", x + 9.0),
-            };
-            // The first free place beside the point, a little up or down.
-            let free = [-6.0, 13.0, -17.0, 4.0]
-                .into_iter()
-                .map(|dy| y + dy)
-                .find(|ly| {
-                    taken.iter().all(|(a, b, w)| {
-                        (ly - b).abs() > 10.0 || start > a + w || start + width < *a
-                    })
-                });
-            let needed = row.default || best.as_deref() == Some(&row.name());
-            let Some(ly) = free.or(needed.then_some(y - 6.0)) else {
-                continue;
-            };
-            taken.push((start, ly, width));
+    }
+    for (placed, (class, name)) in labels::place(&labels, &around).into_iter().zip(names) {
+        let Some(Placed { frame, leader }) = placed else {
+            continue;
+        };
+        if let Some([[x0, y0], [x1, y1]]) = leader {
             let _ = writeln!(
                 out,
-                "<text x=\"{lx:.1}\" y=\"{ly:.1}\" text-anchor=\"{anchor}\" class=\"lab {class}t\">{}</text>",
-                escaped(text)
+                "<path d=\"M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}\" class=\"lead {class}\"/>"
             );
         }
+        let Frame([left, _, right, bottom]) = frame;
+        let _ = writeln!(
+            out,
+            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" class=\"lab {class}t\">{name}</text>",
+            (left + right) / 2.0,
+            bottom - 1.5
+        );
     }
 }

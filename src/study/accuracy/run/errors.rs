@@ -1,6 +1,6 @@
 //! How far each rung is from its reference.
 
-use super::{Distances, LEAST_PIXELS, Run, rays};
+use super::{Distances, ERRORS, FEWEST_PIXELS, LEAST_PIXELS, OBJECTS, PICTURES, Run, TIMES, rays};
 use crate::diagnostics::Error;
 use crate::scene::Rgb;
 use crate::study::accuracy::measure::compare;
@@ -30,7 +30,9 @@ impl Run<'_> {
             .zip(&self.known)
             .filter(|r| !r.1.dropped)
             .count();
-        let share = self.seconds(0.15) * self.threads / count.max(1) as f64;
+        let seconds = self.left(TIMES + OBJECTS + PICTURES);
+        let seconds = seconds.clamp(self.seconds(ERRORS / 2.0), self.seconds(ERRORS));
+        let share = seconds * self.threads / count.max(1) as f64;
         let mut last: Option<(Axis, usize)> = None;
         for i in 0..self.rungs.len() {
             if self.known[i].dropped {
@@ -54,9 +56,10 @@ impl Run<'_> {
                 Kind::Facets => references.get(&rung.axis).unwrap_or(&self.light),
             };
             let there = self.tiles_of(reference.len());
-            let tiles = self
-                .tiles_for(share, self.known[i].cost, LEAST_PIXELS)
-                .min(there);
+            let cost = self.known[i].cost;
+            let affordable = (2.0 * share / cost.max(1e-12)).max(FEWEST_PIXELS);
+            let least = LEAST_PIXELS.min(affordable);
+            let tiles = self.tiles_for(share, cost, least).min(there);
             if tiles == 0 {
                 continue;
             }

@@ -48,6 +48,15 @@ pub const BUDGET: f64 = 120.0;
 const LEAST_SECONDS: f64 = 0.05;
 const LEAST_PIXELS: f64 = 2000.0;
 
+/// What dear rungs make do with where time is short: eight tiles.
+const FEWEST_PIXELS: f64 = 512.0;
+
+/// Shares of the budget for the last steps: errors, times, what each object costs, and the pictures side by side.
+const ERRORS: f64 = 0.15;
+const TIMES: f64 = 0.4;
+const OBJECTS: f64 = 0.05;
+const PICTURES: f64 = 0.08;
+
 /// Who is told how far it is: what is done now, the name of a message, and the share of all that is
 /// behind.
 pub type Progress<'p> = &'p dyn Fn(&'static str, f64);
@@ -161,6 +170,11 @@ impl Run<'_> {
 
     fn seconds(&self, share: f64) -> f64 {
         share * self.options.budget
+    }
+
+    /// The seconds that are left once the steps behind have their share.
+    fn left(&self, behind: f64) -> f64 {
+        self.options.budget - self.start.elapsed().as_secs_f64() - self.seconds(behind)
     }
 
     fn pixels(&self, tiles: usize) -> usize {

@@ -1,6 +1,6 @@
 //! The pictures side by side.
 
-use super::Run;
+use super::{PICTURES, Run};
 use crate::diagnostics::Error;
 use crate::scene::Rgb;
 use crate::study::accuracy::measure::steps;
@@ -11,11 +11,15 @@ use crate::trace::Numbers;
 
 impl Run<'_> {
     /// The picture, and for each kind the part of it that is worst, by the default and by the most
-    /// accurate rung.
+    /// accurate rung that there is time for.
     pub(super) fn pictures(&mut self, report: &mut Report) -> Result<(), Error> {
         let [width, height] = self.options.size;
-        // At most so many pixels, so that a page of all stays small.
-        let step = (width.max(height)).div_ceil(320).max(1);
+        // At most so many pixels, so that a page of all stays small; fewer where they take long.
+        let seconds = self.seconds(PICTURES) / 2.0 * self.threads;
+        let pixels = seconds / self.cost(&Settings::default()).max(1e-12);
+        let side = (pixels * f64::from(width.max(height)) / f64::from(width.min(height))).sqrt();
+        let side = (side as u32).clamp(80, 320);
+        let step = (width.max(height)).div_ceil(side).max(1);
         report.picture = Some(self.coarse(step)?);
         for kind in Kind::ALL {
             let Some(default) = self.worst(kind) else {
@@ -24,6 +28,7 @@ impl Run<'_> {
             let best = (0..self.rungs.len())
                 .filter(|&i| self.rungs[i].axis.kind() == kind && !self.known[i].dropped)
                 .filter(|&i| !self.rungs[i].is_default())
+                .filter(|&i| self.known[i].cost * CROP <= seconds)
                 .filter_map(|i| Some((i, self.known[i].measured.as_ref()?.steps)))
                 .min_by(|a, b| a.1.total_cmp(&b.1));
             let (shown, better, place) = match (kind, best) {
@@ -123,9 +128,13 @@ impl Run<'_> {
     }
 }
 
+/// The sides of the part of the picture that is shown, and how many pixels it has.
+const CROP_SIZE: [u32; 2] = [96, 72];
+const CROP: f64 = (CROP_SIZE[0] * CROP_SIZE[1]) as f64;
+
 /// A part of the picture around a tile: its place and size, and tiles that make it up.
 fn around(tile: Tile, [width, height]: [u32; 2]) -> ([u32; 4], Vec<Tile>) {
-    let (w, h) = (96.min(width), 72.min(height));
+    let (w, h) = (CROP_SIZE[0].min(width), CROP_SIZE[1].min(height));
     let start =
         |at: u32, size: u32, all: u32| (at + TILE / 2).saturating_sub(size / 2).min(all - size);
     let (x0, y0) = (start(tile.x, w, width), start(tile.y, h, height));

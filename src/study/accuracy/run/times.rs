@@ -1,18 +1,23 @@
 //! How long each rung takes, in shuffled rounds.
 
-use super::{Entry, LEAST_PIXELS, LEAST_SECONDS, Run};
+use super::{Entry, FEWEST_PIXELS, LEAST_PIXELS, LEAST_SECONDS, OBJECTS, PICTURES, Run, TIMES};
 use crate::diagnostics::{Complaint, Error};
 use crate::study::accuracy::rungs::Settings;
 use crate::study::accuracy::stage::Timed;
 use crate::study::accuracy::tiles::shuffle;
+use std::time::Instant;
 
 impl Run<'_> {
     /// Runs in shuffled order on one thread.
     pub(super) fn times(&mut self) -> Result<(), Error> {
         let default = Settings::default();
-        let seconds = self.seconds(0.4);
         self.calibrate()?;
-        let mut runs = self.options.runs.unwrap_or(5);
+        // What the steps before have not used is theirs, too.
+        let behind = OBJECTS + PICTURES;
+        let own = self.seconds(TIMES);
+        let seconds = self.left(behind).clamp(own / 2.0, 1.5 * own);
+        let most = self.options.runs.unwrap_or(5);
+        let mut runs = most;
         // What is to be timed: rungs that are one computation once, the default four times.
         let mut entries: Vec<Entry> = Vec::new();
         for i in 0..self.rungs.len() {
@@ -37,7 +42,8 @@ impl Run<'_> {
                         .max(LEAST_SECONDS / cost.max(1e-12))
                         .min(LEAST_PIXELS * 4.0);
                     // Dear rungs make do with fewer pixels.
-                    let least = least.min((4.0 * each / cost.max(1e-12)).max(512.0));
+                    let affordable = (1.25 * each / cost.max(1e-12)).max(FEWEST_PIXELS);
+                    let least = least.min(affordable);
                     let tiles = run.tiles_for(each, cost, least).min(most);
                     sum += run.pixels(tiles) as f64 * cost * runs as f64;
                     tiles
@@ -64,12 +70,20 @@ impl Run<'_> {
         if predicted > 1.1 * seconds && self.options.runs.is_none() {
             runs = 3;
             (tiles, predicted) = plan(self, &entries, runs);
-            self.cut.push(Complaint::new("accuracy-cut-runs"));
         }
         self.predicted = predicted;
         let mut order: Vec<usize> = (0..entries.len()).collect();
-        let mut done = 0;
-        'all: for round in 0..runs {
+        let (mut done, mut longest) = (0, 0.0f64);
+        'all: for round in 0..most {
+            // Where runs were left out, and there is time after all, they are done.
+            if round >= runs && self.left(behind) < 1.1 * longest {
+                self.cut.push(Complaint::new("accuracy-cut-runs"));
+                break;
+            }
+            if round >= runs {
+                self.predicted += predicted / runs as f64;
+            }
+            let start = Instant::now();
             shuffle(&mut order, round as u64);
             for &e in &order {
                 if self.is_stopped() {
@@ -98,8 +112,9 @@ impl Run<'_> {
                 }
                 done += 1;
                 let behind = done as f64 / (runs * entries.len()) as f64;
-                (self.progress)("accuracy-step-times", 0.55 + 0.4 * behind);
+                (self.progress)("accuracy-step-times", 0.55 + 0.4 * behind.min(1.0));
             }
+            longest = longest.max(start.elapsed().as_secs_f64());
         }
         Ok(())
     }
