@@ -1,6 +1,7 @@
 //! The language server, spoken to as editors do. What it answers is tested as data in `features`; here is the form
 //! of its messages, and that it lives on whatever it is sent.
 
+mod edited;
 pub mod model;
 mod session;
 
@@ -142,7 +143,7 @@ fn every_request_is_answered_in_the_protocols_form() {
     }
 }
 
-/// What the server says it can is what it answers, and nothing of it is unknown to the protocol.
+/// Clients that pull are told what has changed, and nothing unasked. More of it is in `tests/editors/flows`.
 #[test]
 fn diagnostics_are_pulled_where_the_client_pulls() {
     let mut pulls = rich();
@@ -152,6 +153,17 @@ fn diagnostics_are_pulled_where_the_client_pulls() {
     let report = s.ask("textDocument/diagnostic", file());
     assert_eq!(report["kind"], "full");
     assert_eq!(report["items"][0]["code"], "E003");
+    let known = with(file(), "previousResultId", report["resultId"].clone());
+    let again = s.ask("textDocument/diagnostic", known);
+    assert_eq!(
+        (again["kind"].as_str(), &again["resultId"]),
+        (Some("unchanged"), &report["resultId"])
+    );
+    let all = s.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
+    assert_eq!(
+        (&all["items"][0]["items"], &all["items"][0]["version"]),
+        (&report["items"], &json!(1))
+    );
     s.replace(A, 2, "2 9 1\n1 9999 2 0\n");
     let report = s.ask("textDocument/diagnostic", file());
     assert!(
