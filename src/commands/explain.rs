@@ -81,7 +81,11 @@ fn first_sentence(code: Code, language: Language) -> String {
     let page = code.explanation(language);
     let text = page.split("\n\n").nth(1).unwrap_or_default();
     let text = text.replace('\n', " ");
-    let ends = [". ", ": "].into_iter().filter_map(|end| text.find(end));
+    let is_code = |at: usize| text[..at].matches('`').count() % 2 == 1;
+    let ends = [". ", ": "]
+        .into_iter()
+        .flat_map(|end| text.match_indices(end));
+    let ends = ends.map(|(at, _)| at).filter(|&at| !is_code(at));
     let end = ends.min().unwrap_or(text.len());
     text[..end].trim_end_matches('.').to_owned()
 }

@@ -296,9 +296,9 @@ help-probe = Odpovídá na otázky o paprscích a bodech
         mimo kvádr renderovacího záznamu, se nehlásí, ale počítá se do `inside_at_origin`, tedy do stavu těsně za
         počátkem paprsku.
 
-        --point vypíše ID těles, tvarů i operací, v nichž bod leží; hranice tvarů k nim patří. `in_scene`: zda v ní leží
-        i podle celé scény, uvnitř kvádru renderovacího záznamu. Rozhoduje se ve dvojité přesnosti, a kde ta hranice
-        nespočítá, v dd, ať --precision říká cokoli.
+        --point vypíše ID těles, tvarů i operací, v nichž bod leží; hranice tvarů k nim patří. `in_scene` říká, zda bod leží
+        v celku, a to uvnitř kvádru renderovacího záznamu. Rozhoduje se ve dvojité přesnosti, a kde ta hranice nespočítá,
+        v dd, ať --precision říká cokoli.
 
         Příklady:
           zpg probe scena.zpg --ray "0 0 9  0 0 -1"
@@ -341,7 +341,7 @@ help-plan = Řekne, které efekty scéna potřebuje a proč
 
 help-accuracy = Řekne, kolik času stojí přesnost: co které nastavení obrázku scény přinese a co to stojí
     .after =
-        Měří se čtyři druhy chyb, každý proti referenci, která je za vším, co se zkouší, a s ostatním nastavením takovým,
+        Měří se čtyři druhy chyb, každý proti referenci přesnější než vše, co se zkouší, a s ostatním nastavením takovým,
         jaké má prosté `zpg render`: hrany (samples, adaptive), uříznuté světlo (depth, cutoff), zaokrouhlování
         (precision, solver) a plošky (tessellation, levels). Co scéna nepotřebuje, se nespouští, a zpráva říká proč.
         Samu referenci ověřuje nezávislý sledovač paprsků se 71 číslicemi.
@@ -388,7 +388,7 @@ help-explain-topic = Kód nebo název nálezu, číslo nebo jméno typu záznamu
 
 ## zpg lsp
 
-help-lsp = Slouží editoru: nálezy, nápovědy, opravy a další, protokolem pro jazykové servery
+help-lsp = Jazykový server: nálezy, nápovědy, opravy a další přímo v editoru
     .after =
         Editory si tento příkaz spouštějí samy a mluví s ním na jeho standardním vstupu a výstupu; jak který nastavit,
         říká docs/editors.md. Nastavení se bere ze zpg.toml, jako na příkazové řádce.

@@ -95,7 +95,10 @@ fn scenes_in(
                 }
             }
             Err(e) => {
-                complain(look, &unreadable(folder, Complaint::quoted(e)));
+                let why = e
+                    .io_error()
+                    .map_or_else(|| Complaint::quoted(&e), Complaint::from);
+                complain(look, &unreadable(folder, why));
                 *failed = true;
             }
         }

@@ -54,7 +54,7 @@ impl Limits {
 }
 
 fn broken(why: impl Display) -> Complaint {
-    Complaint::quoted(why)
+    Complaint::new("picture-broken").with("why", why.to_string())
 }
 
 fn png(file: &[u8], limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {

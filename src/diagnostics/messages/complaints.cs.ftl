@@ -12,6 +12,7 @@ cannot-read = { $path } nelze přečíst: { $reason }
 cannot-write = { $path } nelze zapsat: { $reason }
 cannot-print = na standardní výstup nelze psát: { $reason }
 too-large = soubor je větší než { $size } GiB
+picture-broken = je poškozený, nebo v podobě, kterou zpg nečte
 picture-too-wide = má { $width } × { $height } pixelů; přečte se nejvýše { $side } × { $side }
 pictures-too-large = obrázky jedné scény smějí zabrat dohromady 256 MiB
 read-only-file = soubor je jen pro čtení

@@ -12,6 +12,7 @@ cannot-read = cannot read { $path }: { $reason }
 cannot-write = cannot write { $path }: { $reason }
 cannot-print = cannot write to standard output: { $reason }
 too-large = it is larger than { $size } GiB
+picture-broken = { $why }
 picture-too-wide = it has { $width } × { $height } pixels; { $side } × { $side } are read at most
 pictures-too-large = the pictures of a scene may take 256 MiB together
 read-only-file = it is read-only
