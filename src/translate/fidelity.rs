@@ -184,13 +184,12 @@ impl Report {
                 Fidelity::Approximate(bound) => format!(" ({})", bound.wording(language)),
                 Fidelity::Exact | Fidelity::Dropped => String::new(),
             };
-            let name = language.name(e.feature);
-            let mut line = format!("{name}{bound}");
+            let mut line = language.name(e.feature) + &bound;
             if e.uses > 1 {
                 line += &format!(" ×{}", e.uses);
             }
             let note = e.note.wording(language);
-            if !note.is_empty() && note != name {
+            if !note.is_empty() {
                 line += &format!(": {note}");
             }
             out += &row(&e.fidelity, &line, language);
