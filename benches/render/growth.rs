@@ -41,8 +41,11 @@ fn seconds(stats: &serde_json::Value, phase: &str) -> f64 {
     stats["seconds"][phase].as_f64().expect("a number")
 }
 
-/// A thing for each number, in a cube that all fill equally, and the chain of operations over them.
-fn chain(count: usize, thing: fn(usize) -> &'static str, operation: fn(usize) -> i32) -> String {
+/// Writes the records of a thing with this ID, at a place and of a size.
+type Thing = fn(usize, [f64; 3], f64) -> String;
+
+/// Things in a cube that all fill equally, and the chain of operations over them.
+fn chain(count: usize, thing: Thing, operation: fn(usize) -> i32) -> String {
     let mut text = String::new();
     let side = (count as f64).cbrt().ceil();
     for i in 0..count {
@@ -52,12 +55,7 @@ fn chain(count: usize, thing: fn(usize) -> &'static str, operation: fn(usize) ->
             (k / side).floor() % side,
             (k / side / side).floor(),
         ];
-        let [x, y, z] = place.map(|n| (n / side - 0.5) * 20.0);
-        let size = 8.0 / side;
-        let id = 10 + i;
-        let record = thing(i);
-        let _ = writeln!(text, "{id} {record}");
-        let _ = writeln!(text, "{id} -3 {size} {size} {size}\n{id} -1 {x} {y} {z}");
+        text += &thing(10 + i, place.map(|n| (n / side - 0.5) * 20.0), 8.0 / side);
     }
     let end = 10 + count;
     for i in 1..count {
@@ -68,23 +66,33 @@ fn chain(count: usize, thing: fn(usize) -> &'static str, operation: fn(usize) ->
     text + &format!("2 -402 1\n2 -1 20 30 40\n3 -501 0 0 40  0 0 -1  0 1 0  40\n1 9999 {root} 0\n")
 }
 
+fn sphere(id: usize, [x, y, z]: [f64; 3], size: f64) -> String {
+    format!("{id} 11 {x} {y} {z} {size}\n")
+}
+
+fn torus(id: usize, [x, y, z]: [f64; 3], size: f64) -> String {
+    format!("{id} 14 {size} {}\n{id} -1 {x} {y} {z}\n", 0.3 * size)
+}
+
+/// Of the object 7.
+fn instance(id: usize, [x, y, z]: [f64; 3], size: f64) -> String {
+    format!("{id} -105 7\n{id} -3 {size} {size} {size}\n{id} -1 {x} {y} {z}\n")
+}
+
 const UNION: i32 = -101;
 const DIFFERENCE: i32 = -103;
 
 type Kind = (&'static str, fn(usize) -> String);
 
 const KINDS: [Kind; 4] = [
-    ("spheres", |n| chain(n, |_| "9 1", |_| UNION)),
-    ("tori", |n| chain(n, |_| "14 1 0.3", |_| UNION)),
+    ("spheres", |n| chain(n, sphere, |_| UNION)),
+    ("tori", |n| chain(n, torus, |_| UNION)),
     ("instances", |n| {
-        "5 9 1\n6 12 -1 -1 -1 1 1 1\n7 -101 5 6\n".to_owned() + &chain(n, |_| "-105 7", |_| UNION)
+        "5 9 1\n6 12 -1 -1 -1 1 1 1\n7 -101 5 6\n".to_owned() + &chain(n, instance, |_| UNION)
     }),
     ("chained operations", |n| {
-        chain(
-            n,
-            |_| "9 1",
-            |i| if i % 2 == 0 { UNION } else { DIFFERENCE },
-        )
+        let operation = |i: usize| if i % 2 == 0 { UNION } else { DIFFERENCE };
+        chain(n, sphere, operation)
     }),
 ];
 
@@ -174,7 +182,7 @@ pub fn around(scenes: &[Scene], folder: &Path, bars: &mut Bars) {
     };
     let handout = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/scenes/handout/1-half-hollow-sphere.zpg"
+        "/scenes/handout/4-checkerboard-and-spheres.zpg"
     );
     let path = folder.join("handout.zpg");
     std::fs::copy(handout, &path).expect("the scene is there");
@@ -184,12 +192,7 @@ pub fn around(scenes: &[Scene], folder: &Path, bars: &mut Bars) {
         stats(&path, [320, 240], 2);
         least = least.min(start.elapsed().as_secs_f64() * 1e3);
     }
-    add(
-        "render of the handout's scene at 320×240",
-        least,
-        "ms",
-        40.0,
-    );
+    add("the handout's last scene at 320×240", least, "ms", 40.0);
 
     let spheres = scenes.iter().find(|s| s.name == "ten thousand spheres");
     if let Some(spheres) = spheres {
