@@ -91,7 +91,10 @@ const KINDS: [Kind; 4] = [
         "5 9 1\n6 12 -1 -1 -1 1 1 1\n7 -101 5 6\n".to_owned() + &chain(n, instance, |_| UNION)
     }),
     ("chained operations", |n| {
-        let operation = |i: usize| if i % 2 == 0 { UNION } else { DIFFERENCE };
+        let operation = |i: usize| match i.is_multiple_of(2) {
+            true => UNION,
+            false => DIFFERENCE,
+        };
         chain(n, sphere, operation)
     }),
 ];
