@@ -14,8 +14,12 @@ use crate::trace::{Settings, Tracer};
 const SIZE: [u32; 2] = [96, 72];
 /// Every so many of its pixels are looked at first: mostly one of them is lit.
 const SCATTERED: usize = 131;
-/// Larger scenes take longer than a few milliseconds.
+/// Larger scenes take longer than a few milliseconds to be made ready.
 const MAX_NODES: usize = 1000;
+/// Tests of shapes in a picture, each as dear as 80 of boxes: nothing is said of what takes longer to look at.
+const MAX_TESTS: u64 = 60_000;
+/// What is lit by more mirrors and panes than this is as good as black.
+const DEPTH: u32 = 4;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -76,12 +80,17 @@ fn glance(scene: &Scene, camera: &Camera) -> Option<Seen> {
     let settings = Settings {
         width: SIZE[0],
         height: SIZE[1],
+        depth: DEPTH,
         ..Settings::default()
     };
     let looked = tracer.pixels(camera, &settings, |pixels| {
         let mut seen = None;
         let all = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
         for (x, y) in all.clone().step_by(SCATTERED).chain(all) {
+            let tests = pixels.counts().intersections;
+            if tests.boxes / 80 + tests.shape > MAX_TESTS {
+                return None;
+            }
             if pixels.seen(x, y).is_none() {
                 continue;
             }
