@@ -638,3 +638,21 @@ fn wrong_usage_is_refused() {
         );
     }
 }
+
+/// `benches/planted` replaces lines of the tracer: each must be there once.
+#[test]
+fn the_defects_of_the_campaign_can_be_planted() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let campaign = fs::read_to_string(root.join("benches/planted")).unwrap();
+    let mut planted = 0;
+    for defect in campaign.split("\nplant ").skip(1) {
+        let (head, rest) = defect.split_once('\n').unwrap();
+        let file = head.split_whitespace().nth(1).unwrap();
+        let line = rest.lines().next().unwrap().trim();
+        let old = line.strip_prefix('\'').and_then(|l| l.strip_suffix("' \\"));
+        let source = fs::read_to_string(root.join(file)).unwrap();
+        assert_eq!(source.matches(old.unwrap()).count(), 1, "{head}");
+        planted += 1;
+    }
+    assert_eq!(planted, 3);
+}
