@@ -33,7 +33,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         .map(|e| e.span);
     let Some(lamp) = lamp else { return };
     for (camera, p) in chosen_cameras(context) {
-        if glance(scene, camera) != Some(Seen { lit: false }) {
+        if is_lit(scene, camera) != Some(false) {
             continue;
         }
         // It is no lamp's fault where all is black by itself.
@@ -43,7 +43,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             intensity: 1.0,
             colour: [1.0; 3],
         });
-        if glance(&bright, camera) != Some(Seen { lit: true }) {
+        if is_lit(&bright, camera) != Some(true) {
             continue;
         }
         if is_shut_in(context) {
@@ -67,15 +67,9 @@ fn is_shut_in(context: &Context) -> bool {
     !cameras.is_empty() || lights.len() == context.scene.point_lights.len()
 }
 
-/// What a small picture shows besides the background.
-#[derive(Debug, PartialEq)]
-struct Seen {
-    /// Whether light comes from any of it.
-    lit: bool,
-}
-
-/// `None` where there is nothing to be seen, or no picture.
-fn glance(scene: &Scene, camera: &Camera) -> Option<Seen> {
+/// Whether light comes from anything in a small picture. `None` where nothing is to be seen, or the picture cannot be
+/// taken or takes too long.
+fn is_lit(scene: &Scene, camera: &Camera) -> Option<bool> {
     let tracer = Tracer::new(scene).ok()?;
     let settings = Settings {
         width: SIZE[0],
@@ -84,7 +78,7 @@ fn glance(scene: &Scene, camera: &Camera) -> Option<Seen> {
         ..Settings::default()
     };
     let looked = tracer.pixels(camera, &settings, |pixels| {
-        let mut seen = None;
+        let mut lit = None;
         let all = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
         for (x, y) in all.clone().step_by(SCATTERED).chain(all) {
             let tests = pixels.counts().intersections;
@@ -94,13 +88,12 @@ fn glance(scene: &Scene, camera: &Camera) -> Option<Seen> {
             if pixels.seen(x, y).is_none() {
                 continue;
             }
-            let lit = pixels.sum(x, y, 0..1, 1) != [0.0; 3];
-            seen = Some(Seen { lit });
-            if lit {
+            lit = Some(pixels.sum(x, y, 0..1, 1) != [0.0; 3]);
+            if lit == Some(true) {
                 break;
             }
         }
-        seen
+        lit
     });
     looked.ok()?
 }
