@@ -115,8 +115,9 @@ pub trait Intersect<R: Traced = f64> {
     /// Appends all crossings to the cleared `roots`.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>);
 
-    /// The same for who wants the first crossing that is not near the start of a ray, and all before it: not up to t =
-    /// `near`, nor by less than a hundredth of the numbers behind a crossing. Of those after it there may be none.
+    /// The same for a search that needs only the first crossing clearly after the start of a ray, and all crossings
+    /// before it. A crossing is clearly after the start if its t exceeds `near` by a hundredth of (|o| + extent) / |d|,
+    /// with the largest components of the line's origin and direction. Crossings after that one may be left out.
     fn first_crossings(&self, line: &Line<R>, _near: R, roots: &mut Roots<R>) {
         self.crossings(line, roots);
     }

@@ -1,12 +1,14 @@
-//! A cheap test of which pieces of a profile a line surely misses, four pieces side by side.
+//! A cheap test that tells which pieces of a profile a line surely misses. Four pieces are tested at once.
 //!
-//! As in [`path`](super::path) the line is s, y and δ in its own plane, and along²(ρ² − r²) is negative where it is
-//! within a ring. Between the two ends of a piece that is a quadratic, of which the coefficients of Bernstein's
-//! polynomials are along·s₁·along·s₂ + along²(δ² − r₁r₂) and the same with one end twice. If all three are positive the
-//! line passes outside. If it is within both rings it is within the frustum between them.
+//! [`path`](super::path) explains s, y, δ and along. At the height of a ring of radius r the line is inside of the ring
+//! where along²(ρ² − r²) is negative. Over a piece with the ends 1 and 2 this is a quadratic in the height. Its
+//! coefficients in Bernstein's basis are (along·s₁)(along·s₂) + along²(δ² − r₁r₂), and the same with end 1 twice and
+//! with end 2 twice. If all three are positive the line passes outside of the piece. If the line is inside of both
+//! rings it is inside of the frustum between them.
 //!
-//! It computes in doubles, in units of the solid's size, and knows a line as [`near`](super::super::near) does: what
-//! is closer than the margin is left to the path.
+//! The test computes in doubles, in units of the solid's size, from a line that
+//! [`Ball::meets`](super::super::near::Ball::meets) knows well enough. A piece that is closer than a margin counts as
+//! met, and the path decides.
 
 use super::layers::Piece;
 use super::tree::{self, Run};
@@ -41,17 +43,17 @@ impl Units {
     }
 }
 
-/// The pieces of a profile as lines see them that pass beside.
+/// The pieces of a profile, laid out for the test.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Beside {
     /// Of the ball around the solid.
     centre: f64,
     size: f64,
-    /// Those of each leaf of the tree, one leaf after the other.
+    /// The pieces of each leaf of the tree, four to a block, leaf after leaf.
     blocks: Vec<Block>,
-    /// Where those of a run begin that is a leaf; for each run.
+    /// For each run of the tree, the first block at or after it.
     first: Vec<u32>,
-    /// The box of each run.
+    /// For each run, its least and greatest radius, and its lowest and highest height.
     boxes: Vec<[f64; 4]>,
 }
 
@@ -125,8 +127,9 @@ impl Beside {
         }
     }
 
-    /// What is to be known of a line; `None` where it cannot be. Of one that goes on from its origin, `ahead`, only
-    /// those pieces matter that are not below where it climbs, or above where it falls.
+    /// A line in units of the solid's size; `None` where the line misses the ball around the solid or is not known well
+    /// enough. With `ahead` only what lies ahead of the line's origin matters: the heights from there on, upwards or
+    /// downwards as the line goes.
     pub fn passing(&self, line: &Line, ahead: bool) -> Option<Passing> {
         let all = [f64::NEG_INFINITY, f64::INFINITY];
         let centre = Vec3::new(0.0, self.centre, 0.0);
