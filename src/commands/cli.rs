@@ -1,6 +1,6 @@
 //! All commands together.
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use super::{
     LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, help, lsp,
@@ -55,13 +55,15 @@ pub enum Command {
 /// Reads the arguments of the program, in the language that they or the environment ask for, and does
 /// what they say.
 pub fn run() -> Status {
-    let look = LookChoice::among(std::env::args_os());
-    let mut command = help::in_language(Cli::command(), look.language());
-    let matches = command.try_get_matches_from_mut(std::env::args_os());
-    let read = matches.and_then(|matches| Cli::from_arg_matches(&matches));
-    let cli = match read {
+    let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) => return usage::refuse(&error, look),
+        Err(error) => {
+            // The same answer once more, with the help in the language.
+            let look = LookChoice::among(std::env::args_os());
+            let mut command = help::in_language(Cli::command(), look.language());
+            let again = command.try_get_matches_from_mut(std::env::args_os());
+            return usage::refuse(&again.err().unwrap_or(error), look);
+        }
     };
     match &cli.command {
         Command::Check(args) => check::run(args, cli.look),
