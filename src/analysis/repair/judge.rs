@@ -21,14 +21,17 @@ pub fn errors(analysis: &Analysis) -> usize {
     analysis.read.iter().filter(|d| d.is_error()).count()
 }
 
-/// Runs the rules.
+/// The rules do not run on scenes in which more shapes occur than this, copies counted: with copies of copies they
+/// take a tenth of a second, and many texts are tried.
+const LARGE: u64 = 20_000;
+
+/// Runs the rules; in a scene that is [`LARGE`] only errors count.
 pub fn left(analysis: &Analysis) -> Left {
-    let mut left = Left {
-        errors: 0,
-        in_vain: 0,
-        warnings: 0,
-        notes: 0,
-    };
+    let mut left = Left::default();
+    if occurrences(&analysis.scene) > LARGE {
+        left.errors = errors(analysis);
+        return left;
+    }
     for d in analysis.findings() {
         match (d.severity, d.code) {
             (Severity::Error, _) => left.errors += 1,
@@ -44,6 +47,17 @@ pub fn left(analysis: &Analysis) -> Left {
     left.in_vain += useless(&analysis.scene, &bounds);
     left.in_vain += usize::from(is_unseen(&analysis.scene, &bounds));
     left
+}
+
+/// How often shapes occur in what is made of most of them.
+fn occurrences(scene: &Scene) -> u64 {
+    let mut counts: Vec<u64> = Vec::with_capacity(scene.nodes.len());
+    for node in &scene.nodes {
+        let below = node.children().into_iter().flatten();
+        let sum = below.fold(0u64, |sum, n| sum.saturating_add(counts[n as usize]));
+        counts.push(sum.max(1));
+    }
+    counts.into_iter().max().unwrap_or(0)
 }
 
 /// How many operations are what one of their operands is: a part of a union within the other, a solid
@@ -85,4 +99,31 @@ fn is_unseen(scene: &Scene, bounds: &[NodeBounds]) -> bool {
     };
     let nothing = bounds[render.root as usize].all.is_empty();
     nothing || out_of_view(scene, bounds, render.root, camera).is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fmt::Write;
+
+    /// A ball that is joined with itself so many times, and a ball that nothing needs.
+    fn doubled(times: u32) -> Analysis {
+        let mut text = String::from("2 11 0 0 0 1\n90 11 0 0 0 1\n");
+        for id in 3..3 + times {
+            let below = id - 1;
+            writeln!(text, "{id} -101 {below} {below}").expect("a text takes all");
+        }
+        writeln!(text, "1 9999 {} 0", 2 + times).expect("a text takes all");
+        Analysis::new("scene.zpg", text.into_bytes())
+    }
+
+    #[test]
+    fn copies_of_copies_are_counted_and_no_rule_runs_on_too_many() {
+        let [few, many] = [3, 60].map(doubled);
+        assert_eq!(occurrences(&few.scene), 8);
+        assert_eq!(occurrences(&many.scene), 1 << 60);
+        assert!(left(&few).in_vain > 0);
+        assert_eq!(left(&many), Left::default());
+        assert!(many.known_findings().is_none());
+    }
 }
