@@ -6,6 +6,7 @@ pub mod model;
 mod session;
 
 use std::io::{Read, Write};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -598,7 +599,12 @@ fn commands_make_what_they_say() {
         assert!(start.elapsed() < Duration::from_secs(20), "a draft is left");
         std::thread::sleep(Duration::from_millis(20));
     }
+    // So are the pages, when the server ends.
+    let page = page["uri"].as_str().unwrap().strip_prefix("file://");
+    let page = Path::new(page.unwrap());
+    assert!(page.is_file());
     assert_eq!(s.end(), Some(0));
+    assert!(!page.parent().unwrap().exists());
 }
 
 /// Starts the server, sends it some bytes, and gives what it says and its exit status.

@@ -72,6 +72,7 @@ pub enum Ending {
 pub fn run(language: Language) -> io::Result<Ending> {
     let (connection, writer) = stdio::connect();
     let ending = serve(&connection, language);
+    programs::remove_pages();
     drop(connection);
     // The last answers are written; what takes long yet, nobody reads any more.
     let end = Instant::now() + LAST_WORDS;

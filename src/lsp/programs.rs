@@ -118,9 +118,20 @@ fn explain(ask: &Ask, topic: &str) -> Result<Value, Refusal> {
     Ok(json!({ "text": page.1, "uri": uri_of(&path) }))
 }
 
+/// Where the texts are that a client is shown.
+fn pages_folder() -> PathBuf {
+    std::env::temp_dir().join(format!("zpg-{}", std::process::id()))
+}
+
+/// Removes these texts, when the server ends.
+pub fn remove_pages() {
+    // There is none where no text was shown.
+    let _ = std::fs::remove_dir_all(pages_folder());
+}
+
 /// Writes a text for the client to show.
 fn write_page(name: &str, extension: &str, text: &str) -> Result<PathBuf, Complaint> {
-    let folder = std::env::temp_dir().join(format!("zpg-{}", std::process::id()));
+    let folder = pages_folder();
     let path = folder.join(name).with_extension(extension);
     let written = std::fs::create_dir_all(&folder).and_then(|()| std::fs::write(&path, text));
     written.map(|()| path.clone()).map_err(|e| {
