@@ -1,6 +1,7 @@
 //! Whether this machine has the instructions that the program was built with.
 
 /// What is said where it has not, in both languages: nothing is known of the user yet.
+#[cfg(all(target_arch = "x86_64", target_feature = "fma"))]
 const TOO_OLD: &str = "error: this zpg was built for processors with AVX2 and FMA, and this one has not got them; \
     build it with RUSTFLAGS=\"-C target-cpu=x86-64\" cargo install --path .\n\
     chyba: toto zpg je sestaveno pro procesory s AVX2 a FMA a tento je nemá; \
