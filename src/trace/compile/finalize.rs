@@ -8,7 +8,7 @@ use crate::geometry::wide_bvh::{Frame, Tree};
 use crate::solids::shapes::facts::Facts;
 use crate::trace::graph::outermost;
 use crate::trace::graph::{Coat, Graph, Group, Holds, Object, Operation, Part, Target};
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 
 /// What became of a draft.
 enum Finished {
@@ -234,7 +234,7 @@ impl Compiler<'_> {
             mut cuts,
             ..
         } = draft;
-        let mut seen = HashSet::with_capacity(first.len());
+        let mut seen = FxHashSet::with_capacity_and_hasher(first.len(), Default::default());
         first.retain(|p| seen.insert(p.unnamed()));
         if kind == Kind::Union {
             if may_vanish {
@@ -268,7 +268,7 @@ impl Compiler<'_> {
         if may_vanish && (bounds.is_empty() || erased) {
             return Err(Finished::Empty);
         }
-        let mut seen = HashSet::with_capacity(cuts.len());
+        let mut seen = FxHashSet::with_capacity_and_hasher(cuts.len(), Default::default());
         cuts.retain(|cut| {
             seen.insert(cut.unnamed()) && !self.bounds(cut).intersection(&bounds).is_empty()
         });

@@ -6,18 +6,18 @@ use crate::geometry::dd::Dd;
 use crate::scene::{Optics, Rgb};
 use crate::trace::graph::{Coat, Graph};
 use crate::trace::shapes::Primitive;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// Fills the tables of a [`Graph`], each value once. Values are equal if they compare equal, so
 /// that 0 and −0 are one number here.
 #[derive(Default)]
 pub struct Interner {
-    primitives: HashMap<u64, u32>,
-    matrices: HashMap<[u64; 12], u32>,
-    paints: HashMap<Coat, u32>,
-    optics: HashMap<[u64; 9], u32>,
-    indices: HashMap<[u64; 3], u32>,
+    primitives: FxHashMap<u64, u32>,
+    matrices: FxHashMap<[u64; 12], u32>,
+    paints: FxHashMap<Coat, u32>,
+    optics: FxHashMap<[u64; 9], u32>,
+    indices: FxHashMap<[u64; 3], u32>,
 }
 
 /// The bits of a number, the same for both zeros.

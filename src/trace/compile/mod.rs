@@ -24,7 +24,7 @@ use crate::trace::image::Images;
 use crate::trace::plan::unseen::LeftOut;
 use crate::trace::shapes::Primitive;
 use intern::Interner;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// Builds the graph of what is reachable from `root`, past what is left out.
 pub fn compile(
@@ -41,8 +41,8 @@ pub fn compile(
         uses: count_uses(scene, root),
         interner: Interner::new(&mut graph),
         graph,
-        shared: HashMap::new(),
-        textures: HashMap::new(),
+        shared: FxHashMap::default(),
+        textures: FxHashMap::default(),
         pending: Vec::new(),
         drafts: Vec::new(),
     };
@@ -131,9 +131,9 @@ pub(in crate::trace) struct Compiler<'a> {
     pub graph: Graph,
     pub interner: Interner,
     /// Objects of shared nodes, by node and complement.
-    shared: HashMap<(NodeId, bool), u32>,
+    shared: FxHashMap<(NodeId, bool), u32>,
     /// Paint records whose texture is in the graph.
-    textures: HashMap<u32, u32>,
+    textures: FxHashMap<u32, u32>,
     /// Objects to be drafted.
     pending: Vec<(u32, Place)>,
     pub drafts: Vec<Draft>,

@@ -6,7 +6,7 @@ use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::scene::{Node, NodeId, Scene, Shape, View};
 use crate::trace::shapes::{Primitive, Roots};
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// Whether the scene is one convex shape and no camera is in it.
 pub fn lone_convex(scene: &Scene, root: NodeId, left_out: &LeftOut) -> bool {
@@ -49,7 +49,7 @@ fn lone<'s>(scene: &'s Scene, root: NodeId, left_out: &LeftOut) -> Option<(&'s S
     }
     let mut found: Option<(&Shape, Matrix)> = None;
     // Where shared nodes have been met, so that each is met once.
-    let mut seen: HashMap<NodeId, Matrix> = HashMap::new();
+    let mut seen: FxHashMap<NodeId, Matrix> = FxHashMap::default();
     let mut stack = vec![(root, Matrix::IDENTITY)];
     while let Some((node, matrix)) = stack.pop() {
         match seen.insert(node, matrix) {

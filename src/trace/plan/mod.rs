@@ -13,7 +13,8 @@ pub mod unseen;
 use crate::diagnostics::Span;
 use crate::scene::{Node, NodeId, Rgb, Scene, View};
 use reach::Reach;
-use std::collections::{BTreeMap, HashMap};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
 use unseen::{Found, LeftOut, Unseen};
 
 /// So many of the entities that turn an effect on are named.
@@ -179,7 +180,7 @@ impl Plan {
 
         let headlight = Sources::of(dark.then_some(1));
         let mut out = Decisions {
-            spans: HashMap::new(),
+            spans: FxHashMap::default(),
             list: Vec::with_capacity(17),
         };
         use Effect::*;
@@ -325,8 +326,8 @@ impl Plan {
 
     /// Lists the objects that are not reached, and finds out which entities made the operations
     /// that reasons name.
-    fn owners(&mut self, scene: &Scene, reach: &Reach) -> HashMap<NodeId, u32> {
-        let mut owners = HashMap::new();
+    fn owners(&mut self, scene: &Scene, reach: &Reach) -> FxHashMap<NodeId, u32> {
+        let mut owners = FxHashMap::default();
         for entity in &scene.entities {
             let Some(node) = entity.node else { continue };
             let base = base(scene, entity.id, node);
@@ -355,7 +356,7 @@ fn base(scene: &Scene, id: u32, mut node: NodeId) -> NodeId {
 }
 
 struct Decisions {
-    spans: HashMap<u32, Span>,
+    spans: FxHashMap<u32, Span>,
     list: Vec<Decision>,
 }
 
