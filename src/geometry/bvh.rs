@@ -47,7 +47,7 @@ impl Bvh {
                 let node: &mut Node = &mut nodes[parent as usize];
                 node.index = here;
             }
-            let bounds = slice.iter().fold(Aabb::EMPTY, |b, x| b.hull(&x.1));
+            let bounds = slice.iter().fold(Aabb::EMPTY, |b, x| grown(b, &x.1));
             let here = nodes.len() as u32;
             let middle = (slice.len() > leaf).then(|| split(slice)).flatten();
             nodes.push(Node {
@@ -108,18 +108,35 @@ impl Bvh {
     }
 }
 
+/// As [`Aabb::hull`], of boxes that are not empty: EMPTY grows, too.
+#[inline]
+fn grown(b: Aabb, other: &Aabb) -> Aabb {
+    let less = |a: f64, b: f64| if a < b { a } else { b };
+    let more = |a: f64, b: f64| if a > b { a } else { b };
+    Aabb {
+        min: std::array::from_fn(|i| less(other.min[i], b.min[i])),
+        max: std::array::from_fn(|i| more(other.max[i], b.max[i])),
+    }
+}
+
 /// Parts the boxes in two and says where the second half begins; `None` where all centres agree.
 fn split(boxes: &mut [(u32, Aabb)]) -> Option<usize> {
     let mut centres = Aabb::EMPTY;
     for (_, b) in boxes.iter() {
         let c = b.centre();
-        centres = centres.hull(&Aabb::new(c, c));
+        centres = grown(centres, &Aabb::new(c, c));
     }
     let extent = centres.extent();
     let axis = (0..3).fold(0, |a, i| if extent[i] > extent[a] { i } else { a });
     let scale = BINS as f64 / extent[axis];
     if extent[axis] <= 0.0 || !scale.is_finite() {
         return None;
+    }
+    if let [a, b] = boxes {
+        if b.1.centre()[axis] < a.1.centre()[axis] {
+            boxes.swap(0, 1);
+        }
+        return Some(1);
     }
     let low = centres.min[axis];
     let bin = |b: &Aabb| (((b.centre()[axis] - low) * scale) as usize).min(BINS - 1);
@@ -128,14 +145,14 @@ fn split(boxes: &mut [(u32, Aabb)]) -> Option<usize> {
     for (_, b) in boxes.iter() {
         let slot = &mut bins[bin(b)];
         slot.0 += 1;
-        slot.1 = slot.1.hull(b);
+        slot.1 = grown(slot.1, b);
     }
     // What lies left of each cut, and what lies right of it: swept from either end.
     let sweep = |bins: &mut dyn Iterator<Item = &(usize, Aabb)>| {
         let mut all = (0, Aabb::EMPTY);
         let mut costs = [(0, 0.0); BINS];
         for (slot, bin) in costs.iter_mut().zip(bins) {
-            all = (all.0 + bin.0, all.1.hull(&bin.1));
+            all = (all.0 + bin.0, grown(all.1, &bin.1));
             *slot = (all.0, all.0 as f64 * all.1.half_area());
         }
         costs
