@@ -14,26 +14,49 @@ use wide::{f32x4, f32x8};
 /// Children of a node at most.
 pub const WIDTH: usize = 8;
 
-/// A child.
+/// A node or an item, in as many bits as its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Child {
+pub struct Child(u32);
+
+/// What a child is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Is {
     /// The number of a node.
     Node(u32),
     /// The number that the item was given.
     Item(u32),
 }
 
+/// Marks the number of an item.
+const ITEM: u32 = 1 << 31;
+
+impl Child {
+    /// The first node of a tree.
+    pub const ROOT: Child = Child(0);
+    /// There is no child.
+    const NONE: Child = Child(u32::MAX);
+
+    /// An item whose number is below 2³¹ − 1.
+    #[inline]
+    pub fn item(number: u32) -> Child {
+        Child(ITEM | number)
+    }
+
+    #[inline]
+    pub fn is(self) -> Is {
+        match self.0 & ITEM {
+            0 => Is::Node(self.0),
+            _ => Is::Item(self.0 & !ITEM),
+        }
+    }
+}
+
 /// Some children and their boxes: the lower sides of all along each axis, and the upper ones.
 #[derive(Debug, Clone)]
 pub struct Node {
     sides: [[f32x8; 3]; 2],
-    children: [u32; WIDTH],
+    pub children: [Child; WIDTH],
 }
-
-/// Marks the number of an item.
-const ITEM: u32 = 1 << 31;
-/// There is no child.
-const NONE: u32 = u32::MAX;
 
 impl Node {
     /// Boxes that no ray meets.
@@ -42,25 +65,16 @@ impl Node {
             [f32x8::new([f32::MAX; WIDTH]); 3],
             [f32x8::new([f32::MIN; WIDTH]); 3],
         ],
-        children: [NONE; WIDTH],
+        children: [Child::NONE; WIDTH],
     };
 
-    fn put(&mut self, slot: usize, bounds: &Aabb, child: u32) {
+    fn put(&mut self, slot: usize, bounds: &Aabb, child: Child) {
         let [lower, upper] = &mut self.sides;
         for i in 0..3 {
             lower[i].as_mut_array()[slot] = below(bounds.min[i]);
             upper[i].as_mut_array()[slot] = above(bounds.max[i]);
         }
         self.children[slot] = child;
-    }
-
-    #[inline]
-    pub fn child(&self, slot: usize) -> Child {
-        let child = self.children[slot];
-        match child & ITEM {
-            0 => Child::Node(child),
-            _ => Child::Item(child & !ITEM),
-        }
     }
 }
 
@@ -203,13 +217,13 @@ impl Tree {
             for (slot, piece) in children(&bvh, whole).into_iter().enumerate() {
                 let child = match piece {
                     Piece::Items { start, end, .. } if end - start == 1 => {
-                        ITEM | bvh.items[start as usize]
+                        Child::item(bvh.items[start as usize])
                     }
                     _ => {
                         let below = nodes.len();
                         nodes.push(Node::EMPTY);
                         pending.push((below, piece));
-                        below as u32
+                        Child(below as u32)
                     }
                 };
                 nodes[here].put(slot, piece.bounds(&bvh), child);
@@ -222,9 +236,11 @@ impl Tree {
     /// All items, in the order of the tree.
     pub fn items(&self) -> impl Iterator<Item = u32> + '_ {
         let children = self.nodes.iter().flat_map(|node| node.children);
-        children
-            .filter(|&c| c != NONE && c & ITEM != 0)
-            .map(|c| c & !ITEM)
+        let there = children.filter(|&child| child != Child::NONE);
+        there.filter_map(|child| match child.is() {
+            Is::Item(item) => Some(item),
+            Is::Node(_) => None,
+        })
     }
 }
 
@@ -347,9 +363,39 @@ impl Beam {
         (near.simd_le(far).to_bitmask(), near.to_array())
     }
 
+    /// The child that the line comes into first, with the bound that [`meets`](Self::meets) gives; the others that it
+    /// meets go to `others`, in no order. Of children that are as near the last one is first.
+    #[inline(always)]
+    pub fn first(
+        &self,
+        node: &Node,
+        [from, to]: [f32; 2],
+        mut others: impl FnMut(f32, Child),
+    ) -> Option<(f32, Child)> {
+        let (mut met, near) = self.meets(node, from, to);
+        let mut first = None;
+        while met != 0 {
+            let slot = met.trailing_zeros() as usize % WIDTH;
+            met &= met - 1;
+            let here = (near[slot], node.children[slot]);
+            first = match first {
+                Some(first) if here.0 > first.0 => {
+                    others(here.0, here.1);
+                    Some(first)
+                }
+                Some((near, child)) => {
+                    others(near, child);
+                    Some(here)
+                }
+                None => Some(here),
+            };
+        }
+        first
+    }
+
     #[cold]
     fn all(&self, node: &Node, from: f32) -> (u32, [f32; WIDTH]) {
-        let is_there = |k: usize| u32::from(node.children[k] != NONE) << k;
+        let is_there = |k: usize| u32::from(node.children[k] != Child::NONE) << k;
         ((0..WIDTH).map(is_there).sum(), [from; WIDTH])
     }
 }

@@ -28,9 +28,9 @@ fn met(tree: &Tree, beam: &Beam, [from, to]: [f64; 2]) -> Vec<(u32, f64)> {
         let node = &tree.nodes[node as usize];
         let (met, near) = beam.meets(node, beam.pace(from), beam.pace(to));
         for slot in (0..WIDTH).filter(|slot| met >> slot & 1 != 0) {
-            match node.child(slot) {
-                Child::Node(node) => pending.push(node),
-                Child::Item(item) => out.push((item, beam.unpace(near[slot]))),
+            match node.children[slot].is() {
+                Is::Node(node) => pending.push(node),
+                Is::Item(item) => out.push((item, beam.unpace(near[slot]))),
             }
         }
     }

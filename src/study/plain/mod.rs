@@ -12,14 +12,13 @@ use super::naive::trail::{Event, Leaf, List, Look, Media, Operation, Trail};
 use crate::diagnostics::{Complaint, Error};
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
-use crate::geometry::wide_bvh::{Beam, Child, Frame, Tree, WIDTH};
+use crate::geometry::wide_bvh::{Beam, Child, Frame, Is, Tree, WIDTH};
 use crate::scene::{Camera, Rgb, Scene};
 use crate::trace::graph::{self, Graph, Group, Target, outermost};
 use crate::trace::pixels::{Pixels, Seen};
 use crate::trace::sampling::sample;
 use crate::trace::stats::{Counts, Rays};
 use crate::trace::{Settings, Tracer};
-use std::cmp::Ordering;
 use std::ops::Range;
 
 /// Objects nested deeper are not for a kernel that calls itself.
@@ -44,11 +43,8 @@ struct Context {
     look: Look,
 }
 
-#[derive(Clone, Copy)]
-enum Item {
-    Node(u32),
-    Part(u32),
-}
+/// The least t at which a child of a context's tree may be met.
+type Entry<T> = (T, u32, Child);
 
 struct Walker<'a, T> {
     graph: &'a Graph,
@@ -60,7 +56,7 @@ struct Walker<'a, T> {
     glass: bool,
     trail: Trail<T>,
     contexts: Vec<Context>,
-    stack: Vec<(T, u32, Item)>,
+    stack: Vec<Entry<T>>,
     roots: Roots<T>,
     tests: u64,
     boxes: u64,
@@ -334,16 +330,17 @@ impl<'a, T: Number> Walker<'a, T> {
         };
         self.stack.clear();
         self.open(0, from);
-        while let Some((near, context, item)) = self.stack.pop() {
+        let mut next = None;
+        while let Some((near, context, child)) = next.take().or_else(|| self.stack.pop()) {
             if best.any && best.event.is_some() {
                 break;
             }
             if near > best.t {
                 continue;
             }
-            match item {
-                Item::Node(node) => self.visit(context, node, from, &best),
-                Item::Part(part) => self.meet(context, part, from, &mut best),
+            match child.is() {
+                Is::Node(node) => next = self.visit(context, node, from, &best),
+                Is::Item(part) => self.meet(context, part, from, &mut best),
             }
         }
         best.event
@@ -362,32 +359,33 @@ impl<'a, T: Number> Walker<'a, T> {
             return;
         };
         if !group.tree.nodes.is_empty() {
-            self.stack.push((from, context, Item::Node(0)));
+            self.stack.push((from, context, Child::ROOT));
         }
-        let loose = |&part| (from, context, Item::Part(part));
+        let loose = |&part| (from, context, Child::item(part));
         self.stack.extend(group.loose.iter().map(loose));
     }
 
-    /// Puts the children of a node that the ray may meet on the stack, the nearest on top.
-    fn visit(&mut self, context: u32, node: u32, from: T, best: &Best<T>) {
-        let Some(group) = self.group(context) else {
-            return;
-        };
-        let base = self.stack.len();
-        let beam = self.contexts[context as usize].beam;
+    /// The nearest child of a node that the ray may meet; the others are put on the stack, the farthest first.
+    fn visit(&mut self, context: u32, node: u32, from: T, best: &Best<T>) -> Option<Entry<T>> {
+        let group = self.group(context)?;
+        let beam = &self.contexts[context as usize].beam;
         let node = &group.tree.nodes[node as usize];
         self.boxes += WIDTH as u64;
-        let (from, to) = (beam.pace(from.wide()), beam.pace(best.t.wide()));
-        let (met, near) = beam.meets(node, from, to);
-        for slot in (0..WIDTH).filter(|slot| met >> slot & 1 != 0) {
-            let item = match node.child(slot) {
-                Child::Node(node) => Item::Node(node),
-                Child::Item(part) => Item::Part(part),
-            };
-            (self.stack).push((T::of(beam.unpace(near[slot])), context, item));
-        }
-        let further = |a: &(T, u32, Item), b: &(T, u32, Item)| b.0.partial_cmp(&a.0);
-        self.stack[base..].sort_by(|a, b| further(a, b).unwrap_or(Ordering::Equal));
+        let ends = [from, best.t].map(|t| beam.pace(t.wide()));
+        let entry = |near, child| (T::of(beam.unpace(near)), context, child);
+        let stack = &mut self.stack;
+        let base = stack.len();
+        let first = beam.first(node, ends, |near, child| {
+            let entry = entry(near, child);
+            let mut at = stack.len();
+            stack.push(entry);
+            while at > base && stack[at - 1].0 < entry.0 {
+                stack[at] = stack[at - 1];
+                at -= 1;
+            }
+            stack[at] = entry;
+        });
+        first.map(|(near, child)| entry(near, child))
     }
 
     fn meet(&mut self, context: u32, part: u32, from: T, best: &mut Best<T>) {
@@ -499,9 +497,9 @@ impl<'a, T: Number> Walker<'a, T> {
             self.boxes += WIDTH as u64;
             let (met, _) = beam.meets(node, from, to);
             for slot in (0..WIDTH).filter(|slot| met >> slot & 1 != 0) {
-                match node.child(slot) {
-                    Child::Node(node) => pending.push(node),
-                    Child::Item(part) => parts.push(part),
+                match node.children[slot].is() {
+                    Is::Node(node) => pending.push(node),
+                    Is::Item(part) => parts.push(part),
                 }
             }
         }

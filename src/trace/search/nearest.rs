@@ -3,9 +3,9 @@
 
 use super::context::Leaf;
 use super::events::{Crossing, Place};
-use super::query::{Entry, Item, Search};
+use super::query::{Entry, Search};
 use super::walk::Walker;
-use crate::geometry::wide_bvh::{Child, WIDTH};
+use crate::geometry::wide_bvh::{Child, Is, WIDTH};
 use crate::trace::graph::{Group, Holds, Operation, Target};
 use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
@@ -50,16 +50,17 @@ impl<'g, R: Precision> Walker<'g, R> {
     fn look_everywhere(&mut self, ray: &Ray<R>, from: R, mut best: Best<R>) -> Option<Crossing<R>> {
         self.entries.clear();
         self.open_union(0, from);
-        while let Some(entry) = self.entries.pop() {
+        let mut next = None;
+        while let Some(entry) = next.take().or_else(|| self.entries.pop()) {
             if self.search != Search::First && best.found.is_some() {
                 break;
             }
             if entry.near > best.limit.to_f64() {
                 continue;
             }
-            match entry.item {
-                Item::Node(node) => self.visit(entry, node, from, &best),
-                Item::Part(part) => {
+            match entry.child.is() {
+                Is::Node(node) => next = self.visit(entry.context, node, from, &best),
+                Is::Item(part) => {
                     let leaf = Leaf {
                         part,
                         context: entry.context,
@@ -106,15 +107,15 @@ impl<'g, R: Precision> Walker<'g, R> {
             return;
         };
         let near = from.to_f64();
-        let entry = |item| Entry {
+        let entry = |child| Entry {
             near,
             context,
-            item,
+            child,
         };
         if !group.tree.nodes.is_empty() {
-            self.entries.push(entry(Item::Node(0)));
+            self.entries.push(entry(Child::ROOT));
         }
-        let loose = group.loose.iter().map(|&part| entry(Item::Part(part)));
+        let loose = group.loose.iter().map(|&part| entry(Child::item(part)));
         self.entries.extend(loose);
     }
 
@@ -138,38 +139,31 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// Puts the children of a node that the ray may meet on the stack, the nearest on top.
-    fn visit(&mut self, entry: Entry, node: u32, from: R, best: &Best<R>) {
-        let context = entry.context;
-        let Some(group) = self.searched(context) else {
-            return;
-        };
+    /// The nearest child of a node that the ray may meet; the others are put on the stack, the farthest first.
+    fn visit(&mut self, context: u32, node: u32, from: R, best: &Best<R>) -> Option<Entry> {
+        let group = self.searched(context)?;
         let node = &group.tree.nodes[node as usize];
         self.counts.boxes += WIDTH as u64;
         let beam = &self.contexts[context as usize].beam;
-        let (from, to) = (from.to_f64(), best.limit.to_f64());
-        let (mut met, near) = beam.meets(node, beam.pace(from), beam.pace(to));
-        let base = self.entries.len();
-        while met != 0 {
-            let slot = met.trailing_zeros() as usize;
-            met &= met - 1;
-            let item = match node.child(slot) {
-                Child::Node(node) => Item::Node(node),
-                Child::Item(part) => Item::Part(part),
-            };
-            let entry = Entry {
-                near: beam.unpace(near[slot]),
-                context,
-                item,
-            };
-            let mut at = self.entries.len();
-            self.entries.push(entry);
-            while at > base && self.entries[at - 1].near < entry.near {
-                self.entries[at] = self.entries[at - 1];
+        let ends = [from.to_f64(), best.limit.to_f64()].map(|t| beam.pace(t));
+        let entry = |near, child| Entry {
+            near: beam.unpace(near),
+            context,
+            child,
+        };
+        let entries = &mut self.entries;
+        let base = entries.len();
+        let first = beam.first(node, ends, |near, child| {
+            let entry = entry(near, child);
+            let mut at = entries.len();
+            entries.push(entry);
+            while at > base && entries[at - 1].near < entry.near {
+                entries[at] = entries[at - 1];
                 at -= 1;
             }
-            self.entries[at] = entry;
-        }
+            entries[at] = entry;
+        });
+        first.map(|(near, child)| entry(near, child))
     }
 
     /// A shape is crossed, an object looked into; `false`: there is no room to.

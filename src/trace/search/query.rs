@@ -1,6 +1,7 @@
 //! A question about a ray, what is under way to its answer, and what is known besides.
 
 use crate::geometry::vec::Vec3;
+use crate::geometry::wide_bvh::Child;
 use crate::trace::graph::Holds;
 use crate::trace::precision::Precision;
 use crate::trace::shapes::support::Passage;
@@ -39,15 +40,8 @@ impl Search {
 pub(in crate::trace) struct Entry {
     pub(in crate::trace) near: f64,
     pub(in crate::trace) context: u32,
-    pub(in crate::trace) item: Item,
-}
-
-#[derive(Debug, Clone, Copy)]
-pub(in crate::trace) enum Item {
-    /// A node of the tree of the context's object.
-    Node(u32),
-    /// A part of the context's object.
-    Part(u32),
+    /// A node of the tree of the context's object, or a part of the object.
+    pub(in crate::trace) child: Child,
 }
 
 /// The sizes of the numbers behind a crossing.

@@ -6,7 +6,7 @@ use super::events::Place;
 use super::events::{Crossing, Event, Kind, List, Owner, State, Task};
 use super::merge::{join_intersection, join_union};
 use super::walk::Walker;
-use crate::geometry::wide_bvh::{Child, WIDTH};
+use crate::geometry::wide_bvh::{Is, WIDTH};
 use crate::trace::graph::{Group, Operation, Target};
 use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
@@ -163,9 +163,9 @@ impl<R: Precision> Walker<'_, R> {
             while met != 0 {
                 let slot = met.trailing_zeros() as usize;
                 met &= met - 1;
-                match node.child(slot) {
-                    Child::Node(node) => self.nodes.push(node),
-                    Child::Item(part) => self.spans.tasks.push(task(&part)),
+                match node.children[slot].is() {
+                    Is::Node(node) => self.nodes.push(node),
+                    Is::Item(part) => self.spans.tasks.push(task(&part)),
                 }
             }
         }

@@ -20,9 +20,11 @@ pub struct Walker<'g, R: Precision = f64> {
     pub graph: &'g Graph,
     pub contexts: Vec<Context<R>>,
     pub roots: Roots<R>,
-    /// Of the last shape that was met.
+    /// Of the last shape that was met: the sizes of its numbers, and the ray in its space.
     pub(in crate::trace) scale: Scale<R>,
     pub(in crate::trace) line: Line<R>,
+    /// That shape, if it was met by this ray.
+    met: Option<Leaf>,
     pub(in crate::trace) entries: Vec<Entry>,
     pub(in crate::trace) nodes: Vec<u32>,
     pub(in crate::trace) search: Search,
@@ -80,6 +82,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             roots: Roots::default(),
             scale: Scale::default(),
             line: Line::new(Vec3::ZERO, Vec3::ONE),
+            met: None,
             entries: Vec::new(),
             nodes: Vec::new(),
             search: Search::First,
@@ -98,6 +101,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     pub fn begin(&mut self, ray: &Ray<R>) {
         let beam = Beam::new(&R::coarse(&ray.line), &self.graph.root().frame);
         self.contexts.truncate(1);
+        self.met = None;
         if let Some(root) = self.contexts.first_mut() {
             (root.line, root.beam) = (ray.line, beam);
             return;
@@ -178,6 +182,9 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// The ray in the space of a leaf's shape.
     pub fn line(&self, leaf: Leaf) -> Line<R> {
+        if self.met == Some(leaf) {
+            return self.line;
+        }
         self.placed(
             &self.contexts[leaf.context as usize].line,
             self.part(leaf.part),
@@ -331,7 +338,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             [] => 0,
             _ => {
                 self.scale = self.scale(&line, primitive);
-                self.line = line;
+                (self.line, self.met) = (line, Some(leaf));
                 self.behind(ray, leaf, &line, &roots, from)
             }
         };
