@@ -284,7 +284,7 @@ fn wrong_usage_in_both_languages() {
         (
             &["check", "a.zpg", "--format", "xml"],
             "error: `xml` is not a value of `--format <FORMAT>`: there are human, short, json,",
-            "chyba: `xml` není hodnota pro `--format <TVAR>`: možnosti jsou human, short, json,",
+            "chyba: `xml` není hodnota pro `--format <FORMÁT>`: možnosti jsou human, short, json,",
         ),
         (
             &["check", "a.zpg", "--select", "W399"],

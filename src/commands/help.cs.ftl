@@ -12,7 +12,7 @@ help-word-command = <PŘÍKAZ>
 help-word-default = [výchozí:
 help-word-values = [možnosti:
 help-word-values-below = Možnosti:
-help-word-help-command = Vypíše tuto nápovědu, nebo nápovědu k příkazu
+help-word-help-command = Vypíše tuto nápovědu nebo nápovědu k příkazu
 help-word-help-of-commands = Příkaz, ke kterému se má vypsat nápověda
 help-word-help-more = Vypíše nápovědu (podrobnější vypíše --help)
 help-word-help-less = Vypíše nápovědu (stručnou vypíše -h)
@@ -21,7 +21,7 @@ help-word-version = Vypíše verzi
 
 ## Co mají všechny příkazy
 
-help-any-color = Kdy psát barevně
+help-any-color = Kdy používat barvy
     .value = KDY
     .auto = na terminálu, není-li nastaveno NO_COLOR
     .always = vždy
@@ -30,65 +30,65 @@ help-any-lang = Jazyk zpráv [výchozí: podle LC_ALL, LC_MESSAGES nebo LANG]
     .value = JAZYK
     .en = anglicky
     .cs = česky
-help-any-quiet = Vypisovat jen nálezy, odpovědi a chyby, nic dalšího
+help-any-quiet = Vypíše jen nálezy, odpovědi a chyby
 
 ## Co má více příkazů
 
-help-any-file = Scéna, jako záznamy nebo JSON; `-` je standardní vstup
+help-any-file = Scéna jako záznamy nebo JSON; `-` je standardní vstup
     .value = SOUBOR
-help-any-allowed = Odmítnout, co by zabralo víc paměti než toto množství, například 800M nebo 12G [výchozí: polovina dostupné]
+help-any-allowed = Kolik paměti smí příkaz nejvýše zabrat, například 800M nebo 12G; co by potřebovalo víc, odmítne [výchozí: polovina dostupné paměti]
     .value = KOLIK
 help-any-paths = Soubory nebo složky se scénami [výchozí: .]; `-` je standardní vstup
     .value = CESTA
-help-any-config = Soubor s nastavením, který platí místo všech zpg.toml, nebo jedno nastavení, které má přednost před každým souborem, například `lint.W310="off"`
+help-any-config = Soubor s nastavením místo všech souborů zpg.toml, nebo jedno nastavení, které má přednost před soubory, například `lint.W310="off"`
     .value = SOUBOR|KLÍČ=HODNOTA
-help-any-isolated = Nečíst žádný zpg.toml
-help-any-force_exclude = Vynechat, co vylučuje nastavení, i když to CESTA uvádí jménem
-help-any-json = Vypsat odpověď jako JSON
+help-any-isolated = Nečte žádný soubor zpg.toml
+help-any-force_exclude = Vynechá, co vylučuje nastavení, i když je to výslovně uvedeno jako CESTA
+help-any-json = Vypíše odpověď jako JSON
 
 ## zpg
 
 help-zpg = Nástroje pro scény v jazyce ZPG
     .after =
-        Návratový kód: 0 hotovo a bez chyb; 1 scéna má chyby, nebo odpověď zní „ne“; 2 špatné použití, nebo
-        soubor nelze přečíst či zapsat, nebo není scénou.
+        Návratový kód: 0 znamená hotovo a bez chyb; 1 scéna má chyby, nebo odpověď zní „ne“; 2 příkaz je špatně zadán,
+        nebo soubor nelze přečíst, nelze zapsat či není scénou.
 
         Příklady:
           zpg check scena.zpg       co je ve scéně špatně
-          zpg fmt scena.zpg         jeden záznam na řádek, čísla zapsaná co nejkratším způsobem
+          zpg fmt scena.zpg         jeden záznam na řádek, čísla v co nejkratším zápisu
           zpg render scena.zpg      obrázek, scena.png
           zpg plan scena.zpg        které efekty obrázek potřebuje a proč
-          zpg accuracy scena.zpg    kolik času stojí jednotlivé kroky přesnosti
+          zpg accuracy scena.zpg    kolik času stojí přesnost
           zpg convert scena.zpg --to pov -o scena.pov
           zpg crosscheck scena.zpg --with povray
           zpg probe scena.zpg --ray "0 0 9  0 0 -1"
-          zpg explain E101          co nález znamená a jak ho opravit
-          zpg explain koule         co znamená typ záznamu a jak se píše
+          zpg explain E101          co nález znamená a jak chybu opravit
+          zpg explain koule         co typ záznamu znamená a jak se zapisuje
 
 ## zpg check
 
 help-check = Hledá ve scénách chyby
     .after =
-        Nálezy jdou na standardní výstup. Návratový kód je 0, když není žádná chyba, 1, když nějaká je (nebo --diff
-        ukazuje změnu), a 2, když soubor nelze přečíst či zapsat, nebo když není scénou: do takového souboru se nikdy
-        nic nezapíše.
+        Nálezy se vypisují na standardní výstup. Návratový kód je 0, když ve scénách není žádná chyba, 1, když v nich
+        nějaká je (nebo když --diff ukáže změnu), a 2, když soubor nelze přečíst, nelze zapsat nebo není scénou. Do
+        souboru, který není scénou, se nikdy nic nezapíše.
 
-        KÓD je kód (W307), název (overlapping-union), začátek kódů (W3), nebo jedno ze slov warnings, notes, style
-        a all. Úrovně pro celou složku scén se píší do zpg.toml; komentář `# zpg: allow(W307) #` povolí nález tam,
-        kde stojí. Z voleb --select, --ignore a --deny platí ta, která uvádí méně kódů. Chyby jazyka se hlásí vždy.
+        KÓD je kód nálezu (W307), jeho název (overlapping-union), začátek kódů (W3), nebo jedno ze slov warnings,
+        notes, style a all. Pro celou složku scén se úrovně nálezů nastavují v zpg.toml; komentář
+        `# zpg: allow(W307) #` povolí nález v místě, kde stojí. Z voleb --select, --ignore a --deny má přednost ta,
+        která uvádí méně kódů. Chyby jazyka se hlásí vždy.
 
-        Scéna v JSON (SOUBOR.json) se kontroluje stejně jako scéna ze záznamů, ale --fix, --diff a --add-allow ji
-        odmítnou.
+        Scénu v JSON (SOUBOR.json) lze zkontrolovat stejně jako scénu ze záznamů, ale ne s --fix, --diff a --add-allow.
 
-        Nastavení ze zpg.toml lze udat i volbou --config. Jeho `exclude` vynechává soubory a složky, na které se
-        cestou narazí, a `per-file-ignores` vynechává v některých souborech některé kódy.
+        Nastavení ze zpg.toml lze zadat i volbou --config. Klíč `exclude` vynechává soubory a složky nalezené při
+        procházení složek, klíč `per-file-ignores` vynechává v některých souborech některé kódy.
 
         Příklady:
-          zpg check                            všechny *.zpg v této složce a pod ní
+          zpg check                            všechny *.zpg v této složce a jejích podsložkách
           zpg check scena.zpg
-          zpg check sceny/                     všechny *.zpg ve složce, kromě těch z .gitignore
-          zpg check --fix scena.zpg            opraví, co je jisté
-          zpg check --add-allow sceny/         co zbývá, povolí komentáři
+          zpg check sceny/                     všechny *.zpg ve složce kromě těch z .gitignore
+          zpg check --fix scena.zpg            opraví, co lze opravit bezpečně
+          zpg check --add-allow sceny/         zbývající nálezy povolí komentáři
           zpg check --diff scena.zpg           ukáže, co by --fix změnil
           zpg check --deny warnings sceny/     pro průběžnou integraci
           zpg check --format short sceny/      jeden řádek na nález
@@ -96,71 +96,71 @@ help-check = Hledá ve scénách chyby
           zpg check --format sarif --output-file zpg.sarif sceny/
           zpg check --isolated --config 'lint.W310="off"' sceny/
 
-        Víc o nálezu řekne `zpg explain E101`.
+        Podrobnosti o nálezu vypíše `zpg explain E101`.
 help-check-format = Jak nálezy vypsat
-    .value = TVAR
-    .human = s příslušnými řádky, poznámkami a návrhy oprav
+    .value = FORMÁT
+    .human = s citací řádků, s poznámkami a s návrhy oprav
     .short = jeden řádek na nález
     .json = pro programy
     .sarif = pro přehledy nálezů v kódu: SARIF 2.1.0
-    .github = pro GitHub Actions: poznámky u změn
-help-check-output_file = Zapsat nálezy do souboru místo na standardní výstup
+    .github = pro GitHub Actions: poznámky přímo u změn
+help-check-output_file = Zapíše nálezy do souboru místo na standardní výstup
     .value = SOUBOR
-help-check-exit_zero = Skončit s návratovým kódem 0, i když jsou ve scénách chyby; 2 zůstává 2
-help-check-show_files = Vypsat soubory, které by se kontrolovaly
-help-check-show_settings = Vypsat nastavení prvního souboru tak, jak by mohlo stát v jeho zpg.toml
-help-check-fix = Opravit přímo v souboru, co lze opravit bezpečně; scéna ze standardního vstupu jde na standardní výstup
-help-check-add_allow = Doplnit komentáře, které povolí všechny zbývající nálezy; chyby povolit nelze
-help-check-unsafe_fixes = Spolu s --fix nebo --diff: použít i opravy, které jsou odhadem
-help-check-diff = Nic nezapisovat; ukázat, co by --fix změnil
-help-check-select = Hlásit jen tyto kódy (a chyby)
+help-check-exit_zero = Skončí s návratovým kódem 0, i když jsou ve scénách chyby; kód 2 zůstává
+help-check-show_files = Vypíše soubory, které by se kontrolovaly
+help-check-show_settings = Vypíše nastavení, které platí pro první soubor, tak, jak se píše do zpg.toml
+help-check-fix = Opraví v souborech, co lze opravit bezpečně; scénu ze standardního vstupu vypíše na standardní výstup
+help-check-add_allow = Doplní komentáře, které povolí všechny zbývající nálezy; chyby povolit nelze
+help-check-unsafe_fixes = S --fix nebo --diff: použije i opravy, které jsou jen odhadem
+help-check-diff = Nic nezapíše, jen ukáže, co by změnila volba --fix
+help-check-select = Hlásí jen tyto kódy (a chyby)
     .value = KÓD
-help-check-ignore = Tyto kódy nehlásit
+help-check-ignore = Tyto kódy nehlásí
     .value = KÓD
-help-check-deny = Brát tyto kódy jako chyby
+help-check-deny = Hlásí tyto kódy jako chyby
     .value = KÓD
-help-check-statistics = Místo výpisu nálezů jen spočítat, kolik jich je od každého kódu (jako text nebo JSON)
-help-check-stdin_filename = Jak se jmenuje standardní vstup: ve zprávách, pro zpg.toml a pro obrázky
+help-check-statistics = Místo nálezů vypíše, kolik jich je od každého kódu (jako text nebo JSON)
+help-check-stdin_filename = Jméno souboru, za který se má standardní vstup považovat: ve zprávách, při hledání zpg.toml a obrázků
     .value = JMÉNO
-help-check-watch = Zkontrolovat znovu po každé změně souboru
+help-check-watch = Po každé změně souboru zkontroluje znovu
 
 ## zpg fmt
 
-help-fmt = Zformátuje scény: jeden záznam na řádek, čísla a komentáře pod sebou
+help-fmt = Zformátuje scény: jeden záznam na řádek, čísla a komentáře zarovnané pod sebou
     .after =
-        Soubory se přepisují na místě; `-` zformátuje standardní vstup na standardní výstup. Řádky s chybami zůstávají,
-        jak jsou, stejně jako kódování a konce řádků. S --check nebo --diff se nic nezapisuje a návratový kód je 1, když
-        by se něco změnilo. Do souboru, který není scénou, se nikdy nic nezapíše; návratový kód je 2.
+        Soubory se přepisují na místě; s `-` se zformátuje standardní vstup na standardní výstup. Řádky s chybami,
+        kódování a konce řádků se nemění. S --check nebo --diff se nic nezapisuje a návratový kód je 1, pokud by se něco
+        změnilo. Do souboru, který není scénou, se nikdy nic nezapíše; návratový kód je pak 2.
 
-        Styl lze zvolit v souboru zpg.toml, v nejbližším směrem od scény nahoru, nebo volbou --config. Jeho `exclude`
-        vynechává soubory a složky. Výchozí styl je:
+        Styl se nastavuje v souboru zpg.toml (platí ten, který je od složky scény směrem nahoru nejblíž) nebo volbou
+        --config. Klíč `exclude` vynechává soubory a složky. Výchozí styl je:
           {"["}format]
-          width = 100                    kde se lámou profily a kam až sahá zarovnání
-          align = true                   čísla a komentáře sousedních řádků pod sebou
-          group = true                   vektory jednoho záznamu odděleny dvěma mezerami
-          numbers = "shortest"           nebo "keep": jak jsou zapsána
+          width = 100                    šířka, na které se lámou profily a po kterou sahá zarovnání
+          align = true                   čísla a komentáře sousedních řádků jsou pod sebou
+          group = true                   vektory jednoho záznamu jsou odděleny dvěma mezerami
+          numbers = "shortest"           co nejkratší zápis čísel; "keep" je ponechá, jak jsou
 
         Příklady:
-          zpg fmt                        všechny *.zpg v této složce a pod ní
+          zpg fmt                        všechny *.zpg v této složce a jejích podsložkách
           zpg fmt scena.zpg
-          zpg fmt sceny/                 všechny *.zpg ve složce, kromě těch z .gitignore
+          zpg fmt sceny/                 všechny *.zpg ve složce kromě těch z .gitignore
           zpg fmt --diff scena.zpg       co by se změnilo
           zpg fmt --check sceny/         pro průběžnou integraci
           zpg fmt --range 3-9 scena.zpg  jen řádky 3 až 9
           zpg fmt - < vstup.zpg > vystup.zpg
-help-fmt-check = Nic nezapisovat; vyjmenovat soubory, které by se změnily
-help-fmt-diff = Nic nezapisovat; ukázat, co by se změnilo
-help-fmt-range = Změnit jen záznamy, které zasahují do těchto řádků, počítáno od 1; pro jediný soubor
+help-fmt-check = Nic nezapíše, jen vyjmenuje soubory, které by se změnily
+help-fmt-diff = Nic nezapíše, jen ukáže, co by se změnilo
+help-fmt-range = Změní jen záznamy, které zasahují do těchto řádků (počítáno od 1); jen pro jeden soubor
     .value = OD-DO
-help-fmt-stdin_filename = Jak se jmenuje standardní vstup: ve zprávách a pro zpg.toml
+help-fmt-stdin_filename = Jméno souboru, za který se má standardní vstup považovat: ve zprávách a při hledání zpg.toml
     .value = JMÉNO
 
 ## zpg convert
 
 help-convert = Převede scénu pro jiný program
     .after =
-        Každý převod končí zprávou na chybovém výstupu: co ze scény je jen přibližné a o kolik, co je vynecháno a kolik
-        vlastností je přesných; s --verbose jsou vyjmenovány i ty.
+        Každý převod vypíše nakonec na chybový výstup zprávu: co ze scény je převedeno jen přibližně a o kolik se to
+        liší, co je vynecháno a kolik vlastností je převedeno přesně. S --verbose vyjmenuje i ty přesné.
 
         Příklady:
           zpg convert scena.zpg --to pov -o scena.pov
@@ -171,40 +171,41 @@ help-convert = Převede scénu pro jiný program
 help-convert-to = Do čeho scénu převést
     .value = CÍL
     .pov = POV-Ray 3.7, jeden soubor
-    .mitsuba = Mitsuba 3: XML, sítě vedle něj
+    .mitsuba = Mitsuba 3: XML a vedle něj sítě
     .ply = trojúhelníky: Stanford PLY, binární, s barvami
-    .obj = trojúhelníky: Wavefront OBJ, vedle něj knihovna materiálů
+    .obj = trojúhelníky: Wavefront OBJ a vedle něj knihovna materiálů
     .glb = trojúhelníky: glTF 2.0, binární
-    .json = vyhodnocená scéna, pro programy
+    .json = vyhodnocená scéna pro jiné programy
     .zpg = vyhodnocená scéna jako záznamy
-help-convert-output = Kam zapisovat. Není-li udáno, na standardní výstup, a síť do souboru SCÉNA.ply (obj, glb) v této složce. Stereoskopická dvojice se zapíše do JMÉNO_left a JMÉNO_right; na standardním výstupu je to jeden soubor s přepínačem. Vedle JMÉNO.obj je JMÉNO.mtl a obrázek každé textury, JMÉNO_texture_0.png a další; vedle JMÉNO.xml jsou takové obrázky a sítě JMÉNO_1.ply a další
+help-convert-output = Kam převod zapsat. Bez této volby jde na standardní výstup, síť do souboru SCÉNA.ply (obj, glb) v aktuální složce. Z dvojice kamer vzniknou soubory JMÉNO_left a JMÉNO_right, na standardním výstupu jeden soubor s přepínačem. K souboru JMÉNO.obj patří JMÉNO.mtl a obrázky textur JMÉNO_texture_0.png a další; k souboru JMÉNO.xml takové obrázky a sítě JMÉNO_1.ply a další
     .value = SOUBOR
-help-convert-size = Velikost obrázku, pro který kamera je, v pixelech
+help-convert-size = Velikost obrázku, pro který se převádí kamera, v pixelech
     .value = ŠxV
-help-convert-depth = Kolikrát se paprsek smí odrazit nebo lomit
+help-convert-depth = Kolikrát se smí paprsek odrazit nebo lomit
     .value = N
-help-convert-tolerance = Jak daleko smějí být sítě od zakřivených ploch, v jednotkách scény; není-li udáno, tisícina velikosti scény
+help-convert-tolerance = O kolik se smějí sítě odchýlit od zakřivených ploch, v jednotkách scény; výchozí je tisícina velikosti scény
     .value = DÉLKA
-help-convert-verbose = Vyjmenovat i to, co je přesné, vlastnost po vlastnosti
-help-convert-report = Zapsat zprávu o věrnosti převodu i jako JSON
+help-convert-verbose = Vyjmenuje i vlastnosti, které jsou převedeny přesně
+help-convert-report = Zapíše zprávu o věrnosti převodu také jako JSON
     .value = SOUBOR.json
 
 ## zpg crosscheck
 
-help-crosscheck = Porovná, co ze scény vidíme my a co jiný program
+help-crosscheck = Porovná, co ve scéně vidí zpg a co jiný program
     .after =
-        Scéna se převede, program se na ni podívá a oba pohledy se porovnají pixel po pixelu. Odpověď zní „ne“,
-        s návratovým kódem 1, když se mimo obrysy liší více než 0,05 % pixelů.
+        Scéna se převede pro druhý program a to, co vidí, se porovná pixel po pixelu s tím, co vidí zpg. Liší-li se mimo
+        obrysy více než 0,05 % pixelů, odpověď zní „ne“ a návratový kód je 1.
 
-        povray: obrázky, v lineárním světle. Na obrysech, kde hrana prochází středem pixelu, rozhoduje o jediném
-        vzorku zaokrouhlení; a POV-Ray zachází jinak s úplným odrazem: obojí se počítá zvlášť.
-        mitsuba: poloha, normála a těleso, které je vidět jako první, z Pythonu, který má balíček mitsuba. Co jednoduchá
-        přesnost nerozezná, a která ze dvou ploch na jednom místě je vidět, se počítá zvlášť; odpověď zní „ne“ i tehdy,
-        když je toho více než toho, co je vidět stejně.
+        povray: porovnávají se obrázky v lineárním světle. Na obrysech, kde hrana prochází středem pixelu, rozhoduje
+        o jediném vzorku zaokrouhlení. Úplný odraz počítá POV-Ray jinak. Obojí se uvádí zvlášť.
+        mitsuba: porovnává se poloha, normála a tvar toho, co je vidět jako první. Potřebuje Python s balíčkem mitsuba.
+        Zvlášť se uvádí, co nerozliší jednoduchá přesnost, a kde je náhoda, která ze dvou ploch na jednom místě je
+        vidět. Je-li takových pixelů více než těch, které jsou vidět stejně, odpověď zní také „ne“.
 
-        Ve složce SLOŽKA pak jsou ours.png, theirs.png, difference.png (zelená: stejné, červená: jiné, šedá: obrysy,
-        u povray ty, které se liší; modrá: co se počítá zvlášť), side-by-side.png, crosscheck.json a převod; u dvojice
-        kamer s příponami _left a _right. Obrázky z mitsuba ukazují normály jako barvy.
+        Do složky SLOŽKA se zapíšou obrázky ours.png, theirs.png, difference.png a side-by-side.png, čísla
+        crosscheck.json a převedená scéna; u dvojice kamer se ke jménům přidá _left a _right. Barvy v difference.png:
+        zelená je shoda, červená rozdíl, šedá obrysy (u povray jen ty, které se liší), modrá to, co se uvádí zvlášť.
+        Obrázky z mitsuba znázorňují normály barvami.
 
         Příklady:
           zpg crosscheck scena.zpg --with povray
@@ -212,32 +213,32 @@ help-crosscheck = Porovná, co ze scény vidíme my a co jiný program
           zpg crosscheck scena.zpg --with mitsuba --program venv/bin/python
 help-crosscheck-file = Scéna
     .value = SOUBOR
-help-crosscheck-with = Program
+help-crosscheck-with = Program, se kterým porovnat
     .value = PROGRAM
     .povray = POV-Ray 3.7
     .mitsuba = Mitsuba 3
-help-crosscheck-size = Velikost obrázků v pixelech; nejvýše 16777216 pixelů
+help-crosscheck-size = Velikost obrázků v pixelech; celkem nejvýše 16777216 pixelů
     .value = ŠxV
-help-crosscheck-output = Složka pro obrázky a čísla; není-li udána, SCÉNA-povray nebo SCÉNA-mitsuba
+help-crosscheck-output = Složka pro obrázky a čísla; výchozí je SCÉNA-povray nebo SCÉNA-mitsuba
     .value = SLOŽKA
-help-crosscheck-max_diff = povray: o kolik se smí lišit kanál pixelu, v 255inách bílé
+help-crosscheck-max_diff = povray: o kolik se smí lišit kanál pixelu, v jednotkách 1/255 bílé
     .value = N
-help-crosscheck-depth = povray: kolikrát se paprsek smí odrazit nebo lomit
+help-crosscheck-depth = povray: kolikrát se smí paprsek odrazit nebo lomit
     .value = N
-help-crosscheck-tolerance = mitsuba: jak daleko smějí být sítě od zakřivených ploch, jako u convert
+help-crosscheck-tolerance = mitsuba: o kolik se smějí sítě odchýlit od zakřivených ploch, jako u convert
     .value = DÉLKA
-help-crosscheck-program = Kde program je, nenajde-li se podle jména: povray, nebo python3
+help-crosscheck-program = Cesta k programu, pokud se nenajde podle jména (povray nebo python3)
     .value = CESTA
-help-crosscheck-json = Vypsat čísla jako JSON
+help-crosscheck-json = Vypíše čísla jako JSON
 
 ## zpg render
 
 help-render = Vykreslí scénu
     .after =
-        Bez -o se obrázek scény SCÉNA.zpg zapíše do SCÉNA.png v této složce. PNG je osmibitové sRGB, EXR a PFM mají
-        lineární neoříznutá 32bitová čísla. Co bylo zapsáno, se vypíše na standardní výstup; s `-o -` tam jde samo PNG.
-        Scéna se stereoskopickou kamerou dá dva obrázky, SCÉNA_left.png a SCÉNA_right.png, neříká-li --stereo něco
-        jiného. Po Ctrl-C nezůstane žádný soubor.
+        Bez -o se obrázek scény SCÉNA.zpg zapíše do souboru SCÉNA.png v aktuální složce. PNG je osmibitové sRGB, EXR
+        a PFM obsahují lineární neoříznutá 32bitová čísla. Na standardní výstup se vypíše, co bylo zapsáno; s `-o -` tam
+        jde jen samo PNG. Scéna s výběrem dvojice kamer dá dva obrázky, SCÉNA_left.png a SCÉNA_right.png, pokud --stereo
+        neurčí jinak. Po přerušení (Ctrl-C) nezůstane žádný soubor.
 
         Příklady:
           zpg render scena.zpg
@@ -252,53 +253,54 @@ help-render-size = Šířka a výška v pixelech
     .value = ŠxV
 help-render-samples = Počet vzorků v každém pixelu; jeden leží v jeho středu
     .value = N
-help-render-adaptive = Až 1024 vzorků, dokud odhad chyby pixelu v lineárním RGB neklesne pod tuto mez
+help-render-adaptive = Přidává vzorky, nejvýše do 1024, dokud odhad chyby pixelu v lineárním RGB neklesne pod tuto mez
     .value = MEZ
-help-render-depth = Kolikrát se paprsek smí odrazit nebo lomit
+help-render-depth = Kolikrát se smí paprsek odrazit nebo lomit
     .value = N
-help-render-cutoff = Vynechat, co váží méně než toto číslo; 0 nevynechá nic [výchozí: 1/4096]
+help-render-cutoff = Zanedbá paprsky, které váží méně než toto číslo; 0 nezanedbá nic [výchozí: 1/4096]
     .value = VÁHA
-help-render-precision = Čísla, kterými se počítá mezi paprskem a tím, co zasáhne
+help-render-precision = Čísla, kterými se počítá od paprsku k tomu, co zasáhne
     .value = ČÍSLA
-    .f32 = jednoduchá přesnost, jak je
+    .f32 = jednoduchá přesnost bez ověřování
     .f64 = dvojitá přesnost; co nerozhodne, rozhodne dd
-    .dd = dvojice čísel dvojité přesnosti (double-double), asi 32 číslic
-help-render-crop = Vykreslit jen tuto část obrázku
+    .dd = double-double, dvojice čísel dvojité přesnosti, asi 32 číslic
+help-render-crop = Vykreslí jen tuto část obrázku
     .value = X,Y,Š,V
-help-render-camera = Kamera scény, kterou se má obrázek pořídit
+help-render-camera = Kamera, kterou se má obrázek pořídit
     .value = ID
-help-render-stereo = Co se stane se dvěma obrázky stereoskopické kamery [výchozí: pair]
+help-render-stereo = Jak zapsat oba obrázky z dvojice kamer [výchozí: pair]
     .value = JAK
     .pair = dva soubory, JMÉNO_left a JMÉNO_right
     .side-by-side = jeden obrázek, levý vedle pravého
-    .anaglyph = jeden obrázek pro červenoazurové brýle
-help-render-threads = Počet pracovních vláken; 0: kolik je procesorů. Nejvýše čtyřikrát tolik
+    .anaglyph = jeden obrázek pro červeno-azurové brýle
+help-render-threads = Počet pracovních vláken; 0 znamená tolik, kolik je procesorů. Nejvýše čtyřikrát tolik
     .value = N
-help-render-stats = Zapsat do souboru jako JSON, co to stálo: časy, paprsky, testy, práci jednotlivých efektů
+help-render-stats = Zapíše do souboru jako JSON, co vykreslení stálo: časy, paprsky, testy, práci jednotlivých efektů
     .value = SOUBOR
-help-render-cost = Vypsat, co to stálo a kde: paprsky, čas, nejdražší objekty a efekty
-help-render-heatmap = Nakreslit v nepravých barvách, kolik testů průsečíků připadlo na každý pixel
+help-render-cost = Vypíše, co vykreslení stálo: paprsky, čas, nejdražší objekty a efekty
+help-render-heatmap = Zapíše mapu nákladů: v nepravých barvách, kolik testů průsečíků připadlo na každý pixel
     .value = VÝSTUP.png
 
 ## zpg probe
 
 help-probe = Odpovídá na otázky o paprscích a bodech
     .after =
-        Vypíše jeden objekt JSON na řádek, v pořadí paprsků. U paprsku jsou v něm všechny průsečíky s hranicemi těles
-        pro t > 0, vzestupně, jako by každá plocha paprsek propouštěla; t se měří v délkách směru. Soubor s paprsky má
-        na každém řádku jeden, `ox oy oz dx dy dz`, mezi čísly mohou být čárky; prázdné řádky a vše za znakem # se
-        přeskočí. Na řádek, na kterém paprsek není, nebo na jehož čísla přesnost nestačí, je stížnost na chybovém
-        výstupu a odpověď k němu chybí; ostatní ji mají a návratový kód je 2. Řádkem delším než 65536 bajtů soubor
-        končí.
+        Na každý paprsek vypíše jeden řádek s objektem JSON, v pořadí paprsků. Jsou v něm všechny průsečíky paprsku
+        s hranicemi těles pro t > 0, vzestupně, jako by každá plocha paprsek propouštěla. Jednotkou t je délka směru.
 
-        `shape` je ID záznamu, z něhož plocha pochází, u kopie její vlastní; `object` je nejvnější objekt nad ním, který
-        dostal vlastnosti, jinak totéž co `shape`. Normála míří ven z tělesa, i tam, kde hranice vznikla řezem. Co leží
-        mimo kvádr renderovacího záznamu, se nehlásí, ale počítá se do `inside_at_origin`, tedy do stavu těsně za
+        Soubor s paprsky má na každém řádku jeden paprsek, `ox oy oz dx dy dz`; mezi čísly mohou být čárky. Prázdné
+        řádky a vše za znakem # se přeskočí. Není-li na řádku paprsek, nebo na jeho čísla zvolená přesnost nestačí,
+        vypíše se na chybový výstup, co je špatně, a odpověď k řádku chybí. Ostatní řádky odpověď mají a návratový kód
+        je 2. Na řádku delším než 65536 bajtů čtení souboru skončí.
+
+        `shape` je ID záznamu, který plochu vytvořil, u kopie ID kopie. `object` je nejvyšší objekt nad ním, kterému byly
+        přiřazeny vlastnosti, jinak totéž co `shape`. Normála míří ven z tělesa, i tam, kde hranice vznikla řezem. Co leží
+        mimo kvádr renderovacího záznamu, se nevypíše, ale počítá se do `inside_at_origin`, tedy do stavu těsně za
         počátkem paprsku.
 
-        --point vypíše ID těles, tvarů i operací, v nichž bod leží; hranice tvarů k nim patří. `in_scene` říká, zda bod leží
-        v celku, a to uvnitř kvádru renderovacího záznamu. Rozhoduje se ve dvojité přesnosti, a kde ta hranice nespočítá,
-        v dd, ať --precision říká cokoli.
+        --point vypíše ID těles (tvarů i operací), v nichž bod leží; hranice k tvarům patří. `in_scene` říká, zda bod leží
+        v celé scéně, a to uvnitř kvádru renderovacího záznamu. Počítá se ve dvojité přesnosti, a kde nestačí, v dd;
+        volba --precision na to nemá vliv.
 
         Příklady:
           zpg probe scena.zpg --ray "0 0 9  0 0 -1"
@@ -309,15 +311,15 @@ help-probe-ray = Počátek a směr jednoho paprsku; mezi čísly mohou být čá
     .value = OX OY OZ DX DY DZ
 help-probe-rays = Soubor s paprsky; `-` je standardní vstup
     .value = SOUBOR
-help-probe-pixel = Paprsek středem pixelu, počítáno od 0 vlevo nahoře
+help-probe-pixel = Paprsek středem pixelu; pixely se počítají od 0 vlevo nahoře
     .value = X,Y
 help-probe-point = Bod
     .value = X Y Z
-help-probe-size = Šířka a výška obrázku, ve kterém je --pixel
+help-probe-size = Šířka a výška obrázku, ke kterému patří --pixel
     .value = ŠxV
-help-probe-camera = Kamera, kterou je --pixel vidět; není-li udána, ze stereoskopické dvojice levá
+help-probe-camera = Kamera, ke které patří --pixel; výchozí je kamera obrázku, z dvojice kamer levá
     .value = ID
-help-probe-object = Ptát se na tento objekt, jaký je na konci souboru, ne na celou scénu; kvádr renderovacího záznamu neplatí
+help-probe-object = Ptá se jen na tento objekt, v té podobě, jakou má na konci souboru; kvádr renderovacího záznamu se nebere v úvahu
     .value = ID
 help-probe-precision = Čísla, kterými se počítá; u dd jsou t, body a normály texty o 32 číslicích. Na --point nemá vliv
     .value = ČÍSLA
@@ -327,11 +329,12 @@ help-probe-precision = Čísla, kterými se počítá; u dd jsou t, body a norm�
 
 ## zpg plan
 
-help-plan = Řekne, které efekty scéna potřebuje a proč
+help-plan = Vypíše, které efekty scéna potřebuje a proč
     .after =
-        Efekt se počítá tam, kde může být vidět: přebarvené vlastnosti, nástroje rozdílů, objekty, ke kterým renderovací
-        záznam nedosáhne, a části, které žádný paprsek neuvidí, nic nezapínají. Kód vypnutého efektu neběží. Část není
-        vidět, leží-li mimo kvádr renderovacího záznamu, nebo celá uvnitř neprůhledného tělesa, které nic neotevírá.
+        Efekt je zapnutý, jen když může být vidět. Nic nezapínají vlastnosti přepsané jinými, odečítaná tělesa,
+        objekty, ke kterým se od renderovacího záznamu nelze dostat, ani části, které nemůže vidět žádný paprsek. Kód
+        vypnutého efektu se neprovádí. Část není vidět, leží-li mimo kvádr renderovacího záznamu, nebo celá uvnitř
+        neprůhledného tělesa, které nic neotevírá.
 
         Příklady:
           zpg plan scena.zpg
@@ -339,16 +342,17 @@ help-plan = Řekne, které efekty scéna potřebuje a proč
 
 ## zpg accuracy
 
-help-accuracy = Řekne, kolik času stojí přesnost: co které nastavení obrázku scény přinese a co to stojí
+help-accuracy = Změří, co které nastavení přinese obrázku scény a kolik času stojí
     .after =
-        Měří se čtyři druhy chyb, každý proti referenci přesnější než vše, co se zkouší, a s ostatním nastavením takovým,
-        jaké má prosté `zpg render`: hrany (samples, adaptive), uříznuté světlo (depth, cutoff), zaokrouhlování
-        (precision, solver) a plošky (tessellation, levels). Co scéna nepotřebuje, se nespouští, a zpráva říká proč.
-        Samu referenci ověřuje nezávislý sledovač paprsků se 71 číslicemi.
+        Měří se čtyři druhy chyb: hrany (samples, adaptive), zanedbané světlo (depth, cutoff), zaokrouhlování (precision,
+        solver) a plošky (tessellation, levels). Každý se měří proti referenci přesnější než vše, co se zkouší; ostatní
+        nastavení jsou taková, jaká má prosté `zpg render`. Co scéna nepotřebuje, se neměří, a zpráva říká proč. Samotnou
+        referenci ověřuje nezávislý sledovač paprsků, který počítá na 71 číslic.
 
-        Z velkého obrázku se měří malé dlaždice, nikdy zmenšený obrázek. Časy jsou nejmenší časy procesoru na jednom
-        vlákně z několika běhů v zamíchaném pořadí; časy, které se liší o méně, než je naměřený šum, se neřadí.
-        Ve složce SLOŽKA pak jsou accuracy.json, accuracy.md, accuracy.svg a accuracy.html. Ctrl-C zapíše, co je hotovo.
+        Z velkého obrázku se měří malé dlaždice, nikdy zmenšený obrázek. Každý čas je nejkratší z několika běhů
+        v zamíchaném pořadí, jako čas procesoru na jednom vlákně. Časy, které se liší o méně než naměřený šum, se neřadí.
+        Do složky SLOŽKA se zapíšou accuracy.json, accuracy.md, accuracy.svg a accuracy.html. Po Ctrl-C se zapíše, co je
+        hotovo.
 
         Příklady:
           zpg accuracy scena.zpg
@@ -359,18 +363,18 @@ help-accuracy-file = Scéna; `-` je standardní vstup
     .value = SOUBOR
 help-accuracy-size = Šířka a výška obrázku v pixelech
     .value = ŠxV
-help-accuracy-axes = Nastavení, která se mají zkoušet, oddělená čárkami [výchozí: všechna]
+help-accuracy-axes = Která nastavení zkoušet, oddělená čárkami [výchozí: všechna]
     .value = CO
 help-accuracy-runs = Kolikrát se každé nastavení změří [výchozí: 5]
     .value = N
-help-accuracy-budget = Kolik času to má asi trvat: 90s, 2m, 1h [výchozí: 2m]
+help-accuracy-budget = Kolik času má měření asi trvat: 90s, 2m, 1h [výchozí: 2m]
     .value = ČAS
 help-accuracy-goal = Chyba, která ještě nevadí, v krocích osmibitového obrázku
     .value = KROKY
-help-accuracy-output = Složka pro zprávu; není-li udána, SCÉNA-accuracy
+help-accuracy-output = Složka pro zprávu; výchozí je SCÉNA-accuracy
     .value = SLOŽKA
-help-accuracy-shapes = Místo toho: čas a chyba jednoho paprsku pro každý tvar, čísla a řešič
-help-accuracy-json = Vypsat zprávu jako JSON
+help-accuracy-shapes = Místo scény změří čas a chybu jednoho paprsku pro každý tvar, druh čísel a řešič
+help-accuracy-json = Vypíše zprávu jako JSON
 
 ## zpg explain
 
@@ -388,15 +392,15 @@ help-explain-topic = Kód nebo název nálezu, číslo nebo jméno typu záznamu
 
 ## zpg lsp
 
-help-lsp = Jazykový server: nálezy, nápovědy, opravy a další přímo v editoru
+help-lsp = Jazykový server: nálezy, nápověda, opravy a další přímo v editoru
     .after =
-        Editory si tento příkaz spouštějí samy a mluví s ním na jeho standardním vstupu a výstupu; jak který nastavit,
-        říká docs/editors.md. Nastavení se bere ze zpg.toml, jako na příkazové řádce.
-help-lsp-stdio = Mluvit na standardním vstupu a výstupu, jako vždy; některé editory to říkají
+        Editory tento příkaz spouštějí samy a komunikují s ním přes jeho standardní vstup a výstup; jak který nastavit,
+        říká docs/editors.md. Nastavení se čte ze zpg.toml stejně jako na příkazové řádce.
+help-lsp-stdio = Komunikuje přes standardní vstup a výstup, jako vždy; některé editory tuto volbu zadávají
 
 ## zpg completions
 
-help-completions = Vypíše skript, který v shellu doplňuje tuto příkazovou řádku
+help-completions = Vypíše skript, který v shellu doplňuje příkazovou řádku zpg
     .after =
         Příklady:
           zpg completions bash > ~/.local/share/bash-completion/completions/zpg
