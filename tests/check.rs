@@ -274,12 +274,12 @@ fn wrong_usage_in_both_languages() {
         (
             &["check", "--fixx", "a.zpg"][..],
             "error: unexpected argument `--fixx`; did you mean `--fix`?\n\nUsage: zpg check",
-            "chyba: neočekávaný argument `--fixx`; mysleli jste `--fix`?\n\nPoužití: zpg check",
+            "chyba: neočekávaný argument `--fixx`; měli jste na mysli `--fix`?\n\nPoužití: zpg check",
         ),
         (
             &["chek", "a.zpg"],
             "error: there is no command `chek`; did you mean `check`?",
-            "chyba: příkaz `chek` neexistuje; mysleli jste `check`?",
+            "chyba: příkaz `chek` neexistuje; měli jste na mysli `check`?",
         ),
         (
             &["check", "a.zpg", "--format", "xml"],
@@ -289,7 +289,7 @@ fn wrong_usage_in_both_languages() {
         (
             &["check", "a.zpg", "--select", "W399"],
             "error: `W399` is not a value of `--select <CODE>`: there is no code `W399`; did you mean",
-            "chyba: `W399` není hodnota pro `--select <KÓD>`: kód `W399` neexistuje; mysleli jste",
+            "chyba: `W399` není hodnota pro `--select <KÓD>`: kód `W399` neexistuje; měli jste na mysli",
         ),
         (
             &["render", "a.zpg", "--size", "9"],
@@ -324,7 +324,7 @@ fn wrong_usage_in_both_languages() {
         (
             &[],
             "error: which command? There are check, ",
-            "chyba: který příkaz? Možnosti jsou check, ",
+            "chyba: chybí příkaz; možnosti jsou check, ",
         ),
         (
             &["render"],

@@ -9,7 +9,7 @@ fidelity-exact-count = { $count ->
    *[other] { $count } vlastností (vyjmenuje je --verbose)
 }
 fidelity-within = na { $tolerance }
-fidelity-cut = uříznuto na { $times }násobek mezí toho, co má konec, a stěn okolo
+fidelity-cut = uříznuto na { $times }násobek mezí konečných částí a stěn kolem nich
 fidelity-square-pixels = pixely budou čtvercové: zvolte --size { $width }x{ $height }
 fidelity-made = { $exact }× { $name }, { fidelity-meshes }
 fidelity-laid = { $name }, na { $exact ->
@@ -26,7 +26,7 @@ fidelity-meshes = { $meshes ->
 }
 fidelity-rounding = o tom, která je vidět, rozhoduje zaokrouhlování, například u { $id }
 fidelity-parallel = její paprsky budou rovnoběžné: posunou se o méně než { $pixels } pixelu
-fidelity-volumes = u { $ids }: není dokázáno, že objekt obsahují, nebo se zapisuje bez jména
+fidelity-volumes = u { $ids }: není dokázáno, že svůj objekt obsahují, nebo se objekt zapisuje beze jména
 fidelity-depth = paprsky končí v hloubce { $depth }
 fidelity-overlooked = stíny a odražené světlo, které začínají blíž než { $length }, se mohou ztratit
 fidelity-overlooked-behind = co je za plochou blíž než { $length }, se může ztratit

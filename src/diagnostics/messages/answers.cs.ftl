@@ -9,8 +9,8 @@ plan-shapes = tvary
 plan-operations = operace
 plan-count = { $count }× { $name }
 plan-none = žádné
-plan-media = prostředí naráz
-plan-not-drawn = nekreslí se
+plan-media = prostředí zároveň
+plan-not-drawn = nevykresluje se
 plan-nothing = nic takového
 plan-ids-more = { $ids } a dalších { $more }
 plan-not-seen = není vidět
@@ -37,23 +37,23 @@ crosscheck-flip = FLIP
 crosscheck-left-out = vynecháno
 crosscheck-exact = přesné tvary
 crosscheck-meshes = sítě
-crosscheck-povray-off = pixelů, které se liší o víc než { $most }/255: { $pixels } ({ $percent } %); největší rozdíl je { $largest }/255, střední { $mean }/255
+crosscheck-povray-off = pixelů, které se liší o víc než { $most }/255: { $pixels } ({ $percent } %); největší rozdíl je { $largest }/255, průměrný { $mean }/255
 crosscheck-povray-on = pixelů, které se liší: { $pixels }
-crosscheck-povray-total = pixelů: { $pixels }; nesrovnává se, POV-Ray ho má jinak
-crosscheck-mitsuba-off = jiný tvar, jiné místo nebo jinou normálu ukazuje { $wrong } z { $pixels } pixelů ({ $percent } %)
-crosscheck-mitsuba-silhouettes = pixelů na hranách tvarů a stěn: { $pixels }; ty se nesrovnávají
-crosscheck-mitsuba-cut = pixelů, kde jsou části bez konce v převodu uříznuté: { $pixels }
+crosscheck-povray-total = pixelů: { $pixels }; neporovnávají se, POV-Ray ho počítá jinak
+crosscheck-mitsuba-off = jiný tvar, jinou polohu nebo jinou normálu ukazuje { $wrong } z { $pixels } pixelů ({ $percent } %)
+crosscheck-mitsuba-silhouettes = pixelů na hranách tvarů a stěn: { $pixels }; ty se neporovnávají
+crosscheck-mitsuba-cut = pixelů, kde jsou nekonečné části v převodu uříznuté: { $pixels }
 crosscheck-mitsuba-undecided = pixelů, kde jednoduchá přesnost, ve které Mitsuba počítá, vidí něco jiného: { $pixels }
-crosscheck-mitsuba-shared = pixelů, kde jsou plochy dvou tvarů na jednom místě, takže je náhoda, která z nich je vidět: { $pixels }; jsou to { $pairs }
-crosscheck-mitsuba-differences = pixelů: { $pixels }; polohy se liší nejvýše o { $distance }, to je { $share } toho, co se připouští; normály nejvýše o { $angle }°
+crosscheck-mitsuba-shared = pixelů, kde jsou povrchy dvou tvarů na jednom místě, takže je náhoda, který z nich je vidět: { $pixels }; jsou to { $pairs }
+crosscheck-mitsuba-differences = pixelů: { $pixels }; polohy se liší nejvýše o { $distance }, to je { $share } přípustné odchylky; normály nejvýše o { $angle }°
 crosscheck-how-povray = příkazem `apt-get install povray` nebo `brew install povray`, nebo z https://www.povray.org
-crosscheck-how-mitsuba = příkazem `pip install mitsuba numpy`; který Python to je, udejte pomocí --program
+crosscheck-how-mitsuba = příkazem `pip install mitsuba numpy`; tento Python pak zadejte volbou --program
 
 ## Typy záznamů: zpg explain, referenční příručka, editory
 
 record-defines = Definuje { $kind }.
 record-changes = Mění { $kinds }.
-record-defines-or-changes = S novým ID definuje { $kind }; s ID { $kinds } mění to, co pod ním už je.
+record-defines-or-changes = S novým ID definuje { $kind }; s ID { $kinds } mění to, co toto ID označuje.
 record-number = číslo
 record-integer = celé číslo
 record-count = celé číslo, počet
@@ -87,14 +87,14 @@ hover-parameter = { $rule }, číslo { $number } z { $count }: { $type }
 hover-undefined = { $id } není definováno
 hover-line = (řádek { $line })
 hover-colour = Barva { $colour }, zobrazí se jako `{ $shown }`
-hover-uses = Použito { $uses ->
-    [0] nikde
-    [one] jednou
-   *[other] { $uses }×
-}, změněno { $changes ->
-    [0] nikde
-    [one] jednou
-   *[other] { $changes }×
+hover-uses = { $uses ->
+    [0] Nepoužito
+    [one] Použito jednou
+   *[other] Použito { $uses }×
+}, { $changes ->
+    [0] nezměněno
+    [one] změněno jednou
+   *[other] změněno { $changes }×
 }
 hover-bounds = Meze: { $x }, { $y }, { $z }
 hover-bounds-empty = Meze: prázdné

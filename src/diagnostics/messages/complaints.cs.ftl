@@ -10,14 +10,14 @@ at-line = { $path }:{ $line }: { $why }
 
 cannot-read = { $path } nelze přečíst: { $reason }
 cannot-write = { $path } nelze zapsat: { $reason }
-cannot-print = na standardní výstup nelze psát: { $reason }
+cannot-print = na standardní výstup nelze zapisovat: { $reason }
 too-large = soubor je větší než { $size } GiB
-picture-broken = je poškozený, nebo v podobě, kterou zpg nečte
+picture-broken = je poškozený, nebo má podobu, kterou zpg nečte
 picture-too-wide = má { $width } × { $height } pixelů; přečte se nejvýše { $side } × { $side }
 pictures-too-large = obrázky jedné scény smějí zabrat dohromady 256 MiB
 read-only-file = soubor je jen pro čtení
-text-lost = v { $encoding } by se něco ztratilo
-no-scene-any-more = číslem by začínala méně než polovina řádků, takže by se soubor nepoznal jako scéna
+text-lost = v kódování { $encoding } by se některé znaky ztratily
+no-scene-any-more = číslem by pak začínala méně než polovina řádků a soubor by se už nečetl jako scéna
 layout-changes-content = vnitřní chyba: { $path } by po zformátování neříkal totéž, a tak zůstává, jak je; nahlaste to, prosím
 no-scenes = ve složce { $path } není žádný soubor se scénou (*.zpg)
 
@@ -31,8 +31,8 @@ io-read-only = disk je jen pro čtení
 ## Nastavení
 
 in-line = řádek { $line }: { $why }
-setting-toml = tohle není TOML
-setting-unknown = nastavení { $key } neexistuje, jen { $known }
+setting-toml = toto není TOML
+setting-unknown = nastavení { $key } neexistuje; existují { $known }
 setting-codes-known = kódy a `per-file-ignores`
 setting-value = `{ $key }`: očekává se { $wanted }, uvedeno je { $found }
 setting-glob = { $text } není vzor jmen souborů
@@ -45,18 +45,18 @@ setting-bool = true nebo false
 setting-numbers = "shortest" nebo "keep"
 config-neither = --config: soubor { $path } neexistuje a nastavení se píše jako lint.W310="off"
 config-setting = --config { $text }: { $why }
-config-two-files = --config udává dva soubory s nastavením, { $first } a { $second }: udejte jeden
-config-isolated = --config { $path } nejde dohromady s --isolated, které žádný soubor s nastavením nečte
+config-two-files = --config uvádí dva soubory s nastavením, { $first } a { $second }: zadejte jen jeden
+config-isolated = --config { $path } nelze zadat spolu s --isolated: to žádný soubor s nastavením nečte
 
 ## Kódy a témata
 
 no-code = kód { $text } neexistuje (všechny vypíše `zpg explain`)
-no-code-near = kód { $text } neexistuje; mysleli jste `{ $near }`?
+no-code-near = kód { $text } neexistuje; měli jste na mysli `{ $near }`?
 always-error = { $code } je vždy chyba
 error-not-ignored = { $code } je vždy chyba a nelze ji vynechat
 statistics-format = statistika je text nebo JSON: --format human nebo json
 no-topic = žádný nález ani typ záznamu se nejmenuje { $text }
-no-topic-near = žádný nález ani typ záznamu se nejmenuje { $text }; mysleli jste { $near }?
+no-topic-near = žádný nález ani typ záznamu se nejmenuje { $text }; měli jste na mysli { $near }?
 
 ## Sledování
 
@@ -83,40 +83,40 @@ left-unchanged = { $count ->
    *[other] { $count } souborů beze změny
 }
 list-comma = { $first }, { $last }
-range-of-many = --range udává řádky jediného souboru
+range-of-many = --range platí jen pro jeden soubor
 no-files = není tu soubor se scénou, jehož nastavení by šlo ukázat
 
 ## Kreslení a dotazy
 
-cannot-draw = nelze nakreslit { $what } (objekt { $id })
-draw-nothing = není co kreslit: ve scéně chybí renderovací záznam
+cannot-draw = nelze vykreslit { $what } (objekt { $id })
+draw-nothing = není co vykreslit: ve scéně chybí renderovací záznam
 draw-no-picture = texturu bez obrázku
 draw-matrix = transformaci, jejíž inverze je mimo rozsah čísel
 draw-projection = pohled kamery s touto projekcí
 crop-too-large = --crop přesahuje obrázek o velikosti { $width }x{ $height } pixelů
 too-many-pixels = obrázek má nejvýše { $max } pixelů
-picture-needs-memory = obrázek by zabral { $needed } paměti a --memory povoluje { $memory }: zvolte menší --size nebo --crop
-file-needs-memory = je tak dlouhý, že by bylo třeba asi { $needed } paměti, a --memory povoluje { $memory }
-too-many-parts-in-one-place = scéna má { $parts } částí, počítá-li se každý výskyt, a tolik jich leží přes sebe, že by paprsky potřebovaly víc, než povoluje --memory { $memory }: ať se překrývá méně kopií, nebo povolte víc
+picture-needs-memory = obrázek by zabral { $needed } paměti, ale --memory povoluje { $memory }: zvolte menší --size nebo --crop
+file-needs-memory = je tak dlouhý, že by potřeboval asi { $needed } paměti, ale --memory povoluje { $memory }
+too-many-parts-in-one-place = scéna má { $parts } částí, počítá-li se každý výskyt, a tolik jich leží přes sebe, že by paprsky potřebovaly víc, než povoluje --memory { $memory }: nechte se překrývat méně kopií, nebo povolte více paměti
 expected-memory = očekává se množství paměti, například 800M nebo 12G
-fewer-threads = --threads { $wanted } je příliš mnoho; spustí se { $most }, čtyři na každý procesor
+fewer-threads = --threads { $wanted } je příliš mnoho; spustí se jich { $most }, čtyři na každý procesor
 no-threads = vlákna nelze spustit
 ctrl-c-leaves = po Ctrl-C mohou zůstat dočasné soubory
 heatmap-scale = mapa nákladů: testy průsečíků na pixel, od 0 (černá) do { $max } (světle žlutá), ve stupnici log(1 + n)
-unknown-format = formát souboru { $path } není poznat: jméno má končit na .png, .exr nebo .pfm
+unknown-format = formát souboru { $path } nelze poznat: jméno má končit na .png, .exr nebo .pfm
 unseen-outside = mimo kvádr renderovacího záznamu
 unseen-inside = uvnitř neprůhledného tělesa { $id } ({ $type })
 map-is-png = mapa nákladů je obrázek PNG: jméno má končit na .png, ne { $path }
 
 no-such-camera = scéna nemá kameru { $id }; její kamery jsou { $cameras }
 no-cameras = scéna nemá kameru { $id }: nemá vůbec žádnou
-stereo-of-one = --stereo potřebuje dvě kamery a obrázek snímá jedna: ve scéně není stereoskopická kamera (typ -503), nebo jednu vybírá --camera
+stereo-of-one = --stereo potřebuje dvě kamery, ale obrázek pořizuje jedna: ve scéně chybí výběr dvojice kamer (typ -503), nebo jednu kameru vybírá --camera
 pair-on-stdout = dva obrázky nelze poslat na standardní výstup: zvolte --stereo side-by-side nebo --stereo anaglyph
 wrote-picture = Zapsáno: { $path }, { $width } × { $height } pixelů
 no-such-object = scéna nemá objekt { $id }
-no-such-object-near = scéna nemá objekt { $id }; mysleli jste { $near }?
+no-such-object-near = scéna nemá objekt { $id }; měli jste na mysli { $near }?
 not-an-object = { $id } je { $kind }, ne objekt
-two-inputs = scéna i paprsky nemohou být obojí na standardním vstupu
+two-inputs = scéna a paprsky nemohou být obě na standardním vstupu
 no-question = chybí otázka
 not-a-pixel = pixel { $x },{ $y } v obrázku o velikosti { $width }x{ $height } pixelů není
 no-ray-in-pixel = projekce kamery nemá v pixelu { $x },{ $y } žádný paprsek
@@ -124,7 +124,7 @@ ray-out-of-range = tento paprsek je mimo rozsah čísel této přesnosti
 hits-out-of-range = tento paprsek protíná scénu mimo rozsah čísel této přesnosti
 too-many-occurrences = bod leží v mezích příliš mnoha výskytů sdílených objektů
 no-inverse = transformace nemá ve dvojité přesnosti inverzi
-point-out-of-range = transformace vynáší bod mimo rozsah čísel dvojité přesnosti
+point-out-of-range = transformace přesune bod mimo rozsah čísel dvojité přesnosti
 line-unreadable = nelze přečíst: { $reason }
 line-too-long = řádek je delší než { $max } bajtů
 number-out-of-range = { $word } je mimo rozsah
@@ -134,7 +134,7 @@ zero-direction = směr je nulový vektor
 
 ## Srovnávání
 
-no-program = { $program } není nainstalován: získáte ho { $how } (zkoušeno bylo `{ $path }`)
+no-program = { $program } není nainstalován: získáte ho { $how } (hledalo se `{ $path }`)
 program-failed = { $program } selhal:
     { $said }
 program-strange = { $program }: { $what }
@@ -143,12 +143,12 @@ program-strange = { $program }: { $what }
 
 camera-nowhere = kamera { $id } nikam nehledí
 camera-of-no-lens = matice projekce kamery { $id } nemá paprsky, které by POV-Ray mohl sledovat: nevycházejí z jednoho bodu ani nejsou rovnoběžné
-camera-of-no-squares = kamera { $id } nemá při { $size } čtvercové pixely a takovou kameru Mitsuba nemá: zvolte --size { $other }
-camera-of-never-squares = kamera { $id } nemá při { $size } čtvercové pixely, takovou kameru Mitsuba nemá a žádná jiná --size nepomůže
-too-many-triangles = je třeba nejméně { $needed } trojúhelníků a vytvoří se jich nejvýše { $most }: zvolte větší --tolerance nebo menší část scény
-too-many-to-count = --tolerance je příliš malá na to, aby se trojúhelníky spočetly, a vytvoří se jich nejvýše { $most }: zvolte větší
+camera-of-no-squares = kamera { $id } nemá při { $size } čtvercové pixely a takovou kameru Mitsuba nezná: zvolte --size { $other }
+camera-of-never-squares = kamera { $id } nemá při { $size } čtvercové pixely; takovou kameru Mitsuba nezná a žádná jiná --size nepomůže
+too-many-triangles = bylo by třeba nejméně { $needed } trojúhelníků, ale vytvoří se jich nejvýše { $most }: zvolte větší --tolerance nebo menší část scény
+too-many-to-count = --tolerance je příliš malá: trojúhelníků by bylo tolik, že je nelze ani spočítat, a vytvoří se jich nejvýše { $most }: zvolte větší
 too-many-joined = vzájemně se překrývá { $solids } těles, mezi nimi tvar { $shape }, a mají příliš mnoho trojúhelníků na to, aby se spojila: zvolte větší --tolerance nebo menší část scény
-mesh-without-name = scéna ze standardního vstupu nemá jméno: místo pro soubor { $format } určete pomocí -o
+mesh-without-name = scéna ze standardního vstupu nemá jméno: zadejte pomocí -o, kam zapsat soubor { $format }
 would-overwrite-image = { $path } je obrázek, který scéna používá, a byl by přepsán: zvolte jiné jméno pomocí -o
 would-overwrite-scene = { $path } je sama scéna a byla by přepsána: zvolte jiné jméno pomocí -o
 many-files = převod má více souborů ({ $documents ->
@@ -159,19 +159,19 @@ many-files = převod má více souborů ({ $documents ->
     [one] { $meshes } síť
     [few] { $meshes } sítě
    *[other] { $meshes } sítí
-}): určete pomocí -o, kam je zapsat, například -o scena.xml
+}): zadejte pomocí -o, kam je zapsat, například -o scena.xml
 
 ## Scény jako JSON
 
 json-deep = seznamy a objekty jsou do sebe vnořeny příliš hluboko
 json-not-formatted = { $path } je scéna v JSON, a tu zpg fmt neupravuje
-json-not-changed = { $path } je scéna v JSON, a tu zpg check jen čte: --fix, --diff a --add-allow jsou pro záznamy
+json-not-changed = { $path } je scéna v JSON, a tu zpg check jen čte: --fix, --diff a --add-allow pracují jen se záznamy
 json-ends = není to JSON: text končí příliš brzy, něco není uzavřeno
 json-syntax = není to JSON: tento znak sem nepatří
-json-missing = chybí `{ $field }`: doplňte je
+json-missing = chybí `{ $field }`: doplňte ho
 json-twice = `{ $field }` je uvedeno dvakrát: jedno vynechte
-json-no-field = `{ $field }` zde být nemůže, jen { $known }
-json-no-kind = druh `{ $kind }` neexistuje, jen { $known }
+json-no-field = `{ $field }` sem nepatří; patří sem { $known }
+json-no-kind = druh `{ $kind }` neexistuje; existují { $known }
 json-too-many = seznam je příliš dlouhý
 json-out-of-range = číslo je příliš velké
 json-expected = očekává se { $wanted }, uvedeno je: { $found }
@@ -182,13 +182,13 @@ json-list = seznam
 json-list-of = seznam o délce { $length }
 json-shorter-list = kratší seznam
 json-object = objekt ve složených závorkách
-json-version = verze { $found } není známa, jen verze { $known }
-json-not-before = odkazuje na uzel { $node }, který před ním nestojí
+json-version = verze { $found } není známa; známa je verze { $known }
+json-not-before = odkazuje na uzel { $node }, který není před ním
 json-no-node = uzel { $node } neexistuje
 json-no-camera = kamera { $camera } neexistuje
 json-id-range = ID je od 2 do { $max }, ne { $id }
 json-id-taken = ID { $id } je již použito
-json-colours = barva má být u každého bodu profilu, nebo u žádného
+json-colours = barvu má mít každý bod profilu, nebo žádný
 json-normals = trojúhelník nemá žádnou normálu, má jednu nebo tři
 json-image-name = tak se soubor s obrázkem jmenovat nemůže
 
@@ -198,23 +198,23 @@ usage = Použití: { $usage }
 usage-more = Více řekne `--help`.
 usage-unknown = neočekávaný argument `{ $arg }`
 usage-no-command = příkaz `{ $arg }` neexistuje
-usage-command = který příkaz? Možnosti jsou { $commands }
+usage-command = chybí příkaz; možnosti jsou { $commands }
 usage-missing = chybí: { $arg }
 usage-twice = `{ $arg }` lze uvést jen jednou
 usage-conflict = `{ $arg }` nelze uvést spolu s `{ $other }`
 usage-no-value = `{ $arg }` potřebuje hodnotu
-usage-flag = `{ $arg }` je bez hodnoty, ale uvedeno je `{ $text }`
+usage-flag = `{ $arg }` nemá hodnotu, ale je uvedena: `{ $text }`
 usage-value = `{ $text }` není hodnota pro `{ $arg }`
 usage-not-text = některý argument není text v UTF-8
 usage-values = možnosti jsou { $values }
 with-reason = { $what }: { $reason }
-with-near = { $what }; mysleli jste `{ $near }`?
+with-near = { $what }; měli jste na mysli `{ $near }`?
 
 expected-size = očekává se ŠxV, například 640x480
 not-pixels = `{ $text }` není počet pixelů
 expected-crop = očekává se X,Y,Š,V v pixelech, například 200,100,64,64
 expected-pixel = očekává se X,Y v pixelech, například 320,240
-expected-lines = řádky se píší jako 3-9, nebo jako 3
+expected-lines = řádky se zadávají jako 3-9 nebo 3
 expected-length = očekává se délka větší než 0
 expected-difference = očekává se číslo větší než 0, nejvýše 255
 expected-tolerance = očekává se číslo větší než 0, nejvýše 1
@@ -238,16 +238,16 @@ lsp-fix-all = Provést všechny bezpečné opravy
 lsp-renumber = Přečíslovat všechna ID podle pořadí v souboru
 lsp-render = Vykreslit
 lsp-preview = Náhled
-lsp-crosscheck = Porovnat s POV-Ray
+lsp-crosscheck = Porovnat s POV-Rayem
 lsp-used = { $count ->
     [one] použito jednou
    *[other] použito { $count }×
 }
-lsp-no-id = zde žádné ID není
+lsp-no-id = zde není žádné ID
 lsp-render-id = 1 je ID renderovacího záznamu a jiné být nemůže
 lsp-reserved-id = 1 je vyhrazeno renderovacímu záznamu
 lsp-not-an-id = { $text } není ID: ID je celé číslo od 2 do { $max }
 lsp-id-taken = { $id } je již použito na řádku { $line }
 lsp-not-open = soubor { $path } není otevřen
 lsp-stopped = zastaveno
-lsp-cannot-run = zpg neuspělo: { $reason }
+lsp-cannot-run = zpg selhalo: { $reason }

@@ -68,7 +68,7 @@ allowed = Povoleno: { $count ->
     [few] { $files } soubory
    *[other] { $files } souborů
 }).
-would-fix = K opravě: { $count ->
+would-fix = Opravilo by se: { $count ->
     [one] { $count } nález
     [few] { $count } nálezy
    *[other] { $count } nálezů
@@ -78,44 +78,44 @@ would-fix = K opravě: { $count ->
    *[other] { $files } souborů
 }).
 folded = { $count ->
-    [one] ještě { $count } takový nález, na { $places }
-    [few] ještě { $count } takové nálezy, na { $places }
-   *[other] ještě { $count } takových nálezů, na { $places }
+    [one] ještě { $count } takový nález, na místě { $places }
+    [few] ještě { $count } takové nálezy, na místech { $places }
+   *[other] ještě { $count } takových nálezů, na místech { $places }
 }
 folded-row = { $count ->
     [one] ještě { $count } záznam jako ten na řádku { $line }, na místě { $places }
     [few] ještě { $count } záznamy jako ten na řádku { $line }, na místech { $places }
    *[other] ještě { $count } záznamů jako ten na řádku { $line }, na místech { $places }
 }
-folded-cut = ještě { $count } takových nálezů, první na { $places }
+folded-cut = ještě { $count } takových nálezů, první na místech { $places }
 
 ## Společné věty
 
 fix-write = napsat { $number }
 fix-type = napsat `{ $number }` ({ $type })
 fix-lost-type = za ID napsat typ `{ $number }` ({ $type })
-fix-comment = uzavřít to do komentáře
+fix-comment = dát to do komentáře
 fix-doubled = vynechat čísla, která jsou tu dvakrát
-lack = čísla zde jsou možná { $have } a chybí { $missing }
+lack = zapsaná čísla jsou možná { $have }; pak chybí { $missing }
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 defined-here = { $id } je definováno zde
-declared-here = { $id } je ohlášeno zde
+declared-here = { $id } je deklarováno zde
 
 ## Text
 
 E001 = { $text } tu nic neznamená
-    .label = zde mělo být číslo
-    .help = odstraňte to, nebo dejte do komentáře: `# … #`
+    .label = zde má být číslo
+    .help = odstraňte to, nebo to dejte do komentáře: `# … #`
 
 E002 = tento komentář není ukončen
     .label = čte se, jako by končil na konci řádku
-    .help = znak `#` začíná komentář a druhý `#` jej musí ukončit
+    .help = komentář začíná znakem `#` a musí jím i končit
     .fix = ukončit komentář na konci řádku
 
 E003 = { $text } není číslo
     .label = chybně zapsané číslo
-    .help = čísla vypadají takto: `3`, `-0.5`, `1.5e-3`; minus je obyčejné `-` z klávesnice
+    .help = čísla se píší takto: `3`, `-0.5`, `1.5e-3`; minus je obyčejné `-` z klávesnice
     .fix = { fix-write }
 E003-decimal-comma = { $text } má desetinnou čárku
     .label = čteno jako { $number }
@@ -125,46 +125,46 @@ E003-decimal-commas = { $text } a další čísla na tomto řádku mají desetin
     .label = čteno jako { $number }
     .help = { E003-decimal-comma.help }
     .fix = napsat ve všech desetinnou tečku
-E003-dashes = { $text } není číslo: v tomto souboru stojí místo znaku minus typografická pomlčka (počet míst: { $count })
+E003-dashes = { $text } není číslo: místo minusu je tu typografická pomlčka (v souboru { $count }×)
     .label = pomlčka, ne minus
-    .help = při kopírování z PDF se ze znaku minus stává pomlčka; zde musí být `-`
-    .fix = napsat `-` na všech místech ({ $count })
-E003-colour = barva jsou tři čísla, ne { $text }
-    .label = lineární červená, zelená a modrá: { $number }
-    .help = čísla jsou od 0 do 1 a lineární; šestnáctkové číslice jsou v sRGB
+    .help = při kopírování z PDF se z minusu stává pomlčka; zde musí být `-`
+    .fix = napsat `-` na všech místech ({ $count }×)
+E003-colour = barva se zapisuje třemi čísly, ne { $text }
+    .label = v lineárním RGB: { $number }
+    .help = čísla jsou lineární, od 0 do 1; šestnáctkový zápis je v sRGB
     .fix = { fix-write }
 E003-glued = { $text } není jedno číslo, ale několik
     .label = zde chybí mezera: { $number }
-    .help = záznam pak má tolik čísel, kolik má mít
+    .help = s mezerou má záznam správný počet čísel
     .fix = { fix-write }
 
 E004 = { $text } je příliš velké
     .label = tak velké číslo se do dvojité přesnosti nevejde
     .help = největší je asi 1.8e308
-E004-count = tolik bodů, { $text }, se nevejde do žádného souboru
+E004-count = { $text } bodů se nevejde do žádného souboru
     .label = N, počet bodů profilu
 E004-id = ID { $text } je příliš velké
-    .label = ID jsou nejvýše 2147483647
+    .label = největší možné ID je 2147483647
 
 E005 = { $text } nemůže být ID
-    .label = zde mělo být ID
-    .help = záznam začíná svým ID, celým číslem od 1 do 2147483647
+    .label = zde má být ID
+    .help = na začátku záznamu je jeho ID, celé číslo od 1 do 2147483647
 E005-negative = { E005 }
-    .label = ID jsou kladná
+    .label = ID musí být kladné
     .help = { E005.help }
 E005-lost = { $type }: chybí ID
     .label = toto je typ, { $number }; před něj patří ID
     .help = { $type } se zapisuje { $header }
-E005-swapped = { $text } tu nemůže být ID: ID a typ jsou prohozené
+E005-swapped = { $text } tu nemůže být ID: ID a typ jsou prohozeny
     .label = renderovací záznam začíná { $number }
     .help = renderovací záznam má vždy ID 1 a typ 9999
     .fix = { fix-write }
 
 E006 = za ID { $text } chybí typ
-    .label = za tímto ID měl být typ záznamu
+    .label = za tímto ID má být typ záznamu
     .help = záznam má tvar `ID TYP parametry…`
 E006-word = { $text } není typ záznamu
-    .label = zde mělo být číslo typu
+    .label = zde má být číslo typu
     .help = číslo typu zjistíte příkazem `zpg explain` se jménem, například `zpg explain koule`
 E006-lost = záznamu chybí typ: jeho čísla odpovídají typu { $number } ({ $type })
     .label = za tímto ID chybí typ
@@ -173,13 +173,13 @@ E007 = typ záznamu { $text } neexistuje
     .label = neznámý typ
 E007-proposal = { E007 }
     .label = { E007.label }
-    .help = tyto parametry odpovídají typu { $number }, { $type }
+    .help = tyto parametry odpovídají typu { $number } ({ $type })
     .fix = { fix-type }
-E007-sign = v čísle typu chybí znak minus: { $number } je { $type }
+E007-sign = v čísle typu chybí minus: { $number } je { $type }
     .label = čísla za ním odpovídají typu { $number }
 E007-minus = { $kinds ->
-    [one] v čísle typu chybí znak minus, a to { $count }×: má být { $number } ({ $type })
-   *[many] v číslech typů chybí znak minus, a to { $count }×; zde má být { $number } ({ $type })
+    [one] v čísle typu chybí minus, v souboru { $count }×: má být { $number } ({ $type })
+   *[many] v číslech typů chybí minus, v souboru { $count }×; zde má být { $number } ({ $type })
 }
     .label = zde chybí minus
     .help = typy operací, vlastností, světel a kamer jsou záporné; při kopírování z PDF se minus může ztratit
@@ -209,8 +209,8 @@ E008-row = { E008 }
     .help = { E008.help }
     .begin = { $type } začíná zde
 E008-sign = { E008 }
-    .label = typ ztratil znaménko
-    .help = se znaménkem je záznam správně: { $meant-capital } { $header }
+    .label = typu chybí znaménko
+    .help = { $meant-capital }: { $header }; se znaménkem je záznam správně
     .fix = { fix-write }
 E008-count = { $type }: chybí počet bodů
     .label = za typem chybí N
@@ -240,18 +240,18 @@ E009-row = { E009 }
     .begin = { $type } začíná zde
 
 E010 = { $text } není celé číslo
-    .label = { $parameter } musí být celé číslo, psané bez tečky
+    .label = { $parameter } musí být celé číslo, zapsané bez tečky
     .fix = { fix-write }
 
 E011 = { $text } není jméno souboru
     .label = zde má být { $parameter }
-    .help = jméno souboru je jedno slovo, nebo stojí ve dvojitých uvozovkách
+    .help = jméno souboru je jedno slovo, nebo text ve dvojitých uvozovkách
 
 E012 = slovo { $text } tu nic neznamená
-    .label = zde mělo být číslo
+    .label = zde má být číslo
     .help = je-li to komentář, patří mezi dva znaky `#`
 E012-file-name = jméno souboru { $text } obsahuje mezery
-    .label = zde mělo být jedno slovo
+    .label = zde má být jedno slovo
     .help = jméno souboru s mezerami patří do uvozovek
     .fix = { fix-write }
 
@@ -266,7 +266,7 @@ E014 = soubor nevypadá jako scéna: { $lines ->
         [one] jeho jediný řádek nezačíná číslem
        *[other] číslem začíná { $numbers } z { $lines } řádků
     }
-    .label = tento řádek jím nezačíná
+    .label = tento řádek číslem nezačíná
     .help = scénu tvoří záznamy `ID TYP PARAMETR…` a `# komentáře #`; číslem začíná aspoň polovina jejích řádků
 E014-known = { $kind ->
         [picture] obrázek { $name }
@@ -289,52 +289,52 @@ E014-long = komentář nebo slovo v souboru má 256 MiB nebo více
     .help = komentář se ukončuje znakem `#`
 E014-json = JSON není scéna
 E014-scene-json = soubor je scéna zapsaná v JSON
-    .help = přečte se, když jméno končí na .json; `zpg convert SOUBOR.json --to zpg` ji zapíše jako záznamy
+    .help = přečte se, když jméno souboru končí na .json; na záznamy ji převede `zpg convert SOUBOR.json --to zpg`
 
 E015 = { $why }
 
-W314 = { $type } si bere poslední čísla z řádku, který by byl sám celým záznamem
+W314 = { $type } si bere poslední čísla z řádku, který by sám byl úplným záznamem
     .label = vzato ze začátku tohoto řádku
     .begin = záznam začíná zde
-    .note = sám o sobě by řádek zněl { $line }
-    .help = chybí-li výše číslo, doplňte je: { $header }
+    .note = řádek by sám byl záznam { $line }
+    .help = chybí-li nad ním číslo, doplňte ho: { $header }
 
 N601 = soubor není platné UTF-8; čte se jako Windows-1250
     .label = první bajt, který není UTF-8
     .help = uložte soubor v UTF-8
-N604 = soubor je v UTF-16; tak se čte i zapisuje
+N604 = soubor je v UTF-16; v něm se čte i zapisuje
     .label = začátek souboru
-N604-incomplete = soubor je v UTF-16 a něco v něm není znak; nezapisuje se do něj
+N604-incomplete = soubor je v UTF-16 a některý znak v něm není úplný; soubor se nepřepíše
     .label = začátek souboru
     .help = uložte soubor v UTF-8
 
 N605 = čísla za záznamem ({ $type }) lze číst dvěma způsoby
     .label = čte se jako součást záznamu
-    .help = mohla by to být samostatná čísla jiných záznamů: ty stojí na vlastních řádcích
+    .help = mohou to být i další záznamy; ty patří na vlastní řádky
 
 ## ID
 
 lost-id-used-here = { $lost } se používá zde a není nikde definováno
-lost-id-may-be-this = možná je to záznam, který má definovat { $lost }
+lost-id-may-be-this = možná má { $lost } definovat tento záznam
 put-lost-id-in-front = doplnit na začátek záznamu `{ $lost }`
 write-lost-id = napsat `{ $lost }`
 
 E101 = { $id } není definováno
     .label = žádný záznam v souboru toto ID nemá
 E101-no-id = { $number } není ID
-    .label = zde mělo být nějaké ID
+    .label = zde má být ID některého záznamu
 
 E102 = ID { $id } už je definováno
     .label = toto by byla druhá definice ({ $type })
     .help = dejte tomuto záznamu vlastní ID
     .first = poprvé je definováno zde
 E102-render = renderovací záznam už ve scéně je
-    .label = scéna má jediný, s ID 1
+    .label = scéna má jen jeden, s ID 1
     .help = jeden z nich odstraňte
     .first = { E102.first }
 E102-property = { E102 }
     .label = { E102.label }
-    .first = { E102.first }, jako vlastnost, kterou zatím nic nemá
+    .first = { E102.first }, jako vlastnost, která zatím není ničemu přiřazena
     .help = má-li to být vlastnost tohoto záznamu, přesuňte ji za něj
 E102-scenes = v souboru jsou zřejmě dvě scény: { $count ->
     [one] { $count } ID je definováno
@@ -344,11 +344,11 @@ E102-scenes = v souboru jsou zřejmě dvě scény: { $count ->
     .label = zde začíná druhá scéna
     .help = dejte záznamům jedné scény jiná ID a ponechte jeden renderovací záznam
     .first = toto ID má i první scéna
-    .fix = přičíst { $number } ke všem ID druhé scény a zobrazit obě
+    .fix = přičíst { $number } ke všem ID druhé scény a vykreslit obě
 
 E103 = { $id } je { $kind }, ne { $kinds }
     .label = zde má být: { $parameter }
-E103-changed = { $id } je { $kind }; záznam „{ $type }“ vyžaduje jiný druh: { $kinds }
+E103-changed = { $id } je { $kind }; záznam „{ $type }“ patří jen k ID tohoto druhu: { $kinds }
     .label = zde má být { $kinds }
 
 E104 = { $id } je použito ve své vlastní definici
@@ -366,22 +366,22 @@ E105-objects = { E105-other }
     .fix = napsat { $number } zde i všude, kde se toto ID používá
 
 E106 = chybí renderovací záznam
-    .label = není řečeno, co se má vykreslit
+    .label = není určeno, co se má vykreslit
     .help = přidejte `1 9999 OBJEKT POZADÍ`: místo OBJEKT napište ID toho, co se má vykreslit, místo POZADÍ ID barvy, nebo 0 pro černou
 
 E107 = { $id } se používá dříve, než je definováno
     .label = ještě není definováno
     .help = přesuňte definici výš: scéna se čte shora dolů
     .later = definováno zde
-E107-cycle = { $id } a { $own } závisejí na sobě navzájem: žádné z nich nelze definovat jako první
+E107-cycle = { $id } a { $own } závisí na sobě navzájem: žádné z nich nelze definovat jako první
     .label = { $own } závisí na { $id }, a to zase na { $own }
     .help = definice tvoří kruh, { $own } → { $members }; jeden z těchto odkazů musí vést jinam
     .later = definováno zde
 
-E108 = { $id } je ohlášeno, ale ještě není definováno
+E108 = { $id } je deklarováno, ale ještě není definováno
     .label = nejprve je třeba definovat: { $parameter }
 E108-changed = { E108 }
-    .label = { $type } potřebuje něco, co by šlo změnit
+    .label = { $type }: zatím není co změnit
 
 ## Hodnoty
 
@@ -390,7 +390,7 @@ E201 = { $type }: { $parameter } musí být větší než nula
 
 E202 = { $type }: { $lower } je větší než { $upper }{ $others ->
     [0] {""}
-   *[other] , a ještě { $others }×
+   *[other] ; totéž ještě { $others }×
 }
     .label = dolní mez
     .other = horní mez
@@ -400,9 +400,9 @@ E203 = { $type }: { $vector } je nulový vektor
     .label = nemá žádný směr
 
 E204 = { $type } je singulární: nemá inverzi
-    .label = zobrazuje prostor na něco plochého
-E204-rounded = { $type } nemá v dvojité přesnosti inverzi
-    .label = matice je příliš blízko takové, která zobrazuje prostor na něco plochého, nebo má příliš velká či malá čísla
+    .label = zobrazí celý prostor do roviny, na přímku nebo do bodu
+E204-rounded = { $type } nemá ve dvojité přesnosti inverzi
+    .label = matice je téměř singulární, nebo má příliš velká či příliš malá čísla
 E204-row = poslední řádek matice rotace musí být 0 0 0 1
     .label = tento řádek
 E204-scale = { $type }: { $parameter } nesmí být nula
@@ -410,7 +410,7 @@ E204-scale = { $type }: { $parameter } nesmí být nula
 E204-product = { $type }: transformace objektu { $id } pak nemají inverzi
     .label = čísla jsou příliš velká nebo příliš malá pro dvojitou přesnost
 
-E205 = { $type }: osa musí být 1 pro x, 2 pro y, nebo 3 pro z
+E205 = { $type }: osa musí být 1 (x), 2 (y) nebo 3 (z)
     .label = `{ $name }` je { $text }
 E205-turned = { E205 }
     .label = { E205.label }
@@ -419,7 +419,7 @@ E205-turned = { E205 }
 
 E206 = { $type }: { $parameter } musí být mezi { $low } a { $high }
     .label = `{ $name }` je { $text }
-E206-between = { $type }: { $parameter } musí být mezi { $low } a { $high } (kromě krajních hodnot)
+E206-between = { $type }: { $parameter } musí být mezi { $low } a { $high } (bez krajních hodnot)
     .label = `{ $name }` je { $text }
 E206-least = { $type }: { $parameter } musí být aspoň { $low }
     .label = `{ $name }` je { $text }
@@ -427,7 +427,7 @@ E206-count = { $type }: počet bodů profilu nemůže být { $value }
     .label = N, počet bodů profilu, musí být aspoň 2
 
 E207 = směr pohledu kamery a vektor „nahoru“ jsou rovnoběžné
-    .label = společně mají určit, kde je v obrazu nahoře
+    .label = společně mají určit, kde je v obrázku nahoře
     .help = vektor „nahoru“ bývá `0 1 0`; míří-li kamera přímo nahoru nebo dolů, zvolte `0 0 1`
 E207-projection = pro část obrázku nemá tato matice projekce žádný paprsek
     .label = není tam vidět nic, co je před kamerou
@@ -442,7 +442,7 @@ E208 = { $type }: { $parameter } nesmí být záporná
 
 E209 = obrázek musí ležet ve složce scény
     .label = tato cesta vede jinam
-    .help = zkopírujte obrázek ke scéně a uveďte jej bez složky
+    .help = zkopírujte obrázek ke scéně a uveďte ho bez složky
 E209-link = { E209 }
     .label = toto je odkaz, který vede jinam
 
@@ -461,8 +461,8 @@ nothing-drawn = nic z toho se nezobrazí
 ## Poznámky a styl
 
 S504 = { $count ->
-    [one] { $entries } se zde povoluje, ale nevyskytuje
-   *[other] { $entries } se zde povolují, ale nevyskytují
+    [one] { $entries } se zde povoluje, ale nevyskytuje se
+   *[other] { $entries } se zde povolují, ale nevyskytují se
 }
     .label = není co povolit
     .fix = { $count ->
@@ -470,9 +470,9 @@ S504 = { $count ->
        *[other] odstranit je
     }
 S504-unknown = tomuto komentáři zpg nerozumí
-    .help = co je tak schválně, označte `# zpg: allow(W307) #` s kódem nebo názvem nálezu
+    .help = záměr označte komentářem `# zpg: allow(W307) #` s kódem nebo názvem nálezu
 S504-empty = položka tohoto komentáře je prázdná
-    .help = co je tak schválně, označte `# zpg: allow(W307) #` s kódem nebo názvem nálezu
+    .help = záměr označte komentářem `# zpg: allow(W307) #` s kódem nebo názvem nálezu
 S504-no-code = { $count ->
     [one] kód { $text } neexistuje
    *[other] kódy { $text } neexistují

@@ -1,13 +1,13 @@
 ### Co znamenají typy záznamů, česky. Anglicky je to v src/syntax/table.rs.
 
-summary-undefined = `ID 0` ohlásí objekt, který se smí jednou definovat později. Samotná `0` na místě ID je záznam VOID, kterým se uvozuje samostatný komentář.
-summary-surface-of-revolution = Těleso: lomená čára z N bodů profilu otočená kolem osy y; x je vzdálenost od osy. Konce mimo osu uzavírají rovné kruhy, ledaže je poslední bod zároveň první (prstenec). Vnitřek je určen pravidlem sudá–lichá na uzavřeném profilu.
+summary-undefined = `ID 0` deklaruje objekt, který smí být později jednou definován. Samotná `0` na místě ID je záznam VOID; uvozuje samostatný komentář.
+summary-surface-of-revolution = Těleso: lomená čára z N bodů profilu otočená kolem osy y; x je vzdálenost od osy. Konce mimo osu uzavírají rovné kruhy, pokud není poslední bod totožný s prvním (prstenec). Vnitřek je určen pravidlem sudá–lichá na uzavřeném profilu.
 summary-coloured-surface-of-revolution = Jako typ 1, každý bod profilu má navíc barvu; mezi body se barva mění lineárně.
-summary-plane = Plocha: všechny body, pro které je ax + by + cz + d = 0. Nemá vnitřek ani orientaci.
-summary-half-space = Těleso: všechny body, pro které je ax + by + cz + d ≤ 0.
+summary-plane = Plocha: všechny body, pro které platí ax + by + cz + d = 0. Nemá vnitřek ani orientaci.
+summary-half-space = Těleso: všechny body, pro které platí ax + by + cz + d ≤ 0.
 summary-rectangle = Plocha: obdélník v rovině z = 0, rovnoběžný s osami.
 summary-triangle = Plocha: rovinný trojúhelník.
-summary-triangle-with-normal = Plocha: trojúhelník s jednou normálou pro stínování, společnou pro celý.
+summary-triangle-with-normal = Plocha: trojúhelník s jednou normálou pro stínování, společnou pro celou plochu.
 summary-triangle-with-vertex-normals = Plocha: trojúhelník s normálou pro stínování v každém vrcholu; mezi nimi se interpoluje a znovu normuje.
 summary-sphere-at-origin = Těleso: koule s tímto poloměrem a středem v počátku.
 summary-ellipsoid = Těleso: elipsoid se středem v počátku a poloosami ve směru souřadnicových os.
@@ -15,7 +15,7 @@ summary-sphere = Těleso: koule s tímto středem a poloměrem.
 summary-box = Těleso: kvádr mezi dvěma rohy, se stěnami kolmými na souřadnicové osy.
 summary-geodesic-sphere = Těleso: dvacetistěn s vrcholy (0, ±1, ±φ) a jejich cyklickými záměnami; každá stěna se n-krát rozdělí na čtyři a nové vrcholy se vysunou na kouli: 20·4ⁿ rovných plošek.
 summary-torus = Těleso: torus (anuloid) kolem osy y. Trubka smí být širší než R; vnitřek je určen pravidlem sudá–lichá.
-summary-quadric = Těleso: všechny body, pro které je xᵀQx ≤ 0, kde x = (x, y, z, 1). Z matice Q záleží jen na symetrické části.
+summary-quadric = Těleso: všechny body, pro které platí xᵀQx ≤ 0, kde x = (x, y, z, 1). Z matice Q záleží jen na symetrické části.
 summary-cone = Těleso: kužel s vrcholem v počátku a osou y; podstava má poloměr r a leží ve výšce y = h.
 summary-double-cone = Těleso: dva kužely se společným vrcholem v počátku; podstavy mají poloměr r a leží ve výškách y = ±h.
 summary-parabolic-cylinder = Těleso: (x/a)² − y ≤ 0, podél osy z.
@@ -35,11 +35,11 @@ summary-copy = A := B v té podobě, jakou má v tomto místě; kopie a originá
 summary-optics = Koeficienty difuzního odrazu, zrcadlového odrazu a propustnosti, ve všech kanálech stejné.
 summary-optics-rgb = Koeficienty difuzního odrazu, zrcadlového odrazu a propustnosti, pro každý kanál zvlášť.
 summary-refractive-index = Index lomu, pro každý kanál jeden; různé hodnoty světlo rozloží na barvy.
-summary-assign = Přiřadí objektu s tímto ID texturu nebo barvu a optickou vlastnost; 0 vrátí výchozí.
-summary-image-texture = Obrázek položený na souřadnice na ploše (u, v), opakuje se a čte se jako sRGB.
-summary-solid-texture = Krychle dvou střídajících se barev, v souřadnicích, které má objekt v okamžiku přiřazení.
-summary-checkerboard = N × M polí přes souřadnice na ploše; c1 tam, kde je ⌊uN⌋ + ⌊vM⌋ sudé.
-summary-ambient-light = Světlo, které přichází odevšad na každý povrch; více takových světel se sečte.
+summary-assign = Přiřadí objektu s tímto ID texturu nebo barvu a optickou vlastnost; 0 znamená výchozí hodnoty.
+summary-image-texture = Obrázek nanesený podle souřadnic na povrchu (u, v); opakuje se a čte se jako sRGB.
+summary-solid-texture = Krychle dvou střídavých barev v souřadnicích, které má objekt v okamžiku přiřazení.
+summary-checkerboard = N × M polí podle souřadnic na povrchu; barva c1 je tam, kde je ⌊uN⌋ + ⌊vM⌋ sudé.
+summary-ambient-light = Světlo, které přichází odevšad na každý povrch; více takových světel se sčítá.
 summary-point-light = Světlo v počátku, dokud ho neposune transformace; se vzdáleností neslábne.
 summary-camera = Poloha, směr pohledu a vektor „nahoru“ (oba libovolné délky) a svislý zorný úhel.
 summary-mono-camera = Vybere kameru, kterou se pořídí obrázek; platí poslední výběr.

@@ -1,7 +1,7 @@
 ### Zpráva příkazu `zpg accuracy`.
 
 accuracy-kind-edges = hrany
-accuracy-kind-light = uříznuté světlo
+accuracy-kind-light = zanedbané světlo
 accuracy-kind-numbers = zaokrouhlování
 accuracy-kind-facets = plošky
 
@@ -12,18 +12,18 @@ accuracy-advice-enough = Výchozí nastavení stačí: žádný druh chyby nedos
 accuracy-advice-limit = Největší chyba tohoto obrázku: { $kind }, { $error } kroku při výchozím nastavení (střední kvadratická odchylka; krok je 1/255).
 accuracy-at-most = nejvýše { $error }
 accuracy-advice-set = `{ $option }` ji sníží na { $error } za { $times }násobek času.
-accuracy-advice-dearer = `{ $option }` ji sníží na { $error } za { $times }násobek.
+accuracy-advice-dearer = `{ $option }` ji sníží na { $error }, za { $times }násobek času.
 accuracy-advice-even = I `{ $option }`, za { $times }násobek času, ponechá { $error }.
 accuracy-advice-others = Každý z ostatních druhů chyby je při výchozím nastavení menší než { $error } kroku.
 accuracy-price = za { $percent } % času navíc
 accuracy-price-none = bez měřitelného času navíc
-accuracy-advice-repair = Z { $pixels } prohlédnutých pixelů je v { $off } uříznuté světlo vidět o víc než krok. `{ $option }` jich opraví { $right } { $price }.
+accuracy-advice-repair = Z { $pixels } prohlédnutých pixelů se jich kvůli zanedbanému světlu liší { $off } o víc než krok. `{ $option }` jich opraví { $right } { $price }.
 accuracy-advice-save = `{ $option }` ušetří { $percent } % času a žádný další pixel se neliší o víc než krok.
 accuracy-advice-no-change = Žádné nastavení neušetří desetinu času, aniž by to bylo vidět.
-accuracy-numbers-same = Čísla s dvojitou přesností tu stačí: double-double, které má dvakrát tolik číslic, stojí { $times }násobek a dává tentýž obrázek.
-accuracy-numbers-unseen = Čísla s dvojitou přesností na pohled stačí: double-double, které má dvakrát tolik číslic, stojí { $times }násobek a neopraví žádný pixel.
-accuracy-numbers-untimed = Čísla s dvojitou přesností nepokazí žádný pixel.
-accuracy-numbers-report = Čísla s dvojitou přesností se mýlí v { $off ->
+accuracy-numbers-same = Dvojitá přesnost tu stačí: double-double s dvojnásobným počtem číslic trvá { $times }násobek času a dává tentýž obrázek.
+accuracy-numbers-unseen = Dvojitá přesnost na pohled stačí: double-double s dvojnásobným počtem číslic trvá { $times }násobek času a neopraví žádný pixel.
+accuracy-numbers-untimed = Dvojitá přesnost nepokazí žádný pixel.
+accuracy-numbers-report = Dvojitá přesnost se mýlí v { $off ->
     [one] { $off } pixelu
    *[other] { $off } pixelech
 }: nahlaste prosím tuto scénu.
@@ -33,7 +33,7 @@ accuracy-numbers-f32 = Jednoduchá přesnost { $off ->
     [few] pokazí { $off } pixely
    *[other] pokazí { $off } pixelů
 } a { $price }.
-accuracy-numbers-plain = Počítání, jaké má většina sledovačů paprsků a které nehlídá vlastní zaokrouhlování (`plain-f64`, pro srovnání), { $off ->
+accuracy-numbers-plain = Výpočet, který nehlídá vlastní zaokrouhlování, jak ho má většina sledovačů paprsků (`plain-f64`, pro srovnání), { $off ->
     [0] tu nepokazí nic
     [one] pokazí { $off } pixel
     [few] pokazí { $off } pixely
@@ -41,15 +41,15 @@ accuracy-numbers-plain = Počítání, jaké má většina sledovačů paprsků 
 } a { $price }.
 accuracy-saves-nothing = trvá stejně dlouho
 accuracy-saves = ušetří { $percent } %
-accuracy-costs = stojí o { $percent } % víc
+accuracy-costs = trvá o { $percent } % déle
 
-accuracy-skip-unasked = nežádáno
-accuracy-skip-light = nic nezrcadlí a nic nepropouští světlo: žádné světlo se neuřízne
-accuracy-skip-solver = nekreslí se žádný torus ani rotační těleso
-accuracy-skip-levels = nekreslí se žádná geodetická koule
+accuracy-skip-unasked = nebylo požadováno
+accuracy-skip-light = nic nezrcadlí a nic nepropouští světlo: žádné světlo se nezanedbá
+accuracy-skip-solver = nevykresluje se žádný torus ani rotační těleso
+accuracy-skip-levels = nevykresluje se žádná geodetická koule
 accuracy-skip-glass = něčím prochází světlo, a trojúhelník nemá vnitřek
 accuracy-skip-flat = všechno je rovné
-accuracy-skip-patterns = i vzory by vyšly v ploškách
+accuracy-skip-patterns = i vzory by se rozpadly na plošky
 accuracy-skip-mesh = nešlo z ní udělat síť
 accuracy-unfit-parts = má příliš mnoho částí
 accuracy-unfit-deep = její operace jsou vnořeny příliš hluboko
@@ -57,13 +57,13 @@ accuracy-unfit-facets = geodetická koule má příliš mnoho plošek
 accuracy-unfit-matrix = některá matice nemá inverzi
 
 accuracy-how-naive = celé pixely proti nezávislému sledovači paprsků se 71 číslicemi
-accuracy-how-light = poloviční hloubka a desetinásobný práh proti celku, na čtvrtině dlaždic
+accuracy-how-light = poloviční hloubka a desetinásobný práh proti plnému výpočtu, na čtvrtině dlaždic
 accuracy-how-edges = polovina vzorků proti všem
 accuracy-cut-runs = některé z pěti běhů
 
 accuracy-step-pilot = každé nastavení jednou na zkoušku
 accuracy-step-numbers = reference v double-double a její ověření
-accuracy-step-light = reference pro uříznuté světlo
+accuracy-step-light = reference pro zanedbané světlo
 accuracy-step-edges = reference pro hrany
 accuracy-step-errors = chyby
 accuracy-step-times = časy
@@ -79,17 +79,17 @@ accuracy-effect-textures = textury
 accuracy-effect-smooth-normals = hladké normály
 
 accuracy-title = Co stojí přesnost
-accuracy-stopped = Bylo zastaveno, než se vše dokončilo.
+accuracy-stopped = Měření bylo zastaveno před koncem.
 accuracy-columns = { "  " }   CPU  × výchozí     chyba     FLIP   o >1
-accuracy-legend = ◆ výchozí  ● nic vyzkoušeného není rychlejší a přesnější  ○ něco je; chyba: střední kvadratická v krocích 1/255; dalších { $left } v accuracy.json
+accuracy-legend = ◆ výchozí  ● nic z vyzkoušeného není rychlejší a přesnější  ○ něco je; chyba: střední kvadratická v krocích 1/255; dalších { $left } v accuracy.json
 accuracy-same = totéž
-accuracy-note-columns = Chyba: střední kvadratická odchylka od reference v krocích 1/255. FLIP: jak velký rozdíl lidé vidí, od 0 do 1. Pixely: ty, v nichž se některý kanál liší o víc než krok, a kolik jich bylo prohlédnuto; pomalá nastavení se měří na menším počtu. Největší: rozdíl kanálu, který je nejdál. Na čele: nic vyzkoušeného není rychlejší a zároveň přesnější. Adaptive: vzorky přibývají, dokud odhad chyby pixelu neklesne pod toto číslo. Cutoff: paprsky, které váží méně, se zahodí. `plain-f32` a `plain-f64` jsou tu pro srovnání, stejně jako řešiče a sítě: `zpg render` taková nastavení nemá.
-accuracy-note-objects = Kde je čas a kde chyba. Pixel se počítá k tomu, co vidí jeho střed.
-accuracy-note-effects = Co stojí jednotlivé efekty. Jsou vyňaty po jednom; překrývají se, takže podíly nedají dohromady celek.
+accuracy-note-columns = Chyba: střední kvadratická odchylka od reference v krocích 1/255. FLIP: jak velký rozdíl vnímá člověk, od 0 do 1. Pixely: ty, v nichž se některý kanál liší o víc než krok, a kolik jich bylo prohlédnuto; pomalá nastavení se měří na menším počtu. Největší: největší rozdíl v jednom kanálu. Na čele: nic z vyzkoušeného není zároveň rychlejší i přesnější. Adaptive: vzorky přibývají, dokud odhad chyby pixelu neklesne pod toto číslo. Cutoff: paprsky, které váží méně, se zanedbají. `plain-f32` a `plain-f64` jsou tu pro srovnání, stejně jako řešiče a sítě: `zpg render` taková nastavení nemá.
+accuracy-note-objects = Kam jde čas a kde je chyba. Pixel se počítá k tomu, co vidí jeho střed.
+accuracy-note-effects = Co stojí jednotlivé efekty. Vypínají se po jednom; překrývají se, takže součet podílů není celek.
 accuracy-background = pozadí
 accuracy-time-by = čas podle toho, co je vidět
 accuracy-error-by = chyba podle toho, co je vidět
-accuracy-taken-out = co samo ušetří (překrývají se)
+accuracy-taken-out = co ušetří vypnutí každého zvlášť (překrývají se)
 accuracy-not-run = neměřeno
 accuracy-cut = vynecháno kvůli času
 accuracy-noise = šum ±{ $percent } %
@@ -101,13 +101,13 @@ accuracy-written = Stránka je { $path }
 
 accuracy-panels-alt = Diagramy práce a přesnosti: chyba na x, čas na y, obojí logaritmicky, pro každý druh chyby jeden
 accuracy-head-edges = Hrany
-accuracy-head-light = Uříznuté světlo
+accuracy-head-light = Zanedbané světlo
 accuracy-head-numbers = Zaokrouhlování
 accuracy-head-facets = Plošky
 accuracy-sub-edges = kolik vzorků má pixel
 accuracy-sub-light = hloubka paprsků, práh vah
 accuracy-sub-numbers = jaká čísla, jaký řešič
-accuracy-sub-facets = rovné kousky místo křivých ploch
+accuracy-sub-facets = rovné plošky místo zakřivených ploch
 accuracy-own-error = vlastní chyba reference
 accuracy-none = nic
 accuracy-table-head = | nastavení | čas CPU | × výchozí | chyba | FLIP | o > 1 | |
@@ -118,9 +118,9 @@ accuracy-recommended = doporučeno
 accuracy-same-as = tentýž výpočet jako { $other }
 accuracy-below-reference = pod vlastní chybou reference
 accuracy-wrong-object = { $wrong ->
-    [one] { $wrong } pixel vidí jiný objekt
-    [few] { $wrong } pixely vidí jiný objekt
-   *[other] { $wrong } pixelů vidí jiný objekt
+    [one] { $wrong } pixel ukazuje jiný objekt
+    [few] { $wrong } pixely ukazují jiný objekt
+   *[other] { $wrong } pixelů ukazuje jiný objekt
 }
 accuracy-ulps = vzdálenosti se liší o { $ulps } jednotky posledního místa (medián)
 accuracy-uncertain = { $rays ->
@@ -132,32 +132,32 @@ accuracy-tile-change = Co ještě nastavit
 accuracy-tile-numbers = Která čísla
 accuracy-tile-sure = Jak jisté to je
 accuracy-section-panels = Každý druh chyby v jednom měřítku
-accuracy-note-panels = Vlevo je přesnější, dole rychlejší. Každý diagram mění jeden druh nastavení a ostatní drží. Plné: nic vyzkoušeného není rychlejší a zároveň přesnější. Kroužek: výchozí. Čárkovaně: cíl. „nic“: tentýž obrázek jako reference.
+accuracy-note-panels = Vlevo je přesnější, dole rychlejší. V každém diagramu se mění jeden druh nastavení, ostatní zůstávají. Plný bod: nic z vyzkoušeného není zároveň rychlejší i přesnější. Kroužek: výchozí. Čárkovaně: cíl. „nic“: tentýž obrázek jako reference.
 accuracy-section-table = Co nastavit
-accuracy-note-table = Chyba: střední kvadratická v krocích 1/255 obrázku, s intervalem, v němž pro celý obrázek leží s 95 %. O > 1: pixely, v nichž se některý kanál liší o víc než krok. Čas CPU: celého obrázku na jednom vlákně.
+accuracy-note-table = Chyba: střední kvadratická odchylka v krocích 1/255, s intervalem, ve kterém chyba celého obrázku leží s pravděpodobností 95 %. O > 1: pixely, v nichž se některý kanál liší o víc než krok. Čas CPU: celého obrázku na jednom vlákně.
 accuracy-more-rows = Dalších { $left } vyzkoušených nastavení je v accuracy.json.
 accuracy-section-pictures = Podívejte se
-accuracy-note-pictures = Část obrázku, kde je chyba každého druhu nejhorší: s výchozím nastavením (u zaokrouhlování v jednoduché přesnosti), s nejpřesnějším, na jaké zbývá čas, a rozdíl.
-accuracy-difference = rozdíl × { $factor }; největší { $largest } kroku; pixelů mimo o víc než krok: { $wrong }
-accuracy-section-shares = Kde je čas a kde chyba
-accuracy-note-shares = Pixel se počítá k tomu, co vidí jeho střed. Efekty jsou vyňaty po jednom; překrývají se, takže podíly nedají dohromady celek.
+accuracy-note-pictures = Pro každý druh chyby část obrázku, kde je nejhorší: s výchozím nastavením (u zaokrouhlování v jednoduché přesnosti), s nejpřesnějším, na jaké je čas, a rozdíl obou.
+accuracy-difference = rozdíl × { $factor }; největší { $largest } kroku; pixelů, které se liší o víc než krok: { $wrong }
+accuracy-section-shares = Kam jde čas a kde je chyba
+accuracy-note-shares = Pixel se počítá k tomu, co vidí jeho střed. Efekty se vypínají po jednom; překrývají se, takže součet podílů není celek.
 accuracy-objects-head = | co je vidět | pixely | čas | chyba | µs na vzorek |
-accuracy-effects-head = | vyňato | ušetřený čas | ušetřené paprsky | obrázek se změní o |
+accuracy-effects-head = | vypnutý efekt | ušetřený čas | ušetřené paprsky | obrázek se změní o |
 accuracy-within-noise = v šumu
 accuracy-map-time = Čas vzorku, až { $most } µs
 accuracy-map-error = Chyba na hranách, až { $most } kroku
 accuracy-section-skipped = Co se neměřilo a proč
 accuracy-section-how = Jak se měřilo
-accuracy-note-how = Časy jsou nejmenší časy CPU na jednom vlákně z několika běhů v zamíchaném pořadí. Výchozí nastavení se měřilo čtyřikrát: to, o kolik se liší, je šum. Chyby se měří v dvojité přesnosti, na malých dlaždicích rozložených po celém obrázku.
+accuracy-note-how = Časy jsou nejmenší časy CPU na jednom vlákně z několika běhů v zamíchaném pořadí. Výchozí nastavení se měřilo čtyřikrát: o kolik se tato měření liší, to je šum. Chyby se měří v dvojité přesnosti, na malých dlaždicích rozložených po celém obrázku.
 accuracy-shapes-head = | těleso | jak | přímky | ns na přímku | chybně | medián chyby | největší chyba | nejisté |
 
 cost-camera = paprsky kamery
 cost-shadow = stínové paprsky
-cost-reflection = zrcadlené paprsky
-cost-refraction = prošlé paprsky
+cost-reflection = odražené paprsky
+cost-refraction = propuštěné paprsky
 cost-boxes = testy s kvádry
 cost-shapes = testy s tělesy
 cost-uncertain = paprsky rozhodnuté v double-double
 cost-phases = čas
 cost-objects = nejdražší z toho, co je vidět
-cost-effect = nejdražší efekt, vyňatý sám
+cost-effect = nejdražší efekt, vypne-li se sám

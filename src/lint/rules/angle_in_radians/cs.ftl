@@ -1,4 +1,4 @@
 W323 = zorný úhel { $angle } stupně vypadá jako { $degrees }° v radiánech
-    .label = zde se píší stupně
-    .note = takto obraz zachytí jen nepatrnou část scény
+    .label = úhel se píše ve stupních
+    .note = obrázek tak zachytí jen nepatrnou část scény
     .fix = napsat { $degrees }

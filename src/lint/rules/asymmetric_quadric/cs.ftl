@@ -6,7 +6,7 @@ W304 = matice kvadriky { $id } není symetrická: { $first } je { $first-number 
 }
     .label = { $first }
     .other = { $mirror }
-    .note = záleží jen na součtu obou: kvadrika se kreslí, jako by obě čísla byla jejich průměr
+    .note = záleží jen na součtu obou čísel: kvadrika se vykreslí, jako by na obou místech byl jejich průměr
     .fix = { $pairs ->
         [one] napsat na obě místa jejich průměr
         [few] napsat průměr ve všech { $pairs } dvojicích

@@ -19,8 +19,8 @@ W321 = { $operation } { $id }: { W321.the-tool } končí přesně na povrchu, kt
     }
     .operation = { $operation }
     .note = zda tam zbude stěna nulové tloušťky, záleží na zaokrouhlení
-    .help = protáhněte nástroj o kousek za stěnu, kterou prořezává
-    .fix = protáhnout nástroj o kousek dál
+    .help = protáhněte odečítané těleso o kousek za stěnu, kterou prořezává
+    .fix = protáhnout odečítané těleso o kousek dál
     .the-tool = { $tool-copy ->
         [none] { $tool } { $tool-id }{ $tool-in ->
             [none] {""}
@@ -40,17 +40,17 @@ W321-round = { W321 }
     .other = { W321.other }
     .operation = { W321.operation }
     .note = { W321.note }
-    .help = udělejte tam nástroj o kousek větší než to, co řeže, nebo zapište obojí stejně: o stejných tvarech na jednom místě se rozhoduje přesně
+    .help = zvětšete tam odečítané těleso tak, aby o kousek přesahovalo to, co řeže, nebo zapište oba tvary stejně: o stejných tvarech na jednom místě se rozhoduje přesně
     .fix = { W321.fix }
 W321-holes = { $operation } { $id }: { W321.the-tool } řeže až tam, kam { W321.the-other }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
     .note = zda mezi nimi zbude stěna nulové tloušťky, záleží na zaokrouhlení
-    .help = nechte jeden z nich zasahovat o kousek do druhého
+    .help = protáhněte jedno z odečítaných těles o kousek do druhého
     .fix = { W321.fix }
 W321-touch = { $operation } { $id }: { W321.the-tool } a { W321.the-other } se jen dotýkají: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
-    .note = co tam mají společného, je plocha nulové tloušťky; zda je vidět, záleží na zaokrouhlení
+    .note = společnou mají jen stěnu nulové tloušťky; zda je vidět, záleží na zaokrouhlení

@@ -6,4 +6,4 @@ W315 = tento komentář skrývá { $count ->
     .label = zde komentář začíná
     .first = toto by byl záznam
     .end = zde komentář končí
-    .help = ukončete komentář znakem `#` na jeho řádku; co už není potřeba, je lépe odstranit
+    .help = ukončete komentář znakem `#` na jeho řádku; nepotřebné záznamy raději odstraňte

@@ -3,7 +3,7 @@ sum-in-green = kd + ks + kt = { $green } v zelené složce
 sum-in-blue = kd + ks + kt = { $blue } v modré složce
 W302 = tento povrch vydává více světla, než dostává: kd + ks + kt = { $sum }
     .label = více než 1
-    .help = tyto tři části se dělí o dopadající světlo; jejich součet má být nejvýše 1
+    .help = difuzní, zrcadlová a propuštěná část se dělí o dopadající světlo; jejich součet má být nejvýše 1
 W302-red = { W302 } v červené složce
     .label = { W302.label }
     .help = { W302.help }

@@ -1,6 +1,6 @@
 W322 = { $type } { $id } má příliš rozdílné rozměry: { $large } je { $large-size }, { $small } jen { $small-size }
     .label = délky, které se liší více než 1e8krát
-    .note = na obojí šestnáct číslic nestačí: průsečíky na malých částech jsou vedle o velkou část jejich rozměru a hrany vyjdou roztřepené
+    .note = na takový rozdíl šestnáct číslic nestačí: průsečíky s malými částmi jsou nepřesné a hrany vyjdou roztřepené
     .help = přibližte rozměry k sobě, nebo přesuňte objekt blíže k počátku
 W322-moved = { $type } { $id } má po přesunutí a natažení příliš rozdílné rozměry: { $large } je { $large-size }, { $small } jen { $small-size }
     .label = { W322.label }

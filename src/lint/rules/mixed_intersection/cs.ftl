@@ -10,4 +10,4 @@ W308 = průnik { $id } nevypadá všude stejně: { $first } { $first-id } a { $s
     .label = výsledku { $id } není nic přiřazeno
     .note = každá část povrchu má vlastnosti toho operandu, ze kterého pochází
     .help = má-li celý povrch vypadat stejně, přiřaďte vlastnosti výsledku: `{ $id } -299 TEXTURA OPTIKA`
-    .fix = dát { $id } tytéž vlastnosti, jaké má { $source }
+    .fix = přiřadit { $id } tytéž vlastnosti, jaké má { $source }

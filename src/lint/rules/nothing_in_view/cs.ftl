@@ -1,4 +1,4 @@
-W324 = nic nebude vidět: vše, co se kreslí, leží { $where ->
+W324 = nic nebude vidět: vše, co se vykresluje, leží { $where ->
         [behind] za kamerou { $id }
         [left] vlevo od toho, co vidí kamera { $id }
         [right] vpravo od toho, co vidí kamera { $id }
@@ -7,6 +7,6 @@ W324 = nic nebude vidět: vše, co se kreslí, leží { $where ->
        *[beside] mimo to, co vidí kamera { $id }
     }
     .label = sem kamera hledí
-    .note = v obraze o { $width } krát { $height } pixelech
-    .help = přesuňte kameru, nebo ji otočte k tomu, co se kreslí
-    .fix = pohled do středu toho, co se kreslí
+    .note = v obrázku o velikosti { $width } × { $height } pixelů
+    .help = přesuňte kameru, nebo ji otočte k tomu, co se vykresluje
+    .fix = otočit kameru do středu toho, co se vykresluje

@@ -1,3 +1,3 @@
 W327 = { $type } s těmito čísly nic nemění
     .label = vše zůstává tam, kde je
-    .help = napište čísla, která byla míněna, nebo záznam vynechte
+    .help = napište čísla, která jste měli na mysli, nebo záznam odstraňte

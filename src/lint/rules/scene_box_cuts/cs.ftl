@@ -21,4 +21,4 @@ W312-part = { $type } { $id } nebude vidět: leží celé mimo kvádr renderovac
     .label = { $name }, stěna kvádru
     .shape = toto se nevykreslí
     .note = { W312-outside.note }
-    .help = zvětšete kvádr, nebo vynechte, co se nevykreslí
+    .help = zvětšete kvádr, nebo odstraňte, co se nevykreslí

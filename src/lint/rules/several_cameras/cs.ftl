@@ -2,8 +2,8 @@ W316 = { $count ->
     [one] je tu { $count } kamera a není vybrána
     [few] jsou tu { $count } kamery a žádná není vybrána
    *[other] je tu { $count } kamer a žádná není vybrána
-}: obraz se pořídí poslední z nich, { $id }
+}: obrázek pořídí poslední z nich, { $id }
     .label = tato se použije
     .unused = { $other } se nepoužije
-    .help = jednu lze vybrat pomocí `ID -502 KAMERA`, dvojici pro stereoskopický obraz pomocí `ID -503 LEVÁ PRAVÁ`
+    .help = jednu lze vybrat pomocí `ID -502 KAMERA`, dvojici pro stereoskopický obrázek pomocí `ID -503 LEVÁ PRAVÁ`
     .fix = vybrat { $id }

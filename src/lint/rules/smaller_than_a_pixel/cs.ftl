@@ -1,4 +1,4 @@
-W329 = vše, co se kreslí, je menší než pixel: kamera { $id } to vidí nejvýše { $size } pixelu široké a vysoké
+W329 = vše, co se vykresluje, je menší než pixel: pro kameru { $id } to má na šířku i na výšku nejvýše { $size } pixelu
     .label = při pohledu odtud
-    .note = v obraze o { $width } krát { $height } pixelech
+    .note = v obrázku o velikosti { $width } × { $height } pixelů
     .help = přibližte kameru, zmenšete zorný úhel, nebo zvětšete objekty

@@ -4,7 +4,7 @@ W313 = { $operand } { $operand-id } { $what ->
 } ponechá to, co je uvnitř ({ $other } { $other-id })
     .label = tento operand
     .surface = { $shape } { $shape-id } je plocha: nemá vnitřek
-    .help = operace jsou určeny tělesům: místo roviny (typ 3) lze použít poloprostor (typ 4), místo obdélníku tenký kvádr
+    .help = operace jsou určeny pro tělesa: místo roviny (typ 3) lze použít poloprostor (typ 4), místo obdélníku tenký kvádr
 W313-outside = { $operand } { $operand-id } { $what ->
     [whole] je plocha bez vnitřku: rozdíl { $id } z ní
    *[part] obsahuje plochu bez vnitřku: rozdíl { $id } z ní

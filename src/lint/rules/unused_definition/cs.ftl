@@ -1,9 +1,9 @@
 W310 = { $type } { $id } se nikde nepoužije
     .label = nic z toho, co se zobrazí, to nepotřebuje
-    .help = přiřaďte to pomocí `ID -299 TEXTURA OPTIKA`, nebo záznam odstraňte
+    .help = přiřaďte to objektu pomocí `ID -299 TEXTURA OPTIKA`, nebo záznam odstraňte
 W310-object = { $type } { $id } není součástí toho, co se zobrazí
     .label = nic z toho, co se zobrazí, objekt nepoužívá
-    .help = připojte objekt ke scéně sjednocením, nebo jej odstraňte
-W310-placeholder = { $id } je ohlášeno, ale není ani definováno, ani použito
-    .label = ohlášení bez definice
-    .help = definujte objekt níže, nebo ohlášení odstraňte
+    .help = připojte objekt ke scéně sjednocením, nebo ho odstraňte
+W310-placeholder = { $id } je deklarováno, ale není ani definováno, ani použito
+    .label = deklarace bez definice
+    .help = definujte objekt níže, nebo deklaraci odstraňte
