@@ -5,7 +5,7 @@
 const TOO_OLD: &str = "error: this zpg was built for processors with AVX2 and FMA, and this one has not got them; \
     build it with RUSTFLAGS=\"-C target-cpu=x86-64\" cargo install --path .\n\
     chyba: toto zpg je sestaveno pro procesory s AVX2 a FMA a tento je nemá; \
-    sestavte je příkazem RUSTFLAGS=\"-C target-cpu=x86-64\" cargo install --path .";
+    sestavte ho příkazem RUSTFLAGS=\"-C target-cpu=x86-64\" cargo install --path .";
 
 /// Whether the program can run here; says what is missing.
 ///
