@@ -115,7 +115,7 @@ fn from_help_to_a_picture() {
     let help = is_czech(dir.path(), &["--help"], 0);
     assert!(help.contains("zpg check scena.zpg") && help.contains("zpg render scena.zpg"));
     let said = is_czech(dir.path(), &["check", "scena.zpg"], 1);
-    assert!(said.contains("opraví `zpg check --fix`"), "{said}");
+    assert!(said.contains("`zpg check --fix` opraví"), "{said}");
     let code = said.split("chyba[").nth(1).unwrap().split(']').next();
     is_czech(dir.path(), &["explain", code.unwrap()], 0);
     is_czech(dir.path(), &["check", "--fix", "scena.zpg"], 0);

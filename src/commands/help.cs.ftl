@@ -108,7 +108,7 @@ help-check-output_file = Zapíše nálezy do souboru místo na standardní výst
     .value = SOUBOR
 help-check-exit_zero = Skončí s návratovým kódem 0, i když jsou ve scénách chyby; kód 2 zůstává
 help-check-show_files = Vypíše soubory, které by se kontrolovaly
-help-check-show_settings = Vypíše nastavení, které platí pro první soubor, tak, jak se píše do zpg.toml
+help-check-show_settings = Vypíše nastavení, které platí pro první soubor, v podobě pro zpg.toml
 help-check-fix = Opraví v souborech, co lze opravit bezpečně; scénu ze standardního vstupu vypíše na standardní výstup
 help-check-add_allow = Doplní komentáře, které povolí všechny zbývající nálezy; chyby povolit nelze
 help-check-unsafe_fixes = S --fix nebo --diff: použije i opravy, které jsou jen odhadem
@@ -199,8 +199,8 @@ help-crosscheck = Porovná, co ve scéně vidí zpg a co jiný program
         povray: porovnávají se obrázky v lineárním světle. Na obrysech, kde hrana prochází středem pixelu, rozhoduje
         o jediném vzorku zaokrouhlení. Úplný odraz počítá POV-Ray jinak. Obojí se uvádí zvlášť.
         mitsuba: porovnává se poloha, normála a tvar toho, co je vidět jako první. Potřebuje Python s balíčkem mitsuba.
-        Zvlášť se uvádí, co nerozliší jednoduchá přesnost, a kde je náhoda, která ze dvou ploch na jednom místě je
-        vidět. Je-li takových pixelů více než těch, které jsou vidět stejně, odpověď zní také „ne“.
+        Zvlášť se uvádějí pixely, které nerozliší jednoduchá přesnost, a pixely, ve kterých je náhoda, která ze dvou
+        ploch na jednom místě je vidět. Je-li jich více než pixelů, které jsou vidět stejně, odpověď zní také „ne“.
 
         Do složky SLOŽKA se zapíšou obrázky ours.png, theirs.png, difference.png a side-by-side.png, čísla
         crosscheck.json a převedená scéna; u dvojice kamer se ke jménům přidá _left a _right. Barvy v difference.png:
@@ -299,7 +299,7 @@ help-probe = Odpovídá na otázky o paprscích a bodech
         počátkem paprsku.
 
         --point vypíše ID těles (tvarů i operací), v nichž bod leží; hranice k tvarům patří. `in_scene` říká, zda bod leží
-        v celé scéně, a to uvnitř kvádru renderovacího záznamu. Počítá se ve dvojité přesnosti, a kde nestačí, v dd;
+        ve vykreslovaném celku, a to uvnitř kvádru renderovacího záznamu. Počítá se ve dvojité přesnosti, a kde nestačí, v dd;
         volba --precision na to nemá vliv.
 
         Příklady:
@@ -349,8 +349,8 @@ help-accuracy = Změří, co které nastavení přinese obrázku scény a kolik 
         nastavení jsou taková, jaká má prosté `zpg render`. Co scéna nepotřebuje, se neměří, a zpráva říká proč. Samotnou
         referenci ověřuje nezávislý sledovač paprsků, který počítá na 71 číslic.
 
-        Z velkého obrázku se měří malé dlaždice, nikdy zmenšený obrázek. Každý čas je nejkratší z několika běhů
-        v zamíchaném pořadí, jako čas procesoru na jednom vlákně. Časy, které se liší o méně než naměřený šum, se neřadí.
+        Z velkého obrázku se měří malé dlaždice, nikdy zmenšený obrázek. Každý čas je nejkratší čas procesoru
+        na jednom vlákně z několika běhů v zamíchaném pořadí. Časy, které se liší o méně než naměřený šum, se neřadí.
         Do složky SLOŽKA se zapíšou accuracy.json, accuracy.md, accuracy.svg a accuracy.html. Po Ctrl-C se zapíše, co je
         hotovo.
 

@@ -43,7 +43,7 @@ setting-patterns = seznam vzorů jmen souborů, například ["old", "*/draft.zpg
 setting-width = celé číslo (šířka je od 20 do 1000)
 setting-bool = true nebo false
 setting-numbers = "shortest" nebo "keep"
-config-neither = --config: soubor { $path } neexistuje a nastavení se píše jako lint.W310="off"
+config-neither = --config: soubor { $path } neexistuje; nastavení se píše jako lint.W310="off"
 config-setting = --config { $text }: { $why }
 config-two-files = --config uvádí dva soubory s nastavením, { $first } a { $second }: zadejte jen jeden
 config-isolated = --config { $path } nelze zadat spolu s --isolated: to žádný soubor s nastavením nečte
@@ -86,7 +86,7 @@ list-comma = { $first }, { $last }
 range-of-many = --range platí jen pro jeden soubor
 no-files = není tu soubor se scénou, jehož nastavení by šlo ukázat
 
-## Kreslení a dotazy
+## Vykreslování a dotazy
 
 cannot-draw = nelze vykreslit { $what } (objekt { $id })
 draw-nothing = není co vykreslit: ve scéně chybí renderovací záznam
@@ -97,7 +97,7 @@ crop-too-large = --crop přesahuje obrázek o velikosti { $width }x{ $height } p
 too-many-pixels = obrázek má nejvýše { $max } pixelů
 picture-needs-memory = obrázek by zabral { $needed } paměti, ale --memory povoluje { $memory }: zvolte menší --size nebo --crop
 file-needs-memory = je tak dlouhý, že by potřeboval asi { $needed } paměti, ale --memory povoluje { $memory }
-too-many-parts-in-one-place = scéna má { $parts } částí, počítá-li se každý výskyt, a tolik jich leží přes sebe, že by paprsky potřebovaly víc, než povoluje --memory { $memory }: nechte se překrývat méně kopií, nebo povolte více paměti
+too-many-parts-in-one-place = scéna má { $parts } částí, počítá-li se každý výskyt, a tolik jich leží přes sebe, že by paprsky potřebovaly víc, než povoluje --memory { $memory }: zmenšete překryv kopií, nebo povolte více paměti
 expected-memory = očekává se množství paměti, například 800M nebo 12G
 fewer-threads = --threads { $wanted } je příliš mnoho; spustí se jich { $most }, čtyři na každý procesor
 no-threads = vlákna nelze spustit
@@ -116,9 +116,9 @@ wrote-picture = Zapsáno: { $path }, { $width } × { $height } pixelů
 no-such-object = scéna nemá objekt { $id }
 no-such-object-near = scéna nemá objekt { $id }; měli jste na mysli { $near }?
 not-an-object = { $id } je { $kind }, ne objekt
-two-inputs = scéna a paprsky nemohou být obě na standardním vstupu
+two-inputs = scéna a paprsky nemohou být současně na standardním vstupu
 no-question = chybí otázka
-not-a-pixel = pixel { $x },{ $y } v obrázku o velikosti { $width }x{ $height } pixelů není
+not-a-pixel = v obrázku o velikosti { $width }x{ $height } pixelů není pixel { $x },{ $y }
 no-ray-in-pixel = projekce kamery nemá v pixelu { $x },{ $y } žádný paprsek
 ray-out-of-range = tento paprsek je mimo rozsah čísel této přesnosti
 hits-out-of-range = tento paprsek protíná scénu mimo rozsah čísel této přesnosti

@@ -41,9 +41,9 @@ tally-found = Nalezeno: { $findings } ({ $files ->
 }){ $fixable ->
     [0] { $unsafe ->
         [0] .
-       *[other] ; opraví `zpg check --fix --unsafe-fixes`: { $unsafe }.
+       *[other] ; `zpg check --fix --unsafe-fixes` opraví { $unsafe }.
     }
-   *[other] ; opraví `zpg check --fix`: { $fixable }{ $unsafe ->
+   *[other] ; `zpg check --fix` opraví { $fixable }{ $unsafe ->
         [0] .
        *[other] , s `--unsafe-fixes` ještě { $unsafe }.
     }
