@@ -319,7 +319,7 @@ fn wrong_usage_in_both_languages() {
         (
             &["check", "--fix=1", "a.zpg"],
             "error: `--fix` takes no value, but `1` is given",
-            "chyba: `--fix` je bez hodnoty, ale uvedeno je `1`",
+            "chyba: `--fix` se píše bez hodnoty, ale uvedena je `1`",
         ),
         (
             &[],
