@@ -7,6 +7,7 @@
 use super::members::{Member, members};
 use crate::geometry::array::{cross, dot, sub, unit};
 use crate::geometry::boxes::Boxes;
+use crate::geometry::line::Line;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Camera, Node, NodeId, Scene, Vec3};
 use crate::solids::bounds::NodeBounds;
@@ -16,6 +17,7 @@ use crate::solids::shapes::facts::Facts;
 use crate::solids::within::{CLEAR, far};
 use crate::solids::{Named, named};
 use crate::trace::camera::View;
+use crate::trace::shapes::{Primitive, Roots};
 
 /// The size of a picture, in pixels, where none is asked for.
 pub const USUAL: [u32; 2] = [640, 480];
@@ -273,12 +275,9 @@ impl Asked<'_> {
         };
         let around = CLEAR * far(point).max(size);
         if part.sheet {
-            let [a, b, c, d] = part.geometry(scene)?.plane()?;
-            let side = |p: Vec3| dot([a, b, c], back.point(p)) + d;
-            let sides: Vec<f64> = places_around(*point, around).map(side).collect();
-            let both = sides.iter().any(|s| *s > 0.0) && sides.iter().any(|s| *s < 0.0);
-            let on_surface = true;
-            return both.then_some(Held { solid, on_surface });
+            let shape = Primitive::new(part.geometry(scene)?);
+            let on_surface = is_on_sheet(&shape, &back, *point, around);
+            return on_surface.then_some(Held { solid, on_surface });
         }
         let node = below(scene, part.node);
         let mut count = 0;
@@ -288,6 +287,22 @@ impl Asked<'_> {
         let on_surface = count < PLACES;
         (count > 0).then_some(Held { solid, on_surface })
     }
+}
+
+/// Whether a shape without inside has a point on it, give or take a distance along one of the axes. `back` leads into
+/// the coordinates of the shape.
+fn is_on_sheet(shape: &Primitive, back: &Matrix, point: Vec3, around: f64) -> bool {
+    // A ray from this far away is exact enough.
+    let away = around / CLEAR;
+    (0..3).any(|i| {
+        let (mut from, mut way) = (point, [0.0; 3]);
+        from[i] -= away;
+        way[i] = 1.0;
+        let line = Line::new(back.point(from).into(), back.vector(way).into());
+        let mut roots = Roots::<f64>::default();
+        shape.intersect().crossings(&line, &mut roots);
+        roots.list.iter().any(|r| (r.t - away).abs() <= around)
+    })
 }
 
 /// The node below what moves, paints and copies one.
