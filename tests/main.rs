@@ -35,6 +35,7 @@ mod lint_generated;
 mod lint_large;
 mod lint_overlaps;
 mod lint_rules;
+mod lint_views;
 mod lsp;
 mod memory;
 mod mesh;

@@ -18,6 +18,7 @@ use zpg::syntax::lexer;
 
 use crate::rng::Rng;
 use crate::support::{cases, seeds};
+pub use scenes::text;
 use slips::Slip;
 
 /// What writes a scene of at most so many records.
@@ -26,12 +27,15 @@ pub type Scene = fn(&mut Rng, usize) -> Vec<scenes::Record>;
 /// As one and another person writes.
 pub const WRITERS: [Scene; 2] = [scenes::scene, student::scene];
 
+/// The same before anybody has looked at what they write.
+pub const DRAFTS: [Scene; 2] = [scenes::draft, student::draft];
+
 /// Scenes of both.
 pub fn texts(seeds: Range<u64>) -> impl Iterator<Item = String> {
     let both = seeds.flat_map(|seed| WRITERS.map(|scene| (seed, scene)));
     both.map(|(seed, scene)| {
         let most = 8 + (seed as usize * 7) % 43;
-        scenes::text(&scene(&mut Rng::new(seed), most))
+        text(&scene(&mut Rng::new(seed), most))
     })
 }
 

@@ -151,6 +151,7 @@ codes! {
     W328 "up-along-view" of rule "up_along_view";
     W329 "smaller-than-a-pixel" of rule "smaller_than_a_pixel";
     W330 "nothing-lit" of rule "nothing_lit";
+    W331 "unseen-texture" of rule "unseen_texture";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -131,7 +131,8 @@ pub fn scene(rng: &mut Rng, most: usize) -> Vec<Record> {
     }
 }
 
-fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
+/// The first try at one.
+pub fn draft(rng: &mut Rng, most: usize) -> Vec<Record> {
     let mut make = Maker {
         next: 10,
         step: 10,

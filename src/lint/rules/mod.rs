@@ -43,6 +43,7 @@ mod several_records_per_line;
 mod smaller_than_a_pixel;
 mod stale_operand;
 mod surface_operand;
+mod unseen_texture;
 mod unused_definition;
 mod up_along_view;
 
@@ -78,6 +79,7 @@ const CAMERA_RECORDS: &[RecordKind] = &[R::Camera, R::ProjectionMatrix];
 const LAMPS: &[RecordKind] = &[R::PointLight];
 const TRANSFORMATIONS: &[RecordKind] =
     &[R::Translation, R::Rotation, R::Scaling, R::RotationMatrix];
+const TEXTURES: &[RecordKind] = &[R::ImageTexture, R::SolidTexture, R::Checkerboard];
 const COLOURS: &[RecordKind] = &[R::Colour, R::Shape(S::ColouredSurfaceOfRevolution)];
 const SURFACES: &[RecordKind] = &[
     R::Shape(S::Plane),
@@ -246,6 +248,11 @@ pub const RULES: &[Rule] = &[
         asks_for: &[CAMERA_RECORDS, RENDER, LAMPS],
     },
     Rule {
+        code: Code::W331,
+        check: unseen_texture::check,
+        asks_for: &[TEXTURES, RENDER],
+    },
+    Rule {
         code: Code::N602,
         check: no_camera::check,
         asks_for: &[],
@@ -273,7 +280,14 @@ pub const RULES: &[Rule] = &[
 ];
 
 /// Rules about the picture as a whole. What an error leaves out of a scene may be what would be seen: they do not run then.
-pub const OF_PICTURES: &[Code] = &[Code::W324, Code::W325, Code::W326, Code::W329, Code::W330];
+pub const OF_PICTURES: &[Code] = &[
+    Code::W324,
+    Code::W325,
+    Code::W326,
+    Code::W329,
+    Code::W330,
+    Code::W331,
+];
 
 #[cfg(test)]
 mod tests {

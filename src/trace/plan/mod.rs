@@ -4,10 +4,11 @@
 //! The decision errs on one side only: an effect that is off is certainly not needed, and its code
 //! does not run.
 
+mod below;
 mod lone;
 mod media;
 mod notes;
-mod reach;
+pub mod reach;
 pub mod unseen;
 
 use crate::diagnostics::Span;

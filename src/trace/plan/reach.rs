@@ -3,6 +3,7 @@
 //! One pass from the root to the leaves. A node is visited once with the set of all ways in which
 //! it occurs, so shared subtrees stay shared however often they are used.
 
+use super::below::{Below, below};
 use super::unseen::LeftOut;
 use super::{MAX_SOURCES, Sources};
 use crate::scene::{DEFAULT_INDEX, Geometry, Node, NodeId, Optics, Scene, Texture};
@@ -62,10 +63,25 @@ fn map(ways: Ways, f: impl Fn(Way) -> Way) -> Ways {
     each(ways).fold(ways & TOOL, |set, way| set | f(way).bit())
 }
 
+/// How much of the texture that a paint gives is to be seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Showing {
+    /// What is painted is not part of what is drawn.
+    Absent,
+    /// It is only taken away from something else.
+    Removed,
+    /// Other paints cover it everywhere.
+    Covered,
+    /// Nothing that has the texture is diffuse.
+    Dark,
+    Shown,
+}
+
 /// What can be seen, and who brings it in.
 #[derive(Default)]
 pub struct Reach {
     ways: Vec<Ways>,
+    below: Vec<Below>,
     pub diffuse: Sources,
     pub mirror: Sources,
     pub glass: Sources,
@@ -92,9 +108,9 @@ fn any(k: [f64; 3]) -> bool {
 impl Reach {
     /// Walks down from `root`, past what is left out.
     pub fn new(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Reach {
-        let solids = solids(scene, root);
         let mut reach = Reach {
             ways: vec![0; root as usize + 1],
+            below: below(scene, root, left_out),
             ..Reach::default()
         };
         let top = Way {
@@ -110,7 +126,7 @@ impl Reach {
         for node in (0..=root).rev() {
             let ways = reach.ways[node as usize];
             if ways != 0 {
-                reach.visit(scene, node, ways, &solids, left_out);
+                reach.visit(scene, node, ways, left_out);
             }
         }
         reach
@@ -121,18 +137,46 @@ impl Reach {
         self.ways.get(node as usize).is_some_and(|&w| w != 0)
     }
 
+    /// Whether anything of a node is to be seen, if it is reached.
+    pub fn shows(&self, node: NodeId) -> bool {
+        self.below[node as usize].shows[0]
+    }
+
     fn add(&mut self, node: NodeId, ways: Ways) {
         self.ways[node as usize] |= ways;
     }
 
-    fn visit(
-        &mut self,
-        scene: &Scene,
-        node: NodeId,
-        ways: Ways,
-        solids: &[bool],
-        left_out: &LeftOut,
-    ) {
+    /// How much is to be seen of the texture that a node gives, which is a paint with one.
+    pub fn showing(&self, scene: &Scene, node: NodeId) -> Showing {
+        let Node::Paint { child, paint } = scene.nodes[node as usize] else {
+            return Showing::Absent;
+        };
+        let ways = self.ways.get(node as usize).copied().unwrap_or(0);
+        if ways == 0 {
+            return Showing::Absent;
+        }
+        if ways == TOOL {
+            return Showing::Removed;
+        }
+        let mut bare = each(ways).filter(|way| !way.textured).peekable();
+        if bare.peek().is_none() {
+            return Showing::Covered;
+        }
+        let own_lit = scene.paints[paint as usize].optics.map(|o| any(o.kd));
+        match bare.any(|way| self.is_lit(way, own_lit, child)) {
+            true => Showing::Shown,
+            false => Showing::Dark,
+        }
+    }
+
+    /// Whether anything below a paint is diffuse; `own` is what the paint says about that.
+    fn is_lit(&self, way: Way, own: Option<bool>, child: NodeId) -> bool {
+        let below = &self.below[child as usize];
+        let turned = usize::from(way.negated);
+        below.shows[turned] && way.lit.or(own).unwrap_or(below.lit[turned])
+    }
+
+    fn visit(&mut self, scene: &Scene, node: NodeId, ways: Ways, left_out: &LeftOut) {
         match scene.nodes[node as usize] {
             Node::Shape(shape) => self.shape(scene, shape, ways),
             Node::Union(a, b) => {
@@ -175,7 +219,7 @@ impl Reach {
             }
             Node::Transform { child, .. } | Node::Copy { child, .. } => self.add(child, ways),
             Node::Paint { child, paint } => {
-                let below = self.paint(scene, paint, ways, solids[child as usize]);
+                let below = self.paint(scene, paint, ways, child);
                 self.add(child, below);
             }
         }
@@ -209,8 +253,9 @@ impl Reach {
     }
 
     /// Notes what of a paint shows, and says how its child occurs below it.
-    fn paint(&mut self, scene: &Scene, paint: u32, ways: Ways, on_solid: bool) -> Ways {
+    fn paint(&mut self, scene: &Scene, paint: u32, ways: Ways, child: NodeId) -> Ways {
         let record = &scene.paints[paint as usize];
+        let on_solid = self.below[child as usize].solid;
         let own_lit = record.optics.map(|o| any(o.kd));
         for way in each(ways) {
             if let (None, Some(optics)) = (way.lit, record.optics) {
@@ -219,7 +264,7 @@ impl Reach {
             if let (false, true, Some(index)) = (way.indexed, on_solid, record.index) {
                 self.index(record.owner, index);
             }
-            let lit = way.lit.or(own_lit).unwrap_or(true);
+            let lit = self.is_lit(way, own_lit, child);
             if let (false, true, Some(texture)) = (way.textured, lit, &record.texture) {
                 match texture {
                     Texture::Colour(_) => {}
@@ -258,25 +303,6 @@ impl Reach {
             self.bent.add(owner);
         }
     }
-}
-
-/// Which nodes up to `root` hold a shape with an inside.
-fn solids(scene: &Scene, root: NodeId) -> Vec<bool> {
-    let mut out: Vec<bool> = Vec::with_capacity(root as usize + 1);
-    for node in scene.nodes.iter().take(root as usize + 1) {
-        out.push(match *node {
-            Node::Shape(shape) => scene.shapes[shape as usize].geometry.is_solid(),
-            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
-                out[a as usize] || out[b as usize]
-            }
-            // The complement of a surface is all of space.
-            Node::Complement(_) => true,
-            Node::Transform { child, .. }
-            | Node::Paint { child, .. }
-            | Node::Copy { child, .. } => out[child as usize],
-        });
-    }
-    out
 }
 
 fn bounded(geometry: &Geometry) -> bool {

@@ -4,6 +4,7 @@
 //! Both ask the parts of the outermost union, by boxes that are never too small: a part that is beside by its box is
 //! beside. Something that is not convex may be beside without being known to be.
 
+use super::LeftOut;
 use super::members::{Member, members};
 use crate::geometry::array::{cross, dot, sub, unit};
 use crate::geometry::boxes::Boxes;
@@ -166,6 +167,28 @@ pub fn out_of_view(
     }
     let side = all.iter().position(|all| *all);
     Some(side.map_or(Side::Beside, |i| SIDES[i]))
+}
+
+/// With what is left out of pictures also the parts of the outermost union that lie beside what any camera of the scene
+/// sees in a picture of the usual size: mirrors and glass may show them all the same. `None` where there are none, where
+/// all are, or where no camera is written.
+pub fn beside_all_views(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    root: NodeId,
+    left_out: &LeftOut,
+) -> Option<LeftOut> {
+    let fields: Option<Vec<Field>> = scene.cameras.iter().map(Field::of).collect();
+    let fields = fields.filter(|f| !f.is_empty())?;
+    let is_beside = |m: &&Member| fields.iter().all(|f| f.beyond(&m.bounds).any(|b| b));
+    let parts = members(scene, bounds, root);
+    let beside: Vec<&Member> = parts.iter().filter(is_beside).collect();
+    if beside.is_empty() || beside.len() == parts.len() {
+        return None;
+    }
+    let mut all = left_out.clone();
+    beside.iter().for_each(|m| all.add(m.slot));
+    Some(all)
 }
 
 /// Whether something is true of the boxes of all parts of the outermost union. Where it is true of the box of many, it is

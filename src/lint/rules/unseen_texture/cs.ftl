@@ -1,0 +1,20 @@
+W331 = { $type } není nikde vidět, ať ji má cokoli
+    .label = z této textury není nic vidět
+    .help = přiřaďte ji něčemu, co je v obrázku vidět, nebo ji odstraňte
+W331-covered = { $type } není nikde vidět: překrývá ji jiná textura nebo barva
+    .label = tato textura je překrytá
+    .cover = tím, co se přiřazuje zde
+    .help = jednu z nich odstraňte: co dostane celý objekt, překryje to, co mají jeho části
+W331-removed = { $type } není nikde vidět: co ji má, se jen odečítá od něčeho jiného
+    .label = tato textura se odřízne
+    .help = přiřaďte ji objektu, od kterého se odečítá (mají ji pak i plochy řezu), nebo ji odstraňte
+W331-dark = { $type } není nikde vidět: nic, co ji má, nemá difuzní odraz (kd = 0)
+    .label = textura je barva difuzního odrazu
+    .help = dejte tomu, co ji má, optickou vlastnost s kd > 0, nebo texturu odstraňte
+W331-hidden = { $type } není nikde vidět: co ji má, leží mimo kvádr renderovacího záznamu nebo uvnitř neprůhledného tělesa
+    .label = tato textura je skrytá
+    .help = přesuňte to, co ji má (co je skryté, vypíše `zpg plan`), nebo texturu odstraňte
+W331-beside = { $type } není nikde vidět: co ji má, leží za kamerami nebo mimo to, co vidí
+    .label = tato textura je mimo záběr
+    .note = v obrázcích o { $width } krát { $height } pixelech
+    .help = přesuňte kameru nebo to, co texturu má, nebo texturu odstraňte

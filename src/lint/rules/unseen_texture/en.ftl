@@ -1,0 +1,20 @@
+W331 = no picture shows this { $type }, wherever it is given
+    .label = nothing of this texture is to be seen
+    .help = give it to something that a picture shows, or remove it
+W331-covered = no picture shows this { $type }: another texture or colour is painted over it
+    .label = this texture is covered
+    .cover = by what is given here
+    .help = remove one of the two: what a whole object is given covers what its parts have
+W331-removed = no picture shows this { $type }: what has it is only taken away from something else
+    .label = this texture is cut away
+    .help = give it to the object that is cut, whose cut faces have it too, or remove it
+W331-dark = no picture shows this { $type }: nothing that has it reflects diffusely (kd = 0)
+    .label = a texture is the colour of the diffuse part
+    .help = give what has it an optical property with kd > 0, or remove the texture
+W331-hidden = no picture shows this { $type }: what has it lies outside of the box of the render record or inside of something opaque
+    .label = this texture is hidden
+    .help = move what has it (`zpg plan` lists what is hidden), or remove the texture
+W331-beside = no picture shows this { $type }: what has it lies behind or beside what the cameras see
+    .label = this texture is out of view
+    .note = in pictures of { $width } by { $height } pixels
+    .help = move the camera or what has the texture, or remove the texture

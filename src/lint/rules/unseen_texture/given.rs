@@ -1,0 +1,87 @@
+//! Which record a paint has its texture from.
+
+use rustc_hash::FxHashMap;
+
+use crate::lint::Context;
+use crate::scene::record::Params;
+use crate::scene::{Node, NodeId, Texture};
+use crate::syntax::table::RecordKind;
+
+/// A record that makes a texture.
+pub struct Given<'a> {
+    pub params: Params<'a>,
+    /// Index of the record that replaces the texture under the same ID.
+    pub replaced: Option<usize>,
+}
+
+/// A node that paints, and what it has its texture from, where that is no colour.
+pub struct Painting {
+    pub node: NodeId,
+    /// Index into all that is given.
+    pub texture: Option<usize>,
+    /// The painting that goes on from this one: properties given to an object one after the other are one paint.
+    pub next: Option<usize>,
+}
+
+/// All textures, and all that paints, in file order.
+pub fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painting>) {
+    let scene = context.scene;
+    let mut given: Vec<Given> = Vec::new();
+    let mut paintings: Vec<Painting> = Vec::new();
+    // The texture of each ID, and the last painting of each object, so far.
+    let mut current: FxHashMap<u32, usize> = FxHashMap::default();
+    let mut last: FxHashMap<u32, usize> = FxHashMap::default();
+    // Nodes are in file order, and a record makes one at most.
+    let mut nodes = (0..).zip(&scene.origins).peekable();
+    for record in context.records() {
+        let p = context.record_params(record);
+        let of = |i: usize| u32::try_from(p.integer(i)).ok();
+        let texture = match record.kind {
+            RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
+                Some(given.len())
+            }
+            RecordKind::Assignment | RecordKind::Copy => {
+                of(0).and_then(|id| current.get(&id)).copied()
+            }
+            RecordKind::Colour => None,
+            _ => current.get(&p.id).copied(),
+        };
+        let before = match texture {
+            Some(texture) => current.insert(p.id, texture),
+            None => current.remove(&p.id),
+        };
+        let id = p.id;
+        let start = p.span().start;
+        if texture == Some(given.len()) {
+            if let Some(before) = before {
+                given[before].replaced = texture;
+            }
+            given.push(Given {
+                params: p,
+                replaced: None,
+            });
+        }
+        let made = nodes.next_if(|(_, origin)| origin.span.start == start);
+        let Some((node, Node::Paint { child, paint })) =
+            made.map(|(node, _)| (node, scene.nodes[node as usize]))
+        else {
+            continue;
+        };
+        let has_texture = !matches!(
+            scene.paints[paint as usize].texture,
+            None | Some(Texture::Colour(_))
+        );
+        if let Some(before) = last.insert(id, paintings.len())
+            && let Node::Paint { child: same, .. } = scene.nodes[paintings[before].node as usize]
+            && same == child
+        {
+            paintings[before].next = Some(paintings.len());
+        }
+        paintings.push(Painting {
+            node,
+            texture: texture.filter(|_| has_texture),
+            next: None,
+        });
+    }
+    (given, paintings)
+}

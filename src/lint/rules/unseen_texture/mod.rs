@@ -1,0 +1,201 @@
+//! W331: a texture that no picture shows.
+//!
+//! A paint gives its texture to what is below it, but for what other paints above cover. What is left must be diffuse,
+//! and must be a part that a ray of a camera may meet.
+
+mod given;
+
+use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::lint::Context;
+use crate::scene::{Node, NodeId, Scene};
+use crate::trace::plan::reach::{Reach, Showing};
+use crate::trace::plan::unseen::LeftOut;
+use crate::trace::plan::unseen::view::{USUAL, beside_all_views};
+use crate::trace::plan::{Effect, Plan};
+use given::{Given, Painting, textures};
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let (given, paintings) = textures(context);
+    let Some(views) = (!given.is_empty()).then(|| Views::new(context)).flatten() else {
+        return;
+    };
+    let mut found: Vec<Found> = given.iter().map(|_| Found::default()).collect();
+    let is_drawn = |p: &Painting| views.showing(p) != Showing::Absent;
+    // Whether each painting is drawn, or one that goes on from it.
+    let mut drawn = vec![false; paintings.len()];
+    for (i, painting) in paintings.iter().enumerate().rev() {
+        let next = painting.next.filter(|&next| drawn[next]);
+        drawn[i] = is_drawn(painting) || next.is_some();
+        let Some(texture) = painting.texture else {
+            continue;
+        };
+        let found = &mut found[texture];
+        found.is_used = true;
+        match next.filter(|_| !is_drawn(painting)) {
+            Some(next) if paintings[next].texture != painting.texture => {
+                let origin = context.scene.origins[paintings[next].node as usize];
+                found.add(Why::Covered, Some(origin.span));
+            }
+            Some(_) => {}
+            None => views.judge(painting, found),
+        }
+    }
+    for i in (0..given.len()).rev() {
+        // A property that is replaced before anything has it.
+        if !found[i].is_used
+            && let Some(next) = given[i].replaced
+            && found[next].is_used
+        {
+            found[i].is_used = true;
+            found[i].add(Why::Covered, Some(given[next].params.span()));
+        }
+    }
+    out.extend((given.iter().zip(found)).filter_map(|(given, found)| found.said(given)));
+}
+
+/// Why a texture is not to be seen.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Why {
+    Covered,
+    Removed,
+    Dark,
+    Hidden,
+    Beside,
+}
+
+impl Why {
+    fn case(self) -> &'static str {
+        match self {
+            Why::Covered => "covered",
+            Why::Removed => "removed",
+            Why::Dark => "dark",
+            Why::Hidden => "hidden",
+            Why::Beside => "beside",
+        }
+    }
+}
+
+/// What is found out about a texture.
+#[derive(Default)]
+struct Found {
+    /// Something is painted with it, whether it is drawn or not.
+    is_used: bool,
+    is_seen: bool,
+    /// Each reason once.
+    reasons: Vec<Why>,
+    /// What covers it.
+    cover: Option<Span>,
+}
+
+impl Found {
+    fn add(&mut self, why: Why, cover: Option<Span>) {
+        if !self.reasons.contains(&why) {
+            self.reasons.push(why);
+        }
+        self.cover = self.cover.or(cover);
+    }
+
+    fn said(self, given: &Given) -> Option<Diagnostic> {
+        if self.is_seen {
+            return None;
+        }
+        let case = match self.reasons[..] {
+            [] => return None,
+            [why] => why.case(),
+            _ => "",
+        };
+        let d = Diagnostic::new(Code::W331, given.params.span())
+            .case(case)
+            .with("type", Value::Term(given.params.ty.title))
+            .with("width", USUAL[0].to_string())
+            .with("height", USUAL[1].to_string());
+        Some(match self.cover {
+            Some(cover) if case == Why::Covered.case() => d.label(cover, "cover"),
+            _ => d,
+        })
+    }
+}
+
+/// A scene with more and more left out.
+struct Views<'a> {
+    scene: &'a Scene,
+    /// All that is drawn.
+    all: Reach,
+    /// What a ray of a camera may meet.
+    met: Option<Reach>,
+    /// What cameras may see in pictures of the usual size.
+    viewed: Option<Reach>,
+    /// Of each node that is drawn a paint above it that gives a texture.
+    covers: Vec<Option<NodeId>>,
+}
+
+impl<'a> Views<'a> {
+    fn new(context: &Context<'a>) -> Option<Views<'a>> {
+        let scene = context.scene;
+        let root = scene.render?.root;
+        let all = Reach::new(scene, root, &LeftOut::default());
+        let plan = Plan::of_picture(scene)?;
+        let reach = |left_out: &LeftOut| Reach::new(scene, root, left_out);
+        // Where nothing at all is to be seen, it is no texture's fault.
+        let met = reach(&plan.left_out);
+        let met = (!plan.left_out.all() && met.shows(root)).then_some(met);
+        let is_straight = !plan.on(Effect::Reflection) && !plan.on(Effect::Refraction);
+        let viewed = is_straight
+            .then(|| beside_all_views(scene, context.bounds(), root, &plan.left_out))
+            .flatten();
+        Some(Views {
+            scene,
+            covers: covers(scene, root, &all),
+            viewed: viewed.map(|v| reach(&v)).filter(|v| v.shows(root)),
+            all,
+            met,
+        })
+    }
+
+    fn showing(&self, painting: &Painting) -> Showing {
+        self.all.showing(self.scene, painting.node)
+    }
+
+    /// Finds out whether a painting is to be seen, and if not, why.
+    fn judge(&self, painting: &Painting, found: &mut Found) {
+        let is_lost = |reach: &Option<Reach>| {
+            let shows = |r: &Reach| r.showing(self.scene, painting.node) == Showing::Shown;
+            reach.as_ref().is_some_and(|r| !shows(r))
+        };
+        match self.showing(painting) {
+            Showing::Absent => {}
+            Showing::Removed => found.add(Why::Removed, None),
+            Showing::Covered => {
+                let cover = self.covers[painting.node as usize];
+                let span = cover.map(|c| self.scene.origins[c as usize].span);
+                found.add(Why::Covered, span);
+            }
+            Showing::Dark => found.add(Why::Dark, None),
+            Showing::Shown if is_lost(&self.met) => found.add(Why::Hidden, None),
+            Showing::Shown if is_lost(&self.viewed) => found.add(Why::Beside, None),
+            Showing::Shown => found.is_seen = true,
+        }
+    }
+}
+
+/// Of each node that is reached the nearest paint with a texture on one of the ways to it.
+fn covers(scene: &Scene, root: NodeId, reach: &Reach) -> Vec<Option<NodeId>> {
+    let mut covers = vec![None; root as usize + 1];
+    // Children stand before their parents.
+    for node in (0..=root).rev().filter(|&n| reach.reaches(n)) {
+        let own = match scene.nodes[node as usize] {
+            Node::Paint { paint, .. } => scene.paints[paint as usize].texture.is_some(),
+            _ => false,
+        };
+        let cover = if own {
+            Some(node)
+        } else {
+            covers[node as usize]
+        };
+        for child in scene.nodes[node as usize].children().into_iter().flatten() {
+            let below = &mut covers[child as usize];
+            *below = below.or(cover);
+        }
+    }
+    covers
+}

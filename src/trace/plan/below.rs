@@ -1,0 +1,61 @@
+//! What is at and below the nodes of a scene, whatever stands above them.
+
+use super::unseen::LeftOut;
+use crate::scene::{Node, NodeId, Optics, Scene};
+
+/// What is at and below a node. Of pairs the second is that of its complement.
+#[derive(Clone, Copy)]
+pub struct Below {
+    /// It holds a shape with an inside.
+    pub solid: bool,
+    /// Something of it is to be seen.
+    pub shows: [bool; 2],
+    /// Something of it that is to be seen is diffuse, if no paint above says otherwise.
+    pub lit: [bool; 2],
+}
+
+/// What is below each node up to `root`.
+pub fn below(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Vec<Below> {
+    let mut all: Vec<Below> = Vec::with_capacity(root as usize + 1);
+    for (i, node) in (0..=root).zip(&scene.nodes) {
+        let of = |n: NodeId| all[n as usize];
+        all.push(match *node {
+            Node::Shape(shape) => Below {
+                solid: scene.shapes[shape as usize].geometry.is_solid(),
+                shows: [true; 2],
+                lit: [Optics::default().kd != [0.0; 3]; 2],
+            },
+            Node::Union(a, b) => Below {
+                solid: of(a).solid || of(b).solid,
+                shows: [0, 1].map(|turned| left_out.kept(i, [a, b]).any(|n| of(n).shows[turned])),
+                lit: [0, 1].map(|turned| left_out.kept(i, [a, b]).any(|n| of(n).lit[turned])),
+            },
+            Node::Intersection(a, b) => Below {
+                solid: of(a).solid || of(b).solid,
+                shows: [0, 1].map(|turned| of(a).shows[turned] || of(b).shows[turned]),
+                lit: [0, 1].map(|turned| of(a).lit[turned] || of(b).lit[turned]),
+            },
+            // What is taken away does not show; −(A − B) is −A ∪ B.
+            Node::Difference(a, b) => Below {
+                solid: of(a).solid || of(b).solid,
+                shows: [of(a).shows[0], of(a).shows[1] || of(b).shows[0]],
+                lit: [of(a).lit[0], of(a).lit[1] || of(b).lit[0]],
+            },
+            // The complement of a surface is all of space.
+            Node::Complement(child) => Below {
+                solid: true,
+                shows: [of(child).shows[1], of(child).shows[0]],
+                lit: [of(child).lit[1], of(child).lit[0]],
+            },
+            Node::Transform { child, .. } | Node::Copy { child, .. } => of(child),
+            Node::Paint { child, paint } => match scene.paints[paint as usize].optics {
+                Some(optics) => Below {
+                    lit: of(child).shows.map(|shows| shows && optics.kd != [0.0; 3]),
+                    ..of(child)
+                },
+                None => of(child),
+            },
+        });
+    }
+    all
+}
