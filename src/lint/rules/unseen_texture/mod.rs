@@ -116,6 +116,9 @@ impl Found {
     }
 }
 
+/// In larger scenes nothing is looked for that is hidden or out of view: that takes too long for an editor.
+const MAX_NODES: usize = 5000;
+
 /// A scene with more and more left out.
 struct Views<'a> {
     scene: &'a Scene,
@@ -134,22 +137,27 @@ impl<'a> Views<'a> {
         let scene = context.scene;
         let root = scene.render?.root;
         let all = Reach::new(scene, root, &LeftOut::default());
+        let mut views = Views {
+            scene,
+            covers: covers(scene, root, &all),
+            all,
+            met: None,
+            viewed: None,
+        };
+        if scene.nodes.len() > MAX_NODES {
+            return Some(views);
+        }
         let plan = Plan::of_picture(scene)?;
         let reach = |left_out: &LeftOut| Reach::new(scene, root, left_out);
         // Where nothing at all is to be seen, it is no texture's fault.
         let met = reach(&plan.left_out);
-        let met = (!plan.left_out.all() && met.shows(root)).then_some(met);
-        let is_straight = !plan.on(Effect::Reflection) && !plan.on(Effect::Refraction);
-        let viewed = is_straight
-            .then(|| beside_all_views(scene, context.bounds(), root, &plan.left_out))
-            .flatten();
-        Some(Views {
-            scene,
-            covers: covers(scene, root, &all),
-            viewed: viewed.map(|v| reach(&v)).filter(|v| v.shows(root)),
-            all,
-            met,
-        })
+        views.met = (!plan.left_out.all() && met.shows(root)).then_some(met);
+        if !plan.on(Effect::Reflection) && !plan.on(Effect::Refraction) {
+            let beside = beside_all_views(scene, context.bounds(), root, &plan.left_out);
+            let viewed = beside.map(|beside| reach(&beside));
+            views.viewed = viewed.filter(|v| v.shows(root));
+        }
+        Some(views)
     }
 
     fn showing(&self, painting: &Painting) -> Showing {
