@@ -256,6 +256,43 @@ fn what_is_said_of_random_scenes_is_true() {
     }
 }
 
+/// A transformation that moves nothing is taken out: what is left is the scene without it, and its picture is the same.
+#[test]
+fn pointless_transformations_are_taken_out() {
+    let mut found = 0;
+    for seed in 0..cases(60, 300) {
+        let mut rng = Rng::new(!seed);
+        let source = scenes::scene(seed);
+        let mut lines: Vec<&str> = source.lines().collect();
+        let is_object = |line: &str| {
+            let mut words = line.split_whitespace().skip(1);
+            let code: i32 = words.next().unwrap().parse().unwrap();
+            (1..100).contains(&code) || (-104..=-101).contains(&code)
+        };
+        let objects: Vec<usize> = (0..lines.len()).filter(|&i| is_object(lines[i])).collect();
+        let at = objects[rng.below(objects.len())];
+        let id = lines[at].split_whitespace().next().unwrap();
+        let idle = [
+            "-1 0 0 0",
+            "-2 360 2",
+            "-3 1 1 1",
+            "-4 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1",
+        ];
+        let line = format!("{id} {}", idle[rng.below(idle.len())]);
+        lines.insert(at + 1, &line);
+        let text = lines.join("\n") + "\n";
+        let loaded = load(&text);
+        for d in loaded.findings().iter().filter(|d| d.code == Code::W327) {
+            found += 1;
+            let (after, count) = fixes::apply(&text, d.fixes.iter());
+            assert_eq!((after.as_str(), count), (source.as_str(), 1), "{seed}");
+            let mended = load(&after);
+            assert_eq!(picture(&loaded), picture(&mended), "{seed}:\n{text}");
+        }
+    }
+    assert!(found > 20, "{found}");
+}
+
 /// What is checked above can fail: claims that are not true are refuted, most of them.
 #[test]
 fn lies_are_refuted() {

@@ -7,6 +7,7 @@ use super::Analysis;
 use super::repair;
 use super::worse::{harms, has_new_errors, weight};
 use crate::diagnostics::{Applicability, Diagnostic, Edit, Fix, SourceFile, fixes};
+use crate::lint;
 use crate::syntax::{preserved, recognise};
 
 /// How many bytes are read in all for fixes that turn out to do harm, and how often a scene is read
@@ -38,8 +39,9 @@ pub fn to_fixed_point(
     let mut left =
         (REFUSED_BYTES / analysis.source.text.len().max(1)).clamp(REFUSED.start, REFUSED.end);
     let (mut count, mut rounds) = (0, Vec::new());
+    let mut guessed = false;
     // Errors first: what they hid is weighed against what there is then.
-    let of = |analysis: &Analysis, errors: bool| -> Vec<Fix> {
+    let of = |analysis: &Analysis, errors: bool, guessed: bool| -> Vec<Fix> {
         // Nothing has to be tried for fixes that are certain.
         let proposals;
         let findings = match unsafe_too && analysis.findings().iter().any(repair::is_tried) {
@@ -49,16 +51,23 @@ pub fn to_fixed_point(
             }
             false => analysis.findings(),
         };
-        let all = findings.iter().filter(|d| d.is_error() == errors);
+        // What a guess has made may be what the next one would take out.
+        let is_asked = |d: &&Diagnostic| {
+            d.is_error() == errors && !(guessed && lint::takes_records_out(d.code))
+        };
+        let all = findings.iter().filter(is_asked);
         all.filter_map(|d| d.applicable_fix(unsafe_too).cloned())
             .collect()
     };
-    let mut next = |analysis: &Analysis| {
-        [true, false]
-            .into_iter()
-            .find_map(|errors| step(analysis, &of(analysis, errors), &again, &mut left))
+    let mut next = |analysis: &Analysis, guessed: bool| {
+        [true, false].into_iter().find_map(|errors| {
+            let all = of(analysis, errors, guessed);
+            let step = step(analysis, &all, &again, &mut left)?;
+            Some((step, all.iter().any(is_guess)))
+        })
     };
-    while let Some(step) = next(&analysis) {
+    while let Some((step, with_guesses)) = next(&analysis, guessed) {
+        guessed |= with_guesses;
         analysis = step.analysis;
         count += step.count;
         rounds.push(step.edits);
@@ -81,6 +90,10 @@ pub fn to_fixed_point(
     }
 }
 
+fn is_guess(fix: &Fix) -> bool {
+    fix.applicability == Applicability::Unsafe
+}
+
 /// A round of fixes.
 struct Step {
     analysis: Analysis,
@@ -98,7 +111,7 @@ fn step(
     left: &mut usize,
 ) -> Option<Step> {
     let mut chosen = vec![false; all.len()];
-    let guesses = (all.iter()).any(|f| f.applicability == Applicability::Unsafe);
+    let guesses = all.iter().any(is_guess);
     let mut best: Option<Step> = None;
     let mut lightest = weight(analysis);
     // Larger stretches first, so that what does harm in one place holds up nothing in others.

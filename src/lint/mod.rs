@@ -128,8 +128,21 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
         true => (0..rules.len()).map(found).collect(),
         false => parallel::map(rules.len(), found),
     };
+    let first = out.len();
     out.extend(found.into_iter().flatten());
+    if is_wrong {
+        let found = out[first..].iter_mut();
+        let fixes = found
+            .filter(|d| takes_records_out(d.code))
+            .map(|d| &mut d.fixes);
+        fixes.for_each(Vec::clear);
+    }
     allow::apply(context, out);
+}
+
+/// Whether the fixes of a rule take records out.
+pub fn takes_records_out(code: Code) -> bool {
+    rules::TAKING_OUT.contains(&code)
 }
 
 /// Scenes of fewer records are looked at by one thread.

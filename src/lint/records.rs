@@ -7,7 +7,7 @@ use crate::diagnostics::{Applicability, Fix, Span};
 use crate::scene::names;
 use crate::scene::record::Params;
 use crate::scene::{Camera, View};
-use crate::syntax::lexer::TokenKind;
+use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Kind, RecordKind};
 use crate::syntax::{Item, Record};
 
@@ -82,6 +82,37 @@ impl<'a> Context<'a> {
             text += "\n";
         }
         Fix::replace(title, applicability, Span::new(at, at), text)
+    }
+
+    /// A fix that takes a record out, with its line if nothing else is on it. A comment behind it stays, behind a `0`.
+    /// `None` where a comment is within the record.
+    pub fn take_out(
+        &self,
+        record: &Record,
+        title: &'static str,
+        applicability: Applicability,
+    ) -> Option<Fix> {
+        let tokens = &self.document.tokens;
+        let (first, last) = (record.first as usize, record.last as usize);
+        if tokens[first..last].iter().any(|t| t.kind().is_comment()) {
+            return None;
+        }
+        let ends_line = |t: Option<&Token>| t.is_none_or(|t| t.kind() == TokenKind::Newline);
+        let before = first.checked_sub(1).map(|i| &tokens[i]);
+        let behind = &tokens[last + 1..];
+        let comments = (behind.iter())
+            .take_while(|t| t.kind().is_comment())
+            .count();
+        let is_alone = ends_line(before) && ends_line(behind.get(comments));
+        let own = Span::new(tokens[first].start, tokens[last].end());
+        let line = before.map_or(0, |t| t.end());
+        let (span, text) = match (before, behind.first()) {
+            _ if is_alone && comments > 0 => (own, "0"),
+            (_, Some(line_break)) if is_alone => (Span::new(line, line_break.end()), ""),
+            (_, Some(next)) if ends_line(before) => (Span::new(own.start, next.start), ""),
+            _ => (Span::new(line, own.end), ""),
+        };
+        Some(Fix::replace(title, applicability, span, text.to_owned()))
     }
 }
 

@@ -390,7 +390,11 @@ fn fixed_lines(file: &SourceFile, fix: &Fix) -> Vec<String> {
         return Vec::new();
     };
     let start = file.line_index(file.floor(first.span.start));
-    let end = file.line_index(file.floor(last.span.end));
+    let mut end = file.line_index(file.floor(last.span.end));
+    // Of lines that go nothing is left to be shown.
+    if last.text.is_empty() && start < end && file.line_span(end).start == last.span.end {
+        end -= 1;
+    }
     let lines = Span::new(file.line_span(start).start, file.line_span(end).end);
     if end.saturating_sub(start) >= FIX_LINES || lines.end.saturating_sub(lines.start) > FIX_LINE {
         return Vec::new();

@@ -289,6 +289,10 @@ pub const OF_PICTURES: &[Code] = &[
     Code::W331,
 ];
 
+/// Rules whose fixes take records out. Where there is an error such a record may be what is to be mended: no fix is
+/// offered then.
+pub const TAKING_OUT: &[Code] = &[Code::W327];
+
 #[cfg(test)]
 mod tests {
     use super::*;

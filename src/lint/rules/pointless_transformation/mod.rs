@@ -2,18 +2,19 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Value};
 use crate::geometry::Matrix;
 use crate::lint::Context;
 use crate::scene::record::Params;
+use crate::syntax::Record;
 use crate::syntax::table::{Kind, RecordKind};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let all = || {
         let records = context.records().filter(|r| KINDS.contains(&r.kind));
-        records.map(|r| context.record_params(r))
+        records.map(|r| (r, context.record_params(r)))
     };
-    let mut idle: Vec<Params> = all().filter(moves_nothing).collect();
+    let mut idle: Vec<(&Record, Params)> = all().filter(|(_, p)| moves_nothing(p)).collect();
     if idle.is_empty() {
         return;
     }
@@ -28,17 +29,21 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         (kinds.get(&p.id).copied(), p.ty.kind, axis)
     };
     let done: FxHashSet<_> = all()
-        .filter(|p| !moves_nothing(p))
-        .map(|p| what(&p))
+        .filter(|(_, p)| !moves_nothing(p))
+        .map(|(_, p)| what(&p))
         .collect();
-    idle.retain(|p| {
+    idle.retain(|(_, p)| {
         let is_wrong = !p.check_constraints(&mut Vec::new());
         !is_wrong && kinds.contains_key(&p.id) && !done.contains(&what(p))
     });
-    for p in idle {
+    for (record, p) in idle {
+        let d = Diagnostic::new(Code::W327, p.span_of(0, p.len()))
+            .with("type", Value::Term(p.ty.title));
         out.push(
-            Diagnostic::new(Code::W327, p.span_of(0, p.len()))
-                .with("type", Value::Term(p.ty.title)),
+            match context.take_out(record, "fix", Applicability::Unsafe) {
+                Some(fix) => d.fix(fix),
+                None => d,
+            },
         );
     }
 }
