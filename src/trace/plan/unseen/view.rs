@@ -230,8 +230,8 @@ pub struct Held {
 }
 
 /// The opaque solids that points are in: for each point the first part of the outermost union that holds it, with room
-/// around it, or else one that has it on its surface, as planes have. What the region that is drawn may cut open holds
-/// nothing.
+/// around it, or else one that has it on its surface, as planes have; none if something that lets light through comes
+/// before it in the union and may hold the point. What the region that is drawn may cut open holds nothing.
 pub fn held(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -249,7 +249,7 @@ pub fn held(
     let clip = scene.render.and_then(|r| r.clip);
     let clip = clip.map_or(Aabb::ALL, |(min, max)| Aabb::new(min, max));
     let parts = members(scene, bounds, root);
-    let counts = |m: &Member| !m.clear && clip.holds(&m.bounds);
+    let counts = |m: &Member| m.clear || clip.holds(&m.bounds);
     let numbered = parts.iter().enumerate().filter(|(_, m)| counts(m));
     let boxes = Boxes::new(numbered.map(|(i, m)| (i as u32, m.bounds)));
     let mut asked = Asked {
@@ -263,8 +263,15 @@ pub fn held(
         let mut near = Vec::new();
         boxes.near(&here, &mut near);
         near.sort_unstable();
-        for i in near {
-            match asked.where_is(point, &parts[i as usize]) {
+        for part in near.iter().map(|&i| &parts[i as usize]) {
+            // What comes first in a union owns its points.
+            if part.clear && asked.may_hold(point, part) {
+                break;
+            }
+            if part.clear {
+                continue;
+            }
+            match asked.where_is(point, part) {
                 Some(found) if !found.on_surface => {
                     *held = Some(found);
                     break;
@@ -286,6 +293,17 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
+    /// Whether a point may be in a part.
+    fn may_hold(&mut self, point: &Vec3, part: &Member) -> bool {
+        let back = part.matrix.inverse();
+        let (Some(left), Some(back)) = (self.left.checked_sub(1), back) else {
+            return true;
+        };
+        self.left = left;
+        let node = below(self.scene, part.node);
+        !part.sheet && self.inside.node(node, back.point(*point)) != Some(false)
+    }
+
     /// Where a point is with regard to a part; `None` where it is outside, or that is not known.
     fn where_is(&mut self, point: &Vec3, part: &Member) -> Option<Held> {
         self.left = self.left.checked_sub(1)?;
