@@ -1,9 +1,25 @@
 //! Scenes of 100 000 objects through all rules of the linter: seconds to read them, and for the rules
 //! together. With paths, those scenes instead.
+//!
+//! Then the small pictures of W330, which looks at scenes without ambient light: milliseconds for 1000 random scenes, and
+//! for those of the gallery and the hard ones.
 
+#[path = "../tests/lint_generated/scenes.rs"]
+mod random;
+#[path = "../tests/campaign/rng.rs"]
+#[expect(dead_code, reason = "the tests use the rest")]
+mod rng;
+
+/// Where the random scenes look for their numbers.
+mod campaign {
+    pub(crate) use super::rng;
+}
+
+use std::path::Path;
 use std::time::Instant;
 
-use zpg::diagnostics::SourceFile;
+use cpu_time::ProcessTime;
+use zpg::diagnostics::{Code, SourceFile};
 use zpg::{lint, scene, syntax};
 
 /// Shapes in each scene.
@@ -202,6 +218,63 @@ fn kinds() -> Vec<(&'static str, String)> {
     ]
 }
 
+/// The scene without ambient light.
+fn darkened(text: &str) -> String {
+    let lines = text.lines().map(|line| {
+        let mut words = line.split_whitespace();
+        match (words.next(), words.next()) {
+            (Some(id), Some("-401")) => format!("{id} -401 0\n"),
+            _ => format!("{line}\n"),
+        }
+    });
+    lines.collect()
+}
+
+/// Milliseconds of CPU that W330 takes for a scene, the best of three times, and whether it says something.
+fn looked(text: String) -> (f64, bool) {
+    let source = SourceFile::new("scene.zpg", text.into_bytes());
+    let (document, mut found) = syntax::parse(&source.text);
+    let scene = scene::resolve(&document, &source, &mut found);
+    let mut time = f64::INFINITY;
+    for _ in 0..3 {
+        found.clear();
+        let start = ProcessTime::now();
+        let context = lint::Context::new(&source.text, &document, &scene);
+        lint::run(&context, |code| code == Code::W330, &mut found);
+        time = time.min(1e3 * start.elapsed().as_secs_f64());
+    }
+    (time, found.iter().any(|d| d.code == Code::W330))
+}
+
+fn small_pictures() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let scenes = |name: &str| {
+        let entries = std::fs::read_dir(folder.join(name)).expect("the folder of scenes");
+        let paths = entries.map(|e| e.expect("a file").path());
+        let scenes = paths.filter(|p| p.extension().is_some_and(|e| e == "zpg"));
+        scenes.map(|p| std::fs::read_to_string(p).expect("a scene"))
+    };
+    let kinds: [(&str, Vec<String>); 2] = [
+        ("1000 random scenes", (0..1000).map(random::scene).collect()),
+        (
+            "gallery and hard scenes",
+            scenes("gallery").chain(scenes("hard")).collect(),
+        ),
+    ];
+    println!(
+        "\n{:<44} {:>8} {:>8} {:>9}",
+        "W330", "median", "max", "findings"
+    );
+    for (name, texts) in kinds {
+        let all = texts.iter().map(|text| looked(darkened(text)));
+        let (mut times, said): (Vec<f64>, Vec<bool>) = all.unzip();
+        times.sort_unstable_by(f64::total_cmp);
+        let (median, max) = (times[times.len() / 2], times[times.len() - 1]);
+        let said = said.iter().filter(|s| **s).count();
+        println!("{name:<44} {median:>5.2} ms {max:>5.2} ms {said:>9}");
+    }
+}
+
 fn main() {
     let paths: Vec<String> = std::env::args()
         .skip(1)
@@ -209,7 +282,8 @@ fn main() {
         .collect();
     let read = |path: &String| std::fs::read_to_string(path).expect("a scene");
     let mut scenes: Vec<(&str, String)> = paths.iter().map(|p| (p.as_str(), read(p))).collect();
-    if scenes.is_empty() {
+    let is_all = scenes.is_empty();
+    if is_all {
         scenes = kinds();
     }
     println!("{:<44} {:>8} {:>8} {:>9}", "", "read", "rules", "findings");
@@ -225,5 +299,8 @@ fn main() {
         let rules = start.elapsed().as_secs_f64();
         assert!(!found.iter().any(|d| d.is_error()), "{name}");
         println!("{name:<44} {read:>6.2} s {rules:>6.2} s {:>9}", found.len());
+    }
+    if is_all {
+        small_pictures();
     }
 }
