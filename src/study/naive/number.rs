@@ -86,8 +86,8 @@ const fn power_of_two(exponent: i32) -> Wide {
 }
 
 impl Number for Wide {
-    // 2⁻⁴³: what lies in one place up to the rounding of the scene's own numbers is one surface.
-    const OFFSET: Wide = power_of_two(-43);
+    // 2⁻⁴⁶: what lies in one place up to the rounding of the scene's own numbers is one surface.
+    const OFFSET: Wide = power_of_two(-46);
     const OFFSET_IS_RELATIVE: bool = true;
     const TINY: Wide = power_of_two(-190);
     const TEXTBOOK: bool = false;

@@ -11,13 +11,13 @@ use crate::syntax::table::Kind;
 use crate::trace::{Settings, Tracer};
 
 /// The size of the picture, in pixels: a few milliseconds in all.
-const SIZE: [u32; 2] = [96, 72];
+const SIZE: [u32; 2] = [72, 54];
 /// Every so many of its pixels are looked at first: mostly one of them is lit.
-const SCATTERED: usize = 131;
+const SCATTERED: usize = 73;
 /// Larger scenes take longer than a few milliseconds to be made ready.
 const MAX_NODES: usize = 1000;
 /// Tests of shapes in a picture, each as dear as 80 of boxes: nothing is said of what takes longer to look at.
-const MAX_TESTS: u64 = 60_000;
+const MAX_TESTS: u64 = 18_000;
 /// What is lit by more mirrors and panes than this is as good as black.
 const DEPTH: u32 = 4;
 
