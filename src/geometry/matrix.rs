@@ -124,6 +124,13 @@ impl Matrix {
             + m[0][2] * (m[1][0] * m[2][1] + m[1][1] * m[2][0])
     }
 
+    /// Whether it does no more than move.
+    pub fn is_translation(&self) -> bool {
+        let [x, y, z, last] = &self.0;
+        let unit = [x, y, z].into_iter().zip(&Matrix::IDENTITY.0);
+        *last == Matrix::IDENTITY.0[3] && unit.into_iter().all(|(row, unit)| row[..3] == unit[..3])
+    }
+
     /// Whether it has no inverse, decided exactly.
     pub fn is_singular(&self) -> bool {
         match self.0[3] == [0.0, 0.0, 0.0, 1.0] {

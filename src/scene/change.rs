@@ -172,8 +172,9 @@ impl Resolver<'_> {
                     }
                     _ => (*node, *m),
                 };
-                let inverse = matrix.inverse().filter(|_| !matrix.is_singular());
-                inverse.map(|_| {
+                let is_regular = matrix.is_plainly_invertible()
+                    || !matrix.is_singular() && matrix.inverse().is_some();
+                is_regular.then(|| {
                     let matrix = self.matrix(matrix);
                     let moved = self.node(Node::Transform { child, matrix });
                     let goes_on = self.taken[*node as usize] || self.scene.steps.contains_key(node);

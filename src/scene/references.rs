@@ -306,10 +306,14 @@ impl Resolver<'_> {
     ) -> Diagnostic {
         let budget = COMPARISONS_MAX.saturating_sub(self.references.comparisons);
         let written = id.to_string();
+        let most = 1 + written.len() / 4;
+        let digits = digits(id);
         // An ID of one digit is near every other of one digit: of several, the nearest number.
         let nearest = (self.scene.entities.iter().take(budget))
             .filter(|e| e.id != id && !used.contains(&e.id))
             .filter(|e| e.kind.is_some_and(|k| kinds.contains(&k)))
+            // Most are told by their digits alone, which takes a tenth of the time.
+            .filter(|e| edits_at_least(&digits, &self::digits(e.id)) <= most)
             .map(|e| {
                 (
                     strsim::osa_distance(&written, &e.id.to_string()),
@@ -320,7 +324,7 @@ impl Resolver<'_> {
             .min();
         self.references.comparisons += self.scene.entities.len();
         match nearest {
-            Some((distance, _, near)) if distance <= 1 + written.len() / 4 => {
+            Some((distance, _, near)) if distance <= most => {
                 let near = near.to_string();
                 finding
                     .with("number", syntax::quote(&near))
@@ -329,6 +333,26 @@ impl Resolver<'_> {
             _ => finding,
         }
     }
+}
+
+/// How often a number has each digit.
+fn digits(mut number: u32) -> [u8; 10] {
+    let mut digits = [0; 10];
+    loop {
+        digits[(number % 10) as usize] += 1;
+        number /= 10;
+        if number == 0 {
+            return digits;
+        }
+    }
+}
+
+/// So many edits it takes at least: each puts in a digit, takes one out or does both.
+fn edits_at_least(a: &[u8; 10], b: &[u8; 10]) -> usize {
+    let lacking = |a: &[u8; 10], b: &[u8; 10]| -> u8 {
+        a.iter().zip(b).map(|(a, b)| b.saturating_sub(*a)).sum()
+    };
+    usize::from(lacking(a, b).max(lacking(b, a)))
 }
 
 /// The parser's finding at a place; `diagnostics` are sorted.

@@ -65,10 +65,10 @@ fn finding(context: &Context, shape: &Shape, small: Length, large: Length) -> Di
 
 /// The smallest and the largest length of a shape moved by a matrix, where they are too different.
 fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
-    if let (Geometry::Sphere { centre, radius }, true) = (geometry, *m == Matrix::IDENTITY) {
+    if let (Geometry::Sphere { centre, radius }, true) = (geometry, m.is_translation()) {
         // Nearly all spheres are not far away in any direction.
         const FAR: f64 = RATIO_MAX / 2.0;
-        if *radius > 0.0 && centre.iter().all(|x| x.abs() < FAR * radius) {
+        if *radius > 0.0 && m.point(*centre).iter().all(|x| x.abs() < FAR * radius) {
             return None;
         }
     }
