@@ -179,19 +179,53 @@ impl Piece {
     }
 }
 
-/// Up to eight pieces that a piece is made of: the largest box is halved again and again.
-fn children(bvh: &Bvh, whole: Piece) -> Vec<Piece> {
-    let mut pieces = vec![whole];
-    while pieces.len() < WIDTH {
-        let halves = pieces.iter().enumerate().filter_map(|(at, piece)| {
-            let area = piece.bounds(bvh).half_area();
-            Some((at, area, piece.halves(bvh)?))
-        });
-        let Some((at, _, [left, right])) = halves.max_by(|a, b| a.1.total_cmp(&b.1)) else {
-            break;
+/// How many items are below each node of a binary tree.
+fn sizes(bvh: &Bvh) -> Vec<u32> {
+    let mut sizes = vec![0; bvh.nodes.len()];
+    // Children stand behind their parents.
+    for (at, node) in bvh.nodes.iter().enumerate().rev() {
+        sizes[at] = match node.count {
+            0 => sizes[at + 1] + sizes[node.index as usize],
+            count => count,
         };
-        pieces[at] = left;
-        pieces.push(right);
+    }
+    sizes
+}
+
+/// Up to eight pieces that a piece is made of.
+///
+/// The largest box is halved again and again, but for those that one node has room for: nodes with few children are
+/// more to visit. What room is left then goes to the items of such pieces, those of the largest box first.
+fn children(bvh: &Bvh, sizes: &[u32], whole: Piece) -> Vec<Piece> {
+    let size = |piece: &Piece| match *piece {
+        Piece::Inner(node) => sizes[node as usize] as usize,
+        Piece::Items { start, end, .. } => (end - start) as usize,
+    };
+    let area = |piece: &Piece| piece.bounds(bvh).half_area();
+    let largest = |pieces: &[Piece], is_meant: &dyn Fn(usize) -> bool| {
+        let meant = (0..pieces.len()).filter(|&at| is_meant(size(&pieces[at])));
+        meant.max_by(|&a, &b| area(&pieces[a]).total_cmp(&area(&pieces[b])))
+    };
+    let mut pieces = vec![whole];
+    let halve = |pieces: &mut Vec<Piece>, at: usize| {
+        if let Some([left, right]) = pieces[at].halves(bvh) {
+            pieces[at] = left;
+            pieces.push(right);
+        }
+    };
+    while pieces.len() < WIDTH
+        && let Some(at) = largest(&pieces, &|size| size > WIDTH)
+    {
+        halve(&mut pieces, at);
+    }
+    while let Some(at) = largest(&pieces, &|size| {
+        (2..=WIDTH + 1 - pieces.len()).contains(&size)
+    }) {
+        let mut items = vec![pieces.swap_remove(at)];
+        while let Some(at) = largest(&items, &|size| size > 1) {
+            halve(&mut items, at);
+        }
+        pieces.append(&mut items);
     }
     pieces
 }
@@ -207,6 +241,7 @@ impl Tree {
     pub fn new(boxes: Vec<(u32, Aabb)>, frame: &Frame) -> Tree {
         let scaled = boxes.into_iter().map(|(item, b)| (item, frame.scaled(&b)));
         let bvh = Bvh::with_leaves(scaled.collect(), 1);
+        let sizes = sizes(&bvh);
         let mut nodes = Vec::new();
         let mut pending = Vec::new();
         if !bvh.nodes.is_empty() {
@@ -214,7 +249,7 @@ impl Tree {
             pending.push((0, Piece::of(&bvh, 0)));
         }
         while let Some((here, whole)) = pending.pop() {
-            for (slot, piece) in children(&bvh, whole).into_iter().enumerate() {
+            for (slot, piece) in children(&bvh, &sizes, whole).into_iter().enumerate() {
                 let child = match piece {
                     Piece::Items { start, end, .. } if end - start == 1 => {
                         Child::item(bvh.items[start as usize])

@@ -91,7 +91,7 @@ pub fn run(language: Language) -> io::Result<Ending> {
 ///
 /// The allocator of glibc keeps twice as much as the largest piece that it has got from the system for one purpose, up
 /// to 32 MB (mallopt(3), `M_MMAP_THRESHOLD`). Nothing of this piece is used. Other allocators do not mind.
-fn keep_memory() {
+pub fn keep_memory() {
     drop(std::hint::black_box(Vec::<u8>::with_capacity(31 << 20)));
 }
 

@@ -5,12 +5,27 @@ use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Node, Scene};
 
 /// The bounds of a node, in its own coordinates.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct NodeBounds {
     /// Holds every point of the node's solids and surfaces.
     pub all: Aabb,
+    /// Of what is bounded in part, the box of that part: there may be millions of nodes, and few are.
+    in_part: Option<Box<Aabb>>,
+}
+
+impl NodeBounds {
+    fn new(all: Aabb, bounded: Aabb) -> NodeBounds {
+        let in_part = (bounded != finite_part(all)).then(|| Box::new(bounded));
+        NodeBounds { all, in_part }
+    }
+
     /// Holds the parts of the node that are bounded; always finite, empty where there are none.
-    pub bounded: Aabb,
+    pub fn bounded(&self) -> Aabb {
+        match &self.in_part {
+            Some(bounded) => **bounded,
+            None => finite_part(self.all),
+        }
+    }
 }
 
 /// What a node is, as far as its bounds can be told from a shape's own: bounding the moved shape itself keeps chains of
@@ -36,7 +51,7 @@ pub fn node_bounds(scene: &Scene) -> Vec<NodeBounds> {
         (all, finite_part(all))
     };
     for node in &scene.nodes {
-        let of = |id: u32| out[id as usize];
+        let of = |id: u32| &out[id as usize];
         let ((all, bounded), place) = match *node {
             Node::Shape(shape) => (bounds(shape, &Matrix::IDENTITY), Placed::Still(shape)),
             Node::Transform { child, matrix } => {
@@ -55,33 +70,31 @@ pub fn node_bounds(scene: &Scene) -> Vec<NodeBounds> {
                         (bounds(shape, &m), place)
                     }
                     None => {
-                        let NodeBounds { all, bounded } = of(child);
-                        let bounded = finite_part(bounded.transformed(m));
-                        ((all.transformed(m), bounded), Placed::Other)
+                        let child = of(child);
+                        let bounded = finite_part(child.bounded().transformed(m));
+                        ((child.all.transformed(m), bounded), Placed::Other)
                     }
                 }
             }
             Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                ((of(child).all, of(child).bounded), placed[child as usize])
+                ((of(child).all, of(child).bounded()), placed[child as usize])
             }
             Node::Union(a, b) => {
                 let (a, b) = (of(a), of(b));
-                let bounded = a.bounded.hull(&b.bounded);
+                let bounded = a.bounded().hull(&b.bounded());
                 ((a.all.hull(&b.all), bounded), Placed::Other)
             }
             Node::Intersection(a, b) => {
                 let (a, b) = (of(a), of(b));
-                let bounded = a
-                    .bounded
-                    .intersection(&b.all)
-                    .hull(&b.bounded.intersection(&a.all));
+                let bounded =
+                    (a.bounded().intersection(&b.all)).hull(&b.bounded().intersection(&a.all));
                 let all = a.all.intersection(&b.all);
                 ((all, finite_part(bounded)), Placed::Other)
             }
-            Node::Difference(a, _) => ((of(a).all, of(a).bounded), Placed::Other),
+            Node::Difference(a, _) => ((of(a).all, of(a).bounded()), Placed::Other),
             Node::Complement(_) => ((Aabb::ALL, Aabb::EMPTY), Placed::Other),
         };
-        out.push(NodeBounds { all, bounded });
+        out.push(NodeBounds::new(all, bounded));
         placed.push(place);
     }
     out
@@ -160,9 +173,9 @@ mod tests {
             ..Scene::default()
         };
         let b = node_bounds(&scene);
-        assert!(near(b[2].bounded.min, [0.0, -1.0, -1.0]));
+        assert!(near(b[2].bounded().min, [0.0, -1.0, -1.0]));
         assert!(!b[2].all.is_finite());
-        assert!(near(b[4].bounded.max, [2.0, 1.0, 1.0]));
-        assert!(b[3].bounded.is_empty());
+        assert!(near(b[4].bounded().max, [2.0, 1.0, 1.0]));
+        assert!(b[3].bounded().is_empty());
     }
 }

@@ -56,7 +56,7 @@ pub fn seen_box(scene: &Scene, bounds: &[NodeBounds]) -> Aabb {
             Some((min, max)) => Aabb::new(min, max),
             None => bounds
                 .get(render.root as usize)
-                .map_or(Aabb::EMPTY, |b| b.bounded),
+                .map_or(Aabb::EMPTY, |b| b.bounded()),
         },
         None => Aabb::EMPTY,
     }

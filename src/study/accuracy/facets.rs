@@ -76,7 +76,7 @@ pub fn meshes(stage: &mut Stage) -> Result<Option<Facets>, Error> {
         base = stage.add(Arc::new(whole.clone()))?;
     }
     let bounds = node_bounds(&whole);
-    let radius = (whole.render).map_or(1.0, |r| bounds[r.root as usize].bounded.radius());
+    let radius = (whole.render).map_or(1.0, |r| bounds[r.root as usize].bounded().radius());
     let mut rungs = Vec::new();
     let mut before = 0;
     for share in TOLERANCES {

@@ -189,39 +189,39 @@ pub trait Shape {
     fn feed(&self, sink: &mut dyn FnMut(f64));
 }
 
-/// A shape of the language.
+/// A shape of the language. Those that hold many numbers are kept apart: there may be millions of the others.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Primitive {
-    Revolution(revolution::Revolution),
+    Revolution(Box<revolution::Revolution>),
     Plane(plane::Plane),
     HalfSpace(half_space::HalfSpace),
     Rectangle(rectangle::Rectangle),
-    Triangle(triangle::Triangle),
+    Triangle(Box<triangle::Triangle>),
     Sphere(sphere::Sphere),
-    Ellipsoid(quadric::ellipsoid::Ellipsoid),
+    Ellipsoid(Box<quadric::ellipsoid::Ellipsoid>),
     Cuboid(cuboid::Cuboid),
-    GeodesicSphere(geodesic_sphere::GeodesicSphere),
+    GeodesicSphere(Box<geodesic_sphere::GeodesicSphere>),
     Torus(torus::Torus),
-    Quadric(quadric::Quadric),
-    Cone(quadric::cone::Cone),
+    Quadric(Box<quadric::Quadric>),
+    Cone(Box<quadric::cone::Cone>),
 }
 
-/// The same expression for the shape in every variant.
+/// The shape in any variant, as something that every shape is.
 macro_rules! each {
-    ($primitive:expr, $s:ident => $e:expr) => {
+    ($primitive:expr) => {
         match $primitive {
-            Primitive::Revolution($s) => $e,
-            Primitive::Plane($s) => $e,
-            Primitive::HalfSpace($s) => $e,
-            Primitive::Rectangle($s) => $e,
-            Primitive::Triangle($s) => $e,
-            Primitive::Sphere($s) => $e,
-            Primitive::Ellipsoid($s) => $e,
-            Primitive::Cuboid($s) => $e,
-            Primitive::GeodesicSphere($s) => $e,
-            Primitive::Torus($s) => $e,
-            Primitive::Quadric($s) => $e,
-            Primitive::Cone($s) => $e,
+            Primitive::Revolution(s) => &**s,
+            Primitive::Plane(s) => s,
+            Primitive::HalfSpace(s) => s,
+            Primitive::Rectangle(s) => s,
+            Primitive::Triangle(s) => &**s,
+            Primitive::Sphere(s) => s,
+            Primitive::Ellipsoid(s) => &**s,
+            Primitive::Cuboid(s) => s,
+            Primitive::GeodesicSphere(s) => &**s,
+            Primitive::Torus(s) => s,
+            Primitive::Quadric(s) => &**s,
+            Primitive::Cone(s) => &**s,
         }
     };
 }
@@ -232,7 +232,7 @@ impl Primitive {
             Geometry::Revolution {
                 ref profile,
                 ref colours,
-            } => Primitive::Revolution(revolution::Revolution::new(profile, colours)),
+            } => Primitive::Revolution(Box::new(revolution::Revolution::new(profile, colours))),
             Geometry::Sphere { centre, radius } => {
                 Primitive::Sphere(sphere::Sphere::new(centre.into(), radius))
             }
@@ -246,44 +246,47 @@ impl Primitive {
                 Primitive::Rectangle(rectangle::Rectangle::new(min, max))
             }
             Geometry::Ellipsoid { semi_axes } => {
-                Primitive::Ellipsoid(quadric::ellipsoid::Ellipsoid::new(semi_axes))
+                Primitive::Ellipsoid(Box::new(quadric::ellipsoid::Ellipsoid::new(semi_axes)))
             }
             Geometry::Cone { height, radius } => {
-                Primitive::Cone(quadric::cone::Cone::single(height, radius))
+                Primitive::Cone(Box::new(quadric::cone::Cone::single(height, radius)))
             }
             Geometry::DoubleCone { height, radius } => {
-                Primitive::Cone(quadric::cone::Cone::double(height, radius))
+                Primitive::Cone(Box::new(quadric::cone::Cone::double(height, radius)))
             }
-            Geometry::Quadric(ref q) => Primitive::Quadric(quadric::Quadric::general(q)),
+            Geometry::Quadric(ref q) => Primitive::Quadric(Box::new(quadric::Quadric::general(q))),
             Geometry::ParabolicCylinder { a } => {
-                Primitive::Quadric(quadric::Quadric::parabolic_cylinder(a))
+                Primitive::Quadric(Box::new(quadric::Quadric::parabolic_cylinder(a)))
             }
             Geometry::HyperbolicCylinder { a, b } => {
-                Primitive::Quadric(quadric::Quadric::hyperbolic_cylinder(a, b))
+                Primitive::Quadric(Box::new(quadric::Quadric::hyperbolic_cylinder(a, b)))
             }
             Geometry::Hyperboloid { a, b, c, sheets } => {
-                Primitive::Quadric(quadric::Quadric::hyperboloid(a, b, c, sheets))
+                Primitive::Quadric(Box::new(quadric::Quadric::hyperboloid(a, b, c, sheets)))
             }
             Geometry::HyperbolicParaboloid { a, b } => {
-                Primitive::Quadric(quadric::Quadric::hyperbolic_paraboloid(a, b))
+                Primitive::Quadric(Box::new(quadric::Quadric::hyperbolic_paraboloid(a, b)))
             }
             Geometry::Triangle {
                 ref vertices,
                 ref normals,
-            } => Primitive::Triangle(triangle::Triangle::new(**vertices, normals.clone())),
-            Geometry::GeodesicSphere { radius, splits } => {
-                Primitive::GeodesicSphere(geodesic_sphere::GeodesicSphere::new(radius, splits))
-            }
+            } => Primitive::Triangle(Box::new(triangle::Triangle::new(
+                **vertices,
+                normals.clone(),
+            ))),
+            Geometry::GeodesicSphere { radius, splits } => Primitive::GeodesicSphere(Box::new(
+                geodesic_sphere::GeodesicSphere::new(radius, splits),
+            )),
         }
     }
 
     /// Where it meets lines of one kind of number.
     pub fn intersect<R: Traced>(&self) -> &dyn Intersect<R> {
-        each!(self, s => s)
+        each!(self)
     }
 
     pub fn shape(&self) -> &dyn Shape {
-        each!(self, s => s)
+        each!(self)
     }
 
     /// The name of the shape in counts and plans.

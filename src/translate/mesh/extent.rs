@@ -125,7 +125,7 @@ fn faces(scene: &Scene, bounds: &[NodeBounds], seen: &Aabb) -> Aabb {
         let all = match *node {
             Node::Shape(shape) => match plane_foot(&scene.shapes[shape as usize].geometry) {
                 Some(foot) => Aabb::new(foot, foot),
-                None => bounds.bounded,
+                None => bounds.bounded(),
             },
             Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
                 of(a).hull(&of(b))

@@ -77,7 +77,7 @@ fn fits(context: &Context, camera: &Camera) -> bool {
     let Some(render) = context.scene.render else {
         return false;
     };
-    let all = context.bounds()[render.root as usize].bounded;
+    let all = context.bounds()[render.root as usize].bounded();
     if !all.is_bounded() {
         return false;
     }

@@ -60,7 +60,7 @@ fn name(side: Side) -> &'static str {
 fn towards(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Option<Fix> {
     /// The least sine between direction and up.
     const UPRIGHT: f64 = 0.01;
-    let all = context.bounds()[root as usize].bounded;
+    let all = context.bounds()[root as usize].bounded();
     if p.numbers(0) != camera.position || p.numbers(3) != camera.direction || !all.is_bounded() {
         return None;
     }

@@ -299,7 +299,7 @@ impl<'a> Search<'a> {
     /// Where something without end is at home: around its own origin, by several times its size.
     fn anchor(&self, part: &Part) -> Aabb {
         const TIMES: f64 = 4.0;
-        let bounded = self.bounds[part.node as usize].bounded;
+        let bounded = self.bounds[part.node as usize].bounded();
         if !bounded.is_empty() {
             return bounded.transformed(&part.matrix);
         }

@@ -30,7 +30,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     };
     let bounds = context.bounds();
-    let whole = bounds[render.root as usize];
+    let whole = &bounds[render.root as usize];
     let clip = Aabb::new(min, max);
     let span = p.span_of(2, 6);
     if let Some((axis, above)) = apart(&whole.all, &clip) {
@@ -51,7 +51,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let inside = |b: &Aabb| {
         b.is_empty() || (0..3).all(|i| min[i] - slack <= b.min[i] && b.max[i] <= max[i] + slack)
     };
-    if inside(&whole.bounded) {
+    if inside(&whole.bounded()) {
         return;
     }
     let mut tree = Tree::new(scene, bounds, &[render.root]);
@@ -66,7 +66,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     // Rays may meet these outside of the box, and they do not reach out of it.
     let aside: FxHashSet<u32> = endless.into_iter().chain(&unseen).map(|l| l.id).collect();
     let aims = || -> Vec<Aabb> {
-        let within = ends.iter().map(|l| l.bounds.intersection(&whole.bounded));
+        let within = ends.iter().map(|l| l.bounds.intersection(&whole.bounded()));
         within.filter(|b| !b.is_empty()).collect()
     };
     if aims().iter().all(inside) {

@@ -72,7 +72,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
 
     fn standing(&self, i: u32) -> Option<Standing<'a>> {
         let member = &self.all[i as usize];
-        Standing::new(member.geometry(self.scene)?, member.matrix)
+        Standing::new(member.geometry(self.scene)?, *member.matrix())
     }
 
     /// Finds what lies strictly inside of what.
@@ -113,7 +113,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
             });
             // The largest first.
             near.sort_unstable();
-            let shape = member.geometry(scene).map(|g| (g, &member.matrix));
+            let shape = member.geometry(scene).map(|g| (g, member.matrix()));
             for &k in &near {
                 let holder = holders[k as usize].1;
                 let known = &mut standing[k as usize];

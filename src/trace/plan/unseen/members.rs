@@ -5,6 +5,7 @@ use crate::scene::{Geometry, Node, NodeId, Scene};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::named;
 use crate::solids::shapes::facts::Facts;
+use std::sync::Arc;
 
 /// Where a part is written.
 #[derive(Debug, Clone, Copy)]
@@ -17,15 +18,15 @@ pub enum Slot {
 
 /// A part of the outermost union: a shape or anything that is no union, or a union that occurs more
 /// than once.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Member {
     pub slot: Slot,
     /// The operand as it is written.
     pub node: NodeId,
     /// Index into the scene's shapes, where it is one.
     pub shape: Option<u32>,
-    /// From the coordinates of what is below its transformations into those of the scene.
-    pub matrix: Matrix,
+    /// What moves it.
+    moved: Option<Arc<Matrix>>,
     /// Where it is, in those of the scene.
     pub bounds: Aabb,
     /// Whether anything of it may let light through, after all that overrides its properties.
@@ -35,6 +36,11 @@ pub struct Member {
 }
 
 impl Member {
+    /// From the coordinates of what is below its transformations into those of the scene.
+    pub fn matrix(&self) -> &Matrix {
+        self.moved.as_deref().unwrap_or(&Matrix::IDENTITY)
+    }
+
     pub fn geometry<'s>(&self, scene: &'s Scene) -> Option<&'s Geometry> {
         Some(&scene.shapes[self.shape? as usize].geometry)
     }
@@ -49,12 +55,13 @@ impl Member {
 }
 
 /// On the way down to a part.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Way {
     node: NodeId,
     slot: Slot,
     operand: NodeId,
-    matrix: Matrix,
+    /// Shared by all that moves together: most things are not moved at all, and a matrix is large.
+    moved: Option<Arc<Matrix>>,
     /// Whether what lies above says that light gets through.
     clear: Option<bool>,
     /// Something on the way is used elsewhere too.
@@ -70,7 +77,7 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
         node: root,
         slot: Slot::Root,
         operand: root,
-        matrix: Matrix::IDENTITY,
+        moved: None,
         clear: None,
         shared: false,
     }];
@@ -79,7 +86,9 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
         way.shared |= uses[at] > 1;
         match scene.nodes[at] {
             Node::Transform { child, matrix } => {
-                way.matrix = way.matrix.after(&scene.matrices[matrix as usize]);
+                let matrix = &scene.matrices[matrix as usize];
+                let moved = way.moved.map_or(*matrix, |above| above.after(matrix));
+                way.moved = Some(Arc::new(moved));
                 way.node = child;
                 todo.push(way);
             }
@@ -100,7 +109,7 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
                         node,
                         slot,
                         operand: node,
-                        ..way
+                        ..way.clone()
                     });
                 }
             }
@@ -110,15 +119,16 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
                     _ => None,
                 };
                 let geometry = shape.map(|s| &scene.shapes[s as usize].geometry);
+                let matrix = way.moved.as_deref().unwrap_or(&Matrix::IDENTITY);
                 out.push(Member {
                     slot: way.slot,
                     node: way.operand,
                     shape,
-                    matrix: way.matrix,
                     bounds: match geometry {
-                        Some(geometry) => geometry.bounds(&way.matrix),
-                        None => bounds[at].all.transformed(&way.matrix),
+                        Some(geometry) => geometry.bounds(matrix),
+                        None => bounds[at].all.transformed(matrix),
                     },
+                    moved: way.moved,
                     clear: way.clear.unwrap_or(clear[at][0]),
                     sheet: geometry.is_some_and(|g| !g.is_solid()),
                 });

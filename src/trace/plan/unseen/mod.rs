@@ -105,6 +105,9 @@ pub fn find(scene: &Scene, root: NodeId) -> Found {
     let starts = Starts::new(scene, &bounds);
     let clip = scene.render.and_then(|r| r.clip);
     let clip = clip.map(|(min, max)| Aabb::new(min, max));
+    let is_cut = (clip.as_ref()).is_some_and(|clip| is_cut(&bounds, root, clip));
+    // There may be millions of them.
+    drop(bounds);
     // Rounding moves the ends of rays by a share of how far these go.
     let reach = clip.map_or(0.0, |c| c.far()).max(starts.reach());
     let hair = |b: &Aabb| HAIR * reach.max(b.far());
@@ -145,7 +148,7 @@ pub fn find(scene: &Scene, root: NodeId) -> Found {
     }
     found.cut = clip.is_some_and(|clip| {
         let mut seen = all.iter().zip(&why).filter(|(_, why)| why.is_none());
-        is_cut(&bounds, root, &clip) && seen.any(|(m, _)| !clip.holds(&m.bounds))
+        is_cut && seen.any(|(m, _)| !clip.holds(&m.bounds))
     });
     found
 }

@@ -295,7 +295,7 @@ struct Asked<'a> {
 impl Asked<'_> {
     /// Whether a point may be in a part.
     fn may_hold(&mut self, point: &Vec3, part: &Member) -> bool {
-        let back = part.matrix.inverse();
+        let back = part.matrix().inverse();
         let (Some(left), Some(back)) = (self.left.checked_sub(1), back) else {
             return true;
         };
@@ -309,7 +309,7 @@ impl Asked<'_> {
         self.left = self.left.checked_sub(1)?;
         let scene = self.scene;
         let solid = named(scene, part.node)?;
-        let back = part.matrix.inverse()?;
+        let back = part.matrix().inverse()?;
         let size = match part.bounds.is_bounded() {
             true => part.bounds.radius(),
             false => 0.0,
