@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use rustc_hash::FxHashMap;
 
 use super::entity::State;
-use super::model::{NodeId, Rgb};
+use super::model::{Entity, NodeId, Rgb};
 use super::record::Params;
 use super::resolve::Resolver;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Label, Span, Value};
@@ -304,25 +304,30 @@ impl Resolver<'_> {
         kinds: &[Kind],
         used: &[u32],
     ) -> Diagnostic {
-        let budget = COMPARISONS_MAX.saturating_sub(self.references.comparisons);
         let written = id.to_string();
         let most = 1 + written.len() / 4;
-        let digits = digits(id);
-        // An ID of one digit is near every other of one digit: of several, the nearest number.
-        let nearest = (self.scene.entities.iter().take(budget))
-            .filter(|e| e.id != id && !used.contains(&e.id))
-            .filter(|e| e.kind.is_some_and(|k| kinds.contains(&k)))
-            // Most are told by their digits alone, which takes a tenth of the time.
-            .filter(|e| edits_at_least(&digits, &self::digits(e.id)) <= most)
-            .map(|e| {
-                (
-                    strsim::osa_distance(&written, &e.id.to_string()),
-                    e.id.abs_diff(id),
-                    e.id,
-                )
-            })
-            .min();
-        self.references.comparisons += self.scene.entities.len();
+        let fits = |e: &&Entity| {
+            let is_kind = e.kind.is_some_and(|kind| kinds.contains(&kind));
+            is_kind && e.id != id && !used.contains(&e.id)
+        };
+        // An ID of one digit is near every other of one digit: of several, the nearest number. The IDs one edit away are
+        // looked up, which takes less time than to compare with all.
+        let one_edit = one_edit_away(&written).filter_map(|near| self.entity(near));
+        let one_edit = one_edit.filter(fits);
+        let nearest = match one_edit.map(|e| (1, e.id.abs_diff(id), e.id)).min() {
+            None if most > 1 => {
+                let budget = COMPARISONS_MAX.saturating_sub(self.references.comparisons);
+                let all = self.scene.entities.iter().take(budget).filter(fits);
+                let nearest = all.map(|e| {
+                    let distance = strsim::osa_distance(&written, &e.id.to_string());
+                    (distance, e.id.abs_diff(id), e.id)
+                });
+                let nearest = nearest.min();
+                self.references.comparisons += self.scene.entities.len();
+                nearest
+            }
+            nearest => nearest,
+        };
         match nearest {
             Some((distance, _, near)) if distance <= most => {
                 let near = near.to_string();
@@ -335,24 +340,23 @@ impl Resolver<'_> {
     }
 }
 
-/// How often a number has each digit.
-fn digits(mut number: u32) -> [u8; 10] {
-    let mut digits = [0; 10];
-    loop {
-        digits[(number % 10) as usize] += 1;
-        number /= 10;
-        if number == 0 {
-            return digits;
-        }
-    }
-}
-
-/// So many edits it takes at least: each puts in a digit, takes one out or does both.
-fn edits_at_least(a: &[u8; 10], b: &[u8; 10]) -> usize {
-    let lacking = |a: &[u8; 10], b: &[u8; 10]| -> u8 {
-        a.iter().zip(b).map(|(a, b)| b.saturating_sub(*a)).sum()
+/// The numbers that one edit makes of a written number: a digit put in, taken out or replaced, or two neighbours
+/// swapped. Some occur twice.
+fn one_edit_away(written: &str) -> impl Iterator<Item = u32> {
+    let text = written.as_bytes();
+    let replaced = move |range: std::ops::Range<usize>, new: &[u8]| {
+        [&text[..range.start], new, &text[range.end..]].concat()
     };
-    usize::from(lacking(a, b).max(lacking(b, a)))
+    let put_in = (0..=text.len()).flat_map(move |at| (b'0'..=b'9').map(move |d| (at..at, d)));
+    let other = (0..text.len()).flat_map(move |at| (b'0'..=b'9').map(move |d| (at..at + 1, d)));
+    let changed = put_in.chain(other).map(move |(at, d)| replaced(at, &[d]));
+    let taken_out = (0..text.len()).map(move |at| replaced(at..at + 1, &[]));
+    let swapped = text.windows(2).enumerate();
+    let swapped = swapped.map(move |(at, pair)| replaced(at..at + 2, &[pair[1], pair[0]]));
+    let numbers = changed.chain(taken_out).chain(swapped);
+    // A number is not written with a zero in front.
+    let numbers = numbers.filter(|n| n.len() == 1 || n.first() != Some(&b'0'));
+    numbers.filter_map(|n| std::str::from_utf8(&n).ok()?.parse().ok())
 }
 
 /// The parser's finding at a place; `diagnostics` are sorted.
@@ -391,4 +395,20 @@ fn wrong_kind(span: Span, kind: Kind, what: &'static str, kinds: &[Kind]) -> Dia
 /// "an object, a point light or a camera".
 fn one_of(kinds: &[Kind]) -> Value {
     Value::OneOf(kinds.iter().map(|k| k.name()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn numbers_one_edit_away_are_all_that_are() {
+        for id in [0, 7, 10, 99, 100, 120, 2011] {
+            let written = id.to_string();
+            let found: BTreeSet<u32> = one_edit_away(&written).filter(|&n| n != id).collect();
+            let is_near = |n: &u32| strsim::osa_distance(&written, &n.to_string()) == 1;
+            assert!(found.into_iter().eq((0..100_000).filter(is_near)), "{id}");
+        }
+    }
 }
