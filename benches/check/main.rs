@@ -297,7 +297,7 @@ fn mistakes(folder: &Path, table: &mut Table) {
     );
 }
 
-/// As a language server calls it.
+/// As the language server calls it, which keeps freed memory.
 fn in_process(table: &mut Table) {
     zpg::lsp::keep_memory();
     for (lines, bar) in [(20_000, 5.0), (200_000, 45.0)] {

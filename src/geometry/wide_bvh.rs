@@ -194,8 +194,9 @@ fn sizes(bvh: &Bvh) -> Vec<u32> {
 
 /// Up to eight pieces that a piece is made of.
 ///
-/// The largest box is halved again and again, but for those that one node has room for: nodes with few children are
-/// more to visit. What room is left then goes to the items of such pieces, those of the largest box first.
+/// The largest box is halved again and again, but for pieces whose items fit into one node: a node takes as much memory
+/// with two children as with eight. The slots that are left then go to the items of such pieces, those of the largest
+/// box first.
 fn children(bvh: &Bvh, sizes: &[u32], whole: Piece) -> Vec<Piece> {
     let size = |piece: &Piece| match *piece {
         Piece::Inner(node) => sizes[node as usize] as usize,

@@ -86,11 +86,12 @@ pub fn run(language: Language) -> io::Result<Ending> {
     }
 }
 
-/// Has the allocator keep what is freed: the next edit asks for as much again, and new memory from the system takes a
-/// quarter of the time of an edit in a large file.
+/// Has the allocator keep what is freed. The next edit asks for as much again, and in a large file new memory from the
+/// system takes up to a quarter of the time of an edit.
 ///
-/// The allocator of glibc keeps twice as much as the largest piece that it has got from the system for one purpose, up
-/// to 32 MB (mallopt(3), `M_MMAP_THRESHOLD`). Nothing of this piece is used. Other allocators do not mind.
+/// The allocator of glibc gives memory back above a threshold. Freeing a large piece raises the threshold to twice the
+/// size of the piece (mallopt(3), `M_MMAP_THRESHOLD`). The piece is never written to, so it takes no memory itself.
+/// Nothing changes with other allocators.
 pub fn keep_memory() {
     drop(std::hint::black_box(Vec::<u8>::with_capacity(31 << 20)));
 }
