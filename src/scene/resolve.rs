@@ -25,6 +25,7 @@ pub fn resolve(
     let text = source.text.as_str();
     // Room that is not used takes no memory; moving what has grown takes time.
     let records = document.items.len();
+    let of = |families: &[Family]| (document.contents).count(|ty| families.contains(&ty.family));
     let mut resolver = Resolver {
         document,
         text,
@@ -33,7 +34,9 @@ pub fn resolve(
             ids: IdTable::new(records),
             nodes: Vec::with_capacity(records),
             origins: Vec::with_capacity(records),
-            shapes: Vec::with_capacity(records),
+            shapes: Vec::with_capacity(of(&[Family::Shape])),
+            matrices: Vec::with_capacity(of(&[Family::Transformation])),
+            paints: Vec::with_capacity(of(&[Family::Property, Family::Texture, Family::Colour])),
             entities: Vec::with_capacity(records),
             ..Scene::default()
         },

@@ -4,10 +4,10 @@ use super::ast::Item;
 use super::lexer::Lexed;
 use super::table::{RECORD_TYPES, RecordKind, RecordType};
 
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct Contents {
-    /// A bit for each record type, in the order of the table.
-    kinds: u64,
+    /// How many records there are of each type, in the order of the table.
+    counts: [u32; RECORD_TYPES.len()],
     /// There is something that could not be read.
     pub broken: bool,
     pub comments: bool,
@@ -26,7 +26,7 @@ impl Contents {
         };
         for item in items {
             match item {
-                Item::Record(r) => contents.kinds |= bit(r.kind),
+                Item::Record(r) => contents.counts[r.kind.place()] += 1,
                 Item::Broken(_) => contents.broken = true,
                 Item::Void { .. } => {}
             }
@@ -36,19 +36,30 @@ impl Contents {
 
     /// Whether there is a record of one of these kinds that can be read.
     pub fn has(&self, kinds: &[RecordKind]) -> bool {
-        kinds.iter().any(|&k| self.kinds & bit(k) != 0)
+        kinds.iter().any(|k| self.counts[k.place()] > 0)
     }
 
     /// Whether there is a record that can be read of a type for which this holds.
     pub fn any(&self, holds: impl Fn(&RecordType) -> bool) -> bool {
-        RECORD_TYPES
-            .iter()
-            .any(|ty| self.kinds & bit(ty.kind) != 0 && holds(ty))
+        self.count(holds) > 0
+    }
+
+    /// How many records can be read of types for which this holds.
+    pub fn count(&self, holds: impl Fn(&RecordType) -> bool) -> usize {
+        let counts = RECORD_TYPES.iter().zip(self.counts);
+        let counts = counts.filter(|(ty, count)| *count > 0 && holds(ty));
+        counts.map(|(_, count)| count as usize).sum()
     }
 }
 
-/// The bit of a kind.
-fn bit(kind: RecordKind) -> u64 {
-    debug_assert!(RECORD_TYPES.len() <= 64);
-    1 << kind.place()
+impl Default for Contents {
+    fn default() -> Contents {
+        Contents {
+            counts: [0; RECORD_TYPES.len()],
+            broken: false,
+            comments: false,
+            long_comments: false,
+            separators: false,
+        }
+    }
 }

@@ -6,6 +6,7 @@ use std::fmt;
 use logos::Logos;
 
 use crate::diagnostics::Span;
+use crate::parallel;
 
 /// What a token is. Everything that is not [`TokenKind::is_trivia`] takes part in records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -291,16 +292,48 @@ impl Sig {
 }
 
 impl Lexed {
-    /// Cuts a text and reads its numbers. For `unclosed` see [`lex`].
+    /// Cuts a text and reads its numbers. For `unclosed` see [`lex`]. A long text is cut by all threads.
     pub fn new(text: &str, unclosed: &[u32]) -> Lexed {
+        let threads = rayon::current_num_threads().min(text.len() / PART_MIN);
+        if threads > 1
+            && unclosed.is_empty()
+            && let Some(lexed) = Lexed::in_parts(text, &lines_near(text, threads))
+        {
+            return lexed;
+        }
+        Lexed::part(text, 0, unclosed, text.len())
+    }
+
+    /// A text that is cut in parts, which end at `ends`, behind line breaks. `None` if one of those is in a comment.
+    fn in_parts(text: &str, ends: &[usize]) -> Option<Lexed> {
+        let mut parts = parallel::map(ends.len(), |i| {
+            let start = if i == 0 { 0 } else { ends[i - 1] };
+            // The first part takes in the others.
+            let room = if i == 0 { text.len() } else { ends[i] - start };
+            Lexed::part(&text[..ends[i]], start, &[], room)
+        })
+        .into_iter();
+        let mut lexed = parts.next()?;
+        for part in parts {
+            // What is open at the end of a part may be closed in the next one.
+            if lexed.has_unclosed {
+                return None;
+            }
+            lexed.append(part);
+        }
+        Some(lexed)
+    }
+
+    /// Cuts a text from the start of a line to its end, with room for the tokens of so many bytes.
+    fn part(text: &str, start: usize, unclosed: &[u32], room: usize) -> Lexed {
         let mut lexed = Lexed {
-            tokens: Vec::with_capacity(text.len() / 4),
-            sigs: Vec::with_capacity(text.len() / 5),
-            values: Vec::with_capacity(text.len() / 5),
+            tokens: Vec::with_capacity(room / 4),
+            sigs: Vec::with_capacity(room / 5),
+            values: Vec::with_capacity(room / 5),
             at_line_start: true,
             ..Lexed::default()
         };
-        let mut tokens = Tokens::new(text, unclosed);
+        let mut tokens = Tokens::from(text, start, unclosed);
         loop {
             // Most tokens are plain numbers.
             let (token, value) = match tokens.comma {
@@ -319,6 +352,23 @@ impl Lexed {
             lexed.push(text, token, value);
         }
         lexed
+    }
+
+    /// Takes in the tokens that follow.
+    fn append(&mut self, mut part: Lexed) {
+        let (tokens, sigs) = (self.tokens.len() as u32, self.sigs.len() as u32);
+        self.tokens.append(&mut part.tokens);
+        self.sigs
+            .extend(part.sigs.iter().map(|sig| Sig(sig.0 + tokens)));
+        self.values.append(&mut part.values);
+        self.odd.extend(part.odd.iter().map(|i| i + sigs));
+        self.has_comment |= part.has_comment;
+        self.has_separator |= part.has_separator;
+        self.has_word |= part.has_word;
+        self.has_long_comment |= part.has_long_comment;
+        self.has_unclosed |= part.has_unclosed;
+        self.has_bad |= part.has_bad;
+        self.at_line_start = part.at_line_start;
     }
 
     /// The columns of tokens that were cut before.
@@ -369,6 +419,30 @@ impl Lexed {
     }
 }
 
+/// A text is not cut in parts of fewer bytes.
+const PART_MIN: usize = 1 << 18;
+
+/// Where a text may be cut in so many parts of about the same length: behind line breaks that are in no comment, if
+/// every `#` is one of a comment. The last one is the end of the text.
+fn lines_near(text: &str, parts: usize) -> Vec<usize> {
+    let bytes = text.as_bytes();
+    let mut ends: Vec<usize> = Vec::with_capacity(parts);
+    let (mut at, mut in_comment) = (0, false);
+    for part in 1..parts {
+        let near = (text.len() / parts * part).max(at);
+        in_comment ^= memchr::memchr_iter(b'#', &bytes[at..near]).count() % 2 == 1;
+        let end = memchr::memchr2_iter(b'#', b'\n', &bytes[near..]).find(|&i| {
+            in_comment ^= bytes[near + i] == b'#';
+            bytes[near + i] == b'\n' && !in_comment
+        });
+        let Some(end) = end else { break };
+        at = near + end + 1;
+        ends.push(at);
+    }
+    ends.push(text.len());
+    ends
+}
+
 /// The tokens of a text, one after another.
 pub struct Tokens<'s> {
     text: &'s str,
@@ -384,9 +458,14 @@ pub struct Tokens<'s> {
 impl<'s> Tokens<'s> {
     /// For `unclosed` see [`lex`].
     pub fn new(text: &'s str, unclosed: &'s [u32]) -> Tokens<'s> {
+        Tokens::from(text, 0, unclosed)
+    }
+
+    /// From a place on, where a token begins.
+    fn from(text: &'s str, at: usize, unclosed: &'s [u32]) -> Tokens<'s> {
         Tokens {
             text,
-            at: 0,
+            at,
             raw: Raw::lexer_with_extras(text, Unclosed(unclosed)),
             comma: None,
             separated: usize::MAX,

@@ -10,7 +10,6 @@
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::syntax::Record;
-use crate::syntax::ids::IdTable;
 use crate::syntax::table::{Effect, Family, RecordKind, RecordType};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -70,38 +69,32 @@ struct Entry<'a> {
 }
 
 fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
-    let mut ids = IdTable::new(context.document.items.len());
-    let mut entries: Vec<Entry> = Vec::new();
-    fn entry<'e, 'a>(
-        ids: &mut IdTable,
-        entries: &'e mut Vec<Entry<'a>>,
-        id: u32,
-    ) -> &'e mut Entry<'a> {
-        let number = ids.get_or_insert(id, entries.len() as u32) as usize;
-        if number == entries.len() {
-            entries.push(Entry::default());
-        }
-        &mut entries[number]
-    }
+    // What nothing defines is not taken either.
+    let ids = &context.scene.ids;
+    let number = |id| ids.get(id).map(|number| number as usize);
+    let mut entries = vec![Entry::default(); context.scene.entities.len()];
     for record in context.records() {
         let kind = record.kind;
         if matches!(
             kind,
             RecordKind::Render | RecordKind::MonoCamera | RecordKind::StereoCamera
         ) {
-            for id in context.references(record) {
-                entry(&mut ids, &mut entries, id).at_the_end = true;
+            for number in context.references(record).filter_map(number) {
+                entries[number].at_the_end = true;
             }
             continue;
         }
-        for id in context.references(record) {
-            let taken = entry(&mut ids, &mut entries, id);
+        for number in context.references(record).filter_map(number) {
+            let taken = &mut entries[number];
             if taken.defined {
                 taken.taker = Some(record).filter(|_| kind != RecordKind::Copy);
                 (taken.change, taken.more) = (None, 0);
             }
         }
-        let own = entry(&mut ids, &mut entries, record.id);
+        let Some(number) = number(record.id) else {
+            continue;
+        };
+        let own = &mut entries[number];
         if changes(record.ty()) && own.taker.is_some() {
             match own.change {
                 None => own.change = Some(record),
