@@ -43,7 +43,7 @@ fn what_can_be_allowed_is_allowed_once() {
         let made = allowing::all(before, Analysis::of);
         let source = &made.analysis.source;
         let bytes = source.encode(&source.text).unwrap();
-        let after = read(bytes);
+        let after = read(bytes.into_owned());
         let new = counts(&after);
         assert_eq!(new, counts(&made.analysis), "{}", path.display());
         for (code, count) in &new {

@@ -1,5 +1,6 @@
 //! `zpg fmt`: prints scenes anew, in the one layout.
 
+use std::borrow::Cow;
 use std::io;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
@@ -224,7 +225,7 @@ fn format_file(
     // What cannot be written is known whether it is to be written or not.
     let bytes = match changed || is_stdin {
         true => bytes_of(&source, &text)?,
-        false => Vec::new(),
+        false => Cow::default(),
     };
     let mut output = Vec::new();
     let outcome = if changed {
@@ -241,7 +242,7 @@ fn format_file(
             output = (look.language().say("would-reformat", &path) + "\n").into_bytes();
         }
     } else if is_stdin {
-        output = bytes;
+        output = bytes.into_owned();
     } else if changed {
         replace(path, &bytes)?;
     }

@@ -1,5 +1,6 @@
 //! Changing a user's file, and showing how it would change.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::fs;
 use std::io::{self, Write};
@@ -16,7 +17,7 @@ use crate::syntax::recognise;
 
 /// The bytes of a scene with another text, in its encoding. Nothing may be lost, and it must be known
 /// for a scene when it is read again.
-pub fn bytes_of(scene: &SourceFile, text: &str) -> Result<Vec<u8>, Complaint> {
+pub fn bytes_of<'t>(scene: &SourceFile, text: &'t str) -> Result<Cow<'t, [u8]>, Complaint> {
     let refused = |reason| {
         Complaint::new("cannot-write")
             .with("path", Path::new(&scene.path))
@@ -26,7 +27,7 @@ pub fn bytes_of(scene: &SourceFile, text: &str) -> Result<Vec<u8>, Complaint> {
         let encoding = scene.encoding.name();
         refused(Complaint::new("text-lost").with("encoding", encoding))
     })?;
-    match text == scene.text || recognise::is_scene(&scene.with_text(text.to_owned())) {
+    match text == scene.text || recognise::is_scene(text) {
         true => Ok(bytes),
         false => Err(refused(Complaint::new("no-scene-any-more"))),
     }

@@ -1,5 +1,6 @@
 //! A scene file in memory: the text the tools read, and the way back to the bytes on disk.
 
+use std::borrow::Cow;
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -83,14 +84,17 @@ impl Encoding {
         (text.collect(), whole)
     }
 
-    fn encode(self, text: &str) -> Vec<u8> {
+    fn encode(self, text: &str) -> Cow<'_, [u8]> {
         let bytes: fn(u16) -> [u8; 2] = match self {
-            Encoding::Utf8 => return text.as_bytes().to_vec(),
-            Encoding::Windows1250 => return encoding_rs::WINDOWS_1250.encode(text).0.into_owned(),
+            Encoding::Utf8 => return text.as_bytes().into(),
+            Encoding::Windows1250 => return encoding_rs::WINDOWS_1250.encode(text).0,
             Encoding::Utf16Le => u16::to_le_bytes,
             Encoding::Utf16Be => u16::to_be_bytes,
         };
-        text.encode_utf16().flat_map(bytes).collect()
+        text.encode_utf16()
+            .flat_map(bytes)
+            .collect::<Vec<u8>>()
+            .into()
     }
 }
 
@@ -286,10 +290,11 @@ impl SourceFile {
 
     /// The file's bytes with another text, in its encoding; nothing if they would be read as something
     /// else, or the file has bytes that its text does not stand for.
-    pub fn encode(&self, text: &str) -> Option<Vec<u8>> {
+    pub fn encode<'t>(&self, text: &'t str) -> Option<Cow<'t, [u8]>> {
         let bytes = self.encoding.encode(text);
         let is_same = self.is_whole
-            && (self.encoding == Encoding::Utf8 || SourceFile::new("", bytes.clone()).text == text);
+            && (self.encoding == Encoding::Utf8
+                || SourceFile::new("", bytes.to_vec()).text == text);
         is_same.then_some(bytes)
     }
 }
@@ -414,11 +419,11 @@ mod tests {
         assert!(f.text.contains("příklad"));
         let p = f.position(f.text.find('x').unwrap() as u32);
         assert_eq!(bytes[p.offset as usize], b'x');
-        assert_eq!(f.encode(&f.text), Some(bytes));
+        assert_eq!(f.encode(&f.text), Some(bytes.into()));
         // Every byte is a character that is written as this byte again.
         let all: Vec<u8> = (1..=255).collect();
         let f = SourceFile::new("a", all.clone());
-        assert_eq!(f.encode(&f.text), Some(all));
+        assert_eq!(f.encode(&f.text), Some(all.into()));
         // What the encoding cannot say is not written as something else.
         assert_eq!(f.encode("2 9 1 # ∞ #"), None);
     }
@@ -440,7 +445,7 @@ mod tests {
                 let at = p.offset as usize;
                 assert_eq!(bytes[at..at + 2], order(u16::from(b'x')));
                 assert_eq!((p.line, p.column), (2, 5));
-                assert_eq!(f.encode(&f.text), Some(bytes.clone()));
+                assert_eq!(f.encode(&f.text), Some((&bytes).into()));
                 // Nothing is lost that is no character.
                 let f = SourceFile::new("a", [&bytes[..], b"\n"].concat());
                 assert_eq!((&f.text, f.encode(&f.text)), (&text, None));

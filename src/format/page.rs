@@ -3,6 +3,8 @@
 
 use std::ops::Range;
 
+use memchr::{memchr2, memrchr2};
+
 use super::cell::spaces;
 use super::options::Options;
 use super::width::display_width;
@@ -51,8 +53,6 @@ struct Comment {
 
 /// Between a record and its comment.
 const GAP: usize = 2;
-/// Comments may have these in them.
-const BREAKS: [char; 2] = ['\n', '\r'];
 
 impl<'a> Page<'a> {
     pub fn new(options: &'a Options, line_break: &'static str, capacity: usize) -> Page<'a> {
@@ -153,14 +153,15 @@ impl<'a> Page<'a> {
     fn align(&mut self, at: usize) {
         let mut at = at;
         let line = &self.held.text[self.held.line..at];
-        let last = line.rsplit(BREAKS).next().unwrap_or_default();
+        let last = memrchr2(b'\n', b'\r', line.as_bytes()).map_or(line, |i| &line[i + 1..]);
         let code = display_width(last);
         let one_line = last.len() == line.len();
         let least = code + GAP;
         let mut most = least;
         if self.options.align && one_line {
-            let comment = self.held.text[at..].split(BREAKS).next();
-            let length = display_width(comment.unwrap_or_default());
+            let comment = &self.held.text[at..];
+            let end = memchr2(b'\n', b'\r', comment.as_bytes());
+            let length = display_width(&comment[..end.unwrap_or(comment.len())]);
             let room = (self.options.width).checked_sub(length);
             // One that is too long wherever it stands may stand with the others.
             let room = room.filter(|&room| room >= least);

@@ -1,6 +1,8 @@
 //! Records one a line; neighbours of one type stand in columns.
 
-use super::cell::{Cell, Column, Context, may_align, spaces};
+use std::borrow::Borrow;
+
+use super::cell::{Cell, Column, Context, HEAD, may_align, spaces};
 use super::page::Page;
 use super::rows;
 use super::width::display_width;
@@ -68,12 +70,17 @@ pub fn has_comments(context: &Context, record: &Record) -> bool {
 #[derive(Default)]
 pub struct Run<'a> {
     entries: Vec<Entry<'a>>,
+    /// The values of the first records, one record after another; at most so many as [`KEPT`] says.
+    cells: Vec<Cell<'a>>,
     /// What all of them need.
     columns: Vec<Column>,
     /// The widest without columns, and the most spaces between the values.
     unaligned: usize,
     spaces: usize,
 }
+
+/// Of so many values the spelling is kept until they are written.
+const KEPT: usize = 1 << 12;
 
 impl<'a> Run<'a> {
     /// Adds a record; prints those before it if it does not belong with them.
@@ -109,6 +116,9 @@ impl<'a> Run<'a> {
             self.columns[i].widen(&cell);
             width += cell.width();
             spaces += if i > 0 { gaps.before(i) } else { 0 };
+            if self.cells.len() < KEPT {
+                self.cells.push(cell);
+            }
         }
         self.unaligned = self.unaligned.max(width + spaces);
         self.spaces = self.spaces.max(spaces);
@@ -125,17 +135,26 @@ impl<'a> Run<'a> {
     /// Prints the records.
     pub fn print(&mut self, context: &Context<'a>, page: &mut Page) {
         let aligned = self.may_align(context);
+        let mut kept = self.cells.as_slice();
         for entry in self.entries.drain(..) {
             page.wanted = entry.wanted;
             let out = page.line();
             entry.write_lead(context, out);
-            if aligned {
-                write_columns(context, out, entry.record, &self.columns);
-            } else {
-                write(context, out, entry.record);
+            let record = entry.record;
+            let columns = aligned.then_some(self.columns.as_slice());
+            match kept.split_at_checked(record.params as usize + HEAD) {
+                Some((cells, rest)) => {
+                    kept = rest;
+                    write(context, out, record, cells.iter(), columns);
+                }
+                None => {
+                    kept = &[];
+                    write(context, out, record, cells(context, record), columns);
+                }
             }
             page.end_line(entry.trail(context));
         }
+        self.cells.clear();
         self.columns.clear();
         (self.unaligned, self.spaces) = (0, 0);
     }
@@ -153,38 +172,36 @@ pub fn cells<'a>(
         .map(move |(i, token)| context.cell(record, i, token))
 }
 
-fn write_columns(context: &Context, out: &mut String, record: &Record, columns: &[Column]) {
+/// Writes a record, with the comments in it; in columns if there are any, which nothing but plain records is.
+fn write<'a>(
+    context: &Context,
+    out: &mut String,
+    record: &Record,
+    cells: impl Iterator<Item: Borrow<Cell<'a>>>,
+    columns: Option<&[Column]>,
+) {
+    let gaps = context.gaps(record);
     let mut missing = 0;
-    let gaps = context.gaps(record);
-    for (i, (cell, column)) in cells(context, record).zip(columns).enumerate() {
-        if i > 0 {
-            spaces(out, missing + gaps.before(i));
-        }
-        missing = column.write(out, &cell);
-    }
-}
-
-/// Writes a record without its neighbours, with the comments in it.
-fn write(context: &Context, out: &mut String, record: &Record) {
-    let gaps = context.gaps(record);
-    let mut i = 0;
+    let mut cells = cells.enumerate();
     for token in context.tokens(record) {
         if token.kind().is_comment() {
             out.push(' ');
             out.push_str(token.text(context.text));
-            continue;
+        } else if let Some((i, cell)) = cells.next() {
+            if i > 0 {
+                spaces(out, missing + gaps.before(i));
+            }
+            match columns {
+                Some(columns) => missing = columns[i].write(out, cell.borrow()),
+                None => out.push_str(&cell.borrow().text),
+            }
         }
-        if i > 0 {
-            spaces(out, gaps.before(i));
-        }
-        out.push_str(&context.cell(record, i, token).text);
-        i += 1;
     }
 }
 
 /// How wide a record is on one line by itself, with the comments in it.
 pub fn natural_width(context: &Context, record: &Record) -> usize {
     let mut out = String::new();
-    write(context, &mut out, record);
+    write(context, &mut out, record, cells(context, record), None);
     display_width(&out)
 }

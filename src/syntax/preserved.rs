@@ -54,19 +54,20 @@ fn are_same_words(old: &[u8], new: &[u8]) -> bool {
     let gap = |text: &[u8]| text.iter().take_while(|c| is_space(c)).count();
     let (mut old, mut new) = (old.trim_ascii(), new.trim_ascii());
     while let (Some(a), Some(b)) = (old.first(), new.first()) {
-        let same = match a {
-            b'#' => memchr::memchr(b'#', &old[1..]).map_or(old.len(), |i| i + 2),
+        (old, new) = match a {
+            _ if is_space(a) && is_space(b) => (&old[gap(old)..], &new[gap(new)..]),
             // White space in a file name counts.
-            b'"' => 0,
-            _ => usize::from(a.is_ascii()),
+            b'"' => return false,
+            b'#' => {
+                let length = memchr::memchr(b'#', &old[1..]).map_or(old.len(), |i| i + 2);
+                match new.strip_prefix(&old[..length]) {
+                    Some(rest) => (&old[length..], rest),
+                    None => return false,
+                }
+            }
+            _ if a == b && a.is_ascii() => (&old[1..], &new[1..]),
+            _ => return false,
         };
-        if is_space(a) && is_space(b) {
-            (old, new) = (&old[gap(old)..], &new[gap(new)..]);
-        } else if same > 0 && new.get(..same) == Some(&old[..same]) {
-            (old, new) = (&old[same..], &new[same..]);
-        } else {
-            return false;
-        }
     }
     old.is_empty() && new.is_empty()
 }

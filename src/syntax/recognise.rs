@@ -67,9 +67,9 @@ pub fn read(path: impl Into<String>, bytes: Vec<u8>) -> Result<SourceFile, Box<S
 }
 
 /// Whether a text is a scene; see the table above for what else it may be.
-pub fn is_scene(source: &SourceFile) -> bool {
+pub fn is_scene(written: &str) -> bool {
     let finding = Diagnostic::new(Code::E014, Span::default());
-    !is_binary(&source.text, source.text.len()) && text(&source.text, finding).is_none()
+    !is_binary(written, written.len()) && text(written, finding).is_none()
 }
 
 /// The word for a kind of formats in the catalogues.

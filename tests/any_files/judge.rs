@@ -92,7 +92,7 @@ pub fn foresee(bytes: &[u8], is_scene: Option<bool>) -> Verdict {
 /// The bytes of a scene with another text, if it is a scene still.
 fn written(scene: &SourceFile, text: &str) -> Option<Vec<u8>> {
     let bytes = scene.encode(text)?;
-    recognise::is_scene(&scene.with_text(text.to_owned())).then_some(bytes)
+    recognise::is_scene(text).then(|| bytes.into_owned())
 }
 
 /// Whether a file is a scene, where that does not depend on which `#` closes which or on a format.

@@ -4,6 +4,7 @@ mod report;
 mod statistics;
 mod watch;
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -322,7 +323,7 @@ impl Checker<'_> {
             // What cannot be written is known whether it is to be written or not.
             let bytes = match fixed > 0 || is_stdin {
                 true => bytes_of(source, &source.text)?,
-                false => Vec::new(),
+                false => Cow::default(),
             };
             if self.args.diff {
                 if fixed > 0 {
@@ -335,7 +336,7 @@ impl Checker<'_> {
                     );
                 }
             } else if is_stdin {
-                data = bytes;
+                data = bytes.into_owned();
             } else if fixed > 0 {
                 replace(path, &bytes)?;
             }
@@ -346,7 +347,7 @@ impl Checker<'_> {
             (loaded, allowed) = (made.analysis, made.count);
             let source = &loaded.source;
             if is_stdin {
-                data = bytes_of(source, &source.text)?;
+                data = bytes_of(source, &source.text)?.into_owned();
             } else if allowed > 0 {
                 replace(path, &bytes_of(source, &source.text)?)?;
             }
