@@ -255,7 +255,7 @@ impl Analysis {
     }
 
     /// The findings, which are looked for again when they are asked for next.
-    fn take_findings(&mut self) -> Vec<Diagnostic> {
+    pub fn take_findings(&mut self) -> Vec<Diagnostic> {
         self.findings
             .take()
             .unwrap_or_else(|| self.find(&self.settings))

@@ -29,7 +29,11 @@ const PROPOSALS: usize = 3;
 /// The findings of a scene with what a person most likely meant as the first fix of each. Of several errors
 /// that one fix mends, one is left.
 pub fn proposals(analysis: &Analysis) -> Vec<Diagnostic> {
-    let findings = analysis.findings().to_vec();
+    proposals_for(analysis, analysis.findings().to_vec())
+}
+
+/// [`proposals`] for findings of a scene, which may be millions.
+pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let tokens = analysis.document.tokens.len().max(1);
     let mut engine = Engine {
         analysis,

@@ -353,7 +353,10 @@ impl Checker<'_> {
             }
         }
         let mut tally = Tally::default();
-        let findings = left.unwrap_or_else(|| repair::proposals(&loaded));
+        let findings = left.unwrap_or_else(|| {
+            let found = loaded.take_findings();
+            repair::proposals_for(&loaded, found)
+        });
         tally.add(&findings);
         let statistics = Statistics::new(&findings);
         Ok(Checked {
