@@ -7,6 +7,7 @@
 //! `cargo bench --bench render` measures all; `-- tori lights` the scenes whose names hold these words; `-- povray`,
 //! `certainty`, `threads`, `growth` or `around` that part; `-- write DIR` writes the scenes.
 
+mod chart;
 mod growth;
 mod kernels;
 #[path = "../plot.rs"]
@@ -94,12 +95,14 @@ fn beside_pov_ray(scenes: &[&Scene], folder: &Path, bars: &mut Bars) {
     println!("| scene | POV-Ray, s | zpg, s | ratio | bar | pixels that differ | |");
     println!("|---|---:|---:|---:|---:|---:|---|");
     let mut logarithms = Vec::new();
+    let mut rows: Vec<chart::Row> = Vec::new();
     for scene in scenes {
         let [theirs, ours] = measured(scene, folder);
         let ratio = theirs / ours;
         if !scene.csg {
             logarithms.push(ratio.ln());
         }
+        rows.push((scene.name, ratio));
         let differ = differing(folder);
         let bar = scene.bar.unwrap_or(LEAST);
         println!(
@@ -113,6 +116,10 @@ fn beside_pov_ray(scenes: &[&Scene], folder: &Path, bars: &mut Bars) {
     if logarithms.len() == 9 {
         let verdict = bars.judge(mean >= MEAN);
         println!("| mean of those without CSG | | | {mean:.2} | {MEAN} | | {verdict} |");
+        let path = concat!(env!("CARGO_TARGET_TMPDIR"), "/speed.svg");
+        if std::fs::write(path, chart::svg(&rows)).is_ok() {
+            println!("| `{path}` | | | | | | |");
+        }
     }
 }
 

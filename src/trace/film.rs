@@ -1,5 +1,6 @@
 //! Pictures, and the files they go into.
 
+use super::bitmap;
 use crate::scene::Rgb;
 use std::io::{self, Write};
 use std::sync::LazyLock;
@@ -35,8 +36,11 @@ fn encoded(x: f64) -> u8 {
 /// The least numbers that are encoded as 1, 2, … 255.
 static STEPS: LazyLock<[f32; 255]> = LazyLock::new(|| {
     std::array::from_fn(|i| {
+        // Close to where a half is rounded up.
+        let near = bitmap::linear((i as f64 + 0.5) / 255.0);
+        let bits = |x: f64| (x as f32).to_bits();
         // Numbers that are not negative are in the order of their bits.
-        let (mut below, mut least) = (0, 1f32.to_bits());
+        let (mut below, mut least) = (bits(near * (1.0 - 1e-6)), bits(near * (1.0 + 1e-6)));
         while least - below > 1 {
             let middle = below + (least - below) / 2;
             match usize::from(encoded(f64::from(f32::from_bits(middle)))) > i {
@@ -160,6 +164,22 @@ impl Film {
             width: self.width,
             height: self.height,
             pixels: both.map(|(l, r)| [l[0], r[1], r[2]]).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_where_the_transfer_function_steps() {
+        let encoded = |bits: u32| usize::from(encoded(f64::from(f32::from_bits(bits))));
+        for (i, step) in STEPS.iter().enumerate() {
+            let bits = step.to_bits();
+            assert_eq!([encoded(bits - 1), encoded(bits)], [i, i + 1]);
+            assert_eq!(usize::from(srgb8(*step)), i + 1);
+            assert_eq!(usize::from(srgb8(f32::from_bits(bits - 1))), i);
         }
     }
 }

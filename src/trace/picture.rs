@@ -258,28 +258,7 @@ impl<'t> Drawing<'t> {
                 })
             }
         };
-        // Row by row as they were drawn: one list of all would be as large again.
-        let all = || pixels.iter().flatten();
-        let numbers = || all().map(|p: &Pixel| p.samples);
-        Picture {
-            film: Film {
-                width: crop.width,
-                height: crop.height,
-                pixels: gathered(&pixels, |p| p.colour),
-            },
-            samples: Samples {
-                min: numbers().min().unwrap_or(0),
-                max: numbers().max().unwrap_or(0),
-                total: numbers().map(u64::from).sum(),
-            },
-            costs: CostMap {
-                width: crop.width,
-                height: crop.height,
-                tests: gathered(&pixels, |p| p.tests),
-            },
-            total_reflection: gathered(&pixels, |p| p.total_reflection),
-            counts,
-        }
+        gathered(pixels, crop, counts)
     }
 
     /// What draws pixels on one thread.
@@ -339,11 +318,42 @@ impl<'t> Drawing<'t> {
     }
 }
 
-/// Something of each pixel, row by row.
-fn gathered<T>(rows: &[Vec<Pixel>], what: impl Fn(&Pixel) -> T) -> Vec<T> {
-    let mut all = Vec::with_capacity(rows.iter().map(Vec::len).sum());
-    all.extend(rows.iter().flatten().map(what));
-    all
+/// The picture that rows of pixels make. Each row is dropped when it has been looked at: one list of all would be as
+/// large again.
+fn gathered(rows: Vec<Vec<Pixel>>, crop: Crop, counts: Counts) -> Picture {
+    let Crop { width, height, .. } = crop;
+    let count = rows.iter().map(Vec::len).sum();
+    let mut film = Vec::with_capacity(count);
+    let mut tests = Vec::with_capacity(count);
+    let mut total_reflection = Vec::with_capacity(count);
+    let (mut min, mut max, mut total) = (u32::MAX, 0, 0);
+    for pixel in rows.into_iter().flatten() {
+        film.push(pixel.colour);
+        tests.push(pixel.tests);
+        total_reflection.push(pixel.total_reflection);
+        min = pixel.samples.min(min);
+        max = pixel.samples.max(max);
+        total += u64::from(pixel.samples);
+    }
+    Picture {
+        film: Film {
+            width,
+            height,
+            pixels: film,
+        },
+        samples: Samples {
+            min: min.min(max),
+            max,
+            total,
+        },
+        costs: CostMap {
+            width,
+            height,
+            tests,
+        },
+        total_reflection,
+        counts,
+    }
 }
 
 /// A finished pixel.

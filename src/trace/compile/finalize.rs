@@ -1,6 +1,6 @@
 //! The last pass of compiling: from drafts to objects with bounds and trees.
 
-use super::pieces::{self, Piece};
+use super::pieces::{self, Piece, Pieces};
 use super::{Compiler, Draft, Kind};
 use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
@@ -17,7 +17,7 @@ enum Finished {
     Alias(Part),
     Empty,
     /// A union of these that is used once, and whose parts may become those of what uses it.
-    Open(Vec<Piece>),
+    Open(Box<Pieces>),
 }
 
 impl Compiler<'_> {
@@ -47,7 +47,7 @@ impl Compiler<'_> {
                 false => {
                     let open = self.opened(draft, &mut finished, &mut budget)?;
                     match stays_open {
-                        true => Finished::Open(open),
+                        true => Finished::Open(Box::new(open)),
                         false => self.close(open, may_vanish),
                     }
                 }
@@ -84,38 +84,39 @@ impl Compiler<'_> {
         draft: Draft,
         finished: &mut [Finished],
         budget: &mut usize,
-    ) -> Result<Vec<Piece>, Error> {
-        let mut pieces = Vec::new();
+    ) -> Result<Pieces, Error> {
+        let mut pieces = Pieces::default();
         for part in draft.first {
-            pieces.append(&mut self.pieces(part, finished)?);
+            pieces = pieces.followed_by(self.pieces(part, finished)?);
         }
         if draft.kind == Kind::Union {
             return Ok(pieces);
         }
         let cuts = self.settle_all(draft.cuts, finished)?;
         let cuts: Vec<(Part, Aabb)> = cuts.into_iter().map(|c| (c, self.bounds(&c))).collect();
-        if pieces::cut(&mut pieces, &cuts, budget) {
+        if pieces.cut(&cuts, budget) {
             return Ok(pieces);
         }
         let whole = match self.close(pieces, true) {
             Finished::Object(object) => plain(object),
             Finished::Alias(part) => part,
-            Finished::Empty | Finished::Open(_) => return Ok(Vec::new()),
+            Finished::Empty | Finished::Open(_) => return Ok(Pieces::default()),
         };
-        Ok(vec![Piece {
+        let whole = Piece {
             cuts: cuts.into_iter().map(|(cut, _)| cut).collect(),
             ..self.piece(whole)
-        }])
+        };
+        Ok(Pieces::from_iter([whole]))
     }
 
     /// The pieces of an operand of a union, or of what is cut.
-    fn pieces(&mut self, part: Part, finished: &mut [Finished]) -> Result<Vec<Piece>, Error> {
+    fn pieces(&mut self, part: Part, finished: &mut [Finished]) -> Result<Pieces, Error> {
         if let Target::Object(draft) = part.target
             && part.unnamed() == plain(draft)
             && part.owner == 0
             && let Finished::Open(pieces) = &mut finished[draft as usize]
         {
-            return Ok(std::mem::take(pieces));
+            return Ok(*std::mem::take(pieces));
         }
         let part = self.settle(part, finished)?;
         Ok(part.map(|part| self.piece(part)).into_iter().collect())
@@ -130,7 +131,7 @@ impl Compiler<'_> {
     }
 
     /// Makes an object of the union of pieces, each an object of its own where something is cut out of it.
-    fn close(&mut self, pieces: Vec<Piece>, may_vanish: bool) -> Finished {
+    fn close(&mut self, pieces: Pieces, may_vanish: bool) -> Finished {
         let mut parts = Vec::with_capacity(pieces.len());
         for Piece { part, cuts, .. } in pieces {
             if cuts.is_empty() {
@@ -188,7 +189,7 @@ impl Compiler<'_> {
         };
         let below = &mut finished[draft as usize];
         if let Finished::Open(pieces) = below {
-            *below = self.close(std::mem::take(pieces), true);
+            *below = self.close(*std::mem::take(pieces), true);
         }
         match *below {
             Finished::Empty | Finished::Open(_) => Ok(None),

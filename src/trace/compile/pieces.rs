@@ -6,6 +6,9 @@
 
 use crate::geometry::aabb::Aabb;
 use crate::trace::graph::Part;
+use rstar::primitives::{GeomWithData, Rectangle};
+use rstar::{AABB, RTree};
+use std::collections::VecDeque;
 
 /// A part of a union, less some others.
 #[derive(Debug, Clone)]
@@ -20,32 +23,144 @@ pub struct Piece {
 pub const BUDGET: usize = 1 << 24;
 /// So many parts may be reached by a cut, on average.
 const MOST: usize = 8;
+/// So many times all pieces are looked through before they get an index.
+const PATIENCE: usize = 32;
 
-/// Takes cuts, with their bounds, away from the pieces that they reach. Does nothing, and says `false`, where that
-/// would only repeat them: a single cut that reaches both of two parts is better taken away from the two together.
-pub fn cut(pieces: &mut [Piece], cuts: &[(Part, Aabb)], budget: &mut usize) -> bool {
-    if let [only] = pieces {
-        only.cuts.extend(cuts.iter().map(|(cut, _)| cut));
-        return true;
+/// The pieces of a union, in the order of its operands.
+#[derive(Debug, Default)]
+pub struct Pieces {
+    all: VecDeque<Piece>,
+    /// The number of the first one; pieces that come before it later have numbers below.
+    first: i64,
+    /// How many pieces have been looked at, one after another.
+    looked_at: usize,
+    index: Option<Index>,
+}
+
+/// Where pieces are, by their numbers.
+#[derive(Debug, Default)]
+struct Index {
+    bounded: RTree<GeomWithData<Rectangle<[f64; 3]>, i64>>,
+    others: Vec<i64>,
+}
+
+impl Index {
+    fn insert(&mut self, bounds: &Aabb, number: i64) {
+        match bounds.is_bounded() {
+            true => {
+                let corners = Rectangle::from_corners(bounds.min, bounds.max);
+                self.bounded.insert(GeomWithData::new(corners, number));
+            }
+            false => self.others.push(number),
+        }
     }
-    let Some(left) = budget.checked_sub(pieces.len() * cuts.len()) else {
-        return false;
-    };
-    *budget = left;
-    let reaches = |piece: &Piece, bounds: &Aabb| piece.bounds.overlaps(bounds);
-    let reached = |(_, bounds): &(Part, Aabb)| pieces.iter().filter(|p| reaches(p, bounds)).count();
-    let all: usize = cuts.iter().map(reached).sum();
-    if all > cuts.len() * (1 + pieces.len() / 4).min(MOST) {
-        return false;
+}
+
+impl FromIterator<Piece> for Pieces {
+    fn from_iter<I: IntoIterator<Item = Piece>>(pieces: I) -> Pieces {
+        Pieces {
+            all: pieces.into_iter().collect(),
+            ..Pieces::default()
+        }
     }
-    for piece in pieces {
-        let own: Vec<Part> = (cuts.iter())
-            .filter(|(_, bounds)| reaches(piece, bounds))
-            .map(|(cut, _)| *cut)
-            .collect();
-        piece.cuts.extend(own);
+}
+
+impl IntoIterator for Pieces {
+    type Item = Piece;
+    type IntoIter = std::collections::vec_deque::IntoIter<Piece>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.all.into_iter()
     }
-    true
+}
+
+impl Pieces {
+    pub fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// These and those behind them. The fewer ones move, so that no chain is long because it is built from one end.
+    pub fn followed_by(mut self, mut next: Pieces) -> Pieces {
+        if self.len() >= next.len() {
+            next.all.into_iter().for_each(|piece| self.push_back(piece));
+            return self;
+        }
+        (self.all.into_iter().rev()).for_each(|piece| next.push_front(piece));
+        next
+    }
+
+    fn push_back(&mut self, piece: Piece) {
+        let number = self.first + self.len() as i64;
+        if let Some(index) = &mut self.index {
+            index.insert(&piece.bounds, number);
+        }
+        self.all.push_back(piece);
+    }
+
+    fn push_front(&mut self, piece: Piece) {
+        self.first -= 1;
+        if let Some(index) = &mut self.index {
+            index.insert(&piece.bounds, self.first);
+        }
+        self.all.push_front(piece);
+    }
+
+    /// Takes cuts, with their bounds, away from the pieces that they reach. Does nothing, and says `false`, where that
+    /// would only repeat them: a single cut that reaches both of two parts is better taken away from the two together.
+    pub fn cut(&mut self, cuts: &[(Part, Aabb)], budget: &mut usize) -> bool {
+        if self.len() == 1 {
+            self.all[0].cuts.extend(cuts.iter().map(|(cut, _)| cut));
+            return true;
+        }
+        let mut left = cuts.len() * (1 + self.len() / 4).min(MOST);
+        let mut reached = Vec::with_capacity(cuts.len());
+        for (_, bounds) in cuts {
+            let Some(pieces) = self.reached(bounds, budget) else {
+                return false;
+            };
+            match left.checked_sub(pieces.len()) {
+                Some(rest) => left = rest,
+                None => return false,
+            }
+            reached.push(pieces);
+        }
+        for ((cut, _), pieces) in cuts.iter().zip(reached) {
+            for number in pieces {
+                self.all[(number - self.first) as usize].cuts.push(*cut);
+            }
+        }
+        true
+    }
+
+    /// The numbers of the pieces that a cut reaches; `None` where the budget does not suffice to find them.
+    fn reached(&mut self, bounds: &Aabb, budget: &mut usize) -> Option<Vec<i64>> {
+        if self.index.is_none() && self.looked_at > PATIENCE * self.len() {
+            let mut index = Index::default();
+            for (number, piece) in (self.first..).zip(&self.all) {
+                index.insert(&piece.bounds, number);
+            }
+            self.index = Some(index);
+        }
+        let reaches = |number: &i64| {
+            let piece = &self.all[(number - self.first) as usize];
+            piece.bounds.overlaps(bounds)
+        };
+        let near: Vec<i64> = match &self.index {
+            Some(index) if bounds.is_bounded() => {
+                let around = AABB::from_corners(bounds.min, bounds.max);
+                let found = index.bounded.locate_in_envelope_intersecting(around);
+                (found.map(|entry| entry.data))
+                    .chain(index.others.iter().copied())
+                    .collect()
+            }
+            _ => {
+                self.looked_at += self.len();
+                (self.first..self.first + self.len() as i64).collect()
+            }
+        };
+        *budget = budget.checked_sub(near.len())?;
+        Some(near.into_iter().filter(reaches).collect())
+    }
 }
 
 #[cfg(test)]
@@ -69,7 +184,7 @@ mod tests {
         Aabb::new([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0])
     }
 
-    fn row(count: u32) -> Vec<Piece> {
+    fn row(count: u32) -> Pieces {
         (0..count)
             .map(|i| Piece {
                 part: part(i),
@@ -79,8 +194,8 @@ mod tests {
             .collect()
     }
 
-    fn cuts(pieces: &[Piece]) -> Vec<usize> {
-        pieces.iter().map(|p| p.cuts.len()).collect()
+    fn cuts(pieces: &Pieces) -> Vec<usize> {
+        pieces.all.iter().map(|p| p.cuts.len()).collect()
     }
 
     #[test]
@@ -89,10 +204,10 @@ mod tests {
         let mut budget = 100;
         // The second one touches, the last one is nowhere.
         let tools = [0.5, 4.0, 6.0, 20.0].map(|x| (part(9), at(x)));
-        assert!(cut(&mut pieces, &tools, &mut budget));
+        assert!(pieces.cut(&tools, &mut budget));
         assert_eq!((cuts(&pieces), budget), (vec![1, 1, 1], 88));
         let all = (part(9), Aabb::ALL);
-        assert!(!cut(&mut pieces, &[all], &mut budget));
+        assert!(!pieces.cut(&[all], &mut budget));
         assert_eq!(cuts(&pieces), [1, 1, 1]);
     }
 
@@ -100,8 +215,58 @@ mod tests {
     fn one_part_has_all_cuts_and_no_work_is_endless() {
         let mut one = row(1);
         let tools = [(part(9), at(50.0)), (part(8), at(0.0))];
-        assert!(cut(&mut one, &tools, &mut 0));
+        assert!(one.cut(&tools, &mut 0));
         assert_eq!(cuts(&one), [2]);
-        assert!(!cut(&mut row(3), &tools, &mut 5));
+        assert!(!row(3).cut(&tools, &mut 5));
+    }
+
+    /// An index finds what looking through all finds, in whatever order pieces come.
+    #[test]
+    fn many_pieces_are_found_by_where_they_are() {
+        let mut state = 1u64;
+        let mut random = move || {
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (state >> 33) as f64 / (1u64 << 31) as f64
+        };
+        let mut pieces = Pieces::default();
+        // As they are expected: a list that is looked through.
+        let mut plain: VecDeque<(Aabb, usize)> = VecDeque::new();
+        let mut budget = BUDGET;
+        for i in 0..3000u32 {
+            let bounds = match i % 500 {
+                7 => Aabb::ALL,
+                _ => at((1000.0 * random()).round()),
+            };
+            let one = || {
+                let piece = Piece {
+                    part: part(i),
+                    bounds,
+                    cuts: Vec::new(),
+                };
+                Pieces::from_iter([piece])
+            };
+            if i % 3 == 0 {
+                pieces = one().followed_by(pieces);
+                plain.push_front((bounds, 0));
+            } else {
+                pieces = pieces.followed_by(one());
+                plain.push_back((bounds, 0));
+            }
+            let tool = at((1000.0 * random()).round());
+            let reached = plain.iter().filter(|(b, _)| b.overlaps(&tool)).count();
+            let is_cut = pieces.cut(&[(part(9), tool)], &mut budget);
+            assert_eq!(
+                is_cut,
+                plain.len() == 1 || reached <= (1 + plain.len() / 4).min(MOST)
+            );
+            for (bounds, count) in plain.iter_mut().filter(|_| is_cut) {
+                *count += usize::from(i == 0 || bounds.overlaps(&tool));
+            }
+        }
+        assert!(pieces.index.is_some());
+        let expected: Vec<usize> = plain.iter().map(|(_, count)| *count).collect();
+        assert_eq!(cuts(&pieces), expected);
     }
 }
