@@ -23,6 +23,8 @@ enum Finished {
 impl Compiler<'_> {
     /// Turns the drafts into objects, operands first.
     pub fn finish_all(mut self) -> Result<Graph, Error> {
+        self.uses = Vec::new();
+        self.interner.forget_primitives();
         let drafts = std::mem::take(&mut self.drafts);
         let mut order: Vec<u32> = (0..drafts.len() as u32).collect();
         order.sort_by_key(|&i| drafts[i as usize].rank);

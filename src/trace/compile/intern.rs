@@ -53,6 +53,11 @@ impl Interner {
         here
     }
 
+    /// Forgets which shapes there are, of which there may be millions, once no more are asked for.
+    pub fn forget_primitives(&mut self) {
+        self.primitives = FxHashMap::default();
+    }
+
     /// `None` where the inverse is not finite.
     pub fn matrix(&mut self, graph: &mut Graph, m: &Matrix) -> Option<u32> {
         let key = std::array::from_fn(|i| bits(m.0[i / 4][i % 4]));
