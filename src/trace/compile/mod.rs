@@ -25,7 +25,6 @@ use crate::trace::plan::unseen::LeftOut;
 use crate::trace::shapes::Primitive;
 use intern::Interner;
 use rustc_hash::FxHashMap;
-use std::rc::Rc;
 
 /// Builds the graph of what is reachable from `root`, past what is left out.
 pub fn compile(
@@ -93,12 +92,11 @@ pub(in crate::trace) fn cannot_draw(what: &'static str, span: Span, id: u32) -> 
 
 /// A node as seen from the object that is being drafted: below transformations, properties and
 /// complements that have been folded.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 struct Place {
     node: NodeId,
     negated: bool,
-    /// What moves it. Most things are not moved, millions of places may wait, and a matrix is large.
-    moved: Option<Rc<Matrix>>,
+    matrix: Matrix,
     coat: Coat,
     /// The outermost entity above that was given properties; 0: none.
     owner: u32,
@@ -106,12 +104,6 @@ struct Place {
     copy: u32,
     /// Something on the way down is used elsewhere too.
     shared: bool,
-}
-
-impl Place {
-    fn matrix(&self) -> &Matrix {
-        self.moved.as_deref().unwrap_or(&Matrix::IDENTITY)
-    }
 }
 
 /// An operation with its operands, before their sizes are known.
@@ -153,7 +145,7 @@ impl Compiler<'_> {
         let top = Place {
             node: root,
             negated: false,
-            moved: None,
+            matrix: Matrix::IDENTITY,
             coat: Coat::default(),
             owner: 0,
             copy: 0,
@@ -198,8 +190,7 @@ impl Compiler<'_> {
                     place.node = child;
                 }
                 Node::Transform { child, matrix } => {
-                    let matrix = place.matrix().after(&self.scene.matrices[matrix as usize]);
-                    place.moved = Some(Rc::new(matrix));
+                    place.matrix = place.matrix.after(&self.scene.matrices[matrix as usize]);
                     place.node = child;
                 }
                 Node::Paint { child, paint } => {
@@ -230,7 +221,7 @@ impl Compiler<'_> {
                 graph.bitmaps.push(bitmap.cloned());
                 graph.textures.len() as u32 - 1
             });
-            place.coat.texture = Some((number, self.matrix(place.matrix())?));
+            place.coat.texture = Some((number, self.matrix(&place.matrix)?));
         }
         if let (None, Some(optics)) = (place.coat.optics, record.optics) {
             place.coat.optics = Some(self.interner.optics(&mut self.graph, optics));
@@ -273,7 +264,7 @@ impl Compiler<'_> {
             negated: place.negated != flip,
             copy: 0,
             shared: false,
-            ..place.clone()
+            ..*place
         };
         Some([operand(a, false), operand(b, flip)])
     }
@@ -286,7 +277,7 @@ impl Compiler<'_> {
             let primitive = Primitive::new(&record.geometry);
             return Ok(Part {
                 target: Target::Shape(self.interner.primitive(&mut self.graph, primitive, shape)),
-                placement: self.matrix(place.matrix())?,
+                placement: self.matrix(&place.matrix)?,
                 paint,
                 inverted: place.negated,
                 shape: outermost(place.copy, record.id),
@@ -295,7 +286,7 @@ impl Compiler<'_> {
         }
         if !place.shared {
             return Ok(Part {
-                target: Target::Object(self.draft(place.clone())),
+                target: Target::Object(self.draft(*place)),
                 placement: 0,
                 paint: 0,
                 inverted: false,
@@ -308,10 +299,10 @@ impl Compiler<'_> {
             Some(&object) => object,
             None => {
                 let object = self.draft(Place {
-                    moved: None,
+                    matrix: Matrix::IDENTITY,
                     coat: Coat::default(),
                     owner: 0,
-                    ..place.clone()
+                    ..*place
                 });
                 self.shared.insert(key, object);
                 object
@@ -319,7 +310,7 @@ impl Compiler<'_> {
         };
         Ok(Part {
             target: Target::Object(object),
-            placement: self.matrix(place.matrix())?,
+            placement: self.matrix(&place.matrix)?,
             paint,
             inverted: false,
             shape: 0,
