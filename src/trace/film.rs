@@ -36,19 +36,16 @@ fn encoded(x: f64) -> u8 {
 /// The least numbers that are encoded as 1, 2, … 255.
 static STEPS: LazyLock<[f32; 255]> = LazyLock::new(|| {
     std::array::from_fn(|i| {
-        // Close to where a half is rounded up.
-        let near = bitmap::linear((i as f64 + 0.5) / 255.0);
-        let bits = |x: f64| (x as f32).to_bits();
-        // Numbers that are not negative are in the order of their bits.
-        let (mut below, mut least) = (bits(near * (1.0 - 1e-6)), bits(near * (1.0 + 1e-6)));
-        while least - below > 1 {
-            let middle = below + (least - below) / 2;
-            match usize::from(encoded(f64::from(f32::from_bits(middle)))) > i {
-                true => least = middle,
-                false => below = middle,
-            }
+        let is_beyond = |x: f32| usize::from(encoded(f64::from(x))) > i;
+        // Where a half is rounded up, but for a few roundings.
+        let mut step = bitmap::linear((i as f64 + 0.5) / 255.0) as f32;
+        while !is_beyond(step) {
+            step = step.next_up();
         }
-        f32::from_bits(least)
+        while is_beyond(step.next_down()) {
+            step = step.next_down();
+        }
+        step
     })
 });
 
