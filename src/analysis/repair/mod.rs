@@ -32,7 +32,7 @@ pub fn proposals(analysis: &Analysis) -> Vec<Diagnostic> {
     proposals_for(analysis, analysis.findings().to_vec())
 }
 
-/// [`proposals`] for findings of a scene, which may be millions.
+/// As [`proposals`], made of the findings themselves: of millions there is then one copy less.
 pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let tokens = analysis.document.tokens.len().max(1);
     let mut engine = Engine {

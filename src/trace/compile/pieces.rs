@@ -166,6 +166,7 @@ impl Pieces {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing;
     use crate::trace::graph::Target;
 
     fn part(shape: u32) -> Part {
@@ -223,13 +224,7 @@ mod tests {
     /// An index finds what looking through all finds, in whatever order pieces come.
     #[test]
     fn many_pieces_are_found_by_where_they_are() {
-        let mut state = 1u64;
-        let mut random = move || {
-            state = state
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
-            (state >> 33) as f64 / (1u64 << 31) as f64
-        };
+        let mut random = testing::random();
         let mut pieces = Pieces::default();
         // As they are expected: a list that is looked through.
         let mut plain: VecDeque<(Aabb, usize)> = VecDeque::new();
@@ -237,7 +232,7 @@ mod tests {
         for i in 0..3000u32 {
             let bounds = match i % 500 {
                 7 => Aabb::ALL,
-                _ => at((1000.0 * random()).round()),
+                _ => at(random(1000) as f64),
             };
             let one = || {
                 let piece = Piece {
@@ -254,7 +249,7 @@ mod tests {
                 pieces = pieces.followed_by(one());
                 plain.push_back((bounds, 0));
             }
-            let tool = at((1000.0 * random()).round());
+            let tool = at(random(1000) as f64);
             let reached = plain.iter().filter(|(b, _)| b.overlaps(&tool)).count();
             let is_cut = pieces.cut(&[(part(9), tool)], &mut budget);
             assert_eq!(
