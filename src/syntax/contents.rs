@@ -1,7 +1,7 @@
 //! What kinds of things a document has, so that nobody looks for what is not there.
 
 use super::ast::Item;
-use super::lexer::Lexed;
+use super::lexed::Lexed;
 use super::table::{RECORD_TYPES, RecordKind, RecordType};
 
 #[derive(Debug, Clone, Copy)]

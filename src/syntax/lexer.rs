@@ -6,7 +6,6 @@ use std::fmt;
 use logos::Logos;
 
 use crate::diagnostics::Span;
-use crate::parallel;
 
 /// What a token is. Everything that is not [`TokenKind::is_trivia`] takes part in records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -246,203 +245,6 @@ pub fn too_long(text: &str, unclosed: &[u32]) -> Option<Token> {
     Tokens::new(text, unclosed).find(|t| t.length() as usize == Token::LENGTH_MAX)
 }
 
-/// A text's tokens, and of the significant ones what every reader asks for, in columns.
-#[derive(Debug, Default)]
-pub struct Lexed {
-    /// All tokens.
-    pub tokens: Vec<Token>,
-    /// The significant ones.
-    pub sigs: Vec<Sig>,
-    /// Their values, as long as `sigs`; NaN where one is no number.
-    pub values: Vec<f64>,
-    /// The significant tokens that are no plain numbers, ascending.
-    odd: Vec<u32>,
-    /// There is a comment, a separator, a word, a comment over several lines, a comment that nobody closes, a token that can never be
-    /// right.
-    pub has_comment: bool,
-    pub has_separator: bool,
-    pub has_word: bool,
-    pub has_long_comment: bool,
-    pub has_unclosed: bool,
-    pub has_bad: bool,
-    /// No significant token has come since the last line break.
-    at_line_start: bool,
-}
-
-/// A significant token: its index among all tokens, and whether it is the first one of its line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Sig(u32);
-
-impl Sig {
-    /// A file has fewer than 2³¹ bytes, and so fewer tokens.
-    const STARTS_LINE: u32 = 1 << 31;
-
-    fn new(index: usize, starts_line: bool) -> Sig {
-        Sig(index as u32 | if starts_line { Sig::STARTS_LINE } else { 0 })
-    }
-
-    /// The index among all tokens.
-    pub fn token(self) -> u32 {
-        self.0 & !Sig::STARTS_LINE
-    }
-
-    pub fn starts_line(self) -> bool {
-        self.0 & Sig::STARTS_LINE != 0
-    }
-}
-
-impl Lexed {
-    /// Cuts a text and reads its numbers. For `unclosed` see [`lex`]. A long text is cut by all threads.
-    pub fn new(text: &str, unclosed: &[u32]) -> Lexed {
-        let threads = rayon::current_num_threads().min(text.len() / PART_MIN);
-        if threads > 1
-            && unclosed.is_empty()
-            && let Some(lexed) = Lexed::in_parts(text, &lines_near(text, threads))
-        {
-            return lexed;
-        }
-        Lexed::part(text, 0, unclosed, text.len())
-    }
-
-    /// A text that is cut in parts, which end at `ends`, behind line breaks. `None` if one of those is in a comment.
-    fn in_parts(text: &str, ends: &[usize]) -> Option<Lexed> {
-        let mut parts = parallel::map(ends.len(), |i| {
-            let start = if i == 0 { 0 } else { ends[i - 1] };
-            // The first part takes in the others.
-            let room = if i == 0 { text.len() } else { ends[i] - start };
-            Lexed::part(&text[..ends[i]], start, &[], room)
-        })
-        .into_iter();
-        let mut lexed = parts.next()?;
-        for part in parts {
-            // What is open at the end of a part may be closed in the next one.
-            if lexed.has_unclosed {
-                return None;
-            }
-            lexed.append(part);
-        }
-        Some(lexed)
-    }
-
-    /// Cuts a text from the start of a line to its end, with room for the tokens of so many bytes.
-    fn part(text: &str, start: usize, unclosed: &[u32], room: usize) -> Lexed {
-        let mut lexed = Lexed {
-            tokens: Vec::with_capacity(room / 4),
-            sigs: Vec::with_capacity(room / 5),
-            values: Vec::with_capacity(room / 5),
-            at_line_start: true,
-            ..Lexed::default()
-        };
-        let mut tokens = Tokens::from(text, start, unclosed);
-        loop {
-            // Most tokens are plain numbers.
-            let (token, value) = match tokens.comma {
-                None => match tokens.plain() {
-                    Some(found) => found,
-                    None => match tokens.other() {
-                        Some(token) => (token, token.number(text).unwrap_or(f64::NAN)),
-                        None => break,
-                    },
-                },
-                Some(comma) => {
-                    tokens.comma = None;
-                    (comma, f64::NAN)
-                }
-            };
-            lexed.push(text, token, value);
-        }
-        lexed
-    }
-
-    /// Takes in the tokens that follow.
-    fn append(&mut self, mut part: Lexed) {
-        let (tokens, sigs) = (self.tokens.len() as u32, self.sigs.len() as u32);
-        self.tokens.append(&mut part.tokens);
-        self.sigs
-            .extend(part.sigs.iter().map(|sig| Sig(sig.0 + tokens)));
-        self.values.append(&mut part.values);
-        self.odd.extend(part.odd.iter().map(|i| i + sigs));
-        self.has_comment |= part.has_comment;
-        self.has_separator |= part.has_separator;
-        self.has_word |= part.has_word;
-        self.has_long_comment |= part.has_long_comment;
-        self.has_unclosed |= part.has_unclosed;
-        self.has_bad |= part.has_bad;
-        self.at_line_start = part.at_line_start;
-    }
-
-    /// The columns of tokens that were cut before.
-    pub fn of(text: &str, tokens: Vec<Token>) -> Lexed {
-        let mut lexed = Lexed {
-            tokens: Vec::with_capacity(tokens.len()),
-            at_line_start: true,
-            ..Lexed::default()
-        };
-        for token in tokens {
-            let value = token.number(text).unwrap_or(f64::NAN);
-            lexed.push(text, token, value);
-        }
-        lexed
-    }
-
-    #[inline(always)]
-    fn push(&mut self, text: &str, token: Token, value: f64) {
-        let index = self.tokens.len();
-        self.tokens.push(token);
-        match token.kind() {
-            TokenKind::Newline => self.at_line_start = true,
-            TokenKind::Comment => {
-                let comment = &text.as_bytes()[token.span().range()];
-                self.has_comment = true;
-                self.has_long_comment |= memchr::memchr2(b'\n', b'\r', comment).is_some();
-            }
-            TokenKind::UnterminatedComment => self.has_unclosed = true,
-            TokenKind::Separator => self.has_separator = true,
-            TokenKind::ByteOrderMark => {}
-            kind => {
-                if !matches!(kind, TokenKind::Integer | TokenKind::Real) {
-                    self.odd.push(self.sigs.len() as u32);
-                    self.has_word |= matches!(kind, TokenKind::Word | TokenKind::Invalid);
-                    self.has_bad |= !matches!(kind, TokenKind::Word | TokenKind::Quoted);
-                }
-                self.sigs.push(Sig::new(index, self.at_line_start));
-                self.values.push(value);
-                self.at_line_start = false;
-            }
-        }
-    }
-
-    /// Whether significant tokens `from..to` are plain numbers, all of them.
-    pub fn all_numbers(&self, from: usize, to: usize) -> bool {
-        let next = self.odd.partition_point(|&i| (i as usize) < from);
-        self.odd.get(next).is_none_or(|&i| i as usize >= to)
-    }
-}
-
-/// A text is not cut in parts of fewer bytes.
-const PART_MIN: usize = 1 << 18;
-
-/// Where a text may be cut in so many parts of about the same length: behind line breaks that are in no comment, if
-/// every `#` is one of a comment. The last one is the end of the text.
-fn lines_near(text: &str, parts: usize) -> Vec<usize> {
-    let bytes = text.as_bytes();
-    let mut ends: Vec<usize> = Vec::with_capacity(parts);
-    let (mut at, mut in_comment) = (0, false);
-    for part in 1..parts {
-        let near = (text.len() / parts * part).max(at);
-        in_comment ^= memchr::memchr_iter(b'#', &bytes[at..near]).count() % 2 == 1;
-        let end = memchr::memchr2_iter(b'#', b'\n', &bytes[near..]).find(|&i| {
-            in_comment ^= bytes[near + i] == b'#';
-            bytes[near + i] == b'\n' && !in_comment
-        });
-        let Some(end) = end else { break };
-        at = near + end + 1;
-        ends.push(at);
-    }
-    ends.push(text.len());
-    ends
-}
-
 /// The tokens of a text, one after another.
 pub struct Tokens<'s> {
     text: &'s str,
@@ -458,17 +260,36 @@ pub struct Tokens<'s> {
 impl<'s> Tokens<'s> {
     /// For `unclosed` see [`lex`].
     pub fn new(text: &'s str, unclosed: &'s [u32]) -> Tokens<'s> {
-        Tokens::from(text, 0, unclosed)
+        Tokens::starting_at(text, 0, unclosed)
     }
 
     /// From a place on, where a token begins.
-    fn from(text: &'s str, at: usize, unclosed: &'s [u32]) -> Tokens<'s> {
+    pub(super) fn starting_at(text: &'s str, at: usize, unclosed: &'s [u32]) -> Tokens<'s> {
         Tokens {
             text,
             at,
             raw: Raw::lexer_with_extras(text, Unclosed(unclosed)),
             comma: None,
             separated: usize::MAX,
+        }
+    }
+
+    /// The next token and its value, NaN where it is no number.
+    #[inline(always)]
+    pub(super) fn next_valued(&mut self) -> Option<(Token, f64)> {
+        match self.comma {
+            // Most tokens are plain numbers.
+            None => match self.plain() {
+                Some(found) => Some(found),
+                None => {
+                    let token = self.other()?;
+                    Some((token, token.number(self.text).unwrap_or(f64::NAN)))
+                }
+            },
+            Some(comma) => {
+                self.comma = None;
+                Some((comma, f64::NAN))
+            }
         }
     }
 
@@ -560,13 +381,7 @@ impl Iterator for Tokens<'_> {
     type Item = Token;
 
     fn next(&mut self) -> Option<Token> {
-        if let Some(comma) = self.comma.take() {
-            return Some(comma);
-        }
-        match self.plain() {
-            Some((token, _)) => Some(token),
-            None => self.other(),
-        }
+        self.next_valued().map(|(token, _)| token)
     }
 }
 

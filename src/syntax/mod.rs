@@ -3,7 +3,7 @@
 //! made of the table: words ([`describe`]), the reference and the EBNF ([`grammar`]).
 //!
 //! ```text
-//!   text ──lexer──► columns: tokens, significant tokens, values        logos; each number is read once
+//!   text ──lexer──► lexed: columns of tokens, significant tokens, values   logos; each number is read once
 //!                      │
 //!                   parser  (void | record | gap)*                     chumsky
 //!                      │      │                 ╲
@@ -26,6 +26,7 @@ pub mod directive;
 pub mod grammar;
 pub mod hex;
 pub mod ids;
+mod lexed;
 pub mod lexer;
 pub mod parser;
 pub mod preserved;

@@ -13,7 +13,8 @@ use rayon::prelude::*;
 
 use super::ast::{Document, Item, Record};
 use super::contents::Contents;
-use super::lexer::{self, Lexed, Sig};
+use super::lexed::{Lexed, Sig};
+use super::lexer;
 use super::recovery::{self, Surroundings};
 use super::signature::{self, Columns, Reading};
 use super::table::{Effect, RecordKind, RecordType};

@@ -7,7 +7,8 @@
 //! followed for some records, up to a line that stands for itself. Where both go well, or neither, the
 //! group is there exactly when it is the rest of the record's line.
 
-use super::lexer::{Lexed, Token, TokenKind};
+use super::lexed::Lexed;
+use super::lexer::{Token, TokenKind};
 use super::table::{Constraint, Param, ParamKind, RecordKind, RecordType};
 
 /// A text and the columns of its tokens.

@@ -75,10 +75,10 @@ proptest::proptest! {
         let automaton: Vec<Token> =
             std::iter::from_fn(|| tokens.comma.take().or_else(|| tokens.other())).collect();
         proptest::prop_assert_eq!(lex(&text, &[]), automaton.clone());
-        let lexed = Lexed::new(&text, &[]);
-        proptest::prop_assert_eq!(&lexed.tokens, &automaton);
-        for (sig, value) in lexed.sigs.iter().zip(&lexed.values) {
-            let token = &automaton[sig.token() as usize];
+        let mut tokens = Tokens::new(&text, &[]);
+        for token in automaton {
+            let (valued, value) = tokens.next_valued().expect("there are as many");
+            proptest::prop_assert_eq!(valued, token);
             let number = token.number(&text).unwrap_or(f64::NAN);
             proptest::prop_assert_eq!(number.to_bits(), value.to_bits());
         }
@@ -97,53 +97,4 @@ fn byte_order_mark_and_odd_spaces() {
 #[test]
 fn millions_of_comments_need_no_stack() {
     assert_eq!(lex(&"##".repeat(1_000_000), &[]).len(), 1_000_000);
-}
-
-/// A text of lines in which something may go wrong where it is cut.
-fn long_text(seed: u64) -> String {
-    let lines = [
-        "1 21 0 10 0 10\n",
-        "# a comment #\n",
-        "# a comment\nover lines # 12 1 2\n",
-        "7 -701 0,5 0 \"a b.png\"\n",
-        "\r\n",
-        "3 2 1 2\r",
-        "5 2 1 2 # ends here #\n",
-        "9 1,2,3 word -\n",
-        "2 21 1 2 3 4e999 # one # # two #\n",
-    ];
-    let mut state = seed;
-    let mut text = String::new();
-    while text.len() < 3000 {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        text += lines[(state >> 33) as usize % lines.len()];
-    }
-    text
-}
-
-#[test]
-fn a_text_cut_in_parts_gives_the_same_tokens() {
-    let mut cut = 0;
-    for seed in 0..200 {
-        let mut text = long_text(seed);
-        if seed % 3 == 0 {
-            // A comment that nobody closes, or a `#` in a name.
-            text.insert_str(
-                text.len() * seed as usize / 200,
-                ["#", "\"#\""][seed as usize % 2],
-            );
-        }
-        let whole = Lexed::part(&text, 0, &[], text.len());
-        for parts in 2..6 {
-            let ends = lines_near(&text, parts);
-            let Some(joined) = Lexed::in_parts(&text, &ends) else {
-                continue;
-            };
-            cut += usize::from(ends.len() > 1);
-            assert_eq!(format!("{joined:?}"), format!("{whole:?}"));
-        }
-    }
-    assert!(cut > 500, "{cut}");
 }
