@@ -23,11 +23,7 @@ pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 
 /// The length, however large or small the components.
 pub fn length(a: [f64; 3]) -> f64 {
-    match a {
-        // Along an axis, as most are that are asked for.
-        [x, 0.0, 0.0] | [0.0, x, 0.0] | [0.0, 0.0, x] => x.abs(),
-        [x, y, z] => libm::hypot(libm::hypot(x, y), z),
-    }
+    libm::hypot(libm::hypot(a[0], a[1]), a[2])
 }
 
 /// The direction of a vector, whatever its length; `None` where it has none.
