@@ -14,7 +14,7 @@ use crate::syntax::{self, Document, Item};
 
 /// How many defined IDs are compared, in all, to find the ones that may have been meant: proposals
 /// for the first errors of a large file, none for a million of them.
-const COMPARISONS_MAX: usize = 2_000_000;
+const COMPARISONS_MAX: usize = 500_000;
 
 /// A record that lost its ID.
 pub struct Lost {
@@ -318,7 +318,12 @@ impl Resolver<'_> {
             None if most > 1 => {
                 let budget = COMPARISONS_MAX.saturating_sub(self.references.comparisons);
                 let all = self.scene.entities.iter().take(budget).filter(fits);
-                let nearest = all.map(|e| {
+                // Each edit changes the number of digits by one at most.
+                let as_long = |e: &&Entity| {
+                    let length = e.id.checked_ilog10().map_or(1, |n| n as usize + 1);
+                    length.abs_diff(written.len()) <= most
+                };
+                let nearest = all.filter(as_long).map(|e| {
                     let distance = strsim::osa_distance(&written, &e.id.to_string());
                     (distance, e.id.abs_diff(id), e.id)
                 });
