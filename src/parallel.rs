@@ -13,6 +13,14 @@ pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     map_with(count, || (), |(), i| work(i))
 }
 
+/// The results of two pieces of work, done at the same time where a thread is free.
+pub fn both<A: Send, B: Send>(
+    a: impl FnOnce() -> A + Send,
+    b: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    rayon::join(a, b)
+}
+
 /// [`map`], with a state that `work` may change. Each thread that takes part makes one.
 pub fn map_with<S, T: Send>(
     count: usize,

@@ -1,12 +1,17 @@
 //! A bounding volume hierarchy over boxes.
 
 use super::aabb::Aabb;
+use crate::parallel;
 use std::ops::ControlFlow;
 
 /// Boxes in one leaf at most.
 const LEAF: usize = 4;
 /// Bins of the surface area heuristic.
 const BINS: usize = 16;
+/// So many boxes are worth two threads, and their halves again, so many times. Of more than these the nodes would take
+/// too much memory while they are put together.
+const SHARED: std::ops::RangeInclusive<usize> = 1024..=131_072;
+const FORKS: u32 = 4;
 
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
@@ -27,43 +32,14 @@ pub struct Bvh {
 impl Bvh {
     /// Builds the tree over items with finite boxes: binned surface area heuristic along the axis
     /// in which the centres spread most (Wald, "On fast Construction of SAH-based Bounding Volume
-    /// Hierarchies", 2007). Without recursion, since equal boxes can make any tree deep.
+    /// Hierarchies", 2007).
     pub fn new(boxes: Vec<(u32, Aabb)>) -> Bvh {
         Bvh::with_leaves(boxes, LEAF)
     }
 
     /// As [`new`](Self::new), with so many boxes in one leaf at most, unless they all have the same centre.
     pub fn with_leaves(mut boxes: Vec<(u32, Aabb)>, leaf: usize) -> Bvh {
-        let mut nodes: Vec<Node> = Vec::with_capacity(boxes.len());
-        // Ranges of `boxes` still to be made nodes of, and the parent whose right child each is.
-        let mut pending = vec![(0, boxes.len(), None)];
-        while let Some((start, end, parent)) = pending.pop() {
-            let slice = &mut boxes[start..end];
-            if slice.is_empty() {
-                continue;
-            }
-            if let Some(parent) = parent {
-                let here = nodes.len() as u32;
-                let node: &mut Node = &mut nodes[parent as usize];
-                node.index = here;
-            }
-            let bounds = slice.iter().fold(Aabb::EMPTY, |b, x| grown(b, &x.1));
-            let here = nodes.len() as u32;
-            let middle = (slice.len() > leaf).then(|| split(slice)).flatten();
-            nodes.push(Node {
-                bounds,
-                index: start as u32,
-                count: if middle.is_some() {
-                    0
-                } else {
-                    (end - start) as u32
-                },
-            });
-            if let Some(middle) = middle {
-                pending.push((start + middle, end, Some(here)));
-                pending.push((start, start + middle, None));
-            }
-        }
+        let mut nodes = nodes_shared(&mut boxes, 0, leaf, FORKS);
         nodes.shrink_to_fit();
         Bvh {
             nodes,
@@ -106,6 +82,77 @@ impl Bvh {
         }
         ControlFlow::Continue(())
     }
+}
+
+/// The nodes of boxes that stand in all boxes from `first` on: those of both halves at the same time, `forks` times.
+fn nodes_shared(boxes: &mut [(u32, Aabb)], first: usize, leaf: usize, forks: u32) -> Vec<Node> {
+    let middle = (forks > 0 && SHARED.contains(&boxes.len())).then(|| split(boxes));
+    let Some(middle) = middle.flatten() else {
+        return nodes_of(boxes, first, leaf);
+    };
+    let bounds = hull(boxes);
+    let (left, right) = boxes.split_at_mut(middle);
+    let (left, right) = parallel::both(
+        || nodes_shared(left, first, leaf, forks - 1),
+        || nodes_shared(right, first + middle, leaf, forks - 1),
+    );
+    let mut nodes = Vec::with_capacity(1 + left.len() + right.len());
+    nodes.push(Node {
+        bounds,
+        index: 1 + left.len() as u32,
+        count: 0,
+    });
+    for half in [left, right] {
+        let before = nodes.len() as u32;
+        nodes.extend(half.into_iter().map(|n| match n.count {
+            0 => Node {
+                index: before + n.index,
+                ..n
+            },
+            _ => n,
+        }));
+    }
+    nodes
+}
+
+/// The nodes of boxes that stand in all boxes from `first` on. Without recursion, since equal boxes can make any tree
+/// deep.
+fn nodes_of(boxes: &mut [(u32, Aabb)], first: usize, leaf: usize) -> Vec<Node> {
+    let mut nodes: Vec<Node> = Vec::with_capacity(boxes.len());
+    // Ranges of `boxes` still to be made nodes of, and the parent whose right child each is.
+    let mut pending = vec![(0, boxes.len(), None)];
+    while let Some((start, end, parent)) = pending.pop() {
+        let slice = &mut boxes[start..end];
+        if slice.is_empty() {
+            continue;
+        }
+        if let Some(parent) = parent {
+            let here = nodes.len() as u32;
+            let node: &mut Node = &mut nodes[parent as usize];
+            node.index = here;
+        }
+        let bounds = hull(slice);
+        let here = nodes.len() as u32;
+        let middle = (slice.len() > leaf).then(|| split(slice)).flatten();
+        nodes.push(Node {
+            bounds,
+            index: (first + start) as u32,
+            count: if middle.is_some() {
+                0
+            } else {
+                (end - start) as u32
+            },
+        });
+        if let Some(middle) = middle {
+            pending.push((start + middle, end, Some(here)));
+            pending.push((start, start + middle, None));
+        }
+    }
+    nodes
+}
+
+fn hull(boxes: &[(u32, Aabb)]) -> Aabb {
+    boxes.iter().fold(Aabb::EMPTY, |b, x| grown(b, &x.1))
 }
 
 /// As [`Aabb::hull`], of boxes that are not empty: EMPTY grows, too.
@@ -177,4 +224,28 @@ fn split(boxes: &mut [(u32, Aabb)]) -> Option<usize> {
         }
     }
     Some(middle)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::random;
+
+    #[test]
+    fn a_tree_is_the_same_however_many_threads_build_it() {
+        let mut next = random();
+        let boxes: Vec<(u32, Aabb)> = (0..20_000)
+            .map(|i| {
+                let least: [f64; 3] = std::array::from_fn(|_| next(100) as f64);
+                (i, Aabb::new(least, least.map(|x| x + (1 + next(3)) as f64)))
+            })
+            .collect();
+        for leaf in [1, LEAF] {
+            let (mut one, mut many) = (boxes.clone(), boxes.clone());
+            let alone = nodes_of(&mut one, 0, leaf);
+            let shared = nodes_shared(&mut many, 0, leaf, FORKS);
+            assert!(one.iter().map(|b| b.0).eq(many.iter().map(|b| b.0)));
+            assert_eq!(format!("{alone:?}"), format!("{shared:?}"));
+        }
+    }
 }

@@ -17,6 +17,7 @@ use super::members::Member;
 use super::starts::Starts;
 use crate::geometry::Aabb;
 use crate::geometry::boxes::Boxes;
+use crate::parallel;
 use crate::scene::Scene;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::within::{CLEAR, Standing};
@@ -30,6 +31,9 @@ const MAX_STEPS: usize = 4_000_000;
 
 /// Parts asked whether they lie in a shape, for all parts together.
 const MAX_PROOFS: usize = 200_000;
+
+/// Parts whose surroundings are looked for by all threads at a time.
+const BATCH: usize = 1024;
 
 pub struct Hidden<'a, F: Fn(&Member) -> bool> {
     scene: &'a Scene,
@@ -77,13 +81,13 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
 
     /// Finds what lies strictly inside of what.
     fn hold(&mut self, left: &[u32]) {
-        let scene = self.scene;
+        let (scene, all) = (self.scene, self.all);
         let opaque = |&i: &u32| {
-            let member = &self.all[i as usize];
+            let member = &all[i as usize];
             let geometry = member.geometry(scene);
             !member.clear && geometry.is_some_and(Facts::is_convex) && !member.bounds.is_empty()
         };
-        let sized = |&i: &u32| match &self.all[i as usize].bounds {
+        let sized = |&i: &u32| match &all[i as usize].bounds {
             b if b.is_finite() => (b.radius(), i),
             _ => (f64::INFINITY, i),
         };
@@ -93,43 +97,51 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         // Made when first needed; `None` for what cannot hide anything.
         let mut standing: Vec<Option<Option<Standing>>> = holders.iter().map(|_| None).collect();
         let numbered = (0u32..).zip(&holders);
-        let boxes = Boxes::new(numbered.map(|(k, h)| (k, self.all[h.1 as usize].bounds)));
-        let (mut near, mut proofs) = (Vec::new(), MAX_PROOFS);
-        for &i in left {
-            let member = &self.all[i as usize];
+        let boxes = Boxes::new(numbered.map(|(k, h)| (k, all[h.1 as usize].bounds)));
+        // The shapes whose boxes hold that of a part, and the steps to them.
+        let around = |i: u32| {
+            let member = &all[i as usize];
+            let mut near = Vec::new();
             if !member.bounds.is_finite() || member.bounds.is_empty() {
-                continue;
+                return (near, 0);
             }
             let centre = member.bounds.centre();
-            near.clear();
             let steps = boxes.near(&Aabb::new(centre, centre), &mut near) + near.len();
-            match self.steps.checked_sub(steps) {
-                Some(rest) => self.steps = rest,
-                None => return,
-            }
             near.retain(|&k| {
                 let holder = holders[k as usize].1;
-                holder != i && self.all[holder as usize].bounds.holds(&member.bounds)
+                holder != i && all[holder as usize].bounds.holds(&member.bounds)
             });
             // The largest first.
             near.sort_unstable();
-            let shape = member.geometry(scene).map(|g| (g, member.matrix()));
-            for &k in &near {
-                let holder = holders[k as usize].1;
-                let known = &mut standing[k as usize];
-                if known.is_none() {
-                    *known = Some(self.standing(holder).filter(|s| self.is_dark(holder, s)));
-                }
-                let Some(Some(standing)) = known else {
-                    continue;
-                };
-                match proofs.checked_sub(1) {
-                    Some(rest) => proofs = rest,
+            (near, steps)
+        };
+        let mut proofs = MAX_PROOFS;
+        for batch in left.chunks(BATCH) {
+            let found = parallel::map(batch.len(), |k| around(batch[k]));
+            for (&i, (near, steps)) in batch.iter().zip(found) {
+                match self.steps.checked_sub(steps) {
+                    Some(rest) => self.steps = rest,
                     None => return,
                 }
-                if standing.holds(&member.bounds, shape) {
-                    self.holders.insert(i, holder);
-                    break;
+                let member = &all[i as usize];
+                let shape = member.geometry(scene).map(|g| (g, member.matrix()));
+                for k in near {
+                    let holder = holders[k as usize].1;
+                    let known = &mut standing[k as usize];
+                    if known.is_none() {
+                        *known = Some(self.standing(holder).filter(|s| self.is_dark(holder, s)));
+                    }
+                    let Some(Some(standing)) = known else {
+                        continue;
+                    };
+                    match proofs.checked_sub(1) {
+                        Some(rest) => proofs = rest,
+                        None => return,
+                    }
+                    if standing.holds(&member.bounds, shape) {
+                        self.holders.insert(i, holder);
+                        break;
+                    }
                 }
             }
         }
