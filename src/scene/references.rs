@@ -14,7 +14,7 @@ use crate::syntax::{self, Document, Item};
 
 /// How many defined IDs are compared, in all, to find the ones that may have been meant: proposals
 /// for the first errors of a large file, none for a million of them.
-const COMPARISONS_MAX: usize = 500_000;
+const COMPARISONS_MAX: usize = 2_000_000;
 
 /// A record that lost its ID.
 pub struct Lost {
