@@ -165,10 +165,22 @@ impl Analysis {
 
     /// Reads a scene from its text.
     pub fn of(source: SourceFile) -> Analysis {
+        Analysis::resolved(source, scene::resolve)
+    }
+
+    /// The same of a text that is only tried: what it says is counted, and not all proposals are made.
+    fn tried(source: SourceFile) -> Analysis {
+        Analysis::resolved(source, scene::resolve_tried)
+    }
+
+    fn resolved(
+        source: SourceFile,
+        resolve: fn(&Document, &SourceFile, &mut Vec<Diagnostic>) -> Scene,
+    ) -> Analysis {
         let (document, mut read) = syntax::parse(&source.text);
         commas::join(&source, &mut read);
         colours::join(&document, &source, &mut read);
-        let scene = scene::resolve(&document, &source, &mut read);
+        let scene = resolve(&document, &source, &mut read);
         read.extend(encoding_note(&source));
         Analysis {
             document,

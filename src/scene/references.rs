@@ -40,6 +40,7 @@ pub struct References {
     definition: Option<FxHashMap<u32, Span>>,
     pub lost: Vec<Lost>,
     dangling: Vec<Dangling>,
+    /// How many defined IDs may still be compared.
     comparisons: usize,
 }
 
@@ -63,9 +64,11 @@ fn definitions(document: &Document) -> FxHashMap<u32, Span> {
 }
 
 impl References {
-    pub fn new(records: usize) -> References {
+    /// For a text with so many records. `compares`: whether IDs are compared to find the ones that may have been meant.
+    pub fn new(records: usize, compares: bool) -> References {
         References {
             entity: Vec::with_capacity(records),
+            comparisons: if compares { COMPARISONS_MAX } else { 0 },
             ..References::default()
         }
     }
@@ -316,8 +319,9 @@ impl Resolver<'_> {
         let one_edit = one_edit.filter(fits);
         let nearest = match one_edit.map(|e| (1, e.id.abs_diff(id), e.id)).min() {
             None if most > 1 => {
-                let budget = COMPARISONS_MAX.saturating_sub(self.references.comparisons);
-                let all = self.scene.entities.iter().take(budget).filter(fits);
+                let entities = &self.scene.entities;
+                let all = entities.iter().take(self.references.comparisons);
+                let all = all.filter(fits);
                 // Each edit changes the number of digits by one at most.
                 let as_long = |e: &&Entity| {
                     let length = e.id.checked_ilog10().map_or(1, |n| n as usize + 1);
@@ -328,7 +332,8 @@ impl Resolver<'_> {
                     (distance, e.id.abs_diff(id), e.id)
                 });
                 let nearest = nearest.min();
-                self.references.comparisons += self.scene.entities.len();
+                let left = self.references.comparisons;
+                self.references.comparisons = left.saturating_sub(entities.len());
                 nearest
             }
             nearest => nearest,

@@ -22,6 +22,25 @@ pub fn resolve(
     source: &SourceFile,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Scene {
+    resolve_comparing(document, source, diagnostics, true)
+}
+
+/// As [`resolve`], of a text that is only tried: an undefined ID is not compared with all others to find the one that
+/// was meant, which takes most of the time where many are undefined.
+pub fn resolve_tried(
+    document: &Document,
+    source: &SourceFile,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Scene {
+    resolve_comparing(document, source, diagnostics, false)
+}
+
+fn resolve_comparing(
+    document: &Document,
+    source: &SourceFile,
+    diagnostics: &mut Vec<Diagnostic>,
+    compares: bool,
+) -> Scene {
     let text = source.text.as_str();
     // Room that is not used takes no memory; moving what has grown takes time.
     let records = document.items.len();
@@ -42,7 +61,7 @@ pub fn resolve(
         },
         states: Vec::with_capacity(records),
         taken: Vec::with_capacity(records),
-        references: References::new(records),
+        references: References::new(records, compares),
         render: None,
         has_render: false,
         selection: None,

@@ -16,6 +16,9 @@ pub struct Document {
     /// The values of the significant tokens, each read once; NaN where one is no number. Those of a record's
     /// parameters stand one behind the other, from [`Record::value`] on.
     pub values: Vec<f64>,
+    /// How many significant tokens were cut into records by trying all ways: those of a text with mistakes that is not
+    /// laid out in lines. It takes hundreds of times as long as reading.
+    pub searched: usize,
     /// What kinds of things there are.
     pub contents: Contents,
 }

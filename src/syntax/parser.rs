@@ -15,7 +15,7 @@ use super::ast::{Document, Item, Record};
 use super::contents::Contents;
 use super::lexed::{Lexed, Sig};
 use super::lexer;
-use super::recovery::{self, Surroundings};
+use super::recovery::{self, Recovered, Surroundings};
 use super::signature::{self, Columns, Reading};
 use super::table::{Effect, RecordKind, RecordType};
 use crate::diagnostics::{self, Code, Diagnostic, Value};
@@ -63,8 +63,8 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
         _ => None,
     }));
     diagnostics::sort(&mut findings);
-    let items = plan.items;
-    (document(lexed, items), findings)
+    let (items, searched) = (plan.items, plan.searched);
+    (document(lexed, items, searched), findings)
 }
 
 /// The items of a text that needs no recovery; `None` for any other.
@@ -78,7 +78,7 @@ pub fn parse_plain(text: &str) -> Option<Document> {
         lexed: &lexed,
     };
     let Plan { items, gaps, .. } = Plan::of(columns);
-    gaps.is_empty().then(|| document(lexed, items))
+    gaps.is_empty().then(|| document(lexed, items, 0))
 }
 
 /// Whether a comment may have lost its `#`, or a `#` be none of a comment.
@@ -87,12 +87,13 @@ fn may_be_unclosed(lexed: &Lexed, text: &str) -> bool {
     lexed.has_unclosed || lexed.has_long_comment && is_odd()
 }
 
-fn document(lexed: Lexed, items: Vec<Item>) -> Document {
+fn document(lexed: Lexed, items: Vec<Item>, searched: usize) -> Document {
     Document {
         contents: Contents::new(&items, &lexed),
         tokens: lexed.tokens,
         items,
         values: lexed.values,
+        searched,
     }
 }
 
@@ -108,6 +109,8 @@ struct Plan<'s> {
     run_to: usize,
     /// How many more tokens may be looked at in search of the ends of gaps.
     budget: usize,
+    /// See [`Document::searched`].
+    searched: usize,
 }
 
 /// Significant tokens that are not read, and behind which item.
@@ -161,6 +164,7 @@ impl<'s> Plan<'s> {
             defined: Vec::new(),
             run_to: 0,
             budget: LOOKS * columns.len() + 1000,
+            searched: 0,
         };
         let mut state = SimpleState::from(plan);
         let sigs = columns.lexed.sigs.as_slice();
@@ -493,21 +497,19 @@ impl<'s> Plan<'s> {
             .flat_map(|gap| self.parts(gap.from, gap.to))
             .collect();
         around.others = parts.len() > 1;
-        let read: Vec<(Vec<Item>, Vec<Diagnostic>)> = (parts.par_iter().with_min_len(PARTS))
-            .map(|&part| {
-                let mut found = Vec::new();
-                (recovery::recover(c, part, &around, &mut found), found)
-            })
+        let read: Vec<Recovered> = (parts.par_iter().with_min_len(PARTS))
+            .map(|&part| recovery::recover(c, part, &around))
             .collect();
+        self.searched = read.iter().map(|r| r.searched).sum();
         let mut read = parts.into_iter().zip(read).peekable();
         let mut items = Vec::with_capacity(self.items.len() + self.gaps.len());
         let mut done = 0;
         for gap in &self.gaps {
             items.extend_from_slice(&self.items[done..gap.item]);
             done = gap.item;
-            while let Some((_, (more, mut found))) = read.next_if(|(part, _)| part.1 <= gap.to) {
-                items.extend(more);
-                findings.append(&mut found);
+            while let Some((_, mut recovered)) = read.next_if(|(part, _)| part.1 <= gap.to) {
+                items.append(&mut recovered.items);
+                findings.append(&mut recovered.findings);
             }
         }
         items.extend_from_slice(&self.items[done..]);

@@ -23,6 +23,8 @@ use judge::Left;
 const TRIALS: usize = 64;
 /// So many tokens are read for one file in all trials together.
 const TOKENS: usize = 100_000;
+/// A token that is read by trying all ways to cut the text counts as so many.
+const SEARCHED: usize = 8;
 /// So many proposals are made for one finding.
 const PROPOSALS: usize = 3;
 
@@ -34,11 +36,12 @@ pub fn proposals(analysis: &Analysis) -> Vec<Diagnostic> {
 
 /// As [`proposals`], made of the findings themselves: of millions there is then one copy less.
 pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    let tokens = analysis.document.tokens.len().max(1);
+    let document = &analysis.document;
+    let tokens = document.tokens.len() + SEARCHED * document.searched;
     let mut engine = Engine {
         analysis,
         findings,
-        trials: TRIALS.min(TOKENS / tokens),
+        trials: TRIALS.min(TOKENS / tokens.max(1)),
     };
     if analysis.is_records() && engine.findings.iter().any(is_tried) {
         engine.whole();
@@ -84,7 +87,7 @@ impl Engine<'_> {
         let source = &self.analysis.source;
         let (edits, _) = fixes::edits(&source.text, fix.into_iter().chain(others));
         let text = fixes::edited(&source.text, &edits);
-        Some(Analysis::of(source.with_text(text)))
+        Some(Analysis::tried(source.with_text(text)))
     }
 
     /// What is wrong with many lines at once.

@@ -48,19 +48,28 @@ pub use surroundings::Surroundings;
 use verdict::{Piece, Verdict};
 use witness::Witnesses;
 
-/// Reads significant tokens `from..to`, which begin and end with lines. What cannot be read is told to `out`.
-pub fn recover(
-    columns: Columns,
-    (from, to): (usize, usize),
-    around: &Surroundings,
-    out: &mut Vec<Diagnostic>,
-) -> Vec<Item> {
+/// What was made of a stretch of text.
+pub struct Recovered {
+    pub items: Vec<Item>,
+    /// What cannot be read.
+    pub findings: Vec<Diagnostic>,
+    /// How many tokens were cut by trying all ways.
+    pub searched: usize,
+}
+
+/// Reads significant tokens `from..to`, which begin and end with lines.
+pub fn recover(columns: Columns, (from, to): (usize, usize), around: &Surroundings) -> Recovered {
     let mut stretch = Stretch::new(columns, from, to);
     let witnesses = Witnesses::new(&stretch, around);
     stretch.is_free = !witnesses.in_lines;
     let pieces = pieces(&stretch, &witnesses, around);
-    report::pieces(&stretch, &witnesses, &pieces, out);
-    pieces.iter().map(|p| p.item(&stretch)).collect()
+    let mut findings = Vec::new();
+    report::pieces(&stretch, &witnesses, &pieces, &mut findings);
+    Recovered {
+        items: pieces.iter().map(|p| p.item(&stretch)).collect(),
+        findings,
+        searched: if stretch.is_free { to - from } else { 0 },
+    }
 }
 
 /// Warns of a record at significant tokens `from..to` that ends within a line which would be a record of its own.
