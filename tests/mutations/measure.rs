@@ -18,10 +18,10 @@ const FREE: [f64; 2] = [0.99, 0.97];
 const SEVERAL: f64 = 0.98;
 
 /// The shares that are reached, and must not get less.
-const LINES_REACHED: [f64; 2] = [0.998, 0.995];
+const LINES_REACHED: [f64; 2] = [0.999, 0.998];
 const FREE_REACHED: [f64; 2] = [0.985, 0.97];
-const TWO_REACHED: f64 = 0.98;
-const FOUR_REACHED: f64 = 0.94;
+const TWO_REACHED: f64 = 0.99;
+const FOUR_REACHED: f64 = 0.975;
 
 /// A scene with mistakes.
 pub struct Mutant {

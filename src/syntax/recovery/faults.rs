@@ -14,6 +14,10 @@ pub trait Known {
     fn is_missing(&self, id: i32) -> bool;
     /// Whether an ID is defined elsewhere.
     fn is_defined(&self, id: i32) -> bool;
+    /// Whether an ID is defined before a line.
+    fn is_defined_before(&self, stretch: &Stretch, line: usize, id: i32) -> bool;
+    /// Whether an ID at the head of a line is in the order of the IDs around.
+    fn is_in_order(&self, line: usize, id: i32) -> bool;
     /// Whether some other ID is used elsewhere and defined by no line of its own.
     fn misses_another(&self, id: i32) -> bool;
 }
@@ -27,6 +31,14 @@ impl Known for Unknown {
     }
 
     fn is_defined(&self, _: i32) -> bool {
+        false
+    }
+
+    fn is_defined_before(&self, _: &Stretch, _: usize, _: i32) -> bool {
+        false
+    }
+
+    fn is_in_order(&self, _: usize, _: i32) -> bool {
         false
     }
 
@@ -69,13 +81,16 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
         }
         (None, _) => untyped(stretch, start, end),
     };
+    let surplus = surplus(stretch, (start, end), with_id.1, known);
+    let sign = || sign_of_known_type(stretch, start, end, known);
+    match good_id.then(sign).flatten() {
+        Some(sign) if !surplus.is_some_and(|s| is_split(stretch, start, s.0)) => return sign,
+        _ => {}
+    }
+    if let Some(surplus) = surplus {
+        return surplus;
+    }
     if good_id {
-        if let Some(sign) = sign_of_known_type(stretch, start, end, known) {
-            return sign;
-        }
-        if let Some(surplus) = surplus(stretch, start, end, known) {
-            return surplus;
-        }
         let lost = lost_id(stretch, start, end).filter(|_| {
             let missing = id.int.is_some_and(|id| known.is_missing(id));
             // `5 0 1 2 3` is an undefined object, unless something else must be here.
@@ -85,7 +100,7 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
             !missing && !undefined
         });
         let taken = id.int.is_some_and(|id| known.is_defined(id));
-        let in_order = if follows(stretch, start) && !taken {
+        let in_order = if !taken && follows(stretch, start, known) {
             IN_ORDER
         } else {
             0
@@ -146,12 +161,18 @@ pub fn joined(stretch: &Stretch, at: usize) -> Option<i32> {
     right.then(|| format!("{one}{two}").parse().ok())?
 }
 
-/// A whole line that is a record but for a token too many in front of it, or for a space in its ID.
+/// Whether the surplus of a record is the space in its ID.
+fn is_split(stretch: &Stretch, start: usize, verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::Surplus { id, .. } if joined(stretch, start) == i32::try_from(id).ok())
+}
+
+/// A whole line that is a record but for a token too many in front of it or behind its ID, or for a space in its ID.
 /// Something else must speak for the ID: a definition is needed, and what is changed is there.
+/// `as_typed` is what it costs to take the second token for the type.
 fn surplus(
     stretch: &Stretch,
-    start: usize,
-    end: usize,
+    (start, end): (usize, usize),
+    as_typed: u32,
     known: &impl Known,
 ) -> Option<(Verdict, u32)> {
     let whole_line = stretch.starts_line(start)
@@ -175,21 +196,34 @@ fn surplus(
                 fits(stretch.sigs[at].kind, p.kind) && allows(p, stretch.value(at))
             })
         });
-    if !right || lost_sign(stretch, start, end) || stretch.bad(start, first) > 0 {
+    let is_typed = stretch.record_type(start + 1).is_some();
+    let lost_sign = !is_typed && lost_sign(stretch, start, end);
+    if !right || lost_sign || stretch.bad(start, first) > 0 {
         return None;
     }
-    let own = stretch.sigs[start].int;
+    let own = stretch.sigs[start].int?;
     let speaks = |id: i32| match ty.effect {
         Effect::Changes(_) => known.is_defined(id),
         _ if ty.kind == RecordKind::Render => id == 1,
         _ => known.is_missing(id),
     };
-    let in_front = stretch.sigs[start + 1]
-        .int
-        .filter(|_| !own.is_some_and(|id| known.is_missing(id)));
-    let ids = [(joined(stretch, start), start), (in_front, start)];
-    let (id, at) = (ids.into_iter())
-        .find_map(|(id, at)| Some((id.filter(|&id| id > 0 && speaks(id))?, at)))?;
+    let is_own = known.is_missing(own);
+    let in_front = stretch.sigs[start + 1].int.filter(|_| !is_own);
+    // An ID in order speaks for itself, if the second token is hardly the type.
+    let is_new = !matches!(ty.effect, Effect::Changes(_));
+    let no_type = !is_typed || as_typed > FEW_OFF;
+    let is_next = |id: i32| is_new && no_type && known.is_in_order(stretch.line(start), id);
+    let has_id = || lost_id(stretch, start, end).is_none();
+    let in_front = in_front.filter(|&id| speaks(id) || is_next(id) && (own > 0 || has_id()));
+    // What is no type at all is likelier to be a mistyped one.
+    let behind = is_typed && no_type && (speaks(own) || is_next(own)) && has_id();
+    let (id, at) = [
+        (joined(stretch, start).filter(|&id| speaks(id)), start),
+        (in_front, start),
+        (behind.then_some(own), start + 1),
+    ]
+    .into_iter()
+    .find_map(|(id, at)| Some((id.filter(|&id| id > 0)?, at)))?;
     let verdict = Verdict::Surplus {
         ty,
         expected,
@@ -227,9 +261,10 @@ fn sign_of_known_type(
         false => 0,
     };
     let expected = ty.arity(n);
+    let line = stretch.line(start);
     let changes = stretch.sigs[start]
         .int
-        .is_some_and(|id| known.is_defined(id));
+        .is_some_and(|id| known.is_defined_before(stretch, line, id));
     let far = expected > 2 * got as u64 + 2;
     (expected > got as u64 && (far || changes)).then(|| {
         let expected = usize::try_from(expected).unwrap_or(usize::MAX);
@@ -246,13 +281,20 @@ fn sign_of_known_type(
 /// What it costs more to take the next number after the ID of the line before for a type.
 const IN_ORDER: u32 = 40;
 
-/// Whether a line begins with the next number after that which the line before begins with.
-fn follows(stretch: &Stretch, start: usize) -> bool {
+/// Whether a line begins with the next number after that which the line before begins with. Where that line changes
+/// something, it must be what is defined last.
+fn follows(stretch: &Stretch, start: usize, known: &impl Known) -> bool {
     let line = stretch.line(start);
-    let first = |line: usize| stretch.sigs[stretch.line_start(line)].int.map(i64::from);
-    line > 0
-        && stretch.starts_line(start)
-        && first(line - 1).filter(|&id| id > 0).map(|id| id + 1) == first(line)
+    if line == 0 || !stretch.starts_line(start) {
+        return false;
+    }
+    let ([before, code], [id, _]) = (stretch.line_head(line - 1), stretch.line_head(line));
+    let (Some(before @ 1..), Some(id)) = (before, id) else {
+        return false;
+    };
+    let ty = code.and_then(|code| RecordType::by_code(code.into()));
+    let changes = ty.is_some_and(|ty| matches!(ty.effect, Effect::Changes(_)));
+    before.checked_add(1) == Some(id) && (!changes || known.is_in_order(line, id))
 }
 
 /// Whether a line begins with a number between those that the lines before and behind begin with. The render
@@ -265,6 +307,11 @@ fn is_between(stretch: &Stretch, start: usize) -> bool {
     let next = (line + 1 < stretch.line_count()).then(|| first(line + 1));
     rises && next.is_none_or(|next| next == Some(1) || next > id)
 }
+
+/// The price of a record with two numbers more or less than it takes.
+const FEW_OFF: u32 = FAULT + 2 * ONE_OFF;
+/// The price of each number more or less.
+const ONE_OFF: u32 = 20;
 
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have
 /// written all lines like that: it is less than what three numbers too many cost.
@@ -456,7 +503,7 @@ fn judge_params(
     };
     (
         verdict,
-        FAULT + real_type + 20 * off + FAULT * (bad as u32).min(BAD_MAX),
+        FAULT + real_type + ONE_OFF * off + FAULT * (bad as u32).min(BAD_MAX),
     )
 }
 

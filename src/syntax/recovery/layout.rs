@@ -90,6 +90,9 @@ impl Search<'_, '_> {
             if let Some(r) = &exact {
                 offer(r.end, self.record_price(i, r));
             }
+            if let Some(r) = self.stretch.without_group(i) {
+                offer(r.end, self.record_price(i, &r));
+            }
             self.fault_ends(i, &mut ends);
             for &end in &ends {
                 offer(end, self.fault(i, end).1);
@@ -132,8 +135,12 @@ impl Search<'_, '_> {
         {
             return Verdict::Void;
         }
-        match self.stretch.read(start) {
-            Some(r) if r.end == end && self.record_price(start, r) <= fault.1 => Verdict::Whole(*r),
+        let readings = [
+            self.stretch.read(start).copied(),
+            self.stretch.without_group(start),
+        ];
+        match readings.into_iter().flatten().find(|r| r.end == end) {
+            Some(r) if self.record_price(start, &r) <= fault.1 => Verdict::Whole(r),
             _ => fault.0,
         }
     }
@@ -194,8 +201,8 @@ impl Search<'_, '_> {
             };
             // Complete records among its lines.
             let swallowed = self.sums.complete_before[last] - self.sums.complete_before[first + 1];
-            let slips = self.sums.slips_before[last] - self.sums.slips_before[first + 1];
-            price += 400 * swallowed.min(8) + OWN_LINE * slips.min(OWN_LINES_MAX);
+            let sure = self.sums.sure_before[last] - self.sums.sure_before[first + 1];
+            price += 400 * swallowed.min(8) + OWN_LINE * sure.min(OWN_LINES_MAX);
         }
         // What the resolver would object to counts too, but never as much as a fault of form.
         price + self.objections(start, r)

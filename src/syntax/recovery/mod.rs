@@ -4,6 +4,7 @@
 //!                  stretch        significant tokens of whole lines, and the record readable from each
 //!                     │
 //!   surroundings ─► witness       what its lines say: which are records of their own, perhaps but for a slip
+//!                     │                                                   ◄─ order: which IDs are in order there
 //!                     │
 //!            is it laid out in lines?
 //!              yes │        │ no
@@ -30,6 +31,7 @@ mod faults;
 mod free;
 mod heads;
 mod layout;
+mod order;
 pub mod report;
 pub mod respell;
 mod slips;

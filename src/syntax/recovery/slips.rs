@@ -1,9 +1,10 @@
 //! Lines that would be records of their own but for a slip, and tables whose rows are none. Where the
 //! same mistake stands on many lines, no line is right, and these are the witnesses.
 
-use super::super::table::RecordKind;
+use super::super::table::{RecordKind, RecordType};
 use super::faults::{Unknown, has_lost_id, judge, lost_sign};
 use super::heads::{expected_end, is_counted};
+use super::order::Order;
 use super::stretch::Stretch;
 use super::verdict::Verdict;
 
@@ -17,9 +18,16 @@ pub enum Slip {
     No,
 }
 
-/// What a line looks like by itself; a line that may be a row of a table must have a type that no row has.
-pub fn slip(stretch: &Stretch, line: usize, in_table: bool) -> Slip {
+/// What a line looks like by itself; a line that may be a row of a table must have a type that no row has, or begin with
+/// an ID that is in order.
+pub fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Slip {
     let (start, end) = (stretch.line_start(line), stretch.line_end(line));
+    let in_order = order.head(stretch, line).is_some();
+    let has_next_id = || {
+        stretch.sigs[start]
+            .int
+            .is_some_and(|id| order.has(line, id))
+    };
     let code = stretch.sigs[start + 1..end]
         .first()
         .and_then(|s| s.int)
@@ -42,23 +50,27 @@ pub fn slip(stretch: &Stretch, line: usize, in_table: bool) -> Slip {
         Verdict::WrongArity { ty, got, expected }
             if got.abs_diff(expected) <= SLIP_MAX.min(1 + expected / 4) =>
         {
-            let head = got > 0 || ty.code <= LEAST_HEAD;
+            let head = got > 0 || ty.code <= LEAST_HEAD || in_order;
             (Some(ty), if head { Slip::Yes } else { Slip::Maybe })
         }
         Verdict::BadPointCount { ty } if end > start + 4 => (Some(ty), Slip::Yes),
-        Verdict::BadType if stretch.sigs[start + 1].kind.is_bad() && end > start + 2 => {
+        Verdict::BadType
+            if (stretch.sigs[start + 1].kind.is_bad() || has_next_id()) && end > start + 2 =>
+        {
             (None, Slip::Yes)
         }
         Verdict::UnknownType => {
-            let right = lost_sign(stretch, start, end);
+            let signed = lost_sign(stretch, start, end);
+            let meant = RecordType::by_code(-i64::from(code)).filter(|_| signed);
             let odd = code.abs() >= NO_COORDINATE && end > start + 2;
-            (None, if right || odd { Slip::Yes } else { Slip::Maybe })
+            let sure = signed || odd || has_next_id();
+            (meant, if sure { Slip::Yes } else { Slip::Maybe })
         }
         _ => (None, Slip::No),
     };
     match ty {
         Some(ty) if ty.kind == RecordKind::Undefined => Slip::No,
-        Some(ty) if in_table && ty.code > LEAST_HEAD => Slip::No,
+        Some(ty) if in_table && ty.code > LEAST_HEAD && !in_order => Slip::No,
         None if in_table => Slip::No,
         _ => slip,
     }

@@ -111,6 +111,15 @@ impl<'s> Stretch<'s> {
         self.readings.get(i)?.as_ref()
     }
 
+    /// The record at token `i` without its optional group, if that begins with the next line: perhaps what stands there
+    /// is no group, and could not be read for a mistake.
+    pub fn without_group(&self, i: usize) -> Option<Reading> {
+        let reading = self.read(i)?;
+        let end = i + 2 + usize::try_from(reading.ty.arity(reading.count.into())).ok()?;
+        let is_shorter = end < reading.end && self.starts_line(end);
+        is_shorter.then_some(Reading { end, ..*reading })
+    }
+
     /// The type whose number stands at a token.
     pub fn record_type(&self, i: usize) -> Option<&'static RecordType> {
         RecordType::by_code(self.sigs.get(i)?.int?.into())
@@ -123,6 +132,27 @@ impl<'s> Stretch<'s> {
         id: u32,
     ) -> Option<(usize, &'static RecordType)> {
         around.definition(&self.columns, id)
+    }
+
+    /// The first two tokens of a line, where they are integers.
+    pub fn line_head(&self, line: usize) -> [Option<i32>; 2] {
+        let start = self.line_start(line);
+        [start, start + 1].map(|i| self.sigs.get(i)?.int)
+    }
+
+    /// The same of the lines before the stretch, the nearest first.
+    pub fn heads_before(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
+        let c = self.columns;
+        let starts = (0..self.from).rev().filter(move |&i| c.starts_line(i));
+        starts.map(move |i| [c.int(i), c.int(i + 1)])
+    }
+
+    /// The same of the lines behind it.
+    pub fn heads_behind(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
+        let c = self.columns;
+        let behind = self.from + self.len()..c.len();
+        let starts = behind.filter(move |&i| c.starts_line(i));
+        starts.map(move |i| [c.int(i), c.int(i + 1)])
     }
 
     /// Whether the stretch stands behind a significant token of the text.

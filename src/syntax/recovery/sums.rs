@@ -11,8 +11,9 @@ pub struct Sums {
     pub own_before: Vec<u32>,
     /// How many of those are complete, and no row of a table of equally long lines.
     pub complete_before: Vec<u32>,
-    /// How many lines before each one are a record but for a slip.
-    pub slips_before: Vec<u32>,
+    /// How many lines before each one are surely records of their own: they are but for a slip, or they are complete and
+    /// have an ID in order.
+    pub sure_before: Vec<u32>,
     /// The last line of the table of numbers that begins behind each line; the line itself if none.
     pub table_end: Vec<u32>,
     /// For each token: its line is whole records up to it, or from it on.
@@ -30,12 +31,20 @@ impl Sums {
     pub fn new(stretch: &Stretch, witnesses: &Witnesses) -> Sums {
         let lines = 0..stretch.line_count();
         let length = |l: usize| stretch.line_end(l) - stretch.line_start(l);
-        let own =
-            |l: usize| witnesses.ends[l] > 0 || witnesses.slips[l] || looks_like_a_head(stretch, l);
+        let own = |l: usize| {
+            witnesses.ends[l] > 0
+                || witnesses.slips[l]
+                || witnesses.order.head(stretch, l).is_some()
+                || looks_like_a_head(stretch, l)
+        };
         let complete = |l: usize| {
             witnesses.is_complete_line(stretch, l)
                 && !witnesses.is_void_line(stretch, l)
                 && (l == 0 || length(l) != length(l - 1))
+        };
+        let sure = |l: usize| {
+            let in_order = || witnesses.order.head(stretch, l).is_some();
+            witnesses.slips[l] || witnesses.is_complete_line(stretch, l) && in_order()
         };
         let mut table_end: Vec<u32> = lines.clone().map(|l| l as u32).collect();
         for l in lines.clone().rev().skip(1) {
@@ -51,8 +60,8 @@ impl Sums {
             whole_until,
             whole_from,
             own_before: sums(lines.clone().map(own)),
-            complete_before: sums(lines.map(complete)),
-            slips_before: sums(witnesses.slips.iter().copied()),
+            complete_before: sums(lines.clone().map(complete)),
+            sure_before: sums(lines.map(sure)),
             table_end,
         }
     }

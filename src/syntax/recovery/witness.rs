@@ -6,6 +6,7 @@ use super::super::signature::Reading;
 use super::super::table::{Effect, RecordKind};
 use super::damage;
 use super::faults::{self, Known};
+use super::order::Order;
 use super::slips::{self, Slip};
 use super::stretch::{LONG, Stretch};
 use super::surroundings::Surroundings;
@@ -19,6 +20,8 @@ pub struct Witnesses<'a> {
     /// For each line: it would be a record of its own, but for a slip. Nothing is said of the lines of
     /// a longer record.
     pub slips: Vec<bool>,
+    /// Which IDs are in order there.
+    pub order: Order,
     /// The text is laid out with records beginning and ending with lines.
     pub in_lines: bool,
     /// What the witness lines say about each ID they define, and the rest of the text.
@@ -73,6 +76,7 @@ impl<'a> Witnesses<'a> {
                 *end = r.end as u32;
             }
         }
+        let mut order = Order::new(stretch, |line| ends[line] > 0);
         // How much of the text is laid out in lines: a walk from record to record. One disturbed
         // run is what one mistake makes, however long the record is that it spoils.
         let (mut line, mut covered, mut runs, mut disturbed) = (0, 0, 0, false);
@@ -85,10 +89,12 @@ impl<'a> Witnesses<'a> {
             let next = match ends[line] {
                 0 if run_to_line_end(stretch, line) => line + 1,
                 0 => {
-                    if line >= table_to {
+                    // Where the next line is a record, no rows follow.
+                    let alone = ends.get(line + 1).is_some_and(|&end| end > 0);
+                    if line >= table_to && !alone {
                         table_to = slips::rows_expected(stretch, line);
                     }
-                    match slips::slip(stretch, line, line < table_to) {
+                    match slips::slip(stretch, line, line < table_to, &order) {
                         Slip::Yes => {
                             let head = &stretch.sigs[stretch.line_start(line)];
                             ids_lost |= head.int.is_some_and(|code| code < 0);
@@ -158,11 +164,13 @@ impl<'a> Witnesses<'a> {
             heads.clear();
             used.clear();
             slips.fill(false);
+            order = Order::none(stretch);
         }
         Witnesses {
             in_lines,
             ends,
             slips,
+            order,
             heads,
             used,
             ids_lost,
@@ -229,6 +237,18 @@ impl Known for Witnesses<'_> {
     fn is_defined(&self, id: i32) -> bool {
         self.heads.contains_key(&id)
             || (u32::try_from(id)).is_ok_and(|id| self.around.is_defined(id))
+    }
+
+    fn is_defined_before(&self, stretch: &Stretch, line: usize, id: i32) -> bool {
+        let here = self.heads.get(&id).and_then(|head| head.first_line);
+        let elsewhere = u32::try_from(id).ok();
+        let elsewhere = elsewhere.and_then(|id| stretch.defined_elsewhere(self.around, id));
+        here.is_some_and(|first| first < line)
+            || elsewhere.is_some_and(|(at, _)| stretch.is_behind(at))
+    }
+
+    fn is_in_order(&self, line: usize, id: i32) -> bool {
+        self.order.has(line, id)
     }
 
     fn misses_another(&self, id: i32) -> bool {

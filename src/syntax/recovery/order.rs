@@ -1,0 +1,75 @@
+//! The order of IDs: a file has them in order, mostly, and a row of a table hardly ever begins with a number that is just
+//! between two of them.
+
+use super::super::table::{Effect, RecordKind, RecordType};
+use super::stretch::Stretch;
+
+/// How many lines around a stretch are looked at, to find an ID.
+const AROUND: usize = 8;
+/// Behind all IDs so many more are the next ones.
+const NEXT: i32 = 4;
+
+/// For each line of a stretch the IDs that are defined before it and behind it.
+pub struct Order {
+    bounds: Vec<[i32; 2]>,
+}
+
+impl Order {
+    /// Of a text that is not laid out in lines: nothing is in order.
+    pub fn none(stretch: &Stretch) -> Order {
+        Order {
+            bounds: vec![[0, 0]; stretch.line_count()],
+        }
+    }
+
+    /// `is_read`: whether the record at the head of a line can be read.
+    pub fn new(stretch: &Stretch, is_read: impl Fn(usize) -> bool) -> Order {
+        let lines = stretch.line_count();
+        let defined = |[id, code]: [Option<i32>; 2]| {
+            let ty = RecordType::by_code(code?.into())?;
+            let defines = matches!(ty.effect, Effect::Defines(_)) && ty.kind != RecordKind::Render;
+            id.filter(|&id| defines && id > 1)
+        };
+        let known = |line: usize| {
+            let head = stretch.line_head(line);
+            is_read(line).then(|| defined(head)).flatten()
+        };
+        let mut next = stretch.heads_behind().take(AROUND).find_map(defined);
+        let mut behind = vec![None; lines];
+        for line in (0..lines).rev() {
+            behind[line] = next;
+            next = known(line).or(next);
+        }
+        let mut order = Order {
+            bounds: Vec::with_capacity(lines),
+        };
+        let before = stretch.heads_before().take(AROUND).find_map(defined);
+        let mut last = before.unwrap_or(1);
+        for (line, behind) in behind.into_iter().enumerate() {
+            let end = behind.unwrap_or(last.saturating_add(NEXT + 1));
+            order.bounds.push([last, end]);
+            last = (known(line).or_else(|| order.head(stretch, line))).unwrap_or(last);
+        }
+        order
+    }
+
+    /// Whether an ID at the head of a line would be between those around.
+    pub fn has(&self, line: usize, id: i32) -> bool {
+        let [before, behind] = self.bounds[line];
+        before < id && id < behind
+    }
+
+    /// The ID at the head of a line, if it is in order and a type follows. A token that is no ID may stand before it.
+    pub fn head(&self, stretch: &Stretch, line: usize) -> Option<i32> {
+        let start = stretch.line_start(line);
+        let int = |at: usize| stretch.sigs.get(at)?.int;
+        let at = if int(start).is_some_and(|id| id > 0) {
+            start
+        } else {
+            start + 1
+        };
+        let code = int(at + 1).filter(|_| at + 1 < stretch.line_end(line))?;
+        let ty = RecordType::by_code(code.into())?;
+        int(at).filter(|&id| ty.kind != RecordKind::Undefined && self.has(line, id))
+    }
+}
