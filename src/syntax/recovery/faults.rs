@@ -214,7 +214,9 @@ fn surplus(
     let no_type = !is_typed || as_typed > FEW_OFF;
     let is_next = |id: i32| is_new && no_type && known.is_in_order(stretch.line(start), id);
     let has_id = || lost_id(stretch, start, end).is_none();
-    let in_front = in_front.filter(|&id| speaks(id) || is_next(id) && (own > 0 || has_id()));
+    let is_next_in_front = |id| is_next(id) && (own == id || !is_next(own));
+    let in_front =
+        in_front.filter(|&id| speaks(id) || is_next_in_front(id) && (own > 0 || has_id()));
     // What is no type at all is likelier to be a mistyped one.
     let behind = is_typed && no_type && (speaks(own) || is_next(own)) && has_id();
     let (id, at) = [

@@ -9,6 +9,23 @@ const AROUND: usize = 8;
 /// Behind all IDs so many more are the next ones.
 const NEXT: i32 = 4;
 
+/// The ID that a line defines which begins with two tokens.
+fn defined(head: [Option<i32>; 2]) -> Option<i32> {
+    let is_new = |ty: &RecordType| matches!(ty.effect, Effect::Defines(_));
+    named(head).filter(|_| type_of(head).is_some_and(is_new))
+}
+
+/// The same; what a property belongs to may be defined before.
+fn named(head: [Option<i32>; 2]) -> Option<i32> {
+    let is_new =
+        |ty: &RecordType| !matches!(ty.effect, Effect::Changes(_)) && ty.kind != RecordKind::Render;
+    head[0].filter(|&id| id > 1 && type_of(head).is_some_and(is_new))
+}
+
+fn type_of([_, code]: [Option<i32>; 2]) -> Option<&'static RecordType> {
+    RecordType::by_code(code?.into())
+}
+
 /// For each line of a stretch the IDs that are defined before it and behind it.
 pub struct Order {
     bounds: Vec<[i32; 2]>,
@@ -25,14 +42,10 @@ impl Order {
     /// `is_read`: whether the record at the head of a line can be read.
     pub fn new(stretch: &Stretch, is_read: impl Fn(usize) -> bool) -> Order {
         let lines = stretch.line_count();
-        let defined = |[id, code]: [Option<i32>; 2]| {
-            let ty = RecordType::by_code(code?.into())?;
-            let defines = matches!(ty.effect, Effect::Defines(_)) && ty.kind != RecordKind::Render;
-            id.filter(|&id| defines && id > 1)
-        };
         let known = |line: usize| {
-            let head = stretch.line_head(line);
-            is_read(line).then(|| defined(head)).flatten()
+            is_read(line)
+                .then(|| defined(stretch.line_head(line)))
+                .flatten()
         };
         let mut next = stretch.heads_behind().take(AROUND).find_map(defined);
         let mut behind = vec![None; lines];
@@ -43,12 +56,14 @@ impl Order {
         let mut order = Order {
             bounds: Vec::with_capacity(lines),
         };
-        let before = stretch.heads_before().take(AROUND).find_map(defined);
-        let mut last = before.unwrap_or(1);
+        let before = stretch.heads_before().take(AROUND).filter_map(named);
+        let mut last = before.max().unwrap_or(1);
         for (line, behind) in behind.into_iter().enumerate() {
             let end = behind.unwrap_or(last.saturating_add(NEXT + 1));
             order.bounds.push([last, end]);
-            last = (known(line).or_else(|| order.head(stretch, line))).unwrap_or(last);
+            let own = known(line).or_else(|| order.head(stretch, line));
+            let named = named(stretch.line_head(line)).filter(|&id| is_read(line) && id > last);
+            last = own.or(named).unwrap_or(last);
         }
         order
     }
