@@ -29,6 +29,8 @@ pub struct Ray<R: Traced = f64> {
     pub left: Option<Left<R>>,
     /// Known to start outside of every solid.
     pub outside: bool,
+    /// The number of the only solid that it starts in, if that is known: a shape, or an intersection.
+    pub within: Option<u64>,
 }
 
 impl<R: Traced> Ray<R> {
@@ -38,6 +40,7 @@ impl<R: Traced> Ray<R> {
             line: Line::new(origin, direction),
             left: None,
             outside: false,
+            within: None,
         }
     }
 
@@ -53,6 +56,7 @@ impl<R: Traced> Ray<R> {
                 passage: left.passage,
             }),
             outside: self.outside,
+            within: self.within,
         }
     }
 }

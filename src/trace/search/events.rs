@@ -19,6 +19,12 @@ pub struct Crossing<R = f64> {
     pub place: Place<R>,
     /// Whose properties apply.
     pub owner: Leaf,
+    /// The part of a union that it belongs to: the shape itself or an intersection.
+    pub part: Leaf,
+    /// Of a boundary of an intersection, the states before and behind it.
+    pub states: Option<[State; 2]>,
+    /// Nothing else is met that cannot be told from it.
+    pub alone: bool,
 }
 
 /// Whose point it is: the part, and what makes its medium.

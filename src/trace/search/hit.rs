@@ -1,7 +1,7 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
 use super::context::Leaf;
-use super::events::{Kind, State};
+use super::events::{Crossing, Kind, State};
 use super::query::Search;
 use super::walk::Walker;
 use crate::geometry::line::Line;
@@ -31,6 +31,8 @@ pub struct Hit<R = f64> {
     pub inside: [bool; 2],
     /// Whether the ray goes against the normal.
     pub entering: bool,
+    /// The only solid there, on the one side; see [`Ray::within`].
+    pub solid: Option<u64>,
     /// Numbers of the surface and its shape; see [`Left`].
     pub surface: u64,
     pub primitive: u32,
@@ -51,7 +53,9 @@ impl<R: Precision> Hit<R> {
             skin: self.skin,
             passage: self.passage.map(|p| p.turned(!onwards)),
         });
-        ray.outside = !self.inside[onwards as usize];
+        let inside = self.inside[onwards as usize];
+        ray.outside = !inside;
+        ray.within = self.solid.filter(|_| inside);
         ray
     }
 
@@ -78,6 +82,7 @@ impl<R: Precision> Hit<R> {
             indices: self.indices,
             inside: self.inside,
             entering: self.entering,
+            solid: self.solid,
             surface: self.surface,
             primitive: self.primitive,
             skin: skin + normal.abs().dot(point.abs() * S::gamma(2)),
@@ -147,11 +152,22 @@ impl<R: Precision> Walker<'_, R> {
         }
         let first = self.nearest(ray, from, to, Search::First)?;
         let (leaf, root) = (first.place.leaf, first.place.root);
-        let hit = self.resolve(ray, leaf, root, first.owner);
-        if let Some(hit) = hit.filter(|h| ray.outside && (!GLASS || h.optics.kt == [0.0; 3])) {
-            let inside = self.primitive(leaf).shape().is_solid();
+        let optics = self.graph.optics[self.optics(first.owner) as usize];
+        if ray.outside && (!GLASS || optics.kt == [0.0; 3]) {
+            if let Some(hit) = self.resolve(ray, leaf, root, first.owner) {
+                let inside = self.primitive(leaf).shape().is_solid();
+                return Some(Hit {
+                    inside: [false, inside],
+                    ..hit
+                });
+            }
+        } else if let Some(states) = self.states_at(ray, &first)
+            && let Some(hit) = self.resolve(ray, leaf, root, first.owner)
+        {
             return Some(Hit {
-                inside: [false, inside],
+                indices: states.map(|s| self.index_in(Some(s))),
+                inside: states.map(|s| s.inside),
+                solid: Some(self.surface(first.part)),
                 ..hit
             });
         }
@@ -166,6 +182,34 @@ impl<R: Precision> Walker<'_, R> {
         self.first_visible(ray, from, to)
     }
 
+    /// The states before and behind the nearest crossing, where it says them itself: no other is in its place, and the
+    /// ray comes from outside of every solid or from within the one whose boundary it is.
+    fn states_at(&self, ray: &Ray<R>, first: &Crossing<R>) -> Option<[State; 2]> {
+        if !first.alone || R::DOUBT == Doubt::Merges {
+            return None;
+        }
+        let part = first.part;
+        let states = match first.states {
+            Some(states) => states,
+            None if part == first.place.leaf && self.primitive(part).shape().is_solid() => {
+                let owner = self.owner(part);
+                [!ray.outside, ray.outside].map(|inside| State { inside, owner })
+            }
+            None => return None,
+        };
+        let alternates = states.map(|s| s.inside) == [!ray.outside, ray.outside];
+        let is_known = ray.outside || ray.within == Some(self.surface(part));
+        (alternates && is_known).then_some(states)
+    }
+
+    /// The refractive index in a state.
+    fn index_in(&self, state: Option<State>) -> Rgb {
+        match state {
+            Some(s) if s.inside => self.graph.indices[s.owner.index as usize],
+            _ => self.graph.indices[0],
+        }
+    }
+
     /// The first boundary or sheet among the events in (from, to].
     fn first_visible(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<Hit<R>> {
         let (start, events) = self.trace_spans(ray, from, to);
@@ -177,12 +221,8 @@ impl<R: Precision> Walker<'_, R> {
         };
         let (leaf, root) = (event.place.leaf, event.place.root);
         let hit = self.resolve(ray, leaf, root, event.owner.leaf)?;
-        let index = |state: Option<State>| match state {
-            Some(s) if s.inside => self.graph.indices[s.owner.index as usize],
-            _ => self.graph.indices[0],
-        };
         Some(Hit {
-            indices: [index(before), index(Some(event.state))],
+            indices: [before, Some(event.state)].map(|state| self.index_in(state)),
             inside: [before.is_some_and(|s| s.inside), event.state.inside],
             ..hit
         })
@@ -254,6 +294,7 @@ impl<R: Precision> Walker<'_, R> {
             indices: [self.graph.indices[0]; 2],
             inside: [false; 2],
             entering: normal.dot(ray.line.direction) < R::ZERO,
+            solid: None,
             surface: self.surface(leaf),
             primitive: number,
             skin,
@@ -345,6 +386,81 @@ impl<R: Precision> Walker<'_, R> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::{random, scene};
+    use crate::trace::Tracer;
+    use crate::trace::search::query::QueryStatus;
+    use std::fmt::Write;
+
+    /// A scene of glass in which some solids meet others: spheres, tori, lenses and hollow balls.
+    fn glass(next: &mut impl FnMut(u64) -> u64) -> String {
+        let mut text = String::from("2 -201 0 0.1 0.9\n2 -203 1.5 1.4 1.3\n");
+        let mut root = 0;
+        for id in (10..70).step_by(10) {
+            let [x, y, z, r] = [0; 4].map(|_| (next(4001) as f64 - 2000.0) / 1000.0);
+            let (below, size) = (id + 1, 0.2 + r.abs() / 3.0);
+            let shape = match next(4) {
+                0 => format!("{id} 9 {size}\n"),
+                1 => format!("{id} 14 {size} {}\n", size / 3.0),
+                // What two balls have in common, and one without another in it.
+                2 => format!(
+                    "{below} 9 {size}\n{0} 11 0.3 0 0 {size}\n{id} -102 {below} {0}\n",
+                    id + 2
+                ),
+                _ => format!(
+                    "{below} 9 {size}\n{0} 9 {1}\n{id} -103 {below} {0}\n",
+                    id + 2,
+                    size / 2.0
+                ),
+            };
+            let _ = write!(text, "{shape}{id} -1 {x} {y} {z}\n{id} -299 0 2\n");
+            if root > 0 {
+                let _ = writeln!(text, "{} -101 {root} {id}", id + 5);
+            }
+            root = if root > 0 { id + 5 } else { id };
+        }
+        text + &format!("1 9999 {root} 0\n")
+    }
+
+    #[test]
+    fn the_nearest_crossing_says_what_spans_say() {
+        let mut next = random();
+        let (mut compared, mut known) = (0, 0);
+        for _ in 0..300 {
+            let text = glass(&mut next);
+            let scene = scene(&text);
+            let tracer = Tracer::new(&scene).unwrap();
+            let mut walkers = tracer.walker::<f64>();
+            for _ in 0..60 {
+                let mut number = || next(2001) as f64 / 1000.0 - 1.0;
+                let mut direction = || Vec3::new(number(), number(), number()).unit();
+                let away = direction() * 9.0;
+                let mut ray = Ray::new(away, (direction() * 2.0 - away).unit());
+                ray.outside = true;
+                for _ in 0..8 {
+                    let walker = walkers.walker();
+                    walker.status = QueryStatus::default();
+                    let found = walker.first_hit::<true>(&ray, 0.0, f64::INFINITY, false);
+                    let slow = walker.first_visible(&ray, 0.0, f64::INFINITY);
+                    let told = |h: Hit| (h.t, h.inside, h.indices, h.surface, h.entering, h.colour);
+                    assert_eq!(found.map(told), slow.map(told), "{text}\n{ray:?}");
+                    compared += 1;
+                    let Some(hit) = found.filter(|h| h.normal.dot(ray.line.direction) != 0.0)
+                    else {
+                        break;
+                    };
+                    known += u32::from(hit.solid.is_some());
+                    // On through the surface, or back from it, anywhere.
+                    let onwards = direction()[0] > -0.5;
+                    let mut out = direction();
+                    if (out.dot(hit.normal) < 0.0) != (hit.entering == onwards) {
+                        out = -out;
+                    }
+                    ray = hit.leave(out, onwards);
+                }
+            }
+        }
+        assert!(compared > 25_000 && known > 10_000, "{known} of {compared}");
+    }
 
     #[test]
     fn shading_normals_are_on_the_geometric_side() {

@@ -16,6 +16,8 @@ use std::cmp::Ordering;
 struct Best<R> {
     found: Option<Crossing<R>>,
     limit: R,
+    /// The nearest t of the others.
+    second: R,
     /// Crossings before this t are far behind the start.
     start: f64,
 }
@@ -31,6 +33,7 @@ impl<R: Precision> Best<R> {
         Best {
             found: None,
             limit: to,
+            second: R::INFINITY,
             start: from.to_f64() - 1.5 * near,
         }
     }
@@ -71,7 +74,8 @@ impl<'g, R: Precision> Walker<'g, R> {
                 }
             }
         }
-        best.found
+        let alone = best.second > best.limit;
+        best.found.map(|found| Crossing { alone, ..found })
     }
 
     /// Any crossing with a surface in (from, to]: the shape that was last found is asked first.
@@ -195,6 +199,9 @@ impl<'g, R: Precision> Walker<'g, R> {
                     let found = Crossing {
                         place: Place { leaf, root, error },
                         owner: leaf,
+                        part: leaf,
+                        states: None,
+                        alone: true,
                     };
                     self.consider(found, best);
                 }
@@ -230,6 +237,13 @@ impl<'g, R: Precision> Walker<'g, R> {
                 Ordering::Greater => false,
             },
         };
+        let old = best.found.map(|old| old.place.root.t);
+        let other = if nearer {
+            old
+        } else {
+            Some(found.place.root.t)
+        };
+        best.second = other.map_or(best.second, |t| best.second.min(t));
         if nearer {
             let Place { root, error, .. } = found.place;
             best.limit = best.limit.min(root.t + error + error);

@@ -27,13 +27,23 @@ impl<R: Precision> Walker<'_, R> {
         to: R,
     ) -> Option<Crossing<R>> {
         let (graph, search) = (self.graph, self.search);
-        let (_, events) = self.evaluate(ray, context, from, to);
-        let event = events
-            .iter()
-            .find(|e| e.kind != Kind::Silent && search.wants(graph.made_of(e.owner.optics)))?;
+        let (start, events) = self.evaluate(ray, context, from, to);
+        let is_seen =
+            |e: &Event<R>| e.kind != Kind::Silent && search.wants(graph.made_of(e.owner.optics));
+        let at = events.iter().position(is_seen)?;
+        let event = events[at];
+        let before = at.checked_sub(1).map(|i| events[i].state).or(start);
+        let states = before.filter(|_| event.kind == Kind::Boundary);
+        let above = &self.contexts[context as usize];
         Some(Crossing {
             place: event.place,
             owner: event.owner.leaf,
+            part: Leaf {
+                part: above.part,
+                context: above.parent,
+            },
+            states: states.map(|before| [before, event.state]),
+            alone: true,
         })
     }
 
@@ -78,7 +88,7 @@ impl<R: Precision> Walker<'_, R> {
         (start, &self.spans.events)
     }
 
-    fn owner(&self, leaf: Leaf) -> Owner {
+    pub(super) fn owner(&self, leaf: Leaf) -> Owner {
         Owner {
             leaf,
             optics: self.optics(leaf),
