@@ -44,7 +44,7 @@ pub enum Command {
     Convert(convert::Args),
     Crosscheck(crosscheck::Args),
     Render(render::Args),
-    Probe(probe::Args),
+    Probe(Box<probe::Args>),
     Plan(plan::Args),
     Accuracy(accuracy::Args),
     Explain(explain::Args),
