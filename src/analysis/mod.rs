@@ -165,22 +165,20 @@ impl Analysis {
 
     /// Reads a scene from its text.
     pub fn of(source: SourceFile) -> Analysis {
-        Analysis::resolved(source, scene::resolve)
+        Analysis::read(source, true)
     }
 
     /// The same of a text that is only tried: what it says is counted, and not all proposals are made.
     fn tried(source: SourceFile) -> Analysis {
-        Analysis::resolved(source, scene::resolve_tried)
+        Analysis::read(source, false)
     }
 
-    fn resolved(
-        source: SourceFile,
-        resolve: fn(&Document, &SourceFile, &mut Vec<Diagnostic>) -> Scene,
-    ) -> Analysis {
+    /// `compares`: see [`scene::resolve_with`].
+    fn read(source: SourceFile, compares: bool) -> Analysis {
         let (document, mut read) = syntax::parse(&source.text);
         commas::join(&source, &mut read);
         colours::join(&document, &source, &mut read);
-        let scene = resolve(&document, &source, &mut read);
+        let scene = scene::resolve_with(&document, &source, &mut read, compares);
         read.extend(encoding_note(&source));
         Analysis {
             document,

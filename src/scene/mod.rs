@@ -24,4 +24,4 @@ pub mod sight;
 
 pub use geometry::{Geometry, TriangleNormals};
 pub use model::*;
-pub use resolve::{resolve, resolve_tried};
+pub use resolve::{resolve, resolve_with};

@@ -22,20 +22,12 @@ pub fn resolve(
     source: &SourceFile,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Scene {
-    resolve_comparing(document, source, diagnostics, true)
+    resolve_with(document, source, diagnostics, true)
 }
 
-/// As [`resolve`], of a text that is only tried: an undefined ID is not compared with all others to find the one that
-/// was meant, which takes most of the time where many are undefined.
-pub fn resolve_tried(
-    document: &Document,
-    source: &SourceFile,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Scene {
-    resolve_comparing(document, source, diagnostics, false)
-}
-
-fn resolve_comparing(
+/// As [`resolve`]. `compares`: whether an undefined ID is compared with all others to find the one that was meant, which
+/// takes most of the time where many are undefined.
+pub fn resolve_with(
     document: &Document,
     source: &SourceFile,
     diagnostics: &mut Vec<Diagnostic>,

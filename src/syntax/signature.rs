@@ -43,6 +43,14 @@ impl Columns<'_> {
         self.lexed.sigs.get(i).is_some_and(|s| s.starts_line())
     }
 
+    /// A token and the next one on its line, where they are integers: at the head of a line, an ID and a type.
+    pub fn head(&self, i: usize) -> [Option<i32>; 2] {
+        [
+            self.int(i),
+            self.int(i + 1).filter(|_| !self.starts_line(i + 1)),
+        ]
+    }
+
     /// Whether what stops before token `end` stops at the end of a line.
     pub fn ends_line(&self, end: usize) -> bool {
         end == self.len() || self.starts_line(end)

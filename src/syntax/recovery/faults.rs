@@ -83,12 +83,10 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
     };
     let surplus = surplus(stretch, (start, end), with_id.1, known);
     let sign = || sign_of_known_type(stretch, start, end, known);
-    match good_id.then(sign).flatten() {
-        Some(sign) if !surplus.is_some_and(|s| is_split(stretch, start, s.0)) => return sign,
-        _ => {}
-    }
-    if let Some(surplus) = surplus {
-        return surplus;
+    let is_split = surplus.is_some_and(|(verdict, _)| is_split(stretch, start, verdict));
+    let sign = (good_id && !is_split).then(sign).flatten();
+    if let Some(slip) = sign.or(surplus) {
+        return slip;
     }
     if good_id {
         let lost = lost_id(stretch, start, end).filter(|_| {
@@ -290,7 +288,7 @@ fn follows(stretch: &Stretch, start: usize, known: &impl Known) -> bool {
     if line == 0 || !stretch.starts_line(start) {
         return false;
     }
-    let ([before, code], [id, _]) = (stretch.line_head(line - 1), stretch.line_head(line));
+    let ([before, code], [id, _]) = (stretch.head(line - 1), stretch.head(line));
     let (Some(before @ 1..), Some(id)) = (before, id) else {
         return false;
     };

@@ -42,11 +42,7 @@ impl Order {
     /// `is_read`: whether the record at the head of a line can be read.
     pub fn new(stretch: &Stretch, is_read: impl Fn(usize) -> bool) -> Order {
         let lines = stretch.line_count();
-        let known = |line: usize| {
-            is_read(line)
-                .then(|| defined(stretch.line_head(line)))
-                .flatten()
-        };
+        let known = |line: usize| is_read(line).then(|| defined(stretch.head(line))).flatten();
         let mut next = stretch.heads_behind().take(AROUND).find_map(defined);
         let mut behind = vec![None; lines];
         for line in (0..lines).rev() {
@@ -62,7 +58,7 @@ impl Order {
             let end = behind.unwrap_or(last.saturating_add(NEXT + 1));
             order.bounds.push([last, end]);
             let own = known(line).or_else(|| order.head(stretch, line));
-            let named = named(stretch.line_head(line)).filter(|&id| is_read(line) && id > last);
+            let named = named(stretch.head(line)).filter(|&id| is_read(line) && id > last);
             last = own.or(named).unwrap_or(last);
         }
         order
@@ -76,15 +72,11 @@ impl Order {
 
     /// The ID at the head of a line, if it is in order and a type follows. A token that is no ID may stand before it.
     pub fn head(&self, stretch: &Stretch, line: usize) -> Option<i32> {
-        let start = stretch.line_start(line);
-        let int = |at: usize| stretch.sigs.get(at)?.int;
-        let at = if int(start).is_some_and(|id| id > 0) {
-            start
-        } else {
-            start + 1
+        let head = match stretch.head(line) {
+            head @ [Some(1..), _] => head,
+            _ => stretch.head_behind_first(line),
         };
-        let code = int(at + 1).filter(|_| at + 1 < stretch.line_end(line))?;
-        let ty = RecordType::by_code(code.into())?;
-        int(at).filter(|&id| ty.kind != RecordKind::Undefined && self.has(line, id))
+        let ty = type_of(head)?;
+        head[0].filter(|&id| ty.kind != RecordKind::Undefined && self.has(line, id))
     }
 }

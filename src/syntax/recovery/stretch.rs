@@ -134,25 +134,33 @@ impl<'s> Stretch<'s> {
         around.definition(&self.columns, id)
     }
 
-    /// The first two tokens of a line, where they are integers.
-    pub fn line_head(&self, line: usize) -> [Option<i32>; 2] {
-        let start = self.line_start(line);
-        [start, start + 1].map(|i| self.sigs.get(i)?.int)
+    /// The ID and the type at the head of a line; see [`Columns::head`].
+    pub fn head(&self, line: usize) -> [Option<i32>; 2] {
+        self.columns.head(self.from + self.line_start(line))
+    }
+
+    /// The same behind the first token of a line.
+    pub fn head_behind_first(&self, line: usize) -> [Option<i32>; 2] {
+        let second = self.line_start(line) + 1;
+        match second < self.line_end(line) {
+            true => self.columns.head(self.from + second),
+            false => [None; 2],
+        }
     }
 
     /// The same of the lines before the stretch, the nearest first.
     pub fn heads_before(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
-        let c = self.columns;
-        let starts = (0..self.from).rev().filter(move |&i| c.starts_line(i));
-        starts.map(move |i| [c.int(i), c.int(i + 1)])
+        self.heads((0..self.from).rev())
     }
 
     /// The same of the lines behind it.
     pub fn heads_behind(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
+        self.heads(self.from + self.len()..self.columns.len())
+    }
+
+    fn heads(&self, tokens: impl Iterator<Item = usize>) -> impl Iterator<Item = [Option<i32>; 2]> {
         let c = self.columns;
-        let behind = self.from + self.len()..c.len();
-        let starts = behind.filter(move |&i| c.starts_line(i));
-        starts.map(move |i| [c.int(i), c.int(i + 1)])
+        (tokens.filter(move |&i| c.starts_line(i))).map(move |i| c.head(i))
     }
 
     /// Whether the stretch stands behind a significant token of the text.

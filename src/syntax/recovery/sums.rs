@@ -31,10 +31,11 @@ impl Sums {
     pub fn new(stretch: &Stretch, witnesses: &Witnesses) -> Sums {
         let lines = 0..stretch.line_count();
         let length = |l: usize| stretch.line_end(l) - stretch.line_start(l);
+        let in_order = |l: usize| witnesses.order.head(stretch, l).is_some();
         let own = |l: usize| {
             witnesses.ends[l] > 0
                 || witnesses.slips[l]
-                || witnesses.order.head(stretch, l).is_some()
+                || in_order(l)
                 || looks_like_a_head(stretch, l)
         };
         let complete = |l: usize| {
@@ -42,10 +43,8 @@ impl Sums {
                 && !witnesses.is_void_line(stretch, l)
                 && (l == 0 || length(l) != length(l - 1))
         };
-        let sure = |l: usize| {
-            let in_order = || witnesses.order.head(stretch, l).is_some();
-            witnesses.slips[l] || witnesses.is_complete_line(stretch, l) && in_order()
-        };
+        let sure =
+            |l: usize| witnesses.slips[l] || witnesses.is_complete_line(stretch, l) && in_order(l);
         let mut table_end: Vec<u32> = lines.clone().map(|l| l as u32).collect();
         for l in lines.clone().rev().skip(1) {
             let row = !own(l + 1)

@@ -23,8 +23,6 @@ pub struct Crossing<R = f64> {
     pub part: Leaf,
     /// Of a boundary of an intersection, the states before and behind it.
     pub states: Option<[State; 2]>,
-    /// Nothing else is met that cannot be told from it.
-    pub alone: bool,
 }
 
 /// Whose point it is: the part, and what makes its medium.

@@ -136,9 +136,10 @@ fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec3<R>
 impl<R: Precision> Walker<'_, R> {
     /// The first point of the scene's surface in (from, to].
     ///
-    /// A ray that is outside of everything sees the nearest crossing, whatever it is. If that turns
-    /// out to be transparent, or if the ray starts inside a solid, spans say what is a boundary and
-    /// which media meet there. `clipped`: `from` is where the ray enters the region that is drawn,
+    /// A ray that is outside of everything sees the nearest crossing, whatever it is. If that is transparent, or if
+    /// the ray starts inside a solid, it matters which media meet there: the crossing says so if it is alone
+    /// ([`states_at`](Self::states_at)), else spans say what is a boundary.
+    /// `clipped`: `from` is where the ray enters the region that is drawn,
     /// maybe in the middle of a solid. Without `GLASS` nothing is transparent.
     pub fn first_hit<const GLASS: bool>(
         &mut self,
@@ -150,7 +151,7 @@ impl<R: Precision> Walker<'_, R> {
         if clipped {
             return self.first_visible(ray, from, to);
         }
-        let first = self.nearest(ray, from, to, Search::First)?;
+        let (first, alone) = self.nearest(ray, from, to, Search::First)?;
         let (leaf, root) = (first.place.leaf, first.place.root);
         let optics = self.graph.optics[self.optics(first.owner) as usize];
         if ray.outside && (!GLASS || optics.kt == [0.0; 3]) {
@@ -161,7 +162,8 @@ impl<R: Precision> Walker<'_, R> {
                     ..hit
                 });
             }
-        } else if let Some(states) = self.states_at(ray, &first)
+        } else if alone
+            && let Some(states) = self.states_at(ray, &first)
             && let Some(hit) = self.resolve(ray, leaf, root, first.owner)
         {
             return Some(Hit {
@@ -182,10 +184,10 @@ impl<R: Precision> Walker<'_, R> {
         self.first_visible(ray, from, to)
     }
 
-    /// The states before and behind the nearest crossing, where it says them itself: no other is in its place, and the
-    /// ray comes from outside of every solid or from within the one whose boundary it is.
+    /// The states before and behind the nearest crossing, if no other is in its place: known where the ray comes from
+    /// outside of every solid, or from within the one whose boundary it is.
     fn states_at(&self, ray: &Ray<R>, first: &Crossing<R>) -> Option<[State; 2]> {
-        if !first.alone || R::DOUBT == Doubt::Merges {
+        if R::DOUBT == Doubt::Merges {
             return None;
         }
         let part = first.part;

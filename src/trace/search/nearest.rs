@@ -40,17 +40,24 @@ impl<R: Precision> Best<R> {
 }
 
 impl<'g, R: Precision> Walker<'g, R> {
-    /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked
-    /// into; of intersections only their own boundary counts. Among crossings at the same t a sheet's
-    /// wins, then the first operand's. A search for any crossing takes the first one found.
-    pub fn nearest(&mut self, ray: &Ray<R>, from: R, to: R, search: Search) -> Option<Crossing<R>> {
+    /// The first crossing with a part's surface in (from, to], and whether nothing else is met that cannot be told from
+    /// it. Parts that are unions are looked into; of intersections only their own boundary counts. Among crossings at the
+    /// same t a sheet's wins, then the first operand's. A search for any crossing takes the first one found.
+    pub fn nearest(
+        &mut self,
+        ray: &Ray<R>,
+        from: R,
+        to: R,
+        search: Search,
+    ) -> Option<(Crossing<R>, bool)> {
         self.begin(ray);
         self.search = search;
-        self.look_everywhere(ray, from, Best::new(ray, from, to))
+        let best = self.look_everywhere(ray, from, Best::new(ray, from, to));
+        Some((best.found?, best.second > best.limit))
     }
 
     /// Goes on with a search that nothing has been found in.
-    fn look_everywhere(&mut self, ray: &Ray<R>, from: R, mut best: Best<R>) -> Option<Crossing<R>> {
+    fn look_everywhere(&mut self, ray: &Ray<R>, from: R, mut best: Best<R>) -> Best<R> {
         self.entries.clear();
         self.open_union(0, from);
         let mut next = None;
@@ -74,8 +81,7 @@ impl<'g, R: Precision> Walker<'g, R> {
                 }
             }
         }
-        let alone = best.second > best.limit;
-        best.found.map(|found| Crossing { alone, ..found })
+        best
     }
 
     /// Any crossing with a surface in (from, to]: the shape that was last found is asked first.
@@ -98,7 +104,7 @@ impl<'g, R: Precision> Walker<'g, R> {
                 return best.found;
             }
         }
-        let found = self.look_everywhere(ray, from, best);
+        let found = self.look_everywhere(ray, from, best).found;
         let leaf = found.map(|found| found.place.leaf);
         let is_own = |leaf: &Leaf| leaf.context == 0;
         self.in_the_way[light] = leaf.filter(is_own).map(|leaf| leaf.part);
@@ -201,7 +207,6 @@ impl<'g, R: Precision> Walker<'g, R> {
                         owner: leaf,
                         part: leaf,
                         states: None,
-                        alone: true,
                     };
                     self.consider(found, best);
                 }

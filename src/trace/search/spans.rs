@@ -43,7 +43,6 @@ impl<R: Precision> Walker<'_, R> {
                 context: above.parent,
             },
             states: states.map(|before| [before, event.state]),
-            alone: true,
         })
     }
 
