@@ -127,6 +127,11 @@ impl Frame {
         }
     }
 
+    /// The largest coordinate of a box, in size.
+    pub fn reach(&self) -> f64 {
+        self.reach
+    }
+
     fn scaled(&self, b: &Aabb) -> Aabb {
         let scaled = |p: [f64; 3]| [0, 1, 2].map(|i| (p[i] - self.centre[i]) * self.per_unit);
         Aabb::new(scaled(b.min), scaled(b.max))
@@ -271,11 +276,33 @@ impl Tree {
 
     /// All items, in the order of the tree.
     pub fn items(&self) -> impl Iterator<Item = u32> + '_ {
-        let children = self.nodes.iter().flat_map(|node| node.children);
-        let there = children.filter(|&child| child != Child::NONE);
-        there.filter_map(|child| match child.is() {
-            Is::Item(item) => Some(item),
-            Is::Node(_) => None,
+        self.slots().map(|(_, _, item)| item)
+    }
+
+    /// All items with boxes that hold theirs, but for a rounding; the frame is the one that the tree was built with.
+    pub fn boxes(&self, frame: &Frame) -> impl Iterator<Item = (u32, Aabb)> + '_ {
+        let Frame { centre, unit, .. } = *frame;
+        self.slots().map(move |(node, slot, item)| {
+            let [min, max] = [0, 1].map(|side: usize| {
+                let at = |i: usize| f64::from(node.sides[side][i].to_array()[slot]);
+                [0, 1, 2].map(|i| centre[i] + at(i) * unit)
+            });
+            (item, Aabb { min, max })
+        })
+    }
+
+    /// The nodes and slots in which there are items.
+    fn slots(&self) -> impl Iterator<Item = (&Node, usize, u32)> + '_ {
+        let all = self
+            .nodes
+            .iter()
+            .flat_map(|node| (0..WIDTH).map(move |slot| (node, slot)));
+        all.filter_map(|(node, slot)| match node.children[slot] {
+            Child::NONE => None,
+            child => match child.is() {
+                Is::Item(item) => Some((node, slot, item)),
+                Is::Node(_) => None,
+            },
         })
     }
 }
@@ -311,7 +338,7 @@ const FAR: f64 = (1u64 << 50) as f64;
 
 impl Beam {
     /// Meets everything.
-    const LOST: Beam = Beam {
+    pub const LOST: Beam = Beam {
         enter: [0.0; 3],
         leave: [0.0; 3],
         inverse: [1.0; 3],
@@ -322,6 +349,7 @@ impl Beam {
     };
 
     /// For the trees of a frame.
+    #[inline(always)]
     pub fn new(line: &Line, frame: &Frame) -> Beam {
         if frame.unit == 0.0 {
             return Beam::LOST;

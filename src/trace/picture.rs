@@ -8,6 +8,7 @@ use super::film::{Film, developed};
 use super::plan::Effect;
 use super::precision::Precision;
 use super::sampling::sample;
+use super::search::vista::{self, Vista, Vistas};
 use super::shade::{Features, Limits, Shader};
 use super::stats::Counts;
 use super::tracer::{Light, Tracer};
@@ -137,6 +138,36 @@ impl Tracer {
         }
     }
 
+    /// What is seen from the eye and the lights, where there are enough samples that it pays to look.
+    fn vistas(
+        &self,
+        view: &View,
+        lights: &[Light],
+        features: Features,
+        settings: &Settings,
+    ) -> Vistas {
+        let [width, height] = match settings.crop {
+            Some(crop) => [crop.width, crop.height],
+            None => [settings.width, settings.height],
+        };
+        let samples = width as usize * height as usize * settings.samples as usize;
+        let is_known = settings.numbers == Numbers::F64 && self.clip.is_none();
+        let parts = vista::parts(&self.graph);
+        if !is_known || parts.len() * (1 + lights.len()) > SEEN.min(samples / SAMPLES) {
+            return Vistas::default();
+        }
+        let from = |point| Vista::new(&parts, point);
+        // Light through glass is looked for in other ways.
+        let lights = match features.shadows && !features.glass {
+            true => lights.iter().map(|light| from(light.position)).collect(),
+            false => Vec::new(),
+        };
+        Vistas {
+            eye: view.is_pinhole().then(|| from(view.position())).flatten(),
+            lights,
+        }
+    }
+
     /// Takes a picture. `progress` is told of every finished row, from any thread.
     ///
     /// Every pixel is computed from the scene and its own place alone, or with a tolerance from
@@ -190,13 +221,16 @@ impl Tracer {
         let outside = self.clip.is_none()
             && view.is_pinhole()
             && !self.holds(&mut self.walker::<f64>(), view.position());
+        let lights = self.lights.as_deref().unwrap_or(&headlight);
+        let features = self.features(outside);
         Ok(draw(&Drawing {
             tracer: self,
-            lights: self.lights.as_deref().unwrap_or(&headlight),
+            vistas: self.vistas(&view, lights, features, settings),
+            lights,
             limits,
             outside,
             shift: settings.shift,
-            features: self.features(outside),
+            features,
             view,
             wanted: settings.wanted.as_deref(),
             width,
@@ -204,6 +238,10 @@ impl Tracer {
         }))
     }
 }
+
+/// Vistas have room for so many parts in all, and for one with each so many samples.
+const SEEN: usize = 1 << 20;
+const SAMPLES: usize = 4;
 
 /// What the rows of a picture have in common.
 pub(super) struct Drawing<'t> {
@@ -214,6 +252,7 @@ pub(super) struct Drawing<'t> {
     pub(super) outside: bool,
     shift: [f64; 2],
     features: Features,
+    vistas: Vistas,
     wanted: Option<&'t [bool]>,
     /// Of the whole picture.
     width: u32,
@@ -264,7 +303,13 @@ impl<'t> Drawing<'t> {
     /// What draws pixels on one thread.
     pub(super) fn pen<R: Precision>(&self) -> Pen<'_, 't, R> {
         Pen {
-            shader: Shader::new(self.tracer, self.lights, self.limits, self.features),
+            shader: Shader::new(
+                self.tracer,
+                self.lights,
+                self.limits,
+                self.features,
+                &self.vistas,
+            ),
             drawing: self,
         }
     }
@@ -367,7 +412,7 @@ struct Pixel {
 
 /// What draws pixels on one thread.
 pub(super) struct Pen<'d, 't, R: Precision> {
-    pub(super) shader: Shader<'t, R>,
+    pub(super) shader: Shader<'d, R>,
     pub(super) drawing: &'d Drawing<'t>,
 }
 

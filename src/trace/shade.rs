@@ -4,8 +4,11 @@ use super::precision::Precision;
 use super::ray::Ray;
 use super::search::escalate::Walkers;
 use super::search::hit::Hit;
+use super::search::nearest::End;
+use super::search::vista::Vistas;
 use super::stats::{Counts, Intersections, Rays, Work};
 use super::tracer::{Light, Tracer};
+use crate::geometry::line::Line;
 use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
@@ -45,6 +48,7 @@ pub struct Shader<'t, R: Precision = f64> {
     lights: &'t [Light],
     limits: Limits,
     features: Features,
+    vistas: &'t Vistas,
     walkers: Walkers<'t, R>,
     rays: Rays,
     /// Rays in some of the channels, and changes of the medium.
@@ -59,6 +63,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         lights: &'t [Light],
         limits: Limits,
         features: Features,
+        vistas: &'t Vistas,
     ) -> Shader<'t, R> {
         Shader {
             tracer,
@@ -66,6 +71,7 @@ impl<'t, R: Precision> Shader<'t, R> {
             lights,
             limits,
             features,
+            vistas,
             walkers: tracer.walker(),
             rays: Rays::default(),
             parted: 0,
@@ -118,6 +124,7 @@ impl<'t, R: Precision> Shader<'t, R> {
     ///
     /// Rays that are reflected and refracted wait on a stack with their weights, so no depth is
     /// too deep.
+    #[inline(never)]
     pub fn radiance(&mut self, ray: Ray<R>) -> Rgb {
         self.rays.camera += 1;
         let mut sum = Vec3::ZERO;
@@ -126,17 +133,19 @@ impl<'t, R: Precision> Shader<'t, R> {
             weight: Vec3::ONE,
             depth: 0,
         };
+        let mut end = self.vistas.eye.as_ref().map_or(End::Anywhere, End::At);
         loop {
             let hit = match self.features.glass {
-                false => self.walkers.first_hit::<false>(&branch.ray),
-                true => self.walkers.first_hit::<true>(&branch.ray),
+                false => self.walkers.first_hit::<false>(&branch.ray, end),
+                true => self.walkers.first_hit::<true>(&branch.ray, end),
             };
-            let light = match hit {
+            end = End::Anywhere;
+            let light = match &hit {
                 Some(hit) => {
                     if self.features.glass || self.features.mirrors {
-                        self.follow(&branch, &hit);
+                        self.follow(&branch, hit);
                     }
-                    self.direct(&hit)
+                    self.direct(hit)
                 }
                 None => self.tracer.background,
             };
@@ -156,29 +165,32 @@ impl<'t, R: Precision> Shader<'t, R> {
             return Vec3::ZERO;
         }
         let normal = hit.facing();
+        let mut ray = hit.leave(normal, false);
         let mut light = self.ambient;
         for (i, &Light { position, power }) in self.lights.iter().enumerate() {
             let way = position.cast() - hit.point;
             let cosine = normal.dot(way.unit()).to_f64();
             if cosine > 0.0 && power.any() {
-                let seen = self.visibility(hit, way, i);
+                ray.line = Line::new(hit.point, way);
+                let seen = self.visibility(hit, &ray, i);
                 light = light + power.times(seen) * cosine;
             }
         }
         albedo.times(light)
     }
 
-    /// The share of light that gets through from hit + way.
-    fn visibility(&mut self, hit: &Hit<R>, way: Vec3<R>, light: usize) -> Vec3 {
+    /// The share of light that gets through along a ray from a hit, up to t = 1.
+    fn visibility(&mut self, hit: &Hit<R>, ray: &Ray<R>, light: usize) -> Vec3 {
         if !self.features.shadows || (self.tracer.plan.lone_convex && !hit.inside[0]) {
             return Vec3::ONE;
         }
         self.rays.shadow += 1;
-        let ray = hit.leave(way, false);
+        let vista = self.vistas.lights.get(light).and_then(Option::as_ref);
+        let end = vista.map_or(End::Anywhere, End::To);
         let clear = self.features.glass && !self.tracer.graph.without.transparent_shadows;
         match clear {
-            false => self.walkers.visibility::<false>(&ray, light),
-            true => self.walkers.visibility::<true>(&ray, light),
+            false => self.walkers.visibility::<false>(ray, light, end),
+            true => self.walkers.visibility::<true>(ray, light, end),
         }
     }
 

@@ -3,6 +3,7 @@
 
 use super::events::Kind;
 use super::hit::Hit;
+use super::nearest::End;
 use super::query::QueryStatus;
 use super::query::Search;
 use super::walk::Walker;
@@ -184,7 +185,7 @@ impl Tracer {
 
     /// The first visible point on a ray.
     pub fn hit<R: Precision>(&self, walkers: &mut Walkers<R>, ray: &Ray<R>) -> Option<Hit<R>> {
-        walkers.first_hit::<true>(ray)
+        walkers.first_hit::<true>(ray, End::Anywhere)
     }
 
     /// Whether a point is inside some solid of the scene.
@@ -214,8 +215,9 @@ impl<R: Precision> Walkers<'_, R> {
     pub(in crate::trace) fn first_hit<const GLASS: bool>(
         &mut self,
         ray: &Ray<R>,
+        end: End,
     ) -> Option<Hit<R>> {
-        self.ask(&FirstHit::<GLASS>, ray)
+        self.ask(&FirstHit::<GLASS> { end }, ray)
     }
 
     /// The share of light that gets through up to t = 1: the product of kt over all surfaces.
@@ -223,15 +225,18 @@ impl<R: Precision> Walkers<'_, R> {
         &mut self,
         ray: &Ray<R>,
         light: usize,
+        end: End,
     ) -> Vec3 {
-        self.ask(&Visibility::<GLASS> { light }, ray)
+        self.ask(&Visibility::<GLASS> { light, end }, ray)
     }
 }
 
 /// What is seen first.
-struct FirstHit<const GLASS: bool>;
+struct FirstHit<'v, const GLASS: bool> {
+    end: End<'v>,
+}
 
-impl<const GLASS: bool> Question for FirstHit<GLASS> {
+impl<const GLASS: bool> Question for FirstHit<'_, GLASS> {
     type Answer<R: Precision> = Option<Hit<R>>;
 
     fn ask<R: Precision>(
@@ -243,7 +248,7 @@ impl<const GLASS: bool> Question for FirstHit<GLASS> {
         let clipped = tracer.clip.is_some();
         walker.work.clip += u64::from(clipped);
         let (from, to) = tracer.window(ray, R::INFINITY)?;
-        walker.first_hit::<GLASS>(ray, from, to, clipped)
+        walker.first_hit::<GLASS>(ray, (from, to), clipped, self.end)
     }
 
     fn cast<R: Precision>(answer: Option<Hit<Dd>>) -> Option<Hit<R>> {
@@ -302,12 +307,13 @@ impl Question for Meets {
 }
 
 /// How much light gets through.
-struct Visibility<const GLASS: bool> {
-    /// The number of the light that it comes from.
+struct Visibility<'v, const GLASS: bool> {
+    /// The number of the light that it comes from, where the ray ends.
     light: usize,
+    end: End<'v>,
 }
 
-impl<const GLASS: bool> Question for Visibility<GLASS> {
+impl<const GLASS: bool> Question for Visibility<'_, GLASS> {
     type Answer<R: Precision> = Vec3;
 
     /// A ray that starts outside and crosses something opaque before anything transparent is
@@ -320,14 +326,15 @@ impl<const GLASS: bool> Question for Visibility<GLASS> {
             return Vec3::ONE;
         };
         let seen = |blocked: bool| if blocked { Vec3::ZERO } else { Vec3::ONE };
+        let light = (self.light, self.end);
         if ray.outside && tracer.clip.is_none() {
             if !GLASS {
-                let blocked = walker.any(ray, (from, to), Search::Any, self.light);
+                let blocked = walker.any(ray, (from, to), Search::Any, light);
                 return seen(blocked.is_some());
             }
-            let opaque = walker.any(ray, (from, to), Search::AnyOpaque, self.light);
+            let opaque = walker.any(ray, (from, to), Search::AnyOpaque, light);
             let before = opaque.map_or(to, |o| o.place.root.t);
-            let clear = walker.nearest(ray, from, before, Search::AnyClear);
+            let clear = walker.nearest(ray, (from, before), Search::AnyClear, End::Anywhere);
             if clear.is_none() {
                 return seen(opaque.is_some());
             }

@@ -25,6 +25,18 @@ pub struct Crossing<R = f64> {
     pub states: Option<[State; 2]>,
 }
 
+impl<R> Crossing<R> {
+    /// With a part that is a shape.
+    pub fn at(leaf: Leaf, root: Root<R>, error: R) -> Crossing<R> {
+        Crossing {
+            place: Place { leaf, root, error },
+            owner: leaf,
+            part: leaf,
+            states: None,
+        }
+    }
+}
+
 /// Whose point it is: the part, and what makes its medium.
 #[derive(Debug, Clone, Copy)]
 pub struct Owner {

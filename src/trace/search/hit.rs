@@ -2,6 +2,7 @@
 
 use super::context::Leaf;
 use super::events::{Crossing, Kind, State};
+use super::nearest::End;
 use super::query::Search;
 use super::walk::Walker;
 use crate::geometry::line::Line;
@@ -144,34 +145,31 @@ impl<R: Precision> Walker<'_, R> {
     pub fn first_hit<const GLASS: bool>(
         &mut self,
         ray: &Ray<R>,
-        from: R,
-        to: R,
+        (from, to): (R, R),
         clipped: bool,
+        end: End,
     ) -> Option<Hit<R>> {
         if clipped {
             return self.first_visible(ray, from, to);
         }
-        let (first, alone) = self.nearest(ray, from, to, Search::First)?;
+        let (first, alone) = self.nearest(ray, (from, to), Search::First, end)?;
         let (leaf, root) = (first.place.leaf, first.place.root);
         let optics = self.graph.optics[self.optics(first.owner) as usize];
         if ray.outside && (!GLASS || optics.kt == [0.0; 3]) {
-            if let Some(hit) = self.resolve(ray, leaf, root, first.owner) {
-                let inside = self.primitive(leaf).shape().is_solid();
-                return Some(Hit {
-                    inside: [false, inside],
-                    ..hit
-                });
+            // A hit is large, and changed where it is.
+            let mut found = self.resolve(ray, leaf, root, first.owner);
+            if let Some(hit) = &mut found {
+                hit.inside = [false, self.primitive(leaf).shape().is_solid()];
+                return found;
             }
-        } else if alone
-            && let Some(states) = self.states_at(ray, &first)
-            && let Some(hit) = self.resolve(ray, leaf, root, first.owner)
-        {
-            return Some(Hit {
-                indices: states.map(|s| self.index_in(Some(s))),
-                inside: states.map(|s| s.inside),
-                solid: Some(self.surface(first.part)),
-                ..hit
-            });
+        } else if alone && let Some(states) = self.states_at(ray, &first) {
+            let mut found = self.resolve(ray, leaf, root, first.owner);
+            if let Some(hit) = &mut found {
+                hit.indices = states.map(|s| self.index_in(Some(s)));
+                hit.inside = states.map(|s| s.inside);
+                hit.solid = Some(self.surface(first.part));
+                return found;
+            }
         }
         // Far enough to meet what cannot be told from this crossing.
         let near = root.t + first.place.error * R::of(4.0);
@@ -441,7 +439,8 @@ mod tests {
                 for _ in 0..8 {
                     let walker = walkers.walker();
                     walker.status = QueryStatus::default();
-                    let found = walker.first_hit::<true>(&ray, 0.0, f64::INFINITY, false);
+                    let found =
+                        walker.first_hit::<true>(&ray, (0.0, f64::INFINITY), false, End::Anywhere);
                     let slow = walker.first_visible(&ray, 0.0, f64::INFINITY);
                     let told = |h: Hit| (h.t, h.inside, h.indices, h.surface, h.entering, h.colour);
                     assert_eq!(found.map(told), slow.map(told), "{text}\n{ray:?}");

@@ -4,12 +4,26 @@
 use super::context::Leaf;
 use super::events::{Crossing, Place};
 use super::query::{Entry, Search};
+use super::vista::Vista;
 use super::walk::Walker;
+use crate::geometry::aabb::Aabb;
 use crate::geometry::wide_bvh::{Child, Is, WIDTH};
 use crate::trace::graph::{Group, Holds, Operation, Target};
-use crate::trace::precision::Precision;
+use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::Ray;
+use crate::trace::shapes::Root;
 use std::cmp::Ordering;
+
+/// Where rays end that what they meet is known of by their direction.
+#[derive(Debug, Clone, Copy)]
+pub enum End<'v> {
+    /// The ray starts at the point, and has a direction of length 1.
+    At(&'v Vista),
+    /// It is there at t = 1.
+    To(&'v Vista),
+    /// Nothing is known.
+    Anywhere,
+}
 
 /// The nearest crossing so far, and how far along the ray something as near may be found: crossings
 /// that cannot be told from the nearest are met too.
@@ -46,56 +60,123 @@ impl<'g, R: Precision> Walker<'g, R> {
     pub fn nearest(
         &mut self,
         ray: &Ray<R>,
-        from: R,
-        to: R,
+        (from, to): (R, R),
         search: Search,
+        end: End,
     ) -> Option<(Crossing<R>, bool)> {
-        self.begin(ray);
+        self.place(ray);
         self.search = search;
-        let best = self.look_everywhere(ray, from, Best::new(ray, from, to));
+        let best = self.look_everywhere(ray, from, end, Best::new(ray, from, to));
         Some((best.found?, best.second > best.limit))
     }
 
     /// Goes on with a search that nothing has been found in.
-    fn look_everywhere(&mut self, ray: &Ray<R>, from: R, mut best: Best<R>) -> Best<R> {
-        self.entries.clear();
-        self.open_union(0, from);
-        let mut next = None;
-        while let Some(entry) = next.take().or_else(|| self.entries.pop()) {
-            if self.search != Search::First && best.found.is_some() {
-                break;
-            }
-            if entry.near > best.limit.to_f64() {
-                continue;
-            }
-            match entry.child.is() {
-                Is::Node(node) => next = self.visit(entry.context, node, from, &best),
-                Is::Item(part) => {
-                    let leaf = Leaf {
-                        part,
-                        context: entry.context,
-                    };
-                    if !self.meet(ray, leaf, from, &mut best) {
-                        break;
+    #[inline]
+    fn look_everywhere(&mut self, ray: &Ray<R>, from: R, end: End, best: Best<R>) -> Best<R> {
+        // Only doubles know well enough where a ray is.
+        if R::DOUBT == Doubt::GoesOn {
+            let direction = ray.line.direction.cast();
+            match end {
+                End::At(vista) => {
+                    return self.look_at(ray, from, vista.leaving(direction), best);
+                }
+                End::To(vista) => {
+                    if let Some(parts) = vista.arriving(direction) {
+                        return self.look_at(ray, from, parts.map(|(_, part)| (0.0, part)), best);
                     }
                 }
+                End::Anywhere => {}
+            }
+        }
+        self.look_along(ray, from, best)
+    }
+
+    /// Looks for what the ray meets in the tree of the scene.
+    fn look_along(&mut self, ray: &Ray<R>, from: R, mut best: Best<R>) -> Best<R> {
+        self.aim(ray);
+        self.entries.clear();
+        self.open_union(0, from);
+        self.exhaust(ray, from, &mut best);
+        best
+    }
+
+    /// Looks at what there is in the ray's direction.
+    #[inline(never)]
+    fn look_at<'v>(
+        &mut self,
+        ray: &Ray<R>,
+        from: R,
+        mut parts: impl Iterator<Item = (f64, &'v (u32, Aabb))>,
+        mut best: Best<R>,
+    ) -> Best<R> {
+        self.entries.clear();
+        if let Operation::Union(whole) = &self.graph.root().operation {
+            self.open_loose(whole, 0, from);
+        }
+        let line = R::coarse(&ray.line);
+        while self.exhaust(ray, from, &mut best)
+            && let Some((near, (part, bounds))) = parts.next()
+        {
+            self.counts.boxes += 1;
+            let limit = best.limit.to_f64();
+            if near > limit {
+                break;
+            }
+            let leaf = Leaf {
+                part: *part,
+                context: 0,
+            };
+            if bounds.clip(&line, from.to_f64(), limit).is_some()
+                && !self.meet(ray, leaf, from, &mut best)
+            {
+                break;
             }
         }
         best
     }
 
-    /// Any crossing with a surface in (from, to]: the shape that was last found is asked first.
+    /// Visits all that is on the stack; `false`: that is enough.
+    #[inline(always)]
+    fn exhaust(&mut self, ray: &Ray<R>, from: R, best: &mut Best<R>) -> bool {
+        let mut next = None;
+        loop {
+            if self.search != Search::First && best.found.is_some() {
+                return false;
+            }
+            let Some(entry) = next.take().or_else(|| self.entries.pop()) else {
+                return true;
+            };
+            if entry.near > best.limit.to_f64() {
+                continue;
+            }
+            match entry.child.is() {
+                Is::Node(node) => next = self.visit(entry.context, node, from, best),
+                Is::Item(part) => {
+                    let leaf = Leaf {
+                        part,
+                        context: entry.context,
+                    };
+                    if !self.meet(ray, leaf, from, best) {
+                        return false;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Any crossing with a surface in (from, to]: the shape that was last found is asked first. Where one is known to
+    /// be there but not where, it is put at the end.
     pub fn any(
         &mut self,
         ray: &Ray<R>,
         (from, to): (R, R),
         search: Search,
-        light: usize,
+        (light, end): (usize, End),
     ) -> Option<Crossing<R>> {
         if self.in_the_way.len() <= light {
             self.in_the_way.resize(light + 1, None);
         }
-        self.begin(ray);
+        self.place(ray);
         self.search = search;
         let mut best = Best::new(ray, from, to);
         if let Some(part) = self.in_the_way[light] {
@@ -104,7 +185,7 @@ impl<'g, R: Precision> Walker<'g, R> {
                 return best.found;
             }
         }
-        let found = self.look_everywhere(ray, from, best).found;
+        let found = self.look_everywhere(ray, from, end, best).found;
         let leaf = found.map(|found| found.place.leaf);
         let is_own = |leaf: &Leaf| leaf.context == 0;
         self.in_the_way[light] = leaf.filter(is_own).map(|leaf| leaf.part);
@@ -125,8 +206,17 @@ impl<'g, R: Precision> Walker<'g, R> {
         if !group.tree.nodes.is_empty() {
             self.entries.push(entry(Child::ROOT));
         }
-        let loose = group.loose.iter().map(|&part| entry(Child::item(part)));
-        self.entries.extend(loose);
+        self.open_loose(group, context, from);
+    }
+
+    /// Puts the parts of a union that have no bounds on the stack.
+    fn open_loose(&mut self, group: &Group, context: u32, from: R) {
+        let near = from.to_f64();
+        self.entries.extend(group.loose.iter().map(|&part| Entry {
+            near,
+            context,
+            child: Child::item(part),
+        }));
     }
 
     /// The parts of a context's union among which is what is looked for.
@@ -150,6 +240,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// The nearest child of a node that the ray may meet; the others are put on the stack, the farthest first.
+    #[inline(always)]
     fn visit(&mut self, context: u32, node: u32, from: R, best: &Best<R>) -> Option<Entry> {
         let group = self.searched(context)?;
         let node = &group.tree.nodes[node as usize];
@@ -196,19 +287,24 @@ impl<'g, R: Precision> Walker<'g, R> {
                 }
             }
             Target::Shape(primitive) => {
-                let ahead = [best.start, best.limit.to_f64()];
-                let behind = self.cross(ray, leaf, primitive, from, Some(ahead));
+                let ahead = Some([best.start, best.limit.to_f64()]);
+                let Some(behind) = self.cross(ray, leaf, primitive, from, ahead) else {
+                    let root = Root {
+                        t: best.limit,
+                        face: 0,
+                    };
+                    best.found = Some(Crossing::at(leaf, root, R::ZERO));
+                    return true;
+                };
                 if let Some(&root) = self.roots.list.get(behind)
                     && root.t <= best.limit
                 {
+                    if self.search != Search::First {
+                        best.found = Some(Crossing::at(leaf, root, R::ZERO));
+                        return true;
+                    }
                     let error = self.rough(&self.line, primitive, root);
-                    let found = Crossing {
-                        place: Place { leaf, root, error },
-                        owner: leaf,
-                        part: leaf,
-                        states: None,
-                    };
-                    self.consider(found, best);
+                    self.consider(Crossing::at(leaf, root, error), best);
                 }
             }
         }

@@ -12,6 +12,7 @@ use crate::trace::graph::{Coat, Graph, Operation, Part, Target};
 use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::Ray;
 use crate::trace::room::SLACK;
+use crate::trace::shapes::near::Pass;
 use crate::trace::shapes::{Primitive, Roots};
 use crate::trace::stats::{Intersections, Work};
 
@@ -99,17 +100,22 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Forgets the last ray; context 0 is the root's.
     pub fn begin(&mut self, ray: &Ray<R>) {
-        let beam = Beam::new(&R::coarse(&ray.line), &self.graph.root().frame);
+        self.place(ray);
+        self.aim(ray);
+    }
+
+    /// Forgets the last ray, but does not [aim](Self::aim) this one at the root's tree.
+    pub(in crate::trace) fn place(&mut self, ray: &Ray<R>) {
         self.contexts.truncate(1);
         self.met = None;
         if let Some(root) = self.contexts.first_mut() {
-            (root.line, root.beam) = (ray.line, beam);
+            root.line = ray.line;
             return;
         }
         self.contexts.push(Context {
             object: self.graph.root,
             line: ray.line,
-            beam,
+            beam: Beam::LOST,
             parent: 0,
             part: 0,
             depth: 0,
@@ -119,6 +125,12 @@ impl<'g, R: Precision> Walker<'g, R> {
             index: None,
             owner: 0,
         });
+    }
+
+    /// Finds out how the ray sees the boxes of the root's tree.
+    pub(in crate::trace) fn aim(&mut self, ray: &Ray<R>) {
+        let beam = Beam::new(&R::coarse(&ray.line), &self.graph.root().frame);
+        self.contexts[0].beam = beam;
     }
 
     pub fn part(&self, part: u32) -> &'g Part {
@@ -277,7 +289,8 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Finds all crossings with a part that is the shape `primitive`, into `self.roots`, and says
     /// how many of them lie behind the ray's start, which is at `from`. Where only those in a stretch `ahead` of the
-    /// start matter, there may be none of the others.
+    /// start matter, there may be none of the others; and there are none at all (`None`) where the ray surely goes
+    /// through the solid and nobody asks where.
     pub fn cross(
         &mut self,
         ray: &Ray<R>,
@@ -285,7 +298,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         primitive: u32,
         from: R,
         ahead: Option<[f64; 2]>,
-    ) -> usize {
+    ) -> Option<usize> {
         self.counts.shape += 1;
         self.roots.clear();
         let shape = &self.graph.primitives[primitive as usize];
@@ -298,22 +311,25 @@ impl<'g, R: Precision> Walker<'g, R> {
                     && left.surface == self.surface(leaf)
             });
         if goes_out && shape.shape().is_convex() {
-            return 0;
+            return Some(0);
         }
         let line = self.line(leaf);
         if !line.is_sound() {
             self.roots.inside = lost_inside(shape, &line);
             self.status.uncertain = true;
-            return 0;
+            return Some(0);
         }
-        // Single precision has its own idea of where a line is.
-        let is_asked = R::DOUBT == Doubt::Stands
-            || match goes_out {
-                true => shape.shape().is_met_again(&R::coarse(&line)),
-                false => (shape.shape()).is_near(&R::coarse(&line), ahead.unwrap_or(EVERYWHERE)),
-            };
-        if !is_asked {
-            return 0;
+        let pass = match R::DOUBT {
+            // Single precision has its own idea of where a line is.
+            Doubt::Stands => Pass::Perhaps,
+            _ if !goes_out => (shape.shape()).pass(&R::coarse(&line), ahead.unwrap_or(EVERYWHERE)),
+            _ if shape.shape().is_met_again(&R::coarse(&line)) => Pass::Perhaps,
+            _ => Pass::Beside,
+        };
+        match pass {
+            Pass::Beside => return Some(0),
+            Pass::Through if ahead.is_some() && self.is_blocked_by(ray, leaf) => return None,
+            Pass::Through | Pass::Perhaps => {}
         }
         let mut roots = std::mem::take(&mut self.roots);
         if !self.is_solved_otherwise(primitive, &line, &mut roots) {
@@ -343,7 +359,14 @@ impl<'g, R: Precision> Walker<'g, R> {
             }
         };
         self.roots = roots;
-        behind
+        Some(behind)
+    }
+
+    /// Whether it is enough to know that a ray goes through a solid: it starts outside of that, and where the solid is
+    /// crossed does not matter.
+    fn is_blocked_by(&self, ray: &Ray<R>, leaf: Leaf) -> bool {
+        let is_asked = R::DOUBT == Doubt::GoesOn && self.search == Search::Any;
+        is_asked && ray.outside && !self.part(leaf.part).inverted
     }
 
     /// Has another solver find the crossings, where there is one that knows the shape.

@@ -13,7 +13,7 @@ mod doubt;
 mod facet;
 mod geodesic_sphere;
 mod half_space;
-mod near;
+pub mod near;
 #[cfg(test)]
 mod near_tests;
 mod plane;
@@ -29,6 +29,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
+use near::Pass;
 use support::Support;
 
 /// Set in a face of a surface of revolution where the outward normal is the opposite of the segment's own: of
@@ -145,14 +146,14 @@ pub trait Shape {
         self.bounds().reach()
     }
 
-    /// Whether a line may cross the surface for some t in a stretch: `false` only where it surely does not, by far
-    /// more than any rounding. Cheaper than to find the crossings, or else always `true`.
-    fn is_near(&self, _line: &Line, _stretch: [f64; 2]) -> bool {
-        true
+    /// How a line passes the shape for t in a stretch, where that is clear by far more than any rounding. Cheaper than
+    /// to find the crossings, or else nothing is said.
+    fn pass(&self, _line: &Line, _stretch: [f64; 2]) -> Pass {
+        Pass::Perhaps
     }
 
     /// Whether a line whose origin is on the surface, and which goes out there, may cross the surface again, as
-    /// [`is_near`](Self::is_near) says it.
+    /// [`pass`](Self::pass) says it.
     fn is_met_again(&self, _line: &Line) -> bool {
         !self.is_convex()
     }

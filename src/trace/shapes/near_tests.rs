@@ -1,6 +1,7 @@
 //! Cheap tests against the shapes themselves, in doubles and in double-double.
 
 use super::facet::tests::Random;
+use super::near::Pass;
 use super::{Primitive, Roots};
 use crate::geometry::affine::Affine;
 use crate::geometry::dd::Dd;
@@ -90,11 +91,13 @@ fn aimed(random: &mut Random, shape: &Primitive) -> Line {
 }
 
 #[test]
-fn what_misses_crosses_nothing() {
+fn what_misses_crosses_nothing_and_what_goes_through_is_in_it() {
     let mut random = Random(11);
+    let (mut went_through, mut told_through) = (0, 0);
     for geometry in shapes() {
         let shape = Primitive::new(&geometry);
         let (mut found, mut truth) = (Roots::default(), Roots::<Dd>::default());
+        let is_revolution = matches!(geometry, Geometry::Revolution { .. });
         let (mut missed, mut told) = (0, 0);
         for _ in 0..lines() {
             let line = aimed(&mut random, &shape);
@@ -109,12 +112,26 @@ fn what_misses_crosses_nothing() {
             crossings(&shape, &line.cast(), &mut truth);
             let is_in = |t: Dd| (stretch[0]..=stretch[1]).contains(&t.to_f64());
             let crosses = truth.list.iter().any(|root| is_in(root.t));
-            let near = shape.shape().is_near(&line, stretch);
+            let pass = shape.shape().pass(&line, stretch);
             missed += u32::from(!crosses);
-            told += u32::from(!near);
-            if near {
+            // Where the line is in the solid after its origin, and comes out within the stretch.
+            let start = stretch[0].max(0.0);
+            let through = truth.list.chunks_exact(2).any(|chord| {
+                let [from, to] = [0, 1].map(|i: usize| chord[i].t.to_f64());
+                to > start && from < stretch[1] && to < stretch[1]
+            });
+            went_through += u32::from(through && !is_revolution);
+            if pass == Pass::Through {
+                told_through += 1;
+                assert!(
+                    through && !truth.inside,
+                    "{geometry:?} {line:?} {stretch:?} {truth:?}"
+                );
+            }
+            if pass != Pass::Beside {
                 continue;
             }
+            told += 1;
             assert!(!crosses, "{geometry:?} {line:?} {stretch:?} {truth:?}");
             if stretch == ALL {
                 crossings(&shape, &line, &mut found);
@@ -125,6 +142,10 @@ fn what_misses_crosses_nothing() {
         // Most of them are told.
         assert!(told * 10 > missed * 6, "{geometry:?}: {told} of {missed}");
     }
+    assert!(
+        told_through * 2 > went_through,
+        "{told_through} of {went_through}"
+    );
 }
 
 /// From where a line has come out of a shape on.

@@ -13,7 +13,7 @@
 
 use super::closer::decide_closer;
 use super::doubt::is_final;
-use super::near::{Approach, Ball, KNOWN, MARGIN, is_quartic_above};
+use super::near::{Approach, Ball, KNOWN, MARGIN, Pass, is_quartic_above};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::exponent::{exponent, shifted, shifted_vector};
@@ -176,17 +176,22 @@ impl Shape for Torus {
     }
 
     /// The quartic is positive where the line is in the slab and the ball around the torus.
-    fn is_near(&self, line: &Line, stretch: [f64; 2]) -> bool {
+    fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let approach = match Ball::meets(line, stretch, Vec3::ZERO, self.major + self.minor) {
-            Ball::Misses => return false,
-            Ball::Unknown => return true,
+            Ball::Misses => return Pass::Beside,
+            Ball::Unknown => return Pass::Perhaps,
             Ball::Meets(approach) => approach,
         };
         let Some(stretch) = approach.between(1, -self.minor, self.minor) else {
-            return false;
+            return Pass::Beside;
         };
         let margin = MARGIN * (self.major + self.minor).powi(4);
-        !is_quartic_above(self.quartic(&approach), stretch, margin)
+        let quartic = self.quartic(&approach);
+        if is_quartic_above(quartic, stretch, margin) {
+            return Pass::Beside;
+        }
+        let value = |t: f64| quartic.into_iter().fold(0.0, |sum, c| sum * t + c);
+        approach.through(stretch, margin, value)
     }
 
     /// What is left of the quartic is positive, without the root at the origin.

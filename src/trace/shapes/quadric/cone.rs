@@ -9,7 +9,7 @@ use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::doubt::is_final;
-use crate::trace::shapes::near::{Ball, MARGIN, is_above};
+use crate::trace::shapes::near::{Ball, MARGIN, Pass, is_above};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 
@@ -64,23 +64,32 @@ impl Shape for Cone {
     }
 
     /// The form is positive where the line is in the slab and the ball around the cone.
-    fn is_near(&self, line: &Line, stretch: [f64; 2]) -> bool {
+    fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let (height, radius) = (self.height.abs(), self.radius);
         let size = (height * height + radius * radius).sqrt();
         let approach = match Ball::meets(line, stretch, Vec3::ZERO, size) {
-            Ball::Misses => return false,
-            Ball::Unknown => return true,
+            Ball::Misses => return Pass::Beside,
+            Ball::Unknown => return Pass::Perhaps,
             Ball::Meets(approach) => approach,
         };
-        let bounds = self.bounds();
-        let Some(stretch) = approach.between(1, bounds.min[1], bounds.max[1]) else {
-            return false;
+        let [low, high] = [self.bounds.min[1], self.bounds.max[1]];
+        let Some(stretch) = approach.between(1, low, high) else {
+            return Pass::Beside;
         };
         let [p, d] = [approach.point, approach.direction]
             .map(|v| Vec3::new(v[0] / radius, v[1] / height, v[2] / radius));
         let form = |v: Vec3, w: Vec3| v[0] * w[0] + v[2] * w[2] - v[1] * w[1];
         let margin = MARGIN * (size / radius.min(height)).powi(2);
-        !is_above([form(d, d), form(p, d), form(p, p)], stretch, margin)
+        let coefficients @ [a, b, c] = [form(d, d), form(p, d), form(p, p)];
+        if is_above(coefficients, stretch, margin) {
+            return Pass::Beside;
+        }
+        approach.through(stretch, margin, |t| {
+            // As far inside of the slab as the margin asks for.
+            let y = approach.point[1] + t * approach.direction[1];
+            let outside = (low - y).max(y - high) / size;
+            (outside * margin / MARGIN).max((a * t + b + b) * t + c)
+        })
     }
 
     fn uv(&self, p: Vec3, face: u32) -> [f64; 2] {

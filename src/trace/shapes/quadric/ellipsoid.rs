@@ -8,7 +8,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
-use crate::trace::shapes::near::{Ball, MARGIN};
+use crate::trace::shapes::near::{Ball, MARGIN, Pass};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 use std::f64::consts::PI;
@@ -40,11 +40,11 @@ impl Shape for Ellipsoid {
     }
 
     /// The least of the form on the line is positive.
-    fn is_near(&self, line: &Line, stretch: [f64; 2]) -> bool {
+    fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let [least, .., most] = sorted(self.semi_axes);
         let approach = match Ball::meets(line, stretch, Vec3::ZERO, most) {
-            Ball::Misses => return false,
-            Ball::Unknown => return true,
+            Ball::Misses => return Pass::Beside,
+            Ball::Unknown => return Pass::Perhaps,
             Ball::Meets(approach) => approach,
         };
         let [p, d] = [approach.point, approach.direction]
@@ -53,7 +53,14 @@ impl Shape for Ellipsoid {
         let form = p.dot(p) - 1.0 - b * b / a;
         // In units of the shortest axis.
         let margin = MARGIN * (most / least).powi(2);
-        !(margin.is_normal() && form > margin)
+        if margin.is_normal() && form > margin {
+            return Pass::Beside;
+        }
+        // Where it is deepest inside.
+        let [from, to] = approach.stretch;
+        let deepest = (-b / a).max(from).min(to);
+        let value = |t: f64| (a * t + b + b) * t + p.dot(p) - 1.0;
+        approach.through([deepest; 2], margin, value)
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {

@@ -8,7 +8,7 @@ mod tests;
 mod tree;
 
 use super::closer::{decide_closer, is_last};
-use super::near::{Ball, MARGIN, is_above};
+use super::near::{Ball, MARGIN, Pass, is_above};
 use super::{FLIPPED, Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
@@ -159,7 +159,7 @@ impl Shape for Revolution {
     }
 
     /// The line is outside of the cylinder around the solid where it is in its slab.
-    fn is_near(&self, line: &Line, stretch: [f64; 2]) -> bool {
+    fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let bounds = self.bounds();
         let (radius, half) = (bounds.max[0], 0.5 * (bounds.max[1] - bounds.min[1]));
         let (centre, size) = (
@@ -167,18 +167,21 @@ impl Shape for Revolution {
             (half * half + radius * radius).sqrt(),
         );
         let approach = match Ball::meets(line, stretch, centre, size) {
-            Ball::Misses => return false,
-            Ball::Unknown => return true,
+            Ball::Misses => return Pass::Beside,
+            Ball::Unknown => return Pass::Perhaps,
             Ball::Meets(approach) => approach,
         };
         let Some(stretch) = approach.between(1, -half, half) else {
-            return false;
+            return Pass::Beside;
         };
         let flat = |v: Vec3, w: Vec3| (v[0] * w[0] + v[2] * w[2]) / (size * size);
         let (p, d) = (approach.point, approach.direction);
         let limit = (radius / size).powi(2);
         let form = [flat(d, d), flat(p, d), flat(p, p) - limit];
-        !is_above(form, stretch, MARGIN)
+        match is_above(form, stretch, MARGIN) {
+            true => Pass::Beside,
+            false => Pass::Perhaps,
+        }
     }
 
     /// The line crosses no piece ahead but that of its origin. If it crossed that once more, it would stay inside.
