@@ -150,12 +150,15 @@ impl Tracer {
             Some(crop) => [crop.width, crop.height],
             None => [settings.width, settings.height],
         };
-        let samples = width as usize * height as usize * settings.samples as usize;
+        let samples = [height, settings.samples].map(|n| n as usize);
+        let samples = samples
+            .into_iter()
+            .fold(width as usize, usize::saturating_mul);
+        let most = SEEN.min(samples / SAMPLES) / (1 + lights.len());
         let is_known = settings.numbers == Numbers::F64 && self.clip.is_none();
-        let parts = vista::parts(&self.graph);
-        if !is_known || parts.len() * (1 + lights.len()) > SEEN.min(samples / SAMPLES) {
+        let Some(parts) = vista::parts(&self.graph, most).filter(|_| is_known) else {
             return Vistas::default();
-        }
+        };
         let from = |point| Vista::new(&parts, point);
         // Light through glass is looked for in other ways.
         let lights = match features.shadows && !features.glass {
@@ -239,7 +242,7 @@ impl Tracer {
     }
 }
 
-/// Vistas have room for so many parts in all, and for one with each so many samples.
+/// So many parts are seen in all vistas together at most, and one for each so many samples.
 const SEEN: usize = 1 << 20;
 const SAMPLES: usize = 4;
 

@@ -69,13 +69,14 @@ const ROUNDED: f64 = 16.0 * f64::EPSILON;
 const CELLS: f64 = 16.0;
 const MOST: f64 = 256.0;
 
-/// The parts with bounds that a scene is a union of, in their boxes.
-pub fn parts(graph: &Graph) -> Arc<[(u32, Aabb)]> {
+/// The parts with bounds that a scene is a union of, in their boxes; `None` where there are more than so many.
+pub fn parts(graph: &Graph, most: usize) -> Option<Arc<[(u32, Aabb)]>> {
     let root = graph.root();
-    match &root.operation {
-        Operation::Union(group) => group.tree.boxes(&root.frame).collect(),
-        Operation::Intersection { .. } => Arc::default(),
-    }
+    let Operation::Union(group) = &root.operation else {
+        return None;
+    };
+    let is_small = group.tree.items().take(most + 1).count() <= most;
+    is_small.then(|| group.tree.boxes(&root.frame).collect())
 }
 
 impl Vista {
@@ -402,7 +403,7 @@ mod tests {
         for _ in 0..60 {
             let scene = scene(&things(&mut next));
             let tracer = Tracer::new(&scene).unwrap();
-            let parts = parts(&tracer.graph);
+            let parts = parts(&tracer.graph, 1000).unwrap();
             let mut walkers = tracer.walker::<f64>();
             let [eye, light] = [vector(&mut next), vector(&mut next)]
                 .map(|v| Vec3::new(v[0], v[1].abs(), v[2]).unit() * 9.0);
