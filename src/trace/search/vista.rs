@@ -66,7 +66,7 @@ const MARGIN: f64 = 1e-4;
 /// What two roundings may do to a coordinate of a face, several times over.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
 /// So many cells for each part that is seen through a face, and so many cells in a row at most.
-const CELLS: f64 = 16.0;
+const CELLS: f64 = 4.0;
 const MOST: f64 = 256.0;
 
 /// The parts with bounds that a scene is a union of, in their boxes; `None` where there are more than so many.
@@ -122,7 +122,7 @@ impl Vista {
         };
         let largest = direction[axis];
         let face = &self.faces[axis][usize::from(largest > 0.0)];
-        let behind = face.behind(others(axis).map(|i| direction[i] / largest.abs()));
+        let behind = face.behind(others(axis).map(|i| direction[i] * largest.abs().recip()));
         behind.map(|seen| (f64::from(seen.near), &self.parts[seen.index as usize]))
     }
 
