@@ -71,7 +71,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// Goes on with a search that nothing has been found in.
-    #[inline]
+    #[inline(always)]
     fn look_everywhere(&mut self, ray: &Ray<R>, from: R, end: End, best: Best<R>) -> Best<R> {
         // Only doubles know well enough where a ray is.
         if R::DOUBT == Doubt::GoesOn {
@@ -92,6 +92,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// Looks for what the ray meets in the tree of the scene.
+    #[inline(never)]
     fn look_along(&mut self, ray: &Ray<R>, from: R, mut best: Best<R>) -> Best<R> {
         self.aim(ray);
         self.entries.clear();
