@@ -243,7 +243,7 @@ impl Tracer {
 }
 
 /// So many parts are seen in all vistas together at most, and one for each so many samples.
-const SEEN: usize = 1 << 20;
+const SEEN: usize = 1 << 18;
 const SAMPLES: usize = 4;
 
 /// What the rows of a picture have in common.

@@ -14,14 +14,14 @@ use crate::trace::ray::Ray;
 use crate::trace::shapes::Root;
 use std::cmp::Ordering;
 
-/// Where rays end that what they meet is known of by their direction.
+/// Whether one end of a ray is a point from which it is known what lies in which direction.
 #[derive(Debug, Clone, Copy)]
 pub enum End<'v> {
-    /// The ray starts at the point, and has a direction of length 1.
+    /// The ray starts there, and has a direction of length 1.
     At(&'v Vista),
-    /// It is there at t = 1.
+    /// The ray is there at t = 1.
     To(&'v Vista),
-    /// Nothing is known.
+    /// Neither end is such a point.
     Anywhere,
 }
 
@@ -101,7 +101,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         best
     }
 
-    /// Looks at what there is in the ray's direction.
+    /// Looks at the parts with bounds that are given, the nearest first, and at those without.
     #[inline(never)]
     fn look_at<'v>(
         &mut self,
