@@ -79,13 +79,13 @@ impl Node {
 }
 
 /// The greatest single that is not above a double.
-fn below(x: f64) -> f32 {
+pub fn below(x: f64) -> f32 {
     let y = x as f32;
     if f64::from(y) > x { y.next_down() } else { y }
 }
 
 /// The least single that is not below a double.
-fn above(x: f64) -> f32 {
+pub fn above(x: f64) -> f32 {
     let y = x as f32;
     if f64::from(y) < x { y.next_up() } else { y }
 }

@@ -156,7 +156,8 @@ impl Tracer {
             .fold(width as usize, usize::saturating_mul);
         let most = SEEN.min(samples / SAMPLES) / (1 + lights.len());
         let is_known = settings.numbers == Numbers::F64 && self.clip.is_none();
-        let Some(parts) = vista::parts(&self.graph, most).filter(|_| is_known) else {
+        let parts = is_known.then(|| vista::parts(&self.graph, most)).flatten();
+        let Some(parts) = parts else {
             return Vistas::default();
         };
         let from = |point| Vista::new(&parts, point);

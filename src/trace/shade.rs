@@ -4,8 +4,7 @@ use super::precision::Precision;
 use super::ray::Ray;
 use super::search::escalate::Walkers;
 use super::search::hit::Hit;
-use super::search::nearest::End;
-use super::search::vista::Vistas;
+use super::search::vista::{End, Vistas};
 use super::stats::{Counts, Intersections, Rays, Work};
 use super::tracer::{Light, Tracer};
 use crate::geometry::line::Line;
@@ -165,6 +164,7 @@ impl<'t, R: Precision> Shader<'t, R> {
             return Vec3::ZERO;
         }
         let normal = hit.facing();
+        // All shadow rays leave in the same way; only their lines differ.
         let mut ray = hit.leave(normal, false);
         let mut light = self.ambient;
         for (i, &Light { position, power }) in self.lights.iter().enumerate() {

@@ -19,7 +19,7 @@ pub struct Rays {
 /// Intersection tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Intersections {
-    /// With boxes of the hierarchies.
+    /// With boxes, of hierarchies and of what lies in a direction.
     #[serde(rename = "box")]
     pub boxes: u64,
     pub shape: u64,

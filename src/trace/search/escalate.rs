@@ -3,9 +3,9 @@
 
 use super::events::Kind;
 use super::hit::Hit;
-use super::nearest::End;
 use super::query::QueryStatus;
 use super::query::Search;
+use super::vista::End;
 use super::walk::Walker;
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;

@@ -2,8 +2,8 @@
 
 use super::context::Leaf;
 use super::events::{Crossing, Kind, State};
-use super::nearest::End;
 use super::query::Search;
+use super::vista::End;
 use super::walk::Walker;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;

@@ -11,7 +11,7 @@ pub mod escalate;
 pub mod events;
 pub mod hit;
 mod merge;
-pub mod nearest;
+mod nearest;
 pub mod query;
 mod root_order;
 mod spans;

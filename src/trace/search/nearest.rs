@@ -4,7 +4,7 @@
 use super::context::Leaf;
 use super::events::{Crossing, Place};
 use super::query::{Entry, Search};
-use super::vista::Vista;
+use super::vista::End;
 use super::walk::Walker;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::wide_bvh::{Child, Is, WIDTH};
@@ -13,17 +13,6 @@ use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::Ray;
 use crate::trace::shapes::Root;
 use std::cmp::Ordering;
-
-/// Whether one end of a ray is a point from which it is known what lies in which direction.
-#[derive(Debug, Clone, Copy)]
-pub enum End<'v> {
-    /// The ray starts there, and has a direction of length 1.
-    At(&'v Vista),
-    /// The ray is there at t = 1.
-    To(&'v Vista),
-    /// Neither end is such a point.
-    Anywhere,
-}
 
 /// The nearest crossing so far, and how far along the ray something as near may be found: crossings
 /// that cannot be told from the nearest are met too.

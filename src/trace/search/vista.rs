@@ -9,6 +9,7 @@
 
 use crate::geometry::aabb::Aabb;
 use crate::geometry::vec::Vec3;
+use crate::geometry::wide_bvh::{above, below};
 use crate::trace::graph::{Graph, Operation};
 use std::sync::Arc;
 
@@ -28,6 +29,17 @@ pub struct Vistas {
     pub eye: Option<Vista>,
     /// Beside the lights.
     pub lights: Vec<Option<Vista>>,
+}
+
+/// Whether one end of a ray is a point from which it is known what lies in which direction.
+#[derive(Debug, Clone, Copy)]
+pub enum End<'v> {
+    /// The ray starts there, and has a direction of length 1.
+    At(&'v Vista),
+    /// The ray is there at t = 1.
+    To(&'v Vista),
+    /// Neither end is such a point.
+    Anywhere,
 }
 
 /// One face of the cube. Its coordinates are the other two components of a direction over the largest one.
@@ -57,11 +69,12 @@ struct Seen {
 
 /// Boxes are wider by this part of the largest coordinate there is.
 const WIDER: f64 = 1e-9;
-/// So many times that coordinate away a ray may start.
+/// So many times that coordinate away a ray may start. Its direction is rounded once, which takes it less than 10⁻¹²
+/// of that coordinate off: a thousandth of what boxes are wider by.
 const FAR: f64 = 1e3;
 /// Distances are known to this part of themselves.
 const KNOWN: f64 = 1e-6;
-/// Rectangles are wider by this part of a cell: single precision knows 2⁻¹⁶ of the last one of a row.
+/// Rectangles are wider by this part of a cell: in single precision a place in the last cell of a row is known to 2⁻¹⁷.
 const MARGIN: f64 = 1e-4;
 /// What two roundings may do to a coordinate of a face, several times over.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
@@ -166,16 +179,6 @@ fn footprint(b: &Aabb, axis: usize, sign: f64) -> Option<[[f64; 2]; 2]> {
     is_seen.then_some([lower, upper])
 }
 
-/// The greatest single that is surely not above a double.
-fn below(x: f64) -> f32 {
-    (x as f32).next_down().min(f32::MAX)
-}
-
-/// The least single that is surely not below a double.
-fn above(x: f64) -> f32 {
-    (x as f32).next_up()
-}
-
 impl Face {
     /// Of parts with their distances and rectangles, the nearest first.
     fn new(parts: &[(u32, f64, [f64; 2], [f64; 2])]) -> Face {
@@ -206,7 +209,8 @@ impl Face {
                 let margin = [0, 1].map(|i| MARGIN + ROUNDED * scale[i]);
                 Seen {
                     index,
-                    near: below(near),
+                    // Infinite ones are far, but not beyond what a ray may meet.
+                    near: below(near.min(f32::MAX.into())),
                     lower: [0, 1].map(|i| below((from[i] - lower[i]) * scale[i] - margin[i])),
                     upper: [0, 1].map(|i| above((to[i] - lower[i]) * scale[i] + margin[i])),
                 }
@@ -269,7 +273,7 @@ mod tests {
     use super::*;
     use crate::geometry::dd::Dd;
     use crate::testing::{random, scene};
-    use crate::trace::search::nearest::End;
+    use crate::trace::search::hit::Hit;
     use crate::trace::{Ray, Tracer};
     use std::fmt::Write;
 
@@ -413,7 +417,7 @@ mod tests {
                 ray.outside = true;
                 let [known, hit] = [End::At(&from_eye), End::Anywhere]
                     .map(|end| walkers.first_hit::<false>(&ray, end));
-                let told = |hit: &super::super::hit::Hit| (hit.t, hit.surface, hit.normal.0);
+                let told = |hit: &Hit| (hit.t, hit.surface, hit.normal.0);
                 assert_eq!(known.as_ref().map(told), hit.as_ref().map(told));
                 let Some(hit) = hit else { continue };
                 let way = light - hit.point;
