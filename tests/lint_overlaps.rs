@@ -473,7 +473,7 @@ fn two_looks_where_two_are_left() {
                 .iter()
                 .find(|e| e.id == 3)
                 .unwrap()
-                .node
+                .node()
                 .unwrap();
             let b = node_bounds(&around.scene)[root as usize].all;
             let faces = surface(&mut rng, &around.scene, root, &b, 12);
@@ -494,7 +494,7 @@ fn two_looks_where_two_are_left() {
                     .iter()
                     .find(|e| e.id == 3)
                     .unwrap()
-                    .node
+                    .node()
                     .unwrap();
                 let held = (0..8).all(|k| {
                     let corner = |i: usize| if k >> i & 1 == 0 { -0.05 } else { 0.05 };

@@ -77,7 +77,7 @@ fn mutants(text: &str, document: &Document) -> Vec<Mutant> {
             let stray = ["@", "$", "!", "?", "x", "&"][(n + i) % 6];
             add("stray character", at, at, &format!("{stray} "));
             add("stray character", to, to, stray);
-            let kind = record.ty().param(i, record.count as usize).map(|p| p.kind);
+            let kind = record.ty().param(i, record.count()).map(|p| p.kind);
             if let Some(ParamKind::Reference { .. }) = kind {
                 add("reference to nothing", at, to, "987654");
             }

@@ -227,7 +227,7 @@ fn open(path: &Path) -> Result<Input, Error> {
 fn alone(scene: &Scene, id: u32) -> Result<Render, Error> {
     let found = scene.entities.iter().find(|e| e.id == id);
     match found {
-        Some(entity) => match entity.node {
+        Some(entity) => match entity.node() {
             Some(root) => Ok(Render {
                 root,
                 root_id: id,

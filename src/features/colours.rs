@@ -44,12 +44,12 @@ fn of_record(analysis: &Analysis, record: &Record) -> Vec<[(Span, f64); 3]> {
     let skip = match ty.kind {
         RecordKind::Colour => 0,
         // Behind the count and the points.
-        _ if ty.repeats.len() == 2 => 1 + 2 * record.count as usize,
+        _ if ty.repeats.len() == 2 => 1 + 2 * record.count(),
         _ => return Vec::new(),
     };
     let numbers: Vec<(Span, f64)> = (analysis.document.params(record).enumerate().skip(skip))
         .filter(|(i, _)| {
-            (ty.param(*i, record.count as usize)).is_some_and(|p| of_param(ty, p) == Role::Colour)
+            (ty.param(*i, record.count())).is_some_and(|p| of_param(ty, p) == Role::Colour)
         })
         .map(|(_, t)| (t.span(), t.number(&analysis.source.text).unwrap_or(0.0)))
         .collect();

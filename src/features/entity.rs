@@ -72,7 +72,7 @@ pub fn colour(analysis: &Analysis, id: u32) -> Option<Rgb> {
     let scene = &analysis.scene;
     let entity = entity(analysis, id)?;
     match entity.kind? {
-        Kind::Object => match painted(analysis, entity.node?)? {
+        Kind::Object => match painted(analysis, entity.node()?)? {
             Texture::Colour(rgb) => Some(*rgb),
             _ => None,
         },

@@ -3,10 +3,10 @@
 use crate::analysis::Analysis;
 use crate::diagnostics::{Language, Span, Value};
 use crate::lint::spelling::rough;
-use crate::syntax::Record;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Param, ParamKind, RecordKind, RecordType, ShapeKind};
 
+use super::place::Readable;
 use super::{entity, place};
 
 /// A few words between two tokens.
@@ -78,14 +78,13 @@ pub fn hints(analysis: &Analysis, visible: Span, wanted: Wanted, language: Langu
 
 fn of_record(
     analysis: &Analysis,
-    record: &Record,
+    record: &Readable,
     visible: Span,
     language: Language,
     out: &mut Vec<Hint>,
 ) {
     let document = &analysis.document;
-    let ty = record.ty();
-    let count = record.count as usize;
+    let Readable { ty, count, .. } = *record;
     let tokens = document.significant(record.first, record.last).skip(1);
     // The type is at 0, the parameters follow.
     for (i, token) in tokens.enumerate() {
@@ -184,16 +183,18 @@ fn shortened(name: &str) -> String {
 }
 
 /// How wide and high a profile is.
-fn profile(analysis: &Analysis, record: &Record, at: u32, language: Language) -> Option<Hint> {
+fn profile(analysis: &Analysis, record: &Readable, at: u32, language: Language) -> Option<Hint> {
     let of_profile = matches!(
-        record.kind,
+        record.ty.kind,
         RecordKind::Shape(ShapeKind::SurfaceOfRevolution | ShapeKind::ColouredSurfaceOfRevolution)
     );
     if !of_profile {
         return None;
     }
-    let numbers = (analysis.document.params(record).skip(1))
-        .take(2 * record.count as usize)
+    // The ID, the type and the count stand before the points.
+    let tokens = (analysis.document).significant(record.first, record.last);
+    let numbers = (tokens.skip(3))
+        .take(2 * record.count)
         .map(|t| t.number(&analysis.source.text).unwrap_or(0.0));
     let (mut radius, mut low, mut high) = (0.0f64, f64::INFINITY, f64::NEG_INFINITY);
     for (i, x) in numbers.enumerate() {

@@ -74,7 +74,7 @@ fn about_record(analysis: &Analysis, record: &Record, language: Language) -> Str
         .take(MAX_VALUES)
         .enumerate())
     .filter_map(|(i, token)| {
-        let param = ty.param(i, record.count as usize)?;
+        let param = ty.param(i, record.count())?;
         let unit = param.unit_text(language);
         let unit = if unit.is_empty() {
             String::new()
@@ -168,7 +168,7 @@ fn about_entity(analysis: &Analysis, id: u32, language: Language) -> String {
         ];
         let _ = write!(out, "\n{}\n", language.say("hover-colour", &values));
     }
-    let node = entity::entity(analysis, id).and_then(|e| e.node);
+    let node = entity::entity(analysis, id).and_then(|e| e.node());
     if let Some(bounds) = node.and_then(|n| analysis.bounds().get(n as usize)) {
         let _ = write!(out, "\n{}\n", bounds_text(&bounds.all, language));
     }

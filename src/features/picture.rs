@@ -41,7 +41,7 @@ impl Stage {
         let scene = match subject {
             Subject::Scene => &analysis.scene,
             Subject::Object(id) => {
-                let node = entity::entity(analysis, id).and_then(|e| e.node);
+                let node = entity::entity(analysis, id).and_then(|e| e.node());
                 own = alone(
                     &analysis.scene,
                     id,

@@ -59,11 +59,27 @@ pub fn items_in(document: &Document, span: Span) -> std::ops::Range<usize> {
     start..end.max(start)
 }
 
-/// A record that can be read, or one whose ID and type are known at least: its parameters are taken in their
-/// order.
-pub fn readable(analysis: &Analysis, item: &Item) -> Option<Record> {
+/// A record of which the type is known: its parameters are taken in their order.
+pub struct Readable {
+    pub ty: &'static RecordType,
+    /// The ID's token, then the type's and those of the parameters.
+    pub first: u32,
+    pub last: u32,
+    /// The value of the count parameter, 0 where the type has none.
+    pub count: usize,
+}
+
+/// A record that can be read, or one whose ID and type are known at least.
+pub fn readable(analysis: &Analysis, item: &Item) -> Option<Readable> {
     let broken = match item {
-        Item::Record(record) => return Some(*record),
+        Item::Record(record) => {
+            return Some(Readable {
+                ty: record.ty(),
+                first: record.first,
+                last: record.last,
+                count: record.count(),
+            });
+        }
         Item::Broken(broken) => broken,
         Item::Void { .. } => return None,
     };
@@ -71,28 +87,18 @@ pub fn readable(analysis: &Analysis, item: &Item) -> Option<Record> {
     let ty = broken.ty()?;
     let mut tokens = document.significant(broken.first, broken.last);
     let id = tokens.next()?.integer(text)?;
-    if tokens.next()?.integer(text)? != i64::from(ty.code) {
+    if u32::try_from(id).is_err() || tokens.next()?.integer(text)? != i64::from(ty.code) {
         return None;
     }
     let values: Vec<&Token> = tokens.collect();
     let count_at = ty.params.iter().position(|p| p.kind == ParamKind::Count);
-    let count = count_at
-        .and_then(|i| values.get(i)?.integer(text))
-        .unwrap_or(0);
-    let params = values.len() as u32;
-    // Each token but trivia has a value; the ID's and the type's come first.
-    let before =
-        (document.tokens[..broken.first as usize].iter()).filter(|t| !t.kind().is_trivia());
-    let value = before.count() as u32 + 2;
-    Some(Record {
-        id: u32::try_from(id).ok()?,
-        kind: ty.kind,
+    let count = count_at.and_then(|i| usize::try_from(values.get(i)?.integer(text)?).ok());
+    Some(Readable {
+        ty,
         first: broken.first,
         last: broken.last,
-        params,
         // A profile has no more points than there are numbers.
-        count: u32::try_from(count).unwrap_or(0).min(params),
-        value,
+        count: count.unwrap_or(0).min(values.len()),
     })
 }
 
@@ -128,7 +134,7 @@ pub fn place_at(analysis: &Analysis, offset: u32) -> Option<Place<'_>> {
     let role = match i {
         0 => Role::Id,
         1 => Role::Type,
-        _ => Role::Param(i - 2, record.ty().param(i - 2, record.count as usize)?),
+        _ => Role::Param(i - 2, record.ty().param(i - 2, record.count())?),
     };
     Some(Place {
         record,

@@ -19,7 +19,7 @@ pub fn selection(analysis: &Analysis, offset: u32) -> Vec<Span> {
     if let Some(place) = place_at(analysis, offset) {
         add(place.token.span());
         if let Role::Param(i, _) = place.role {
-            let (first, length) = group(place.record.ty(), i, place.record.count as usize);
+            let (first, length) = group(place.record.ty(), i, place.record.count());
             let tokens = analysis
                 .document
                 .params(place.record)

@@ -129,7 +129,7 @@ fn of_record(record: &Record, index: usize) -> Option<(Role, bool)> {
         0 => (Role::Id, !matches!(ty.effect, Effect::Changes(_))),
         1 => (Role::Type, false),
         i => {
-            let param = ty.param(i - 2, record.count as usize)?;
+            let param = ty.param(i - 2, record.count())?;
             (of_param(ty, param), false)
         }
     })

@@ -39,7 +39,7 @@ pub fn references_of(analysis: &Analysis, record: &Record) -> Vec<(Span, u32)> {
     }
     let tokens = analysis.document.params(record).enumerate();
     let of = |(i, token): (usize, &crate::syntax::lexer::Token)| {
-        let param = record.ty().param(i, record.count as usize)?;
+        let param = record.ty().param(i, record.count())?;
         let id = place::reference(param, token, &analysis.source.text)?;
         Some((token.span(), id))
     };

@@ -116,7 +116,7 @@ impl Gaps {
     fn of(record: &Record) -> Gaps {
         let ty = record.ty();
         if ty.is_counted() {
-            let points = Some((record.count as usize, ty));
+            let points = Some((record.count(), ty));
             return Gaps { wide: 0, points };
         }
         let mut wide = 0;

@@ -93,7 +93,7 @@ fn sections(record: &Record) -> Vec<Section> {
     }
     let mut start = HEAD + record.ty().params.len();
     let section = |group: &&[_]| {
-        let values = start..start + group.len() * record.count as usize;
+        let values = start..start + group.len() * record.count();
         start = values.end;
         Section {
             values,

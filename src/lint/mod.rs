@@ -69,7 +69,7 @@ impl<'a> Context<'a> {
 /// between two records that change one object.
 fn live_nodes(scene: &Scene) -> Vec<bool> {
     let mut live = vec![false; scene.nodes.len()];
-    for node in scene.entities.iter().filter_map(|e| e.node) {
+    for node in scene.entities.iter().filter_map(|e| e.node()) {
         live[node as usize] = true;
     }
     // Children stand before their parents.

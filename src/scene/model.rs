@@ -273,8 +273,36 @@ pub struct Entity {
     pub id: u32,
     /// `None` where the record that defines it is broken beyond telling.
     pub kind: Option<Kind>,
-    /// The node of an object, as it stands at the end of the file.
-    pub node: Option<NodeId>,
+    /// See [`Entity::node`].
+    node: NodeId,
     /// The ID token of the record that defines it.
     pub span: Span,
+}
+
+// A large scene has millions of them.
+const _: () = assert!(size_of::<Entity>() == 20);
+
+impl Entity {
+    /// Stands for an entity that is no object: no scene has as many nodes.
+    const NO_NODE: NodeId = NodeId::MAX;
+
+    /// An entity without a node yet.
+    pub fn new(id: u32, kind: Option<Kind>, span: Span) -> Entity {
+        let node = Entity::NO_NODE;
+        Entity {
+            id,
+            kind,
+            node,
+            span,
+        }
+    }
+
+    /// The node of an object, as it stands at the end of the file.
+    pub fn node(&self) -> Option<NodeId> {
+        (self.node != Entity::NO_NODE).then_some(self.node)
+    }
+
+    pub fn set_node(&mut self, node: NodeId) {
+        self.node = node;
+    }
 }

@@ -28,7 +28,7 @@ impl<'a> Params<'a> {
             values: document.values(record),
             ty: record.ty(),
             id: record.id,
-            count: record.count as usize,
+            count: record.count(),
         }
     }
 

@@ -34,7 +34,9 @@ struct Dangling {
 
 #[derive(Default)]
 pub struct References {
-    /// For each number of an ID, the index of the entity that it defines.
+    /// So many IDs have the number of the entity that they define.
+    numbered: usize,
+    /// For each number of an ID the index of the entity that it defines, from the first one on that differ.
     entity: Vec<u32>,
     /// For each ID, where it is first defined, to tell "later" from "nowhere". Only few scenes ask.
     definition: Option<FxHashMap<u32, Span>>,
@@ -64,10 +66,9 @@ fn definitions(document: &Document) -> FxHashMap<u32, Span> {
 }
 
 impl References {
-    /// For a text with so many records. `compares`: whether IDs are compared to find the ones that may have been meant.
-    pub fn new(records: usize, compares: bool) -> References {
+    /// `compares`: whether IDs are compared to find the ones that may have been meant.
+    pub fn new(compares: bool) -> References {
         References {
-            entity: Vec::with_capacity(records),
             comparisons: if compares { COMPARISONS_MAX } else { 0 },
             ..References::default()
         }
@@ -77,6 +78,13 @@ impl References {
         let Some(number) = number.map(|n| n as usize) else {
             return;
         };
+        if self.entity.is_empty() && number == entity && number == self.numbered {
+            self.numbered += 1;
+            return;
+        }
+        if self.entity.is_empty() {
+            self.entity.extend(0..self.numbered as u32);
+        }
         if self.entity.len() <= number {
             self.entity.resize(number + 1, u32::MAX);
         }
@@ -84,6 +92,9 @@ impl References {
     }
 
     pub fn entity(&self, number: u32) -> Option<usize> {
+        if self.entity.is_empty() {
+            return ((number as usize) < self.numbered).then_some(number as usize);
+        }
         let index = *self.entity.get(number as usize)?;
         (index != u32::MAX).then_some(index as usize)
     }

@@ -53,7 +53,7 @@ pub fn resolve_with(
         },
         states: Vec::with_capacity(records),
         taken: Vec::with_capacity(records),
-        references: References::new(records, compares),
+        references: References::new(compares),
         render: None,
         has_render: false,
         selection: None,
@@ -171,12 +171,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn define(&mut self, p: &Params, state: State) {
-        let entity = Entity {
-            id: p.id,
-            kind: state.kind(),
-            node: None,
-            span: p.id_span(),
-        };
+        let entity = Entity::new(p.id, state.kind(), p.id_span());
         self.push(entity, state);
     }
 
@@ -289,12 +284,8 @@ impl<'a> Resolver<'a> {
             Effect::Defines(kind) | Effect::DefinesOrChanges(kind, _) => Some(kind),
             Effect::Changes(_) => None,
         });
-        let entity = Entity {
-            id,
-            kind,
-            node: None,
-            span: self.document.tokens[broken.first as usize].span(),
-        };
+        let span = self.document.tokens[broken.first as usize].span();
+        let entity = Entity::new(id, kind, span);
         // Where the type may be another one's, nothing is said of what refers to it.
         let certain = broken.fault != Fault::Arity;
         self.push(entity, State::Broken(kind.filter(|_| certain)));
@@ -384,7 +375,7 @@ impl<'a> Resolver<'a> {
         let entity = &mut self.scene.entities[index];
         entity.kind = state.kind();
         match state {
-            State::Object(node) => entity.node = Some(node),
+            State::Object(node) => entity.set_node(node),
             State::Camera(camera) => self.scene.cameras.push(*camera),
             State::PointLight(light) => self.scene.point_lights.push(*light),
             State::AmbientLight(light) => self.scene.ambient_lights.push(*light),

@@ -426,7 +426,7 @@ mod tests {
             all.iter()
                 .all(|d| !d.code.as_str().starts_with('E') || d.code.as_str() == "E106")
         );
-        let root = scene.entities.last().and_then(|e| e.node).unwrap();
+        let root = scene.entities.last().and_then(|e| e.node()).unwrap();
         Tree::new(&scene, &node_bounds(&scene), &[root])
     }
 

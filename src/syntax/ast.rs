@@ -13,8 +13,8 @@ pub struct Document {
     pub tokens: Vec<Token>,
     /// Records in file order, whole and broken; comments between them are found in `tokens`.
     pub items: Vec<Item>,
-    /// The values of the significant tokens, each read once; NaN where one is no number. Those of a record's
-    /// parameters stand one behind the other, from [`Record::value`] on.
+    /// The values of the records' parameters, each read once; NaN where one is no number. Those of a record stand one
+    /// behind the other, from [`Record::value`] on.
     pub values: Vec<f64>,
     /// How many significant tokens were cut into records by trying all ways: those of a text with mistakes that is not
     /// laid out in lines. It takes hundreds of times as long as reading.
@@ -35,7 +35,7 @@ pub enum Item {
 }
 
 // A large file has millions of them.
-const _: () = assert!(size_of::<Token>() == 8 && size_of::<Item>() == 28);
+const _: () = assert!(size_of::<Token>() == 8 && size_of::<Item>() == 24);
 
 /// A record that can be read: its tokens are at `first..=last` of the document's tokens, trivia
 /// between them.
@@ -49,8 +49,6 @@ pub struct Record {
     pub last: u32,
     /// The number of parameters (trivia not counted).
     pub params: u32,
-    /// The value of the count parameter, 0 where the type has none.
-    pub count: u32,
     /// Where the value of its first parameter is in [`Document::values`].
     pub value: u32,
 }
@@ -83,6 +81,11 @@ pub enum Fault {
 impl Record {
     pub fn ty(&self) -> &'static RecordType {
         RecordType::of(self.kind)
+    }
+
+    /// The value of the count parameter, 0 where the type has none.
+    pub fn count(&self) -> usize {
+        self.ty().count(self.params as usize)
     }
 }
 

@@ -87,12 +87,30 @@ fn may_be_unclosed(lexed: &Lexed, text: &str) -> bool {
     lexed.has_unclosed || lexed.has_long_comment && is_odd()
 }
 
-fn document(lexed: Lexed, items: Vec<Item>, searched: usize) -> Document {
+fn document(lexed: Lexed, mut items: Vec<Item>, searched: usize) -> Document {
+    let contents = Contents::new(&items, &lexed);
+    // Of the values only those of parameters are kept. They move to the front, where nothing is that is still needed:
+    // the records are in the order of the file.
+    let mut values = lexed.values;
+    let mut kept = 0;
+    for item in &mut items {
+        if let Item::Record(r) = item {
+            let first = r.value as usize;
+            debug_assert!(kept <= first);
+            r.value = kept as u32;
+            for value in first..first + r.params as usize {
+                values[kept] = values[value];
+                kept += 1;
+            }
+        }
+    }
+    values.truncate(kept);
+    values.shrink_to_fit();
     Document {
-        contents: Contents::new(&items, &lexed),
+        contents,
         tokens: lexed.tokens,
         items,
-        values: lexed.values,
+        values,
         searched,
     }
 }
@@ -579,7 +597,6 @@ fn whole(c: &Columns, start: usize, reading: &Reading) -> Record {
         first: c.lexed.sigs[start].token(),
         last: c.lexed.sigs[reading.end - 1].token(),
         params: (reading.end - start - 2) as u32,
-        count: reading.count,
         value: start as u32 + 2,
     }
 }

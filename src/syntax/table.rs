@@ -239,6 +239,15 @@ impl RecordType {
         (self.params.len() as u64).saturating_add(per.saturating_mul(count))
     }
 
+    /// The value of the count parameter of a record with so many parameters; 0 where there is none.
+    pub fn count(&self, params: usize) -> usize {
+        let per: usize = self.repeats.iter().map(|g| g.len()).sum();
+        params
+            .saturating_sub(self.params.len())
+            .checked_div(per)
+            .unwrap_or(0)
+    }
+
     /// The parameter that stands at position `i` of a record with the given count.
     pub fn param(&self, i: usize, count: usize) -> Option<&'static Param> {
         let mut i = i;

@@ -92,7 +92,7 @@ fn reaches(scene: &Scene, root: NodeId) -> Vec<Aabb> {
 fn operation_ids(scene: &Scene) -> HashMap<NodeId, u32> {
     let mut ids = HashMap::new();
     for entity in &scene.entities {
-        let mut at = entity.node;
+        let mut at = entity.node();
         while let Some(node) = at {
             at = match scene.nodes[node as usize] {
                 Node::Transform { child, .. } | Node::Paint { child, .. } => Some(child),

@@ -16,7 +16,7 @@ pub struct Names<'a> {
 
 impl<'a> Names<'a> {
     pub fn new(scene: &'a Scene, captions: &'a Captions) -> Names<'a> {
-        let node = |e: &Entity| Some((e.id, e.node?));
+        let node = |e: &Entity| Some((e.id, e.node()?));
         Names {
             scene,
             captions,
@@ -66,7 +66,7 @@ pub fn comment(scene: &Scene, captions: &Captions, node: NodeId, id: u32) -> Opt
 pub fn node_ids(scene: &Scene) -> Vec<u32> {
     let mut ids = vec![0; scene.nodes.len()];
     for entity in &scene.entities {
-        let mut next = entity.node;
+        let mut next = entity.node();
         while let Some(node) = next.filter(|n| ids[*n as usize] == 0) {
             ids[node as usize] = entity.id;
             next = match scene.nodes[node as usize] {

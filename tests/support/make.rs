@@ -71,12 +71,9 @@ impl Make {
 
     /// A node that is an entity of its own.
     fn entity(&mut self, id: u32, node: NodeId) -> NodeId {
-        self.scene.entities.push(Entity {
-            id,
-            kind: Some(Kind::Object),
-            node: Some(node),
-            span: Span::default(),
-        });
+        let mut entity = Entity::new(id, Some(Kind::Object), Span::default());
+        entity.set_node(node);
+        self.scene.entities.push(entity);
         node
     }
 
@@ -145,8 +142,8 @@ impl Make {
     /// The entity of a node goes on as another node.
     fn renew(&mut self, from: NodeId, to: NodeId) -> NodeId {
         for e in &mut self.scene.entities {
-            if e.node == Some(from) {
-                e.node = Some(to);
+            if e.node() == Some(from) {
+                e.set_node(to);
             }
         }
         to
@@ -217,7 +214,7 @@ impl Make {
                 .scene
                 .entities
                 .iter()
-                .find(|e| e.node == Some(root))
+                .find(|e| e.node() == Some(root))
                 .map_or(0, |e| e.id),
             background,
             clip,

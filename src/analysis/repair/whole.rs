@@ -168,7 +168,7 @@ fn references<'a>(
 ) -> impl Iterator<Item = (Token, i64)> {
     let text = analysis.source.text.as_str();
     (analysis.document.params(record).enumerate()).filter_map(move |(i, token)| {
-        let param = record.ty().param(i, record.count as usize)?;
+        let param = record.ty().param(i, record.count())?;
         match param.kind {
             ParamKind::Reference { .. } => Some((*token, token.integer(text)?)),
             _ => None,

@@ -104,7 +104,6 @@ impl Piece {
                 first: broken.first,
                 last: broken.last,
                 params: (r.end - self.start - 2) as u32,
-                count: r.count,
                 value: stretch.value_index(self.start + 2),
             }),
             Verdict::WrongArity { ty, .. } | Verdict::BadPointCount { ty } => {

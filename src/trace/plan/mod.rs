@@ -330,7 +330,7 @@ impl Plan {
     fn owners(&mut self, scene: &Scene, reach: &Reach) -> FxHashMap<NodeId, u32> {
         let mut owners = FxHashMap::default();
         for entity in &scene.entities {
-            let Some(node) = entity.node else { continue };
+            let Some(node) = entity.node() else { continue };
             let base = base(scene, entity.id, node);
             if !reach.reaches(base) {
                 self.unreached.push(entity.id);

@@ -69,7 +69,7 @@ pub fn write(scene: &Scene) -> model::Scene {
 /// For each node its index among those that count, in their order.
 fn numbers(scene: &Scene) -> Vec<Option<u32>> {
     let mut used = vec![false; scene.nodes.len()];
-    let ends = scene.entities.iter().filter_map(|e| e.node);
+    let ends = scene.entities.iter().filter_map(|e| e.node());
     let promised = scene.promises.iter().map(|p| p.node);
     for n in ends.chain(promised).chain(scene.render.map(|r| r.root)) {
         used[n as usize] = true;

@@ -111,8 +111,12 @@ impl Rewrite {
         let now = |node: &mut NodeId| *node = new.get(node).copied().unwrap_or(*node);
         scene.render.iter_mut().for_each(|r| now(&mut r.root));
         (scene.promises.iter_mut()).for_each(|p| now(&mut p.node));
-        let entities = scene.entities.iter_mut();
-        entities.filter_map(|e| e.node.as_mut()).for_each(now);
+        for entity in &mut scene.entities {
+            if let Some(mut node) = entity.node() {
+                now(&mut node);
+                entity.set_node(node);
+            }
+        }
         scene
     }
 }

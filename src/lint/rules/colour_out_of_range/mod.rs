@@ -17,7 +17,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         if !matches!(record.kind, RecordKind::Colour | RecordKind::Shape(_)) {
             continue;
         }
-        let Some(first) = record.ty().first_colour(record.count as usize) else {
+        let Some(first) = record.ty().first_colour(record.count()) else {
             continue;
         };
         let p = context.record_params(record);

@@ -144,7 +144,7 @@ fn seen(scene: &Scene) -> Vec<u8> {
     match scene.render {
         Some(render) => seen[render.root as usize] = ALL,
         None => {
-            for node in scene.entities.iter().filter_map(|e| e.node) {
+            for node in scene.entities.iter().filter_map(|e| e.node()) {
                 seen[node as usize] = ALL;
             }
         }

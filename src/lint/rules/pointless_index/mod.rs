@@ -174,7 +174,7 @@ fn reach(scene: &Scene) -> Vec<Reach> {
         Some(render) => reach[render.root as usize] = bare,
         None => {
             let objects = (scene.entities.iter()).filter(|e| e.kind == Some(Kind::Object));
-            for node in objects.filter_map(|e| e.node) {
+            for node in objects.filter_map(|e| e.node()) {
                 reach[node as usize] = bare;
             }
         }

@@ -66,7 +66,7 @@ fn definitions(context: &Context) -> Vec<Definition> {
         };
         let new = Definition {
             entity: i as u32,
-            sound: e.kind != Some(Kind::Object) || e.node.is_some(),
+            sound: e.kind != Some(Kind::Object) || e.node().is_some(),
             used: is_asked_for_by_nobody(e),
             held: false,
         };
