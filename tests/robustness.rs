@@ -6,6 +6,8 @@ use std::process::{Command, Stdio};
 use proptest::prelude::*;
 use zpg::analysis::Analysis;
 
+use crate::support::cases;
+
 /// Address space of the process, in KiB, for inputs of a few megabytes.
 const MEMORY_KIB: u32 = 4 << 20;
 
@@ -79,7 +81,8 @@ fn chain(record: impl Fn(u32, u32) -> String, n: u32) -> Vec<u8> {
 #[test]
 fn bytes_that_are_no_scene() {
     let mut state = 1u64;
-    let noise: Vec<u8> = (0..50_000)
+    let many = cases(20_000, 50_000);
+    let noise: Vec<u8> = (0..many)
         .map(|_| {
             state = state
                 .wrapping_mul(6364136223846793005)
@@ -89,12 +92,12 @@ fn bytes_that_are_no_scene() {
         .collect();
     answers("noise", &noise);
     answers("nothing", b"");
-    answers("NULs", &vec![0; 50_000]);
+    answers("NULs", &vec![0; many]);
     answers("digits", "9".repeat(2_000_000).as_bytes());
-    answers("zeros", "0 ".repeat(50_000).as_bytes());
-    answers("ones", "1 ".repeat(50_000).as_bytes());
-    answers("number signs", "#\n".repeat(100_001).as_bytes());
-    answers("one long line", "2 9 1 x ".repeat(25_000).as_bytes());
+    answers("zeros", "0 ".repeat(many).as_bytes());
+    answers("ones", "1 ".repeat(many).as_bytes());
+    answers("number signs", "#\n".repeat(2 * many + 1).as_bytes());
+    answers("one long line", "2 9 1 x ".repeat(many / 2).as_bytes());
 }
 
 #[test]
@@ -119,22 +122,22 @@ fn claims_that_no_file_can_hold() {
 
 #[test]
 fn long_chains() {
-    const N: u32 = 20_000;
+    let n = cases(8_000, 20_000);
     for op in [-101, -102, -103] {
         answers(
             &op.to_string(),
-            &chain(|i, b| format!("{i} {op} {b} 3\n"), N),
+            &chain(|i, b| format!("{i} {op} {b} 3\n"), n),
         );
     }
-    answers("complement", &chain(|i, b| format!("{i} -104 {b}\n"), N));
-    answers("copy", &chain(|i, b| format!("{i} -105 {b}\n"), N));
+    answers("complement", &chain(|i, b| format!("{i} -104 {b}\n"), n));
+    answers("copy", &chain(|i, b| format!("{i} -105 {b}\n"), n));
     answers(
         "mixed",
-        &chain(|i, b| format!("{i} {} {b} 3\n", -101 - i as i32 % 3), N),
+        &chain(|i, b| format!("{i} {} {b} 3\n", -101 - i as i32 % 3), n),
     );
     answers(
         "moves",
-        &chain(|_, _| "3 -1 0.1 0 0\n3 -701 1 0 0\n".into(), N),
+        &chain(|_, _| "3 -1 0.1 0 0\n3 -701 1 0 0\n".into(), n),
     );
 }
 
@@ -156,7 +159,8 @@ fn sixty_doublings() {
 
 #[test]
 fn many_mistakes() {
-    let lines = |f: &dyn Fn(u32) -> String| (2..4_000).map(f).collect::<String>().into_bytes();
+    let last = cases(1_500, 4_000);
+    let lines = |f: &dyn Fn(u32) -> String| (2..last).map(f).collect::<String>().into_bytes();
     answers(
         "undefined",
         &lines(&|i| format!("{i} -101 {} {}\n", i + 500_000, i + 600_000)),

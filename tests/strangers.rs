@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::{Output, Stdio};
 
 use crate::any_files::{self, Pool};
+use crate::support::cases;
 
 const SCENE: &str = "2 11 0 0 0 1.50\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
 const FORMATTED: &str =
@@ -219,7 +220,8 @@ fn files_of_all_kinds_come_out_right() {
         root.join("grammar"),
         root.join("benches"),
     ]);
-    let tally = any_files::run(3000, 1, &pool);
+    let count = cases(1500, 3000);
+    let tally = any_files::run(count, 1, &pool);
     let wrong = &tally.wrong[..tally.wrong.len().min(10)];
     assert!(
         wrong.is_empty(),
@@ -228,7 +230,7 @@ fn files_of_all_kinds_come_out_right() {
         tally.files
     );
     // All kinds were there.
-    assert!(pool.texts() > 50 && tally.found > 500);
-    assert!(tally.scenes > 1000 && tally.files - tally.scenes > 600);
-    assert!(tally.formatted > 700 && tally.fixed > 500);
+    assert!(pool.texts() > 50 && tally.found > count / 6);
+    assert!(tally.scenes > count / 3 && tally.files - tally.scenes > count / 5);
+    assert!(tally.formatted > count / 5 && tally.fixed > count / 6);
 }

@@ -333,8 +333,8 @@ pub fn row_38_scaled_moved_turned(precision: Precision) {
         turns(3),
     ];
     let (count, exact_of) = match precision {
-        Precision::Dd => cases((8, 2), (40, 6)),
-        _ => cases((20, 3), (40, 6)),
+        Precision::Dd => cases((4, 1), (40, 6)),
+        _ => cases((12, 2), (40, 6)),
     };
     let mut met = 0;
     for shape in SHAPES {
