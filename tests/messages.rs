@@ -263,9 +263,7 @@ fn every_message_is_used() {
         let (code, case) = message.split_once('-').unwrap_or((message, ""));
         let used = match (Code::parse(code).filter(|c| c.as_str() == code), attribute) {
             (_, "label" | "note" | "help") => true,
-            (Some(_), "") => {
-                codes.contains(code) && (case.is_empty() || literal(case))
-            }
+            (Some(_), "") => codes.contains(code) && (case.is_empty() || literal(case)),
             (_, "") => literal(message),
             (_, attribute) => literal(attribute),
         };

@@ -169,11 +169,21 @@ impl<'t, R: Precision> Shader<'t, R> {
         let mut light = self.ambient;
         for (i, &Light { position, power }) in self.lights.iter().enumerate() {
             let way = position.cast() - hit.point;
-            let cosine = normal.dot(way.unit()).to_f64();
-            if cosine > 0.0 && power.any() {
+            // Lights behind the surface, and those that are hidden, need no unit vector. Where this cosine is so far from
+            // zero, for its length, the other one has its sign.
+            let lean = normal.dot(way);
+            let length = way.abs().max_component();
+            let sure = length * R::ROUNDOFF.sqrt() + R::ROUNDOFF.square().square();
+            if lean < -sure || !power.any() {
+                continue;
+            }
+            let cosine = || normal.dot(way.unit()).to_f64();
+            if lean > sure || cosine() > 0.0 {
                 ray.line = Line::new(hit.point, way);
                 let seen = self.visibility(hit, &ray, i);
-                light = light + power.times(seen) * cosine;
+                if seen.any() {
+                    light = light + power.times(seen) * cosine();
+                }
             }
         }
         albedo.times(light)

@@ -97,17 +97,11 @@ impl Ball {
 }
 
 impl Approach {
-    /// What is known where a polynomial of the line's points, which is negative in the solid, may not be positive on a
-    /// stretch: it is looked at in the middle.
-    pub fn through(
-        &self,
-        [from, to]: [f64; 2],
-        margin: f64,
-        value: impl FnOnce(f64) -> f64,
-    ) -> Pass {
-        let middle = 0.5 * (from + to);
-        let is_told = self.leaves && middle > self.origin + self.slack && margin.is_normal();
-        match is_told && value(middle) < -margin {
+    /// What is known where a polynomial of the line's points, which is negative in the solid, may not be positive: by
+    /// its value in one place, on the stretch.
+    pub fn through(&self, at: f64, margin: f64, value: impl FnOnce(f64) -> f64) -> Pass {
+        let is_told = self.leaves && at > self.origin + self.slack && margin.is_normal();
+        match is_told && value(at) < -margin {
             true => Pass::Through,
             false => Pass::Perhaps,
         }

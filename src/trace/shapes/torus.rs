@@ -191,7 +191,7 @@ impl Shape for Torus {
             return Pass::Beside;
         }
         let value = |t: f64| quartic.into_iter().fold(0.0, |sum, c| sum * t + c);
-        approach.through(stretch, margin, value)
+        approach.through(0.5 * (stretch[0] + stretch[1]), margin, value)
     }
 
     /// What is left of the quartic is positive, without the root at the origin.

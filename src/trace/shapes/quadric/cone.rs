@@ -56,15 +56,10 @@ impl Cone {
     pub fn name(&self) -> &'static str {
         if self.double { "double cone" } else { "cone" }
     }
-}
 
-impl Shape for Cone {
-    fn bounds(&self) -> Aabb {
-        self.bounds
-    }
-
-    /// The form is positive where the line is in the slab and the ball around the cone.
-    fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
+    /// How a line passes what of the cone is between two heights. The form is positive where the line is in that slab
+    /// and the ball around the cone.
+    fn pass_between(&self, line: &Line, stretch: [f64; 2], [low, high]: [f64; 2]) -> Pass {
         let (height, radius) = (self.height.abs(), self.radius);
         let size = (height * height + radius * radius).sqrt();
         let approach = match Ball::meets(line, stretch, Vec3::ZERO, size) {
@@ -72,7 +67,6 @@ impl Shape for Cone {
             Ball::Unknown => return Pass::Perhaps,
             Ball::Meets(approach) => approach,
         };
-        let [low, high] = [self.bounds.min[1], self.bounds.max[1]];
         let Some(stretch) = approach.between(1, low, high) else {
             return Pass::Beside;
         };
@@ -84,12 +78,40 @@ impl Shape for Cone {
         if is_above(coefficients, stretch, margin) {
             return Pass::Beside;
         }
-        approach.through(stretch, margin, |t| {
+        // From the middle towards where it is deepest inside, but not to the very end: that is on the base.
+        let [middle, half] = [
+            0.5 * (stretch[0] + stretch[1]),
+            0.45 * (stretch[1] - stretch[0]),
+        ];
+        let slope = a * middle + b;
+        let deepest = if a > 0.0 { (slope / a).abs() } else { half };
+        let at = middle - deepest.min(half).copysign(slope);
+        approach.through(at, margin, |t| {
             // As far inside of the slab as the margin asks for.
             let y = approach.point[1] + t * approach.direction[1];
             let outside = (low - y).max(y - high) / size;
             (outside * margin / MARGIN).max((a * t + b + b) * t + c)
         })
+    }
+}
+
+impl Shape for Cone {
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
+        self.pass_between(line, stretch, [self.bounds.min[1], self.bounds.max[1]])
+    }
+
+    /// Each half is convex: a line that goes out of one may meet the other one only.
+    fn is_met_again(&self, line: &Line) -> bool {
+        let other = match line.origin[1] > 0.0 {
+            true => [self.bounds.min[1], 0.0],
+            false => [0.0, self.bounds.max[1]],
+        };
+        let ahead = [0.0, f64::INFINITY];
+        self.double && self.pass_between(line, ahead, other) != Pass::Beside
     }
 
     fn uv(&self, p: Vec3, face: u32) -> [f64; 2] {

@@ -60,7 +60,7 @@ impl Shape for Ellipsoid {
         let [from, to] = approach.stretch;
         let deepest = (-b / a).max(from).min(to);
         let value = |t: f64| (a * t + b + b) * t + p.dot(p) - 1.0;
-        approach.through([deepest; 2], margin, value)
+        approach.through(deepest, margin, value)
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
