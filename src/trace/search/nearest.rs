@@ -55,13 +55,14 @@ impl<'g, R: Precision> Walker<'g, R> {
     ) -> Option<(Crossing<R>, bool)> {
         self.place(ray);
         self.search = search;
-        let best = self.look_everywhere(ray, from, end, Best::new(ray, from, to));
+        let mut best = Best::new(ray, from, to);
+        self.look_everywhere(ray, from, end, &mut best);
         Some((best.found?, best.second > best.limit))
     }
 
     /// Goes on with a search that nothing has been found in.
     #[inline(always)]
-    fn look_everywhere(&mut self, ray: &Ray<R>, from: R, end: End, best: Best<R>) -> Best<R> {
+    fn look_everywhere(&mut self, ray: &Ray<R>, from: R, end: End, best: &mut Best<R>) {
         // Only doubles know well enough where a ray is.
         if R::DOUBT == Doubt::GoesOn {
             let direction = ray.line.direction.cast();
@@ -82,12 +83,11 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Looks for what the ray meets in the tree of the scene.
     #[inline(never)]
-    fn look_along(&mut self, ray: &Ray<R>, from: R, mut best: Best<R>) -> Best<R> {
+    fn look_along(&mut self, ray: &Ray<R>, from: R, best: &mut Best<R>) {
         self.aim(ray);
         self.entries.clear();
         self.open_union(0, from);
-        self.exhaust(ray, from, &mut best);
-        best
+        self.exhaust(ray, from, best);
     }
 
     /// Looks at the parts with bounds that are given, the nearest first, and at those without.
@@ -97,14 +97,14 @@ impl<'g, R: Precision> Walker<'g, R> {
         ray: &Ray<R>,
         from: R,
         mut parts: impl Iterator<Item = (f64, &'v (u32, Aabb))>,
-        mut best: Best<R>,
-    ) -> Best<R> {
+        best: &mut Best<R>,
+    ) {
         self.entries.clear();
         if let Operation::Union(whole) = &self.graph.root().operation {
             self.open_loose(whole, 0, from);
         }
         let line = R::coarse(&ray.line);
-        while self.exhaust(ray, from, &mut best)
+        while self.exhaust(ray, from, best)
             && let Some((near, (part, bounds))) = parts.next()
         {
             self.counts.boxes += 1;
@@ -117,12 +117,11 @@ impl<'g, R: Precision> Walker<'g, R> {
                 context: 0,
             };
             if bounds.clip(&line, from.to_f64(), limit).is_some()
-                && !self.meet(ray, leaf, from, &mut best)
+                && !self.meet(ray, leaf, from, best)
             {
                 break;
             }
         }
-        best
     }
 
     /// Visits all that is on the stack; `false`: that is enough.
@@ -175,11 +174,11 @@ impl<'g, R: Precision> Walker<'g, R> {
                 return best.found;
             }
         }
-        let found = self.look_everywhere(ray, from, end, best).found;
-        let leaf = found.map(|found| found.place.leaf);
+        self.look_everywhere(ray, from, end, &mut best);
+        let leaf = best.found.map(|found| found.place.leaf);
         let is_own = |leaf: &Leaf| leaf.context == 0;
         self.in_the_way[light] = leaf.filter(is_own).map(|leaf| leaf.part);
-        found
+        best.found
     }
 
     /// Puts the parts of a union that have no bounds on the stack, and its tree.
