@@ -10,6 +10,7 @@ use super::dd::Dd;
 use super::number::Real;
 use super::qd::Qd;
 use super::vec::Vec3;
+use std::borrow::Cow;
 use std::fmt::Debug;
 
 /// A line o + t·d. Affine maps keep t, so all spaces share one parameter.
@@ -45,7 +46,7 @@ pub trait Traced: Real {
     }
 
     /// A line in doubles, as bounds are met in them whatever the precision; what is lost is in its slack.
-    fn coarse(line: &Line<Self>) -> Line {
+    fn coarse(line: &Line<Self>) -> Cow<'_, Line> {
         let mut coarse: Line = line.cast();
         let lost = |exact: Vec3<Self>, rounded: Vec3| {
             let off = (exact - rounded.cast()).abs().max_component();
@@ -53,7 +54,7 @@ pub trait Traced: Real {
         };
         coarse.slack.origin += lost(line.origin, coarse.origin);
         coarse.slack.direction += lost(line.direction, coarse.direction);
-        coarse
+        Cow::Owned(coarse)
     }
 }
 
@@ -76,8 +77,9 @@ macro_rules! without_history {
                     Line { origin, direction, inverse, slack, history: () }
                 }
 
-                fn coarse(line: &Line<$same>) -> Line {
-                    *line
+                #[inline(always)]
+                fn coarse(line: &Line<$same>) -> Cow<'_, Line> {
+                    Cow::Borrowed(line)
                 }
             )?
         }
