@@ -184,6 +184,7 @@ fn what_is_not_met_again_is_left_for_good() {
         let share = match geometry {
             Geometry::Torus { .. } => 6,
             Geometry::Revolution { .. } => 3,
+            Geometry::DoubleCone { .. } => 6,
             _ if shape.shape().is_convex() => 6,
             _ => 0,
         };
