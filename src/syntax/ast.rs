@@ -2,6 +2,7 @@
 //! items are ranges of them.
 
 use super::contents::Contents;
+use super::lexed::Lexed;
 use super::lexer::Token;
 use super::table::{RecordKind, RecordType};
 use crate::diagnostics::Span;
@@ -115,6 +116,35 @@ impl Item {
 }
 
 impl Document {
+    /// Of items in the order of the text. For `searched` see [`Document::searched`].
+    pub(super) fn new(lexed: Lexed, mut items: Vec<Item>, searched: usize) -> Document {
+        let contents = Contents::new(&items, &lexed);
+        // Of the values only those of parameters are kept. They move to the front, where nothing is that is still
+        // needed: the records are in order.
+        let mut values = lexed.values;
+        let mut kept = 0;
+        for item in &mut items {
+            if let Item::Record(r) = item {
+                let first = r.value as usize;
+                debug_assert!(kept <= first);
+                r.value = kept as u32;
+                for value in first..first + r.params as usize {
+                    values[kept] = values[value];
+                    kept += 1;
+                }
+            }
+        }
+        values.truncate(kept);
+        values.shrink_to_fit();
+        Document {
+            contents,
+            tokens: lexed.tokens,
+            items,
+            values,
+            searched,
+        }
+    }
+
     /// From the first character of the first token to the last of the last.
     pub fn span(&self, first: u32, last: u32) -> Span {
         self.tokens[first as usize]

@@ -12,7 +12,6 @@ use chumsky::prelude::*;
 use rayon::prelude::*;
 
 use super::ast::{Document, Item, Record};
-use super::contents::Contents;
 use super::lexed::{Lexed, Sig};
 use super::lexer;
 use super::recovery::{self, Recovered, Surroundings};
@@ -64,7 +63,7 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     }));
     diagnostics::sort(&mut findings);
     let (items, searched) = (plan.items, plan.searched);
-    (document(lexed, items, searched), findings)
+    (Document::new(lexed, items, searched), findings)
 }
 
 /// The items of a text that needs no recovery; `None` for any other.
@@ -78,41 +77,13 @@ pub fn parse_plain(text: &str) -> Option<Document> {
         lexed: &lexed,
     };
     let Plan { items, gaps, .. } = Plan::of(columns);
-    gaps.is_empty().then(|| document(lexed, items, 0))
+    gaps.is_empty().then(|| Document::new(lexed, items, 0))
 }
 
 /// Whether a comment may have lost its `#`, or a `#` be none of a comment.
 fn may_be_unclosed(lexed: &Lexed, text: &str) -> bool {
     let is_odd = || lexed.has_word || recovery::comments::has_colour(text);
     lexed.has_unclosed || lexed.has_long_comment && is_odd()
-}
-
-fn document(lexed: Lexed, mut items: Vec<Item>, searched: usize) -> Document {
-    let contents = Contents::new(&items, &lexed);
-    // Of the values only those of parameters are kept. They move to the front, where nothing is that is still needed:
-    // the records are in the order of the file.
-    let mut values = lexed.values;
-    let mut kept = 0;
-    for item in &mut items {
-        if let Item::Record(r) = item {
-            let first = r.value as usize;
-            debug_assert!(kept <= first);
-            r.value = kept as u32;
-            for value in first..first + r.params as usize {
-                values[kept] = values[value];
-                kept += 1;
-            }
-        }
-    }
-    values.truncate(kept);
-    values.shrink_to_fit();
-    Document {
-        contents,
-        tokens: lexed.tokens,
-        items,
-        values,
-        searched,
-    }
 }
 
 /// What was read, and where it could not be.

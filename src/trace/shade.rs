@@ -169,8 +169,8 @@ impl<'t, R: Precision> Shader<'t, R> {
         let mut light = self.ambient;
         for (i, &Light { position, power }) in self.lights.iter().enumerate() {
             let way = position.cast() - hit.point;
-            // Lights behind the surface, and those that are hidden, need no unit vector. Where this cosine is so far from
-            // zero, for its length, the other one has its sign.
+            // Lights behind the surface, and hidden ones, need no unit vector: `lean` has the sign of the cosine, unless
+            // `lean` is small beside the length of the way.
             let lean = normal.dot(way);
             let length = way.abs().max_component();
             let sure = length * R::ROUNDOFF.sqrt() + R::ROUNDOFF.square().square();

@@ -313,16 +313,10 @@ impl<'g, R: Precision> Walker<'g, R> {
         if goes_out && shape.shape().is_convex() {
             return Some(0);
         }
-        let line = match self.met == Some(leaf) {
-            true => self.line,
-            false => {
-                // The copy of the ray that the scene's own context has was just written, and to read it takes longer.
-                let above = match leaf.context {
-                    0 => &ray.line,
-                    context => &self.contexts[context as usize].line,
-                };
-                self.placed(above, self.part(leaf.part))
-            }
+        // The copy of the ray that the scene's own context has was just written, and to read it takes longer.
+        let line = match leaf.context {
+            0 if self.met != Some(leaf) => self.placed(&ray.line, self.part(leaf.part)),
+            _ => self.line(leaf),
         };
         if !line.is_sound() {
             self.roots.inside = lost_inside(shape, &line);
