@@ -275,7 +275,6 @@ fn shape_scene(kind: ShapeKind, geometry: zpg::scene::Geometry) -> zpg::scene::S
         shapes: vec![Shape {
             id: 2,
             kind,
-            span: Default::default(),
             geometry,
         }],
         render: Some(Render {

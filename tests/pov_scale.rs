@@ -13,7 +13,6 @@ fn spheres(n: u32) -> Scene {
         scene.shapes.push(Shape {
             id: i + 2,
             kind: ShapeKind::Sphere,
-            span: Span::default(),
             geometry: Geometry::Sphere {
                 centre: [f64::from(i), 0.0, 0.0],
                 radius: 1.0,

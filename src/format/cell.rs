@@ -57,7 +57,9 @@ impl<'a> Context<'a> {
         }
         let text = match (kind, token.kind()) {
             _ if self.options.numbers == Numbers::Keep => spelled.into(),
-            (ParamKind::Real, TokenKind::Integer | TokenKind::Real) => number::real(spelled),
+            (ParamKind::Real, TokenKind::Integer | TokenKind::Real) => {
+                number::real(spelled, self.document.values(record)[i - HEAD])
+            }
             (ParamKind::Real | ParamKind::FileName, _) => spelled.into(),
             _ => number::integer(spelled),
         };

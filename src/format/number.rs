@@ -2,15 +2,17 @@
 //! where that makes it no longer.
 
 use std::borrow::Cow;
+use std::fmt::{self, Write};
 
 /// So many digits are always the shortest that stand for their value.
 const CERTAIN_DIGITS: usize = 15;
 
-/// A number where any will do. What is no finite number is left as it is.
-pub fn real(text: &str) -> Cow<'_, str> {
+/// A number where any will do, and its value. What is no finite number is left as it is.
+pub fn real(text: &str, value: f64) -> Cow<'_, str> {
     match plain(text) {
         Some(spelled) => spelled,
-        None => shortest(text),
+        None if value.is_finite() => shortest(text, value),
+        None => text.into(),
     }
 }
 
@@ -100,32 +102,44 @@ fn plain(text: &str) -> Option<Cow<'_, str>> {
     Some(format!("{sign}{whole}{point}{fraction}").into())
 }
 
-fn shortest(text: &str) -> Cow<'_, str> {
-    let value = match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => value,
-        _ => return text.into(),
-    };
+fn shortest(text: &str, value: f64) -> Cow<'_, str> {
+    let small_or_large = !(1e-4..1e16).contains(&value.abs()) && value != 0.0;
+    // As most are that a program has written.
+    if !small_or_large && is_written(value, text) {
+        return text.into();
+    }
     // Both have the shortest digits; the first never has an exponent, the second always.
     let plain = format!("{value}");
     let kept = text.contains(['e', 'E']) && plain.len() > text.len();
-    let small_or_large = !(1e-4..1e16).contains(&value.abs()) && value != 0.0;
     if kept || small_or_large {
         let exponent = format!("{value:e}");
         if kept || exponent.len() < plain.len() {
             return exponent.into();
         }
     }
-    // As most are that a program has written.
-    if plain == text {
-        text.into()
-    } else {
-        plain.into()
+    plain.into()
+}
+
+/// Whether a text is what `Display` writes for a value.
+fn is_written(value: f64, text: &str) -> bool {
+    struct Rest<'t>(&'t str);
+    impl fmt::Write for Rest<'_> {
+        fn write_str(&mut self, part: &str) -> fmt::Result {
+            self.0 = self.0.strip_prefix(part).ok_or(fmt::Error)?;
+            Ok(())
+        }
     }
+    let mut rest = Rest(text);
+    write!(rest, "{value}").is_ok() && rest.0.is_empty()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn real(text: &str) -> Cow<'_, str> {
+        super::real(text, text.parse().unwrap_or(f64::NAN))
+    }
 
     #[test]
     fn shortest_spellings() {

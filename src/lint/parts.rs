@@ -5,8 +5,8 @@ use crate::scene::{Node, NodeId, Scene};
 /// What an object is made of.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Parts {
-    /// A surface that is part of it; index into [`Scene::shapes`].
-    pub surface: Option<u32>,
+    /// The node of a surface that is part of it.
+    pub surface: Option<NodeId>,
     /// Whether something solid is.
     pub solid: bool,
 }
@@ -15,7 +15,7 @@ pub struct Parts {
 /// again: the finding there says what it is.
 pub fn parts(scene: &Scene) -> Vec<Parts> {
     let mut parts: Vec<Parts> = Vec::with_capacity(scene.nodes.len());
-    for node in &scene.nodes {
+    for (i, node) in (0..).zip(&scene.nodes) {
         let of = |n: NodeId| parts[n as usize];
         parts.push(match *node {
             Node::Shape(s) => match scene.shapes[s as usize].geometry.is_solid() {
@@ -24,7 +24,7 @@ pub fn parts(scene: &Scene) -> Vec<Parts> {
                     solid: true,
                 },
                 false => Parts {
-                    surface: Some(s),
+                    surface: Some(i),
                     solid: false,
                 },
             },

@@ -67,6 +67,7 @@ impl<'a> Bare<'a> {
     /// Adds a node whose children are there; says its number.
     fn add(&self, node: NodeId, out: &mut Scene) -> u32 {
         let at = |child: NodeId| self.numbers[child as usize];
+        let origin = self.scene.origins[node as usize];
         let node = match self.scene.nodes[node as usize] {
             Node::Shape(s) => {
                 out.shapes.push(self.scene.shapes[s as usize].clone());
@@ -89,6 +90,7 @@ impl<'a> Bare<'a> {
             Node::Complement(child) => Node::Complement(at(child)),
         };
         out.nodes.push(node);
+        out.origins.push(origin);
         out.nodes.len() as u32 - 1
     }
 }

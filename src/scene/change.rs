@@ -21,25 +21,23 @@ impl Resolver<'_> {
             | RecordKind::Scaling
             | RecordKind::RotationMatrix => {
                 if let Some(m) = super::camera::transformation(p, &mut self.out) {
-                    self.transform(p, &state, &m);
+                    self.transform(p, state, &m);
                 }
             }
             RecordKind::ProjectionMatrix => {
                 let m = matrices::projection(p, &mut self.out);
-                if let (Some(m), Some(State::Camera(c))) = (m, self.state_mut(p.id)) {
-                    c.projection = Some(m);
+                if let (Some(m), State::Camera(at)) = (m, state) {
+                    self.values.cameras[at as usize].projection = Some(m);
                 }
             }
             RecordKind::Optics | RecordKind::OpticsRgb | RecordKind::RefractiveIndex => {
-                let mut parts = match &state {
-                    State::Optics(parts) => **parts,
+                let mut parts = match state {
+                    State::Optics(at) => self.values.optics[at as usize],
                     _ => OpticsParts::default(),
                 };
                 if self.optics(p, &mut parts).is_some() {
                     match state {
-                        State::Optics(_) => {
-                            self.set_state(p.id, State::Optics(Box::new(parts)));
-                        }
+                        State::Optics(at) => self.values.optics[at as usize] = parts,
                         _ => self.paint(p.id, |paint| {
                             paint.optics = parts.optics.or(paint.optics);
                             paint.index = parts.index.or(paint.index);
@@ -51,28 +49,27 @@ impl Resolver<'_> {
             RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
                 if let Some(texture) = self.texture(p) {
                     match state {
-                        State::Texture(_) => {
-                            self.set_state(p.id, State::Texture(Box::new(texture)));
-                        }
+                        State::Texture(at) => self.values.textures[at as usize] = texture,
                         _ => self.paint(p.id, |paint| paint.texture = Some(texture)),
                     }
                 }
             }
             RecordKind::Colour => {
                 let rgb = p.numbers(0);
-                match self.state_mut(p.id) {
-                    Some(State::Colour(c)) => **c = rgb,
-                    Some(State::AmbientLight(l)) => l.colour = rgb,
-                    Some(State::PointLight(l)) => l.colour = rgb,
+                let values = &mut self.values;
+                match state {
+                    State::Colour(at) => values.colours[at as usize] = rgb,
+                    State::AmbientLight(at) => values.ambient_lights[at as usize].colour = rgb,
+                    State::PointLight(at) => values.point_lights[at as usize].colour = rgb,
                     _ => self.paint(p.id, |paint| paint.texture = Some(Texture::Colour(rgb))),
                 }
             }
-            _ => self.promise(p, &state),
+            _ => self.promise(p, state),
         }
     }
 
     /// -601 and -602.
-    fn promise(&mut self, p: &Params, state: &State) {
+    fn promise(&mut self, p: &Params, state: State) {
         let volume = match p.ty.kind {
             RecordKind::BoundingBox => match checks::ordered(p, 0, 3, &mut self.out) {
                 Some(()) => Volume::Box {
@@ -87,7 +84,7 @@ impl Resolver<'_> {
                 radius: p.number(3),
             },
         };
-        if let State::Object(node) = *state {
+        if let State::Object(node) = state {
             self.taken[node as usize] = true;
             self.scene.promises.push(Promise {
                 id: p.id,
@@ -106,12 +103,12 @@ impl Resolver<'_> {
             return;
         };
         let texture = match texture.and_then(|id| self.state(id)) {
-            Some(State::Texture(t)) => Texture::clone(t),
-            Some(State::Colour(c)) => Texture::Colour(**c),
+            Some(State::Texture(at)) => self.values.textures[at as usize].clone(),
+            Some(State::Colour(at)) => Texture::Colour(self.values.colours[at as usize]),
             _ => Texture::Colour(DEFAULT_COLOUR),
         };
         let parts = match optics.and_then(|id| self.state(id)) {
-            Some(State::Optics(parts)) => **parts,
+            Some(State::Optics(at)) => self.values.optics[at as usize],
             _ => OpticsParts::default(),
         };
         self.paint(p.id, |paint| {
@@ -126,7 +123,6 @@ impl Resolver<'_> {
         let Some(State::Object(node)) = self.state(id) else {
             return;
         };
-        let node = *node;
         // Properties given one after the other are one paint.
         let (child, mut paint) = match self.scene.nodes[node as usize] {
             Node::Paint { child, paint } if self.scene.paints[paint as usize].owner == id => {
@@ -162,45 +158,45 @@ impl Resolver<'_> {
         self.scene.matrices.len() as u32 - 1
     }
 
-    fn transform(&mut self, p: &Params, state: &State, m: &Matrix) {
+    fn transform(&mut self, p: &Params, state: State, m: &Matrix) {
         let moved = match state {
             State::Object(node) => {
                 // Moves one after the other are one matrix.
-                let (child, matrix) = match self.scene.nodes[*node as usize] {
+                let (child, matrix) = match self.scene.nodes[node as usize] {
                     Node::Transform { child, matrix } => {
                         (child, m.after(&self.scene.matrices[matrix as usize]))
                     }
-                    _ => (*node, *m),
+                    _ => (node, *m),
                 };
                 let is_regular = matrix.is_plainly_invertible()
                     || !matrix.is_singular() && matrix.inverse().is_some();
                 is_regular.then(|| {
                     let matrix = self.matrix(matrix);
                     let moved = self.node(Node::Transform { child, matrix });
-                    let goes_on = self.taken[*node as usize] || self.scene.steps.contains_key(node);
-                    if child != *node && goes_on {
+                    let goes_on = self.taken[node as usize] || self.scene.steps.contains_key(&node);
+                    if child != node && goes_on {
                         let matrix = Some(self.matrix(*m));
-                        let step = Step {
-                            from: *node,
-                            matrix,
-                        };
+                        let step = Step { from: node, matrix };
                         self.scene.steps.insert(moved, step);
                     }
                     State::Object(moved)
                 })
             }
-            State::PointLight(light) => {
+            State::PointLight(at) => {
+                let light = &mut self.values.point_lights[at as usize];
                 let position = m.point(light.position);
                 let finite = position.iter().all(|x| x.is_finite());
                 finite.then(|| {
-                    State::PointLight(Box::new(PointLight {
-                        position,
-                        ..**light
-                    }))
+                    light.position = position;
+                    state
                 })
             }
-            State::Camera(camera) => {
-                super::camera::moved(camera, m).map(|c| State::Camera(Box::new(c)))
+            State::Camera(at) => {
+                let camera = &mut self.values.cameras[at as usize];
+                super::camera::moved(camera, m).map(|moved| {
+                    *camera = moved;
+                    state
+                })
             }
             _ => None,
         };

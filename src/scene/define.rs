@@ -1,6 +1,6 @@
 //! What defining records make.
 
-use super::entity::{OpticsParts, State};
+use super::entity::{OpticsParts, State, keep};
 use super::model::*;
 use super::record::Params;
 use super::resolve::Resolver;
@@ -16,7 +16,6 @@ impl Resolver<'_> {
                 self.scene.shapes.push(Shape {
                     id: p.id,
                     kind,
-                    span: p.span(),
                     geometry,
                 });
                 let shape = self.scene.shapes.len() as u32 - 1;
@@ -38,43 +37,76 @@ impl Resolver<'_> {
             }
             RecordKind::Copy => {
                 let original = self.reference(p, 0, false)??;
-                let mut state = self.state(original)?.clone();
-                match &mut state {
-                    State::Object(child) => {
-                        let copy = Node::Copy {
-                            child: *child,
-                            id: p.id,
-                        };
-                        *child = self.node(copy);
-                    }
-                    State::Camera(c) => c.id = p.id,
-                    State::PointLight(l) => l.id = p.id,
-                    State::AmbientLight(l) => l.id = p.id,
-                    _ => {}
-                }
-                Some(state)
+                let state = self.state(original)?;
+                Some(self.copy(state, p.id))
             }
             RecordKind::PointLight | RecordKind::AmbientLight => {
                 let sound = p.check_constraints(&mut self.out);
                 let (id, intensity, colour) = (p.id, p.number(0), DEFAULT_COLOUR);
-                sound.then_some(match p.ty.kind {
-                    RecordKind::AmbientLight => State::AmbientLight(Box::new(AmbientLight {
-                        id,
-                        intensity,
-                        colour,
-                    })),
-                    _ => State::PointLight(Box::new(PointLight {
-                        id,
-                        position: [0.0; 3],
-                        intensity,
-                        colour,
-                    })),
+                let ambient = AmbientLight {
+                    id,
+                    intensity,
+                    colour,
+                };
+                let point = PointLight {
+                    id,
+                    position: [0.0; 3],
+                    intensity,
+                    colour,
+                };
+                let values = &mut self.values;
+                sound.then(|| match p.ty.kind {
+                    RecordKind::AmbientLight => {
+                        State::AmbientLight(keep(&mut values.ambient_lights, ambient))
+                    }
+                    _ => State::PointLight(keep(&mut values.point_lights, point)),
                 })
             }
             RecordKind::Camera => {
-                super::camera::camera(p, &mut self.out).map(|c| State::Camera(Box::new(c)))
+                let camera = super::camera::camera(p, &mut self.out)?;
+                Some(State::Camera(keep(&mut self.values.cameras, camera)))
             }
             _ => None,
+        }
+    }
+
+    /// The state of a copy with this ID.
+    fn copy(&mut self, state: State, id: u32) -> State {
+        let values = &mut self.values;
+        match state {
+            State::Object(child) => State::Object(self.node(Node::Copy { child, id })),
+            State::Optics(at) => {
+                let parts = values.optics[at as usize];
+                State::Optics(keep(&mut values.optics, parts))
+            }
+            State::Texture(at) => {
+                let texture = values.textures[at as usize].clone();
+                State::Texture(keep(&mut values.textures, texture))
+            }
+            State::Colour(at) => {
+                let rgb = values.colours[at as usize];
+                State::Colour(keep(&mut values.colours, rgb))
+            }
+            State::AmbientLight(at) => {
+                let light = values.ambient_lights[at as usize];
+                State::AmbientLight(keep(
+                    &mut values.ambient_lights,
+                    AmbientLight { id, ..light },
+                ))
+            }
+            State::PointLight(at) => {
+                let light = values.point_lights[at as usize];
+                State::PointLight(keep(&mut values.point_lights, PointLight { id, ..light }))
+            }
+            State::Camera(at) => {
+                let camera = values.cameras[at as usize];
+                State::Camera(keep(&mut values.cameras, Camera { id, ..camera }))
+            }
+            State::Undefined
+            | State::Selection
+            | State::Render
+            | State::Broken(_)
+            | State::Stored => state,
         }
     }
 
@@ -84,15 +116,20 @@ impl Resolver<'_> {
             RecordKind::Optics | RecordKind::OpticsRgb | RecordKind::RefractiveIndex => {
                 let mut parts = OpticsParts::default();
                 self.optics(p, &mut parts)?;
-                Some(State::Optics(Box::new(parts)))
+                Some(State::Optics(keep(&mut self.values.optics, parts)))
             }
             RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
-                self.texture(p).map(|t| State::Texture(Box::new(t)))
+                let texture = self.texture(p)?;
+                Some(State::Texture(keep(&mut self.values.textures, texture)))
             }
-            RecordKind::Colour => Some(State::Colour(Box::new(p.numbers(0)))),
+            RecordKind::Colour => {
+                let rgb = p.numbers(0);
+                Some(State::Colour(keep(&mut self.values.colours, rgb)))
+            }
             RecordKind::ProjectionMatrix => {
                 let m = matrices::projection(p, &mut self.out)?;
-                Some(State::Camera(Box::new(super::camera::projecting(p.id, m))))
+                let camera = super::camera::projecting(p.id, m);
+                Some(State::Camera(keep(&mut self.values.cameras, camera)))
             }
             _ => None,
         }

@@ -10,17 +10,17 @@ pub struct OpticsParts {
     pub index: Option<Rgb>,
 }
 
-/// Almost all of a large scene are objects: what is large and rare is boxed.
-#[derive(Debug, Clone)]
+/// What an ID is; of what is no object, where its value stands in [`Values`]. No two IDs share a value.
+#[derive(Debug, Clone, Copy)]
 pub enum State {
     Undefined,
     Object(NodeId),
-    Optics(Box<OpticsParts>),
-    Texture(Box<Texture>),
-    Colour(Box<Rgb>),
-    AmbientLight(Box<AmbientLight>),
-    PointLight(Box<PointLight>),
-    Camera(Box<Camera>),
+    Optics(u32),
+    Texture(u32),
+    Colour(u32),
+    AmbientLight(u32),
+    PointLight(u32),
+    Camera(u32),
     Selection,
     Render,
     /// Defined by a record that could not be read: references to it are no errors.
@@ -29,8 +29,28 @@ pub enum State {
     Stored,
 }
 
+// A large scene has millions of them.
+const _: () = assert!(size_of::<State>() == 8);
+
+/// What entities are made of that are no objects.
+#[derive(Debug, Default)]
+pub struct Values {
+    pub optics: Vec<OpticsParts>,
+    pub textures: Vec<Texture>,
+    pub colours: Vec<Rgb>,
+    pub ambient_lights: Vec<AmbientLight>,
+    pub point_lights: Vec<PointLight>,
+    pub cameras: Vec<Camera>,
+}
+
+/// Adds a value, and says where it stands.
+pub fn keep<T>(values: &mut Vec<T>, value: T) -> u32 {
+    values.push(value);
+    values.len() as u32 - 1
+}
+
 impl State {
-    pub fn kind(&self) -> Option<Kind> {
+    pub fn kind(self) -> Option<Kind> {
         Some(match self {
             State::Undefined => Kind::Undefined,
             State::Object(_) => Kind::Object,
@@ -42,7 +62,7 @@ impl State {
             State::Camera(_) => Kind::Camera,
             State::Selection => Kind::Selection,
             State::Render => Kind::Render,
-            State::Broken(kind) => return *kind,
+            State::Broken(kind) => return kind,
             State::Stored => return None,
         })
     }

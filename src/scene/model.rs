@@ -91,10 +91,18 @@ impl Node {
 }
 
 impl Scene {
+    /// The shapes and where they are written, in file order.
+    pub fn written_shapes(&self) -> impl Iterator<Item = (&Shape, Span)> {
+        let nodes = self.nodes.iter().zip(&self.origins);
+        nodes.filter_map(|(node, origin)| match *node {
+            Node::Shape(shape) => Some((&self.shapes[shape as usize], origin.span)),
+            _ => None,
+        })
+    }
+
     /// Has all that was made by records lie elsewhere.
     pub fn move_spans(&mut self, to: impl Fn(Span) -> Span) {
         self.origins.iter_mut().for_each(|o| o.span = to(o.span));
-        self.shapes.iter_mut().for_each(|s| s.span = to(s.span));
         self.promises.iter_mut().for_each(|p| p.span = to(p.span));
         self.entities.iter_mut().for_each(|e| e.span = to(e.span));
         self.render.iter_mut().for_each(|r| r.span = to(r.span));
@@ -114,14 +122,16 @@ pub struct Origin {
     pub span: Span,
 }
 
-/// One shape record.
+/// One shape record. The origin of its node says where it is written.
 #[derive(Debug, Clone)]
 pub struct Shape {
     pub id: u32,
     pub kind: ShapeKind,
-    pub span: Span,
     pub geometry: Geometry,
 }
+
+// A large scene has millions of them.
+const _: () = assert!(size_of::<Shape>() == 64);
 
 impl Shape {
     pub fn ty(&self) -> &'static RecordType {

@@ -203,7 +203,7 @@ impl Resolver<'_> {
         };
         let finding = self.showing(finding.with("id", id.to_string()), id);
         let finding = self.with_proposal(finding, id, span, kinds, &used(p));
-        match self.state(id).cloned() {
+        match self.state(id) {
             Some(state) => self.say_unless_lost(state, finding, id, kinds),
             None => self.out.push(finding),
         }
@@ -279,7 +279,7 @@ impl Resolver<'_> {
         };
         let finding = match state.kind() {
             None => return Some(State::Broken(None)),
-            Some(kind) if kinds.contains(&kind) => return Some(state.clone()),
+            Some(kind) if kinds.contains(&kind) => return Some(state),
             Some(Kind::Undefined) => Diagnostic::new(Code::E108, p.id_span()).case("changed"),
             Some(kind) => Diagnostic::new(Code::E103, p.id_span())
                 .case("changed")
@@ -288,14 +288,14 @@ impl Resolver<'_> {
         };
         let finding = (finding.with("id", p.id.to_string())).with("type", Value::Term(p.ty.title));
         let finding = self.showing(finding, p.id);
-        self.say_unless_lost(state.clone(), finding, p.id, kinds);
+        self.say_unless_lost(state, finding, p.id, kinds);
         None
     }
 
     pub fn object(&mut self, p: &Params, i: usize) -> Option<NodeId> {
         let id = self.reference(p, i, false)??;
         match self.state(id)? {
-            State::Object(node) => Some(*node),
+            State::Object(node) => Some(node),
             _ => None,
         }
     }
@@ -303,7 +303,7 @@ impl Resolver<'_> {
     pub fn colour(&mut self, p: &Params, i: usize) -> Option<Rgb> {
         let id = self.reference(p, i, false)??;
         match self.state(id)? {
-            State::Colour(c) => Some(**c),
+            State::Colour(at) => Some(self.values.colours[at as usize]),
             _ => None,
         }
     }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::checks;
-use super::entity::State;
+use super::entity::{State, Values};
 use super::model::*;
 use super::record::Params;
 use super::references::{Lost, References};
@@ -52,6 +52,7 @@ pub fn resolve_with(
             ..Scene::default()
         },
         states: Vec::with_capacity(records),
+        values: Values::default(),
         taken: Vec::with_capacity(records),
         references: References::new(compares),
         render: None,
@@ -82,6 +83,7 @@ pub(super) struct Resolver<'a> {
     pub(super) scene: Scene,
     /// What each ID stands for, by its number in [`Scene::ids`].
     states: Vec<State>,
+    pub(super) values: Values,
     /// Of each node whether something needs it as it is.
     pub(super) taken: Vec<bool>,
     pub(super) references: References,
@@ -135,12 +137,8 @@ impl<'a> Resolver<'a> {
     }
 
     /// What an ID stands for.
-    pub(super) fn state(&self, id: u32) -> Option<&State> {
-        self.states.get(self.scene.ids.get(id)? as usize)
-    }
-
-    pub(super) fn state_mut(&mut self, id: u32) -> Option<&mut State> {
-        self.states.get_mut(self.scene.ids.get(id)? as usize)
+    pub(super) fn state(&self, id: u32) -> Option<State> {
+        self.states.get(self.scene.ids.get(id)? as usize).copied()
     }
 
     pub(super) fn set_state(&mut self, id: u32, state: State) {
@@ -336,10 +334,10 @@ impl<'a> Resolver<'a> {
                 && let Some(State::Object(root)) = self.state(root_id)
             {
                 self.scene.render = Some(Render {
-                    root: *root,
+                    root,
                     root_id,
                     background: match background {
-                        Some(State::Colour(c)) => **c,
+                        Some(State::Colour(at)) => self.values.colours[at as usize],
                         _ => [0.0; 3],
                     },
                     clip,
@@ -372,13 +370,18 @@ impl<'a> Resolver<'a> {
 
     /// Moves the final state of an entity into the scene.
     fn store(&mut self, index: usize, state: State) {
-        let entity = &mut self.scene.entities[index];
+        let (scene, values) = (&mut self.scene, &self.values);
+        let entity = &mut scene.entities[index];
         entity.kind = state.kind();
         match state {
             State::Object(node) => entity.set_node(node),
-            State::Camera(camera) => self.scene.cameras.push(*camera),
-            State::PointLight(light) => self.scene.point_lights.push(*light),
-            State::AmbientLight(light) => self.scene.ambient_lights.push(*light),
+            State::Camera(at) => scene.cameras.push(values.cameras[at as usize]),
+            State::PointLight(at) => scene.point_lights.push(values.point_lights[at as usize]),
+            State::AmbientLight(at) => {
+                scene
+                    .ambient_lights
+                    .push(values.ambient_lights[at as usize]);
+            }
             _ => {}
         }
     }

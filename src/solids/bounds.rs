@@ -143,13 +143,11 @@ mod tests {
 
     #[test]
     fn unbounded_parts_do_not_count() {
-        use crate::diagnostics::Span;
         use crate::scene::Shape;
         use crate::syntax::table::ShapeKind;
         let shape = |geometry, kind| Shape {
             id: 2,
             kind,
-            span: Span::default(),
             geometry,
         };
         let scene = Scene {

@@ -61,7 +61,7 @@ pub fn named(scene: &Scene, mut node: NodeId) -> Option<Named> {
                 return Some(Named {
                     title: shape.ty().title,
                     id: copy.unwrap_or(shape.id),
-                    span: shape.span,
+                    span: scene.origins.get(node as usize)?.span,
                 });
             }
             Node::Complement(_) => return None,

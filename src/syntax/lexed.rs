@@ -100,11 +100,15 @@ impl Lexed {
     /// Takes in the tokens that follow.
     fn append(&mut self, mut part: Lexed) {
         let (tokens, sigs) = (self.tokens.len() as u32, self.sigs.len() as u32);
-        self.tokens.append(&mut part.tokens);
-        self.sigs
-            .extend(part.sigs.iter().map(|sig| Sig(sig.0 + tokens)));
-        self.values.append(&mut part.values);
         self.odd.extend(part.odd.iter().map(|i| i + sigs));
+        let moved = part.sigs.iter().map(|sig| Sig(sig.0 + tokens));
+        parallel::both(
+            || self.tokens.append(&mut part.tokens),
+            || {
+                self.sigs.extend(moved);
+                self.values.append(&mut part.values);
+            },
+        );
         self.has_comment |= part.has_comment;
         self.has_separator |= part.has_separator;
         self.has_word |= part.has_word;

@@ -79,12 +79,7 @@ impl Make {
 
     pub fn shape(&mut self, kind: ShapeKind, geometry: Geometry) -> NodeId {
         let id = self.id();
-        self.scene.shapes.push(Shape {
-            id,
-            kind,
-            span: Span::default(),
-            geometry,
-        });
+        self.scene.shapes.push(Shape { id, kind, geometry });
         let shape = self.scene.shapes.len() as u32 - 1;
         let node = self.node(Node::Shape(shape));
         self.entity(id, node)

@@ -28,6 +28,12 @@ pub fn optics(kd: f64, ks: f64, kt: f64) -> Optics {
 
 impl Builder {
     fn push(&mut self, node: Node) -> NodeId {
+        let id = match node {
+            Node::Shape(shape) => self.scene.shapes[shape as usize].id,
+            _ => 0,
+        };
+        let span = Span::new(id, id + 1);
+        self.scene.origins.push(Origin { id, span });
         self.scene.nodes.push(node);
         self.scene.nodes.len() as u32 - 1
     }
@@ -42,12 +48,7 @@ impl Builder {
             _ => ShapeKind::Torus,
         };
         let id = self.scene.shapes.len() as u32 + 2;
-        self.scene.shapes.push(Shape {
-            id,
-            kind,
-            span: Span::new(id, id + 1),
-            geometry,
-        });
+        self.scene.shapes.push(Shape { id, kind, geometry });
         self.push(Node::Shape(id - 2))
     }
 

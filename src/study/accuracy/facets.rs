@@ -151,7 +151,6 @@ fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Stage) -> Option<Scene> 
             made.shapes.push(Shape {
                 id: Skin::object(skin),
                 kind: ShapeKind::Triangle,
-                span: Span::default(),
                 geometry: Geometry::Triangle {
                     vertices: Box::new(vertices),
                     normals: TriangleNormals::Flat,

@@ -12,7 +12,7 @@ use crate::scene::Geometry;
 const ROUNDED: f64 = 5.0 * f64::EPSILON;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for shape in &context.scene.shapes {
+    for (shape, span) in context.scene.written_shapes() {
         let Geometry::Quadric(q) = &shape.geometry else {
             continue;
         };
@@ -20,8 +20,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .flat_map(|i| (i + 1..4).map(move |j| (4 * i + j, 4 * j + i)))
             .filter(|&(a, b)| (q[a] - q[b]).abs() > ROUNDED * q[a].abs().max(q[b].abs()))
             .collect();
-        let (Some(&(first, mirror)), Some(p)) = (unequal.first(), context.params(shape.span))
-        else {
+        let (Some(&(first, mirror)), Some(p)) = (unequal.first(), context.params(span)) else {
             continue;
         };
         let mut edits: Vec<Edit> = Vec::new();

@@ -82,7 +82,7 @@ fn finding(
     let [x, y, z] = found.witness.map(|x| near(x, size));
     let shape = |side: &Side| &scene.shapes[side.shape as usize];
     let face = |side: &Side| {
-        let params = context.params(shape(side).span)?;
+        let params = context.params(scene.origins[side.node as usize].span)?;
         Some(place(&params, &shape(side).geometry, side.part))
     };
     let copy = |side: &Side| {
@@ -131,7 +131,7 @@ fn finding(
     if case != Case::Touch && !skin && !bound && parents.only_in(tool.node, operation) {
         let shape = &scene.shapes[tool.shape as usize];
         let sides: Vec<Side> = pairs.iter().map(|p| p.sides[0]).collect();
-        let params = context.params(shape.span)?;
+        let params = context.params(scene.origins[tool.node as usize].span)?;
         if let Some(fix) = fix::lengthen(&params, &shape.geometry, &sides, other.size) {
             d = d.fix(fix);
         }

@@ -7,9 +7,9 @@ use crate::scene::record::Params;
 use crate::solids::shapes::facts::{Degenerate, Facts};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for shape in &context.scene.shapes {
+    for (shape, span) in context.scene.written_shapes() {
         if let Some(why) = shape.geometry.degenerate()
-            && let Some(p) = context.params(shape.span)
+            && let Some(p) = context.params(span)
         {
             out.push(finding(shape, &p, &why));
         }

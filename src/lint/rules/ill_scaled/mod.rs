@@ -1,6 +1,6 @@
 //! W322: lengths in one object that differ too much for its numbers.
 
-use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::geometry::Matrix;
 use crate::lint::spelling::rough;
 use crate::lint::{Context, live_nodes};
@@ -17,10 +17,10 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let mut spoken = vec![false; scene.shapes.len()];
-    for (i, shape) in scene.shapes.iter().enumerate() {
+    for (i, (shape, span)) in scene.written_shapes().enumerate() {
         if let Some((small, large)) = extremes(&shape.geometry, &Matrix::IDENTITY) {
             spoken[i] = true;
-            out.push(finding(context, shape, small, large));
+            out.push(finding(context, (shape, span), small, large));
         }
     }
     // Shapes that come out like that only by what moves and stretches them.
@@ -38,7 +38,8 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         {
             spoken[s as usize] = true;
             let shape = &scene.shapes[s as usize];
-            let finding = finding(context, shape, small, large);
+            let span = scene.origins[child as usize].span;
+            let finding = finding(context, (shape, span), small, large);
             out.push(match (small.axis, large.axis) {
                 (Some(s), Some(l)) => finding
                     .case("stretched")
@@ -50,10 +51,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-fn finding(context: &Context, shape: &Shape, small: Length, large: Length) -> Diagnostic {
-    let span = context
-        .params(shape.span)
-        .map_or(shape.span, |p| p.span_of(0, p.len()));
+fn finding(
+    context: &Context,
+    (shape, span): (&Shape, Span),
+    small: Length,
+    large: Length,
+) -> Diagnostic {
+    let params = context.params(span);
+    let span = params.map_or(span, |p| p.span_of(0, p.len()));
     Diagnostic::new(Code::W322, span)
         .with("type", Value::Term(shape.ty().title))
         .with("id", shape.id.to_string())

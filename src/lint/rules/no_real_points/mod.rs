@@ -7,7 +7,7 @@ use crate::scene::Geometry;
 use crate::solids::definite::{Verdict, judge};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for shape in &context.scene.shapes {
+    for (shape, span) in context.scene.written_shapes() {
         let Geometry::Quadric(q) = &shape.geometry else {
             continue;
         };
@@ -17,7 +17,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             Verdict::Zero => "zero",
             Verdict::Flat(_) | Verdict::Other => continue,
         };
-        let Some(p) = context.params(shape.span) else {
+        let Some(p) = context.params(span) else {
             continue;
         };
         let finding = Diagnostic::new(Code::W306, p.span_of(0, 16))

@@ -17,6 +17,7 @@ use crate::scene::record::Params;
 use crate::scene::{Scene, Volume};
 use crate::solids::extent::{WRITTEN, beyond, size};
 use crate::solids::leaf::Leaf;
+use crate::solids::named;
 use crate::solids::outline::{DIRECTIONS, Outline};
 use crate::solids::tree::Tree;
 
@@ -99,16 +100,18 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     };
     let Some(met) = met else { return };
     let leaf = ends.iter().find(|l| l.id == met.shape);
-    let Some(shape) = leaf.and_then(|l| l.shape) else {
+    let Some(shape) = leaf
+        .filter(|l| l.shape.is_some())
+        .and_then(|l| named(scene, l.node))
+    else {
         return;
     };
-    let shape = &scene.shapes[shape as usize];
     // So finely that the place named is outside too.
     let out_by = beyond(&volume, met.point);
     let [x, y, z] = met.point.map(|x| near(x, out_by));
     out.push(
         Diagnostic::new(Code::W312, span)
-            .with("type", Value::Term(shape.ty().title))
+            .with("type", Value::Term(shape.title))
             .with("id", met.shape.to_string())
             .with("x", x)
             .with("y", y)
@@ -134,12 +137,13 @@ fn not_drawn(
     let mut all = unseen.iter().filter(counts);
     let leaf = all.next()?;
     let (axis, above) = apart(&leaf.bounds, clip)?;
-    let shape = &scene.shapes[leaf.shape? as usize];
+    leaf.shape?;
+    let shape = named(scene, leaf.node)?;
     let (side, reach) = beyond_side(&leaf.bounds, axis, above);
     Some(
         Diagnostic::new(Code::W312, p.span_of(side, 1))
             .case("part")
-            .with("type", Value::Term(shape.ty().title))
+            .with("type", Value::Term(shape.title))
             .with("id", leaf.id.to_string())
             .with("axis", AXES[axis])
             .with("reach", near(reach, clip.radius()))

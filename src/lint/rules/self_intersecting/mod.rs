@@ -4,53 +4,45 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
 use crate::lint::spelling::rough;
 use crate::scene::Shape;
+use crate::scene::record::Params;
 use crate::solids::shapes::facts::{Crossing, Facts};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for shape in &context.scene.shapes {
-        match shape.geometry.crossing() {
-            None => {}
-            Some(Crossing::Tube) => tube(context, shape, out),
-            Some(Crossing::Pieces { pieces, at }) => profile(context, shape, pieces, at, out),
-        }
+    for (shape, span) in context.scene.written_shapes() {
+        let Some(crossing) = shape.geometry.crossing() else {
+            continue;
+        };
+        let Some(p) = context.params(span) else {
+            continue;
+        };
+        out.push(match crossing {
+            Crossing::Tube => tube(&p, shape),
+            Crossing::Pieces { pieces, at } => profile(&p, shape, pieces, at),
+        });
     }
 }
 
-fn tube(context: &Context, shape: &Shape, out: &mut Vec<Diagnostic>) {
-    let Some(p) = context.params(shape.span) else {
-        return;
-    };
-    out.push(
-        Diagnostic::new(Code::W320, p.span_of(1, 1))
-            .case("torus")
-            .with("id", shape.id.to_string())
-            .with("tube", p.text_of(1).to_owned())
-            .with("ring", p.text_of(0).to_owned())
-            .label(p.span_of(0, 1), "ring")
-            .fix(Fix {
-                title: "fix",
-                values: Vec::new(),
-                applicability: Applicability::Unsafe,
-                edits: [(0, 1), (1, 0)]
-                    .map(|(to, from)| Edit {
-                        span: p.span_of(to, 1),
-                        text: p.text_of(from).to_owned(),
-                    })
-                    .into(),
-            }),
-    );
+fn tube(p: &Params, shape: &Shape) -> Diagnostic {
+    Diagnostic::new(Code::W320, p.span_of(1, 1))
+        .case("torus")
+        .with("id", shape.id.to_string())
+        .with("tube", p.text_of(1).to_owned())
+        .with("ring", p.text_of(0).to_owned())
+        .label(p.span_of(0, 1), "ring")
+        .fix(Fix {
+            title: "fix",
+            values: Vec::new(),
+            applicability: Applicability::Unsafe,
+            edits: [(0, 1), (1, 0)]
+                .map(|(to, from)| Edit {
+                    span: p.span_of(to, 1),
+                    text: p.text_of(from).to_owned(),
+                })
+                .into(),
+        })
 }
 
-fn profile(
-    context: &Context,
-    shape: &Shape,
-    (a, b): (usize, usize),
-    at: [f64; 2],
-    out: &mut Vec<Diagnostic>,
-) {
-    let Some(p) = context.params(shape.span) else {
-        return;
-    };
+fn profile(p: &Params, shape: &Shape, (a, b): (usize, usize), at: [f64; 2]) -> Diagnostic {
     let [x, y] = at.map(rough);
     let n = p.count;
     // A piece of the profile with its two points, or a disc with its one.
@@ -59,18 +51,16 @@ fn profile(
         Some(_) => ("end", p.span_of(2 * n - 1, 2)),
         None => ("piece", p.span_of(1 + 2 * s, 4)),
     };
-    out.push(
-        Diagnostic::new(Code::W320, piece(a).1)
-            .with("type", Value::Term(shape.ty().title))
-            .with("id", shape.id.to_string())
-            .with("x", x)
-            .with("y", y)
-            .with("one", piece(a).0)
-            .with("one-from", (a + 1).to_string())
-            .with("one-to", (a + 2).to_string())
-            .with("two", piece(b).0)
-            .with("two-from", (b + 1).to_string())
-            .with("two-to", (b + 2).to_string())
-            .label(piece(b).1, "other"),
-    );
+    Diagnostic::new(Code::W320, piece(a).1)
+        .with("type", Value::Term(shape.ty().title))
+        .with("id", shape.id.to_string())
+        .with("x", x)
+        .with("y", y)
+        .with("one", piece(a).0)
+        .with("one-from", (a + 1).to_string())
+        .with("one-to", (a + 2).to_string())
+        .with("two", piece(b).0)
+        .with("two-from", (b + 1).to_string())
+        .with("two-to", (b + 2).to_string())
+        .label(piece(b).1, "other")
 }

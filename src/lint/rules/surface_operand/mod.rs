@@ -4,6 +4,7 @@ use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::lint::parts::parts;
 use crate::scene::{Node, NodeId};
+use crate::solids::named;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -40,7 +41,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let Some(part) = child.map(|c| parts[c as usize]) else {
             continue;
         };
-        let Some(shape) = part.surface.map(|s| &scene.shapes[s as usize]) else {
+        let Some(surface) = part.surface.and_then(|node| named(scene, node)) else {
             continue;
         };
         let id = |i: usize| u32::try_from(p.integer(i)).unwrap_or(0);
@@ -58,9 +59,9 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             _ => d,
         };
         out.push(
-            d.with("shape", Value::Term(shape.ty().title))
-                .with("shape-id", shape.id.to_string())
-                .label(shape.span, "surface"),
+            d.with("shape", Value::Term(surface.title))
+                .with("shape-id", surface.id.to_string())
+                .label(surface.span, "surface"),
         );
     }
 }

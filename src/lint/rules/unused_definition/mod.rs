@@ -6,16 +6,17 @@ use crate::scene::Entity;
 use crate::scene::names::Names;
 use crate::syntax::table::{Effect, Kind, RecordKind};
 
-/// What is known of an ID besides the entity: whether an object could be made of it (otherwise something
-/// else has been said about it), whether it is used, and whether something else that is not used names it.
-#[derive(Clone, Copy, Default)]
-struct Definition {
-    /// Index into the scene's entities, the last one where there are several.
-    entity: u32,
-    sound: bool,
-    used: bool,
-    held: bool,
-}
+/// What is known of an ID. A large scene has millions of them, so that they are bits.
+type Known = u8;
+/// An object could be made of it, or it is no object; otherwise something else has been said about it.
+const SOUND: Known = 1;
+/// A record defines it that is no placeholder.
+const DEFINED: Known = 2;
+const USED: Known = 4;
+/// Something else that is not used names it.
+const HELD: Known = 8;
+/// It has been looked at.
+const SEEN: Known = 16;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if context.scene.render.is_none() || context.has_broken() {
@@ -31,15 +32,21 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     // What only an unused thing needs goes with it.
     for i in 0..all.len() {
         for &name in names.of(i) {
-            if !all[i].used && name as usize != i {
-                all[name as usize].held = true;
+            if all[i] & USED == 0 && name as usize != i {
+                all[name as usize] |= HELD;
             }
         }
     }
-    let entity = |d: &Definition| context.scene.entities[d.entity as usize];
-    let reported = all.iter().filter(|d| d.sound && !d.used && !d.held);
-    out.extend(reported.filter_map(|d| {
-        let entity = entity(d);
+    // Of a placeholder and what has become of it the last one is shown.
+    let entities = context.scene.entities.iter().rev();
+    let reported = entities.filter(|e| {
+        let Some(number) = context.scene.ids.get(e.id) else {
+            return false;
+        };
+        let known = std::mem::replace(&mut all[number as usize], SEEN);
+        known & (SOUND | USED | HELD | SEEN) == SOUND
+    });
+    out.extend(reported.filter_map(|entity| {
         let case = match entity.kind? {
             Kind::Object => "object",
             Kind::Undefined => "placeholder",
@@ -56,43 +63,38 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }));
 }
 
-/// A definition for each number of an ID.
-fn definitions(context: &Context) -> Vec<Definition> {
+/// What is known of each ID, by its number.
+fn definitions(context: &Context) -> Vec<Known> {
     let scene = context.scene;
-    let mut all: Vec<Definition> = Vec::with_capacity(scene.entities.len());
-    for (i, e) in scene.entities.iter().enumerate() {
-        let Some(number) = scene.ids.get(e.id) else {
-            continue;
-        };
-        let new = Definition {
-            entity: i as u32,
-            sound: e.kind != Some(Kind::Object) || e.node().is_some(),
-            used: is_asked_for_by_nobody(e),
-            held: false,
-        };
-        match all.get_mut(number as usize) {
-            // A placeholder and what has become of it.
-            Some(old) => {
-                let sound = old.sound || new.sound;
-                *old = Definition { sound, ..new };
+    // No ID has a greater number.
+    let mut all = vec![0; scene.entities.len()];
+    for e in &scene.entities {
+        if let Some(number) = scene.ids.get(e.id) {
+            let known = &mut all[number as usize];
+            if e.kind != Some(Kind::Object) || e.node().is_some() {
+                *known |= SOUND;
             }
-            None => all.push(new),
+            // The last record of an ID says what it is.
+            *known &= !USED;
+            if is_asked_for_by_nobody(e) {
+                *known |= USED;
+            }
         }
     }
     all
 }
 
 /// Marks what is defined twice as used: which of the two was meant is not known.
-fn spare_duplicates(context: &Context, all: &mut [Definition]) {
-    let scene = context.scene;
+fn spare_duplicates(context: &Context, all: &mut [Known]) {
     for record in context.records() {
         let defines = matches!(record.ty().effect, Effect::Defines(_))
             && record.kind != RecordKind::Undefined;
-        if defines && let Some(number) = scene.ids.get(record.id) {
-            let definition = &mut all[number as usize];
-            let entity = scene.entities[definition.entity as usize];
-            let start = context.document.tokens[record.first as usize].start;
-            definition.used |= start != entity.span.start;
+        if defines && let Some(number) = context.scene.ids.get(record.id) {
+            let known = &mut all[number as usize];
+            *known |= match *known & DEFINED {
+                0 => DEFINED,
+                _ => USED,
+            };
         }
     }
 }
@@ -108,12 +110,13 @@ fn is_asked_for_by_nobody(entity: &Entity) -> bool {
 }
 
 /// Marks as used what the used ones name.
-fn follow(names: &Names, all: &mut [Definition]) {
-    let mut open: Vec<usize> = (0..all.len()).filter(|&i| all[i].used).collect();
+fn follow(names: &Names, all: &mut [Known]) {
+    let mut open: Vec<usize> = (0..all.len()).filter(|&i| all[i] & USED != 0).collect();
     while let Some(i) = open.pop() {
         for &name in names.of(i) {
             let name = name as usize;
-            if !std::mem::replace(&mut all[name].used, true) {
+            if all[name] & USED == 0 {
+                all[name] |= USED;
                 open.push(name);
             }
         }
