@@ -12,6 +12,7 @@ use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{above, below};
 use crate::trace::graph::{Graph, Operation};
 use std::sync::Arc;
+use wide::f32x4;
 
 /// What is in which direction from a point.
 #[derive(Debug)]
@@ -62,9 +63,8 @@ struct Seen {
     index: u32,
     /// No point of it is nearer.
     near: f32,
-    /// The rectangle around it, in cells.
-    lower: [f32; 2],
-    upper: [f32; 2],
+    /// The rectangle around it, in cells: its lower corner, and the upper one with its signs changed.
+    sides: [f32; 4],
 }
 
 /// Boxes are wider by this part of the largest coordinate there is.
@@ -211,8 +211,12 @@ impl Face {
                     index,
                     // Infinite ones are far, but not beyond what a ray may meet.
                     near: below(near.min(f32::MAX.into())),
-                    lower: [0, 1].map(|i| below((from[i] - lower[i]) * scale[i] - margin[i])),
-                    upper: [0, 1].map(|i| above((to[i] - lower[i]) * scale[i] + margin[i])),
+                    sides: [
+                        below((from[0] - lower[0]) * scale[0] - margin[0]),
+                        below((from[1] - lower[1]) * scale[1] - margin[1]),
+                        -above((to[0] - lower[0]) * scale[0] + margin[0]),
+                        -above((to[1] - lower[1]) * scale[1] + margin[1]),
+                    ],
                 }
             })
             .collect();
@@ -220,7 +224,7 @@ impl Face {
         let mut starts = vec![0; side * side + 1];
         let cells = |seen: &Seen| {
             let [columns, rows] =
-                [0, 1].map(|i| cell(seen.lower[i], side)..=cell(seen.upper[i], side));
+                [0, 1].map(|i| cell(seen.sides[i], side)..=cell(-seen.sides[i + 2], side));
             rows.flat_map(move |row| columns.clone().map(move |column| row * side + column))
         };
         for cell in seen.iter().flat_map(cells) {
@@ -257,13 +261,10 @@ impl Face {
                 &self.lists[self.starts[cell] as usize..self.starts[cell + 1] as usize]
             }
         };
-        list.iter().filter(move |seen| {
-            // One branch, not four that nobody can foresee.
-            (seen.lower[0] <= x)
-                & (x <= seen.upper[0])
-                & (seen.lower[1] <= y)
-                & (y <= seen.upper[1])
-        })
+        // One branch, not four that nobody can foresee.
+        let at = f32x4::new([x, y, -x, -y]);
+        list.iter()
+            .filter(move |seen| f32x4::new(seen.sides).simd_le(at).all())
     }
 }
 
