@@ -208,13 +208,11 @@ impl Aabb {
         const SLACK: f64 = 2.0 * gamma(3);
         let (mut near, mut far) = (from, f64::INFINITY);
         for i in 0..3 {
-            let a = (self.min[i] - line.origin[i]) * line.inverse[i];
-            let b = (self.max[i] - line.origin[i]) * line.inverse[i];
-            let (a, b) = if line.inverse[i] < 0.0 {
-                (b, a)
-            } else {
-                (a, b)
-            };
+            // Which side is met first nobody can foresee: there is no branch.
+            let sides = [self.min[i], self.max[i]];
+            let first = usize::from(line.inverse[i] < 0.0);
+            let a = (sides[first] - line.origin[i]) * line.inverse[i];
+            let b = (sides[1 - first] - line.origin[i]) * line.inverse[i];
             near = if a > near { a } else { near };
             far = if b < far { b } else { far };
         }
