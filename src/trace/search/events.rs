@@ -139,7 +139,6 @@ pub(in crate::trace) struct Scratch<R = f64> {
     pub tied: Vec<bool>,
     pub(in crate::trace) before: Vec<State>,
     pub(in crate::trace) after: Vec<State>,
-    pub(in crate::trace) group: Vec<(usize, Event<R>)>,
     pub(in crate::trace) out: Vec<Event<R>>,
 }
 

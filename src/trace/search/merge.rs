@@ -5,49 +5,56 @@ use super::events::{Event, Kind, List, Owner, Scratch, Spans, State};
 use crate::trace::precision::Precision;
 use std::cmp::Ordering;
 
-impl<R: Precision> Scratch<R> {
+impl<R: Precision> Spans<R> {
     /// Sorts the events of the lists from `base` on; operands keep their order at equal t.
-    pub fn sort(&mut self, spans: &Spans<R>, base: usize) {
-        self.order.clear();
-        self.before.clear();
-        self.out.clear();
-        for (i, list) in spans.lists[base..].iter().enumerate() {
-            self.before.push(list.start);
-            for (j, event) in spans.of(base + i).iter().enumerate() {
-                self.order
-                    .push((event.t(), i as u32, (list.begin + j) as u32));
-            }
+    pub fn sort(&mut self, base: usize) {
+        let Spans {
+            lists,
+            events,
+            scratch,
+            ..
+        } = self;
+        let lists = &lists[base..];
+        scratch.order.clear();
+        scratch.before.clear();
+        scratch.out.clear();
+        for (i, list) in lists.iter().enumerate() {
+            scratch.before.push(list.start);
+            let end = lists.get(i + 1).map_or(events.len(), |next| next.begin);
+            let own = (list.begin..end).map(|j| (events[j].t(), i as u32, j as u32));
+            scratch.order.extend(own);
         }
-        let rank = |i: u32| spans.lists[base + i as usize].part;
-        self.order.sort_unstable_by(|a, b| {
+        scratch.order.sort_unstable_by(|a, b| {
             // Zeros of both signs are one place, and nothing here is NaN.
+            let rank = |i: u32| lists[i as usize].part;
             a.0.partial_cmp(&b.0)
                 .unwrap_or(Ordering::Equal)
                 .then_with(|| rank(a.1).cmp(&rank(b.1)))
                 .then_with(|| a.2.cmp(&b.2))
         });
-        self.after.clone_from(&self.before);
-        self.tied.clear();
-        self.tied.resize(self.order.len(), false);
+        scratch.after.clone_from(&scratch.before);
+        scratch.tied.clear();
+        scratch.tied.resize(scratch.order.len(), false);
     }
+}
 
-    /// Takes the next events in one place: fills `group`, brings `after` up to date.
-    fn next_group(&mut self, spans: &Spans<R>, next: &mut usize) -> bool {
-        self.group.clear();
+impl<R: Precision> Scratch<R> {
+    /// The end of the events in one place that begin at `first`, of which there is one; brings `before` and `after` up
+    /// to date.
+    fn next_group(&mut self, events: &[Event<R>], first: usize) -> usize {
         self.before.clone_from(&self.after);
-        let first = *next;
-        while let Some(&(t, list, event)) = self.order.get(*next) {
-            if *next > first && !self.tied[*next] && self.order[*next - 1].0 != t {
+        let mut next = first;
+        while let Some(&(t, list, event)) = self.order.get(next) {
+            if next > first && !self.tied[next] && self.order[next - 1].0 != t {
                 break;
             }
-            let event = spans.events[event as usize];
+            let event = &events[event as usize];
             if event.kind != Kind::Sheet {
                 self.after[list as usize] = event.state;
             }
-            self.group.push((list as usize, event));
-            *next += 1;
+            next += 1;
         }
-        *next > first
+        next
     }
 }
 
@@ -61,18 +68,12 @@ fn emit<R: Precision>(out: &mut Vec<Event<R>>, mut event: Event<R>) {
 }
 
 /// Replaces the lists from `base` on by one.
-fn replace<R: Precision>(
-    spans: &mut Spans<R>,
-    scratch: &mut Scratch<R>,
-    base: usize,
-    part: u32,
-    start: State,
-) {
+fn replace<R: Precision>(spans: &mut Spans<R>, base: usize, part: u32, start: State) {
     let begin = spans.lists[base].begin;
     spans.events.truncate(begin);
     spans.lists.truncate(base);
-    if start.inside || !scratch.out.is_empty() {
-        spans.events.append(&mut scratch.out);
+    if start.inside || !spans.scratch.out.is_empty() {
+        spans.events.append(&mut spans.scratch.out);
         spans.lists.push(List { part, start, begin });
     }
 }
@@ -87,27 +88,36 @@ pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32
         }
         _ => {}
     }
-    let mut scratch = std::mem::take(&mut spans.scratch);
-    let ranks: Vec<u32> = spans.lists[base..].iter().map(|l| l.part).collect();
+    let Spans {
+        lists,
+        events,
+        scratch,
+        ..
+    } = spans;
+    let rank = |i: usize| lists[base + i].part;
     let holder = |states: &[State]| {
         (0..states.len())
             .filter(|&i| states[i].inside)
-            .min_by_key(|&i| ranks[i])
+            .min_by_key(|&i| rank(i))
     };
     let outside = State {
         inside: false,
-        ..spans.lists[base].start
+        ..lists[base].start
     };
     let state = |states: &[State], holder: Option<usize>| holder.map_or(outside, |i| states[i]);
 
     let start = state(&scratch.before, holder(&scratch.before));
     let mut now = (holder(&scratch.before), start);
     let mut next = 0;
-    while scratch.next_group(spans, &mut next) {
+    while next < scratch.order.len() {
+        let first = next;
+        next = scratch.next_group(events, first);
+        let group = scratch.order[first..next].iter();
+        let group = group.map(|&(_, list, event)| (list as usize, &events[event as usize]));
         let then = holder(&scratch.after);
         let after = state(&scratch.after, then);
         let (before_holder, before) = now;
-        for &(_, event) in scratch.group.iter().filter(|e| e.1.kind == Kind::Sheet) {
+        for (_, &event) in group.clone().filter(|e| e.1.kind == Kind::Sheet) {
             emit(
                 &mut scratch.out,
                 Event {
@@ -118,16 +128,16 @@ pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32
         }
         let of = |list: Option<usize>| {
             let list = list?;
-            let mut events = scratch.group.iter();
-            events.find(|e| e.0 == list && e.1.kind != Kind::Sheet)
+            let mut group = group.clone();
+            group.find(|e| e.0 == list && e.1.kind != Kind::Sheet)
         };
         // The boundary belongs to the operand whose surface it is, on both sides; where the surfaces
         // of both lie here, to the first of them, which holds the points of its surface.
         let by_rank = match (before_holder, then) {
-            (Some(a), Some(b)) if ranks[b] < ranks[a] => [then, before_holder],
+            (Some(a), Some(b)) if rank(b) < rank(a) => [then, before_holder],
             _ => [before_holder, then],
         };
-        if let Some(&(_, event)) = by_rank.into_iter().find_map(of) {
+        if let Some((_, &event)) = by_rank.into_iter().find_map(of) {
             let seen = before.inside != after.inside
                 || (before.inside && !before.owner.same_medium(&after.owner));
             emit(
@@ -141,8 +151,7 @@ pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32
         }
         now = (then, after);
     }
-    replace(spans, &mut scratch, base, part, start);
-    spans.scratch = scratch;
+    replace(spans, base, part, start);
 }
 
 /// The intersection of the `first` lists from `base` on less all others, once sorted. The first operand owns
@@ -171,7 +180,12 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
         spans.lists.push(List { part, start, begin });
         return;
     }
-    let mut scratch = std::mem::take(&mut spans.scratch);
+    let Spans {
+        lists,
+        events,
+        scratch,
+        ..
+    } = spans;
     let state = |states: &[State]| State {
         inside: states[..first].iter().all(|s| s.inside)
             && !states[first..].iter().any(|s| s.inside),
@@ -180,9 +194,13 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
     let start = state(&scratch.before);
     let mut before = start;
     let mut next = 0;
-    while scratch.next_group(spans, &mut next) {
+    while next < scratch.order.len() {
+        let from = next;
+        next = scratch.next_group(events, from);
+        let group = scratch.order[from..next].iter();
+        let mut group = group.map(|&(_, list, event)| (list as usize, &events[event as usize]));
         let after = state(&scratch.after);
-        for &(list, event) in scratch.group.iter().filter(|e| e.1.kind == Kind::Sheet) {
+        for (list, &event) in group.clone().filter(|e| e.1.kind == Kind::Sheet) {
             if list >= first {
                 continue;
             }
@@ -200,15 +218,15 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
                 );
             }
         }
-        let turned = |&&(list, ref event): &&(usize, Event<R>)| {
+        let turned = |&(list, event): &(usize, &Event<R>)| {
             event.kind != Kind::Sheet && scratch.before[list].inside != scratch.after[list].inside
         };
         if before.inside != after.inside {
             // A face of an operand goes before one made by a cut at the same place, and that of an
             // earlier operand before that of a later one, whatever their t were rounded to.
-            let rank = |list: usize| (list >= first, spans.lists[base + list].part);
-            let face = scratch.group.iter().filter(turned);
-            if let Some(&(list, event)) = face.min_by_key(|e| rank(e.0)) {
+            let rank = |list: usize| (list >= first, lists[base + list].part);
+            let face = group.filter(turned);
+            if let Some((list, &event)) = face.min_by_key(|e| rank(e.0)) {
                 let within = if after.inside { after } else { before };
                 let owner = if list >= first && inherit {
                     within.owner
@@ -227,11 +245,8 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
             }
         } else if after.inside {
             // The owner within the first operand may have changed.
-            let change = scratch
-                .group
-                .iter()
-                .find(|e| e.0 == 0 && e.1.kind != Kind::Sheet);
-            if let (true, Some(&(_, event))) = (first > 0, change) {
+            let change = group.find(|e| e.0 == 0 && e.1.kind != Kind::Sheet);
+            if let (true, Some((_, &event))) = (first > 0, change) {
                 // Of what it leaves and enters again in one place nothing is to be seen.
                 let seen = !before.owner.same_medium(&after.owner);
                 let event = Event {
@@ -244,6 +259,5 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
         }
         before = after;
     }
-    replace(spans, &mut scratch, base, part, start);
-    spans.scratch = scratch;
+    replace(spans, base, part, start);
 }

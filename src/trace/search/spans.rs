@@ -242,16 +242,14 @@ impl<R: Precision> Walker<'_, R> {
 impl<R: Precision> Walker<'_, R> {
     /// Puts the events of the lists from `base` on in order, and finds those in one place.
     fn sort(&mut self, base: usize) {
-        let mut scratch = std::mem::take(&mut self.spans.scratch);
-        scratch.sort(&self.spans, base);
-        for i in 1..scratch.order.len() {
-            let (before, here) = (scratch.order[i - 1], scratch.order[i]);
+        self.spans.sort(base);
+        for i in 1..self.spans.scratch.order.len() {
+            let [before, here] = [i - 1, i].map(|i| self.spans.scratch.order[i]);
             // Of one operand's own events the operand has decided.
             if before.1 != here.1 {
                 let [a, b] = [before, here].map(|e| self.spans.events[e.2 as usize].place);
-                scratch.tied[i] = self.order(&a, &b).is_eq();
+                self.spans.scratch.tied[i] = self.order(&a, &b).is_eq();
             }
         }
-        self.spans.scratch = scratch;
     }
 }
