@@ -63,12 +63,12 @@ impl<R: Precision> Walker<'_, R> {
                 Task::Part { part, context } => {
                     self.part_spans(ray, Leaf { part, context }, from, to)
                 }
-                Task::Object { context } => self.object_spans(context, from, to),
+                Task::Object { context } => self.object_spans(ray, context, from, to),
                 Task::Operand {
                     part,
                     context,
                     base,
-                } => self.operand(part, context, base, from, to),
+                } => self.operands(ray, part, context, base, from, to),
                 Task::JoinUnion { context, base } => {
                     let part = self.contexts[context as usize].part;
                     self.sort(base);
@@ -139,7 +139,7 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    fn object_spans(&mut self, context: u32, from: R, to: R) {
+    fn object_spans(&mut self, ray: &Ray<R>, context: u32, from: R, to: R) {
         let graph = self.graph;
         let object = self.contexts[context as usize].object;
         let base = self.spans.lists.len();
@@ -148,11 +148,9 @@ impl<R: Precision> Walker<'_, R> {
                 self.spans.tasks.push(Task::JoinUnion { context, base });
                 self.gather(context, group, from, to);
             }
-            Operation::Intersection { first, .. } => self.spans.tasks.push(Task::Operand {
-                part: first.start,
-                context,
-                base,
-            }),
+            Operation::Intersection { first, .. } => {
+                self.operands(ray, first.start, context, base, from, to);
+            }
         }
     }
 
@@ -180,36 +178,46 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// Goes on with an intersection whose operands before `part` are on the stack of lists.
-    fn operand(&mut self, part: u32, context: u32, base: usize, from: R, to: R) {
+    /// Goes on with an intersection whose operands before `part` are on the stack of lists: up to the next operand that
+    /// is an object.
+    fn operands(&mut self, ray: &Ray<R>, mut part: u32, context: u32, base: usize, from: R, to: R) {
         let graph = self.graph;
         let object = self.contexts[context as usize].object;
         let Operation::Intersection { first, cuts, .. } = &graph.objects[object as usize].operation
         else {
             return;
         };
-        let done = (part - first.start) as usize;
-        if self.spans.lists.len() < base + done {
-            // An operand is nowhere on this ray, so the whole is not.
-            if let Some(list) = self.spans.lists.get(base) {
-                self.spans.events.truncate(list.begin);
-                self.spans.lists.truncate(base);
+        loop {
+            let done = (part - first.start) as usize;
+            if self.spans.lists.len() < base + done {
+                // An operand is nowhere on this ray, so the whole is not.
+                if let Some(list) = self.spans.lists.get(base) {
+                    self.spans.events.truncate(list.begin);
+                    self.spans.lists.truncate(base);
+                }
+                return;
             }
-            return;
-        }
-        if part < first.end {
-            self.spans.tasks.push(Task::Operand {
-                part: part + 1,
-                context,
-                base,
-            });
-            self.spans.tasks.push(Task::Part { part, context });
-            return;
+            if part == first.end {
+                break;
+            }
+            let leaf = Leaf { part, context };
+            part += 1;
+            if let Target::Object(_) = self.part(leaf.part).target {
+                let rest = Task::Operand {
+                    part,
+                    context,
+                    base,
+                };
+                self.spans.tasks.push(rest);
+                self.part_spans(ray, leaf, from, to);
+                return;
+            }
+            self.part_spans(ray, leaf, from, to);
         }
         self.spans.tasks.push(Task::JoinIntersection {
             context,
             base,
-            first: done,
+            first: first.len(),
         });
         let (near, far) = self.spans.extent(base, from, to);
         if near <= far {
