@@ -268,10 +268,16 @@ fn sphere_scene() -> zpg::scene::Scene {
     shape_scene(ShapeKind::SphereAtOrigin, geometry)
 }
 
+const ORIGIN: zpg::scene::Origin = zpg::scene::Origin {
+    id: 2,
+    span: zpg::diagnostics::Span { start: 0, end: 0 },
+};
+
 fn shape_scene(kind: ShapeKind, geometry: zpg::scene::Geometry) -> zpg::scene::Scene {
     use zpg::scene::*;
     Scene {
         nodes: vec![Node::Shape(0)],
+        origins: vec![ORIGIN],
         shapes: vec![Shape {
             id: 2,
             kind,
@@ -298,6 +304,7 @@ fn paint(scene: &mut zpg::scene::Scene, texture: zpg::scene::Texture) {
     });
     let paint = scene.paints.len() as u32 - 1;
     scene.nodes.push(Node::Paint { child, paint });
+    scene.origins.push(ORIGIN);
     scene.render.as_mut().unwrap().root = child + 1;
 }
 

@@ -2,7 +2,7 @@
 
 use zpg::diagnostics::Span;
 use zpg::geometry::Matrix;
-use zpg::scene::{Geometry, Node, NodeId, Optics, Paint, Render, Scene, Shape, Texture};
+use zpg::scene::{Geometry, Node, NodeId, Optics, Origin, Paint, Render, Scene, Shape, Texture};
 use zpg::syntax::table::ShapeKind;
 use zpg::translate::pov::{self, Options};
 
@@ -18,13 +18,15 @@ fn spheres(n: u32) -> Scene {
                 radius: 1.0,
             },
         });
-        scene.nodes.push(Node::Shape(i));
+        push(&mut scene, Node::Shape(i));
     }
     scene
 }
 
 fn push(scene: &mut Scene, node: Node) -> NodeId {
     scene.nodes.push(node);
+    let span = Span::default();
+    scene.origins.push(Origin { id: 0, span });
     scene.nodes.len() as NodeId - 1
 }
 

@@ -7,7 +7,8 @@ use std::fmt::{self, Write};
 /// So many digits are always the shortest that stand for their value.
 const CERTAIN_DIGITS: usize = 15;
 
-/// A number where any will do, and its value. What is no finite number is left as it is.
+/// The spelling of a number where any number may stand. `value` is what `text` reads as. A number that is not finite
+/// stays as it is.
 pub fn real(text: &str, value: f64) -> Cow<'_, str> {
     match plain(text) {
         Some(spelled) => spelled,
@@ -103,8 +104,9 @@ fn plain(text: &str) -> Option<Cow<'_, str>> {
 }
 
 fn shortest(text: &str, value: f64) -> Cow<'_, str> {
+    debug_assert_eq!(text.parse().map(f64::to_bits), Ok(value.to_bits()));
     let small_or_large = !(1e-4..1e16).contains(&value.abs()) && value != 0.0;
-    // As most are that a program has written.
+    // Most numbers that programs write are spelled like this already.
     if !small_or_large && is_written(value, text) {
         return text.into();
     }

@@ -208,7 +208,8 @@ impl Aabb {
         const SLACK: f64 = 2.0 * gamma(3);
         let (mut near, mut far) = (from, f64::INFINITY);
         for i in 0..3 {
-            // Which side is met first nobody can foresee: there is no branch.
+            // The processor cannot predict which side the ray meets first. So the sides are chosen by index, without a
+            // branch.
             let sides = [self.min[i], self.max[i]];
             let first = usize::from(line.inverse[i] < 0.0);
             let a = (sides[first] - line.origin[i]) * line.inverse[i];

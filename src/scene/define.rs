@@ -1,6 +1,6 @@
 //! What defining records make.
 
-use super::entity::{OpticsParts, State, keep};
+use super::entity::{OpticsParts, State, again, keep};
 use super::model::*;
 use super::record::Params;
 use super::resolve::Resolver;
@@ -75,32 +75,23 @@ impl Resolver<'_> {
         let values = &mut self.values;
         match state {
             State::Object(child) => State::Object(self.node(Node::Copy { child, id })),
-            State::Optics(at) => {
-                let parts = values.optics[at as usize];
-                State::Optics(keep(&mut values.optics, parts))
-            }
-            State::Texture(at) => {
-                let texture = values.textures[at as usize].clone();
-                State::Texture(keep(&mut values.textures, texture))
-            }
-            State::Colour(at) => {
-                let rgb = values.colours[at as usize];
-                State::Colour(keep(&mut values.colours, rgb))
-            }
+            State::Optics(at) => State::Optics(again(&mut values.optics, at)),
+            State::Texture(at) => State::Texture(again(&mut values.textures, at)),
+            State::Colour(at) => State::Colour(again(&mut values.colours, at)),
             State::AmbientLight(at) => {
-                let light = values.ambient_lights[at as usize];
-                State::AmbientLight(keep(
-                    &mut values.ambient_lights,
-                    AmbientLight { id, ..light },
-                ))
+                let copy = again(&mut values.ambient_lights, at);
+                values.ambient_lights[copy as usize].id = id;
+                State::AmbientLight(copy)
             }
             State::PointLight(at) => {
-                let light = values.point_lights[at as usize];
-                State::PointLight(keep(&mut values.point_lights, PointLight { id, ..light }))
+                let copy = again(&mut values.point_lights, at);
+                values.point_lights[copy as usize].id = id;
+                State::PointLight(copy)
             }
             State::Camera(at) => {
-                let camera = values.cameras[at as usize];
-                State::Camera(keep(&mut values.cameras, Camera { id, ..camera }))
+                let copy = again(&mut values.cameras, at);
+                values.cameras[copy as usize].id = id;
+                State::Camera(copy)
             }
             State::Undefined
             | State::Selection
@@ -196,5 +187,47 @@ impl Resolver<'_> {
                 })
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::scene;
+
+    #[test]
+    fn a_copy_and_its_original_change_apart() {
+        let scene = scene(
+            "2 9 1\n20 9 1\n\
+             3 -701 1 0 0\n4 -105 3\n4 -701 0 1 0\n\
+             5 -201 0.5 0 0\n6 -105 5\n5 -201 0.25 0 0\n\
+             7 -399 2 2 3 3\n8 -105 7\n8 -399 4 4 3 3\n\
+             2 -299 3 5\n20 -299 4 6\n\
+             30 9 1\n31 9 1\n30 -299 7 0\n31 -299 8 0\n\
+             10 -402 1\n11 -105 10\n11 -1 1 2 3\n10 -701 0 0 1\n\
+             12 -401 1\n13 -105 12\n13 -701 0 1 1\n\
+             14 -501 0 0 9 0 0 -1 0 1 0 45\n15 -105 14\n14 -1 0 0 1\n\
+             21 -101 2 20\n22 -101 30 31\n23 -101 21 22\n1 9999 23 0\n",
+        );
+        let looks = |id: u32| {
+            let paint = scene.paints.iter().rfind(|p| p.owner == id).unwrap();
+            (paint.texture.clone().unwrap(), paint.optics.unwrap().kd[0])
+        };
+        assert_eq!(looks(2), (Texture::Colour([1.0, 0.0, 0.0]), 0.25));
+        assert_eq!(looks(20), (Texture::Colour([0.0, 1.0, 0.0]), 0.5));
+        let cells = |id: u32| match looks(id).0 {
+            Texture::Checkerboard { n, m, .. } => [n, m],
+            other => panic!("{other:?}"),
+        };
+        assert_eq!([cells(30), cells(31)], [[2, 2], [4, 4]]);
+        let points = scene.point_lights.iter();
+        let points: Vec<_> = points.map(|l| (l.id, l.position, l.colour)).collect();
+        assert_eq!(points[0], (10, [0.0; 3], [0.0, 0.0, 1.0]));
+        assert_eq!(points[1], (11, [1.0, 2.0, 3.0], [1.0; 3]));
+        let ambient = scene.ambient_lights.iter();
+        let ambient: Vec<_> = ambient.map(|l| (l.id, l.colour)).collect();
+        assert_eq!(ambient, [(12, [1.0; 3]), (13, [0.0, 1.0, 1.0])]);
+        let cameras: Vec<_> = scene.cameras.iter().map(|c| (c.id, c.position)).collect();
+        assert_eq!(cameras, [(14, [0.0, 0.0, 10.0]), (15, [0.0, 0.0, 9.0])]);
     }
 }

@@ -10,7 +10,8 @@ pub struct OpticsParts {
     pub index: Option<Rgb>,
 }
 
-/// What an ID is; of what is no object, where its value stands in [`Values`]. No two IDs share a value.
+/// What an ID stands for. The number in `Object` is a node. The other numbers are indices into the lists of [`Values`].
+/// No two IDs share a value.
 #[derive(Debug, Clone, Copy)]
 pub enum State {
     Undefined,
@@ -32,7 +33,7 @@ pub enum State {
 // A large scene has millions of them.
 const _: () = assert!(size_of::<State>() == 8);
 
-/// What entities are made of that are no objects.
+/// The values of all entities that are not objects.
 #[derive(Debug, Default)]
 pub struct Values {
     pub optics: Vec<OpticsParts>,
@@ -47,6 +48,12 @@ pub struct Values {
 pub fn keep<T>(values: &mut Vec<T>, value: T) -> u32 {
     values.push(value);
     values.len() as u32 - 1
+}
+
+/// Adds a copy of a value, and says where the copy stands.
+pub fn again<T: Clone>(values: &mut Vec<T>, at: u32) -> u32 {
+    let value = values[at as usize].clone();
+    keep(values, value)
 }
 
 impl State {

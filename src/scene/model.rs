@@ -91,8 +91,10 @@ impl Node {
 }
 
 impl Scene {
-    /// The shapes and where they are written, in file order.
+    /// The shapes and where they are written, in file order: each has one node, and [`shapes`](Self::shapes) has the
+    /// order of the nodes.
     pub fn written_shapes(&self) -> impl Iterator<Item = (&Shape, Span)> {
+        debug_assert_eq!(self.nodes.len(), self.origins.len());
         let nodes = self.nodes.iter().zip(&self.origins);
         nodes.filter_map(|(node, origin)| match *node {
             Node::Shape(shape) => Some((&self.shapes[shape as usize], origin.span)),
@@ -131,7 +133,7 @@ pub struct Shape {
 }
 
 // A large scene has millions of them.
-const _: () = assert!(size_of::<Shape>() == 64);
+const _: () = assert!(size_of::<Shape>() <= 64);
 
 impl Shape {
     pub fn ty(&self) -> &'static RecordType {

@@ -3,6 +3,7 @@
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{NodeId, Scene};
 use crate::solids::shapes::facts::Facts;
+use crate::solids::{Named, named};
 
 /// A shape where it occurs, or something that is known as a whole only.
 #[derive(Debug, Clone)]
@@ -43,6 +44,11 @@ impl Leaf {
     /// A part whose bounds in its own coordinates are these.
     pub fn part(node: NodeId, bounds: Aabb, matrix: Matrix, place: u32) -> Leaf {
         Leaf::within(node, bounds.transformed(&matrix), matrix, place)
+    }
+
+    /// What the shape is called, and where it is written; `None` for what is known as a whole.
+    pub fn written(&self, scene: &Scene) -> Option<Named> {
+        self.shape.and_then(|_| named(scene, self.node))
     }
 
     fn within(node: NodeId, bounds: Aabb, matrix: Matrix, place: u32) -> Leaf {

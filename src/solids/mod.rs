@@ -61,7 +61,7 @@ pub fn named(scene: &Scene, mut node: NodeId) -> Option<Named> {
                 return Some(Named {
                     title: shape.ty().title,
                     id: copy.unwrap_or(shape.id),
-                    span: scene.origins.get(node as usize)?.span,
+                    span: scene.origins[node as usize].span,
                 });
             }
             Node::Complement(_) => return None,
@@ -71,7 +71,7 @@ pub fn named(scene: &Scene, mut node: NodeId) -> Option<Named> {
                     Node::Intersection(..) => "intersection",
                     _ => "difference",
                 };
-                let record = scene.origins.get(node as usize)?;
+                let record = scene.origins[node as usize];
                 return Some(Named {
                     title,
                     id: copy.unwrap_or(record.id),

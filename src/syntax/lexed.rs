@@ -101,6 +101,7 @@ impl Lexed {
     fn append(&mut self, mut part: Lexed) {
         let (tokens, sigs) = (self.tokens.len() as u32, self.sigs.len() as u32);
         self.odd.extend(part.odd.iter().map(|i| i + sigs));
+        // Most of the time goes into memory that is touched for the first time. Two threads share it.
         let moved = part.sigs.iter().map(|sig| Sig(sig.0 + tokens));
         parallel::both(
             || self.tokens.append(&mut part.tokens),

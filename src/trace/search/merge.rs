@@ -39,8 +39,8 @@ impl<R: Precision> Spans<R> {
 }
 
 impl<R: Precision> Scratch<R> {
-    /// The end of the events in one place that begin at `first`, of which there is one; brings `before` and `after` up
-    /// to date.
+    /// Returns the index behind the events that lie in one place with the event at `first`. Sets `before` and `after` to
+    /// the states on both sides of that place.
     fn next_group(&mut self, events: &[Event<R>], first: usize) -> usize {
         self.before.clone_from(&self.after);
         let mut next = first;

@@ -178,8 +178,8 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// Goes on with an intersection whose operands before `part` are on the stack of lists: up to the next operand that
-    /// is an object.
+    /// Continues an intersection. The lists of the operands before `part` are on the stack. Shapes are crossed at once.
+    /// The next operand that is an object becomes a task, and the rest waits for it.
     fn operands(&mut self, ray: &Ray<R>, mut part: u32, context: u32, base: usize, from: R, to: R) {
         let graph = self.graph;
         let object = self.contexts[context as usize].object;

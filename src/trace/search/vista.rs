@@ -63,7 +63,8 @@ struct Seen {
     index: u32,
     /// No point of it is nearer.
     near: f32,
-    /// The rectangle around it, in cells: its lower corner, and the upper one with its signs changed.
+    /// The rectangle around it, in cells: lower x, lower y, −upper x, −upper y. One comparison with (x, y, −x, −y) tests
+    /// all four sides.
     sides: [f32; 4],
 }
 
@@ -261,7 +262,7 @@ impl Face {
                 &self.lists[self.starts[cell] as usize..self.starts[cell + 1] as usize]
             }
         };
-        // One branch, not four that nobody can foresee.
+        // One branch: the processor could not predict four.
         let at = f32x4::new([x, y, -x, -y]);
         list.iter()
             .filter(move |seen| f32x4::new(seen.sides).simd_le(at).all())

@@ -17,7 +17,6 @@ use crate::scene::record::Params;
 use crate::scene::{Scene, Volume};
 use crate::solids::extent::{WRITTEN, beyond, size};
 use crate::solids::leaf::Leaf;
-use crate::solids::named;
 use crate::solids::outline::{DIRECTIONS, Outline};
 use crate::solids::tree::Tree;
 
@@ -100,10 +99,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     };
     let Some(met) = met else { return };
     let leaf = ends.iter().find(|l| l.id == met.shape);
-    let Some(shape) = leaf
-        .filter(|l| l.shape.is_some())
-        .and_then(|l| named(scene, l.node))
-    else {
+    let Some(shape) = leaf.and_then(|l| l.written(scene)) else {
         return;
     };
     // So finely that the place named is outside too.
@@ -137,8 +133,7 @@ fn not_drawn(
     let mut all = unseen.iter().filter(counts);
     let leaf = all.next()?;
     let (axis, above) = apart(&leaf.bounds, clip)?;
-    leaf.shape?;
-    let shape = named(scene, leaf.node)?;
+    let shape = leaf.written(scene)?;
     let (side, reach) = beyond_side(&leaf.bounds, axis, above);
     Some(
         Diagnostic::new(Code::W312, p.span_of(side, 1))

@@ -6,17 +6,17 @@ use crate::scene::Entity;
 use crate::scene::names::Names;
 use crate::syntax::table::{Effect, Kind, RecordKind};
 
-/// What is known of an ID. A large scene has millions of them, so that they are bits.
+/// Flags of an ID. A large scene has millions of IDs, so each has one byte.
 type Known = u8;
-/// An object could be made of it, or it is no object; otherwise something else has been said about it.
+/// The ID is no object, or its object could be made. If its object could not be made, another finding says so.
 const SOUND: Known = 1;
-/// A record defines it that is no placeholder.
+/// A record other than a placeholder defines the ID.
 const DEFINED: Known = 2;
 const USED: Known = 4;
-/// Something else that is not used names it.
+/// An unused definition names the ID.
 const HELD: Known = 8;
-/// It has been looked at.
-const SEEN: Known = 16;
+/// It has been decided whether the ID is reported.
+const DECIDED: Known = 16;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if context.scene.render.is_none() || context.has_broken() {
@@ -37,36 +37,38 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             }
         }
     }
-    // Of a placeholder and what has become of it the last one is shown.
-    let entities = context.scene.entities.iter().rev();
-    let reported = entities.filter(|e| {
-        let Some(number) = context.scene.ids.get(e.id) else {
-            return false;
+    // A placeholder and its later definition share an ID. The finding points at the later one.
+    for entity in context.scene.entities.iter().rev() {
+        let Some(number) = context.scene.ids.get(entity.id) else {
+            continue;
         };
-        let known = std::mem::replace(&mut all[number as usize], SEEN);
-        known & (SOUND | USED | HELD | SEEN) == SOUND
-    });
-    out.extend(reported.filter_map(|entity| {
-        let case = match entity.kind? {
-            Kind::Object => "object",
-            Kind::Undefined => "placeholder",
-            Kind::Optics | Kind::Texture | Kind::Colour => "",
-            _ => return None,
-        };
-        let title = context.params(entity.span).map_or("object", |p| p.ty.title);
-        Some(
-            Diagnostic::new(Code::W310, entity.span)
-                .case(case)
-                .with("type", Value::Term(title))
-                .with("id", entity.id.to_string()),
-        )
-    }));
+        let known = std::mem::replace(&mut all[number as usize], DECIDED);
+        if known & (SOUND | USED | HELD | DECIDED) == SOUND {
+            out.extend(finding(context, entity));
+        }
+    }
+}
+
+fn finding(context: &Context, entity: &Entity) -> Option<Diagnostic> {
+    let case = match entity.kind? {
+        Kind::Object => "object",
+        Kind::Undefined => "placeholder",
+        Kind::Optics | Kind::Texture | Kind::Colour => "",
+        _ => return None,
+    };
+    let title = context.params(entity.span).map_or("object", |p| p.ty.title);
+    Some(
+        Diagnostic::new(Code::W310, entity.span)
+            .case(case)
+            .with("type", Value::Term(title))
+            .with("id", entity.id.to_string()),
+    )
 }
 
 /// What is known of each ID, by its number.
 fn definitions(context: &Context) -> Vec<Known> {
     let scene = context.scene;
-    // No ID has a greater number.
+    // There are at most as many IDs as entities.
     let mut all = vec![0; scene.entities.len()];
     for e in &scene.entities {
         if let Some(number) = scene.ids.get(e.id) {
@@ -86,14 +88,19 @@ fn definitions(context: &Context) -> Vec<Known> {
 
 /// Marks what is defined twice as used: which of the two was meant is not known.
 fn spare_duplicates(context: &Context, all: &mut [Known]) {
+    let entities = context.scene.entities.iter();
+    let mut entities = entities.map(|e| e.span.start).peekable();
     for record in context.records() {
+        // Entities are in the order of the records that define them. A record that was refused defines none.
+        let start = context.document.tokens[record.first as usize].start;
+        let is_entity = entities.next_if_eq(&start).is_some();
         let defines = matches!(record.ty().effect, Effect::Defines(_))
             && record.kind != RecordKind::Undefined;
         if defines && let Some(number) = context.scene.ids.get(record.id) {
             let known = &mut all[number as usize];
-            *known |= match *known & DEFINED {
-                0 => DEFINED,
-                _ => USED,
+            *known |= match is_entity && *known & DEFINED == 0 {
+                true => DEFINED,
+                false => USED,
             };
         }
     }
