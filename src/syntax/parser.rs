@@ -16,7 +16,7 @@ use super::lexed::{Lexed, Sig};
 use super::lexer;
 use super::recovery::{self, Recovered, Surroundings};
 use super::signature::{self, Columns, Reading};
-use super::table::{Effect, RecordKind, RecordType};
+use super::table::{Effect, ParamKind, RecordKind, RecordType};
 use crate::diagnostics::{self, Code, Diagnostic, Value};
 
 /// Parses a scene text. It never fails: what cannot be read is in the findings, sorted by place,
@@ -168,8 +168,47 @@ impl<'s> Plan<'s> {
                 to: columns.len(),
                 item: 0,
             }];
+        } else {
+            plan.doubt_groups();
         }
         plan
+    }
+
+    /// Gives up records whose optional group is a line of its own, where that may be a broken record; see
+    /// [`recovery`].
+    fn doubt_groups(&mut self) {
+        let c = self.columns;
+        let line_of_group = |item: &Item| {
+            let Item::Record(record) = item else {
+                return None;
+            };
+            let group = record.value as usize + record.ty().params.len();
+            let end = (record.value + record.params) as usize;
+            let first = record.ty().optional.first()?;
+            let is_line = c.starts_line(group) && (group + 1..end).all(|at| !c.starts_line(at));
+            (is_line && group < end).then_some((group, end, first.kind))
+        };
+        if !self.gaps.is_empty() || !self.items.iter().any(|item| line_of_group(item).is_some()) {
+            return;
+        }
+        let around = Surroundings::new(&c, &self.items, 0, 0);
+        let may_be_record = |&(group, end, kind): &(usize, usize, ParamKind)| {
+            let id = c.int(group).and_then(|id| u32::try_from(id).ok());
+            let refers = matches!(kind, ParamKind::Reference { .. });
+            id.is_some_and(|id| {
+                id == 1 || around.dangling.contains(&id) || refers && !around.is_defined(id)
+            }) || !around.dangling.is_empty() && recovery::has_lost_id(c, group, end)
+        };
+        for item in std::mem::take(&mut self.items) {
+            match line_of_group(&item).filter(may_be_record) {
+                Some((_, to, _)) => self.gaps.push(Gap {
+                    from: to - significant(&item),
+                    to,
+                    item: self.items.len(),
+                }),
+                None => self.items.push(item),
+            }
+        }
     }
 
     /// `0`, alone.

@@ -51,6 +51,14 @@ impl Columns<'_> {
         ]
     }
 
+    /// Whether the render record begins at a token.
+    pub fn begins_render(&self, i: usize) -> bool {
+        let is_render = |code| {
+            RecordType::by_code(i64::from(code)).is_some_and(|t| t.kind == RecordKind::Render)
+        };
+        matches!(self.head(i), [Some(1), Some(code)] if is_render(code))
+    }
+
     /// Whether what stops before token `end` stops at the end of a line.
     pub fn ends_line(&self, end: usize) -> bool {
         end == self.len() || self.starts_line(end)
@@ -147,6 +155,23 @@ fn read_base(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     })
 }
 
+/// The record that begins at token `i` where the line breaks alone say whether an optional group is there: if it is the rest of the line. `None`
+/// too if the record does not end with a line then.
+pub fn read_by_line(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
+    let mut reading = read_base(c, i, limit)?;
+    let optional = reading.ty.optional;
+    let with = reading.end + optional.len();
+    if is_rest_of_line(c, reading.end, with, limit) && are_right(c, reading.end, optional) {
+        reading.end = with;
+    }
+    c.ends_line(reading.end).then_some(reading)
+}
+
+/// Whether tokens `from..to` are the rest of the line.
+fn is_rest_of_line(c: &Columns, from: usize, to: usize, limit: usize) -> bool {
+    to <= limit && (from..to).all(|at| !c.starts_line(at)) && (to == limit || c.ends_line(to))
+}
+
 /// Whether the tokens from `first` on can stand for these parameters.
 #[inline]
 fn are_right(c: &Columns, first: usize, params: &[Param]) -> bool {
@@ -159,9 +184,7 @@ fn are_right(c: &Columns, first: usize, params: &[Param]) -> bool {
 fn group(c: &Columns, reading: &mut Reading, limit: usize) -> Option<()> {
     let (end, optional) = (reading.end, reading.ty.optional);
     let with = end + optional.len();
-    let own_line = with <= limit
-        && (end..with).all(|at| !c.starts_line(at))
-        && (with == limit || c.ends_line(with));
+    let own_line = is_rest_of_line(c, end, with, limit);
     let fits_here = with <= limit
         && are_right(c, end, optional)
         && (end..with)

@@ -3,11 +3,14 @@
 //! *Localised*: the first error is on the mutated line; in free-form text within the mutated record or at the next
 //! token. *Single*: it is the only one. *Several*: as many errors as there are mistakes, each in its own record.
 //!
-//! `RECOVERY_SCENES=2000` measures on so many scenes of each kind and prints what is missed.
+//! `RECOVERY_SCENES=2000` measures on so many scenes of each kind and prints what is missed; `RECOVERY_FIRST=5000`
+//! makes others.
+
+use std::ops::Range;
 
 use rayon::prelude::*;
-use zpg::analysis::Analysis;
-use zpg::diagnostics::SourceFile;
+use zpg::analysis::{Analysis, repair};
+use zpg::diagnostics::{Diagnostic, SourceFile};
 
 use super::scenes;
 use crate::campaign::rng::Rng;
@@ -18,9 +21,9 @@ const FREE: [f64; 2] = [0.99, 0.97];
 const SEVERAL: f64 = 0.98;
 
 /// The shares that are reached, and must not get less.
-const LINES_REACHED: [f64; 2] = [0.999, 0.998];
-const FREE_REACHED: [f64; 2] = [0.985, 0.97];
-const TWO_REACHED: f64 = 0.99;
+const LINES_REACHED: [f64; 2] = [0.999, 0.999];
+const FREE_REACHED: [f64; 2] = [0.988, 0.98];
+const TWO_REACHED: f64 = 0.992;
 const FOUR_REACHED: f64 = 0.975;
 
 /// A scene with mistakes.
@@ -179,15 +182,20 @@ pub fn mutant(seed: u64, layout: Layout, mistakes: usize) -> Option<Mutant> {
     Some(Mutant { text, places })
 }
 
-/// What is said of a mutant: whether the first error is in its place, whether there are as many as mistakes and
-/// each is in a place, and all errors for a list.
+/// What `zpg check` says of a mutant: whether the first error is in its place, whether there are as many as mistakes
+/// and each is in a place, and all errors for a list.
 pub fn judge(mutant: &Mutant) -> (bool, bool, String) {
     let analysis = Analysis::of(SourceFile::new("m.zpg", mutant.text.as_str().into()));
-    let errors: Vec<_> = analysis
-        .findings()
-        .iter()
-        .filter(|d| d.is_error())
-        .collect();
+    let found = judged(mutant, &analysis, analysis.findings());
+    match found {
+        (true, true, _) => found,
+        // Of several errors that one fix mends, one is left.
+        _ => judged(mutant, &analysis, &repair::proposals(&analysis)),
+    }
+}
+
+fn judged(mutant: &Mutant, analysis: &Analysis, findings: &[Diagnostic]) -> (bool, bool, String) {
+    let errors: Vec<_> = findings.iter().filter(|d| d.is_error()).collect();
     let place = |at: u32| {
         let within = |p: &&(&str, usize, usize)| (p.1..=p.2).contains(&(at as usize));
         mutant.places.iter().find(within)
@@ -219,9 +227,13 @@ pub fn judge(mutant: &Mutant) -> (bool, bool, String) {
 }
 
 /// The shares of localised and single among so many mutants, and what was missed.
-pub fn shares(layout: Layout, mistakes: usize, seeds: u64) -> ([f64; 2], usize, Vec<String>) {
-    let seeds = (0..seeds).into_par_iter();
+pub fn shares(
+    layout: Layout,
+    mistakes: usize,
+    seeds: Range<u64>,
+) -> ([f64; 2], usize, Vec<String>) {
     let all: Vec<(bool, bool, String)> = seeds
+        .into_par_iter()
         .filter_map(|seed| mutant(seed, layout, mistakes))
         .map(|m| judge(&m))
         .collect();
@@ -235,9 +247,9 @@ pub fn shares(layout: Layout, mistakes: usize, seeds: u64) -> ([f64; 2], usize, 
 
 #[test]
 fn mistakes_are_found_where_they_are() {
-    let scenes = std::env::var("RECOVERY_SCENES")
-        .ok()
-        .and_then(|n| n.parse().ok());
+    let number = |name| std::env::var(name).ok().and_then(|n| n.parse::<u64>().ok());
+    let scenes = number("RECOVERY_SCENES");
+    let first = number("RECOVERY_FIRST").unwrap_or(0);
     let mut table = String::new();
     let mut reached = true;
     for (name, layout, mistakes, bars, aims) in [
@@ -258,7 +270,7 @@ fn mistakes_are_found_where_they_are() {
             [0.0, SEVERAL],
         ),
     ] {
-        let (found, count, missed) = shares(layout, mistakes, scenes.unwrap_or(300));
+        let (found, count, missed) = shares(layout, mistakes, first..first + scenes.unwrap_or(300));
         for miss in missed.iter().filter(|_| scenes.is_some()) {
             println!("{name}: {miss}");
         }

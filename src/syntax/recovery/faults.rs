@@ -5,6 +5,7 @@ use super::super::lexer::TokenKind;
 use super::super::signature::{allows, fits};
 use super::super::table::{Effect, ParamKind, RecordKind, RecordType};
 use super::heads::{end_of, expected_ends, integral, point_count, type_at, type_behind_stray};
+use super::slips::LEAST_HEAD;
 use super::stretch::{LONG, Stretch};
 use super::verdict::{CUT_OFF, FAULT, Verdict};
 
@@ -18,6 +19,8 @@ pub trait Known {
     fn is_defined_before(&self, stretch: &Stretch, line: usize, id: i32) -> bool;
     /// Whether an ID at the head of a line is in the order of the IDs around.
     fn is_in_order(&self, line: usize, id: i32) -> bool;
+    /// Whether an ID that would be in order at the head of a line is used elsewhere and defined by no line of its own.
+    fn misses_next(&self, line: usize) -> bool;
     /// Whether some other ID is used elsewhere and defined by no line of its own.
     fn misses_another(&self, id: i32) -> bool;
 }
@@ -39,6 +42,10 @@ impl Known for Unknown {
     }
 
     fn is_in_order(&self, _: usize, _: i32) -> bool {
+        false
+    }
+
+    fn misses_next(&self, _: usize) -> bool {
         false
     }
 
@@ -108,7 +115,15 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
             _ => with_id,
         };
     }
-    if let Some(lost) = lost_id(stretch, start, end) {
+    // A number that can be no ID may stand in front of an operation or a property that is right, or of what defines the
+    // ID that is missing.
+    let line = stretch.line(start);
+    let is_meant = |ty: &RecordType| {
+        ty.code <= LEAST_HEAD || matches!(ty.effect, Effect::Defines(_)) && known.misses_next(line)
+    };
+    let is_right = with_id.1 >= NOTHING_WRONG && ty.is_some_and(is_meant);
+    let changes = |v: &Verdict| matches!(v, Verdict::LostId { ty } if matches!(ty.effect, Effect::Changes(_)));
+    if let Some(lost) = lost_id(stretch, start, end).filter(|(v, _)| !(is_right && changes(v))) {
         return lost;
     }
     // The ID itself is the fault; what is behind it may be right. A `0` that introduces a comment
@@ -128,6 +143,9 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
             let extra = matches!(id.kind, TokenKind::Word | TokenKind::Invalid);
             // Nor is a number too many likely to be an undefined object's.
             let extra = extra || ty.kind == RecordKind::Undefined;
+            // Nor is a number that reads like the type of an operation or a property a coordinate.
+            let head = stretch.record_type(start + 2);
+            let extra = extra || head.is_some_and(|t| t.code <= LEAST_HEAD);
             let price = FAULT + bad_price(stretch, start + 2, end) + if extra { 50 } else { 0 };
             (Verdict::BadId { ty: Some(ty) }, price + void)
         }
@@ -199,7 +217,8 @@ fn surplus(
     if !right || lost_sign || stretch.bad(start, first) > 0 {
         return None;
     }
-    let own = stretch.sigs[start].int?;
+    // A real is no ID.
+    let own = stretch.sigs[start].int.unwrap_or(0);
     let speaks = |id: i32| match ty.effect {
         Effect::Changes(_) => known.is_defined(id),
         _ if ty.kind == RecordKind::Render => id == 1,
@@ -209,16 +228,28 @@ fn surplus(
     let in_front = stretch.sigs[start + 1].int.filter(|_| !is_own);
     // An ID in order speaks for itself, if the second token is hardly the type.
     let is_new = !matches!(ty.effect, Effect::Changes(_));
+    let line = stretch.line(start);
+    let is_in_order = |id: i32| is_new && known.is_in_order(line, id);
     let no_type = !is_typed || as_typed > FEW_OFF;
-    let is_next = |id: i32| is_new && no_type && known.is_in_order(stretch.line(start), id);
+    let is_next = |id: i32| no_type && is_in_order(id);
     let has_id = || lost_id(stretch, start, end).is_none();
     let is_next_in_front = |id| is_next(id) && (own == id || !is_next(own));
-    let in_front =
-        in_front.filter(|&id| speaks(id) || is_next_in_front(id) && (own > 0 || has_id()));
-    // What is no type at all is likelier to be a mistyped one.
-    let behind = is_typed && no_type && (speaks(own) || is_next(own)) && has_id();
+    // What is changed is there; but a record that lost its ID or a number may begin with the same.
+    let is_changed = |id: i32| speaks(id) && has_id() && !known.is_in_order(line, own);
+    let in_front = in_front.filter(|&id| match is_new {
+        true => speaks(id) || is_next_in_front(id) && (own > 0 || has_id()),
+        false => is_changed(id),
+    });
+    // What is no type at all is likelier to be a mistyped one, unless it is the ID once more.
+    let doubled = stretch.sigs[start + 1].int == Some(own);
+    let behind = if doubled {
+        speaks(own) || is_in_order(own)
+    } else {
+        is_typed && no_type && (speaks(own) || is_next(own)) && has_id()
+    };
+    let is_joined = |id: i32| speaks(id) || is_in_order(id) && !is_in_order(own);
     let (id, at) = [
-        (joined(stretch, start).filter(|&id| speaks(id)), start),
+        (joined(stretch, start).filter(|&id| is_joined(id)), start),
         (in_front, start),
         (behind.then_some(own), start + 1),
     ]

@@ -24,10 +24,14 @@ pub fn spoiled(stretch: &Stretch, i: usize) -> Option<i64> {
         .ok()
 }
 
-/// The type that follows a sign or word that stands in its place.
+/// The type that follows a sign or word that stands in its place; in a line, what is no integer.
 pub fn type_behind_stray(stretch: &Stretch, i: usize) -> Option<&'static RecordType> {
     let stray = |k| matches!(k, TokenKind::Word | TokenKind::Invalid);
-    stretch.sigs.get(i).filter(|s| stray(s.kind))?;
+    let odd = |k| !matches!(k, TokenKind::Integer) && !stretch.is_free;
+    stretch
+        .sigs
+        .get(i)
+        .filter(|s| stray(s.kind) || odd(s.kind))?;
     type_at(stretch, i + 1)
 }
 

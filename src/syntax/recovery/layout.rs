@@ -7,8 +7,8 @@
 //! takes numbers from a line that says it is a record of its own costs more.
 
 use super::super::signature::Reading;
-use super::super::table::{Effect, RecordKind};
-use super::faults;
+use super::super::table::{Effect, ParamKind, RecordKind};
+use super::faults::{self, Known};
 use super::heads;
 use super::stretch::Stretch;
 use super::sums::Sums;
@@ -90,7 +90,7 @@ impl Search<'_, '_> {
             if let Some(r) = &exact {
                 offer(r.end, self.record_price(i, r));
             }
-            if let Some(r) = self.stretch.without_group(i) {
+            if let Some(r) = self.stretch.read_by_line(i) {
                 offer(r.end, self.record_price(i, &r));
             }
             self.fault_ends(i, &mut ends);
@@ -137,7 +137,7 @@ impl Search<'_, '_> {
         }
         let readings = [
             self.stretch.read(start).copied(),
-            self.stretch.without_group(start),
+            self.stretch.read_by_line(start),
         ];
         match readings.into_iter().flatten().find(|r| r.end == end) {
             Some(r) if self.record_price(start, &r) <= fault.1 => Verdict::Whole(r),
@@ -181,19 +181,22 @@ impl Search<'_, '_> {
             };
         }
         let mut price = 0;
-        // `ID 0` after something else is likelier two stray numbers than an undefined object.
-        if behind && r.end == start + 2 && r.ty.kind == RecordKind::Undefined {
+        // `ID 0` after something else is likelier two stray numbers than an undefined object, and one before something
+        // else a type that is wrong.
+        if r.end == start + 2 && r.ty.kind == RecordKind::Undefined {
             price += 400;
         }
         if last > first {
             let witness = self.witnesses.takes_over(stretch, start, r.end);
-            let slip = witness && self.witnesses.slips[last];
+            let slip = witness && self.witnesses.slips[last] || self.takes_a_record(start, r);
             price += match (behind, witness) {
                 _ if slip => TWO_SLIPS,
                 (true, true) => IMPLAUSIBLE,
                 (false, true) if self.witnesses.is_void_line(stretch, last) => IMPLAUSIBLE,
                 (false, true) if self.doubt_takeovers => IMPLAUSIBLE,
-                (false, true) if r.end == stretch.line_end(last) => DOUBTFUL,
+                (false, true) if r.end == stretch.line_end(last) && !self.sums.is_sure(last) => {
+                    DOUBTFUL
+                }
                 (false, true) => IMPLAUSIBLE,
                 (true, false) => 300,
                 (false, false) if !stretch.ends_line(r.end) => 200,
@@ -206,6 +209,27 @@ impl Search<'_, '_> {
         }
         // What the resolver would object to counts too, but never as much as a fault of form.
         price + self.objections(start, r)
+    }
+
+    /// Whether the optional group of a record is a line that is likelier a broken record of its own: it begins with an ID
+    /// that is used and defined nowhere, as the render record does, or with what should be an ID and is none, or it
+    /// is a record without the ID that is missing there. The parser asks here about such lines.
+    fn takes_a_record(&self, start: usize, r: &Reading) -> bool {
+        let group = start + 2 + r.ty.arity(r.count.into()) as usize;
+        if group >= r.end || !self.stretch.starts_line(group) {
+            return false;
+        }
+        let refers =
+            r.ty.optional
+                .first()
+                .is_some_and(|p| matches!(p.kind, ParamKind::Reference { .. }));
+        let is_odd = |id: i32| {
+            self.witnesses.is_missing(id) || refers && (id == 1 || !self.witnesses.is_defined(id))
+        };
+        self.stretch.begins_render(group)
+            || self.stretch.sigs[group].int.is_some_and(is_odd)
+            || faults::has_lost_id(self.stretch, group, r.end)
+                && self.witnesses.misses_next(self.stretch.line(group))
     }
 
     fn objections(&self, start: usize, r: &Reading) -> u32 {

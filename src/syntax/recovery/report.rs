@@ -90,7 +90,10 @@ impl Reporter<'_, '_> {
         let (start, end) = (piece.start, piece.end);
         let is_record = !matches!(
             piece.verdict,
-            Verdict::BadId { .. } | Verdict::LostId { .. } | Verdict::CutOff { .. }
+            Verdict::BadId { .. }
+                | Verdict::LostId { .. }
+                | Verdict::Surplus { .. }
+                | Verdict::CutOff { .. }
         );
         if is_record && self.stretch.sigs[start].kind == TokenKind::Real {
             out.push(self.not_an_integer(start, "an ID"));
@@ -107,10 +110,16 @@ impl Reporter<'_, '_> {
                 out.push(self.count(piece, ty, got, expected));
             }
             Verdict::Surplus {
-                ty, expected, at, ..
+                ty,
+                expected,
+                at,
+                id,
             } => {
                 let span = self.stretch.token(at).span();
                 let count = |n: usize| Value::Count(n as u64);
+                // The ID in the place of the two tokens that it is made of.
+                let (head, id) = (self.span(start, start + 2), id.to_string());
+                let fix = Fix::replace("fix-write", Applicability::Unsafe, head, id.clone());
                 out.push(
                     Diagnostic::new(Code::E009, span)
                         .with("type", Value::Term(ty.title))
@@ -118,7 +127,8 @@ impl Reporter<'_, '_> {
                         .with("off", count(1))
                         .with("wanted", count(expected))
                         .with("fewer", "none")
-                        .with("header", header(ty)),
+                        .with("header", header(ty))
+                        .fix(fix.with("number", quote(&id))),
                 );
             }
             Verdict::LostSign {

@@ -111,13 +111,14 @@ impl<'s> Stretch<'s> {
         self.readings.get(i)?.as_ref()
     }
 
-    /// The record at token `i` without its optional group, if that begins with the next line: perhaps what stands there
-    /// is no group, and could not be read for a mistake.
-    pub fn without_group(&self, i: usize) -> Option<Reading> {
+    /// The record at token `i` with its optional group where line breaks want it, if that is not how it can be read: a
+    /// mistake on a line behind it may have decided that.
+    pub fn read_by_line(&self, i: usize) -> Option<Reading> {
         let reading = self.read(i)?;
-        let end = i + 2 + usize::try_from(reading.ty.arity(reading.count.into())).ok()?;
-        let is_shorter = end < reading.end && self.starts_line(end);
-        is_shorter.then_some(Reading { end, ..*reading })
+        let to = self.from + self.len();
+        let by_line = signature::read_by_line(&self.columns, self.from + i, to)?;
+        let end = by_line.end - self.from;
+        (end != reading.end).then_some(Reading { end, ..by_line })
     }
 
     /// The type whose number stands at a token.
@@ -132,6 +133,11 @@ impl<'s> Stretch<'s> {
         id: u32,
     ) -> Option<(usize, &'static RecordType)> {
         around.definition(&self.columns, id)
+    }
+
+    /// See [`Columns::begins_render`].
+    pub fn begins_render(&self, i: usize) -> bool {
+        self.columns.begins_render(self.from + i)
     }
 
     /// The ID and the type at the head of a line; see [`Columns::head`].

@@ -24,6 +24,10 @@ pub struct Sums {
 }
 
 impl Sums {
+    pub fn is_sure(&self, line: usize) -> bool {
+        self.sure_before[line + 1] > self.sure_before[line]
+    }
+
     pub fn is_own(&self, line: usize) -> bool {
         self.own_before[line + 1] > self.own_before[line]
     }

@@ -7,7 +7,7 @@ use super::super::table::{Effect, RecordKind};
 use super::damage;
 use super::faults::{self, Known};
 use super::order::Order;
-use super::slips::{self, Slip};
+use super::slips::{self, LEAST_HEAD, Slip};
 use super::stretch::{LONG, Stretch};
 use super::surroundings::Surroundings;
 use super::verdict::{Piece, Verdict};
@@ -29,7 +29,8 @@ pub struct Witnesses<'a> {
     /// The IDs that witness lines use or change.
     used: FxHashSet<i32>,
     around: &'a Surroundings,
-    /// A line begins with a type that can be no ID: other lines may have lost theirs as well.
+    /// A line begins with a type that can be no ID, and other lines are no records either: they may have lost theirs as
+    /// well.
     ids_lost: bool,
     /// How many lines are records but for a slip.
     slipped: usize,
@@ -83,7 +84,7 @@ impl<'a> Witnesses<'a> {
         let mut steps = 0;
         let mut used = FxHashSet::default();
         let mut slips = vec![false; lines];
-        let mut ids_lost = false;
+        let mut ids_lost = 0;
         let (mut slipped, mut table_to, mut in_tables, mut perhaps) = (0, 0, 0, Vec::new());
         while line < lines {
             let next = match ends[line] {
@@ -97,7 +98,7 @@ impl<'a> Witnesses<'a> {
                     match slips::slip(stretch, line, line < table_to, &order) {
                         Slip::Yes => {
                             let head = &stretch.sigs[stretch.line_start(line)];
-                            ids_lost |= head.int.is_some_and(|code| code < 0);
+                            ids_lost += u32::from(head.int.is_some_and(|code| code < 0));
                             slips[line] = true;
                             slipped += 1;
                             let (start, end) = (stretch.line_start(line), stretch.line_end(line));
@@ -173,12 +174,18 @@ impl<'a> Witnesses<'a> {
             order,
             heads,
             used,
-            ids_lost,
+            ids_lost: ids_lost > 0 && slipped > 1,
             slipped,
             voids_behind_records: around.voids_behind_records
                 || voids_behind_records(stretch, around),
             around,
         }
+    }
+
+    /// The IDs that are used and defined nowhere.
+    fn missing(&self) -> impl Iterator<Item = i32> {
+        let dangling = self.around.dangling.iter().map(|&id| id as i32);
+        (dangling.chain(self.used.iter().copied())).filter(|&id| !self.is_defined(id))
     }
 
     fn elsewhere(&self, id: i32) -> Option<u32> {
@@ -254,10 +261,11 @@ impl Known for Witnesses<'_> {
     fn misses_another(&self, id: i32) -> bool {
         // The same may have happened to other lines.
         let others = self.ids_lost || self.slipped > 1;
-        let dangling = self.around.dangling.iter().map(|&id| id as i32);
-        others
-            || (dangling.chain(self.used.iter().copied()))
-                .any(|other| other != id && !self.is_defined(other))
+        others || self.missing().any(|other| other != id)
+    }
+
+    fn misses_next(&self, line: usize) -> bool {
+        self.missing().any(|id| self.order.has(line, id))
     }
 }
 
@@ -310,19 +318,23 @@ fn run_to_line_end(stretch: &Stretch, line: usize) -> bool {
 }
 
 /// Whether a reading without faults has something in it that people do not write in a text laid out
-/// in lines: a record that straddles, a VOID without a comment behind a record, a heading's `0`
-/// taken for a number.
+/// in lines: a record that straddles, one that takes the line of an operation or a property, a VOID without a comment
+/// behind a record, a heading's `0` taken for a number.
 pub fn is_odd(stretch: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
     pieces.iter().any(|p| {
         let behind = !stretch.starts_line(p.start);
         let last = stretch.line(p.end - 1);
         let over_lines = stretch.line(p.start) != last;
+        let is_record = || {
+            let ty = stretch.record_type(stretch.line_start(last) + 1);
+            witnesses.is_complete_line(stretch, last) && ty.is_some_and(|t| t.code <= LEAST_HEAD)
+        };
         match p.verdict {
             Verdict::Void => behind,
             _ => {
                 (behind && (over_lines || p.end == p.start + 2))
                     || over_lines
-                        && witnesses.is_void_line(stretch, last)
+                        && (witnesses.is_void_line(stretch, last) || is_record())
                         && witnesses.takes_over(stretch, p.start, p.end)
             }
         }

@@ -24,7 +24,7 @@ pub enum Habit {
     Word,
     /// A comment has no signs around it.
     Comment,
-    /// Numbers stand there twice.
+    /// Numbers stand there twice, or one is too many.
     Doubled,
     /// It is the record of a sibling.
     Sibling,
@@ -183,6 +183,7 @@ impl<'a> Place<'a> {
             self.comments(&mut out);
             self.signs(&mut out);
             self.doubled(&mut out);
+            self.surplus(finding, &mut out);
             self.siblings(&mut out);
             self.types(finding, &mut out);
             self.references(finding, &mut out);

@@ -2,10 +2,10 @@
 
 use super::{Candidate, Habit, Place};
 use crate::analysis::repair::characters;
-use crate::diagnostics::{Applicability, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
-use crate::syntax::table::RecordKind;
+use crate::syntax::table::{RecordKind, RecordType};
 
 impl Place<'_> {
     /// Numbers in other characters; a unit or dash on its own joins its number.
@@ -117,6 +117,23 @@ impl Place<'_> {
                     fix: Fix::replace("fix-doubled", Applicability::Unsafe, span, ""),
                     ty: None,
                 });
+            }
+        }
+    }
+    /// A number too many, or a space in one, among references: the record can be read, since a `0` behind it is one that
+    /// introduces a comment.
+    pub(super) fn surplus(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let params = self.params();
+        let one_more = |ty: &&RecordType| !ty.is_counted() && params.len() == ty.params.len() + 1;
+        let is_reference = matches!(finding.code, Code::E101 | Code::E103);
+        if self.ty().filter(one_more).is_none() || !is_reference {
+            return;
+        }
+        for two in params.windows(2) {
+            let [first, last] = [0, 1].map(|i| two[i].text(self.text));
+            let both = Token::new(two[0].kind(), two[0].start as usize, two[1].end() as usize);
+            for new in [last.to_owned(), format!("{first}{last}")] {
+                out.extend(self.write(Habit::Doubled, &[(both, new)]));
             }
         }
     }
