@@ -10,9 +10,12 @@ use zpg::syntax::table::ParamKind;
 use zpg::syntax::{Document, Item};
 
 mod drawn;
+mod located;
 mod measure;
 mod repeated;
 mod scenes;
+
+use crate::campaign::rng;
 
 const FIRST_ON_LINE: f64 = 0.99;
 const EXACTLY_ONE: f64 = 0.97;

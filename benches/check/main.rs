@@ -1,4 +1,4 @@
-//! Everything that is promised about the speed of checking, beside other programs in the same run: medians of
+//! Everything that is promised about reading and checking: where mistakes are found, and how quickly, beside other programs in the same run: medians of
 //! several runs, one after the other in turn. Fails if a bar is missed. See benches/README.md. Only some parts:
 //! `cargo bench --bench check -- process small`.
 
@@ -6,6 +6,7 @@ mod growth;
 #[path = "../plot.rs"]
 mod plot;
 mod program;
+mod recovery;
 mod scenes;
 
 use std::path::Path;
@@ -75,7 +76,7 @@ impl Table {
         println!(
             "| {} | {} {} | {} {}{goal} | {verdict} |",
             line.what,
-            rounded(line.measured),
+            rounded(line.measured, line.unit),
             line.unit,
             if line.more { "≥" } else { "≤" },
             line.bar,
@@ -84,8 +85,10 @@ impl Table {
     }
 }
 
-fn rounded(x: f64) -> String {
+fn rounded(x: f64, unit: &str) -> String {
     match x {
+        // What matters is how far it is from all.
+        x if unit == "%" => format!("{x:.2}"),
         x if x >= 100.0 => format!("{x:.0}"),
         x if x >= 10.0 => format!("{x:.1}"),
         x => format!("{x:.2}"),
@@ -102,7 +105,7 @@ fn main() {
     let folder = tempfile::tempdir().expect("there is room for temporary files");
     let mut table = Table::default();
     println!("| what | measured | bar | |\n|---|---:|---:|---|");
-    let parts: [(&str, Part); 7] = [
+    let parts: [(&str, Part); 8] = [
         ("peers", peers),
         ("kinds", kinds),
         ("mistakes", mistakes),
@@ -110,6 +113,7 @@ fn main() {
         ("repair", |_, table| repair(table)),
         ("small", small_and_long),
         ("growth", growth::growth),
+        ("recovery", |_, table| recovery::recovery(table)),
     ];
     let asked: Vec<String> = std::env::args().skip(1).collect();
     let is_asked = |name: &str| asked.iter().any(|a| a == name);
@@ -208,7 +212,7 @@ fn orientation(folder: &Path, scene: &Scene, one: f64) {
     let seconds = start.elapsed().as_secs_f64();
     println!(
         "| (serde_json, the same numbers, beside check) | {} × | | |",
-        rounded(seconds / one)
+        rounded(seconds / one, "×")
     );
     let python = folder.join("scene.py");
     let lines = (scene.text.lines().enumerate()).map(|(i, line)| {
@@ -237,7 +241,7 @@ fn orientation(folder: &Path, scene: &Scene, one: f64) {
     match ruff.seconds() {
         Some(s) => println!(
             "| (ruff, as many bytes of Python, beside check) | {} × | | |",
-            rounded(s / one)
+            rounded(s / one, "×")
         ),
         None => println!("| (ruff) | is not installed | | |"),
     }
@@ -246,7 +250,7 @@ fn orientation(folder: &Path, scene: &Scene, one: f64) {
     match Run::new("taplo").arg("check").arg(&toml).seconds() {
         Some(s) => println!(
             "| (taplo, as many tokens of TOML, beside check) | {} × | | |",
-            rounded(s / one)
+            rounded(s / one, "×")
         ),
         None => println!("| (taplo) | is not installed | | |"),
     }

@@ -1,6 +1,6 @@
 //! Scenes for mutants: records of all types, in lines, made from the table.
 
-use crate::campaign::rng::Rng;
+use super::rng::Rng;
 use zpg::syntax::table::{
     Constraint, Effect, Kind, Param, ParamKind, RECORD_TYPES, RecordKind, RecordType,
 };
