@@ -96,10 +96,57 @@ struct Plan<'s> {
     defined: Vec<u32>,
     /// Up to here the records on the line follow one another.
     run_to: usize,
+    /// Where the optional group begins that may be a broken record.
+    doubted: Option<usize>,
     /// How many more tokens may be looked at in search of the ends of gaps.
     budget: usize,
     /// See [`Document::searched`].
     searched: usize,
+}
+
+/// The optional group of a record, where it is a line of its own.
+#[derive(Clone, Copy)]
+struct GroupLine {
+    /// The ID of the record.
+    id: u32,
+    from: usize,
+    to: usize,
+    /// Whether it begins with a reference.
+    refers: bool,
+}
+
+impl GroupLine {
+    fn new(c: &Columns, item: &Item) -> Option<GroupLine> {
+        let Item::Record(record) = item else {
+            return None;
+        };
+        let first = record.ty().optional.first()?;
+        let from = record.value as usize + record.ty().params.len();
+        let to = (record.value + record.params) as usize;
+        let is_line =
+            from < to && c.starts_line(from) && !(from + 1..to).any(|at| c.starts_line(at));
+        // Behind the render record there is no order of IDs.
+        (is_line && record.kind != RecordKind::Render).then_some(GroupLine {
+            id: record.id,
+            from,
+            to,
+            refers: matches!(first.kind, ParamKind::Reference { .. }),
+        })
+    }
+
+    fn may_be_record(&self, c: &Columns, around: &Surroundings) -> bool {
+        let id = |at| c.int(at).and_then(|id| u32::try_from(id).ok());
+        let next = id(self.to).filter(|&next| next > 1).unwrap_or(u32::MAX);
+        let in_order = |id: u32| self.id < id && id < next;
+        let is_missing = |id: u32| {
+            in_order(id) && (around.dangling.contains(&id) || self.refers && !around.is_defined(id))
+        };
+        let is_no_reference = |id: u32| self.refers && id == 1;
+        let lost = || around.dangling.iter().any(|&id| in_order(id));
+        c.begins_render(self.from)
+            || id(self.from).is_some_and(|id| is_missing(id) || is_no_reference(id))
+            || lost() && recovery::has_lost_id(*c, self.from, self.to)
+    }
 }
 
 /// Significant tokens that are not read, and behind which item.
@@ -152,6 +199,7 @@ impl<'s> Plan<'s> {
             notes: Vec::new(),
             defined: Vec::new(),
             run_to: 0,
+            doubted: None,
             budget: LOOKS * columns.len() + 1000,
             searched: 0,
         };
@@ -169,46 +217,38 @@ impl<'s> Plan<'s> {
                 item: 0,
             }];
         } else {
-            plan.doubt_groups();
+            plan.doubt_group();
         }
         plan
     }
 
-    /// Gives up records whose optional group is a line of its own, where that may be a broken record; see
-    /// [`recovery`].
-    fn doubt_groups(&mut self) {
+    /// Gives up the record whose optional group is a line of its own that is likelier a broken record: it begins as the
+    /// render record does, or with an ID that is in order there, used and defined nowhere, or it is a record without
+    /// such an ID. Where that holds for several, something else is wrong.
+    fn doubt_group(&mut self) {
         let c = self.columns;
-        let line_of_group = |item: &Item| {
-            let Item::Record(record) = item else {
-                return None;
-            };
-            let group = record.value as usize + record.ty().params.len();
-            let end = (record.value + record.params) as usize;
-            let first = record.ty().optional.first()?;
-            let is_line = c.starts_line(group) && (group + 1..end).all(|at| !c.starts_line(at));
-            (is_line && group < end).then_some((group, end, first.kind))
+        let lines = || {
+            self.items
+                .iter()
+                .enumerate()
+                .filter_map(|(i, item)| Some((i, GroupLine::new(&c, item)?)))
         };
-        if !self.gaps.is_empty() || !self.items.iter().any(|item| line_of_group(item).is_some()) {
+        if !self.gaps.is_empty() || lines().next().is_none() {
             return;
         }
         let around = Surroundings::new(&c, &self.items, 0, 0);
-        let may_be_record = |&(group, end, kind): &(usize, usize, ParamKind)| {
-            let id = c.int(group).and_then(|id| u32::try_from(id).ok());
-            let refers = matches!(kind, ParamKind::Reference { .. });
-            id.is_some_and(|id| {
-                id == 1 || around.dangling.contains(&id) || refers && !around.is_defined(id)
-            }) || !around.dangling.is_empty() && recovery::has_lost_id(c, group, end)
+        let mut doubtful = lines().filter(|(_, line)| line.may_be_record(&c, &around));
+        let (Some((item, line)), None) = (doubtful.next(), doubtful.next()) else {
+            return;
         };
-        for item in std::mem::take(&mut self.items) {
-            match line_of_group(&item).filter(may_be_record) {
-                Some((_, to, _)) => self.gaps.push(Gap {
-                    from: to - significant(&item),
-                    to,
-                    item: self.items.len(),
-                }),
-                None => self.items.push(item),
-            }
-        }
+        let gap = Gap {
+            from: line.to - significant(&self.items[item]),
+            to: line.to,
+            item,
+        };
+        self.items.remove(item);
+        self.gaps.push(gap);
+        self.doubted = Some(line.from);
     }
 
     /// `0`, alone.
@@ -525,6 +565,7 @@ impl<'s> Plan<'s> {
             .flat_map(|gap| self.parts(gap.from, gap.to))
             .collect();
         around.others = parts.len() > 1;
+        around.doubted = self.doubted;
         let read: Vec<Recovered> = (parts.par_iter().with_min_len(PARTS))
             .map(|&part| recovery::recover(c, part, &around))
             .collect();

@@ -155,8 +155,8 @@ fn read_base(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     })
 }
 
-/// The record that begins at token `i` where the line breaks alone say whether an optional group is there: if it is the rest of the line. `None`
-/// too if the record does not end with a line then.
+/// The record that begins at token `i` where line breaks alone decide about its optional group, which is there if it
+/// is the rest of the line. `None` too if the record does not end with a line then.
 pub fn read_by_line(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     let mut reading = read_base(c, i, limit)?;
     let optional = reading.ty.optional;

@@ -236,9 +236,12 @@ fn surplus(
     let is_next_in_front = |id| is_next(id) && (own == id || !is_next(own));
     // What is changed is there; but a record that lost its ID or a number may begin with the same.
     let is_changed = |id: i32| speaks(id) && has_id() && !known.is_in_order(line, own);
-    let in_front = in_front.filter(|&id| match is_new {
-        true => speaks(id) || is_next_in_front(id) && (own > 0 || has_id()),
-        false => is_changed(id),
+    let in_front = in_front.filter(|&id| {
+        if is_new {
+            speaks(id) || is_next_in_front(id) && (own > 0 || has_id())
+        } else {
+            is_changed(id)
+        }
     });
     // What is no type at all is likelier to be a mistyped one, unless it is the ID once more.
     let doubled = stretch.sigs[start + 1].int == Some(own);

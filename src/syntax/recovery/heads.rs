@@ -26,12 +26,11 @@ pub fn spoiled(stretch: &Stretch, i: usize) -> Option<i64> {
 
 /// The type that follows a sign or word that stands in its place; in a line, what is no integer.
 pub fn type_behind_stray(stretch: &Stretch, i: usize) -> Option<&'static RecordType> {
-    let stray = |k| matches!(k, TokenKind::Word | TokenKind::Invalid);
-    let odd = |k| !matches!(k, TokenKind::Integer) && !stretch.is_free;
-    stretch
-        .sigs
-        .get(i)
-        .filter(|s| stray(s.kind) || odd(s.kind))?;
+    let stray = |k| match stretch.is_free {
+        true => matches!(k, TokenKind::Word | TokenKind::Invalid),
+        false => k != TokenKind::Integer,
+    };
+    stretch.sigs.get(i).filter(|s| stray(s.kind))?;
     type_at(stretch, i + 1)
 }
 

@@ -7,7 +7,7 @@
 //! takes numbers from a line that says it is a record of its own costs more.
 
 use super::super::signature::Reading;
-use super::super::table::{Effect, ParamKind, RecordKind};
+use super::super::table::{Effect, RecordKind};
 use super::faults::{self, Known};
 use super::heads;
 use super::stretch::Stretch;
@@ -181,16 +181,19 @@ impl Search<'_, '_> {
             };
         }
         let mut price = 0;
-        // `ID 0` after something else is likelier two stray numbers than an undefined object, and one before something
-        // else a type that is wrong.
-        if r.end == start + 2 && r.ty.kind == RecordKind::Undefined {
+        // `ID 0` after something else is likelier two stray numbers than an undefined object; before what is defined
+        // already, it is likelier a record with a wrong type.
+        let undefined = r.end == start + 2 && r.ty.kind == RecordKind::Undefined;
+        if undefined && (behind || self.defines_again(first, r.end)) {
             price += 400;
         }
         if last > first {
             let witness = self.witnesses.takes_over(stretch, start, r.end);
-            let slip = witness && self.witnesses.slips[last] || self.takes_a_record(start, r);
+            let group = start + 2 + r.ty.arity(r.count.into()) as usize;
+            let doubted = group < r.end && self.witnesses.is_doubted(stretch, group);
+            let slip = witness && self.witnesses.slips[last];
             price += match (behind, witness) {
-                _ if slip => TWO_SLIPS,
+                _ if slip || doubted => TWO_SLIPS,
                 (true, true) => IMPLAUSIBLE,
                 (false, true) if self.witnesses.is_void_line(stretch, last) => IMPLAUSIBLE,
                 (false, true) if self.doubt_takeovers => IMPLAUSIBLE,
@@ -211,25 +214,13 @@ impl Search<'_, '_> {
         price + self.objections(start, r)
     }
 
-    /// Whether the optional group of a record is a line that is likelier a broken record of its own: it begins with an ID
-    /// that is used and defined nowhere, as the render record does, or with what should be an ID and is none, or it
-    /// is a record without the ID that is missing there. The parser asks here about such lines.
-    fn takes_a_record(&self, start: usize, r: &Reading) -> bool {
-        let group = start + 2 + r.ty.arity(r.count.into()) as usize;
-        if group >= r.end || !self.stretch.starts_line(group) {
-            return false;
-        }
-        let refers =
-            r.ty.optional
-                .first()
-                .is_some_and(|p| matches!(p.kind, ParamKind::Reference { .. }));
-        let is_odd = |id: i32| {
-            self.witnesses.is_missing(id) || refers && (id == 1 || !self.witnesses.is_defined(id))
-        };
-        self.stretch.begins_render(group)
-            || self.stretch.sigs[group].int.is_some_and(is_odd)
-            || faults::has_lost_id(self.stretch, group, r.end)
-                && self.witnesses.misses_next(self.stretch.line(group))
+    /// Whether the rest of a line is a record that defines what a line before defines.
+    fn defines_again(&self, line: usize, start: usize) -> bool {
+        let stretch = self.stretch;
+        let again = |id| self.witnesses.is_defined_before(stretch, line, id);
+        let defines = |r: &Reading| matches!(r.ty.effect, Effect::Defines(_));
+        (stretch.read(start)).is_some_and(|r| defines(r) && stretch.ends_line(r.end))
+            && stretch.sigs[start].int.is_some_and(again)
     }
 
     fn objections(&self, start: usize, r: &Reading) -> u32 {

@@ -21,7 +21,7 @@
 //! costs, and in [`layout`], which chooses the pieces; where line breaks say nothing, in `free/mistakes.rs`. That a
 //! short record does not go on in the next line is refused before by `Plan::agrees` in the parser, then by
 //! `sums::may_begin` and the prices of [`layout`]. Whether a line is the optional group of the record before it or a
-//! broken record is asked by `Plan::doubt_groups` and decided in [`layout`]. The message is made in [`report`].
+//! broken record is asked by `Plan::doubt_group` and decided in [`layout`]. The message is made in [`report`].
 //!
 //! Before there are stretches, two things are looked at that concern tokens: which `#` closes which
 //! ([`comments`]), and which words are several numbers ([`respell`]).

@@ -72,6 +72,13 @@ impl Reporter<'_, '_> {
         self.stretch.token(i).text(self.stretch.text())
     }
 
+    /// Whether nothing but white space lies between a token and the next one.
+    fn only_space_between(&self, i: usize) -> bool {
+        let between = self.stretch.token(i).end()..self.stretch.token(i + 1).start;
+        let text = &self.stretch.text()[between.start as usize..between.end as usize];
+        text.trim().is_empty()
+    }
+
     fn line_break(&self, piece: &Piece, ty: &RecordType) -> Diagnostic {
         let last = self.stretch.line(piece.end - 1);
         let head = self.stretch.line_start(last);
@@ -117,19 +124,20 @@ impl Reporter<'_, '_> {
             } => {
                 let span = self.stretch.token(at).span();
                 let count = |n: usize| Value::Count(n as u64);
+                let d = Diagnostic::new(Code::E009, span)
+                    .with("type", Value::Term(ty.title))
+                    .with("got", count(expected + 1))
+                    .with("off", count(1))
+                    .with("wanted", count(expected))
+                    .with("fewer", "none")
+                    .with("header", header(ty));
                 // The ID in the place of the two tokens that it is made of.
                 let (head, id) = (self.span(start, start + 2), id.to_string());
                 let fix = Fix::replace("fix-write", Applicability::Unsafe, head, id.clone());
-                out.push(
-                    Diagnostic::new(Code::E009, span)
-                        .with("type", Value::Term(ty.title))
-                        .with("got", count(expected + 1))
-                        .with("off", count(1))
-                        .with("wanted", count(expected))
-                        .with("fewer", "none")
-                        .with("header", header(ty))
-                        .fix(fix.with("number", quote(&id))),
-                );
+                out.push(match self.only_space_between(start) {
+                    true => d.fix(fix.with("number", quote(&id))),
+                    false => d,
+                });
             }
             Verdict::LostSign {
                 ty,

@@ -111,6 +111,11 @@ impl<'s> Stretch<'s> {
         self.readings.get(i)?.as_ref()
     }
 
+    /// The significant token of the whole text that a token here is.
+    pub fn in_text(&self, i: usize) -> usize {
+        self.from + i
+    }
+
     /// The record at token `i` with its optional group where line breaks want it, if that is not how it can be read: a
     /// mistake on a line behind it may have decided that.
     pub fn read_by_line(&self, i: usize) -> Option<Reading> {
@@ -133,11 +138,6 @@ impl<'s> Stretch<'s> {
         id: u32,
     ) -> Option<(usize, &'static RecordType)> {
         around.definition(&self.columns, id)
-    }
-
-    /// See [`Columns::begins_render`].
-    pub fn begins_render(&self, i: usize) -> bool {
-        self.columns.begins_render(self.from + i)
     }
 
     /// The ID and the type at the head of a line; see [`Columns::head`].

@@ -24,6 +24,8 @@ pub struct Surroundings {
     pub stretches: usize,
     /// Whether an ID that is defined nowhere here may be defined in another stretch, or in another part of a long one.
     pub others: bool,
+    /// The significant token at which an optional group begins that may be a broken record.
+    pub doubted: Option<usize>,
 }
 
 /// So many IDs that lead nowhere are no witnesses any more.
@@ -41,6 +43,7 @@ impl Surroundings {
             voids_behind_records: false,
             stretches,
             others: false,
+            doubted: None,
         };
         let mut used = Vec::new();
         for item in items {

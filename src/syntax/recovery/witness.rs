@@ -84,7 +84,7 @@ impl<'a> Witnesses<'a> {
         let mut steps = 0;
         let mut used = FxHashSet::default();
         let mut slips = vec![false; lines];
-        let mut ids_lost = 0;
+        let mut ids_lost = false;
         let (mut slipped, mut table_to, mut in_tables, mut perhaps) = (0, 0, 0, Vec::new());
         while line < lines {
             let next = match ends[line] {
@@ -98,7 +98,7 @@ impl<'a> Witnesses<'a> {
                     match slips::slip(stretch, line, line < table_to, &order) {
                         Slip::Yes => {
                             let head = &stretch.sigs[stretch.line_start(line)];
-                            ids_lost += u32::from(head.int.is_some_and(|code| code < 0));
+                            ids_lost |= head.int.is_some_and(|code| code < 0);
                             slips[line] = true;
                             slipped += 1;
                             let (start, end) = (stretch.line_start(line), stretch.line_end(line));
@@ -174,12 +174,17 @@ impl<'a> Witnesses<'a> {
             order,
             heads,
             used,
-            ids_lost: ids_lost > 0 && slipped > 1,
+            ids_lost: ids_lost && slipped > 1,
             slipped,
             voids_behind_records: around.voids_behind_records
                 || voids_behind_records(stretch, around),
             around,
         }
+    }
+
+    /// Whether the optional group that begins at a token may be a broken record.
+    pub fn is_doubted(&self, stretch: &Stretch, group: usize) -> bool {
+        self.around.doubted == Some(stretch.in_text(group))
     }
 
     /// The IDs that are used and defined nowhere.

@@ -129,7 +129,11 @@ impl Place<'_> {
         if self.ty().filter(one_more).is_none() || !is_reference {
             return;
         }
-        for two in params.windows(2) {
+        let apart = |two: &&[Token]| {
+            let between = &self.text[two[0].end() as usize..two[1].start as usize];
+            between.trim().is_empty()
+        };
+        for two in params.windows(2).filter(apart) {
             let [first, last] = [0, 1].map(|i| two[i].text(self.text));
             let both = Token::new(two[0].kind(), two[0].start as usize, two[1].end() as usize);
             for new in [last.to_owned(), format!("{first}{last}")] {
