@@ -70,6 +70,13 @@ impl Order {
         before < id && id < behind
     }
 
+    /// The same for any of some IDs, which are sorted.
+    pub fn has_any(&self, line: usize, sorted: &[i32]) -> bool {
+        let [before, behind] = self.bounds[line];
+        let next = sorted.partition_point(|&id| id <= before);
+        sorted.get(next).is_some_and(|&id| id < behind)
+    }
+
     /// The ID at the head of a line, if it is in order and a type follows. A token that is no ID may stand before it.
     pub fn head(&self, stretch: &Stretch, line: usize) -> Option<i32> {
         let head = match stretch.head(line) {

@@ -28,6 +28,8 @@ pub struct Witnesses<'a> {
     heads: FxHashMap<i32, Head>,
     /// The IDs that witness lines use or change.
     used: FxHashSet<i32>,
+    /// The IDs that are used and defined nowhere, in order.
+    missing: Vec<i32>,
     around: &'a Surroundings,
     /// A line begins with a type that can be no ID, and other lines are no records either: they may have lost theirs as
     /// well.
@@ -167,19 +169,22 @@ impl<'a> Witnesses<'a> {
             slips.fill(false);
             order = Order::none(stretch);
         }
-        Witnesses {
+        let mut witnesses = Witnesses {
             in_lines,
             ends,
             slips,
             order,
             heads,
             used,
+            missing: Vec::new(),
             ids_lost: ids_lost && slipped > 1,
             slipped,
             voids_behind_records: around.voids_behind_records
                 || voids_behind_records(stretch, around),
             around,
-        }
+        };
+        witnesses.missing = witnesses.find_missing();
+        witnesses
     }
 
     /// Whether the optional group that begins at a token may be a broken record.
@@ -187,10 +192,13 @@ impl<'a> Witnesses<'a> {
         self.around.doubted == Some(stretch.in_text(group))
     }
 
-    /// The IDs that are used and defined nowhere.
-    fn missing(&self) -> impl Iterator<Item = i32> {
+    fn find_missing(&self) -> Vec<i32> {
         let dangling = self.around.dangling.iter().map(|&id| id as i32);
-        (dangling.chain(self.used.iter().copied())).filter(|&id| !self.is_defined(id))
+        let mut missing: Vec<i32> = (dangling.chain(self.used.iter().copied()))
+            .filter(|&id| !self.is_defined(id))
+            .collect();
+        missing.sort_unstable();
+        missing
     }
 
     fn elsewhere(&self, id: i32) -> Option<u32> {
@@ -266,11 +274,11 @@ impl Known for Witnesses<'_> {
     fn misses_another(&self, id: i32) -> bool {
         // The same may have happened to other lines.
         let others = self.ids_lost || self.slipped > 1;
-        others || self.missing().any(|other| other != id)
+        others || self.missing.iter().any(|&other| other != id)
     }
 
     fn misses_next(&self, line: usize) -> bool {
-        self.missing().any(|id| self.order.has(line, id))
+        self.order.has_any(line, &self.missing)
     }
 }
 
