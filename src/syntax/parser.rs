@@ -16,7 +16,7 @@ use super::lexed::{Lexed, Sig};
 use super::lexer;
 use super::recovery::{self, Recovered, Surroundings};
 use super::signature::{self, Columns, Reading};
-use super::table::{Effect, ParamKind, RecordKind, RecordType};
+use super::table::{Effect, RecordKind, RecordType};
 use crate::diagnostics::{self, Code, Diagnostic, Value};
 
 /// Parses a scene text. It never fails: what cannot be read is in the findings, sorted by place,
@@ -104,51 +104,6 @@ struct Plan<'s> {
     searched: usize,
 }
 
-/// The optional group of a record, where it is a line of its own.
-#[derive(Clone, Copy)]
-struct GroupLine {
-    /// The ID of the record.
-    id: u32,
-    from: usize,
-    to: usize,
-    /// Whether it begins with a reference.
-    refers: bool,
-}
-
-impl GroupLine {
-    fn new(c: &Columns, item: &Item) -> Option<GroupLine> {
-        let Item::Record(record) = item else {
-            return None;
-        };
-        let first = record.ty().optional.first()?;
-        let from = record.value as usize + record.ty().params.len();
-        let to = (record.value + record.params) as usize;
-        let is_line =
-            from < to && c.starts_line(from) && !(from + 1..to).any(|at| c.starts_line(at));
-        // Behind the render record there is no order of IDs.
-        (is_line && record.kind != RecordKind::Render).then_some(GroupLine {
-            id: record.id,
-            from,
-            to,
-            refers: matches!(first.kind, ParamKind::Reference { .. }),
-        })
-    }
-
-    fn may_be_record(&self, c: &Columns, around: &Surroundings) -> bool {
-        let id = |at| c.int(at).and_then(|id| u32::try_from(id).ok());
-        let next = id(self.to).filter(|&next| next > 1).unwrap_or(u32::MAX);
-        let in_order = |id: u32| self.id < id && id < next;
-        let is_missing = |id: u32| {
-            in_order(id) && (around.dangling.contains(&id) || self.refers && !around.is_defined(id))
-        };
-        let is_no_reference = |id: u32| self.refers && id == 1;
-        let lost = || around.dangling.iter().any(|&id| in_order(id));
-        c.begins_render(self.from)
-            || id(self.from).is_some_and(|id| is_missing(id) || is_no_reference(id))
-            || lost() && recovery::has_lost_id(*c, self.from, self.to)
-    }
-}
-
 /// Significant tokens that are not read, and behind which item.
 #[derive(Debug, Clone, Copy)]
 struct Gap {
@@ -222,33 +177,22 @@ impl<'s> Plan<'s> {
         plan
     }
 
-    /// Gives up the record whose optional group is a line of its own that is likelier a broken record: it begins as the
-    /// render record does, or with an ID that is in order there, used and defined nowhere, or it is a record without
-    /// such an ID. Where that holds for several, something else is wrong.
+    /// Gives up the record whose optional group is likelier a broken record, if nothing else is wrong.
     fn doubt_group(&mut self) {
-        let c = self.columns;
-        let lines = || {
-            self.items
-                .iter()
-                .enumerate()
-                .filter_map(|(i, item)| Some((i, GroupLine::new(&c, item)?)))
-        };
-        if !self.gaps.is_empty() || lines().next().is_none() {
+        if !self.gaps.is_empty() {
             return;
         }
-        let around = Surroundings::new(&c, &self.items, 0, 0);
-        let mut doubtful = lines().filter(|(_, line)| line.may_be_record(&c, &around));
-        let (Some((item, line)), None) = (doubtful.next(), doubtful.next()) else {
+        let Some((item, group)) = recovery::doubtful_group(&self.columns, &self.items) else {
             return;
         };
         let gap = Gap {
-            from: line.to - significant(&self.items[item]),
-            to: line.to,
+            from: group.end - significant(&self.items[item]),
+            to: group.end,
             item,
         };
         self.items.remove(item);
         self.gaps.push(gap);
-        self.doubted = Some(line.from);
+        self.doubted = Some(group.start);
     }
 
     /// `0`, alone.

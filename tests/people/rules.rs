@@ -149,6 +149,28 @@ fn two_scenes_in_one_file() {
 }
 
 #[test]
+fn a_number_too_many_in_the_render_record() {
+    for written in [
+        "1 9999 9999 8 0 # all #",
+        "1 9999 8 8 0 # all #",
+        "1 9999 21 8 0 # all #",
+    ] {
+        let (_, fixed) = mended(&with(17, written));
+        assert_eq!(values(&fixed), values(&with(17, "1 9999 8 0")), "{written}");
+    }
+    // The ID 28, with a space in it.
+    let text = with(11, "28 -101 4 7").replace("1 9999 8 2", "1 9999 2 8 0 # all #");
+    let (_, fixed) = mended(&text);
+    assert_eq!(values(&fixed), values(&text.replace("2 8 0 #", "28 0 #")));
+    // What a comment divides is not written anew.
+    let text = with(17, "1 9999 9999 # all # 8 0");
+    for d in errors(&text) {
+        let (fixed, _) = fixes::apply(&text, d.fixes.first().into_iter());
+        assert!(fixed.contains("# all #"), "{fixed}");
+    }
+}
+
+#[test]
 fn a_difference_that_makes_sense_in_one_order() {
     let text = "2 9 10\n3 11 0 0 0 5\n4 -103 3 2\n1 9999 4 0\n";
     let found = repair::proposals(&read(text));

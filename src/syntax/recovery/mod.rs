@@ -20,8 +20,8 @@
 //! A lost or surplus number is decided on in [`faults::judge`], which says what is wrong with a piece and what that
 //! costs, and in [`layout`], which chooses the pieces; where line breaks say nothing, in `free/mistakes.rs`. That a
 //! short record does not go on in the next line is refused before by `Plan::agrees` in the parser, then by
-//! `sums::may_begin` and the prices of [`layout`]. Whether a line is the optional group of the record before it or a
-//! broken record is asked by `Plan::doubt_group` and decided in [`layout`]. The message is made in [`report`].
+//! `sums::may_begin` and the prices of [`layout`]. A line that may be the optional group of the record before
+//! it or a broken record is found in [`group`] and decided on in [`layout`]. The message is made in [`report`].
 //!
 //! Before there are stretches, two things are looked at that concern tokens: which `#` closes which
 //! ([`comments`]), and which words are several numbers ([`respell`]).
@@ -30,6 +30,7 @@ pub mod comments;
 mod damage;
 mod faults;
 mod free;
+mod group;
 mod heads;
 mod layout;
 mod order;
@@ -46,6 +47,7 @@ mod witness;
 use super::ast::Item;
 use super::signature::Columns;
 use crate::diagnostics::Diagnostic;
+pub use group::doubtful_group;
 use stretch::Stretch;
 pub use surroundings::Surroundings;
 use verdict::{Piece, Verdict};

@@ -120,8 +120,8 @@ impl Place<'_> {
             }
         }
     }
-    /// A number too many, or a space in one, among references: the record can be read, since a `0` behind it is one that
-    /// introduces a comment.
+    /// A number too many among the references of a record, or a space in one. Such a record can be read where its last
+    /// number is a `0`, which introduces a comment then.
     pub(super) fn surplus(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let params = self.params();
         let one_more = |ty: &&RecordType| !ty.is_counted() && params.len() == ty.params.len() + 1;
@@ -129,11 +129,11 @@ impl Place<'_> {
         if self.ty().filter(one_more).is_none() || !is_reference {
             return;
         }
-        let apart = |two: &&[Token]| {
+        let only_space_between = |two: &&[Token]| {
             let between = &self.text[two[0].end() as usize..two[1].start as usize];
             between.trim().is_empty()
         };
-        for two in params.windows(2).filter(apart) {
+        for two in params.windows(2).filter(only_space_between) {
             let [first, last] = [0, 1].map(|i| two[i].text(self.text));
             let both = Token::new(two[0].kind(), two[0].start as usize, two[1].end() as usize);
             for new in [last.to_owned(), format!("{first}{last}")] {
