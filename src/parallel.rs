@@ -13,6 +13,13 @@ pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     map_with(count, || (), |(), i| work(i))
 }
 
+/// In how many parts a text of so many bytes is worked on: one a thread, none of which is short.
+pub fn parts(bytes: usize) -> usize {
+    rayon::current_num_threads().min(bytes / PART_MIN).max(1)
+}
+
+const PART_MIN: usize = 1 << 18;
+
 /// The results of two pieces of work, done at the same time where a thread is free.
 pub fn both<A: Send, B: Send>(
     a: impl FnOnce() -> A + Send,

@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use super::part::Part;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::{Document, Item};
 
@@ -68,23 +69,25 @@ impl<'a> Chunk<'a> {
 
 const BREAKS: [char; 2] = ['\n', '\r'];
 
-/// Cuts a scene into chunks.
+/// Cuts a part of a scene into chunks.
 pub struct Chunks<'a> {
     document: &'a Document,
     items: &'a [Item],
-    /// The next token.
+    /// The next token, and the one behind the part.
     at: usize,
+    end: usize,
     /// There are tokens that have to be seen where they stand.
     has_doubtful: bool,
 }
 
 impl<'a> Chunks<'a> {
-    pub fn new(document: &'a Document) -> Chunks<'a> {
+    pub fn new(document: &'a Document, part: &Part) -> Chunks<'a> {
         Chunks {
             document,
-            items: &document.items,
-            at: 0,
-            has_doubtful: document.tokens.iter().any(is_doubtful),
+            items: &document.items[part.items.clone()],
+            at: part.tokens.start,
+            end: part.tokens.end,
+            has_doubtful: document.tokens[part.tokens.clone()].iter().any(is_doubtful),
         }
     }
 
@@ -92,7 +95,7 @@ impl<'a> Chunks<'a> {
     pub fn next(&mut self, chunk: &mut Chunk<'a>) -> bool {
         chunk.elements.clear();
         chunk.after_blank_line = false;
-        let tokens = &self.document.tokens;
+        let tokens = &self.document.tokens[..self.end];
         let mut ends_line = false;
         while let Some(token) = tokens.get(self.at) {
             let index = self.at as u32;

@@ -1,8 +1,7 @@
 //! Whether two scenes say the same, whatever they look like.
 
 use crate::syntax::lexer::Token;
-use crate::syntax::parser;
-use crate::syntax::{Document, Item, Record};
+use crate::syntax::{Document, Item, Record, parser, preserved};
 
 /// Whether two scenes have the same records with the same values to the bit, the same comments, and
 /// the same text where they could not be read. A lone `0` says nothing.
@@ -16,6 +15,15 @@ pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
     let Some(other) = parser::parse_plain(new) else {
         return false;
     };
+    if preserved::has_same_words((old, document), new) {
+        // What the words are taken for is left: as many items take as many of them each.
+        let length = |item: &Item| item.record().map(|r| (r.kind, r.params));
+        return document
+            .items
+            .iter()
+            .map(length)
+            .eq(other.items.iter().map(length));
+    }
     let says = |item: &&Item| !matches!(item, Item::Void { .. });
     let mut others = other.items.iter().filter(says);
     let mut items = document.items.iter().filter(says);

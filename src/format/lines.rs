@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use super::cell::Context;
 use super::chunk::{Chunk, Element, Piece};
 use super::page::Page;
+use super::part::Part;
 use super::rows;
 use super::run::{Entry, Run};
 use crate::syntax::{Item, is_directive};
@@ -42,14 +43,15 @@ struct Line<'a> {
 }
 
 impl<'a> Printer<'a> {
-    pub fn new(context: Context<'a>, care: &'a Care, page: Page<'a>) -> Printer<'a> {
+    pub fn new(context: Context<'a>, care: &'a Care, part: &Part, page: Page<'a>) -> Printer<'a> {
+        let mut tokens = context.document.tokens[part.tokens.clone()].iter();
         Printer {
             context,
             care,
             page,
             run: Run::default(),
             lines: Vec::new(),
-            has_directives: (context.document.comments()).any(|t| is_directive(t, context.text)),
+            has_directives: tokens.any(|t| is_directive(t, context.text)),
             spoken_to: false,
         }
     }

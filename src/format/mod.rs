@@ -1,7 +1,7 @@
 //! The pretty-printer: one record a line, numbers under each other, comments where they were. It needs
 //! the tokens and the tree alone.
 //!
-//! A file is cut into chunks, what stands together on its lines ([`chunk`]); chunks become lines with a
+//! A long file is cut into parts that all threads print ([`part`]), and those into chunks, what stands together on its lines ([`chunk`]); chunks become lines with a
 //! record each ([`lines`]); records of one type are aligned as a run ([`run`]), and matrices and long
 //! profiles take several lines ([`rows`]). The page aligns the comments ([`page`]).
 //!
@@ -14,7 +14,7 @@
 //!   could not be read is left as it is, to the byte.
 //!
 //! Whether that worked is tested each time: the result is read again, and where another layout lets
-//! mistakes be read differently, the lines in question stay as they are.
+//! mistakes be read differently, the lines in question stay as they are. No token is lost, either.
 
 mod cell;
 mod chunk;
@@ -23,6 +23,7 @@ mod lines;
 mod number;
 mod options;
 mod page;
+mod part;
 mod rows;
 mod run;
 mod width;
@@ -34,11 +35,13 @@ pub use options::{Numbers, Options};
 
 use crate::diagnostics::source::line_break;
 use crate::diagnostics::{Edit, Span};
-use crate::syntax::{Document, Item, parse};
+use crate::parallel;
+use crate::syntax::{Document, Item, parse, preserved};
 use cell::Context;
 use chunk::{Chunk, Chunks};
 use lines::{Care, Printer};
 use page::Page;
+use part::Part;
 
 /// Prints a scene anew. `document` is the tree of `text`.
 pub fn format(text: &str, document: &Document, options: &Options) -> String {
@@ -76,12 +79,16 @@ fn attempt(
             return Some((result, None));
         }
         if !broken && compare::are_plainly_same(text, document, &result) {
+            debug_assert!(preserved::by_layout((text, document), &result));
             return Some((result, edit));
         }
         let (again, _) = parse(&result);
         let (before, after) = ((text, document), (result.as_str(), &again));
         let differences = compare::differences(before, after);
-        if differences.is_empty() && compare::comments(before).eq(compare::comments(after)) {
+        if differences.is_empty()
+            && compare::comments(before).eq(compare::comments(after))
+            && preserved::by_layout(before, &result)
+        {
             return Some((result, edit));
         }
         care.zeros = true;
@@ -110,31 +117,11 @@ fn print(
         document,
         options,
     };
-    let mut page = Page::new(options, line_break(text), text.len());
-    if text.starts_with(BYTE_ORDER_MARK) {
-        page.mark(BYTE_ORDER_MARK);
-    }
-    let mut printer = Printer::new(context, care, page);
-    let mut source: Option<Range<usize>> = None;
-    let (mut chunks, mut chunk) = (Chunks::new(document), Chunk::default());
-    while chunks.next(&mut chunk) {
-        if chunk.after_blank_line {
-            printer.blank_line();
-        }
-        let is_wanted = wanted.as_ref().is_none_or(|wanted| {
-            let lines = chunk.whole_lines(text, document);
-            let touches = lines.start <= wanted.end && wanted.start <= lines.end;
-            if touches {
-                source = Some(source.clone().map_or(lines.start, |s| s.start)..lines.end);
-            }
-            touches
-        });
-        printer.chunk(&chunk, is_wanted);
-    }
-    let (printed, found) = printer.finish().finish();
-    if wanted.is_none() {
-        return (printed, None);
-    }
+    let Some(wanted) = wanted else {
+        return (print_all(&context, care, parallel::parts(text.len())), None);
+    };
+    let (page, source) = print_part(&context, care, &Part::whole(document), Some(&wanted));
+    let (printed, found) = page::join(&[page]);
     let Some((source, found)) = source.zip(found) else {
         return (text.to_owned(), None);
     };
@@ -144,6 +131,53 @@ fn print(
     };
     let result = [&text[..source.start], &edit.text, &text[source.end..]].concat();
     (result, Some(edit))
+}
+
+/// Prints a scene, in so many parts if it can be cut.
+fn print_all(context: &Context, care: &Care, parts: usize) -> String {
+    let parts = Part::cut(context.document, parts);
+    let pages = parallel::map(parts.len(), |i| {
+        print_part(context, care, &parts[i], None).0
+    });
+    page::join(&pages).0
+}
+
+/// Prints a part of a scene, and says where the lines that touch `wanted` stand in the text.
+fn print_part<'a>(
+    context: &Context<'a>,
+    care: &'a Care,
+    part: &Part,
+    wanted: Option<&Range<usize>>,
+) -> (Page<'a>, Option<Range<usize>>) {
+    let Context {
+        text,
+        document,
+        options,
+    } = *context;
+    let mut page = Page::new(options, line_break(text), part.length(document));
+    if !part.is_first() {
+        page.follows_record();
+    } else if text.starts_with(BYTE_ORDER_MARK) {
+        page.mark(BYTE_ORDER_MARK);
+    }
+    let mut printer = Printer::new(*context, care, part, page);
+    let mut source: Option<Range<usize>> = None;
+    let (mut chunks, mut chunk) = (Chunks::new(document, part), Chunk::default());
+    while chunks.next(&mut chunk) {
+        if chunk.after_blank_line {
+            printer.blank_line();
+        }
+        let is_wanted = wanted.is_none_or(|wanted| {
+            let lines = chunk.whole_lines(text, document);
+            let touches = lines.start <= wanted.end && wanted.start <= lines.end;
+            if touches {
+                source = Some(source.clone().map_or(lines.start, |s| s.start)..lines.end);
+            }
+            touches
+        });
+        printer.chunk(&chunk, is_wanted);
+    }
+    (printer.finish(), source)
 }
 
 /// The bytes of some lines, counted from 1, without the last line break; nothing if there are no such

@@ -1,6 +1,6 @@
-//! The printed lines. Those of neighbouring records are held back until it is known where their
-//! comments go.
+//! The printed lines. Where the comments behind records go is known when all of them are printed.
 
+use std::iter;
 use std::ops::Range;
 
 use memchr::{memchr2, memrchr2};
@@ -21,25 +21,16 @@ enum Last {
 pub struct Page<'a> {
     options: &'a Options,
     line_break: &'static str,
-    out: String,
-    last: Last,
-    held: Held,
-    /// Whether what is written now is asked for, and where in `out` all that is stands.
-    pub wanted: bool,
-    found: Option<Range<usize>>,
-}
-
-/// Lines of records held back, from the first with a comment on, and the one that is written now.
-#[derive(Default)]
-struct Held {
-    /// The lines, without the spaces before the comments.
+    /// The lines, without the spaces between records and the comments behind them.
     text: String,
     /// Where the line begins that is written now.
     line: usize,
     comments: Vec<Comment>,
-    /// From where to where the column of the comments may be; there are some.
-    columns: (usize, usize),
-    /// Where what is asked for stands.
+    /// The next comment has no column with those before.
+    apart: bool,
+    last: Last,
+    /// Whether what is written now is asked for, and where in `text` all that is stands.
+    pub wanted: bool,
     found: Option<Range<usize>>,
 }
 
@@ -48,47 +39,62 @@ struct Comment {
     /// Its place in the text.
     at: usize,
     /// The width of what stands before it.
-    code: usize,
+    code: u32,
+    /// How far to the right it may begin.
+    most: u32,
+    /// It has no column with those before.
+    apart: bool,
+}
+
+impl Comment {
+    /// How far to the left it may begin.
+    fn least(&self) -> u32 {
+        self.code + GAP
+    }
 }
 
 /// Between a record and its comment.
-const GAP: usize = 2;
+const GAP: u32 = 2;
 
 impl<'a> Page<'a> {
+    /// An empty page, for about so many bytes.
     pub fn new(options: &'a Options, line_break: &'static str, capacity: usize) -> Page<'a> {
         Page {
             options,
             line_break,
-            out: String::with_capacity(capacity),
+            text: String::with_capacity(capacity),
+            line: 0,
+            comments: Vec::new(),
+            apart: false,
             last: Last::Blank,
-            held: Held::default(),
             wanted: true,
             found: None,
         }
     }
 
-    /// The whole text.
-    pub fn finish(mut self) -> (String, Option<Range<usize>>) {
-        self.flush();
-        (self.out, self.found)
+    /// The page goes on where another one ended, with a record.
+    pub fn follows_record(&mut self) {
+        self.last = Last::Record;
     }
 
     /// What begins the file without being a line.
     pub fn mark(&mut self, mark: char) {
-        self.out.push(mark);
+        self.text.push(mark);
+        self.line = self.text.len();
     }
 
     pub fn blank_line(&mut self) {
-        self.flush();
+        self.end_column();
         if self.last != Last::Blank {
-            self.out.push_str(self.line_break);
+            self.text.push_str(self.line_break);
+            self.line = self.text.len();
             self.last = Last::Blank;
         }
     }
 
     /// Begins a heading: there is a blank line before it, unless it belongs to comments above.
     pub fn heading(&mut self) {
-        self.flush();
+        self.end_column();
         if self.last == Last::Record {
             self.blank_line();
         }
@@ -96,70 +102,65 @@ impl<'a> Page<'a> {
 
     /// Lines as they are.
     pub fn verbatim(&mut self, text: &str) {
-        self.flush();
+        self.end_column();
         self.put(text, Last::Record);
     }
 
     /// A line of comments.
     pub fn comment(&mut self, text: &str) {
-        self.flush();
+        self.end_column();
         self.put(text, Last::Comment);
     }
 
     fn put(&mut self, text: &str, last: Last) {
-        let start = self.out.len();
-        self.out.push_str(text);
-        let end = self.out.len();
-        self.out.push_str(self.line_break);
-        self.last = last;
-        if self.wanted {
-            extend(&mut self.found, start..end);
-        }
+        self.text.push_str(text);
+        self.break_line(last);
+    }
+
+    /// The comments from here on have no column with those before.
+    pub fn end_column(&mut self) {
+        self.apart = true;
     }
 
     /// Where a line of a record is written, up to [`Page::end_line`].
     pub fn line(&mut self) -> &mut String {
-        &mut self.held.text
+        &mut self.text
     }
 
     /// Ends a line of a record, with the comments behind it.
     pub fn end_line<'t>(&mut self, comments: impl Iterator<Item = &'t str>) {
-        let held = &mut self.held;
-        let code = held.text.len();
+        let code = self.text.len();
         for comment in comments {
-            if held.text.len() > code {
-                held.text.push(' ');
+            if self.text.len() > code {
+                self.text.push(' ');
             }
-            held.text.push_str(comment);
+            self.text.push_str(comment);
         }
-        if held.text.len() > code {
-            self.align(code);
+        if self.text.len() > code {
+            self.comment_at(code);
         }
-        let held = &mut self.held;
-        if self.wanted {
-            extend(&mut held.found, held.line..held.text.len());
-        }
-        held.text.push_str(self.line_break);
-        held.line = held.text.len();
-        self.last = Last::Record;
-        if held.comments.is_empty() {
-            self.flush();
-        }
+        self.break_line(Last::Record);
     }
 
-    /// Takes in the comment at some place of the line that is written now. As many lines as possible have
-    /// theirs in one column, as long as all of these stay within the width. (This is how clang-format
-    /// does it.)
-    fn align(&mut self, at: usize) {
-        let mut at = at;
-        let line = &self.held.text[self.held.line..at];
+    fn break_line(&mut self, last: Last) {
+        if self.wanted {
+            extend(&mut self.found, self.line..self.text.len());
+        }
+        self.text.push_str(self.line_break);
+        self.line = self.text.len();
+        self.last = last;
+    }
+
+    /// Takes in the comment at some place of the line that is written now.
+    fn comment_at(&mut self, at: usize) {
+        let line = &self.text[self.line..at];
         let last = memrchr2(b'\n', b'\r', line.as_bytes()).map_or(line, |i| &line[i + 1..]);
         let code = display_width(last);
         let one_line = last.len() == line.len();
-        let least = code + GAP;
+        let least = code + GAP as usize;
         let mut most = least;
         if self.options.align && one_line {
-            let comment = &self.held.text[at..];
+            let comment = &self.text[at..];
             let end = memchr2(b'\n', b'\r', comment.as_bytes());
             let length = display_width(&comment[..end.unwrap_or(comment.len())]);
             let room = (self.options.width).checked_sub(length);
@@ -167,45 +168,86 @@ impl<'a> Page<'a> {
             let room = room.filter(|&room| room >= least);
             most = room.unwrap_or(self.options.width).max(least);
         }
-        let both = match self.held.columns {
-            _ if self.held.comments.is_empty() => (least, most),
-            (low, high) => (low.max(least), high.min(most)),
-        };
-        if both.0 <= both.1 {
-            self.held.columns = both;
-        } else {
-            at -= self.held.line;
-            self.flush();
-            self.held.columns = (least, most);
-        }
-        self.held.comments.push(Comment { at, code });
+        self.comments.push(Comment {
+            at,
+            code: code as u32,
+            most: u32::try_from(most).unwrap_or(u32::MAX),
+            apart: std::mem::take(&mut self.apart),
+        });
     }
+}
 
-    /// Puts out the lines held back, with their comments in one column, but for the one that is written now.
-    pub fn flush(&mut self) {
-        let (held, out) = (&mut self.held, &mut self.out);
+/// The text of pages that follow one another, and where in it stands what is asked for.
+pub fn join(pages: &[Page]) -> (String, Option<Range<usize>>) {
+    let columns = columns(pages);
+    let mut columns = columns
+        .iter()
+        .flat_map(|c| iter::repeat_n(c.low, c.comments));
+    let mut out = String::with_capacity(pages.iter().map(|p| p.text.len()).sum());
+    let mut found = None;
+    for page in pages {
+        let mut own = page
+            .found
+            .as_ref()
+            .map(|f| out.len() + f.start..out.len() + f.end);
         let mut done = 0;
-        // What is found moves with the text.
-        let mut found = (held.found.as_ref()).map(|f| f.start + out.len()..f.end + out.len());
-        for &Comment { at, code } in &held.comments {
-            out.push_str(&held.text[done..at]);
-            let missing = held.columns.0.saturating_sub(code).max(GAP);
-            spaces(out, missing);
-            if let Some((found, old)) = found.as_mut().zip(held.found.as_ref()) {
-                found.start += if at < old.start { missing } else { 0 };
-                found.end += if at < old.end { missing } else { 0 };
+        for (comment, column) in page.comments.iter().zip(&mut columns) {
+            out.push_str(&page.text[done..comment.at]);
+            done = comment.at;
+            let at = out.len();
+            let missing = (column - comment.code) as usize;
+            spaces(&mut out, missing);
+            // What is found moves with the text.
+            if let Some(own) = &mut own {
+                own.start += if at < own.start { missing } else { 0 };
+                own.end += if at < own.end { missing } else { 0 };
             }
-            done = at;
         }
-        out.push_str(&held.text[done..held.line]);
-        if let Some(found) = found {
-            extend(&mut self.found, found);
+        out.push_str(&page.text[done..]);
+        if let Some(own) = own {
+            extend(&mut found, own);
         }
-        held.text.drain(..held.line);
-        held.line = 0;
-        held.comments.clear();
-        held.found = None;
     }
+    (out, found)
+}
+
+/// A column for neighbouring comments, so many: how far to the left and to the right it may be.
+struct Column {
+    comments: usize,
+    low: u32,
+    high: u32,
+}
+
+/// As many comments as possible have one column, as long as all of these stay within the width. (This is how
+/// clang-format does it.)
+fn columns(pages: &[Page]) -> Vec<Column> {
+    let mut columns: Vec<Column> = Vec::new();
+    let mut apart = true;
+    for page in pages {
+        for comment in &page.comments {
+            let alone = Column {
+                comments: 1,
+                low: comment.least(),
+                high: comment.most,
+            };
+            let last = columns.last_mut().filter(|_| !comment.apart && !apart);
+            let both = last.map(|c| (c.low.max(alone.low), c.high.min(alone.high), c));
+            match both {
+                Some((low, high, column)) if low <= high => {
+                    let comments = column.comments + 1;
+                    *column = Column {
+                        comments,
+                        low,
+                        high,
+                    };
+                }
+                _ => columns.push(alone),
+            }
+            apart = false;
+        }
+        apart |= page.apart;
+    }
+    columns
 }
 
 /// Widens a stretch to what follows it.

@@ -87,10 +87,10 @@ impl<'a> Run<'a> {
     pub fn push(&mut self, context: &Context<'a>, page: &mut Page, entry: Entry<'a>) {
         if rows::is_wanted(context, entry.record) {
             self.print(context, page);
-            page.flush();
+            page.end_column();
             page.wanted = entry.wanted;
             rows::print(context, page, &entry);
-            page.flush();
+            page.end_column();
             return;
         }
         let plain = entry.is_plain(context);

@@ -238,6 +238,41 @@ fn among_mistakes_the_zero_of_a_comment_stays() {
     );
 }
 
+/// Runs, columns of comments, headings and what is said to the next line do not see where a text is cut.
+#[test]
+fn parts_are_printed_as_the_whole() {
+    let text = "0 # balls #
+2 11 0 0 1.50 1 # c #
+3 20   # a comment further to the right #
+4 11 0 0 1 1
+5 11 10 0 1 1  # c #
+# zpg: ignore #
+6 -101 2 3 7 -101 2 4
+
+8 -103 2 3 0 # d #
+9 15 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1
+10 -101 2 3 # e #
+11 20 # one that leaves no room for a column, since it goes on up to the end of the line and beyond it #
+12 -701 1 1 1 # f #
+12 -1 1 2 3
+0 # a heading #
+14 -101 2 3 # g #
+";
+    let (document, _) = parse(text);
+    let (options, care) = (Options::default(), Care::default());
+    let context = Context {
+        text,
+        document: &document,
+        options: &options,
+    };
+    let whole = print_all(&context, &care, 1);
+    let cut = (1..=document.items.len()).map(|parts| {
+        assert_eq!(print_all(&context, &care, parts), whole, "in {parts} parts");
+        Part::cut(&document, parts).len()
+    });
+    assert_eq!(cut.max(), Some(7));
+}
+
 #[test]
 fn what_says_the_same() {
     let same = |a: &str, b: &str| compare::are_plainly_same(a, &parse(a).0, b);

@@ -51,10 +51,10 @@ impl Sig {
 impl Lexed {
     /// Cuts a text and reads its numbers. `unclosed` is that of [`lex`](super::lexer::lex).
     pub fn new(text: &str, unclosed: &[u32]) -> Lexed {
-        let threads = rayon::current_num_threads().min(text.len() / PART_MIN);
-        if threads > 1
+        let parts = parallel::parts(text.len());
+        if parts > 1
             && unclosed.is_empty()
-            && let Some(lexed) = Lexed::in_parts(text, &lines_near(text, threads))
+            && let Some(lexed) = Lexed::in_parts(text, &lines_near(text, parts))
         {
             return lexed;
         }
@@ -166,9 +166,6 @@ impl Lexed {
         self.odd.get(next).is_none_or(|&i| i as usize >= to)
     }
 }
-
-/// A text is not cut in parts of fewer bytes.
-const PART_MIN: usize = 1 << 18;
 
 /// Where a text may be cut in so many parts of about the same length: behind line breaks that are in no comment, if
 /// every `#` is one of a comment. The last one is the end of the text.
