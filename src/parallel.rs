@@ -13,6 +13,17 @@ pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     map_with(count, || (), |(), i| work(i))
 }
 
+/// Has the calling thread work with the others as long as what is returned lives, in the place of one of them. Work
+/// then begins where it is asked for; where all threads have to wake up for it, they may begin on one core, and stay
+/// there for some milliseconds.
+pub fn take_part() -> Option<rayon::ThreadPool> {
+    // Without it the others do the work.
+    rayon::ThreadPoolBuilder::new()
+        .use_current_thread()
+        .build()
+        .ok()
+}
+
 /// In how many parts a text of so many bytes is worked on: one a thread, none of which is short.
 pub fn parts(bytes: usize) -> usize {
     rayon::current_num_threads().min(bytes / PART_MIN).max(1)

@@ -6,6 +6,7 @@ use super::{
     LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, help, lsp,
     plan, probe, render, usage,
 };
+use crate::parallel;
 
 /// Tools for scenes in the ZPG scene language
 #[derive(Debug, Parser)]
@@ -64,6 +65,11 @@ pub fn run() -> Status {
             let again = command.try_get_matches_from_mut(std::env::args_os());
             return usage::refuse(&again.err().unwrap_or(error), look);
         }
+    };
+    // The language server works in threads of its own.
+    let _threads = match cli.command {
+        Command::Lsp(_) => None,
+        _ => parallel::take_part(),
     };
     match &cli.command {
         Command::Check(args) => check::run(args, cli.look),

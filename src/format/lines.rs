@@ -5,7 +5,6 @@ use std::collections::HashSet;
 use super::cell::Context;
 use super::chunk::{Chunk, Element, Piece};
 use super::page::Page;
-use super::part::Part;
 use super::rows;
 use super::run::{Entry, Run};
 use crate::syntax::{Item, is_directive};
@@ -27,8 +26,6 @@ pub struct Printer<'a> {
     run: Run<'a>,
     /// The lines of the chunk that is printed; the room is used again.
     lines: Vec<Line<'a>>,
-    /// Some comments are for zpg.
-    has_directives: bool,
     /// A comment above speaks to the next line.
     spoken_to: bool,
 }
@@ -43,15 +40,13 @@ struct Line<'a> {
 }
 
 impl<'a> Printer<'a> {
-    pub fn new(context: Context<'a>, care: &'a Care, part: &Part, page: Page<'a>) -> Printer<'a> {
-        let mut tokens = context.document.tokens[part.tokens.clone()].iter();
+    pub fn new(context: Context<'a>, care: &'a Care, page: Page<'a>) -> Printer<'a> {
         Printer {
             context,
             care,
             page,
             run: Run::default(),
             lines: Vec::new(),
-            has_directives: tokens.any(|t| is_directive(t, context.text)),
             spoken_to: false,
         }
     }
@@ -163,7 +158,7 @@ impl<'a> Printer<'a> {
             let tokens = &document.tokens[e.first as usize..=e.last as usize];
             tokens.iter().any(|t| is_directive(t, text))
         };
-        self.has_directives && chunk.elements.iter().any(speaks)
+        document.contents.directives && chunk.elements.iter().any(speaks)
     }
 }
 

@@ -160,7 +160,7 @@ fn print_part<'a>(
     } else if text.starts_with(BYTE_ORDER_MARK) {
         page.mark(BYTE_ORDER_MARK);
     }
-    let mut printer = Printer::new(*context, care, part, page);
+    let mut printer = Printer::new(*context, care, page);
     let mut source: Option<Range<usize>> = None;
     let (mut chunks, mut chunk) = (Chunks::new(document, part), Chunk::default());
     while chunks.next(&mut chunk) {

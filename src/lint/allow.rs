@@ -15,26 +15,18 @@ use crate::syntax::directive::{self, is_directive};
 use crate::syntax::lexer::{Token, TokenKind};
 
 /// The comments that say so, as tokens.
-fn comments<'a>(context: &'a Context) -> impl Iterator<Item = u32> + 'a {
-    let tokens = match context.document.contents.comments {
+pub fn comments(context: &Context) -> Vec<u32> {
+    let tokens = match context.document.contents.directives {
         true => context.document.tokens.as_slice(),
         false => &[],
     };
     let is_one = |t: &Token| t.kind() == TokenKind::Comment && is_directive(t, context.text);
-    (0..)
-        .zip(tokens)
-        .filter(move |(_, t)| is_one(t))
-        .map(|(i, _)| i)
+    let ones = (0..).zip(tokens).filter(|(_, t)| is_one(t));
+    ones.map(|(i, _)| i).collect()
 }
 
-/// Whether there are such comments.
-pub fn any(context: &Context) -> bool {
-    comments(context).next().is_some()
-}
-
-/// Takes out what comments allow, and adds what is wrong with the comments. Sorts the findings.
-pub fn apply(context: &Context, out: &mut Vec<Diagnostic>) {
-    let comments: Vec<u32> = comments(context).collect();
+/// Takes out what these comments allow, and adds what is wrong with them. Sorts the findings, if there are any comments.
+pub fn apply(context: &Context, comments: &[u32], out: &mut Vec<Diagnostic>) {
     if comments.is_empty() {
         return;
     }
@@ -42,7 +34,7 @@ pub fn apply(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut layout = Layout::new(context);
     let mut found = Found::new(out);
     let mut remarks = Vec::new();
-    for at in comments {
+    for &at in comments {
         let directive = Directive::new(&mut layout, at as usize);
         remarks.extend(directive.apply(&mut found));
     }

@@ -110,7 +110,8 @@ pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
 pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec<Diagnostic>) {
     let contents = &context.document.contents;
     // What a comment allows must be looked for, if only to know that it is there.
-    let all = allow::any(context);
+    let allowing = allow::comments(context);
+    let all = !allowing.is_empty();
     let is_wrong = out.iter().any(Diagnostic::is_error);
     let has = |rule: &&rules::Rule| {
         (all || asked(rule.code))
@@ -137,7 +138,7 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
             .map(|d| &mut d.fixes);
         fixes.for_each(Vec::clear);
     }
-    allow::apply(context, out);
+    allow::apply(context, &allowing, out);
 }
 
 /// Whether the fixes of a rule take records out.

@@ -13,6 +13,8 @@ pub struct Contents {
     pub comments: bool,
     /// There is a comment over several lines.
     pub long_comments: bool,
+    /// A comment is meant for zpg.
+    pub directives: bool,
     pub separators: bool,
 }
 
@@ -21,6 +23,7 @@ impl Contents {
         let mut contents = Contents {
             comments: lexed.has_comment || lexed.has_unclosed,
             long_comments: lexed.has_long_comment,
+            directives: lexed.has_directive,
             separators: lexed.has_separator,
             ..Contents::default()
         };
@@ -58,6 +61,7 @@ impl Default for Contents {
             counts: [0; RECORD_TYPES.len()],
             broken: false,
             comments: false,
+            directives: false,
             long_comments: false,
             separators: false,
         }

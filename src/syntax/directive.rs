@@ -8,7 +8,11 @@ pub const PREFIX: &str = "zpg:";
 
 /// Whether a token is such a comment. It needs no `0` in front.
 pub fn is_directive(token: &Token, text: &str) -> bool {
-    token.kind().is_comment() && without_word(inside(token.text(text)), PREFIX).is_some()
+    let begins = |comment: &str| {
+        let inside = comment.trim_start_matches('#').trim_start();
+        without_word(inside, PREFIX).is_some()
+    };
+    token.kind().is_comment() && begins(token.text(text))
 }
 
 /// What follows a word, in any case, at the start of a text.

@@ -1,5 +1,6 @@
 //! The tokens of a text in columns. A long text is cut by all threads.
 
+use super::directive::is_directive;
 use super::lexer::{Token, TokenKind, Tokens};
 use crate::parallel;
 
@@ -22,6 +23,8 @@ pub struct Lexed {
     pub has_long_comment: bool,
     pub has_unclosed: bool,
     pub has_bad: bool,
+    /// A comment is meant for zpg.
+    pub has_directive: bool,
     /// No significant token has come since the last line break.
     at_line_start: bool,
 }
@@ -116,6 +119,7 @@ impl Lexed {
         self.has_long_comment |= part.has_long_comment;
         self.has_unclosed |= part.has_unclosed;
         self.has_bad |= part.has_bad;
+        self.has_directive |= part.has_directive;
         self.at_line_start = part.at_line_start;
     }
 
@@ -143,8 +147,12 @@ impl Lexed {
                 let comment = &text.as_bytes()[token.span().range()];
                 self.has_comment = true;
                 self.has_long_comment |= memchr::memchr2(b'\n', b'\r', comment).is_some();
+                self.has_directive |= is_directive(&token, text);
             }
-            TokenKind::UnterminatedComment => self.has_unclosed = true,
+            TokenKind::UnterminatedComment => {
+                self.has_unclosed = true;
+                self.has_directive |= is_directive(&token, text);
+            }
             TokenKind::Separator => self.has_separator = true,
             TokenKind::ByteOrderMark => {}
             kind => {
