@@ -37,6 +37,8 @@ pub struct Analysis {
     is_scene: bool,
     /// What reading found: the lexer, the parser, the resolver, and the encoding.
     read: Vec<Diagnostic>,
+    /// The errors among that.
+    errors: Vec<(Code, Span)>,
     settings: Settings,
     findings: OnceLock<Vec<Diagnostic>>,
     definitions: OnceLock<FxHashMap<u32, u32>>,
@@ -68,7 +70,7 @@ impl Foreign {
     /// What is found in the records, said of the file. The notation of the records is nobody's matter.
     fn findings(&self, file: &SourceFile, settings: &Settings) -> Vec<Diagnostic> {
         let records = &self.records.source;
-        let mut all = self.records.find(settings);
+        let mut all = self.records.find(self.records.read.clone(), settings);
         all.retain(|d| !d.code.is_about_notation());
         for d in &mut all {
             (d.span, d.at) = self.origin.place(file, records, d.span);
@@ -126,10 +128,7 @@ impl Analysis {
 
     /// A scene in another notation that cannot be read.
     pub fn unreadable(source: SourceFile, finding: Diagnostic) -> Analysis {
-        Analysis {
-            read: vec![finding],
-            ..Analysis::bare(source)
-        }
+        Analysis::bare(source).said(vec![finding])
     }
 
     /// A scene without records and without findings.
@@ -140,11 +139,22 @@ impl Analysis {
             scene: Scene::default(),
             is_scene: true,
             read: Vec::new(),
+            errors: Vec::new(),
             settings: Settings::default(),
             findings: OnceLock::new(),
             definitions: OnceLock::new(),
             bounds: OnceLock::new(),
             foreign: None,
+        }
+    }
+
+    /// The analysis with what reading found.
+    fn said(self, read: Vec<Diagnostic>) -> Analysis {
+        let errors = read.iter().filter(|d| d.is_error());
+        Analysis {
+            errors: errors.map(|d| (d.code, d.span)).collect(),
+            read,
+            ..self
         }
     }
 
@@ -158,8 +168,7 @@ impl Analysis {
         Analysis {
             document,
             is_scene: false,
-            read: vec![finding],
-            ..Analysis::bare(source)
+            ..Analysis::bare(source).said(vec![finding])
         }
     }
 
@@ -183,8 +192,7 @@ impl Analysis {
         Analysis {
             document,
             scene,
-            read,
-            ..Analysis::bare(source)
+            ..Analysis::bare(source).said(read)
         }
     }
 
@@ -217,14 +225,15 @@ impl Analysis {
     /// Whether the scene has no errors of its own, whatever settings take for one. The rules are not run
     /// for that: they never find errors.
     pub fn is_sound(&self) -> bool {
-        let has_none = !self.read.iter().any(Diagnostic::is_error);
-        has_none && (self.foreign.as_ref()).is_none_or(|foreign| foreign.records.is_sound())
+        self.errors.is_empty()
+            && (self.foreign.as_ref()).is_none_or(|foreign| foreign.records.is_sound())
     }
 
     /// Everything there is to say about the scene, with the settings applied, sorted by place. The rules
     /// are run when this is first called.
     pub fn findings(&self) -> &[Diagnostic] {
-        self.findings.get_or_init(|| self.find(&self.settings))
+        self.findings
+            .get_or_init(|| self.find(self.read.clone(), &self.settings))
     }
 
     /// The findings, if somebody has asked for them already.
@@ -264,19 +273,20 @@ impl Analysis {
         self.bounds.get_or_init(|| node_bounds(&self.scene))
     }
 
-    /// The findings, which are looked for again when they are asked for next.
+    /// Moves the findings out, without a copy of what reading found; the analysis then has none.
     pub fn take_findings(&mut self) -> Vec<Diagnostic> {
-        self.findings
-            .take()
-            .unwrap_or_else(|| self.find(&self.settings))
+        let known = self.findings.take();
+        self.findings = Vec::new().into();
+        let read = std::mem::take(&mut self.read);
+        known.unwrap_or_else(|| self.find(read, &self.settings))
     }
 
-    fn find(&self, settings: &Settings) -> Vec<Diagnostic> {
+    fn find(&self, read: Vec<Diagnostic>, settings: &Settings) -> Vec<Diagnostic> {
         if let Some(foreign) = &self.foreign {
             return foreign.findings(&self.source, settings);
         }
         let Settings { levels, choice } = settings;
-        let mut all = self.read.clone();
+        let mut all = read;
         if self.is_scene {
             let context = lint::Context::new(&self.source.text, &self.document, &self.scene);
             lint::run(&context, |code| levels.is_on(choice, code), &mut all);

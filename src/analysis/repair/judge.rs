@@ -18,7 +18,7 @@ pub struct Left {
 }
 
 pub fn errors(analysis: &Analysis) -> usize {
-    analysis.read.iter().filter(|d| d.is_error()).count()
+    analysis.errors.len()
 }
 
 /// The rules do not run on scenes in which more shapes occur than this, copies counted: with copies of copies they

@@ -157,13 +157,14 @@ impl Engine<'_> {
             if left + suspect.least > errors {
                 continue;
             }
-            let line = |source: &SourceFile, d: &Diagnostic| source.position(d.span.start).line;
+            let line = |source: &SourceFile, span: Span| source.position(span.start).line;
             let source = &self.analysis.source;
             self.findings.retain(|d| {
-                let is_left =
-                    |e: &Diagnostic| e.code == d.code && line(&scene.source, e) == line(source, d);
+                let is_left = |&(code, span): &(Code, Span)| {
+                    code == d.code && line(&scene.source, span) == line(source, d.span)
+                };
                 let misread = suspect.misread.touches(d.span);
-                !misread && (!d.is_error() || scene.read.iter().any(is_left))
+                !misread && (!d.is_error() || scene.errors.iter().any(is_left))
             });
             self.findings.push(suspect.finding.fix(fix));
             crate::diagnostics::sort(&mut self.findings);
@@ -403,7 +404,7 @@ fn has_safe_fix(d: &Diagnostic) -> bool {
 fn has_error_at(scene: &Analysis, line: Span) -> bool {
     let source = &scene.source;
     let at = source.line_index(source.floor(line.start));
-    (scene.read.iter()).any(|d| d.is_error() && source.line_index(source.floor(d.span.start)) == at)
+    (scene.errors.iter()).any(|(_, span)| source.line_index(source.floor(span.start)) == at)
 }
 
 /// Whether what begins on a line ends there, too.
