@@ -12,7 +12,7 @@ mod scenes;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use program::{Run, median};
+use program::{LONGEST, Run, median};
 use scenes::Scene;
 use zpg::analysis::{Analysis, repair};
 
@@ -238,22 +238,21 @@ fn orientation(folder: &Path, scene: &Scene, one: f64) {
         .arg("--isolated")
         .arg("--no-cache")
         .arg(&python);
-    match ruff.seconds() {
-        Some(s) => println!(
-            "| (ruff, as many bytes of Python, beside check) | {} × | | |",
-            rounded(s / one, "×")
-        ),
-        None => println!("| (ruff) | is not installed | | |"),
-    }
+    beside("ruff, as many bytes of Python", &ruff, one);
     let toml = folder.join("scene.toml");
     std::fs::write(&toml, &text).expect("the folder can be written to");
-    match Run::new("taplo").arg("check").arg(&toml).seconds() {
-        Some(s) => println!(
-            "| (taplo, as many tokens of TOML, beside check) | {} × | | |",
-            rounded(s / one, "×")
-        ),
-        None => println!("| (taplo) | is not installed | | |"),
-    }
+    let taplo = Run::new("taplo").arg("check").arg(&toml);
+    beside("taplo, as many tokens of TOML", &taplo, one);
+}
+
+/// Another program, beside the seconds that `check` takes.
+fn beside(name: &str, program: &Run, check: f64) {
+    let measured = match program.at_most() {
+        Some(s) if s > LONGEST => format!("more than {} ×", rounded(LONGEST / check, "×")),
+        Some(s) => format!("{} ×", rounded(s / check, "×")),
+        None => "is not installed".to_owned(),
+    };
+    println!("| ({name}, beside check) | {measured} | | |");
 }
 
 /// Eight kinds of scenes without mistakes.

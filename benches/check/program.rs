@@ -56,6 +56,20 @@ impl Run {
         Some(start.elapsed().as_secs_f64())
     }
 
+    /// Wall time of a program that may take any time: at most [`LONGEST`] seconds, when it is ended. `None` if there is no
+    /// such program.
+    pub fn at_most(&self) -> Option<f64> {
+        let start = Instant::now();
+        let mut child = self.command().spawn().ok()?;
+        while child.try_wait().ok()?.is_none() {
+            if start.elapsed().as_secs_f64() > LONGEST {
+                child.kill().ok()?;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        Some(start.elapsed().as_secs_f64())
+    }
+
     /// Wall time in seconds, and the most memory that was resident in KiB, looked at every millisecond.
     pub fn measured(&self) -> (f64, f64) {
         let start = Instant::now();
@@ -74,6 +88,9 @@ impl Run {
         }
     }
 }
+
+/// See [`Run::at_most`].
+pub const LONGEST: f64 = 60.0;
 
 /// The middle one.
 pub fn median(mut all: Vec<f64>) -> f64 {
