@@ -2,6 +2,7 @@
 //!
 //! The modules, in the order they may import each other (each only what stands before it):
 //!
+//! - [`allocator`]: what becomes of freed memory.
 //! - [`parallel`]: runs work on all threads, a thin layer over rayon.
 //! - [`diagnostics`]: findings with stable codes, spans, fixes; printed for people and machines.
 //! - [`syntax`]: bytes to tokens to a typed tree. `syntax/table.rs` is *the* table of record types.
@@ -19,6 +20,7 @@
 //! - [`lsp`]: the language server: the protocol's types, the open files and the loop.
 //! - [`commands`]: one file per subcommand of the command line.
 
+pub mod allocator;
 pub mod analysis;
 pub mod commands;
 pub mod diagnostics;

@@ -24,9 +24,14 @@ pub fn take_part() -> Option<rayon::ThreadPool> {
         .ok()
 }
 
+/// How many threads there are, at least one.
+pub fn threads() -> usize {
+    rayon::current_num_threads().max(1)
+}
+
 /// In how many parts a text of so many bytes is worked on: one a thread, none of which is short.
 pub fn parts(bytes: usize) -> usize {
-    rayon::current_num_threads().min(bytes / PART_MIN).max(1)
+    threads().min(bytes / PART_MIN).max(1)
 }
 
 const PART_MIN: usize = 1 << 18;
@@ -45,7 +50,7 @@ pub fn map_with<S, T: Send>(
     state: impl Fn() -> S + Sync,
     work: impl Fn(&mut S, usize) -> T + Sync,
 ) -> Vec<T> {
-    let threads = rayon::current_num_threads().min(count);
+    let threads = threads().min(count);
     if threads <= 1 {
         let mut state = state();
         return (0..count).map(|i| work(&mut state, i)).collect();

@@ -302,7 +302,7 @@ fn mistakes(folder: &Path, table: &mut Table) {
 
 /// As the language server calls it, which keeps freed memory.
 fn in_process(table: &mut Table) {
-    zpg::lsp::keep_memory();
+    zpg::allocator::keep(zpg::lsp::KEPT);
     for (lines, bar) in [(20_000, 5.0), (200_000, 45.0)] {
         for mistakes in [0, 10] {
             let text = scenes::lines(lines, mistakes);

@@ -6,7 +6,7 @@ use super::{
     LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, help, lsp,
     plan, probe, render, usage,
 };
-use crate::parallel;
+use crate::{allocator, parallel};
 
 /// Tools for scenes in the ZPG scene language
 #[derive(Debug, Parser)]
@@ -53,6 +53,10 @@ pub enum Command {
     Completions(completions::Args),
 }
 
+/// Freed pieces of memory up to this size are kept: all that a scene of ten thousand shapes needs to be read and drawn. If
+/// larger ones were kept, too, large scenes would take a fifth more memory.
+const KEPT: usize = 4 << 20;
+
 /// Reads the arguments of the program, in the language that they or the environment ask for, and does
 /// what they say.
 pub fn run() -> Status {
@@ -66,6 +70,7 @@ pub fn run() -> Status {
             return usage::refuse(&again.err().unwrap_or(error), look);
         }
     };
+    allocator::keep(KEPT);
     // The language server works in threads of its own.
     let _threads = match cli.command {
         Command::Lsp(_) => None,

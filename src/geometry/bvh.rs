@@ -8,10 +8,9 @@ use std::ops::ControlFlow;
 const LEAF: usize = 4;
 /// Bins of the surface area heuristic.
 const BINS: usize = 16;
-/// So many boxes are worth two threads, and their halves again, so many times. Of more than these the nodes would take
-/// too much memory while they are put together.
+/// So many boxes are worth two threads, and their halves again. Of more than these the nodes would take too much memory
+/// while they are put together.
 const SHARED: std::ops::RangeInclusive<usize> = 1024..=131_072;
-const FORKS: u32 = 4;
 
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
@@ -39,7 +38,9 @@ impl Bvh {
 
     /// As [`new`](Self::new), with so many boxes in one leaf at most, unless they all have the same centre.
     pub fn with_leaves(mut boxes: Vec<(u32, Aabb)>, leaf: usize) -> Bvh {
-        let mut nodes = nodes_shared(&mut boxes, 0, leaf, FORKS);
+        // Twice as many pieces as threads, since they take different times.
+        let forks = parallel::threads().ilog2() + 1;
+        let mut nodes = nodes_shared(&mut boxes, 0, leaf, forks);
         nodes.shrink_to_fit();
         Bvh {
             nodes,
@@ -243,7 +244,7 @@ mod tests {
         for leaf in [1, LEAF] {
             let (mut one, mut many) = (boxes.clone(), boxes.clone());
             let alone = nodes_of(&mut one, 0, leaf);
-            let shared = nodes_shared(&mut many, 0, leaf, FORKS);
+            let shared = nodes_shared(&mut many, 0, leaf, 4);
             assert!(one.iter().map(|b| b.0).eq(many.iter().map(|b| b.0)));
             assert_eq!(format!("{alone:?}"), format!("{shared:?}"));
         }

@@ -53,6 +53,7 @@ use publish::News;
 use requests::Lane;
 use tokens_sent::TokensSent;
 
+use crate::allocator;
 use crate::diagnostics::Language;
 
 /// How a session ended.
@@ -70,7 +71,7 @@ pub enum Ending {
 ///
 /// The output cannot be written to.
 pub fn run(language: Language) -> io::Result<Ending> {
-    keep_memory();
+    allocator::keep(KEPT);
     let (connection, writer) = stdio::connect();
     let ending = serve(&connection, language);
     programs::remove_pages();
@@ -86,15 +87,8 @@ pub fn run(language: Language) -> io::Result<Ending> {
     }
 }
 
-/// Has the allocator keep what is freed. The next edit asks for as much again, and in a large file new memory from the
-/// system takes up to a quarter of the time of an edit.
-///
-/// The allocator of glibc gives memory back above a threshold. Freeing a large piece raises the threshold to twice the
-/// size of the piece (mallopt(3), `M_MMAP_THRESHOLD`). The piece is never written to, so it takes no memory itself.
-/// Nothing changes with other allocators.
-pub fn keep_memory() {
-    drop(std::hint::black_box(Vec::<u8>::with_capacity(31 << 20)));
-}
+/// Freed pieces up to this size are kept for the next edit, which asks for as much again.
+pub const KEPT: usize = 31 << 20;
 
 /// How long the last answers may take.
 const LAST_WORDS: Duration = Duration::from_secs(1);
