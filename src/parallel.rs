@@ -2,6 +2,9 @@
 //!
 //! The iterators of rayon are made anew for each use, about 10 kB of code each time. These functions ask it for one
 //! thing alone: to run a function on each thread.
+//!
+//! While a thread waits for others here, it may be given any other piece of work. So nothing here may be called while a
+//! lock is held, or to fill a `OnceLock`: that other piece may want the same one.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,27 +16,25 @@ pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     map_with(count, || (), |(), i| work(i))
 }
 
-/// Has the calling thread work with the others as long as what is returned lives, in the place of one of them. Work
-/// then begins where it is asked for; where all threads have to wake up for it, they may begin on one core, and stay
-/// there for some milliseconds.
-pub fn take_part() -> Option<rayon::ThreadPool> {
-    // Without it the others do the work.
-    rayon::ThreadPoolBuilder::new()
-        .use_current_thread()
-        .build()
-        .ok()
+/// Makes the calling thread one of the threads that work, for the rest of the process. The caller then begins at once. If
+/// it only waited, the threads that it wakes could share one core for some milliseconds.
+pub fn take_part() {
+    let pool = rayon::ThreadPoolBuilder::new().use_current_thread().build();
+    // The threads of a pool that is dropped work no more.
+    std::mem::forget(pool);
 }
 
-/// How many threads there are, at least one.
+/// How many threads there are.
 pub fn threads() -> usize {
-    rayon::current_num_threads().max(1)
+    rayon::current_num_threads()
 }
 
-/// In how many parts a text of so many bytes is worked on: one a thread, none of which is short.
+/// Into how many parts to split a text of so many bytes: one per thread, but none shorter than [`PART_MIN`].
 pub fn parts(bytes: usize) -> usize {
     threads().min(bytes / PART_MIN).max(1)
 }
 
+/// A shorter part takes less time than to wake up a thread for it.
 const PART_MIN: usize = 1 << 18;
 
 /// The results of two pieces of work, done at the same time where a thread is free.

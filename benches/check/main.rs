@@ -12,7 +12,7 @@ mod scenes;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use program::{LONGEST, Run, median};
+use program::{Outcome, Run, median};
 use scenes::Scene;
 use zpg::analysis::{Analysis, repair};
 
@@ -247,13 +247,16 @@ fn orientation(folder: &Path, scene: &Scene, one: f64) {
 
 /// Another program, beside the seconds that `check` takes.
 fn beside(name: &str, program: &Run, check: f64) {
-    let measured = match program.at_most() {
-        Some(s) if s > LONGEST => format!("more than {} ×", rounded(LONGEST / check, "×")),
-        Some(s) => format!("{} ×", rounded(s / check, "×")),
-        None => "is not installed".to_owned(),
+    let measured = match program.at_most(MINUTE) {
+        Outcome::Done(s) => format!("{} ×", rounded(s / check, "×")),
+        Outcome::Stopped => format!("more than {} ×", rounded(MINUTE / check, "×")),
+        Outcome::Absent => "is not installed".to_owned(),
     };
     println!("| ({name}, beside check) | {measured} | | |");
 }
+
+/// In seconds.
+const MINUTE: f64 = 60.0;
 
 /// Eight kinds of scenes without mistakes.
 fn kinds(folder: &Path, table: &mut Table) {
@@ -302,7 +305,7 @@ fn mistakes(folder: &Path, table: &mut Table) {
 
 /// As the language server calls it, which keeps freed memory.
 fn in_process(table: &mut Table) {
-    zpg::allocator::keep(zpg::lsp::KEPT);
+    zpg::allocator::keep(zpg::lsp::KEPT_BYTES);
     for (lines, bar) in [(20_000, 5.0), (200_000, 45.0)] {
         for mistakes in [0, 10] {
             let text = scenes::lines(lines, mistakes);

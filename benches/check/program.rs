@@ -56,18 +56,21 @@ impl Run {
         Some(start.elapsed().as_secs_f64())
     }
 
-    /// Wall time of a program that may take any time: at most [`LONGEST`] seconds, when it is ended. `None` if there is no
-    /// such program.
-    pub fn at_most(&self) -> Option<f64> {
+    /// As [`seconds`](Self::seconds), of a program that is stopped after so many seconds.
+    pub fn at_most(&self, seconds: f64) -> Outcome {
         let start = Instant::now();
-        let mut child = self.command().spawn().ok()?;
-        while child.try_wait().ok()?.is_none() {
-            if start.elapsed().as_secs_f64() > LONGEST {
-                child.kill().ok()?;
+        let Ok(mut child) = self.command().spawn() else {
+            return Outcome::Absent;
+        };
+        while child.try_wait().expect("it is a child").is_none() {
+            if start.elapsed().as_secs_f64() > seconds {
+                child.kill().expect("it runs");
+                child.wait().expect("it is a child");
+                return Outcome::Stopped;
             }
             std::thread::sleep(Duration::from_millis(1));
         }
-        Some(start.elapsed().as_secs_f64())
+        Outcome::Done(start.elapsed().as_secs_f64())
     }
 
     /// Wall time in seconds, and the most memory that was resident in KiB, looked at every millisecond.
@@ -89,8 +92,14 @@ impl Run {
     }
 }
 
-/// See [`Run::at_most`].
-pub const LONGEST: f64 = 60.0;
+/// What became of a program; see [`Run::at_most`].
+pub enum Outcome {
+    /// Wall time in seconds.
+    Done(f64),
+    Stopped,
+    /// There is no such program.
+    Absent,
+}
 
 /// The middle one.
 pub fn median(mut all: Vec<f64>) -> f64 {

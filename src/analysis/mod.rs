@@ -37,7 +37,7 @@ pub struct Analysis {
     is_scene: bool,
     /// What reading found: the lexer, the parser, the resolver, and the encoding.
     read: Vec<Diagnostic>,
-    /// The errors among that.
+    /// The code and place of each error in `read`. They stay when `read` is taken.
     errors: Vec<(Code, Span)>,
     settings: Settings,
     findings: OnceLock<Vec<Diagnostic>>,
@@ -128,7 +128,7 @@ impl Analysis {
 
     /// A scene in another notation that cannot be read.
     pub fn unreadable(source: SourceFile, finding: Diagnostic) -> Analysis {
-        Analysis::bare(source).said(vec![finding])
+        Analysis::bare(source).with_read(vec![finding])
     }
 
     /// A scene without records and without findings.
@@ -149,7 +149,7 @@ impl Analysis {
     }
 
     /// The analysis with what reading found.
-    fn said(self, read: Vec<Diagnostic>) -> Analysis {
+    fn with_read(self, read: Vec<Diagnostic>) -> Analysis {
         let errors = read.iter().filter(|d| d.is_error());
         Analysis {
             errors: errors.map(|d| (d.code, d.span)).collect(),
@@ -168,7 +168,7 @@ impl Analysis {
         Analysis {
             document,
             is_scene: false,
-            ..Analysis::bare(source).said(vec![finding])
+            ..Analysis::bare(source).with_read(vec![finding])
         }
     }
 
@@ -192,7 +192,7 @@ impl Analysis {
         Analysis {
             document,
             scene,
-            ..Analysis::bare(source).said(read)
+            ..Analysis::bare(source).with_read(read)
         }
     }
 
@@ -273,7 +273,8 @@ impl Analysis {
         self.bounds.get_or_init(|| node_bounds(&self.scene))
     }
 
-    /// Moves the findings out, without a copy of what reading found; the analysis then has none.
+    /// Moves the findings out, without a copy of what reading found. Afterwards [`findings`](Self::findings) is empty, and
+    /// new settings do not bring back what reading found.
     pub fn take_findings(&mut self) -> Vec<Diagnostic> {
         let known = self.findings.take();
         self.findings = Vec::new().into();

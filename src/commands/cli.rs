@@ -53,9 +53,9 @@ pub enum Command {
     Completions(completions::Args),
 }
 
-/// Freed pieces of memory up to this size are kept: all that a scene of ten thousand shapes needs to be read and drawn. If
-/// larger ones were kept, too, large scenes would take a fifth more memory.
-const KEPT: usize = 4 << 20;
+/// Freed blocks of memory up to this size are used again: enough to read and draw a scene of ten thousand shapes. If larger
+/// ones were kept, too, large scenes would take a fifth more memory.
+const KEPT_BYTES: usize = 4 << 20;
 
 /// Reads the arguments of the program, in the language that they or the environment ask for, and does
 /// what they say.
@@ -70,12 +70,10 @@ pub fn run() -> Status {
             return usage::refuse(&again.err().unwrap_or(error), look);
         }
     };
-    allocator::keep(KEPT);
-    // The language server works in threads of its own.
-    let _threads = match cli.command {
-        Command::Lsp(_) => None,
-        _ => parallel::take_part(),
-    };
+    allocator::keep(KEPT_BYTES);
+    if matches!(cli.command, Command::Check(_) | Command::Fmt(_)) {
+        parallel::take_part();
+    }
     match &cli.command {
         Command::Check(args) => check::run(args, cli.look),
         Command::Fmt(args) => fmt::run(args, cli.look),

@@ -16,7 +16,7 @@ use crate::analysis::file::{self, STDIN};
 use crate::diagnostics::{Complaint, Value};
 use crate::format::{format, format_range};
 use crate::parallel;
-use crate::syntax::{self, recognise};
+use crate::syntax::{self, preserved, recognise};
 
 /// Format scenes: one record a line, numbers and comments under each other
 #[derive(Debug, clap::Args)]
@@ -219,6 +219,9 @@ fn format_file(
         }
     };
     let changed = text != source.text;
+    if changed && !preserved::by_layout((&source.text, &document), &text) {
+        return Err(Complaint::new("layout-changes-content").with("path", path));
+    }
     // What cannot be written is known whether it is to be written or not.
     let bytes = match changed || is_stdin {
         true => bytes_of(&source, &text)?,

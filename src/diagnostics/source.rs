@@ -5,7 +5,6 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use super::Span;
-use crate::parallel;
 
 /// The longest file that is read, in bytes: spans are 32-bit.
 pub const MAX_FILE_BYTES: usize = i32::MAX as usize;
@@ -150,15 +149,9 @@ impl Lines {
     fn new(text: &str, encoding: Encoding) -> Lines {
         let bytes = text.as_bytes();
         let is_end = |&i: &usize| bytes[i] == b'\n' || bytes.get(i + 1) != Some(&b'\n');
-        let parts = parallel::parts(text.len());
-        let starts = parallel::map(parts, |i| {
-            let part = bytes.len() * i / parts..bytes.len() * (i + 1) / parts;
-            let ends = memchr::memchr2_iter(b'\n', b'\r', &bytes[part.clone()]);
-            let ends = ends.map(|end| part.start + end).filter(is_end);
-            ends.map(|i| i as u32 + 1).collect::<Vec<_>>()
-        });
+        let ends = memchr::memchr2_iter(b'\n', b'\r', bytes).filter(is_end);
         let starts: Vec<u32> = std::iter::once(0)
-            .chain(starts.into_iter().flatten())
+            .chain(ends.map(|i| i as u32 + 1))
             .collect();
         let mut starts_on_disk = Vec::new();
         if encoding != Encoding::Utf8 {

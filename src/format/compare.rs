@@ -10,19 +10,15 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
 }
 
 /// Whether a text plainly says the same as a scene: `true` means what [`same_content`] says of the two, `false`
-/// nothing. Values are compared as the parser read them, not as they are spelled.
+/// nothing. All of the scene could be read. Values are compared as the parser read them, not as they are spelled.
 pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
     let Some(other) = parser::parse_plain(new) else {
         return false;
     };
     if preserved::has_same_words((old, document), new) {
-        // What the words are taken for is left: as many items take as many of them each.
-        let length = |item: &Item| item.record().map(|r| (r.kind, r.params));
-        return document
-            .items
-            .iter()
-            .map(length)
-            .eq(other.items.iter().map(length));
+        // It remains to be seen whether they form the same items.
+        let shape = |item: &Item| item.record().map(|r| (r.kind, r.params));
+        return (document.items.iter().map(shape)).eq(other.items.iter().map(shape));
     }
     let says = |item: &&Item| !matches!(item, Item::Void { .. });
     let mut others = other.items.iter().filter(says);

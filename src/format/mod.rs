@@ -1,9 +1,10 @@
 //! The pretty-printer: one record a line, numbers under each other, comments where they were. It needs
 //! the tokens and the tree alone.
 //!
-//! A long file is cut into parts that all threads print ([`part`]), and those into chunks, what stands together on its lines ([`chunk`]); chunks become lines with a
-//! record each ([`lines`]); records of one type are aligned as a run ([`run`]), and matrices and long
-//! profiles take several lines ([`rows`]). The page aligns the comments ([`page`]).
+//! A long file is cut into parts, which all threads print ([`part`]), and a part into chunks, what stands together on its
+//! lines ([`chunk`]). Chunks become lines with a record each ([`lines`]); records of one type are aligned as a run
+//! ([`run`]), and matrices and long profiles take several lines ([`rows`]). Pages hold the lines, and align the comments
+//! where they are joined ([`page`]).
 //!
 //! Two things in the language depend on layout, and this is how they are kept:
 //!
@@ -14,7 +15,7 @@
 //!   could not be read is left as it is, to the byte.
 //!
 //! Whether that worked is tested each time: the result is read again, and where another layout lets
-//! mistakes be read differently, the lines in question stay as they are. No token is lost, either.
+//! mistakes be read differently, the lines in question stay as they are.
 
 mod cell;
 mod chunk;
@@ -36,7 +37,7 @@ pub use options::{Numbers, Options};
 use crate::diagnostics::source::line_break;
 use crate::diagnostics::{Edit, Span};
 use crate::parallel;
-use crate::syntax::{Document, Item, parse, preserved};
+use crate::syntax::{Document, Item, parse};
 use cell::Context;
 use chunk::{Chunk, Chunks};
 use lines::{Care, Printer};
@@ -79,16 +80,12 @@ fn attempt(
             return Some((result, None));
         }
         if !broken && compare::are_plainly_same(text, document, &result) {
-            debug_assert!(preserved::by_layout((text, document), &result));
             return Some((result, edit));
         }
         let (again, _) = parse(&result);
         let (before, after) = ((text, document), (result.as_str(), &again));
         let differences = compare::differences(before, after);
-        if differences.is_empty()
-            && compare::comments(before).eq(compare::comments(after))
-            && preserved::by_layout(before, &result)
-        {
+        if differences.is_empty() && compare::comments(before).eq(compare::comments(after)) {
             return Some((result, edit));
         }
         care.zeros = true;
@@ -121,7 +118,7 @@ fn print(
         return (print_all(&context, care, parallel::parts(text.len())), None);
     };
     let (page, source) = print_part(&context, care, &Part::whole(document), Some(&wanted));
-    let (printed, found) = page::join(&[page]);
+    let (printed, found) = page::join(vec![page]);
     let Some((source, found)) = source.zip(found) else {
         return (text.to_owned(), None);
     };
@@ -139,7 +136,7 @@ fn print_all(context: &Context, care: &Care, parts: usize) -> String {
     let pages = parallel::map(parts.len(), |i| {
         print_part(context, care, &parts[i], None).0
     });
-    page::join(&pages).0
+    page::join(pages).0
 }
 
 /// Prints a part of a scene, and says where the lines that touch `wanted` stand in the text.

@@ -46,14 +46,15 @@ pub fn canonical(text: &str) -> Option<usize> {
     right.then_some(point)
 }
 
-/// A number where an integer is needed. What is no integer is left as it is, and so is `-0`: its value is
-/// another one where it is no integer after all.
+/// A number where an integer is needed. What is no integer is left as it is, and so are `-0` and `-00`: their value is
+/// another one where they are no integers after all.
 pub fn integer(text: &str) -> Cow<'_, str> {
     let digits = text.strip_prefix('-').unwrap_or(text);
     if digits.starts_with(|c: char| c.is_ascii_digit() && c != '0') || digits == "0" {
         return text.into();
     }
     match text.parse::<i64>() {
+        Ok(0) if digits.len() < text.len() => text.into(),
         Ok(value) => value.to_string().into(),
         Err(_) => text.into(),
     }

@@ -26,7 +26,7 @@ pub struct Page<'a> {
     /// Where the line begins that is written now.
     line: usize,
     comments: Vec<Comment>,
-    /// The next comment has no column with those before.
+    /// The next comment starts a new column.
     apart: bool,
     last: Last,
     /// Whether what is written now is asked for, and where in `text` all that is stands.
@@ -42,7 +42,7 @@ struct Comment {
     code: u32,
     /// How far to the right it may begin.
     most: u32,
-    /// It has no column with those before.
+    /// It starts a new column.
     apart: bool,
 }
 
@@ -117,7 +117,7 @@ impl<'a> Page<'a> {
         self.break_line(last);
     }
 
-    /// The comments from here on have no column with those before.
+    /// The next comment starts a new column.
     pub fn end_column(&mut self) {
         self.apart = true;
     }
@@ -178,8 +178,13 @@ impl<'a> Page<'a> {
 }
 
 /// The text of pages that follow one another, and where in it stands what is asked for.
-pub fn join(pages: &[Page]) -> (String, Option<Range<usize>>) {
-    let columns = columns(pages);
+pub fn join(mut pages: Vec<Page>) -> (String, Option<Range<usize>>) {
+    if let [page] = pages.as_mut_slice()
+        && page.comments.is_empty()
+    {
+        return (std::mem::take(&mut page.text), page.found.take());
+    }
+    let columns = columns(&pages);
     let mut columns = columns
         .iter()
         .flat_map(|c| iter::repeat_n(c.low, c.comments));
@@ -191,6 +196,7 @@ pub fn join(pages: &[Page]) -> (String, Option<Range<usize>>) {
             .as_ref()
             .map(|f| out.len() + f.start..out.len() + f.end);
         let mut done = 0;
+        // In this order: where the comments end, no column is taken.
         for (comment, column) in page.comments.iter().zip(&mut columns) {
             out.push_str(&page.text[done..comment.at]);
             done = comment.at;
@@ -211,7 +217,7 @@ pub fn join(pages: &[Page]) -> (String, Option<Range<usize>>) {
     (out, found)
 }
 
-/// A column for neighbouring comments, so many: how far to the left and to the right it may be.
+/// A column shared by so many neighbouring comments; it may lie from `low` to `high`.
 struct Column {
     comments: usize,
     low: u32,

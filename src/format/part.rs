@@ -1,11 +1,12 @@
-//! Parts of a scene that are printed one without the other.
+//! Parts of a scene that are printed independently of each other.
 
 use std::ops::Range;
 
+use crate::syntax::Document;
 use crate::syntax::lexer::TokenKind;
-use crate::syntax::{Document, Item};
 
-/// Items and tokens of a scene that follow one another, from the start of a line to the end of one.
+/// Items and tokens of a scene that follow one another. Up to the first line break, all of what is on a line belongs to one
+/// part.
 pub struct Part {
     pub items: Range<usize>,
     pub tokens: Range<usize>,
@@ -19,18 +20,20 @@ impl Part {
         }
     }
 
-    /// At most so many parts, about as long as each other. One ends and the next one begins with a record.
+    /// At most `count` parts, with about as many tokens each. A part that is not the first one follows a record.
     pub fn cut(document: &Document, count: usize) -> Vec<Part> {
+        let Document { items, tokens, .. } = document;
         let mut rest = Part::whole(document);
         let mut parts = Vec::new();
         for i in 1..count {
-            let near = (document.items.len() / count * i).max(rest.items.start + 1);
-            let Some(item) = (near..document.items.len().min(near + LOOKS))
-                .find(|&item| may_begin(document, item))
-            else {
+            let near = tokens.len() / count * i;
+            let near = items.partition_point(|item| (item.ends().0 as usize) < near);
+            let near = near.max(rest.items.start + 1);
+            let tried = near..items.len().min(near + TRIED);
+            let cut = tried.map(|item| (item, cut_before(document, item)));
+            let Some((item, token)) = cut.into_iter().find_map(|(i, cut)| Some((i, cut?))) else {
                 continue;
             };
-            let token = document.items[item].ends().0 as usize;
             parts.push(Part {
                 items: rest.items.start..item,
                 tokens: rest.tokens.start..token,
@@ -55,22 +58,28 @@ impl Part {
     }
 }
 
-/// So many items are looked at in search of an end.
-const LOOKS: usize = 1000;
+/// How many items to try before a cut is given up.
+const TRIED: usize = 1000;
 
-/// Whether a part may begin with an item: a record of another type than the one before it, on the next line. Nothing of
-/// how that one is printed depends on this one, nor the other way round, but for the column of their comments.
-fn may_begin(document: &Document, item: usize) -> bool {
-    let (Item::Record(before), Item::Record(record)) =
-        (&document.items[item - 1], &document.items[item])
-    else {
-        return false;
+/// The token with which a part may begin whose first item is this one: the line break behind the record before it. Both are
+/// printed the same whether or not the other is there, but for the column of their comments, which
+/// [`page::join`](super::page::join) decides: between them is a blank line, or they are records of two types on
+/// neighbouring lines.
+fn cut_before(document: &Document, item: usize) -> Option<usize> {
+    let before = document.items[item - 1].record()?;
+    let start = before.last as usize + 1;
+    let between = &document.tokens[start..document.items[item].ends().0 as usize];
+    let on_line = between
+        .iter()
+        .take_while(|t| t.kind() == TokenKind::Comment)
+        .count();
+    let breaks = &between[on_line..];
+    let only_breaks = breaks.iter().all(|t| t.kind() == TokenKind::Newline);
+    let record = document.items[item].record();
+    let apart = match breaks.len() {
+        0 => false,
+        1 => record.is_some_and(|record| record.kind != before.kind),
+        _ => true,
     };
-    let between = &document.tokens[before.last as usize + 1..record.first as usize];
-    let Some((last, comments)) = between.split_last() else {
-        return false;
-    };
-    before.kind != record.kind
-        && last.kind() == TokenKind::Newline
-        && comments.iter().all(|t| t.kind() == TokenKind::Comment)
+    (only_breaks && apart).then_some(start + on_line)
 }

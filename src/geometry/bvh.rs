@@ -38,8 +38,11 @@ impl Bvh {
 
     /// As [`new`](Self::new), with so many boxes in one leaf at most, unless they all have the same centre.
     pub fn with_leaves(mut boxes: Vec<(u32, Aabb)>, leaf: usize) -> Bvh {
-        // Twice as many pieces as threads, since they take different times.
-        let forks = parallel::threads().ilog2() + 1;
+        // At least twice as many pieces as threads, since they take different times.
+        let forks = match parallel::threads() {
+            1 => 0,
+            threads => threads.next_power_of_two().ilog2() + 1,
+        };
         let mut nodes = nodes_shared(&mut boxes, 0, leaf, forks);
         nodes.shrink_to_fit();
         Bvh {

@@ -71,7 +71,7 @@ pub enum Ending {
 ///
 /// The output cannot be written to.
 pub fn run(language: Language) -> io::Result<Ending> {
-    allocator::keep(KEPT);
+    allocator::keep(KEPT_BYTES);
     let (connection, writer) = stdio::connect();
     let ending = serve(&connection, language);
     programs::remove_pages();
@@ -87,8 +87,8 @@ pub fn run(language: Language) -> io::Result<Ending> {
     }
 }
 
-/// Freed pieces up to this size are kept for the next edit, which asks for as much again.
-pub const KEPT: usize = 31 << 20;
+/// Freed blocks up to this size are kept for the next edit, which asks for as much again.
+pub const KEPT_BYTES: usize = 31 << 20;
 
 /// How long the last answers may take.
 const LAST_WORDS: Duration = Duration::from_secs(1);

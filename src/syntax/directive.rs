@@ -8,11 +8,11 @@ pub const PREFIX: &str = "zpg:";
 
 /// Whether a token is such a comment. It needs no `0` in front.
 pub fn is_directive(token: &Token, text: &str) -> bool {
-    let begins = |comment: &str| {
-        let inside = comment.trim_start_matches('#').trim_start();
-        without_word(inside, PREFIX).is_some()
-    };
-    token.kind().is_comment() && begins(token.text(text))
+    if !token.kind().is_comment() {
+        return false;
+    }
+    let inside = token.text(text).trim_start_matches('#').trim_start();
+    without_word(inside, PREFIX).is_some()
 }
 
 /// What follows a word, in any case, at the start of a text.

@@ -143,15 +143,15 @@ impl Lexed {
         self.tokens.push(token);
         match token.kind() {
             TokenKind::Newline => self.at_line_start = true,
-            TokenKind::Comment => {
-                let comment = &text.as_bytes()[token.span().range()];
-                self.has_comment = true;
-                self.has_long_comment |= memchr::memchr2(b'\n', b'\r', comment).is_some();
+            kind @ (TokenKind::Comment | TokenKind::UnterminatedComment) => {
                 self.has_directive |= is_directive(&token, text);
-            }
-            TokenKind::UnterminatedComment => {
-                self.has_unclosed = true;
-                self.has_directive |= is_directive(&token, text);
+                if kind == TokenKind::UnterminatedComment {
+                    self.has_unclosed = true;
+                } else {
+                    let comment = &text.as_bytes()[token.span().range()];
+                    self.has_comment = true;
+                    self.has_long_comment |= memchr::memchr2(b'\n', b'\r', comment).is_some();
+                }
             }
             TokenKind::Separator => self.has_separator = true,
             TokenKind::ByteOrderMark => {}

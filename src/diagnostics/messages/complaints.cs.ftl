@@ -18,6 +18,7 @@ pictures-too-large = obrázky jedné scény smějí zabrat dohromady 256 MiB
 read-only-file = soubor je jen pro čtení
 text-lost = v kódování { $encoding } by se některé znaky ztratily
 no-scene-any-more = číslem by pak začínala méně než polovina řádků a soubor by se už nečetl jako scéna
+layout-changes-content = vnitřní chyba: { $path } by po zformátování neříkal totéž, a tak zůstává, jak je; nahlaste to, prosím
 no-scenes = ve složce { $path } není žádný soubor se scénou (*.zpg)
 
 io-not-found = soubor nebo složka neexistuje

@@ -18,6 +18,7 @@ pictures-too-large = the pictures of a scene may take 256 MiB together
 read-only-file = it is read-only
 text-lost = as { $encoding } it would lose something
 no-scene-any-more = fewer than half of its lines would begin with a number, so that it would not be known for a scene
+layout-changes-content = internal error: { $path } would not say the same when it is formatted, and is left as it is; please report this
 no-scenes = no scene files (*.zpg) in { $path }
 
 io-not-found = No such file or directory

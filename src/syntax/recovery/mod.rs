@@ -17,8 +17,9 @@
 //!                      report              the pieces that are no records, in words
 //! ```
 //!
-//! A lost or surplus number is decided on in [`faults::judge`], which says what is wrong with a piece and what that
-//! costs, and in [`layout`], which chooses the pieces; where line breaks say nothing, in `free/mistakes.rs`. That a
+//! A missing, lost or surplus number is decided on in `judge_params` in [`faults`], which says what is wrong with a piece
+//! and what that costs (`Verdict::WrongArity`), and in [`layout`], which chooses the pieces; where line breaks say
+//! nothing, in `wrong_arity` in `free/mistakes.rs`. That a
 //! short record does not go on in the next line is refused before by `Plan::agrees` in the parser, then by
 //! `sums::may_begin` and the prices of [`layout`]. A line that may be the optional group of the record before
 //! it or a broken record is found in [`group`] and decided on in [`layout`]. The message is made in [`report`].

@@ -12,6 +12,7 @@ pub mod reach;
 pub mod unseen;
 
 use crate::diagnostics::Span;
+use crate::parallel;
 use crate::scene::{Node, NodeId, Rgb, Scene, View};
 use reach::Reach;
 use rustc_hash::FxHashMap;
@@ -106,29 +107,36 @@ impl Sources {
     }
 }
 
+/// Of more nodes, two things at once would take too much memory.
+const AT_ONCE: usize = 1 << 17;
+
 impl Plan {
     /// Of all that is drawn, whether a picture shows it or not: for questions about single rays, which
     /// may start anywhere. `None` where there is no render record.
     pub fn new(scene: &Scene) -> Option<Plan> {
-        let root = scene.render?.root;
-        Plan::of(scene, Found::all(scene, root))
+        Plan::of(scene, Found::all)
     }
 
     /// Of a picture: parts that no ray of a camera can see are left out. `None` where there is no render
     /// record.
     pub fn of_picture(scene: &Scene) -> Option<Plan> {
-        let root = scene.render?.root;
-        Plan::of(scene, unseen::find(scene, root))
+        Plan::of(scene, unseen::find)
     }
 
-    fn of(scene: &Scene, found: Found) -> Option<Plan> {
+    /// `find` looks for what there is to draw.
+    fn of(scene: &Scene, find: fn(&Scene, NodeId) -> Found) -> Option<Plan> {
         let render = scene.render.as_ref()?;
+        let find = || find(scene, render.root);
+        let reach = || Reach::new(scene, render.root, &LeftOut::default());
+        let (found, everything) = match scene.nodes.len() <= AT_ONCE {
+            true => parallel::both(find, reach),
+            false => (find(), reach()),
+        };
         let Found {
             unseen,
             left_out,
             cut: clipped,
         } = found;
-        let everything = Reach::new(scene, render.root, &LeftOut::default());
         let mut plan = Plan {
             effects: Vec::new(),
             unreached: Vec::new(),

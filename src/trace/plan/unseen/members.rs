@@ -119,14 +119,16 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
                     _ => None,
                 };
                 let geometry = shape.map(|s| &scene.shapes[s as usize].geometry);
-                let matrix = way.moved.as_deref().unwrap_or(&Matrix::IDENTITY);
                 out.push(Member {
                     slot: way.slot,
                     node: way.operand,
                     shape,
-                    bounds: match geometry {
-                        Some(geometry) => geometry.bounds(matrix),
-                        None => bounds[at].all.transformed(matrix),
+                    bounds: match (geometry, way.moved.as_deref()) {
+                        (Some(geometry), Some(matrix)) => geometry.bounds(matrix),
+                        (Some(_), None) => bounds[at].all,
+                        (None, matrix) => bounds[at]
+                            .all
+                            .transformed(matrix.unwrap_or(&Matrix::IDENTITY)),
                     },
                     moved: way.moved,
                     clear: way.clear.unwrap_or(clear[at][0]),
