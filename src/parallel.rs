@@ -3,8 +3,8 @@
 //! The iterators of rayon are made anew for each use, about 10 kB of code each time. These functions ask it for one
 //! thing alone: to run a function on each thread.
 //!
-//! While a thread waits for others here, it may be given any other piece of work. So nothing here may be called while a
-//! lock is held, or to fill a `OnceLock`: that other piece may want the same one.
+//! A thread of a pool that waits here for others may be given any other piece of work. So hold no lock here, and fill no
+//! `OnceLock`, that another piece of work may want: the thread would wait for itself.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -16,11 +16,12 @@ pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     map_with(count, || (), |(), i| work(i))
 }
 
-/// Makes the calling thread one of the threads that work, for the rest of the process. The caller then begins at once. If
-/// it only waited, the threads that it wakes could share one core for some milliseconds.
+/// Makes the calling thread a member of a pool for the rest of the process, so that it works while it waits. It begins at
+/// once; threads that have to be woken may share one core for some milliseconds. A thread can do this once, and cannot
+/// make another pool of which it is a member.
 pub fn take_part() {
     let pool = rayon::ThreadPoolBuilder::new().use_current_thread().build();
-    // The threads of a pool that is dropped work no more.
+    // Dropping the pool would end its threads.
     std::mem::forget(pool);
 }
 

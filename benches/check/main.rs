@@ -255,7 +255,7 @@ fn beside(name: &str, program: &Run, check: f64) {
     println!("| ({name}, beside check) | {measured} | | |");
 }
 
-/// In seconds.
+/// Other programs are stopped after so many seconds.
 const MINUTE: f64 = 60.0;
 
 /// Eight kinds of scenes without mistakes.

@@ -220,7 +220,7 @@ fn format_file(
     };
     let changed = text != source.text;
     if changed && !preserved::by_layout((&source.text, &document), &text) {
-        return Err(Complaint::new("layout-changes-content").with("path", path));
+        return Err(Complaint::new("layout-changes-content").with("path", name));
     }
     // What cannot be written is known whether it is to be written or not.
     let bytes = match changed || is_stdin {

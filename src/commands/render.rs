@@ -251,11 +251,6 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
     let maps = maps
         .map(|path| Output::create_map(&path))
         .collect::<Result<Vec<_>, _>>()?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|e| Complaint::new("no-threads").with("reason", e.to_string()))?;
-
     let mut seconds = Seconds {
         load,
         ..Seconds::default()
@@ -279,6 +274,12 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
+    // This thread draws, too, and begins at once.
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .use_current_thread()
+        .build()
+        .map_err(|e| Complaint::new("no-threads").with("reason", e.to_string()))?;
     let rows = settings.crop.map_or(settings.height, |c| c.height);
     let bar = progress_bar(u64::from(rows) * cameras.len() as u64, look);
     let mut pictures = Vec::new();

@@ -9,8 +9,8 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
     comments(a).eq(comments(b)) && differences(a, b).is_empty()
 }
 
-/// Whether a text plainly says the same as a scene: `true` means what [`same_content`] says of the two, `false`
-/// nothing. All of the scene could be read. Values are compared as the parser read them, not as they are spelled.
+/// Whether a text plainly says the same as a scene without broken items. `true`: [`same_content`] would say so, too.
+/// `false`: not known. Values are compared as the parser read them, not as they are spelled.
 pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
     let Some(other) = parser::parse_plain(new) else {
         return false;

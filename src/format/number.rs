@@ -46,8 +46,8 @@ pub fn canonical(text: &str) -> Option<usize> {
     right.then_some(point)
 }
 
-/// A number where an integer is needed. What is no integer is left as it is, and so are `-0` and `-00`: their value is
-/// another one where they are no integers after all.
+/// A number where an integer is needed. What is no integer is left as it is, and so are `-0` and `-00`: read as reals they
+/// are −0, which `0` is not.
 pub fn integer(text: &str) -> Cow<'_, str> {
     let digits = text.strip_prefix('-').unwrap_or(text);
     if digits.starts_with(|c: char| c.is_ascii_digit() && c != '0') || digits == "0" {

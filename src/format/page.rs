@@ -196,7 +196,7 @@ pub fn join(mut pages: Vec<Page>) -> (String, Option<Range<usize>>) {
             .as_ref()
             .map(|f| out.len() + f.start..out.len() + f.end);
         let mut done = 0;
-        // In this order: where the comments end, no column is taken.
+        // `zip` asks the comments first, so no column is lost when those of this page have ended.
         for (comment, column) in page.comments.iter().zip(&mut columns) {
             out.push_str(&page.text[done..comment.at]);
             done = comment.at;

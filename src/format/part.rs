@@ -5,8 +5,8 @@ use std::ops::Range;
 use crate::syntax::Document;
 use crate::syntax::lexer::TokenKind;
 
-/// Items and tokens of a scene that follow one another. Up to the first line break, all of what is on a line belongs to one
-/// part.
+/// Items and tokens of a scene that follow one another. A part that is not the first begins with a line break: the record
+/// before it, and the comments behind that record on its line, belong to the part before.
 pub struct Part {
     pub items: Range<usize>,
     pub tokens: Range<usize>,
@@ -29,9 +29,9 @@ impl Part {
             let near = tokens.len() / count * i;
             let near = items.partition_point(|item| (item.ends().0 as usize) < near);
             let near = near.max(rest.items.start + 1);
-            let tried = near..items.len().min(near + TRIED);
-            let cut = tried.map(|item| (item, cut_before(document, item)));
-            let Some((item, token)) = cut.into_iter().find_map(|(i, cut)| Some((i, cut?))) else {
+            let mut tried = near..items.len().min(near + TRIED);
+            let Some((item, token)) = tried.find_map(|i| Some((i, cut_before(document, i)?)))
+            else {
                 continue;
             };
             parts.push(Part {
@@ -61,8 +61,8 @@ impl Part {
 /// How many items to try before a cut is given up.
 const TRIED: usize = 1000;
 
-/// The token with which a part may begin whose first item is this one: the line break behind the record before it. Both are
-/// printed the same whether or not the other is there, but for the column of their comments, which
+/// The token with which a part may begin whose first item is this one: the line break behind the record before it. Each is
+/// printed the same whether or not the other is there, except for the column of the comments, which
 /// [`page::join`](super::page::join) decides: between them is a blank line, or they are records of two types on
 /// neighbouring lines.
 fn cut_before(document: &Document, item: usize) -> Option<usize> {

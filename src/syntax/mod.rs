@@ -15,8 +15,8 @@
 //!                  Document { tokens, items, values, contents }  + findings
 //! ```
 //!
-//! A record that may lack a number, or have one too many, is refused in `Plan::agrees` in the parser; what is missing or
-//! lost there is decided on in [recovery].
+//! Where a number may be missing or too many, `Plan::agrees` in the parser refuses the record, and [recovery] decides
+//! which number it is.
 //!
 //! A scene that is right enters recovery only where the layout does not agree with it: where a record goes from the
 //! middle of a line to another one, or takes up lines that look like records of their own.

@@ -48,7 +48,7 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
 }
 
 /// Whether a text plainly has the words of a scene, comments included, with other white space between them. That is so
-/// of nearly every formatted text; `false` means nothing.
+/// of nearly every formatted text; `false` does not mean that they differ.
 pub fn has_same_words((old, document): (&str, &Document), new: &str) -> bool {
     let is_open = |t: &Token| t.kind() == TokenKind::UnterminatedComment;
     !document.tokens.iter().any(is_open) && are_same_words(old.as_bytes(), new.as_bytes())

@@ -19,9 +19,8 @@
 //!
 //! A missing, lost or surplus number is decided on in `judge_params` in [`faults`], which says what is wrong with a piece
 //! and what that costs (`Verdict::WrongArity`), and in [`layout`], which chooses the pieces; where line breaks say
-//! nothing, in `wrong_arity` in `free/mistakes.rs`. That a
-//! short record does not go on in the next line is refused before by `Plan::agrees` in the parser, then by
-//! `sums::may_begin` and the prices of [`layout`]. A line that may be the optional group of the record before
+//! nothing, in `wrong_arity` in `free/mistakes.rs`. Whether a short record goes on in the next line is decided earlier, by
+//! `Plan::agrees` in the parser, then by `sums::may_begin` and the prices of [`layout`]. A line that may be the optional group of the record before
 //! it or a broken record is found in [`group`] and decided on in [`layout`]. The message is made in [`report`].
 //!
 //! Before there are stretches, two things are looked at that concern tokens: which `#` closes which

@@ -107,7 +107,7 @@ impl Sources {
     }
 }
 
-/// Of more nodes, two things at once would take too much memory.
+/// In scenes with more nodes, doing two things at once would take too much memory.
 const AT_ONCE: usize = 1 << 17;
 
 impl Plan {
@@ -123,7 +123,7 @@ impl Plan {
         Plan::of(scene, unseen::find)
     }
 
-    /// `find` looks for what there is to draw.
+    /// `find` says what there is to draw.
     fn of(scene: &Scene, find: fn(&Scene, NodeId) -> Found) -> Option<Plan> {
         let render = scene.render.as_ref()?;
         let find = || find(scene, render.root);
