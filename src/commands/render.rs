@@ -251,6 +251,7 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
     let maps = maps
         .map(|path| Output::create_map(&path))
         .collect::<Result<Vec<_>, _>>()?;
+
     let mut seconds = Seconds {
         load,
         ..Seconds::default()

@@ -1,7 +1,8 @@
 //! Whether two scenes say the same, whatever they look like.
 
 use crate::syntax::lexer::Token;
-use crate::syntax::{Document, Item, Record, parser, preserved};
+use crate::syntax::parser;
+use crate::syntax::{Document, Item, Record};
 
 /// Whether two scenes have the same records with the same values to the bit, the same comments, and
 /// the same text where they could not be read. A lone `0` says nothing.
@@ -9,17 +10,12 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
     comments(a).eq(comments(b)) && differences(a, b).is_empty()
 }
 
-/// Whether a text plainly says the same as a scene without broken items. `true`: [`same_content`] would say so, too.
-/// `false`: not known. Values are compared as the parser read them, not as they are spelled.
+/// Whether a text plainly says the same as a scene: `true` means what [`same_content`] says of the two, `false`
+/// nothing. Values are compared as the parser read them, not as they are spelled.
 pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
     let Some(other) = parser::parse_plain(new) else {
         return false;
     };
-    if preserved::has_same_words((old, document), new) {
-        // It remains to be seen whether they form the same items.
-        let shape = |item: &Item| item.record().map(|r| (r.kind, r.params));
-        return (document.items.iter().map(shape)).eq(other.items.iter().map(shape));
-    }
     let says = |item: &&Item| !matches!(item, Item::Void { .. });
     let mut others = other.items.iter().filter(says);
     let mut items = document.items.iter().filter(says);

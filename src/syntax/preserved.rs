@@ -9,10 +9,10 @@ use crate::diagnostics::Edit;
 /// included. Numbers may be spelled in another way, with the same value to the bit; notation marks may
 /// be gone, and so may a `0` before a comment.
 pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
-    if has_same_words((old, document), new) {
+    let unclosed = unclosed(document);
+    if unclosed.is_empty() && are_same_words(old.as_bytes(), new.as_bytes()) {
         return true;
     }
-    let unclosed = unclosed(document);
     let old_tokens = lexer::lex(old, &unclosed);
     // A comment that nobody closes looks the same in the new text, if that is right; elsewhere.
     let unclosed = match unclosed.as_slice() {
@@ -47,15 +47,8 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
     new_ones.next().is_none()
 }
 
-/// Whether a text plainly has the words of a scene, comments included, with other white space between them. That is so
-/// of nearly every formatted text; `false` does not mean that they differ.
-pub fn has_same_words((old, document): (&str, &Document), new: &str) -> bool {
-    let is_open = |t: &Token| t.kind() == TokenKind::UnterminatedComment;
-    !document.tokens.iter().any(is_open) && are_same_words(old.as_bytes(), new.as_bytes())
-}
-
 /// Whether two texts, in which all comments are closed, differ in nothing but how much white space is where there is
-/// some. `false` means nothing.
+/// some: most of what is laid out anew does. `false` means nothing.
 fn are_same_words(old: &[u8], new: &[u8]) -> bool {
     let is_space = |c: &u8| matches!(c, b' ' | b'\t' | b'\n' | b'\r');
     let gap = |text: &[u8]| text.iter().take_while(|c| is_space(c)).count();
