@@ -113,6 +113,15 @@ impl Aabb {
         std::array::from_fn(|i| self.min[i] / 2.0 + self.max[i] / 2.0)
     }
 
+    pub fn corners(&self) -> [[f64; 3]; 8] {
+        std::array::from_fn(|k| {
+            std::array::from_fn(|i| match k >> i & 1 {
+                0 => self.min[i],
+                _ => self.max[i],
+            })
+        })
+    }
+
     /// Half the diagonal of a finite box that is not empty: the radius of the sphere around it.
     pub fn radius(&self) -> f64 {
         let half: [f64; 3] = std::array::from_fn(|i| self.max[i] / 2.0 - self.min[i] / 2.0);

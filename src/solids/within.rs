@@ -58,7 +58,7 @@ impl<'a> Standing<'a> {
             return false;
         }
         let room = room(thing);
-        let corners = corners(thing);
+        let corners = thing.corners();
         if corners.iter().all(|&p| self.has(p, room)) {
             return true;
         }
@@ -106,13 +106,7 @@ impl<'a> Standing<'a> {
 
 /// The corners of a cube around a point.
 fn around(p: Vec3, half: f64) -> [Vec3; 8] {
-    corners(&Aabb::new(p.map(|x| x - half), p.map(|x| x + half)))
-}
-
-fn corners(b: &Aabb) -> [Vec3; 8] {
-    std::array::from_fn(|k| {
-        std::array::from_fn(|i| if k >> i & 1 == 0 { b.min[i] } else { b.max[i] })
-    })
+    Aabb::new(p.map(|x| x - half), p.map(|x| x + half)).corners()
 }
 
 /// A bound on how far a moved point is rounded, in each coordinate.

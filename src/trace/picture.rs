@@ -72,9 +72,9 @@ pub struct Settings {
     pub tolerance: Option<f64>,
     /// All samples are moved by so much, to the right and down, in pixels.
     pub shift: [f64; 2],
-    /// Rays deeper than this contribute nothing; a camera ray has depth 0.
+    /// Rays deeper than this contribute nobody; a camera ray has depth 0.
     pub depth: u32,
-    /// Branches that count for less than this contribute nothing; 0: all do.
+    /// Branches that count for less than this contribute nobody; 0: all do.
     pub cutoff: f64,
     pub numbers: Numbers,
     /// Once this is set, no row is begun any more, and the picture is of no use.
@@ -156,11 +156,11 @@ impl Tracer {
             .fold(width as usize, usize::saturating_mul);
         let most = SEEN.min(samples / SAMPLES) / (1 + lights.len());
         let is_known = settings.numbers == Numbers::F64 && self.clip.is_none();
-        let parts = is_known.then(|| vista::parts(&self.graph, most)).flatten();
-        let Some(parts) = parts else {
+        let bodies = is_known.then(|| vista::bodies(&self.graph, most)).flatten();
+        let Some(bodies) = bodies else {
             return Vistas::default();
         };
-        let from = |point| Vista::new(&parts, point);
+        let from = |point| Vista::new(&bodies, point);
         // Light through glass is looked for in other ways.
         let lights = match features.shadows && !features.glass {
             true => lights.iter().map(|light| from(light.position)).collect(),
@@ -437,7 +437,7 @@ impl<R: Precision> Pen<'_, '_, R> {
     }
 
     /// The light of sample `i` of `n`; where a projection has no ray, or none in
-    /// the range of the precision, there is nothing to be seen.
+    /// the range of the precision, there is nobody to be seen.
     pub(super) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
         let [dx, dy] = sample(x, y, i, n);
         let [dx, dy] = [dx + self.drawing.shift[0], dy + self.drawing.shift[1]];
@@ -445,7 +445,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         match ray.map(|ray| ray.cast::<R>()) {
             Some(mut ray) if ray.line.is_sound() => {
                 ray.outside = self.drawing.outside;
-                Vec3(self.shader.radiance(ray))
+                Vec3(self.shader.radiance(&ray))
             }
             _ => Vec3::ZERO,
         }

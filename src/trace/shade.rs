@@ -123,38 +123,33 @@ impl<'t, R: Precision> Shader<'t, R> {
     ///
     /// Rays that are reflected and refracted wait on a stack with their weights, so no depth is
     /// too deep.
-    #[inline(never)]
-    pub fn radiance(&mut self, ray: Ray<R>) -> Rgb {
+    pub fn radiance(&mut self, ray: &Ray<R>) -> Rgb {
         self.rays.camera += 1;
-        let mut sum = Vec3::ZERO;
-        let mut branch = Branch {
-            ray,
-            weight: Vec3::ONE,
-            depth: 0,
-        };
-        let mut end = self.vistas.eye.as_ref().map_or(End::Anywhere, End::At);
-        loop {
-            let hit = match self.features.glass {
-                false => self.walkers.first_hit::<false>(&branch.ray, end),
-                true => self.walkers.first_hit::<true>(&branch.ray, end),
-            };
-            end = End::Anywhere;
-            let light = match &hit {
-                Some(hit) => {
-                    if self.features.glass || self.features.mirrors {
-                        self.follow(&branch, hit);
-                    }
-                    self.direct(hit)
-                }
-                None => self.tracer.background,
-            };
-            sum = sum + light.times(branch.weight);
-            match self.branches.pop() {
-                Some(next) => branch = next,
-                None => break,
-            }
+        let eye = self.vistas.eye.as_ref().map_or(End::Anywhere, End::At);
+        let mut sum = self.light_along(ray, eye, (Vec3::ONE, 0));
+        while let Some(Branch { ray, weight, depth }) = self.branches.pop() {
+            let light = self.light_along(&ray, End::Anywhere, (weight, depth));
+            sum = sum + light;
         }
         sum.0
+    }
+
+    /// The light that a surface sends back along a ray by itself, times the weight. Rays that go on from there wait.
+    fn light_along(&mut self, ray: &Ray<R>, end: End, (weight, depth): (Vec3, u32)) -> Vec3 {
+        let hit = match self.features.glass {
+            false => self.walkers.first_hit::<false>(ray, end),
+            true => self.walkers.first_hit::<true>(ray, end),
+        };
+        let light = match &hit {
+            Some(hit) => {
+                if self.features.glass || self.features.mirrors {
+                    self.follow(ray, (weight, depth), hit);
+                }
+                self.direct(hit)
+            }
+            None => self.tracer.background,
+        };
+        light.times(weight)
     }
 
     /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V)
@@ -205,8 +200,8 @@ impl<'t, R: Precision> Shader<'t, R> {
     }
 
     /// Sends on what is mirrored and what goes through.
-    fn follow(&mut self, branch: &Branch<R>, hit: &Hit<R>) {
-        let direction = branch.ray.line.direction;
+    fn follow(&mut self, ray: &Ray<R>, (weight, depth): (Vec3, u32), hit: &Hit<R>) {
+        let direction = ray.line.direction;
         let mut mirrored = Vec3(hit.optics.ks);
         let mut todo = match self.features.glass {
             false => Vec3::ZERO,
@@ -230,13 +225,13 @@ impl<'t, R: Precision> Shader<'t, R> {
             if before == behind {
                 // Straight on: not a step deeper.
                 let ray = hit.leave(direction, true);
-                self.branch(ray, branch, through, branch.depth);
+                self.branch(ray, weight.times(through), depth);
                 self.rays.refraction += 1;
             } else if let Some(refracted) =
                 refract(direction, hit.facing(), R::of(before) / R::of(behind))
             {
                 let ray = hit.leave(refracted, true);
-                if self.branch(ray, branch, through, branch.depth + 1) {
+                if self.branch(ray, weight.times(through), depth + 1) {
                     self.rays.refraction += 1;
                 }
             } else {
@@ -248,15 +243,14 @@ impl<'t, R: Precision> Shader<'t, R> {
             let normal = hit.shading;
             let reflected = direction - normal * (R::of(2.0) * normal.dot(direction));
             let ray = hit.leave(reflected.unit(), false);
-            if self.branch(ray, branch, mirrored, branch.depth + 1) {
+            if self.branch(ray, weight.times(mirrored), depth + 1) {
                 self.rays.reflection += 1;
             }
         }
     }
 
     /// Puts a ray on the stack unless it is too deep or counts for too little.
-    fn branch(&mut self, ray: Ray<R>, from: &Branch<R>, share: Vec3, depth: u32) -> bool {
-        let weight = from.weight.times(share);
+    fn branch(&mut self, ray: Ray<R>, weight: Vec3, depth: u32) -> bool {
         let counts = weight.any() && weight.max_component() >= self.limits.cutoff;
         let goes = counts && depth <= self.limits.depth && ray.line.direction.any();
         if goes {

@@ -100,14 +100,21 @@ impl<'t, R: Precision> Walkers<'t, R> {
             return answer;
         }
         self.walker.status = QueryStatus::default();
-        let answer = question.ask(tracer, &mut self.walker, ray);
-        if !self.walker.status.uncertain {
-            return answer;
+        // One variable: a hit is large, and not copied then.
+        let mut answer = question.ask(tracer, &mut self.walker, ray);
+        if self.walker.status.uncertain {
+            self.uncertain += 1;
+            if R::DOUBT == Doubt::GoesOn {
+                answer = self.ask_finer(question, ray);
+            }
         }
-        self.uncertain += 1;
-        if R::DOUBT == Doubt::Stands {
-            return answer;
-        }
+        answer
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn ask_finer<Q: Question>(&mut self, question: &Q, ray: &Ray<R>) -> Q::Answer<R> {
+        let tracer = self.tracer;
         let finer = self
             .finer
             .get_or_insert_with(|| Box::new(Walker::new(&tracer.graph)));

@@ -1,12 +1,11 @@
-//! The nearest crossing with anything: all that is needed while a ray is outside of every solid,
+//! The nearest crossing with anybody: all that is needed while a ray is outside of every solid,
 //! since then the first boundary it meets is a boundary of the scene.
 
 use super::context::Leaf;
 use super::events::{Crossing, Place};
 use super::query::{Entry, Search};
-use super::vista::End;
+use super::vista::{Body, End};
 use super::walk::Walker;
-use crate::geometry::aabb::Aabb;
 use crate::geometry::wide_bvh::{Child, Is, WIDTH};
 use crate::trace::graph::{Group, Holds, Operation, Target};
 use crate::trace::precision::{Doubt, Precision};
@@ -14,7 +13,7 @@ use crate::trace::ray::Ray;
 use crate::trace::shapes::Root;
 use std::cmp::Ordering;
 
-/// The nearest crossing so far, and how far along the ray something as near may be found: crossings
+/// The nearest crossing so far, and how far along the ray somebody as near may be found: crossings
 /// that cannot be told from the nearest are met too.
 struct Best<R> {
     found: Option<Crossing<R>>,
@@ -26,7 +25,7 @@ struct Best<R> {
 }
 
 impl<R: Precision> Best<R> {
-    /// Nothing yet, of what is in (from, to].
+    /// Nobody yet, of what is in (from, to].
     fn new(ray: &Ray<R>, from: R, to: R) -> Best<R> {
         // Crossings that are nearer may not be told from the surface that the ray has left.
         let near = ray.left.map_or(0.0, |left| {
@@ -43,7 +42,7 @@ impl<R: Precision> Best<R> {
 }
 
 impl<'g, R: Precision> Walker<'g, R> {
-    /// The first crossing with a part's surface in (from, to], and whether nothing else is met that cannot be told from
+    /// The first crossing with a part's surface in (from, to], and whether nobody else is met that cannot be told from
     /// it. Parts that are unions are looked into; of intersections only their own boundary counts. Among crossings at the
     /// same t a sheet's wins, then the first operand's. A search for any crossing takes the first one found.
     pub fn nearest(
@@ -60,7 +59,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         Some((best.found?, best.second > best.limit))
     }
 
-    /// Goes on with a search that nothing has been found in.
+    /// Goes on with a search that nobody has been found in.
     #[inline(always)]
     fn look_everywhere(&mut self, ray: &Ray<R>, from: R, end: End, best: &mut Best<R>) {
         // Only doubles know well enough where a ray is.
@@ -96,7 +95,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         &mut self,
         ray: &Ray<R>,
         from: R,
-        mut parts: impl Iterator<Item = (f64, &'v (u32, Aabb))>,
+        mut parts: impl Iterator<Item = (f64, &'v Body)>,
         best: &mut Best<R>,
     ) {
         self.entries.clear();
@@ -105,7 +104,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
         let line = R::coarse(&ray.line);
         while self.exhaust(ray, from, best)
-            && let Some((near, (part, bounds))) = parts.next()
+            && let Some((near, body)) = parts.next()
         {
             self.counts.boxes += 1;
             let limit = best.limit.to_f64();
@@ -113,10 +112,10 @@ impl<'g, R: Precision> Walker<'g, R> {
                 break;
             }
             let leaf = Leaf {
-                part: *part,
+                part: body.part,
                 context: 0,
             };
-            if bounds.clip(&line, from.to_f64(), limit).is_some()
+            if body.bounds.clip(&line, from.to_f64(), limit).is_some()
                 && !self.meet(ray, leaf, from, best)
             {
                 break;

@@ -6,6 +6,7 @@
 //! edge alone, and not on their order, so that neighbours have equal corners, bit for bit. Everything
 //! is computed for radius 1 and scaled at the end.
 
+use super::corners;
 use super::facet::{Facet, Passage, Projected, Shear, Way, drift_across, narrow};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
@@ -273,6 +274,10 @@ impl Shape for GeodesicSphere {
     fn bounds(&self) -> Aabb {
         let r = Vec3::ONE * self.radius;
         Aabb::new(-r, r).padded()
+    }
+
+    fn corners(&self) -> Vec<[f64; 3]> {
+        corners::of_ellipsoid(Vec3::ZERO, Vec3::ONE * self.radius)
     }
 
     /// Those of the sphere in the point's direction.

@@ -8,6 +8,7 @@ mod close_calls;
 mod closer;
 #[cfg(test)]
 mod contract_tests;
+mod corners;
 mod cuboid;
 mod doubt;
 mod facet;
@@ -139,6 +140,11 @@ pub trait Intersect<R: Traced = f64> {
 pub trait Shape {
     /// A box that holds the shape, rounded outwards.
     fn bounds(&self) -> Aabb;
+
+    /// A few points whose convex hull holds the shape. The closer, the fewer rays are tested that miss it.
+    fn corners(&self) -> Vec<[f64; 3]> {
+        self.bounds().corners().to_vec()
+    }
 
     /// How far the numbers reach, in the shape's space, that a crossing is computed from, besides
     /// those of the line and of the crossing itself; infinite where that is not known.

@@ -1,5 +1,6 @@
 //! The sphere.
 
+use super::corners;
 use super::doubt::{fits, is_final, least, parameter_error};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
@@ -33,6 +34,10 @@ impl Shape for Sphere {
     fn bounds(&self) -> Aabb {
         let r = Vec3::ONE * self.radius;
         Aabb::new(self.centre - r, self.centre + r).padded()
+    }
+
+    fn corners(&self) -> Vec<[f64; 3]> {
+        corners::of_ellipsoid(self.centre, Vec3::ONE * self.radius)
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {

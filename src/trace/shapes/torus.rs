@@ -12,6 +12,7 @@
 //! the even-odd rule, and there the quartic is positive too. The solid is where it is not.
 
 use super::closer::decide_closer;
+use super::corners;
 use super::doubt::is_final;
 use super::near::{Approach, Ball, KNOWN, MARGIN, Pass, is_quartic_above};
 use super::{Intersect, Located, Root, Roots, Shape};
@@ -27,6 +28,9 @@ use crate::trace::quartic::{Quartic, root_between};
 use crate::trace::shapes::support::Support;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
+
+/// Half a side of an octagon around a circle of radius 1: tan 22.5°, rounded up.
+const SIDE: f64 = 0.4143;
 
 /// Faces of a torus: the outer surface, and the one around the lemon.
 const OUTER: u32 = 0;
@@ -173,6 +177,13 @@ impl Shape for Torus {
         let reach = self.major + self.minor;
         let corner = Vec3::new(reach, self.minor, reach);
         Aabb::new(-corner, corner).padded()
+    }
+
+    fn corners(&self) -> Vec<[f64; 3]> {
+        // The regular octagon around the circle that is turned.
+        let (out, side) = (self.minor, self.minor * SIDE);
+        let (inner, outer) = (self.major + side, self.major + out);
+        corners::of_circles([[inner, -out], [outer, -side], [outer, side], [inner, out]])
     }
 
     /// The quartic is positive where the line is in the slab and the ball around the torus.

@@ -8,6 +8,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::corners;
 use crate::trace::shapes::doubt::is_final;
 use crate::trace::shapes::near::{Ball, MARGIN, Pass, is_above};
 use crate::trace::shapes::support::Support;
@@ -98,6 +99,15 @@ impl Cone {
 impl Shape for Cone {
     fn bounds(&self) -> Aabb {
         self.bounds
+    }
+
+    fn corners(&self) -> Vec<[f64; 3]> {
+        let base = [self.radius, self.height];
+        let other = match self.double {
+            true => [self.radius, -self.height],
+            false => [0.0, 0.0],
+        };
+        corners::of_circles([base, other])
     }
 
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {

@@ -8,6 +8,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::corners;
 use crate::trace::shapes::near::{Ball, MARGIN, Pass};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
@@ -37,6 +38,10 @@ impl Ellipsoid {
 impl Shape for Ellipsoid {
     fn bounds(&self) -> Aabb {
         self.bounds
+    }
+
+    fn corners(&self) -> Vec<[f64; 3]> {
+        corners::of_ellipsoid(Vec3::ZERO, Vec3(self.semi_axes))
     }
 
     /// The least of the form on the line is positive.

@@ -8,6 +8,7 @@ mod tests;
 mod tree;
 
 use super::closer::{decide_closer, is_last};
+use super::corners;
 use super::near::{Ball, MARGIN, Pass, is_above};
 use super::{FLIPPED, Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
@@ -156,6 +157,11 @@ impl Shape for Revolution {
             let up = 1.0 / self.scale;
             Aabb::new(min * up, max * up).padded()
         })
+    }
+
+    fn corners(&self) -> Vec<[f64; 3]> {
+        let Aabb { min, max } = self.bounds();
+        corners::of_circles([[max[0], min[1]], [max[0], max[1]]])
     }
 
     /// The line is outside of the cylinder around the solid where it is in its slab.

@@ -1,0 +1,115 @@
+//! What rays from a fixed point, or to it, may meet: found by their direction, without a tree.
+//!
+//! A cube around the point has a grid of cells on each face. A cell lists the parts that are behind it as seen from the
+//! point, the nearest first. That is POV-Ray's vista buffer where the point is the eye, and a light buffer where it is a
+//! light (Haines and Greenberg, "The Light Buffer", IEEE CG&A 6(9), 1986). Of each part it is known which octagon it is
+//! in as it is seen through the face.
+//!
+//! No part that a ray meets is missed: boxes and octagons are widened by more than a ray in doubles may be off the
+//! straight line between its ends.
+
+mod body;
+mod face;
+#[cfg(test)]
+mod tests;
+
+pub use body::{Body, bodies};
+
+use crate::geometry::aabb::Aabb;
+use crate::geometry::vec::Vec3;
+use body::{KNOWN, others};
+use face::Face;
+use std::sync::Arc;
+
+/// What is in which direction from a point.
+#[derive(Debug)]
+pub struct Vista {
+    bodies: Arc<[Body]>,
+    /// By axis and, below and above, by the sign of a direction's largest component.
+    faces: [[Face; 2]; 3],
+    /// Rays that come from farther away may be off by more than boxes are widened.
+    far: f64,
+}
+
+/// What is seen from the eye and from each light, where that is known.
+#[derive(Debug, Default)]
+pub struct Vistas {
+    pub eye: Option<Vista>,
+    /// Beside the lights.
+    pub lights: Vec<Option<Vista>>,
+}
+
+/// Whether one end of a ray is a point from which it is known what lies in which direction.
+#[derive(Debug, Clone, Copy)]
+pub enum End<'v> {
+    /// The ray starts there, and has a direction of length 1.
+    At(&'v Vista),
+    /// The ray is there at t = 1.
+    To(&'v Vista),
+    /// Neither end is such a point.
+    Anywhere,
+}
+
+/// Boxes are wider by this part of the largest coordinate there is.
+const WIDER: f64 = 1e-9;
+/// So many times that coordinate away a ray may start. Its direction is rounded once, which takes it less than 10⁻¹²
+/// of that coordinate off: a thousandth of what boxes are wider by.
+const FAR: f64 = 1e3;
+
+impl Vista {
+    /// What of some bodies is seen from a point; `None` where there are no numbers for it.
+    pub fn new(bodies: &Arc<[Body]>, point: Vec3) -> Option<Vista> {
+        let reaches = bodies.iter().map(|body| body.bounds.reach());
+        let reach = reaches.fold(point.abs().max_component(), f64::max);
+        let wider = WIDER * reach;
+        if !(wider.is_normal() && reach.is_finite()) {
+            return None;
+        }
+        let mut around: Vec<(f64, u32, Aabb)> = (0..)
+            .zip(bodies.iter())
+            .map(|(index, body)| {
+                let b = &body.bounds;
+                let min = [0, 1, 2].map(|i| b.min[i] - point[i] - wider);
+                let max = [0, 1, 2].map(|i| b.max[i] - point[i] + wider);
+                let gap = Vec3([0, 1, 2].map(|i| min[i].max(-max[i]).max(0.0)));
+                (gap.length() * (1.0 - KNOWN), index, Aabb { min, max })
+            })
+            .collect();
+        around.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let face = |axis: usize, sign: f64| {
+            let seen = around.iter().filter_map(|(near, index, b)| {
+                let body = &bodies[*index as usize];
+                Some((*index, *near, body.seen(point, (axis, sign), b, wider)?))
+            });
+            Face::new(&seen.collect::<Vec<_>>())
+        };
+        Some(Vista {
+            bodies: Arc::clone(bodies),
+            faces: [0, 1, 2].map(|axis| [-1.0, 1.0].map(|sign| face(axis, sign))),
+            far: FAR * reach,
+        })
+    }
+
+    /// What a ray from the point may meet: each body, and its least distance.
+    pub fn leaving(&self, direction: Vec3) -> impl Iterator<Item = (f64, &Body)> {
+        let [x, y, z] = direction.abs().0;
+        let axis = match () {
+            () if x >= y && x >= z => 0,
+            () if y >= z => 1,
+            () => 2,
+        };
+        let largest = direction[axis];
+        let face = &self.faces[axis][usize::from(largest > 0.0)];
+        let behind = face.behind(others(axis).map(|i| direction[i] * largest.abs().recip()));
+        behind.map(|seen| (f64::from(seen.near), &self.bodies[seen.index as usize]))
+    }
+
+    /// What a ray may meet that comes to the point by a way: as [`leaving`](Self::leaving). `None`: it comes from too
+    /// far away.
+    pub fn arriving(&self, way: Vec3) -> Option<impl Iterator<Item = (f64, &Body)>> {
+        let size = way.abs().max_component();
+        let length = way.length() * (1.0 + KNOWN);
+        let is_within = move |(near, _): &(f64, _)| *near <= length;
+        (size <= self.far).then(|| self.leaving(-way).take_while(is_within))
+    }
+}
