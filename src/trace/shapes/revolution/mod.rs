@@ -1,5 +1,6 @@
 //! The solid of revolution: a profile polyline turned about the y axis.
 
+mod barrel;
 mod beside;
 mod layers;
 mod path;
@@ -9,7 +10,7 @@ mod tree;
 
 use super::closer::{decide_closer, is_last};
 use super::corners;
-use super::near::{Ball, MARGIN, Pass, is_above};
+use super::near::Pass;
 use super::{FLIPPED, Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
@@ -17,6 +18,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::solids::shapes as solids;
 use crate::trace::shapes::support::Support;
+use barrel::Barrel;
 use beside::{Beside, Passing};
 use layers::Piece;
 use path::{Cut, Path, Ring, normaliser};
@@ -45,6 +47,8 @@ pub struct Revolution {
     /// The height of the centre, times `scale`.
     centre: f64,
     tree: Vec<Run>,
+    bounds: Aabb,
+    barrel: Barrel,
     beside: Beside,
     /// Arc length from the profile's first point to each point, times `scale`.
     arc: Vec<f64>,
@@ -70,6 +74,13 @@ impl Revolution {
         }
         let pieces = layers::pieces(&points);
         let tree = tree::build(&points, &pieces);
+        let bounds = tree.first().map_or(Aabb::EMPTY, |run| {
+            let r = run.radius[1];
+            let (min, max) = (Vec3::new(-r, run.y[0], -r), Vec3::new(r, run.y[1], r));
+            let up = 1.0 / scale;
+            Aabb::new(min * up, max * up).padded()
+        });
+        let barrel = Barrel::new(&bounds, &points, scale);
         let beside = Beside::new(&points, &pieces, &tree, scale);
         let centre = tree
             .first()
@@ -91,6 +102,8 @@ impl Revolution {
             scale,
             centre,
             tree,
+            bounds,
+            barrel,
             beside,
             arc,
         }
@@ -151,43 +164,16 @@ impl Revolution {
 
 impl Shape for Revolution {
     fn bounds(&self) -> Aabb {
-        self.tree.first().map_or(Aabb::EMPTY, |run| {
-            let r = run.radius[1];
-            let (min, max) = (Vec3::new(-r, run.y[0], -r), Vec3::new(r, run.y[1], r));
-            let up = 1.0 / self.scale;
-            Aabb::new(min * up, max * up).padded()
-        })
+        self.bounds
     }
 
     fn corners(&self) -> Vec<[f64; 3]> {
-        let Aabb { min, max } = self.bounds();
+        let Aabb { min, max } = self.bounds;
         corners::of_circles([[max[0], min[1]], [max[0], max[1]]])
     }
 
-    /// The line is outside of the cylinder around the solid where it is in its slab.
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
-        let bounds = self.bounds();
-        let (radius, half) = (bounds.max[0], 0.5 * (bounds.max[1] - bounds.min[1]));
-        let (centre, size) = (
-            Vec3(bounds.centre()),
-            (half * half + radius * radius).sqrt(),
-        );
-        let approach = match Ball::meets(line, stretch, centre, size) {
-            Ball::Misses => return Pass::Beside,
-            Ball::Unknown => return Pass::Perhaps,
-            Ball::Meets(approach) => approach,
-        };
-        let Some(stretch) = approach.between(1, -half, half) else {
-            return Pass::Beside;
-        };
-        let flat = |v: Vec3, w: Vec3| (v[0] * w[0] + v[2] * w[2]) / (size * size);
-        let (p, d) = (approach.point, approach.direction);
-        let limit = (radius / size).powi(2);
-        let form = [flat(d, d), flat(p, d), flat(p, p) - limit];
-        match is_above(form, stretch, MARGIN) {
-            true => Pass::Beside,
-            false => Pass::Perhaps,
-        }
+        self.barrel.pass(line, stretch)
     }
 
     /// The line crosses no piece ahead but that of its origin. If it crossed that once more, it would stay inside.

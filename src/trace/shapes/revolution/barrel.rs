@@ -1,0 +1,107 @@
+//! A cheap test that tells most lines which miss the solid, and many that go right through it.
+
+use crate::geometry::aabb::Aabb;
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
+use crate::trace::shapes::near::{Ball, MARGIN, Pass, is_above};
+
+/// Layers of the same height that the solid is cut into.
+const LAYERS: usize = 32;
+
+/// The cylinder around a solid of revolution, and cylinders that are in it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Barrel {
+    /// Of the cylinder and of the ball around it.
+    centre: Vec3,
+    radius: f64,
+    /// Half of the cylinder's height.
+    half: f64,
+    /// The radius of the ball: the unit of what follows.
+    size: f64,
+    /// The square of the cylinder's radius.
+    outer: f64,
+    /// Of each layer, from the lowest: the square of the radius up to which all of it is in the solid.
+    inner: [f64; LAYERS],
+}
+
+impl Barrel {
+    /// Of a solid in its bounds, and its closed profile, which is `scale` times as large.
+    pub fn new(bounds: &Aabb, points: &[[f64; 2]], scale: f64) -> Barrel {
+        let (radius, half) = (bounds.max[0], 0.5 * (bounds.max[1] - bounds.min[1]));
+        let size = (half * half + radius * radius).sqrt();
+        let mut barrel = Barrel {
+            centre: Vec3(bounds.centre()),
+            radius,
+            half,
+            size,
+            outer: (radius / size).powi(2),
+            inner: [0.0; LAYERS],
+        };
+        barrel.inner = barrel.layers(points, scale);
+        barrel
+    }
+
+    /// The layer that a height above the centre is in.
+    fn layer(&self, height: f64) -> usize {
+        let share = (height + self.half) / (2.0 * self.half);
+        ((share * LAYERS as f64) as usize).min(LAYERS - 1)
+    }
+
+    /// What is nearer to the axis than all of the profile in a layer is in the solid if the axis is.
+    fn layers(&self, points: &[[f64; 2]], scale: f64) -> [f64; LAYERS] {
+        let mut least = [f64::INFINITY; LAYERS];
+        let mut inside = [false; LAYERS];
+        let thick = 2.0 * self.half / LAYERS as f64;
+        let floor = |i: usize| i as f64 * thick - self.half;
+        // Heights on a line are known to less than this.
+        let margin = MARGIN * self.size;
+        for ends in points.windows(2) {
+            let [mut low, mut high] =
+                [ends[0], ends[1]].map(|[x, y]| [x / scale, y / scale - self.centre[1]]);
+            if low[1] > high[1] {
+                std::mem::swap(&mut low, &mut high);
+            }
+            let (width, rise) = (high[0] - low[0], high[1] - low[1]);
+            let share = |y: f64, of_flat: f64| match rise > 0.0 {
+                true => ((y - low[1]) / rise).clamp(0.0, 1.0),
+                false => of_flat,
+            };
+            for i in self.layer(low[1] - margin)..=self.layer(high[1] + margin) {
+                let [from, to] = [floor(i) - margin, floor(i + 1) + margin];
+                let ends = [share(from, 0.0), share(to, 1.0)].map(|share| low[0] + share * width);
+                let nearest = ends[0].min(ends[1]);
+                least[i] = least[i].min(nearest);
+                let middle = 0.5 * (from + to);
+                inside[i] ^= low[1] <= middle && middle < high[1];
+            }
+        }
+        std::array::from_fn(|i| match inside[i] && least[i].is_finite() {
+            true => ((least[i] - margin).max(0.0) / self.size).powi(2),
+            false => 0.0,
+        })
+    }
+
+    /// The line is outside of the cylinder around the solid where it is in its slab. Or it is in one of the cylinders
+    /// in the solid where it is nearest to the axis.
+    pub fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
+        let approach = match Ball::meets(line, stretch, self.centre, self.size) {
+            Ball::Misses => return Pass::Beside,
+            Ball::Unknown => return Pass::Perhaps,
+            Ball::Meets(approach) => approach,
+        };
+        let Some([from, to]) = approach.between(1, -self.half, self.half) else {
+            return Pass::Beside;
+        };
+        let unit = self.size * self.size;
+        let flat = |v: Vec3, w: Vec3| (v[0] * w[0] + v[2] * w[2]) / unit;
+        let (p, d) = (approach.point, approach.direction);
+        let [a, b, c] = [flat(d, d), flat(p, d), flat(p, p)];
+        if is_above([a, b, c - self.outer], [from, to], MARGIN) {
+            return Pass::Beside;
+        }
+        let nearest = (-b / a).max(from).min(to);
+        approach.through(nearest, MARGIN, |t| {
+            (a * t + 2.0 * b) * t + c - self.inner[self.layer(p[1] + t * d[1])]
+        })
+    }
+}
