@@ -32,7 +32,7 @@ impl<'a> Around<'a> {
 
     /// A circle about the y axis.
     pub fn ring(self, y: f64, radius: f64) -> Self {
-        self.ellipsoid([0.0, y, 0.0], [radius, 0.0, radius])
+        self.add([0.0, y, 0.0], |r| libm::hypot(r[0] * radius, r[2] * radius))
     }
 
     /// The Minkowski sum of a circle about the y axis and a ball.

@@ -97,6 +97,10 @@ fn lines(points: &[[f64; 2]]) -> Vec<Vec<u32>> {
     for parallel in all.chunk_by_mut(|a, b| b.0 - a.0 <= NEAR) {
         parallel.sort_by(|a, b| a.1.total_cmp(&b.1));
         for near in parallel.chunk_by(|a, b| b.1 - a.1 <= NEAR) {
+            if let [(.., alone)] = near {
+                found.push(vec![*alone]);
+                continue;
+            }
             let mut rest: Vec<u32> = near.iter().map(|&(_, _, i)| i).collect();
             while let Some(&first) = rest.first() {
                 let same = |&i: &u32| {

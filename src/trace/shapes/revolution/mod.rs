@@ -21,7 +21,7 @@ use crate::trace::shapes::support::Support;
 use barrel::Barrel;
 use beside::{Beside, Passing};
 use layers::Piece;
-use path::{Cut, Path, Ring, normaliser};
+use path::{Closest, Cut, Path, Ring, normaliser};
 use std::cell::LazyCell;
 use std::f64::consts::TAU;
 use std::ops::Deref;
@@ -267,10 +267,7 @@ impl<R: Traced> Intersect<R> for Revolution {
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let segment = self.segment(root.face);
         let (mut p, mut q) = (self.points[segment], self.points[segment + 1]);
-        let (mut point, direction) = match Path::new(line, self.scale, self.centre) {
-            Some(path) => path.at(root.t),
-            None => (Vec3::ZERO, Vec3::ZERO),
-        };
+        let (mut point, direction) = Closest::new(line, self.scale, self.centre).at(root.t);
         if !point.is_finite() {
             point = Vec3::new(R::of(p[0]), R::of(p[1]), R::ZERO);
         }

@@ -29,10 +29,8 @@ pub struct Path<R> {
     start: R,
     unit: R,
     length: R,
-    /// The point at τ = 0, close to the line's closest approach to the shape's centre, and the unit
-    /// direction.
+    /// The point at τ = 0, close to the line's closest approach to the shape's centre.
     point: Vec3<R>,
-    direction: Vec3<R>,
     s0: R,
     delta: R,
     across: R,
@@ -50,6 +48,17 @@ pub struct Path<R> {
     /// Bound on the error of s₀, y₀ and δ from all three, where the plane of the line turns with
     /// its direction.
     error: R,
+}
+
+/// Where a line is close to its closest approach to a shape's centre, in scaled coordinates: see [`Path`].
+pub struct Closest<R> {
+    start: R,
+    unit: R,
+    length: R,
+    point: Vec3<R>,
+    direction: Vec3<R>,
+    /// The direction before it is made a unit vector.
+    exact: Vec3<R>,
 }
 
 /// The ring of a profile point and how the line passes it.
@@ -74,10 +83,10 @@ pub fn normaliser(x: f64) -> f64 {
     f64::from_bits((EXPONENTS - exponent) << 52)
 }
 
-impl<R: Traced> Path<R> {
-    /// The path of a line past a shape with the centre (0, `centre`, 0) in coordinates scaled by
-    /// the power of two `scale`. `None` where the line is out of the numbers' reach.
-    pub fn new(line: &Line<R>, scale: f64, centre: f64) -> Option<Path<R>> {
+impl<R: Traced> Closest<R> {
+    /// As a shape with the centre (0, `centre`, 0) sees a line, in coordinates scaled by the power of two `scale`.
+    #[inline]
+    pub fn new(line: &Line<R>, scale: f64, centre: f64) -> Closest<R> {
         let origin = line.origin * R::of(scale);
         // In two steps, since the inverse of a subnormal length is no number.
         let first = normaliser(line.direction.abs().max_component().to_f64());
@@ -99,6 +108,36 @@ impl<R: Traced> Path<R> {
             start = R::of((start - relative.dot(exact) / square).to_f64());
             point = origin.zip(exact, |o, d| start.mul_add(d, o));
         }
+        Closest {
+            start,
+            unit,
+            length,
+            point,
+            direction,
+            exact,
+        }
+    }
+
+    /// The point at a parameter of the line, in scaled coordinates, and the unit direction.
+    pub fn at(&self, t: R) -> (Vec3<R>, Vec3<R>) {
+        let tau = (t / self.unit - self.start) * self.length;
+        let point = self.point.zip(self.direction, |o, d| tau.mul_add(d, o));
+        (point, self.direction)
+    }
+}
+
+impl<R: Traced> Path<R> {
+    /// The path of a line past a shape with the centre (0, `centre`, 0) in coordinates scaled by
+    /// the power of two `scale`. `None` where the line is out of the numbers' reach.
+    pub fn new(line: &Line<R>, scale: f64, centre: f64) -> Option<Path<R>> {
+        let Closest {
+            start,
+            unit,
+            length,
+            point,
+            direction,
+            exact,
+        } = Closest::new(line, scale, centre);
         let flat = Vec3::new(direction[0], R::ZERO, direction[2]);
         let across = flat.length();
         let (dx, dz) = if across > R::ZERO {
@@ -115,7 +154,6 @@ impl<R: Traced> Path<R> {
             unit,
             length,
             point,
-            direction,
             s0,
             delta,
             across,
@@ -169,13 +207,6 @@ impl<R: Traced> Path<R> {
     /// The line's own parameter.
     pub fn t(&self, tau: R) -> R {
         (self.start + tau / self.length) * self.unit
-    }
-
-    /// The point at a parameter of the line, in scaled coordinates, and the unit direction.
-    pub fn at(&self, t: R) -> (Vec3<R>, Vec3<R>) {
-        let tau = (t / self.unit - self.start) * self.length;
-        let point = self.point.zip(self.direction, |o, d| tau.mul_add(d, o));
-        (point, self.direction)
     }
 
     /// along · s at the height y.
