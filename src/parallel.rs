@@ -85,10 +85,21 @@ pub fn map_with<S, T: Send>(
 
 /// What `work` makes of each of the items, in order.
 pub fn map_each<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync) -> Vec<T> {
+    map_each_with(items, || (), |(), item| work(item))
+}
+
+/// [`map_each`], with a state that `work` may change. Each thread that takes part makes one.
+pub fn map_each_with<S, I: Send, T: Send>(
+    items: Vec<I>,
+    state: impl Fn() -> S + Sync,
+    work: impl Fn(&mut S, I) -> T + Sync,
+) -> Vec<T> {
     let items: Vec<Mutex<Option<I>>> = items.into_iter().map(|i| Mutex::new(Some(i))).collect();
     let take = |i: usize| items[i].lock().ok().and_then(|mut item| item.take());
     // Each is taken once.
-    let made = map(items.len(), |i| take(i).map(&work));
+    let made = map_with(items.len(), state, |state, i| {
+        take(i).map(|item| work(state, item))
+    });
     made.into_iter().flatten().collect()
 }
 

@@ -273,35 +273,31 @@ impl<'t> Drawing<'t> {
             width,
             height,
         });
-        let mut counts = Counts::default();
-        let pixels = match settings.tolerance {
-            None => self.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
+        let Some(tolerance) = settings.tolerance else {
+            return self.drawn(crop, progress, &|pen: &mut Pen<R>, x, y| {
                 pen.fixed(x, y, settings.samples.max(1))
-            }),
-            Some(tolerance) => {
-                // What is around the part that is drawn matters as much as within it.
-                let (left, top) = (crop.x.saturating_sub(1), crop.y.saturating_sub(1));
-                let around = Crop {
-                    x: left,
-                    y: top,
-                    width: (crop.x + crop.width).saturating_add(1).min(width) - left,
-                    height: (crop.y + crop.height).saturating_add(1).min(height) - top,
-                };
-                let first = self.rows(around, &|| (), &mut counts, &|pen: &mut Pen<R>, x, y| {
-                    pen.first(x, y)
-                });
-                self.rows(crop, progress, &mut counts, &|pen: &mut Pen<R>, x, y| {
-                    let (x0, y0) = (x - left, y - top);
-                    let at = |x: u32, y: u32| &first[y as usize][x as usize];
-                    let columns = x0.saturating_sub(1)..(x0 + 2).min(around.width);
-                    let rows = y0.saturating_sub(1)..(y0 + 2).min(around.height);
-                    let near = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
-                    let contrast = contrast(near.map(|(x, y)| at(x, y)));
-                    pen.adaptive(x, y, at(x0, y0), contrast, tolerance)
-                })
-            }
+            });
         };
-        gathered(pixels, crop, counts)
+        // What is around the part that is drawn matters as much as within it.
+        let (left, top) = (crop.x.saturating_sub(1), crop.y.saturating_sub(1));
+        let around = Crop {
+            x: left,
+            y: top,
+            width: (crop.x + crop.width).saturating_add(1).min(width) - left,
+            height: (crop.y + crop.height).saturating_add(1).min(height) - top,
+        };
+        let (first, counts) = self.first_samples::<R>(around);
+        let mut picture = self.drawn(crop, progress, &|pen: &mut Pen<R>, x, y| {
+            let (x0, y0) = (x - left, y - top);
+            let at = |x: u32, y: u32| &first[y as usize][x as usize];
+            let columns = x0.saturating_sub(1)..(x0 + 2).min(around.width);
+            let rows = y0.saturating_sub(1)..(y0 + 2).min(around.height);
+            let near = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
+            let contrast = contrast(near.map(|(x, y)| at(x, y)));
+            pen.adaptive(x, y, at(x0, y0), contrast, tolerance)
+        });
+        picture.counts += counts;
+        picture
     }
 
     /// What draws pixels on one thread.
@@ -330,79 +326,136 @@ impl<'t> Drawing<'t> {
             || self.tracer.graph.room.is_exhausted()
     }
 
-    /// Draws row by row, in parallel. Once it is to stop, no row is begun any more, and what comes
-    /// back is black.
-    fn rows<R: Precision, T: Send + Default + Clone>(
+    /// Draws row by row, in parallel. Once it is to stop, no row is begun any more, and the rest is black.
+    fn drawn<R: Precision>(
         &self,
         part: Crop,
         progress: &(dyn Fn() + Sync),
-        counts: &mut Counts,
-        draw: Draw<R, T>,
-    ) -> Vec<Vec<T>> {
+        draw: Draw<R>,
+    ) -> Picture {
+        let Crop { width, height, .. } = part;
+        let count = width as usize * height as usize;
+        let mut film = vec![[0.0; 3]; count];
+        let mut tests = vec![0; count];
+        let mut total_reflection = vec![false; count];
+        let side = (width as usize).max(1);
+        let rows: Vec<Row> = (part.y..)
+            .zip(film.chunks_mut(side))
+            .zip(
+                tests
+                    .chunks_mut(side)
+                    .zip(total_reflection.chunks_mut(side)),
+            )
+            .map(|((y, film), (tests, total_reflection))| Row {
+                y,
+                film,
+                tests,
+                total_reflection,
+            })
+            .collect();
+        let drawn = parallel::map_each_with(
+            rows,
+            || self.pen(),
+            |pen, row| self.row(pen, row, part.x, progress, draw),
+        );
+        let mut samples = Samples {
+            min: u32::MAX,
+            max: 0,
+            total: 0,
+        };
+        let mut counts = Counts::default();
+        for (of_row, cost) in drawn {
+            samples.min = samples.min.min(of_row.min);
+            samples.max = samples.max.max(of_row.max);
+            samples.total += of_row.total;
+            counts += cost;
+        }
+        samples.min = samples.min.min(samples.max);
+        Picture {
+            film: Film {
+                width,
+                height,
+                pixels: film,
+            },
+            samples,
+            costs: CostMap {
+                width,
+                height,
+                tests,
+            },
+            total_reflection,
+            counts,
+        }
+    }
+
+    /// Draws a row from a column on, if it is not to stop.
+    fn row<'d, R: Precision>(
+        &'d self,
+        pen: &mut Pen<'d, 't, R>,
+        row: Row,
+        left: u32,
+        progress: &(dyn Fn() + Sync),
+        draw: Draw<R>,
+    ) -> (Samples, Counts) {
+        let mut samples = Samples {
+            min: u32::MAX,
+            max: 0,
+            total: 0,
+        };
+        if self.is_to_stop() {
+            samples.min = 0;
+            return (samples, Counts::default());
+        }
+        pen.shader.reset();
+        let columns = (row.film.iter_mut()).zip(row.tests.iter_mut().zip(row.total_reflection));
+        for (x, (colour, (tests, total_reflection))) in (left..).zip(columns) {
+            let pixel = match self.is_wanted(x, row.y) && !self.is_to_stop() {
+                true => draw(pen, x, row.y),
+                false => Pixel::default(),
+            };
+            samples.min = samples.min.min(pixel.samples);
+            samples.max = samples.max.max(pixel.samples);
+            samples.total += u64::from(pixel.samples);
+            *colour = pixel.colour;
+            *tests = pixel.tests;
+            *total_reflection = pixel.total_reflection;
+        }
+        progress();
+        (samples, pen.shader.counts())
+    }
+
+    /// The first samples of each pixel, row by row, for those that ask how many more there should be.
+    fn first_samples<R: Precision>(&self, part: Crop) -> (Vec<Vec<First>>, Counts) {
         let rows = parallel::map_with(
             part.height as usize,
-            || self.pen(),
+            || self.pen::<R>(),
             |pen, row| {
                 let y = part.y + row as u32;
-                if self.is_to_stop() {
-                    let black = vec![T::default(); part.width as usize];
-                    return (black, Counts::default());
-                }
                 pen.shader.reset();
                 let columns = part.x..part.x + part.width;
-                let draw = |x| match self.is_wanted(x, y) && !self.is_to_stop() {
-                    true => draw(pen, x, y),
-                    false => T::default(),
+                let first = |x| match self.is_wanted(x, y) && !self.is_to_stop() {
+                    true => pen.first(x, y),
+                    false => First::default(),
                 };
-                let row = columns.map(draw).collect();
-                progress();
+                let row: Vec<First> = columns.map(first).collect();
                 (row, pen.shader.counts())
             },
         );
-        let count = |(row, cost)| {
-            *counts += cost;
+        let mut counts = Counts::default();
+        let rows = rows.into_iter().map(|(row, cost)| {
+            counts += cost;
             row
-        };
-        rows.into_iter().map(count).collect()
+        });
+        (rows.collect(), counts)
     }
 }
 
-/// The picture that rows of pixels make. Each row is dropped when it has been looked at: one list of all would be as
-/// large again.
-fn gathered(rows: Vec<Vec<Pixel>>, crop: Crop, counts: Counts) -> Picture {
-    let Crop { width, height, .. } = crop;
-    let count = rows.iter().map(Vec::len).sum();
-    let mut film = Vec::with_capacity(count);
-    let mut tests = Vec::with_capacity(count);
-    let mut total_reflection = Vec::with_capacity(count);
-    let (mut min, mut max, mut total) = (u32::MAX, 0, 0);
-    for pixel in rows.into_iter().flatten() {
-        film.push(pixel.colour);
-        tests.push(pixel.tests);
-        total_reflection.push(pixel.total_reflection);
-        min = pixel.samples.min(min);
-        max = pixel.samples.max(max);
-        total += u64::from(pixel.samples);
-    }
-    Picture {
-        film: Film {
-            width,
-            height,
-            pixels: film,
-        },
-        samples: Samples {
-            min: min.min(max),
-            max,
-            total,
-        },
-        costs: CostMap {
-            width,
-            height,
-            tests,
-        },
-        total_reflection,
-        counts,
-    }
+/// A row of a picture that is drawn.
+struct Row<'p> {
+    y: u32,
+    film: &'p mut [[f32; 3]],
+    tests: &'p mut [u32],
+    total_reflection: &'p mut [bool],
 }
 
 /// A finished pixel.
@@ -511,4 +564,4 @@ impl<R: Precision> Pen<'_, '_, R> {
 }
 
 /// Draws the pixel in a column and a row.
-type Draw<'a, R, T> = &'a (dyn Fn(&mut Pen<'_, '_, R>, u32, u32) -> T + Sync);
+type Draw<'a, R> = &'a (dyn Fn(&mut Pen<'_, '_, R>, u32, u32) -> Pixel + Sync);

@@ -93,15 +93,12 @@ impl<'t, R: Precision> Walkers<'t, R> {
     }
 
     fn ask<Q: Question>(&mut self, question: &Q, ray: &Ray<R>) -> Q::Answer<R> {
-        let tracer = self.tracer;
         if R::DOUBT == Doubt::Merges {
-            let answer = settled(question, tracer, &mut self.walker, ray);
-            self.uncertain += u64::from(self.walker.status.uncertain);
-            return answer;
+            return self.ask_finally(question, ray);
         }
         self.walker.status = QueryStatus::default();
-        // One variable: a hit is large, and not copied then.
-        let mut answer = question.ask(tracer, &mut self.walker, ray);
+        // One variable that is returned: a hit is large, and not copied then.
+        let mut answer = question.ask(self.tracer, &mut self.walker, ray);
         if self.walker.status.uncertain {
             self.uncertain += 1;
             if R::DOUBT == Doubt::GoesOn {
@@ -111,6 +108,14 @@ impl<'t, R: Precision> Walkers<'t, R> {
         answer
     }
 
+    /// Asks in numbers that are final.
+    fn ask_finally<Q: Question>(&mut self, question: &Q, ray: &Ray<R>) -> Q::Answer<R> {
+        let answer = settled(question, self.tracer, &mut self.walker, ray);
+        self.uncertain += u64::from(self.walker.status.uncertain);
+        answer
+    }
+
+    /// Asks in finer numbers, which are final.
     #[cold]
     #[inline(never)]
     fn ask_finer<Q: Question>(&mut self, question: &Q, ray: &Ray<R>) -> Q::Answer<R> {
