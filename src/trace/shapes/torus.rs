@@ -205,9 +205,15 @@ impl Shape for Torus {
         approach.through(0.5 * (stretch[0] + stretch[1]), margin, value)
     }
 
-    /// What is left of the quartic is positive, without the root at the origin.
+    /// All of the torus is on one side of the plane that touches its outer half. Elsewhere what is left of the quartic
+    /// is positive, without the root at the origin.
     fn is_met_again(&self, line: &Line) -> bool {
         let size = self.major + self.minor;
+        let [x, _, z] = line.origin.0;
+        let is_outer = x * x + z * z > self.major * self.major + MARGIN * size * size;
+        if is_outer && self.minor <= self.major && line.slack.origin <= KNOWN * size {
+            return false;
+        }
         let ahead = [0.0, f64::INFINITY];
         let Ball::Meets(approach) = Ball::meets(line, ahead, Vec3::ZERO, size) else {
             return true;
