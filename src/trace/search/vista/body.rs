@@ -127,7 +127,7 @@ impl Body {
 }
 
 /// The axes across.
-pub fn others(axis: usize) -> [usize; 2] {
+fn others(axis: usize) -> [usize; 2] {
     [(axis + 1) % 3, (axis + 2) % 3]
 }
 

@@ -17,7 +17,7 @@ pub use body::{Body, bodies};
 
 use crate::geometry::aabb::Aabb;
 use crate::geometry::vec::Vec3;
-use body::{KNOWN, others};
+use body::KNOWN;
 use face::Face;
 use std::sync::Arc;
 
@@ -92,15 +92,16 @@ impl Vista {
 
     /// What a ray from the point may meet: each body, and its least distance.
     pub fn leaving(&self, direction: Vec3) -> impl Iterator<Item = (f64, &Body)> {
-        let [x, y, z] = direction.abs().0;
-        let axis = match () {
-            () if x >= y && x >= z => 0,
-            () if y >= z => 1,
-            () => 2,
+        let [x, y, z] = direction.0;
+        let [width, height, depth] = direction.abs().0;
+        let (axis, largest, across) = match () {
+            () if width >= height && width >= depth => (0, x, [y, z]),
+            () if height >= depth => (1, y, [z, x]),
+            () => (2, z, [x, y]),
         };
-        let largest = direction[axis];
         let face = &self.faces[axis][usize::from(largest > 0.0)];
-        let behind = face.behind(others(axis).map(|i| direction[i] * largest.abs().recip()));
+        let per_depth = largest.abs().recip();
+        let behind = face.behind(across.map(|x| x * per_depth));
         behind.map(|seen| (f64::from(seen.near), &self.bodies[seen.index as usize]))
     }
 
