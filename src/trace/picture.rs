@@ -72,9 +72,9 @@ pub struct Settings {
     pub tolerance: Option<f64>,
     /// All samples are moved by so much, to the right and down, in pixels.
     pub shift: [f64; 2],
-    /// Rays deeper than this contribute nobody; a camera ray has depth 0.
+    /// Rays deeper than this contribute nothing; a camera ray has depth 0.
     pub depth: u32,
-    /// Branches that count for less than this contribute nobody; 0: all do.
+    /// Branches that count for less than this contribute nothing; 0: all do.
     pub cutoff: f64,
     pub numbers: Numbers,
     /// Once this is set, no row is begun any more, and the picture is of no use.
@@ -116,6 +116,30 @@ pub struct Samples {
     pub max: u32,
     /// Of all pixels.
     pub total: u64,
+}
+
+impl Samples {
+    /// Of no pixel.
+    const NONE: Samples = Samples {
+        min: u32::MAX,
+        max: 0,
+        total: 0,
+    };
+
+    /// Of one pixel.
+    fn of(samples: u32) -> Samples {
+        Samples {
+            min: samples,
+            max: samples,
+            total: u64::from(samples),
+        }
+    }
+
+    fn add(&mut self, others: Samples) {
+        self.min = self.min.min(others.min);
+        self.max = self.max.max(others.max);
+        self.total += others.total;
+    }
 }
 
 /// The camera a scene is seen by: the selected one, or one that frames the scene. Of a stereo pair
@@ -358,16 +382,10 @@ impl<'t> Drawing<'t> {
             || self.pen(),
             |pen, row| self.row(pen, row, part.x, progress, draw),
         );
-        let mut samples = Samples {
-            min: u32::MAX,
-            max: 0,
-            total: 0,
-        };
+        let mut samples = Samples::NONE;
         let mut counts = Counts::default();
         for (of_row, cost) in drawn {
-            samples.min = samples.min.min(of_row.min);
-            samples.max = samples.max.max(of_row.max);
-            samples.total += of_row.total;
+            samples.add(of_row);
             counts += cost;
         }
         samples.min = samples.min.min(samples.max);
@@ -397,14 +415,9 @@ impl<'t> Drawing<'t> {
         progress: &(dyn Fn() + Sync),
         draw: Draw<R>,
     ) -> (Samples, Counts) {
-        let mut samples = Samples {
-            min: u32::MAX,
-            max: 0,
-            total: 0,
-        };
+        let mut samples = Samples::NONE;
         if self.is_to_stop() {
-            samples.min = 0;
-            return (samples, Counts::default());
+            return (Samples::of(0), Counts::default());
         }
         pen.shader.reset();
         let columns = (row.film.iter_mut()).zip(row.tests.iter_mut().zip(row.total_reflection));
@@ -413,9 +426,7 @@ impl<'t> Drawing<'t> {
                 true => draw(pen, x, row.y),
                 false => Pixel::default(),
             };
-            samples.min = samples.min.min(pixel.samples);
-            samples.max = samples.max.max(pixel.samples);
-            samples.total += u64::from(pixel.samples);
+            samples.add(Samples::of(pixel.samples));
             *colour = pixel.colour;
             *tests = pixel.tests;
             *total_reflection = pixel.total_reflection;
@@ -450,7 +461,7 @@ impl<'t> Drawing<'t> {
     }
 }
 
-/// A row of a picture that is drawn.
+/// A row of the picture, to be drawn into.
 struct Row<'p> {
     y: u32,
     film: &'p mut [[f32; 3]],
@@ -490,7 +501,7 @@ impl<R: Precision> Pen<'_, '_, R> {
     }
 
     /// The light of sample `i` of `n`; where a projection has no ray, or none in
-    /// the range of the precision, there is nobody to be seen.
+    /// the range of the precision, there is nothing to be seen.
     pub(super) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
         let [dx, dy] = sample(x, y, i, n);
         let [dx, dy] = [dx + self.drawing.shift[0], dy + self.drawing.shift[1]];

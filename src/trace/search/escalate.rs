@@ -97,7 +97,7 @@ impl<'t, R: Precision> Walkers<'t, R> {
             return self.ask_finally(question, ray);
         }
         self.walker.status = QueryStatus::default();
-        // One variable that is returned: a hit is large, and not copied then.
+        // A hit is large. With one variable for the answer it is copied less often.
         let mut answer = question.ask(self.tracer, &mut self.walker, ray);
         if self.walker.status.uncertain {
             self.uncertain += 1;

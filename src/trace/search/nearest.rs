@@ -1,4 +1,4 @@
-//! The nearest crossing with anybody: all that is needed while a ray is outside of every solid,
+//! The nearest crossing with anything: all that is needed while a ray is outside of every solid,
 //! since then the first boundary it meets is a boundary of the scene.
 
 use super::context::Leaf;
@@ -13,7 +13,7 @@ use crate::trace::ray::Ray;
 use crate::trace::shapes::Root;
 use std::cmp::Ordering;
 
-/// The nearest crossing so far, and how far along the ray somebody as near may be found: crossings
+/// The nearest crossing so far, and how far along the ray something as near may be found: crossings
 /// that cannot be told from the nearest are met too.
 struct Best<R> {
     found: Option<Crossing<R>>,
@@ -25,7 +25,7 @@ struct Best<R> {
 }
 
 impl<R: Precision> Best<R> {
-    /// Nobody yet, of what is in (from, to].
+    /// Nothing yet, of what is in (from, to].
     fn new(ray: &Ray<R>, from: R, to: R) -> Best<R> {
         // Crossings that are nearer may not be told from the surface that the ray has left.
         let near = ray.left.map_or(0.0, |left| {
@@ -42,7 +42,7 @@ impl<R: Precision> Best<R> {
 }
 
 impl<'g, R: Precision> Walker<'g, R> {
-    /// The first crossing with a part's surface in (from, to], and whether nobody else is met that cannot be told from
+    /// The first crossing with a part's surface in (from, to], and whether nothing else is met that cannot be told from
     /// it. Parts that are unions are looked into; of intersections only their own boundary counts. Among crossings at the
     /// same t a sheet's wins, then the first operand's. A search for any crossing takes the first one found.
     pub fn nearest(
@@ -59,7 +59,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         Some((best.found?, best.second > best.limit))
     }
 
-    /// Goes on with a search that nobody has been found in.
+    /// Goes on with a search that nothing has been found in.
     #[inline(always)]
     fn look_everywhere(&mut self, ray: &Ray<R>, from: R, end: End, best: &mut Best<R>) {
         // Only doubles know well enough where a ray is.
@@ -70,8 +70,8 @@ impl<'g, R: Precision> Walker<'g, R> {
                     return self.look_at(ray, from, vista.leaving(direction), best);
                 }
                 End::To(vista) => {
-                    if let Some(parts) = vista.arriving(direction) {
-                        return self.look_at(ray, from, parts.map(|(_, part)| (0.0, part)), best);
+                    if let Some(bodies) = vista.arriving(direction) {
+                        return self.look_at(ray, from, bodies.map(|(_, body)| (0.0, body)), best);
                     }
                 }
                 End::Anywhere => {}
@@ -95,7 +95,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         &mut self,
         ray: &Ray<R>,
         from: R,
-        mut parts: impl Iterator<Item = (f64, &'v Body)>,
+        mut bodies: impl Iterator<Item = (f64, &'v Body)>,
         best: &mut Best<R>,
     ) {
         self.entries.clear();
@@ -104,7 +104,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
         let line = R::coarse(&ray.line);
         while self.exhaust(ray, from, best)
-            && let Some((near, body)) = parts.next()
+            && let Some((near, body)) = bodies.next()
         {
             self.counts.boxes += 1;
             let limit = best.limit.to_f64();

@@ -6,8 +6,8 @@
 //! edge alone, and not on their order, so that neighbours have equal corners, bit for bit. Everything
 //! is computed for radius 1 and scaled at the end.
 
-use super::corners;
 use super::facet::{Facet, Passage, Projected, Shear, Way, drift_across, narrow};
+use super::hull;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::dd::Dd;
@@ -276,8 +276,8 @@ impl Shape for GeodesicSphere {
         Aabb::new(-r, r).padded()
     }
 
-    fn corners(&self) -> Vec<[f64; 3]> {
-        corners::of_ellipsoid(Vec3::ZERO, Vec3::ONE * self.radius)
+    fn hull_points(&self) -> Vec<[f64; 3]> {
+        hull::of_ellipsoid(Vec3::ZERO, Vec3::ONE * self.radius)
     }
 
     /// Those of the sphere in the point's direction.

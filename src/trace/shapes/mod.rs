@@ -8,12 +8,12 @@ mod close_calls;
 mod closer;
 #[cfg(test)]
 mod contract_tests;
-mod corners;
 mod cuboid;
 mod doubt;
 mod facet;
 mod geodesic_sphere;
 mod half_space;
+mod hull;
 pub mod near;
 #[cfg(test)]
 mod near_tests;
@@ -142,7 +142,7 @@ pub trait Shape {
     fn bounds(&self) -> Aabb;
 
     /// A few points whose convex hull holds the shape. The closer, the fewer rays are tested that miss it.
-    fn corners(&self) -> Vec<[f64; 3]> {
+    fn hull_points(&self) -> Vec<[f64; 3]> {
         self.bounds().corners().to_vec()
     }
 

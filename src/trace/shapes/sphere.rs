@@ -1,7 +1,7 @@
 //! The sphere.
 
-use super::corners;
 use super::doubt::{fits, is_final, least, parameter_error};
+use super::hull;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::exponent::{exponent, shifted, shifted_vector};
@@ -36,8 +36,8 @@ impl Shape for Sphere {
         Aabb::new(self.centre - r, self.centre + r).padded()
     }
 
-    fn corners(&self) -> Vec<[f64; 3]> {
-        corners::of_ellipsoid(self.centre, Vec3::ONE * self.radius)
+    fn hull_points(&self) -> Vec<[f64; 3]> {
+        hull::of_ellipsoid(self.centre, Vec3::ONE * self.radius)
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {

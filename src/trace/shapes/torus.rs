@@ -12,8 +12,8 @@
 //! the even-odd rule, and there the quartic is positive too. The solid is where it is not.
 
 use super::closer::decide_closer;
-use super::corners;
 use super::doubt::is_final;
+use super::hull;
 use super::near::{Approach, Ball, KNOWN, MARGIN, Pass, is_quartic_above};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
@@ -179,11 +179,11 @@ impl Shape for Torus {
         Aabb::new(-corner, corner).padded()
     }
 
-    fn corners(&self) -> Vec<[f64; 3]> {
+    fn hull_points(&self) -> Vec<[f64; 3]> {
         // The regular octagon around the circle that is turned.
         let (out, side) = (self.minor, self.minor * SIDE);
         let (inner, outer) = (self.major + side, self.major + out);
-        corners::of_circles([[inner, -out], [outer, -side], [outer, side], [inner, out]])
+        hull::of_circles([[inner, -out], [outer, -side], [outer, side], [inner, out]])
     }
 
     /// The quartic is positive where the line is in the slab and the ball around the torus.
@@ -205,8 +205,8 @@ impl Shape for Torus {
         approach.through(0.5 * (stretch[0] + stretch[1]), margin, value)
     }
 
-    /// All of the torus is on one side of the plane that touches its outer half. Elsewhere what is left of the quartic
-    /// is positive, without the root at the origin.
+    /// A plane that touches the outer half has all of the torus on one side, so a ray that goes out there does not come
+    /// back. Elsewhere what is left of the quartic is positive, without the root at the origin.
     fn is_met_again(&self, line: &Line) -> bool {
         let size = self.major + self.minor;
         let [x, _, z] = line.origin.0;

@@ -138,7 +138,7 @@ impl Shape for Triangle {
             .padded()
     }
 
-    fn corners(&self) -> Vec<[f64; 3]> {
+    fn hull_points(&self) -> Vec<[f64; 3]> {
         self.vertices.map(|v| v.0).to_vec()
     }
 

@@ -16,8 +16,9 @@ pub struct Body {
     /// Index into [`Graph::parts`].
     pub part: u32,
     pub bounds: Aabb,
-    /// Points whose convex hull holds the part, but for what each of them may be off; none where there are no numbers.
+    /// Points whose convex hull holds the part. Empty where they are not finite.
     corners: Vec<Vec3>,
+    /// How far each of them may be off, in each coordinate.
     off: f64,
 }
 
@@ -44,7 +45,7 @@ impl Body {
     fn new(graph: &Graph, number: u32, bounds: Aabb) -> Body {
         let part = &graph.parts[number as usize];
         let own = match part.target {
-            Target::Shape(p) => graph.primitives[p as usize].shape().corners(),
+            Target::Shape(p) => graph.primitives[p as usize].shape().hull_points(),
             Target::Object(o) => graph.objects[o as usize].bounds.corners().to_vec(),
         };
         let out = &graph.placements[part.placement as usize].out;
@@ -74,8 +75,8 @@ impl Body {
         &self.corners
     }
 
-    /// The octagon around what is seen of the body from a point through a face, if anything is. Of the body a box is
-    /// given, as seen from the point, and how far rays may be off their line.
+    /// The octagon around what is seen of the body from a point through a face, if anything is. `around` is the body's
+    /// box as seen from the point, and `wider` is how far a ray may be off its line.
     pub fn seen(
         &self,
         point: Vec3,
@@ -111,18 +112,19 @@ impl Body {
             }
         }
         let off = self.off + wider;
-        // Else some of it may be beside the point, or behind it.
+        // All of it is in front of the point. Otherwise the projection of the corners says nothing.
         if is_known && near * KNOWN > off {
             let far = |i: usize| ends[1][i].max(-ends[0][i]);
             let size = 1.0 + far(0) + far(1);
             // A quotient of two numbers that are off by as much is off by (off + |u| off) / near, a sum by that of both.
-            let off = size * (2.0 * off / near + ROUNDED);
+            let margin = size * (2.0 * off / near + ROUNDED);
             for i in 0..4 {
-                least[i] = least[i].max(ends[0][i] - off);
-                most[i] = most[i].min(ends[1][i] + off);
+                least[i] = least[i].max(ends[0][i] - margin);
+                most[i] = most[i].min(ends[1][i] + margin);
             }
         }
-        Some(Octagon([least, most]))
+        let is_seen = (0..4).all(|i| least[i] <= most[i]);
+        is_seen.then_some(Octagon([least, most]))
     }
 }
 

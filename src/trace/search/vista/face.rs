@@ -4,7 +4,7 @@ use super::body::{KNOWN, Octagon, ROUNDED};
 use crate::geometry::wide_bvh::below;
 use wide::f32x8;
 
-/// Octagons are wider by so many units: in single precision the sum of two coordinates is known to less than 2⁻²².
+/// Octagons are widened by this much, in units of the longer side: in single precision the sum of two coordinates is known to less than 2⁻²².
 const MARGIN: f64 = 1e-6;
 /// So many cells for each body that is seen through a face, and so many cells in a row at most.
 const CELLS: f64 = 4.0;
@@ -15,7 +15,7 @@ const MOST: f64 = 256.0;
 #[derive(Debug, Default)]
 pub struct Face {
     lower: [f64; 2],
-    /// Units per 1.
+    /// Units per 1 of u and v.
     scale: f64,
     /// Cells per unit.
     cells: [f32; 2],
@@ -23,7 +23,7 @@ pub struct Face {
     side: usize,
     /// Where the list of each cell begins in `lists`; the last one is the end of all.
     starts: Vec<u32>,
-    lists: Vec<Seen>,
+    pub lists: Vec<Seen>,
 }
 
 /// A body as it is seen through a face.

@@ -2,8 +2,8 @@
 //!
 //! A cube around the point has a grid of cells on each face. A cell lists the parts that are behind it as seen from the
 //! point, the nearest first. That is POV-Ray's vista buffer where the point is the eye, and a light buffer where it is a
-//! light (Haines and Greenberg, "The Light Buffer", IEEE CG&A 6(9), 1986). Of each part it is known which octagon it is
-//! in as it is seen through the face.
+//! light (Haines and Greenberg, "The Light Buffer", IEEE CG&A 6(9), 1986). For each part a cell also keeps the octagon
+//! around it, as it is seen through the face.
 //!
 //! No part that a ray meets is missed: boxes and octagons are widened by more than a ray in doubles may be off the
 //! straight line between its ends.
@@ -62,7 +62,7 @@ impl Vista {
         let reaches = bodies.iter().map(|body| body.bounds.reach());
         let reach = reaches.fold(point.abs().max_component(), f64::max);
         let wider = WIDER * reach;
-        if !(wider.is_normal() && reach.is_finite()) {
+        if !(wider.is_normal() && (FAR * reach).is_finite()) {
             return None;
         }
         let mut around: Vec<(f64, u32, Aabb)> = (0..)
@@ -93,15 +93,16 @@ impl Vista {
     /// What a ray from the point may meet: each body, and its least distance.
     pub fn leaving(&self, direction: Vec3) -> impl Iterator<Item = (f64, &Body)> {
         let [x, y, z] = direction.0;
-        let [width, height, depth] = direction.abs().0;
+        let [x_size, y_size, z_size] = direction.abs().0;
+        // In the order of `others`.
         let (axis, largest, across) = match () {
-            () if width >= height && width >= depth => (0, x, [y, z]),
-            () if height >= depth => (1, y, [z, x]),
+            () if x_size >= y_size && x_size >= z_size => (0, x, [y, z]),
+            () if y_size >= z_size => (1, y, [z, x]),
             () => (2, z, [x, y]),
         };
         let face = &self.faces[axis][usize::from(largest > 0.0)];
         let per_depth = largest.abs().recip();
-        let behind = face.behind(across.map(|x| x * per_depth));
+        let behind = face.behind(across.map(|component| component * per_depth));
         behind.map(|seen| (f64::from(seen.near), &self.bodies[seen.index as usize]))
     }
 

@@ -140,6 +140,19 @@ fn no_box_on_a_rays_way_is_missed() {
     assert!(met > 50_000 && listed < 2 * met, "{met} of {listed}");
 }
 
+/// A triangle beside the field of view of a face whose box reaches into it.
+#[test]
+fn what_the_corners_say_is_not_seen_is_in_no_list() {
+    let corners = [[1.1, 31.0, 31.0], [31.0, 961.0, 961.0], [1.2, 40.0, 35.0]].map(Vec3);
+    let around = (corners.iter()).fold(Aabb::EMPTY, |b, &c| b.hull(&Aabb::new(c, c)));
+    let body = Body::of_corners(0, around, (corners.to_vec(), 0.0));
+    let bodies: Arc<[Body]> = Arc::new([body]);
+    let vista = Vista::new(&bodies, Vec3::ZERO).unwrap();
+    assert_eq!(vista.leaving(Vec3::new(1.0, 0.99, 0.99)).count(), 0);
+    assert_eq!(vista.leaving(Vec3::new(1.1, 31.0, 31.0)).count(), 1);
+    assert_eq!(vista.faces[0][1].lists.len(), 0);
+}
+
 #[test]
 fn points_without_numbers_have_no_vista() {
     let bodies: Arc<[Body]> = Arc::new([filling(0, Aabb::new([0.0; 3], [1.0; 3]))]);
@@ -179,6 +192,8 @@ fn things(next: &mut impl FnMut(u64) -> u64) -> String {
                 id + 2
             ),
         };
+        let [sx, sy, sz] = [0; 3].map(|_| 0.4 + number(next).abs());
+        let _ = writeln!(text, "{id} -2 {} 3\n{id} -3 {sx} {sy} {sz}", next(360));
         let [x, y, z] = (vector(next) * 4.0).0;
         let _ = writeln!(
             text,

@@ -8,8 +8,8 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
-use crate::trace::shapes::corners;
 use crate::trace::shapes::doubt::is_final;
+use crate::trace::shapes::hull;
 use crate::trace::shapes::near::{Ball, MARGIN, Pass, is_above};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
@@ -101,13 +101,13 @@ impl Shape for Cone {
         self.bounds
     }
 
-    fn corners(&self) -> Vec<[f64; 3]> {
+    fn hull_points(&self) -> Vec<[f64; 3]> {
         let base = [self.radius, self.height];
         let other = match self.double {
             true => [self.radius, -self.height],
             false => [0.0, 0.0],
         };
-        corners::of_circles([base, other])
+        hull::of_circles([base, other])
     }
 
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {

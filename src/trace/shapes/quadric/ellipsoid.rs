@@ -8,7 +8,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
-use crate::trace::shapes::corners;
+use crate::trace::shapes::hull;
 use crate::trace::shapes::near::{Ball, MARGIN, Pass};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
@@ -40,8 +40,8 @@ impl Shape for Ellipsoid {
         self.bounds
     }
 
-    fn corners(&self) -> Vec<[f64; 3]> {
-        corners::of_ellipsoid(Vec3::ZERO, Vec3(self.semi_axes))
+    fn hull_points(&self) -> Vec<[f64; 3]> {
+        hull::of_ellipsoid(Vec3::ZERO, Vec3(self.semi_axes))
     }
 
     /// The least of the form on the line is positive.

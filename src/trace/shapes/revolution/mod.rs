@@ -1,7 +1,7 @@
 //! The solid of revolution: a profile polyline turned about the y axis.
 
-mod barrel;
 mod beside;
+mod cylinders;
 mod layers;
 mod path;
 #[cfg(test)]
@@ -9,7 +9,7 @@ mod tests;
 mod tree;
 
 use super::closer::{decide_closer, is_last};
-use super::corners;
+use super::hull;
 use super::near::Pass;
 use super::{FLIPPED, Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
@@ -18,10 +18,10 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::solids::shapes as solids;
 use crate::trace::shapes::support::Support;
-use barrel::Barrel;
 use beside::{Beside, Passing};
+use cylinders::Cylinders;
 use layers::Piece;
-use path::{Closest, Cut, Path, Ring, normaliser};
+use path::{ClosestApproach, Cut, Path, Ring, normaliser};
 use std::cell::LazyCell;
 use std::f64::consts::TAU;
 use std::ops::Deref;
@@ -48,7 +48,7 @@ pub struct Revolution {
     centre: f64,
     tree: Vec<Run>,
     bounds: Aabb,
-    barrel: Barrel,
+    cylinders: Cylinders,
     beside: Beside,
     /// Arc length from the profile's first point to each point, times `scale`.
     arc: Vec<f64>,
@@ -80,7 +80,7 @@ impl Revolution {
             let up = 1.0 / scale;
             Aabb::new(min * up, max * up).padded()
         });
-        let barrel = Barrel::new(&bounds, &points, scale);
+        let cylinders = Cylinders::new(&bounds, &points, scale);
         let beside = Beside::new(&points, &pieces, &tree, scale);
         let centre = tree
             .first()
@@ -103,7 +103,7 @@ impl Revolution {
             centre,
             tree,
             bounds,
-            barrel,
+            cylinders,
             beside,
             arc,
         }
@@ -167,13 +167,13 @@ impl Shape for Revolution {
         self.bounds
     }
 
-    fn corners(&self) -> Vec<[f64; 3]> {
+    fn hull_points(&self) -> Vec<[f64; 3]> {
         let Aabb { min, max } = self.bounds;
-        corners::of_circles([[max[0], min[1]], [max[0], max[1]]])
+        hull::of_circles([[max[0], min[1]], [max[0], max[1]]])
     }
 
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
-        self.barrel.pass(line, stretch)
+        self.cylinders.pass(line, stretch)
     }
 
     /// The line crosses no piece ahead but that of its origin. If it crossed that once more, it would stay inside.
@@ -267,7 +267,7 @@ impl<R: Traced> Intersect<R> for Revolution {
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let segment = self.segment(root.face);
         let (mut p, mut q) = (self.points[segment], self.points[segment + 1]);
-        let (mut point, direction) = Closest::new(line, self.scale, self.centre).at(root.t);
+        let (mut point, direction) = ClosestApproach::new(line, self.scale, self.centre).at(root.t);
         if !point.is_finite() {
             point = Vec3::new(R::of(p[0]), R::of(p[1]), R::ZERO);
         }

@@ -51,13 +51,13 @@ pub struct Path<R> {
 }
 
 /// Where a line is close to its closest approach to a shape's centre, in scaled coordinates: see [`Path`].
-pub struct Closest<R> {
+pub struct ClosestApproach<R> {
     start: R,
     unit: R,
     length: R,
     point: Vec3<R>,
     direction: Vec3<R>,
-    /// The direction before it is made a unit vector.
+    /// The direction times powers of two, before it is made a unit vector.
     exact: Vec3<R>,
 }
 
@@ -83,10 +83,10 @@ pub fn normaliser(x: f64) -> f64 {
     f64::from_bits((EXPONENTS - exponent) << 52)
 }
 
-impl<R: Traced> Closest<R> {
+impl<R: Traced> ClosestApproach<R> {
     /// As a shape with the centre (0, `centre`, 0) sees a line, in coordinates scaled by the power of two `scale`.
     #[inline]
-    pub fn new(line: &Line<R>, scale: f64, centre: f64) -> Closest<R> {
+    pub fn new(line: &Line<R>, scale: f64, centre: f64) -> ClosestApproach<R> {
         let origin = line.origin * R::of(scale);
         // In two steps, since the inverse of a subnormal length is no number.
         let first = normaliser(line.direction.abs().max_component().to_f64());
@@ -108,7 +108,7 @@ impl<R: Traced> Closest<R> {
             start = R::of((start - relative.dot(exact) / square).to_f64());
             point = origin.zip(exact, |o, d| start.mul_add(d, o));
         }
-        Closest {
+        ClosestApproach {
             start,
             unit,
             length,
@@ -130,14 +130,14 @@ impl<R: Traced> Path<R> {
     /// The path of a line past a shape with the centre (0, `centre`, 0) in coordinates scaled by
     /// the power of two `scale`. `None` where the line is out of the numbers' reach.
     pub fn new(line: &Line<R>, scale: f64, centre: f64) -> Option<Path<R>> {
-        let Closest {
+        let ClosestApproach {
             start,
             unit,
             length,
             point,
             direction,
             exact,
-        } = Closest::new(line, scale, centre);
+        } = ClosestApproach::new(line, scale, centre);
         let flat = Vec3::new(direction[0], R::ZERO, direction[2]);
         let across = flat.length();
         let (dx, dz) = if across > R::ZERO {

@@ -8,37 +8,42 @@ use crate::trace::shapes::near::{Ball, MARGIN, Pass, is_above};
 /// Layers of the same height that the solid is cut into.
 const LAYERS: usize = 32;
 
-/// The cylinder around a solid of revolution, and cylinders that are in it.
+/// The bounding cylinder of a solid of revolution, and cylinders inscribed in it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Barrel {
-    /// Of the cylinder and of the ball around it.
+pub struct Cylinders {
+    /// Of the bounding cylinder and of the ball around that.
     centre: Vec3,
-    radius: f64,
     /// Half of the cylinder's height.
     half: f64,
     /// The radius of the ball: the unit of what follows.
     size: f64,
-    /// The square of the cylinder's radius.
+    /// The square of the bounding cylinder's radius.
     outer: f64,
-    /// Of each layer, from the lowest: the square of the radius up to which all of it is in the solid.
+    /// Of each layer, from the lowest: the square of the radius up to which all of it is in the solid. The outermost
+    /// layers have none, since the profile begins and ends on the axis there.
     inner: [f64; LAYERS],
 }
 
-impl Barrel {
+impl Cylinders {
     /// Of a solid in its bounds, and its closed profile, which is `scale` times as large.
-    pub fn new(bounds: &Aabb, points: &[[f64; 2]], scale: f64) -> Barrel {
+    pub fn new(bounds: &Aabb, points: &[[f64; 2]], scale: f64) -> Cylinders {
         let (radius, half) = (bounds.max[0], 0.5 * (bounds.max[1] - bounds.min[1]));
         let size = (half * half + radius * radius).sqrt();
-        let mut barrel = Barrel {
-            centre: Vec3(bounds.centre()),
-            radius,
-            half,
-            size,
-            outer: (radius / size).powi(2),
+        let mut cylinders = Cylinders {
+            centre: Vec3::ZERO,
+            half: 0.0,
+            size: 0.0,
+            outer: 0.0,
             inner: [0.0; LAYERS],
         };
-        barrel.inner = barrel.layers(points, scale);
-        barrel
+        // Of a solid without numbers nothing is said.
+        if (size * size).is_normal() && size.is_finite() {
+            cylinders.centre = Vec3(bounds.centre());
+            (cylinders.half, cylinders.size) = (half, size);
+            cylinders.outer = (radius / size).powi(2);
+            cylinders.inner = cylinders.layers(points, scale);
+        }
+        cylinders
     }
 
     /// The layer that a height above the centre is in.
@@ -81,8 +86,8 @@ impl Barrel {
         })
     }
 
-    /// The line is outside of the cylinder around the solid where it is in its slab. Or it is in one of the cylinders
-    /// in the solid where it is nearest to the axis.
+    /// Beside: the line is outside of the bounding cylinder wherever it is in the cylinder's slab. Through: where it is
+    /// nearest to the axis it is inside of an inscribed cylinder.
     pub fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let approach = match Ball::meets(line, stretch, self.centre, self.size) {
             Ball::Misses => return Pass::Beside,
@@ -103,5 +108,45 @@ impl Barrel {
         approach.through(nearest, MARGIN, |t| {
             (a * t + 2.0 * b) * t + c - self.inner[self.layer(p[1] + t * d[1])]
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Revolution;
+    use super::*;
+    use crate::trace::shapes::facet::tests::Random;
+
+    /// A place above or below the solid counts as one in an outermost layer.
+    #[test]
+    fn the_outermost_layers_hold_no_cylinder() {
+        let mut random = Random(19);
+        let mut held = 0;
+        for case in 0..2000 {
+            let profile: Vec<[f64; 2]> = (0..2 + case % 12)
+                .map(|_| {
+                    let p = random.point(3.0);
+                    [p[0].abs(), p[1]]
+                })
+                .collect();
+            let Cylinders { inner, .. } = Revolution::new(&profile, &[]).cylinders;
+            assert!(inner[0] == 0.0 && inner[LAYERS - 1] == 0.0, "{profile:?}");
+            held += inner.iter().filter(|&&x| x > 0.0).count();
+        }
+        assert!(held > 10_000, "{held}");
+    }
+
+    #[test]
+    fn a_solid_without_numbers_says_nothing() {
+        for profile in [
+            vec![[1.0, 0.0], [1.0, 1.0], [1.0, 0.0]],
+            vec![[1e-170, 0.0], [1e-170, 1e-170]],
+        ] {
+            let solid = Revolution::new(&profile, &[]);
+            assert!(solid == solid.clone());
+            let line = Line::new(Vec3::new(0.0, 0.5, -5.0), Vec3::new(0.0, 0.0, 1.0));
+            let pass = solid.cylinders.pass(&line, [0.0, 10.0]);
+            assert_eq!(pass, Pass::Perhaps);
+        }
     }
 }

@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_4;
 
 /// The corners of an octagon around a circle are so many times as far out: 1 / cos 22.5°, rounded up.
 const AROUND_CIRCLE: f64 = 1.0824;
-/// And so are those of an icosahedron around a ball: √(15 − 6√5), rounded up.
+/// The corners of an icosahedron around a ball are so many times as far out: √(15 − 6√5), rounded up.
 const AROUND_BALL: f64 = 1.2585;
 
 /// Around circles about the y axis, of these radii at these heights.
@@ -82,20 +82,20 @@ mod tests {
         ]
     }
 
-    /// In every direction the corners go at least as far as the shape, and at most half as far again.
+    /// In every direction the points go at least as far as the shape, and at most half of its width farther.
     #[test]
-    fn shapes_are_between_their_corners() {
+    fn shapes_are_between_their_hull_points() {
         let mut next = random();
         let mut number = || next(2_000_001) as f64 / 1e6 - 1.0;
         for geometry in shapes() {
-            let corners = Primitive::new(&geometry).shape().corners();
+            let points = Primitive::new(&geometry).shape().hull_points();
             let mut most = 0.0f64;
             for _ in 0..20_000 {
                 let d = [number(), number(), number()];
                 let reach = |d| dot(geometry.support(d).expect("it ends").point, d);
                 let far = reach(d);
                 let width = far + reach(d.map(|x| -x));
-                let out = corners.iter().map(|c| dot(*c, d)).fold(f64::MIN, f64::max);
+                let out = points.iter().map(|c| dot(*c, d)).fold(f64::MIN, f64::max);
                 assert!(out >= far - 1e-12, "{geometry:?} {d:?} {out} {far}");
                 most = most.max((out - far) / width);
             }
