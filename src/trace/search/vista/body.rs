@@ -95,20 +95,12 @@ impl Body {
             let way = corner - point;
             let depth = way[axis] * sign;
             let (u, v) = (way[across] / depth, way[along] / depth);
-            near = if depth < near { depth } else { near };
+            near = near.min(depth);
             is_known &= u.is_finite() && v.is_finite();
             let of = [u, v, u + v, u - v];
             for i in 0..4 {
-                ends[0][i] = if of[i] < ends[0][i] {
-                    of[i]
-                } else {
-                    ends[0][i]
-                };
-                ends[1][i] = if of[i] > ends[1][i] {
-                    of[i]
-                } else {
-                    ends[1][i]
-                };
+                ends[0][i] = ends[0][i].min(of[i]);
+                ends[1][i] = ends[1][i].max(of[i]);
             }
         }
         let off = self.off + wider;

@@ -4,7 +4,8 @@ use super::body::{KNOWN, Octagon, ROUNDED};
 use crate::geometry::wide_bvh::below;
 use wide::f32x8;
 
-/// Octagons are widened by this much, in units of the longer side: in single precision the sum of two coordinates is known to less than 2⁻²².
+/// Octagons are widened by this much, in units of the longer side. In single precision the sum of two coordinates is
+/// known to less than 2⁻²².
 const MARGIN: f64 = 1e-6;
 /// So many cells for each body that is seen through a face, and so many cells in a row at most.
 const CELLS: f64 = 4.0;
