@@ -19,38 +19,19 @@ pub fn ball_hull() -> Vec<Vec3> {
 #[cfg(test)]
 mod tests {
     use crate::geometry::{Aabb, Matrix};
-    use crate::scene::Geometry;
     use crate::solids::shapes::facts::Facts;
+    use crate::testing::solids;
 
     /// In every direction the hull goes at least as far as the shape, whose box is exact.
     #[test]
     fn hulls_hold_their_shapes() {
-        let shapes = [
-            Geometry::Box {
-                min: [-1.0, 0.0, 2.0],
-                max: [1.0, 3.0, 2.5],
-            },
-            Geometry::Torus {
-                major: 2.0,
-                minor: 0.5,
-            },
-            Geometry::Cone {
-                height: -2.0,
-                radius: 0.7,
-            },
-            Geometry::DoubleCone {
-                height: 2.0,
-                radius: 0.7,
-            },
-            Geometry::Revolution {
-                profile: vec![[0.0, -1.0], [2.0, 0.0], [1.0, 2.0]],
-                colours: Vec::new(),
-            },
-        ];
-        for (i, g) in shapes.iter().enumerate() {
+        let hulls: Vec<_> = (solids().into_iter())
+            .filter_map(|g| Some((g.hull()?, g)))
+            .collect();
+        assert_eq!(hulls.len(), 6);
+        for (i, (points, g)) in hulls.iter().enumerate() {
             let turn = 23.0 * i as f64;
             let m = Matrix::rotation(turn, 0).after(&Matrix::rotation(turn + 5.0, 2));
-            let points = g.hull().unwrap();
             let around = points.iter().fold(Aabb::EMPTY, |b, p| {
                 let p = m.point(*p);
                 b.hull(&Aabb::new(p, p))

@@ -79,42 +79,7 @@ mod tests {
     use super::*;
     use crate::scene::Scene;
     use crate::solids::inside::Inside;
-
-    fn shapes() -> Vec<Geometry> {
-        vec![
-            Geometry::Sphere {
-                centre: [1.0, 2.0, 3.0],
-                radius: 0.5,
-            },
-            Geometry::Ellipsoid {
-                semi_axes: [1.0, 2.0, 3.0],
-            },
-            Geometry::Box {
-                min: [-1.0, 0.0, 2.0],
-                max: [1.0, 3.0, 2.5],
-            },
-            Geometry::Torus {
-                major: 2.0,
-                minor: 0.5,
-            },
-            Geometry::Cone {
-                height: -2.0,
-                radius: 0.7,
-            },
-            Geometry::DoubleCone {
-                height: 2.0,
-                radius: 0.7,
-            },
-            Geometry::Revolution {
-                profile: vec![[0.0, -1.0], [2.0, 0.0], [1.0, 2.0]],
-                colours: Vec::new(),
-            },
-            Geometry::Revolution {
-                profile: vec![[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]],
-                colours: Vec::new(),
-            },
-        ]
-    }
+    use crate::testing::solids;
 
     /// Boxes of shapes are exact, so that the support points must lie on their sides; and the way inwards leads
     /// in, the other way out.
@@ -126,7 +91,7 @@ mod tests {
         let scene = Scene::default();
         let mut inside = Inside::new(&scene, &[]);
         let back = m.inverse().unwrap();
-        for g in shapes() {
+        for g in solids() {
             let bounds = g.bounds(&m);
             for i in 0..3 {
                 let d = std::array::from_fn(|k| f64::from(u8::from(k == i)));

@@ -17,7 +17,7 @@ pub struct Body {
     pub part: u32,
     pub bounds: Aabb,
     /// Points whose convex hull holds the part. Empty where they are not finite.
-    corners: Vec<Vec3>,
+    pub corners: Vec<Vec3>,
     /// How far each of them may be off, in each coordinate.
     off: f64,
 }
@@ -68,11 +68,6 @@ impl Body {
             corners,
             off,
         }
-    }
-
-    #[cfg(test)]
-    pub fn corners(&self) -> &[Vec3] {
-        &self.corners
     }
 
     /// The octagon around what is seen of the body from a point through a face, if anything is. `around` is the body's

@@ -24,7 +24,7 @@ pub struct Face {
     side: usize,
     /// Where the list of each cell begins in `lists`; the last one is the end of all.
     starts: Vec<u32>,
-    pub lists: Vec<Seen>,
+    lists: Vec<Seen>,
 }
 
 /// A body as it is seen through a face.
