@@ -424,6 +424,7 @@ fn nonsense_is_refused() {
         ("textDocument/hover", json!([1]), -32602),
         ("textDocument/hover", other.clone(), -32602),
         ("textDocument/nothing", json!({}), -32601),
+        ("codeAction/resolve", json!([1]), -32602),
         ("initialize", json!({}), -32601),
         (
             "workspace/executeCommand",

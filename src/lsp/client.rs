@@ -1,6 +1,6 @@
 //! What the client can and wants.
 
-use gen_lsp_types::InitializeParams;
+use gen_lsp_types::Uri;
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -80,45 +80,42 @@ impl Preferences {
 }
 
 impl Client {
-    pub fn of(params: &InitializeParams, language: Language) -> Client {
-        let all = &params.capabilities;
-        let text = all.text_document.as_ref();
-        let workspace = all.workspace.as_ref();
-        let window = all.window.as_ref();
-        let offered = all
-            .general
-            .as_ref()
-            .and_then(|g| g.position_encodings.as_deref());
-        let czech = params
-            .locale
-            .as_deref()
-            .is_some_and(|l| l.starts_with("cs"));
-        let item = text.and_then(|t| t.completion.as_ref()?.completion_item.as_ref());
-        let formats = text.and_then(|t| t.hover.as_ref()?.content_format.as_deref());
-        let resolves = text.and_then(|t| t.code_action.as_ref()?.resolve_support.as_ref());
+    /// What the parameters of `initialize` say. A capability is one that the client lacks if it cannot be understood.
+    ///
+    /// The fields are looked up one by one. Code that reads all that the protocol lets a client say took half a megabyte.
+    pub fn of(sent: &Value, language: Language) -> Client {
+        let capability = |path: &str| sent.pointer(&format!("/capabilities/{path}"));
+        let can = |path: &str| capability(path) == Some(&Value::Bool(true));
+        let list = |path: &str| capability(path).and_then(Value::as_array);
+        let text = |path: &str| sent.pointer(path).and_then(Value::as_str);
+        let czech = text("/locale").is_some_and(|l| l.starts_with("cs"));
+        let encodings = list("general/positionEncodings");
+        let edits_later = list("textDocument/codeAction/resolveSupport/properties");
         Client {
-            units: Units::chosen(offered),
+            units: Units::chosen(encodings.map_or(&[], Vec::as_slice)),
             language: if czech { Language::Czech } else { language },
-            pulls: text.is_some_and(|t| t.diagnostic.is_some()),
-            snippets: item.and_then(|i| i.snippet_support) == Some(true),
-            markdown: formats.is_none_or(|f| f.contains(&gen_lsp_types::MarkupKind::Markdown)),
-            shows_parameters: params
-                .client_info
-                .as_ref()
-                .is_none_or(|c| c.name != "Eglot"),
-            resolves_edits: resolves.is_some_and(|r| r.properties.iter().any(|p| p == "edit")),
-            versioned_edits: workspace.and_then(|w| w.workspace_edit.as_ref()?.document_changes)
-                == Some(true),
-            shows_documents: window.and_then(|w| Some(w.show_document.as_ref()?.support))
-                == Some(true),
-            watches_files: workspace
-                .and_then(|w| w.did_change_watched_files.as_ref()?.dynamic_registration)
-                == Some(true),
-            refreshes_hints: workspace.and_then(|w| w.inlay_hint.as_ref()?.refresh_support)
-                == Some(true),
-            refreshes_diagnostics: workspace.and_then(|w| w.diagnostics.as_ref()?.refresh_support)
-                == Some(true),
-            process: params.process_id,
+            pulls: capability("textDocument/diagnostic").is_some_and(Value::is_object),
+            snippets: can("textDocument/completion/completionItem/snippetSupport"),
+            markdown: list("textDocument/hover/contentFormat")
+                .is_none_or(|all| all.iter().any(|f| f == "markdown")),
+            shows_parameters: text("/clientInfo/name") != Some("Eglot"),
+            resolves_edits: edits_later.is_some_and(|all| all.iter().any(|p| p == "edit")),
+            versioned_edits: can("workspace/workspaceEdit/documentChanges"),
+            shows_documents: can("window/showDocument/support"),
+            watches_files: can("workspace/didChangeWatchedFiles/dynamicRegistration"),
+            refreshes_hints: can("workspace/inlayHint/refreshSupport"),
+            refreshes_diagnostics: can("workspace/diagnostics/refreshSupport"),
+            process: sent["processId"].as_i64().and_then(|id| id.try_into().ok()),
         }
+    }
+}
+
+/// The folders that the client has open.
+pub fn folders(sent: &Value) -> Vec<Uri> {
+    let uri = |uri: &Value| Some(Uri(uri.as_str()?.to_owned()));
+    match sent["workspaceFolders"].as_array() {
+        Some(all) => all.iter().filter_map(|f| uri(&f["uri"])).collect(),
+        // What older clients send.
+        None => uri(&sent["rootUri"]).into_iter().collect(),
     }
 }

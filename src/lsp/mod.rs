@@ -39,7 +39,7 @@ use crossbeam_channel::{Sender, unbounded};
 use gen_lsp_types::{
     DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
     DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
-    InitializeParams, InitializeResult, ServerInfo, Uri, WorkspaceFolders,
+    InitializeResult, ServerInfo, Uri,
 };
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
 use serde::de::DeserializeOwned;
@@ -163,19 +163,7 @@ impl Server {
     /// Agrees with the client on what both can. `None` if it is gone before that.
     fn begin(connection: &Connection, language: Language) -> Option<Server> {
         let (id, sent) = connection.initialize_start().ok()?;
-        let params: InitializeParams = match serde_json::from_value(sent) {
-            Ok(params) => params,
-            Err(e) => {
-                let error = refusal(ErrorCode::InvalidParams, e.to_string());
-                let response = Response {
-                    id,
-                    response_result: Err(error),
-                };
-                let _ = connection.sender.send(response.into());
-                return None;
-            }
-        };
-        let client = Arc::new(Client::of(&params, language));
+        let client = Arc::new(Client::of(&sent, language));
         let result = InitializeResult {
             capabilities: capabilities::capabilities(&client),
             server_info: Some(ServerInfo {
@@ -193,23 +181,15 @@ impl Server {
             outgoing.request("client/registerCapability", watched_files());
         }
         let mut preferences = Preferences::default();
-        if let Some(options) = &params.initialization_options {
+        if let Some(options) = sent.get("initializationOptions") {
             preferences.read(options);
         }
-        let folders = match params.workspace_folders_initialize_params.workspace_folders {
-            Some(WorkspaceFolders::WorkspaceFolderList(all)) => {
-                all.into_iter().map(|f| f.uri).collect()
-            }
-            // What older clients send.
-            #[allow(deprecated)]
-            _ => params.root_uri.into_iter().collect(),
-        };
         Some(Server {
             news: publish::start(client.clone(), outgoing.clone()),
             jobs: start_answering(),
             client,
             preferences,
-            folders,
+            folders: client::folders(&sent),
             documents: Documents::default(),
             changed: Vec::new(),
             outgoing,

@@ -5,6 +5,8 @@ use std::cell::Cell;
 
 use gen_lsp_types::{Position, PositionEncodingKind, Range};
 use memchr::memchr2;
+use serde::Deserialize;
+use serde_json::Value;
 
 use crate::diagnostics::{SourceFile, Span};
 
@@ -19,14 +21,14 @@ pub enum Units {
 }
 
 impl Units {
-    /// The best of what a client offers: bytes need no counting.
-    pub fn chosen(offered: Option<&[PositionEncodingKind]>) -> Units {
-        let offers = |kind| offered.is_some_and(|all| all.contains(&kind));
-        match () {
-            _ if offers(PositionEncodingKind::UTF8) => Units::Utf8,
-            _ if offers(PositionEncodingKind::UTF32) => Units::Utf32,
-            _ => Units::Utf16,
-        }
+    /// The best of what a client offers, by its names in the protocol: bytes need no counting.
+    pub fn chosen(offered: &[Value]) -> Units {
+        let kinds: Vec<_> = (offered.iter())
+            .filter_map(|name| PositionEncodingKind::deserialize(name).ok())
+            .collect();
+        let is_offered = |units: &Units| kinds.contains(&units.kind());
+        let best = [Units::Utf8, Units::Utf32].into_iter().find(is_offered);
+        best.unwrap_or_default()
     }
 
     pub fn kind(self) -> PositionEncodingKind {

@@ -55,7 +55,7 @@ pub fn handler(method: &str) -> Option<(Lane, Handler)> {
         .on::<DocumentSymbolRequest>(Lane::Quick, document_symbols)
         .on::<WorkspaceSymbolRequest>(Lane::Slow, workspace_symbols)
         .on::<CodeActionRequest>(Lane::Quick, code_actions)
-        .on::<CodeActionResolveRequest>(Lane::Slow, resolve_action)
+        .on::<ResolveAction>(Lane::Slow, resolve_action)
         .on::<CodeLensRequest>(Lane::Quick, code_lenses)
         .on::<DocumentColorRequest>(Lane::Quick, document_colours)
         .on::<ColorPresentationRequest>(Lane::Quick, colour_presentations)
@@ -342,13 +342,26 @@ fn whole_edits(file: &Snapshot, kind: &str) -> Vec<Edit> {
     }
 }
 
-fn resolve_action(ask: &Ask, mut action: CodeAction) -> Answer<CodeAction> {
-    let uri = action.data.as_ref().and_then(|d| d.get("uri")?.as_str());
-    if let (Some(uri), Some(kind)) = (uri, &action.kind) {
+/// `codeAction/resolve` of an action that is sent back as it was, plus its edit.
+enum ResolveAction {}
+
+impl Request for ResolveAction {
+    const METHOD: LspRequestMethod<'static> = CodeActionResolveRequest::METHOD;
+    const MESSAGE_DIRECTION: MessageDirection = CodeActionResolveRequest::MESSAGE_DIRECTION;
+    type Params = Value;
+    type Result = Value;
+}
+
+fn resolve_action(ask: &Ask, mut action: Value) -> Answer<Value> {
+    if !action.is_object() {
+        return Err(refusal(ErrorCode::InvalidParams, "no code action"));
+    }
+    let uri = action.pointer("/data/uri").and_then(Value::as_str);
+    if let (Some(uri), Some(kind)) = (uri, action["kind"].as_str()) {
         let uri = Uri::from(uri);
         let file = ask.file(&TextDocumentIdentifier { uri })?;
-        let edits = whole_edits(file, &kind.to_string());
-        action.edit = Some(ask.convert(file).workspace_edit(&edits));
+        let edits = whole_edits(file, kind);
+        action["edit"] = json!(ask.convert(file).workspace_edit(&edits));
     }
     Ok(action)
 }
