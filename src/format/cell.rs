@@ -166,6 +166,7 @@ pub struct Column {
 }
 
 impl Column {
+    #[inline]
     pub fn widen(&mut self, cell: &Cell) {
         self.before = self.before.max(cell.before);
         self.after = self.after.max(cell.after);

@@ -106,6 +106,7 @@ impl<'a> Run<'a> {
     }
 
     /// Makes room for a record in the columns.
+    #[inline]
     fn widen(&mut self, context: &Context<'a>, record: &'a Record) {
         let (mut width, mut spaces) = (0, 0);
         let gaps = context.gaps(record);

@@ -1,6 +1,7 @@
 //! Axis-aligned boxes whose sides may be infinitely far away.
 
 use super::affine::Affine;
+use super::array::each;
 use super::array::length;
 use super::line::Line;
 use super::matrix::Matrix;
@@ -33,26 +34,31 @@ impl Aabb {
         max: [f64::INFINITY; 3],
     };
 
+    #[inline]
     pub fn new(min: impl Into<[f64; 3]>, max: impl Into<[f64; 3]>) -> Aabb {
         let (min, max) = (min.into(), max.into());
         Aabb { min, max }
     }
 
+    #[inline]
     pub fn is_empty(&self) -> bool {
         (0..3).any(|i| self.min[i] > self.max[i])
     }
 
     /// Whether the box is empty or has all its faces at finite places.
+    #[inline]
     pub fn is_finite(&self) -> bool {
         self.is_empty() || self.min.iter().chain(&self.max).all(|x| x.is_finite())
     }
 
     /// Whether the box holds anything and has all its faces at finite places.
+    #[inline]
     pub fn is_bounded(&self) -> bool {
         self.is_finite() && !self.is_empty()
     }
 
     /// The smallest box around both.
+    #[inline]
     pub fn hull(&self, other: &Aabb) -> Aabb {
         if self.is_empty() {
             return *other;
@@ -61,30 +67,34 @@ impl Aabb {
             return *self;
         }
         Aabb {
-            min: std::array::from_fn(|i| self.min[i].min(other.min[i])),
-            max: std::array::from_fn(|i| self.max[i].max(other.max[i])),
+            min: each([0, 1, 2], |i| self.min[i].min(other.min[i])),
+            max: each([0, 1, 2], |i| self.max[i].max(other.max[i])),
         }
     }
 
+    #[inline]
     pub fn intersection(&self, other: &Aabb) -> Aabb {
         Aabb {
-            min: std::array::from_fn(|i| self.min[i].max(other.min[i])),
-            max: std::array::from_fn(|i| self.max[i].min(other.max[i])),
+            min: each([0, 1, 2], |i| self.min[i].max(other.min[i])),
+            max: each([0, 1, 2], |i| self.max[i].min(other.max[i])),
         }
     }
 
     /// Whether the two have a point in common; touching faces count.
+    #[inline]
     pub fn overlaps(&self, other: &Aabb) -> bool {
         !self.intersection(other).is_empty()
     }
 
     /// Whether the two have a point in common but for what a few roundings may have moved them apart.
+    #[inline]
     pub fn touches(&self, other: &Aabb) -> bool {
         let hair = NEAR * self.far().max(other.far());
         (0..3).all(|i| self.min[i] <= other.max[i] + hair && other.min[i] <= self.max[i] + hair)
     }
 
     /// The largest of its coordinates, in size.
+    #[inline]
     pub fn reach(&self) -> f64 {
         let all = [self.min, self.max].into_iter().flatten();
         all.fold(0.0, |m, x| m.max(x.abs()))
@@ -109,13 +119,14 @@ impl Aabb {
     }
 
     /// The middle of a finite box that is not empty.
+    #[inline]
     pub fn centre(&self) -> [f64; 3] {
-        std::array::from_fn(|i| self.min[i] / 2.0 + self.max[i] / 2.0)
+        each([0, 1, 2], |i| self.min[i] / 2.0 + self.max[i] / 2.0)
     }
 
     pub fn corners(&self) -> [[f64; 3]; 8] {
         std::array::from_fn(|k| {
-            std::array::from_fn(|i| match k >> i & 1 {
+            each([0, 1, 2], |i| match k >> i & 1 {
                 0 => self.min[i],
                 _ => self.max[i],
             })
@@ -124,7 +135,7 @@ impl Aabb {
 
     /// Half the diagonal of a finite box that is not empty: the radius of the sphere around it.
     pub fn radius(&self) -> f64 {
-        let half: [f64; 3] = std::array::from_fn(|i| self.max[i] / 2.0 - self.min[i] / 2.0);
+        let half: [f64; 3] = each([0, 1, 2], |i| self.max[i] / 2.0 - self.min[i] / 2.0);
         length(half)
     }
 
@@ -151,11 +162,13 @@ impl Aabb {
         out
     }
 
+    #[inline]
     pub fn extent(&self) -> [f64; 3] {
-        std::array::from_fn(|i| self.max[i] - self.min[i])
+        each([0, 1, 2], |i| self.max[i] - self.min[i])
     }
 
     /// Half the surface area; what the surface area heuristic compares.
+    #[inline]
     pub fn half_area(&self) -> f64 {
         if self.is_empty() {
             return 0.0;
@@ -203,7 +216,10 @@ impl Aabb {
                 0.0
             }
         };
-        Aabb::new(self.min.map(|x| x - pad(x)), self.max.map(|x| x + pad(x)))
+        Aabb::new(
+            each(self.min, |x| x - pad(x)),
+            each(self.max, |x| x + pad(x)),
+        )
     }
 
     /// The part of `[from, to]` in which the line is in the box; `None` where there is none.
@@ -232,12 +248,13 @@ impl Aabb {
     }
 
     /// The box grown by the rounding of the numbers that made it.
+    #[inline]
     pub fn padded_by(&self, magnitude: [f64; 3]) -> Aabb {
         Aabb {
-            min: std::array::from_fn(|i| {
+            min: each([0, 1, 2], |i| {
                 outwards(self.min[i] - ROUNDING * magnitude[i], f64::NEG_INFINITY)
             }),
-            max: std::array::from_fn(|i| {
+            max: each([0, 1, 2], |i| {
                 outwards(self.max[i] + ROUNDING * magnitude[i], f64::INFINITY)
             }),
         }
@@ -245,6 +262,7 @@ impl Aabb {
 }
 
 /// Overflow and undefined sums become the infinity that is safe to assume.
+#[inline]
 fn outwards(x: f64, safe: f64) -> f64 {
     if x.is_nan() { safe } else { x }
 }

@@ -1,5 +1,6 @@
 //! Affine maps with their inverses, and what they do to rounding errors.
 
+use super::array::each;
 use super::exponent::{exponent, shifted, shifted_vector};
 use super::matrix::Matrix;
 use super::number::Real;
@@ -38,12 +39,12 @@ impl<R: Real> Affine<R> {
     }
 
     pub fn of(rows: [Vec3<R>; 3], offset: Vec3<R>) -> Affine<R> {
-        let plain = rows.map(|row| {
+        let plain = each(rows, |row| {
             let mut numbers = row.0.into_iter().filter(|&x| x != R::ZERO);
             let only = numbers.next().filter(|_| numbers.next().is_none());
             only.is_some_and(|x| x.abs() == shifted(R::ONE, exponent(x.to_f64())))
         });
-        let spread = Vec3(rows.map(|row| row.abs().dot(Vec3::ONE))).max_component();
+        let spread = Vec3(each(rows, |row| row.abs().dot(Vec3::ONE))).max_component();
         Affine {
             rows,
             offset,
@@ -60,14 +61,17 @@ impl<R: Real> Affine<R> {
         Vec3([R::ZERO, R::ZERO, R::ONE]),
     ];
 
+    #[inline]
     pub fn moves(&self) -> bool {
         self.moves
     }
 
+    #[inline]
     pub fn point(&self, p: Vec3<R>) -> Vec3<R> {
         self.vector(p) + self.offset
     }
 
+    #[inline]
     pub fn vector(&self, v: Vec3<R>) -> Vec3<R> {
         Vec3::new(
             self.rows[0].dot(v),
@@ -77,12 +81,14 @@ impl<R: Real> Affine<R> {
     }
 
     /// The image of a normal under the inverse of this map: the transpose times n.
+    #[inline]
     pub fn transposed(&self, n: Vec3<R>) -> Vec3<R> {
         self.rows[0] * n[0] + self.rows[1] * n[1] + self.rows[2] * n[2]
     }
 
     /// The unit normal that a normal under the inverse of this map turns into; zero only where the
     /// numbers of the map have been lost.
+    #[inline]
     pub fn unit_normal(&self, n: Vec3<R>) -> Vec3<R> {
         let image = self.transposed(n);
         let size = image.abs().max_component();
@@ -117,15 +123,18 @@ impl<R: Real> Affine<R> {
     }
 
     /// The sizes of the terms of `vector(v)`, added up: Σ|mᵢⱼ vⱼ|.
+    #[inline]
     pub fn sizes(&self, v: Vec3<R>) -> Vec3<R> {
         let v = v.abs();
-        Vec3(self.rows.map(|row| row.abs().dot(v)))
+        let size = |i: usize| self.rows[i].abs().dot(v);
+        Vec3([size(0), size(1), size(2)])
     }
 
     /// The slack of a line behind the map: what it was before, and what the map rounds, its own
     /// numbers included. That is γ₅ of the sizes of the terms of each component, or, where a
     /// coordinate is only moved, γ₄: more than the sum rounds, but what the scene's numbers may have
     /// been rounded by before. Nothing where it stays, or where the sum is known to be exact.
+    #[inline]
     pub fn slack(&self, origin: Vec3<R>, direction: Vec3<R>, before: Slack<R>) -> Slack<R> {
         let (o, d) = (origin.abs(), direction.abs());
         let (mut point, mut vector) = (R::ZERO, R::ZERO);
@@ -143,6 +152,7 @@ impl<R: Real> Affine<R> {
     }
 
     /// What the map rounds, and the slack before it, carried along.
+    #[inline]
     fn carried(&self, mut point: R, mut vector: R, before: Slack<R>) -> Slack<R> {
         if before != Slack::default() {
             let spread = self.spread * (R::ONE + R::gamma(5));
@@ -157,12 +167,14 @@ impl<R: Real> Affine<R> {
 
     /// Whether a coordinate that this map only moves, and perhaps scales by a power of two, is known
     /// not to be rounded.
+    #[inline]
     pub fn moves_exactly(&self, i: usize, p: Vec3<R>) -> bool {
         self.rows[i].dot(p).adds_exactly(self.offset[i])
     }
 
     /// A bound on the error of `point(p)` where p is off by at most `error`:
     /// (γ₃ + 1)|M| error + γ₄(|M||p| + |offset|) (pbrt-v4, section 6.8.6).
+    #[inline]
     pub fn point_error(&self, p: Vec3<R>, error: Vec3<R>) -> Vec3<R> {
         // Small before they are added up: sizes of terms may overflow whose errors do not.
         let before = error * (R::ONE + R::gamma(3)) + p.abs() * R::gamma(4);
@@ -171,14 +183,14 @@ impl<R: Real> Affine<R> {
 
     /// In another kind of number, rounded.
     pub fn cast<S: Real>(&self) -> Affine<S> {
-        Affine::of(self.rows.map(Vec3::cast), self.offset.cast())
+        Affine::of(each(self.rows, Vec3::cast), self.offset.cast())
     }
 
     /// The map that undoes this one, by elimination with complete pivoting: exact for maps that
     /// only move, and one division an axis for those that also scale. `None` where it is singular
     /// or not finite.
     pub fn inverse(&self) -> Option<Affine<R>> {
-        let mut a = self.rows.map(|row| row.0);
+        let mut a = each(self.rows, |row| row.0);
         let mut inverse = [[R::ZERO; 3]; 3];
         let mut columns = [0usize, 1, 2];
         for (i, row) in inverse.iter_mut().enumerate() {
@@ -239,10 +251,10 @@ impl Affine<f64> {
             let [x, y, z, _] = lanes.to_array();
             Vec3::new(x, y, z)
         };
-        let columns = [0, 1, 2].map(|j| lanes(Vec3(self.rows.map(|row| row[j]))));
-        let sizes = columns.map(f64x4::abs);
+        let columns = each([0, 1, 2], |j| lanes(Vec3(each(self.rows, |row| row[j]))));
+        let sizes = each(columns, f64x4::abs);
         let dot = |columns: [f64x4; 3], v: Vec3| {
-            let [x, y, z] = v.0.map(f64x4::splat);
+            let [x, y, z] = each(v.0, f64x4::splat);
             columns[0] * x + columns[1] * y + columns[2] * z
         };
         let moved = dot(columns, origin) + lanes(self.offset);

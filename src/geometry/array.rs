@@ -1,18 +1,34 @@
 //! The little vector algebra of doubles that a scene's geometry needs.
 
-/// a + `times` · b.
-pub fn add(a: [f64; 3], b: [f64; 3], times: f64) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] + b[i] * times)
+/// The same function of every element. `[T; N]::map` computes the same, but is inlined only where the compiler has put it
+/// into the same codegen unit as its caller; this is inlined everywhere. An empty array is refused when it is compiled.
+#[inline]
+pub fn each<T: Copy, U: Copy, const N: usize>(all: [T; N], mut f: impl FnMut(T) -> U) -> [U; N] {
+    const { assert!(N > 0) };
+    let mut images = [f(all[0]); N];
+    for i in 1..N {
+        images[i] = f(all[i]);
+    }
+    images
 }
 
+/// a + `times` · b.
+#[inline]
+pub fn add(a: [f64; 3], b: [f64; 3], times: f64) -> [f64; 3] {
+    each([0, 1, 2], |i| a[i] + b[i] * times)
+}
+
+#[inline]
 pub fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     add(a, b, -1.0)
 }
 
+#[inline]
 pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+#[inline]
 pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
@@ -32,9 +48,9 @@ pub fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     if !(largest > 0.0 && largest.is_finite()) {
         return None;
     }
-    let v = v.map(|x| x / largest);
+    let v = each(v, |x| x / largest);
     let length = dot(v, v).sqrt();
-    Some(v.map(|x| x / length))
+    Some(each(v, |x| x / length))
 }
 
 /// Two vectors at right angles to a unit vector and to each other; the first is no shorter than √⅔, the

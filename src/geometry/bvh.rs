@@ -1,6 +1,7 @@
 //! A bounding volume hierarchy over boxes.
 
 use super::aabb::Aabb;
+use super::array::each;
 use crate::parallel;
 use std::ops::ControlFlow;
 
@@ -155,6 +156,7 @@ fn nodes_of(boxes: &mut [(u32, Aabb)], first: usize, leaf: usize) -> Vec<Node> {
     nodes
 }
 
+#[inline]
 fn hull(boxes: &[(u32, Aabb)]) -> Aabb {
     boxes.iter().fold(Aabb::EMPTY, |b, x| grown(b, &x.1))
 }
@@ -165,8 +167,8 @@ fn grown(b: Aabb, other: &Aabb) -> Aabb {
     let less = |a: f64, b: f64| if a < b { a } else { b };
     let more = |a: f64, b: f64| if a > b { a } else { b };
     Aabb {
-        min: std::array::from_fn(|i| less(other.min[i], b.min[i])),
-        max: std::array::from_fn(|i| more(other.max[i], b.max[i])),
+        min: each([0, 1, 2], |i| less(other.min[i], b.min[i])),
+        max: each([0, 1, 2], |i| more(other.max[i], b.max[i])),
     }
 }
 

@@ -19,6 +19,7 @@ pub struct Dd {
 }
 
 /// a + b = s + e exactly (Knuth).
+#[inline]
 pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let back = s - a;
@@ -26,12 +27,14 @@ pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// a + b = s + e exactly, where |a| ≥ |b| or a = 0 (Dekker).
+#[inline]
 fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     (s, b - (s - a))
 }
 
 /// a · b = p + e exactly, short of underflow.
+#[inline]
 pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     (p, a.mul_add(b, -p))
@@ -39,12 +42,14 @@ pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
 
 impl Dd {
     /// The sum of any two doubles, exactly.
+    #[inline]
     pub fn sum(a: f64, b: f64) -> Dd {
         let (s, e) = two_sum(a, b);
         Dd::settled(s, e)
     }
 
     /// A pair whose high part may have left the finite numbers, where the low part means nothing.
+    #[inline]
     fn settled(high: f64, low: f64) -> Dd {
         Dd {
             high,
@@ -54,6 +59,7 @@ impl Dd {
 }
 
 impl From<f64> for Dd {
+    #[inline]
     fn from(x: f64) -> Dd {
         Dd { high: x, low: 0.0 }
     }
@@ -62,6 +68,7 @@ impl From<f64> for Dd {
 impl Add for Dd {
     type Output = Dd;
     /// Algorithm 6, AccurateDWPlusDW: relative error at most 3u²/(1 − 4u).
+    #[inline]
     fn add(self, other: Dd) -> Dd {
         let (s, e) = two_sum(self.high, other.high);
         if !s.is_finite() {
@@ -76,6 +83,7 @@ impl Add for Dd {
 
 impl Sub for Dd {
     type Output = Dd;
+    #[inline]
     fn sub(self, other: Dd) -> Dd {
         self + -other
     }
@@ -84,6 +92,7 @@ impl Sub for Dd {
 impl Mul for Dd {
     type Output = Dd;
     /// Algorithm 12, DWTimesDW3: relative error below 4u².
+    #[inline]
     fn mul(self, other: Dd) -> Dd {
         let (p, e) = two_product(self.high, other.high);
         if !p.is_finite() {
@@ -100,6 +109,7 @@ impl Mul for Dd {
 impl Div for Dd {
     type Output = Dd;
     /// Algorithm 17, DWDivDW2: relative error below 15u² + 56u³.
+    #[inline]
     fn div(self, other: Dd) -> Dd {
         let quotient = self.high / other.high;
         if !quotient.is_finite() || !other.high.is_finite() {
@@ -118,6 +128,7 @@ impl Div for Dd {
 
 impl Neg for Dd {
     type Output = Dd;
+    #[inline]
     fn neg(self) -> Dd {
         Dd {
             high: -self.high,
@@ -127,18 +138,21 @@ impl Neg for Dd {
 }
 
 impl AddAssign for Dd {
+    #[inline]
     fn add_assign(&mut self, other: Dd) {
         *self = *self + other;
     }
 }
 
 impl SubAssign for Dd {
+    #[inline]
     fn sub_assign(&mut self, other: Dd) {
         *self = *self - other;
     }
 }
 
 impl PartialOrd for Dd {
+    #[inline]
     fn partial_cmp(&self, other: &Dd) -> Option<Ordering> {
         match self.high.partial_cmp(&other.high) {
             Some(Ordering::Equal) => self.low.partial_cmp(&other.low),
@@ -166,22 +180,27 @@ impl Real for Dd {
         low: 0.0,
     };
 
+    #[inline]
     fn of(x: f64) -> Dd {
         Dd::from(x)
     }
 
+    #[inline]
     fn to_f64(self) -> f64 {
         self.high
     }
 
+    #[inline]
     fn parts(self) -> (f64, f64) {
         (self.high, self.low)
     }
 
+    #[inline]
     fn of_parts((high, low): (f64, f64)) -> Dd {
         Dd { high, low }
     }
 
+    #[inline]
     fn sqrt(self) -> Dd {
         let root = self.high.sqrt();
         // Zeros, infinities and NaN are their own answers.
@@ -193,19 +212,23 @@ impl Real for Dd {
         Dd::settled(high, low)
     }
 
+    #[inline]
     fn abs(self) -> Dd {
         if self.high < 0.0 { -self } else { self }
     }
 
+    #[inline]
     fn mul_add(self, a: Dd, b: Dd) -> Dd {
         self * a + b
     }
 
+    #[inline]
     fn is_finite(self) -> bool {
         self.high.is_finite()
     }
 
     /// That of two doubles is.
+    #[inline]
     fn adds_exactly(self, other: Dd) -> bool {
         self.low == 0.0 && other.low == 0.0 && (self.high + other.high).is_finite()
     }

@@ -4,6 +4,7 @@ use super::number::Real;
 use super::vec::Vec3;
 
 /// The k with 2ᵏ ≤ |x| < 2ᵏ⁺¹, for a finite x; that of the least double for zero.
+#[inline]
 pub fn exponent(x: f64) -> i32 {
     const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
     let field = |x: f64| ((x.to_bits() >> MANTISSA) & 0x7ff) as i32;
@@ -16,6 +17,7 @@ pub fn exponent(x: f64) -> i32 {
 }
 
 /// x · 2ᵏ, rounded only where the result leaves the normal numbers.
+#[inline]
 pub fn shifted<R: Real>(mut x: R, mut k: i32) -> R {
     // Every number has 2^±100. Less than that at a time leaves no bits behind on the way to a
     // normal number.
@@ -29,6 +31,7 @@ pub fn shifted<R: Real>(mut x: R, mut k: i32) -> R {
 }
 
 /// Every component times 2ᵏ.
+#[inline]
 pub fn shifted_vector<R: Real>(v: Vec3<R>, k: i32) -> Vec3<R> {
     if k == 0 { v } else { v.map(|x| shifted(x, k)) }
 }

@@ -128,6 +128,7 @@ impl Traced for Dd {
 
 impl<R: Traced> Line<R> {
     /// A line that is exactly what is meant.
+    #[inline]
     pub fn new(origin: Vec3<R>, direction: Vec3<R>) -> Line<R> {
         Line {
             origin,
@@ -139,10 +140,12 @@ impl<R: Traced> Line<R> {
     }
 
     /// Whether all of its numbers are finite and it has a direction.
+    #[inline]
     pub fn is_sound(&self) -> bool {
         self.origin.is_finite() && self.direction.is_finite() && self.direction.any()
     }
 
+    #[inline]
     pub fn at(&self, t: R) -> Vec3<R> {
         self.origin + self.direction * t
     }
@@ -159,6 +162,7 @@ impl<R: Traced> Line<R> {
     }
 
     /// The line in another space, with what the map rounds.
+    #[inline]
     pub fn through(&self, map: &Affine<R>) -> Line<R> {
         if map.moves() {
             // The usual case, and the cheapest.
@@ -190,6 +194,7 @@ impl<R: Traced> Line<R> {
     ///
     /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components. There is no bound
     /// where a quarter of the direction is in doubt.
+    #[inline]
     pub fn drift(&self, reach: R) -> R {
         if self.slack == Slack::default() {
             return R::ZERO;

@@ -1,5 +1,6 @@
 //! 4×4 matrices that act on column vectors.
 
+use super::array::each;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use dashu_int::IBig;
@@ -63,7 +64,7 @@ impl Matrix {
 
     /// The image of a point under an affine matrix.
     pub fn point(&self, p: [f64; 3]) -> [f64; 3] {
-        std::array::from_fn(|i| {
+        each([0, 1, 2], |i| {
             let r = &self.0[i];
             r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + r[3]
         })
@@ -71,7 +72,7 @@ impl Matrix {
 
     /// The image of a vector: the translation does not count.
     pub fn vector(&self, v: [f64; 3]) -> [f64; 3] {
-        std::array::from_fn(|i| {
+        each([0, 1, 2], |i| {
             let r = &self.0[i];
             r[0] * v[0] + r[1] * v[1] + r[2] * v[2]
         })

@@ -48,19 +48,23 @@ pub trait Real:
 
     /// Whether the sum of two numbers is known to be exact. Doubles are never asked to know: what is
     /// closer than they can tell is decided in double-double.
+    #[inline]
     fn adds_exactly(self, _other: Self) -> bool {
         false
     }
 
+    #[inline]
     fn is_nan(self) -> bool {
         self.partial_cmp(&self).is_none()
     }
 
+    #[inline]
     fn recip(self) -> Self {
         Self::ONE / self
     }
 
     /// The lesser of two numbers; the other one where one is NaN.
+    #[inline]
     fn min(self, other: Self) -> Self {
         if other < self || self.is_nan() {
             other
@@ -70,6 +74,7 @@ pub trait Real:
     }
 
     /// The greater of two numbers; the other one where one is NaN.
+    #[inline]
     fn max(self, other: Self) -> Self {
         if other > self || self.is_nan() {
             other
@@ -78,6 +83,7 @@ pub trait Real:
         }
     }
 
+    #[inline]
     fn square(self) -> Self {
         self * self
     }
@@ -85,6 +91,7 @@ pub trait Real:
     /// a·b − c·d with an error of at most 1.5 units in the last place of the result where
     /// `mul_add` rounds once (Kahan; Jeannerod, Louvet and Muller, "Further analysis of Kahan's
     /// algorithm for the accurate computation of 2×2 determinants", 2013).
+    #[inline]
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         let cd = c * d;
         let error = (-c).mul_add(d, cd);
@@ -93,6 +100,7 @@ pub trait Real:
 
     /// γₙ = nu / (1 − nu), the bound on the relative error of n rounded operations in a row
     /// (Higham, Accuracy and Stability of Numerical Algorithms, lemma 3.1; pbrt-v4, section 6.8).
+    #[inline]
     fn gamma(n: u32) -> Self {
         let nu = Self::of(f64::from(n)) * Self::ROUNDOFF;
         nu / (Self::ONE - nu)

@@ -6,6 +6,7 @@
 //! Rump and Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26(6), 2005); u = 2⁻⁵³
 //! below.
 
+use super::array::each;
 use super::dd::{Dd, two_product, two_sum};
 use super::number::Real;
 use std::cmp::Ordering;
@@ -55,7 +56,7 @@ impl Qd {
     }
 
     fn times(self, factor: f64) -> Qd {
-        let [a, b, c, d] = self.0.map(|x| two_product(x, factor));
+        let [a, b, c, d] = each(self.0, |x| two_product(x, factor));
         if !a.0.is_finite() {
             return Qd::of(a.0);
         }
@@ -145,7 +146,7 @@ impl Div for Qd {
 impl Neg for Qd {
     type Output = Qd;
     fn neg(self) -> Qd {
-        Qd(self.0.map(|x| -x))
+        Qd(each(self.0, |x| -x))
     }
 }
 

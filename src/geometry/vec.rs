@@ -21,16 +21,20 @@ impl<R: Real> Vec3<R> {
     pub const ZERO: Vec3<R> = Vec3([R::ZERO; 3]);
     pub const ONE: Vec3<R> = Vec3([R::ONE; 3]);
 
+    #[inline]
     pub const fn new(x: R, y: R, z: R) -> Vec3<R> {
         Vec3([x, y, z])
     }
 
     /// The same function of every component.
+    #[inline]
     pub fn map(self, f: impl Fn(R) -> R) -> Vec3<R> {
-        Vec3(self.0.map(f))
+        let [x, y, z] = self.0;
+        Vec3([f(x), f(y), f(z)])
     }
 
     /// A function of the components of two vectors.
+    #[inline]
     pub fn zip(self, other: Vec3<R>, f: impl Fn(R, R) -> R) -> Vec3<R> {
         Vec3([
             f(self.0[0], other.0[0]),
@@ -39,28 +43,34 @@ impl<R: Real> Vec3<R> {
         ])
     }
 
+    #[inline]
     pub fn dot(self, other: Vec3<R>) -> R {
         self.0[0] * other.0[0] + self.0[1] * other.0[1] + self.0[2] * other.0[2]
     }
 
+    #[inline]
     pub fn cross(self, other: Vec3<R>) -> Vec3<R> {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Vec3([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
     /// The product, component by component.
+    #[inline]
     pub fn times(self, other: Vec3<R>) -> Vec3<R> {
         self.zip(other, |a, b| a * b)
     }
 
+    #[inline]
     pub fn abs(self) -> Vec3<R> {
         self.map(R::abs)
     }
 
+    #[inline]
     pub fn max_component(self) -> R {
         self.0[0].max(self.0[1]).max(self.0[2])
     }
 
+    #[inline]
     pub fn length(self) -> R {
         let scale = self.abs().max_component();
         if scale == R::ZERO || !scale.is_finite() {
@@ -72,6 +82,7 @@ impl<R: Real> Vec3<R> {
     }
 
     /// The vector of length 1 in this direction; zero stays zero.
+    #[inline]
     pub fn unit(self) -> Vec3<R> {
         let scale = self.abs().max_component();
         if scale == R::ZERO || !scale.is_finite() {
@@ -81,28 +92,35 @@ impl<R: Real> Vec3<R> {
         v / v.dot(v).sqrt()
     }
 
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.0.iter().all(|x| x.is_finite())
     }
 
     /// Whether some component differs from zero.
+    #[inline]
     pub fn any(self) -> bool {
         self.0.iter().any(|&x| x != R::ZERO)
     }
 
     /// In another kind of number, each component rounded.
+    #[inline]
     pub fn cast<S: Real>(self) -> Vec3<S> {
-        Vec3(self.0.map(|x| S::of_parts(x.parts())))
+        let part = |x: R| S::of_parts(x.parts());
+        let [x, y, z] = self.0;
+        Vec3([part(x), part(y), part(z)])
     }
 }
 
 impl<R> From<[R; 3]> for Vec3<R> {
+    #[inline]
     fn from(v: [R; 3]) -> Vec3<R> {
         Vec3(v)
     }
 }
 
 impl<R> From<Vec3<R>> for [R; 3] {
+    #[inline]
     fn from(v: Vec3<R>) -> [R; 3] {
         v.0
     }
@@ -110,12 +128,14 @@ impl<R> From<Vec3<R>> for [R; 3] {
 
 impl<R> Index<usize> for Vec3<R> {
     type Output = R;
+    #[inline]
     fn index(&self, i: usize) -> &R {
         &self.0[i]
     }
 }
 
 impl<R> IndexMut<usize> for Vec3<R> {
+    #[inline]
     fn index_mut(&mut self, i: usize) -> &mut R {
         &mut self.0[i]
     }
@@ -123,6 +143,7 @@ impl<R> IndexMut<usize> for Vec3<R> {
 
 impl<R: Real> Add for Vec3<R> {
     type Output = Vec3<R>;
+    #[inline]
     fn add(self, other: Vec3<R>) -> Vec3<R> {
         self.zip(other, |a, b| a + b)
     }
@@ -130,6 +151,7 @@ impl<R: Real> Add for Vec3<R> {
 
 impl<R: Real> Sub for Vec3<R> {
     type Output = Vec3<R>;
+    #[inline]
     fn sub(self, other: Vec3<R>) -> Vec3<R> {
         self.zip(other, |a, b| a - b)
     }
@@ -137,6 +159,7 @@ impl<R: Real> Sub for Vec3<R> {
 
 impl<R: Real> Neg for Vec3<R> {
     type Output = Vec3<R>;
+    #[inline]
     fn neg(self) -> Vec3<R> {
         self.map(|a| -a)
     }
@@ -144,6 +167,7 @@ impl<R: Real> Neg for Vec3<R> {
 
 impl<R: Real> Mul<R> for Vec3<R> {
     type Output = Vec3<R>;
+    #[inline]
     fn mul(self, s: R) -> Vec3<R> {
         self.map(|a| a * s)
     }
@@ -151,6 +175,7 @@ impl<R: Real> Mul<R> for Vec3<R> {
 
 impl<R: Real> Div<R> for Vec3<R> {
     type Output = Vec3<R>;
+    #[inline]
     fn div(self, s: R) -> Vec3<R> {
         self.map(|a| a / s)
     }

@@ -6,6 +6,7 @@
 //! size and at any place have boxes as tight.
 
 use super::aabb::Aabb;
+use super::array::each;
 use super::bvh::Bvh;
 use super::line::Line;
 use super::vec::Vec3;
@@ -133,7 +134,7 @@ impl Frame {
     }
 
     fn scaled(&self, b: &Aabb) -> Aabb {
-        let scaled = |p: [f64; 3]| [0, 1, 2].map(|i| (p[i] - self.centre[i]) * self.per_unit);
+        let scaled = |p: [f64; 3]| each([0, 1, 2], |i| (p[i] - self.centre[i]) * self.per_unit);
         Aabb::new(scaled(b.min), scaled(b.max))
     }
 }
@@ -283,9 +284,9 @@ impl Tree {
     pub fn boxes(&self, frame: &Frame) -> impl Iterator<Item = (u32, Aabb)> + '_ {
         let Frame { centre, unit, .. } = *frame;
         self.slots().map(move |(node, slot, item)| {
-            let [min, max] = [0, 1].map(|side: usize| {
+            let [min, max] = each([0, 1], |side: usize| {
                 let at = |i: usize| f64::from(node.sides[side][i].to_array()[slot]);
-                [0, 1, 2].map(|i| centre[i] + at(i) * unit)
+                each([0, 1, 2], |i| centre[i] + at(i) * unit)
             });
             (item, Aabb { min, max })
         })
@@ -385,7 +386,7 @@ impl Beam {
             enter: three(o + forth),
             leave: three(o - forth),
             inverse: three(f32x4::ONE / d),
-            falls: three(d).map(|d| d < 0.0),
+            falls: each(three(d), |d| d < 0.0),
             lost: false,
             pace,
             unpace,
@@ -416,8 +417,9 @@ impl Beam {
         }
         let (mut near, mut far) = (f32x8::splat(from), f32x8::splat(to));
         for i in 0..3 {
-            let [entered, left] =
-                [self.falls[i], !self.falls[i]].map(|upper| &node.sides[usize::from(upper)][i]);
+            let [entered, left] = each([self.falls[i], !self.falls[i]], |upper| {
+                &node.sides[usize::from(upper)][i]
+            });
             let inverse = f32x8::splat(self.inverse[i]);
             near = near.fast_max((*entered - f32x8::splat(self.enter[i])) * inverse);
             far = far.fast_min((*left - f32x8::splat(self.leave[i])) * inverse);

@@ -20,6 +20,7 @@ pub struct Params<'a> {
 const INTEGERS: f64 = 9_007_199_254_740_992.0;
 
 impl<'a> Params<'a> {
+    #[inline]
     pub fn new(document: &'a Document, text: &'a str, record: &Record) -> Params<'a> {
         Params {
             text,
@@ -45,6 +46,7 @@ impl<'a> Params<'a> {
         self.values.len()
     }
 
+    #[inline]
     pub fn number(&self, i: usize) -> f64 {
         self.values
             .get(i)

@@ -80,6 +80,7 @@ pub enum Fault {
 }
 
 impl Record {
+    #[inline]
     pub fn ty(&self) -> &'static RecordType {
         RecordType::of(self.kind)
     }
@@ -91,6 +92,7 @@ impl Record {
 }
 
 impl Broken {
+    #[inline]
     pub fn ty(&self) -> Option<&'static RecordType> {
         self.kind.map(RecordType::of)
     }

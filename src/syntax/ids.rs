@@ -28,6 +28,7 @@ impl IdTable {
         }
     }
 
+    #[inline]
     pub fn get(&self, id: u32) -> Option<u32> {
         match self.dense.get(id as usize) {
             Some(&number) => number.checked_sub(1),

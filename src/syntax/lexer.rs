@@ -108,6 +108,7 @@ impl Token {
     /// ones are cut off here.
     pub const LENGTH_MAX: usize = (1 << LENGTH_BITS) - 1;
 
+    #[inline]
     pub fn new(kind: TokenKind, start: usize, end: usize) -> Token {
         Token {
             start: start as u32,
@@ -132,6 +133,7 @@ impl Token {
         Span::new(self.start, self.end())
     }
 
+    #[inline]
     pub fn text<'a>(&self, source: &'a str) -> &'a str {
         source
             .get(self.start as usize..self.end() as usize)
@@ -380,6 +382,7 @@ const SURELY_FINITE: usize = 300;
 impl Iterator for Tokens<'_> {
     type Item = Token;
 
+    #[inline]
     fn next(&mut self) -> Option<Token> {
         self.next_valued().map(|(token, _)| token)
     }

@@ -79,6 +79,7 @@ fn is_two(token: &Token, document: &Document) -> bool {
     found.is_ok_and(|i| tokens[i].length() < token.length())
 }
 
+#[inline]
 fn is_same((old, token): (&str, &Token), (new, other): (&str, &Token)) -> bool {
     let bits = |text, token: &Token| token.number(text).map(f64::to_bits);
     let value = bits(old, token);

@@ -98,6 +98,7 @@ pub fn fits(kind: TokenKind, param: ParamKind) -> bool {
 }
 
 /// Whether a value is one that the parameter may have.
+#[inline]
 pub fn allows(param: &Param, x: f64) -> bool {
     match param.constraint {
         // It is no number.

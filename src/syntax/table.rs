@@ -202,11 +202,13 @@ impl RecordType {
     }
 
     /// The entry of a kind.
+    #[inline]
     pub fn of(kind: RecordKind) -> &'static RecordType {
         &RECORD_TYPES[kind.place()]
     }
 
     /// The entry for a type number, if there is one.
+    #[inline]
     pub fn by_code(code: i64) -> Option<&'static RecordType> {
         // By code, from the least one on.
         static INDEX: OnceLock<(i64, Vec<Option<&'static RecordType>>)> = OnceLock::new();

@@ -2,6 +2,7 @@
 
 use super::decode::{Pixels, decode};
 use crate::diagnostics::Complaint;
+use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use std::path::Path;
@@ -77,8 +78,8 @@ impl Bitmap {
     fn texel(&self, x: usize, y: usize) -> Vec3 {
         let at = (y * self.width as usize + x) * 3;
         Vec3(match &self.texels {
-            Pixels::Eight(t) => [0, 1, 2].map(|c| EIGHT[t[at + c] as usize]),
-            Pixels::Sixteen(t) => [0, 1, 2].map(|c| SIXTEEN[t[at + c] as usize]),
+            Pixels::Eight(t) => each([0, 1, 2], |c| EIGHT[t[at + c] as usize]),
+            Pixels::Sixteen(t) => each([0, 1, 2], |c| SIXTEEN[t[at + c] as usize]),
         })
     }
 
@@ -87,7 +88,7 @@ impl Bitmap {
     /// too.
     pub fn colour(&self, uv: [f64; 2]) -> Rgb {
         // Beyond all numbers there is no place in the picture.
-        let [u, v] = uv.map(|x| if x.is_finite() { x - x.floor() } else { 0.0 });
+        let [u, v] = each(uv, |x| if x.is_finite() { x - x.floor() } else { 0.0 });
         let [x0, x1, fx] = neighbours(u, self.width);
         let [y0, y1, fy] = neighbours(1.0 - v, self.height);
         let at = |x: f64, y: f64| self.texel(x as usize, y as usize);

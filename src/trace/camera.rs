@@ -69,6 +69,7 @@ impl View {
 
     /// The ray through a point of the picture, in pixels from its upper left corner; the centre of
     /// the first pixel is (½, ½). `None` where its numbers are out of range.
+    #[inline]
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
         let ndc = [2.0 * x / self.width - 1.0, 1.0 - 2.0 * y / self.height];
         match &self.lens {

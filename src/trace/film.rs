@@ -1,6 +1,7 @@
 //! Pictures, and the files they go into.
 
 use super::bitmap;
+use crate::geometry::array::each;
 use crate::scene::Rgb;
 use std::io::{self, Write};
 use std::sync::LazyLock;
@@ -17,7 +18,7 @@ pub struct Film {
 /// A linear colour as it is kept: what is too bright for a number of single precision is as bright
 /// as one can be.
 pub fn developed(colour: Rgb) -> [f32; 3] {
-    colour.map(|x| {
+    each(colour, |x| {
         let x = x.max(0.0).min(f32::MAX as f64);
         x as f32
     })

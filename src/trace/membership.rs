@@ -6,6 +6,7 @@
 
 use super::graph::outermost;
 use crate::diagnostics::{Complaint, Error};
+use crate::geometry::array::each;
 use crate::geometry::sign::{Exact, Scalar};
 use crate::geometry::vec::Vec3;
 use crate::geometry::{Aabb, Matrix};
@@ -182,7 +183,7 @@ impl Walk<'_> {
         let own = self.ids.get(&node).copied().unwrap_or(0);
         let id = outermost(copy, own);
         // Zeros of both signs are one place.
-        let question = (node, id, point.0.map(|x| (x + 0.0).to_bits()));
+        let question = (node, id, each(point.0, |x| (x + 0.0).to_bits()));
         if let Some(&known) = self.answers.get(&question) {
             self.values.push(known);
             return Ok(());

@@ -35,6 +35,7 @@ pub struct Ray<R: Traced = f64> {
 
 impl<R: Traced> Ray<R> {
     /// A ray that starts anywhere.
+    #[inline]
     pub fn new(origin: Vec3<R>, direction: Vec3<R>) -> Ray<R> {
         Ray {
             line: Line::new(origin, direction),
@@ -45,6 +46,7 @@ impl<R: Traced> Ray<R> {
     }
 
     /// In another kind of number, rounded.
+    #[inline]
     pub fn cast<S: Traced>(&self) -> Ray<S> {
         Ray {
             line: self.line.cast(),

@@ -1,5 +1,7 @@
 //! Where in a pixel its samples lie.
 
+use crate::geometry::array::each;
+
 /// The reciprocals of the plastic number and of its square: the additive recurrence that fills the
 /// square most evenly (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
 const STEP: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_2];
@@ -11,8 +13,10 @@ pub fn sample(x: u32, y: u32, i: u32, n: u32) -> [f64; 2] {
         return [0.5, 0.5];
     }
     let seed = hash((u64::from(y) << 32) | u64::from(x));
-    let shift = [seed >> 32, seed & 0xffff_ffff].map(|h| h as f64 / 4_294_967_296.0);
-    [0, 1].map(|k| (shift[k] + STEP[k] * f64::from(i)).fract())
+    let shift = each([seed >> 32, seed & 0xffff_ffff], |h| {
+        h as f64 / 4_294_967_296.0
+    });
+    each([0, 1], |k| (shift[k] + STEP[k] * f64::from(i)).fract())
 }
 
 /// The finaliser of splitmix64 (Steele, Lea and Flood, 2014).

@@ -2,6 +2,7 @@
 
 use crate::geometry::Matrix;
 use crate::geometry::affine::{Affine, Placement};
+use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
 use crate::scene::{Optics, Rgb};
 use crate::trace::graph::{Coat, Graph};
@@ -93,7 +94,7 @@ impl Interner {
     }
 
     pub fn index(&mut self, graph: &mut Graph, index: Rgb) -> u32 {
-        *self.indices.entry(index.map(bits)).or_insert_with(|| {
+        *self.indices.entry(each(index, bits)).or_insert_with(|| {
             graph.indices.push(index);
             graph.indices.len() as u32 - 1
         })

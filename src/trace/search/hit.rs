@@ -5,6 +5,7 @@ use super::events::{Crossing, Kind, State};
 use super::query::Search;
 use super::vista::End;
 use super::walk::Walker;
+use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture};
@@ -45,6 +46,7 @@ pub struct Hit<R = f64> {
 
 impl<R: Precision> Hit<R> {
     /// A ray from here. `onwards`: to the side the ray that came here was heading for.
+    #[inline]
     pub fn leave(&self, direction: Vec3<R>, onwards: bool) -> Ray<R> {
         let mut ray = Ray::new(self.point, direction);
         ray.left = Some(Left {
@@ -61,6 +63,7 @@ impl<R: Precision> Hit<R> {
     }
 
     /// The unit normal that light is reckoned with, on the side the ray came from.
+    #[inline]
     pub fn facing(&self) -> Vec3<R> {
         if self.entering {
             self.shading
@@ -121,6 +124,7 @@ fn terms<R: Precision>(line: &Line<R>, t: R) -> Vec3<R> {
 /// A shape moves the point onto its surface in its own space, which takes away what is rounded across
 /// the surface. A map that stretches turns what is rounded along the one axis there into more than
 /// the line's own point is rounded by.
+#[inline]
 fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec3<R>> {
     /// In units of the last place.
     const MOST: f64 = 4.0;
@@ -165,8 +169,8 @@ impl<R: Precision> Walker<'_, R> {
         } else if alone && let Some(states) = self.states_at(ray, &first) {
             let mut found = self.resolve(ray, leaf, root, first.owner);
             if let Some(hit) = &mut found {
-                hit.indices = states.map(|s| self.index_in(Some(s)));
-                hit.inside = states.map(|s| s.inside);
+                hit.indices = each(states, |s| self.index_in(Some(s)));
+                hit.inside = each(states, |s| s.inside);
                 hit.solid = Some(self.surface(first.part));
                 return found;
             }
@@ -193,11 +197,14 @@ impl<R: Precision> Walker<'_, R> {
             Some(states) => states,
             None if part == first.place.leaf && self.primitive(part).shape().is_solid() => {
                 let owner = self.owner(part);
-                [!ray.outside, ray.outside].map(|inside| State { inside, owner })
+                each([!ray.outside, ray.outside], |inside| State {
+                    inside,
+                    owner,
+                })
             }
             None => return None,
         };
-        let alternates = states.map(|s| s.inside) == [!ray.outside, ray.outside];
+        let alternates = each(states, |s| s.inside) == [!ray.outside, ray.outside];
         let is_known = ray.outside || ray.within == Some(self.surface(part));
         (alternates && is_known).then_some(states)
     }
@@ -222,7 +229,7 @@ impl<R: Precision> Walker<'_, R> {
         let (leaf, root) = (event.place.leaf, event.place.root);
         let hit = self.resolve(ray, leaf, root, event.owner.leaf)?;
         Some(Hit {
-            indices: [before, Some(event.state)].map(|state| self.index_in(state)),
+            indices: each([before, Some(event.state)], |state| self.index_in(state)),
             inside: [before.is_some_and(|s| s.inside), event.state.inside],
             ..hit
         })

@@ -6,6 +6,7 @@ use super::events::{Crossing, Place};
 use super::query::{Entry, Search};
 use super::vista::{Body, End};
 use super::walk::Walker;
+use crate::geometry::array::each;
 use crate::geometry::wide_bvh::{Child, Is, WIDTH};
 use crate::trace::graph::{Group, Holds, Operation, Target};
 use crate::trace::precision::{Doubt, Precision};
@@ -26,6 +27,7 @@ struct Best<R> {
 
 impl<R: Precision> Best<R> {
     /// Nothing yet, of what is in (from, to].
+    #[inline]
     fn new(ray: &Ray<R>, from: R, to: R) -> Best<R> {
         // Crossings that are nearer may not be told from the surface that the ray has left.
         let near = ray.left.map_or(0.0, |left| {
@@ -234,7 +236,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         let node = &group.tree.nodes[node as usize];
         self.counts.boxes += WIDTH as u64;
         let beam = &self.contexts[context as usize].beam;
-        let ends = [from.to_f64(), best.limit.to_f64()].map(|t| beam.pace(t));
+        let ends = each([from.to_f64(), best.limit.to_f64()], |t| beam.pace(t));
         let entry = |near, child| Entry {
             near: beam.unpace(near),
             context,

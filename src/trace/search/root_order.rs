@@ -136,6 +136,7 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// Whether a crossing cannot be told from a known place on the ray.
+    #[inline]
     fn is_at(&self, leaf: Leaf, line: &Line<R>, root: Root<R>, place: &Start<R>) -> bool {
         if !self.is_near(leaf, line, root, place.t) {
             return false;

@@ -6,6 +6,7 @@ use super::events::Place;
 use super::events::{Crossing, Event, Kind, List, Owner, State, Task};
 use super::merge::{join_intersection, join_union};
 use super::walk::Walker;
+use crate::geometry::array::each;
 use crate::geometry::wide_bvh::{Is, WIDTH};
 use crate::trace::graph::{Group, Operation, Target};
 use crate::trace::precision::Precision;
@@ -252,10 +253,10 @@ impl<R: Precision> Walker<'_, R> {
     fn sort(&mut self, base: usize) {
         self.spans.sort(base);
         for i in 1..self.spans.scratch.order.len() {
-            let [before, here] = [i - 1, i].map(|i| self.spans.scratch.order[i]);
+            let [before, here] = each([i - 1, i], |i| self.spans.scratch.order[i]);
             // Of one operand's own events the operand has decided.
             if before.1 != here.1 {
-                let [a, b] = [before, here].map(|e| self.spans.events[e.2 as usize].place);
+                let [a, b] = each([before, here], |e| self.spans.events[e.2 as usize].place);
                 self.spans.scratch.tied[i] = self.order(&a, &b).is_eq();
             }
         }

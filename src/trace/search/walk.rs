@@ -185,6 +185,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// A line of an object's space in the space of one of its parts.
+    #[inline]
     pub fn placed(&self, line: &Line<R>, part: &Part) -> Line<R> {
         match part.placement {
             0 => *line,
@@ -193,6 +194,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// The ray in the space of a leaf's shape.
+    #[inline]
     pub fn line(&self, leaf: Leaf) -> Line<R> {
         if self.met == Some(leaf) {
             return self.line;
@@ -278,6 +280,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// A number for the surface of a part that is a shape: equal for equal shapes placed equally.
+    #[inline]
     pub fn surface(&self, leaf: Leaf) -> u64 {
         let (part, key) = (self.part(leaf.part), self.chain(leaf));
         match part.target {

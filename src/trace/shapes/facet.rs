@@ -6,6 +6,7 @@
 //! corner alone, and an edge function changes nothing but its sign when its ends are swapped; so the
 //! facets on both sides of an edge always agree about the side on which the line passes it.
 
+use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::number::Real;
@@ -13,7 +14,7 @@ use crate::geometry::vec::Vec3;
 
 /// A vector of doubles in another kind of number.
 pub(super) fn lift<R: Traced>(v: Vec3) -> Vec3<R> {
-    Vec3(v.0.map(R::of))
+    Vec3(each(v.0, R::of))
 }
 
 /// A double-double number in another kind of number, rounded.
@@ -166,8 +167,8 @@ impl<R: Traced> Facet<R> {
         } else {
             return None;
         };
-        let weights = e.map(|e| e / area);
-        let z = self.corners.map(|c| c.depth);
+        let weights = each(e, |e| e / area);
+        let z = each(self.corners, |c| c.depth);
         let depth = weights[0] * z[0] + weights[1] * z[1] + weights[2] * z[2];
         // The exact depth is between those of the corners.
         let depth = depth
@@ -188,8 +189,8 @@ impl<R: Traced> Facet<R> {
     /// coordinate.
     pub fn verdicts(&self, noise: R) -> [Verdict; 2] {
         let two = R::of(2.0);
-        let [a, b, c] = self.corners.map(|c| c.reach());
-        let bounds = [b + c, c + a, a + b].map(|sum| two * noise * (sum + noise));
+        let [a, b, c] = each(self.corners, |c| c.reach());
+        let bounds = each([b + c, c + a, a + b], |sum| two * noise * (sum + noise));
         let all = |holds: fn(R, R) -> bool| (0..3).all(|i| holds(self.edges[i], bounds[i]));
         let any = |holds: fn(R, R) -> bool| (0..3).any(|i| holds(self.edges[i], bounds[i]));
         [

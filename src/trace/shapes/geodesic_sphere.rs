@@ -10,6 +10,7 @@ use super::facet::{Facet, Passage, Projected, Shear, Way, drift_across, narrow};
 use super::hull;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
 use crate::geometry::icosahedron::FACES;
 use crate::geometry::line::{Line, Traced};
@@ -103,13 +104,13 @@ impl GeodesicSphere {
     }
 
     fn icosahedron<R: Traced>(&self) -> [Vec3<R>; 12] {
-        let [short, long] = self.coordinates.map(narrow::<R>);
-        std::array::from_fn(|i| {
-            let mut v = Vec3::ZERO;
+        let [short, long] = each(self.coordinates, narrow::<R>);
+        let mut vertices = [Vec3::ZERO; 12];
+        for (i, v) in vertices.iter_mut().enumerate() {
             v[(i / 4 + 1) % 3] = if i & 2 == 0 { short } else { -short };
             v[(i / 4 + 2) % 3] = if i & 1 == 0 { long } else { -long };
-            v
-        })
+        }
+        vertices
     }
 
     /// The corners of a facet, on the unit sphere. Its number is that of the icosahedron's facet
@@ -117,7 +118,7 @@ impl GeodesicSphere {
     pub(super) fn corners<R: Traced>(&self, face: u32) -> [Vec3<R>; 3] {
         let vertices = self.icosahedron();
         let base = (face >> (2 * self.splits)) as usize % FACES.len();
-        let mut corners = FACES[base].map(|i| vertices[i]);
+        let mut corners = each(FACES[base], |i| vertices[i]);
         for split in (0..self.splits).rev() {
             let [a, b, c] = corners;
             let middles = [middle(b, c), middle(c, a), middle(a, b)];
@@ -137,16 +138,16 @@ impl GeodesicSphere {
         let slack = R::of(SLACK) * R::ROUNDOFF + noise;
         // The shear stretches no vector by more than the length of the slope.
         let stretch = view.shear.slope.length();
-        let margins = self.bulges.map(|bulge| R::of(bulge) * stretch + slack);
-        let vertices = self.icosahedron().map(|at| view.vertex(at));
+        let margins = each(self.bulges, |bulge| R::of(bulge) * stretch + slack);
+        let vertices = each(self.icosahedron(), |at| view.vertex(at));
         let mut stack = [Frame::default(); MAX_SPLITS as usize];
         for (face, corners) in (0..).zip(FACES) {
-            let corners = corners.map(|i| &vertices[i]);
+            let corners = each(corners, |i| &vertices[i]);
             if !is_near(corners, margins[0]) {
                 continue;
             }
             if self.splits == 0 {
-                leaf(corners.map(|c| c.seen), face);
+                leaf(each(corners, |c| c.seen), face);
                 continue;
             }
             stack[0] = view.split(corners, face);
@@ -165,7 +166,7 @@ impl GeodesicSphere {
                     continue;
                 }
                 if depth == self.splits as usize {
-                    leaf(corners.map(|c| c.seen), face);
+                    leaf(each(corners, |c| c.seen), face);
                 } else {
                     stack[depth] = view.split(corners, face);
                     depth += 1;
@@ -260,10 +261,12 @@ impl<R: Traced> View<R> {
     }
 
     fn split(&self, corners: [&Vertex<R>; 3], face: u32) -> Frame<R> {
-        let [a, b, c] = corners.map(|c| c.at);
+        let [a, b, c] = each(corners, |c| c.at);
         Frame {
-            corners: corners.map(|c| *c),
-            middles: [middle(b, c), middle(c, a), middle(a, b)].map(|m| self.vertex(m)),
+            corners: each(corners, |c| *c),
+            middles: each([middle(b, c), middle(c, a), middle(a, b)], |m| {
+                self.vertex(m)
+            }),
             face,
             next: 0,
         }
@@ -373,7 +376,7 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
         let radius = R::of(self.radius);
         let corners = self.corners::<R>(root.face);
         let passage = match View::of(line, radius) {
-            Sight::Near(view) => Facet::new(corners.map(|at| view.vertex(at).seen)).passage(),
+            Sight::Near(view) => Facet::new(each(corners, |at| view.vertex(at).seen)).passage(),
             Sight::Passes | Sight::Lost => None,
         };
         let weights = match passage {

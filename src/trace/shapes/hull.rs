@@ -1,5 +1,6 @@
 //! A few points whose convex hull holds a round shape.
 
+use crate::geometry::array::each;
 use crate::geometry::icosahedron;
 use crate::geometry::vec::Vec3;
 use std::f64::consts::FRAC_PI_4;
@@ -14,7 +15,7 @@ pub fn of_circles<const N: usize>(circles: [[f64; 2]; N]) -> Vec<[f64; 3]> {
     let sides: [(f64, f64); 8] = std::array::from_fn(|i| libm::sincos(i as f64 * FRAC_PI_4));
     let around = |[radius, y]: [f64; 2]| {
         let out = radius * AROUND_CIRCLE;
-        sides.map(|(sin, cos)| [out * cos, y, out * sin])
+        each(sides, |(sin, cos)| [out * cos, y, out * sin])
     };
     circles.into_iter().flat_map(around).collect()
 }

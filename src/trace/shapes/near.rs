@@ -99,6 +99,7 @@ impl Ball {
 impl Approach {
     /// What is known where a polynomial of the line's points, which is negative in the solid, may not be positive: by
     /// its value in one place, on the stretch.
+    #[inline]
     pub fn through(&self, at: f64, margin: f64, value: impl FnOnce(f64) -> f64) -> Pass {
         let is_told = self.leaves && at > self.origin + self.slack && margin.is_normal();
         match is_told && value(at) < -margin {
@@ -129,6 +130,7 @@ impl Approach {
 
 /// Whether a t² + 2b t + c is more than a margin on a stretch: so are the coefficients of Bernstein's polynomials on
 /// both halves of it.
+#[inline]
 pub fn is_above([a, b, c]: [f64; 3], [from, to]: [f64; 2], margin: f64) -> bool {
     // The polar form, whose values at the ends and between are the coefficients.
     let polar = |s: f64, t: f64| a * s * t + b * (s + t) + c;
@@ -144,6 +146,7 @@ pub fn is_above([a, b, c]: [f64; 3], [from, to]: [f64; 2], margin: f64) -> bool 
 }
 
 /// The same of a polynomial of fourth degree, the leading coefficient first.
+#[inline]
 pub fn is_quartic_above(c: [f64; 5], [from, to]: [f64; 2], margin: f64) -> bool {
     let [c4, c3, c2, c1, c0] = c;
     let h = to - from;

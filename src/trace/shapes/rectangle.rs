@@ -3,6 +3,7 @@
 use super::doubt::{is_final, least, parameter_error, share};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::support::Support;
@@ -36,7 +37,7 @@ impl Shape for Rectangle {
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
-        [0, 1].map(|i| share(point[i], self.min[i], self.max[i]))
+        each([0, 1], |i| share(point[i], self.min[i], self.max[i]))
     }
 
     fn is_solid(&self) -> bool {

@@ -4,6 +4,7 @@
 //! the scene say so, no ray has to be followed in double-double to find out.
 
 use crate::geometry::Matrix;
+use crate::geometry::array::each;
 use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
 
@@ -59,7 +60,7 @@ impl Support {
             }
         }
         let turned = normal.iter().find(|x| **x != 0.0).is_some_and(|x| *x < 0.0);
-        Support::Plane(abcd.map(|x| if turned { -x } else { x }))
+        Support::Plane(each(abcd, |x| if turned { -x } else { x }))
     }
 
     /// What a segment between two points (x, y) becomes as it is turned about the y axis.
@@ -94,7 +95,7 @@ impl Support {
         if !(0..9).all(|k| kept(k / 3, k % 3)) {
             return None;
         }
-        let [x, y, z] = [0, 1, 2].map(|i| rows[i][3]);
+        let [x, y, z] = each([0, 1, 2], |i| rows[i][3]);
         let sizes = |all: &[f64]| rounded(all.iter().fold(0.0, |sum, x| sum + x.abs()));
         let across = |axis: [f64; 2]| [axis[0] + x, axis[1] + z];
         Some(match self {

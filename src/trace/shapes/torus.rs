@@ -17,6 +17,7 @@ use super::hull;
 use super::near::{Approach, Ball, KNOWN, MARGIN, Pass, is_quartic_above};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::exponent::{exponent, shifted, shifted_vector};
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::number::Real;
@@ -84,7 +85,7 @@ impl Torus {
 
     /// R and r in the units of [`Scaled`].
     fn radii<R: Traced>(&self) -> [R; 2] {
-        [self.major, self.minor].map(|r| R::of(shifted(r, -self.size)))
+        each([self.major, self.minor], |r| R::of(shifted(r, -self.size)))
     }
 
     /// The polynomial of a line's points that is negative in the tube, beside or in the lemon positive:
@@ -375,7 +376,7 @@ impl<R: Traced> Flatness<'_, R> {
     #[cold]
     fn at(&self, t: R) -> R {
         let e = self.slope_error;
-        let [slope, curvature, third] = self.quartic.derivatives(t).map(R::abs);
+        let [slope, curvature, third] = each(self.quartic.derivatives(t), R::abs);
         if slope > R::of(8.0) * e {
             return R::ZERO;
         }

@@ -3,6 +3,7 @@
 use super::facet::{Facet, Shear, drift_across, lift, narrow};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
 use crate::geometry::exponent::{exponent, shifted};
 use crate::geometry::line::{Line, Traced};
@@ -50,8 +51,8 @@ impl Triangle {
     /// triangle alone. Nor would it help, for the rounding of v − o is that of moving o.
     fn view<R: Traced>(&self, line: &Line<R>) -> View<R> {
         let shear = Shear::along(line.direction);
-        let offsets = self.vertices.map(|v| lift::<R>(v) - line.origin);
-        let mut corners = offsets.map(|p| shear.project(p));
+        let offsets = each(self.vertices, |v| lift::<R>(v) - line.origin);
+        let mut corners = each(offsets, |p| shear.project(p));
         let sum = |p: Vec3<R>| p[0].abs() + p[1].abs() + p[2].abs();
         let size = sum(offsets[0]).max(sum(offsets[1])).max(sum(offsets[2]));
         let mut scale = R::ONE;
@@ -94,13 +95,13 @@ impl Triangle {
         };
         // Seen along the normal's longest axis, where the triangle is at its largest; edges are
         // scaled so that no product leaves the range of doubles.
-        let n: Vec3 = Vec3(n.0.map(narrow));
+        let n: Vec3 = Vec3(each(n.0, narrow));
         let z = (0..3).fold(0, |z, i| if n[i].abs() > n[z].abs() { i } else { z });
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
         let [a, b, c] = self.vertices;
         let (ab, ac) = (b * 0.5 - a * 0.5, c * 0.5 - a * 0.5);
         let size = ab.abs().max_component().max(ac.abs().max_component());
-        let [ab, ac, ap] = [ab, ac, point * 0.5 - a * 0.5].map(|e| e / size);
+        let [ab, ac, ap] = each([ab, ac, point * 0.5 - a * 0.5], |e| e / size);
         let area = |p: Vec3, q: Vec3| f64::difference_of_products(p[x], q[y], p[y], q[x]);
         let whole = area(ab, ac);
         let (second, third) = (area(ap, ac) / whole, area(ab, ap) / whole);
@@ -213,7 +214,7 @@ impl<R: Traced> Intersect<R> for Triangle {
     /// plane, γ₆ Σ|nᵢ|(|pᵢ| + |aᵢ|) with that of the normal, and by its own.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let normal = match self.normal {
-            Some(n) => Vec3(n.0.map(narrow)),
+            Some(n) => Vec3(each(n.0, narrow)),
             None => Vec3::new(R::ZERO, R::ZERO, R::ONE),
         };
         let (p, a) = (line.at(root.t), lift::<R>(self.vertices[0]));

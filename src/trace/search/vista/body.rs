@@ -1,6 +1,7 @@
 //! The parts of the scene that are looked for, and how they are seen from a point.
 
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
 use crate::trace::graph::{Graph, Operation, Target};
 use std::sync::Arc;
@@ -133,11 +134,11 @@ fn footprint(b: &Aabb, axis: usize, sign: f64) -> Option<[[f64; 2]; 2]> {
     let near = near.max(0.0);
     let edge = 1.0 + ROUNDED;
     // Of what is on one side, the nearest is farthest aside.
-    let lower = others(axis).map(|i| {
+    let lower = each(others(axis), |i| {
         let low = b.min[i];
         (low / if low < 0.0 { near } else { far }).max(-edge)
     });
-    let upper = others(axis).map(|i| {
+    let upper = each(others(axis), |i| {
         let high = b.max[i];
         (high / if high > 0.0 { near } else { far }).min(edge)
     });

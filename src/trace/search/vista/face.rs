@@ -1,7 +1,9 @@
 //! One face of the cube, with its grid.
 
 use super::body::{KNOWN, Octagon, ROUNDED};
+use crate::geometry::array::each;
 use crate::geometry::wide_bvh::below;
+use std::iter;
 use wide::f32x8;
 
 /// Octagons are widened by this much, in units of the longer side. In single precision the sum of two coordinates is
@@ -48,10 +50,10 @@ impl Face {
         let mut lower = [f64::INFINITY; 2];
         let mut upper = [f64::NEG_INFINITY; 2];
         for (.., Octagon([least, most])) in bodies {
-            lower = [0, 1].map(|i| lower[i].min(least[i]));
-            upper = [0, 1].map(|i| upper[i].max(most[i]));
+            lower = each([0, 1], |i| lower[i].min(least[i]));
+            upper = each([0, 1], |i| upper[i].max(most[i]));
         }
-        let size = [0, 1].map(|i| (upper[i] - lower[i]).max(KNOWN));
+        let size = each([0, 1], |i| (upper[i] - lower[i]).max(KNOWN));
         // How many bodies lie behind one another, on average.
         let share = |i: usize, Octagon([least, most]): &Octagon| (most[i] - least[i]) / size[i];
         let shares = bodies.iter().map(|(.., o)| share(0, o) * share(1, o));
@@ -61,14 +63,18 @@ impl Face {
             .ceil()
             .clamp(1.0, MOST);
         let scale = size[0].max(size[1]).recip();
-        let cells = size.map(|size| (side / (size * scale)) as f32);
+        let cells = each(size, |size| (side / (size * scale)) as f32);
         let start = [lower[0], lower[1], lower[0] + lower[1], lower[0] - lower[1]];
         let margin = MARGIN + ROUNDED * scale;
         let seen: Vec<Seen> = bodies
             .iter()
             .map(|&(index, near, Octagon([least, most]))| {
-                let low = [0, 1, 2, 3].map(|i| below((least[i] - start[i]) * scale - margin));
-                let high = [0, 1, 2, 3].map(|i| below((start[i] - most[i]) * scale - margin));
+                let low: [f32; 4] = each([0, 1, 2, 3], |i| {
+                    below((least[i] - start[i]) * scale - margin)
+                });
+                let high: [f32; 4] = each([0, 1, 2, 3], |i| {
+                    below((start[i] - most[i]) * scale - margin)
+                });
                 Seen {
                     index,
                     // Infinite ones are far, but not beyond what a ray may meet.
@@ -113,8 +119,9 @@ impl Face {
     }
 
     /// The bodies behind a point of the face, the nearest first.
+    #[inline]
     pub fn behind(&self, uv: [f64; 2]) -> impl Iterator<Item = &Seen> {
-        let [x, y] = [0, 1].map(|i| ((uv[i] - self.lower[i]) * self.scale) as f32);
+        let [x, y] = each([0, 1], |i| ((uv[i] - self.lower[i]) * self.scale) as f32);
         let list = match self.side {
             0 => &[][..],
             side => {
@@ -125,8 +132,8 @@ impl Face {
         let (sum, difference) = (x + y, x - y);
         // One branch: the processor could not predict eight.
         let at = f32x8::new([x, y, sum, difference, -x, -y, -sum, -difference]);
-        list.iter()
-            .filter(move |seen| f32x8::new(seen.sides).simd_le(at).all())
+        let mut rest = list.iter();
+        iter::from_fn(move || rest.find(|seen| f32x8::new(seen.sides).simd_le(at).all()))
     }
 }
 

@@ -16,9 +16,11 @@ mod tests;
 pub use body::{Body, bodies};
 
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
 use body::KNOWN;
 use face::Face;
+use std::iter;
 use std::sync::Arc;
 
 /// What is in which direction from a point.
@@ -69,9 +71,9 @@ impl Vista {
             .zip(bodies.iter())
             .map(|(index, body)| {
                 let b = &body.bounds;
-                let min = [0, 1, 2].map(|i| b.min[i] - point[i] - wider);
-                let max = [0, 1, 2].map(|i| b.max[i] - point[i] + wider);
-                let gap = Vec3([0, 1, 2].map(|i| min[i].max(-max[i]).max(0.0)));
+                let min = each([0, 1, 2], |i| b.min[i] - point[i] - wider);
+                let max = each([0, 1, 2], |i| b.max[i] - point[i] + wider);
+                let gap = Vec3(each([0, 1, 2], |i| min[i].max(-max[i]).max(0.0)));
                 (gap.length() * (1.0 - KNOWN), index, Aabb { min, max })
             })
             .collect();
@@ -102,8 +104,11 @@ impl Vista {
         };
         let face = &self.faces[axis][usize::from(largest > 0.0)];
         let per_depth = largest.abs().recip();
-        let behind = face.behind(across.map(|component| component * per_depth));
-        behind.map(|seen| (f64::from(seen.near), &self.bodies[seen.index as usize]))
+        let mut behind = face.behind(each(across, |component| component * per_depth));
+        iter::from_fn(move || {
+            let seen = behind.next()?;
+            Some((f64::from(seen.near), &self.bodies[seen.index as usize]))
+        })
     }
 
     /// What a ray may meet that comes to the point by a way: as [`leaving`](Self::leaving). `None`: it comes from too

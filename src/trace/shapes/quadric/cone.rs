@@ -3,6 +3,7 @@
 use super::line::{Bounded, Chord, Inside, push_all};
 use super::{Form, bounds_of, turn};
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
@@ -227,7 +228,7 @@ impl Cone {
             roots.uncertain = true;
             return;
         }
-        push_all(roots, ends.map(|(tau, face)| (chord.t(tau), face)));
+        push_all(roots, each(ends, |(tau, face)| (chord.t(tau), face)));
     }
 
     /// The stretches of the line in the infinite double cone each lie in one half of it. Which one

@@ -3,6 +3,7 @@
 use super::line::Chord;
 use super::{Form, bounds_of, turn};
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
@@ -53,7 +54,7 @@ impl Shape for Ellipsoid {
             Ball::Meets(approach) => approach,
         };
         let [p, d] = [approach.point, approach.direction]
-            .map(|v| Vec3([0, 1, 2].map(|i| v[i] / self.semi_axes[i])));
+            .map(|v| Vec3(each([0, 1, 2], |i| v[i] / self.semi_axes[i])));
         let (a, b) = (d.dot(d), p.dot(d));
         let form = p.dot(p) - 1.0 - b * b / a;
         // In units of the shortest axis.

@@ -1,5 +1,6 @@
 //! A polynomial of second degree, its value and its gradient.
 
+use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::number::Real;
@@ -78,14 +79,14 @@ impl Form {
         let at = |i: usize, j: usize| q[4 * i + j] / scale;
         let both = |i: usize, j: usize| Dd::sum(at(i, j), at(j, i)).parts();
         let (mixed, linear) = (
-            PAIRS.map(|(i, j)| both(i, j)),
-            [0, 1, 2].map(|i| both(i, 3)),
+            each(PAIRS, |(i, j)| both(i, j)),
+            each([0, 1, 2], |i| both(i, 3)),
         );
         Form {
             square: std::array::from_fn(|i| at(i, i)),
-            mixed: mixed.map(|x| x.0),
-            linear: linear.map(|x| x.0),
-            rest: [mixed, linear].map(|list| list.map(|x| x.1)),
+            mixed: each(mixed, |x| x.0),
+            linear: each(linear, |x| x.0),
+            rest: each([mixed, linear], |list| each(list, |x| x.1)),
             constant: at(3, 3),
             unit: [1.0; 3],
             degree: [0; 3],
@@ -102,7 +103,7 @@ impl Form {
         self.weight = 2.0 * sum(&self.square) + 2.0 * sum(&self.mixed) + sum(&self.linear);
         let curved = self.square.iter().chain(&self.mixed);
         self.second = curved.fold(0.0f64, |m, x| m.max(x.abs()));
-        self.inverse = self.unit.map(|s| s.abs().recip());
+        self.inverse = each(self.unit, |s| s.abs().recip());
         for i in 0..3 {
             self.degree[i] = u8::from(self.linear[i] != 0.0);
             let mut pairs = PAIRS.iter().zip(self.mixed);
@@ -196,8 +197,9 @@ impl Form {
 
     /// The gradient of F at x, in the form's own units.
     fn gradient<R: Traced>(&self, x: Vec3<R>) -> Vec3<R> {
-        let mut g =
-            Vec3([0, 1, 2].map(|i| R::of(2.0 * self.square[i]) * x[i] + self.linear::<R>(i)));
+        let mut g = Vec3(each([0, 1, 2], |i| {
+            R::of(2.0 * self.square[i]) * x[i] + self.linear::<R>(i)
+        }));
         for (k, (i, j)) in PAIRS.into_iter().enumerate() {
             let m = self.mixed::<R>(k);
             g[i] += m * x[j];
@@ -207,7 +209,7 @@ impl Form {
     }
 
     pub(super) fn units<R: Traced>(&self) -> Vec3<R> {
-        Vec3(self.unit.map(R::of))
+        Vec3(each(self.unit, R::of))
     }
 
     /// The speed at which a line goes through the surface at t ([`Intersect::speed`]), by the gradient

@@ -2,6 +2,7 @@
 
 use super::form::{Form, OPERATIONS, PAIRS, power_of_two};
 use crate::geometry::affine::Slack;
+use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Roots;
@@ -166,7 +167,7 @@ impl<R: Traced> Chord<R> {
                 (x * self.start).abs() * R::gamma(4)
             }
         });
-        let inverse = Vec3(form.inverse.map(R::of));
+        let inverse = Vec3(each(form.inverse, R::of));
         self.moved = lost.zip(inverse, |x, s| (x + drift) * s) * self.w;
         self.turned = inverse * (turn / self.length / self.stretch);
         if !(self.moved.is_finite() && self.turned.is_finite()) {
@@ -374,13 +375,13 @@ fn closest<R: Traced>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
         -(o.dot(heavy) / d.dot(heavy)) * (shrink / stretch)
     };
     let degree = form.degree;
-    let first = at(Vec3(degree.map(|n| if n > 0 { R::ONE } else { R::ZERO })));
+    let first = at(Vec3(each(degree, |n| if n > 0 { R::ONE } else { R::ZERO })));
     if !degree.contains(&1) || !first.is_finite() {
         return first;
     }
     let there = o * shrink + d * (stretch * first);
     let second = R::of(form.second);
-    let linear = form.linear.map(R::of);
+    let linear = each(form.linear, R::of);
     let largest = (0..3).fold(R::ZERO, |largest, i| match degree[i] {
         0 => largest,
         1 => largest.max((linear[i] * there[i]).abs()),
@@ -391,7 +392,7 @@ fn closest<R: Traced>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
         1 => (linear[i] / largest) * (linear[i] / second),
         _ => R::ONE,
     };
-    let second = at(Vec3([0, 1, 2].map(weight)));
+    let second = at(Vec3(each([0, 1, 2], weight)));
     if second.is_finite() { second } else { first }
 }
 
@@ -491,7 +492,7 @@ impl Form {
             add(i, m * x[j]);
             add(j, m * x[i]);
         }
-        Vec3([0, 1, 2].map(|i| value[i].abs() + R::gamma(8) * size[i]))
+        Vec3(each([0, 1, 2], |i| value[i].abs() + R::gamma(8) * size[i]))
     }
 
     /// 2A(e, f) with A the second degree's matrix, all by their sizes; e and f are not negative.

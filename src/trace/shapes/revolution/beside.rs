@@ -12,6 +12,7 @@
 
 use super::layers::Piece;
 use super::tree::{self, Run};
+use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::near::{Ball, MARGIN};
@@ -83,7 +84,7 @@ impl Beside {
         let Some(all) = tree.first() else {
             return Beside::default();
         };
-        let [low, high] = all.y.map(|y| y / scale);
+        let [low, high] = each(all.y, |y| y / scale);
         let centre = 0.5 * low + 0.5 * high;
         let half = high - centre;
         let size = libm::hypot(half, all.radius[1] / scale);
@@ -100,13 +101,13 @@ impl Beside {
                 blocks.extend(pieces.chunks(LANES).map(|four| {
                     // The last one again where there are fewer.
                     let piece = |lane: usize| &four[lane.min(four.len() - 1)];
-                    let ends = [0, 1, 2, 3].map(|lane| [piece(lane).from, piece(lane).to]);
+                    let ends = each([0, 1, 2, 3], |lane| [piece(lane).from, piece(lane).to]);
                     let of = |end: usize, axis: usize, unit: fn(&Units, f64) -> f64| {
-                        f64x4::new(ends.map(|e| unit(&units, points[e[end] as usize][axis])))
+                        f64x4::new(each(ends, |e| unit(&units, points[e[end] as usize][axis])))
                     };
                     Block {
-                        radius: [0, 1].map(|end| of(end, 0, Units::radius)),
-                        height: [0, 1].map(|end| of(end, 1, Units::height)),
+                        radius: each([0, 1], |end| of(end, 0, Units::radius)),
+                        height: each([0, 1], |end| of(end, 1, Units::height)),
                     }
                 }));
             }
@@ -114,8 +115,8 @@ impl Beside {
         });
         let first = first.collect();
         let boxes = tree.iter().map(|run| {
-            let [inner, outer] = run.radius.map(|r| units.radius(r));
-            let [low, high] = run.y.map(|y| units.height(y));
+            let [inner, outer] = each(run.radius, |r| units.radius(r));
+            let [low, high] = each(run.y, |y| units.height(y));
             [inner, outer, low, high]
         });
         Beside {
@@ -164,6 +165,7 @@ impl Beside {
 
     /// The runs of a tree that are leaves, with those of their pieces that a line may cross: a bit each, from the
     /// lowest.
+    #[inline]
     pub fn met<'a>(
         &'a self,
         tree: &'a [Run],
@@ -187,18 +189,19 @@ impl Beside {
         outside > MARGIN || inside < -MARGIN || high < bottom || low > top
     }
 
+    #[inline]
     fn met_of(&self, here: usize, run: &Run, line: &Passing) -> u32 {
         let (first, count) = (self.first[here] as usize, (run.end - run.first) as usize);
         let blocks = &self.blocks[first..first + count.div_ceil(LANES)];
-        let [turn, height, across, along2, delta2] = [
+        let of_line = [
             line.turn,
             line.height,
             line.across,
             line.along2,
             line.delta2,
-        ]
-        .map(f64x4::splat);
-        let [margin, bottom, top] = [MARGIN, line.within[0], line.within[1]].map(f64x4::splat);
+        ];
+        let [turn, height, across, along2, delta2] = each(of_line, f64x4::splat);
+        let [margin, bottom, top] = each([MARGIN, line.within[0], line.within[1]], f64x4::splat);
         let mut met = 0;
         for block in blocks.iter().rev() {
             let offset = |end: usize| (block.height[end] - height).mul_add(across, turn);

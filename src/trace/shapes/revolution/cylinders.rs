@@ -1,6 +1,7 @@
 //! A cheap test that tells most lines which miss the solid, and many that go right through it.
 
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::near::{Ball, MARGIN, Pass, is_above};
@@ -61,8 +62,9 @@ impl Cylinders {
         // Heights on a line are known to less than this.
         let margin = MARGIN * self.size;
         for ends in points.windows(2) {
-            let [mut low, mut high] =
-                [ends[0], ends[1]].map(|[x, y]| [x / scale, y / scale - self.centre[1]]);
+            let [mut low, mut high] = each([ends[0], ends[1]], |[x, y]| {
+                [x / scale, y / scale - self.centre[1]]
+            });
             if low[1] > high[1] {
                 std::mem::swap(&mut low, &mut high);
             }
@@ -73,7 +75,9 @@ impl Cylinders {
             };
             for i in self.layer(low[1] - margin)..=self.layer(high[1] + margin) {
                 let [from, to] = [floor(i) - margin, floor(i + 1) + margin];
-                let ends = [share(from, 0.0), share(to, 1.0)].map(|share| low[0] + share * width);
+                let ends = each([share(from, 0.0), share(to, 1.0)], |share| {
+                    low[0] + share * width
+                });
                 let nearest = ends[0].min(ends[1]);
                 least[i] = least[i].min(nearest);
                 let middle = 0.5 * (from + to);

@@ -4,6 +4,7 @@
 //! no surface. No line can be told from one that passes between the two, in whatever precision, so
 //! they go before any line comes. Only exact overlaps are looked for: a layer one ulp thick is one.
 
+use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
 use crate::geometry::number::Real;
 use std::collections::BTreeSet;
@@ -63,7 +64,9 @@ fn along(points: &[[f64; 2]], from: u32, to: u32) -> f64 {
 
 /// The lower and the upper end of a segment, and their coordinates along it.
 fn ends(points: &[[f64; 2]], segment: u32) -> [(f64, u32); 2] {
-    let mut ends = [segment, segment + 1].map(|point| (height(points, segment, point), point));
+    let mut ends = each([segment, segment + 1], |point| {
+        (height(points, segment, point), point)
+    });
     if ends[0].0 > ends[1].0 {
         ends.swap(0, 1);
     }
@@ -104,7 +107,7 @@ fn lines(points: &[[f64; 2]]) -> Vec<Vec<u32>> {
             let mut rest: Vec<u32> = near.iter().map(|&(_, _, i)| i).collect();
             while let Some(&first) = rest.first() {
                 let same = |&i: &u32| {
-                    let ends = [first, first + 1].map(|k| points[k as usize]);
+                    let ends = each([first, first + 1], |k| points[k as usize]);
                     (i..=i + 1).all(|k| is_straight(ends[0], ends[1], points[k as usize]))
                 };
                 let (mut line, others): (Vec<u32>, Vec<u32>) = rest.iter().partition(|i| same(i));
@@ -156,7 +159,7 @@ fn thin_out(points: &[[f64; 2]], line: &[u32], all: &mut Vec<Piece>) {
     // Where a segment begins or ends.
     let mut places: Vec<(f64, u32, u32)> = Vec::new();
     for &i in line {
-        places.extend(ends(points, i).map(|(at, point)| (at, point, i)));
+        places.extend(each(ends(points, i), |(at, point)| (at, point, i)));
     }
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut here: BTreeSet<u32> = BTreeSet::new();

@@ -13,6 +13,7 @@ use super::hull;
 use super::near::Pass;
 use super::{FLIPPED, Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
@@ -66,7 +67,7 @@ impl Revolution {
             all.fold(from, f)
         };
         let scale = normaliser(size(f64::max, 0.0));
-        let mut points: Vec<[f64; 2]> = profile.iter().map(|p| p.map(|x| x * scale)).collect();
+        let mut points: Vec<[f64; 2]> = profile.iter().map(|p| each(*p, |x| x * scale)).collect();
         let ring = profile.first() == profile.last();
         if let (false, Some(&first), Some(&last)) = (ring, points.first(), points.last()) {
             points.insert(0, [0.0, first[1]]);
@@ -89,7 +90,7 @@ impl Revolution {
         let mut length = 0.0;
         for (i, p) in profile.iter().enumerate() {
             if let Some(q) = i.checked_sub(1).map(|i| profile[i]) {
-                let [dx, dy] = [0, 1].map(|k| p[k] * scale - q[k] * scale);
+                let [dx, dy] = each([0, 1], |k| p[k] * scale - q[k] * scale);
                 length += libm::hypot(dx, dy);
             }
             arc.push(length);
@@ -203,7 +204,7 @@ impl Shape for Revolution {
         let (i, share) = self.place(point, face);
         let a = self.colours.get(i)?;
         let b = self.colours.get(i + 1).unwrap_or(a);
-        Some([0, 1, 2].map(|k| a[k] * (1.0 - share) + b[k] * share))
+        Some(each([0, 1, 2], |k| a[k] * (1.0 - share) + b[k] * share))
     }
 
     fn is_convex(&self) -> bool {
@@ -213,7 +214,7 @@ impl Shape for Revolution {
     fn support(&self, face: u32) -> Option<Support> {
         let i = self.segment(face);
         // The scale is a power of two.
-        let ends = [i, i + 1].map(|i| self.points[i].map(|x| x / self.scale));
+        let ends = each([i, i + 1], |i| each(self.points[i], |x| x / self.scale));
         Some(Support::turned(ends))
     }
 
@@ -287,7 +288,7 @@ impl<R: Traced> Intersect<R> for Revolution {
             share = R::ONE - share;
             std::mem::swap(&mut p, &mut q);
         }
-        let [px, py, qx, qy] = [p[0], p[1], q[0], q[1]].map(R::of);
+        let [px, py, qx, qy] = each([p[0], p[1], q[0], q[1]], R::of);
         let (w, h) = (qx - px, qy - py);
         let on = out * (px + share * w);
         let y = py + share * h;
@@ -400,7 +401,7 @@ impl<R: Traced> Close<R> {
         let span = |[a, b]: [Ring<R>; 2]| (a.y.min(b.y), a.y.max(b.y));
         let ((low, high), (bottom, top)) = (span(self.ends), span(other.ends));
         let beside = (high <= bottom || top <= low) && (low, high) != (bottom, top);
-        let mut corners = self.ends.iter().flat_map(|a| other.ends.map(|b| (a, b)));
+        let mut corners = self.ends.iter().flat_map(|a| each(other.ends, |b| (a, b)));
         let corner = corners.any(|(a, b)| (a.radius, a.y) == (b.radius, b.y) && !a.is_uncertain());
         let apart = is_last::<R>() && (corner || (climbs && beside));
         let known = self.piece == other.piece || apart;
@@ -444,7 +445,7 @@ impl Revolution {
     /// Whether a flat part of the surface may be in the level plane of a path.
     fn has_step<R: Traced>(&self, path: &Path<R>) -> bool {
         self.pieces.iter().any(|piece| {
-            let [from, to] = [piece.from, piece.to].map(|i| self.points[i as usize][1]);
+            let [from, to] = each([piece.from, piece.to], |i| self.points[i as usize][1]);
             from == to && path.may_be_at(from)
         })
     }

@@ -16,6 +16,7 @@ pub use cut::Cut;
 
 use super::tree::Run;
 use crate::geometry::affine::Slack;
+use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::closer::is_last;
@@ -275,11 +276,11 @@ impl<R: Traced> Path<R> {
     /// Whether the line surely passes all rings of a run on the same side, and so crosses none of
     /// its segments. Sure is here: [`Path::ring`] says so too.
     pub fn misses(&self, run: &Run) -> bool {
-        let [inner, outer] = run.radius.map(R::of);
+        let [inner, outer] = each(run.radius, R::of);
         if self.is_beyond(outer) {
             return true;
         }
-        let [low, high] = run.y.map(R::of);
+        let [low, high] = each(run.y, R::of);
         let (a, b) = (self.offset(low), self.offset(high));
         let (least, most) = if (a < R::ZERO) == (b < R::ZERO) {
             (a.abs().min(b.abs()), a.abs().max(b.abs()))
