@@ -1,5 +1,7 @@
 //! A plain tree of boxes, halved at the median.
 
+use crate::geometry::array::each;
+
 /// Lower and upper corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds(pub [f64; 3], pub [f64; 3]);
@@ -14,15 +16,15 @@ impl Bounds {
 
     pub fn around(&self, other: &Bounds) -> Bounds {
         Bounds(
-            std::array::from_fn(|i| self.0[i].min(other.0[i])),
-            std::array::from_fn(|i| self.1[i].max(other.1[i])),
+            each([0, 1, 2], |i| self.0[i].min(other.0[i])),
+            each([0, 1, 2], |i| self.1[i].max(other.1[i])),
         )
     }
 
     pub fn common(&self, other: &Bounds) -> Bounds {
         Bounds(
-            std::array::from_fn(|i| self.0[i].max(other.0[i])),
-            std::array::from_fn(|i| self.1[i].min(other.1[i])),
+            each([0, 1, 2], |i| self.0[i].max(other.0[i])),
+            each([0, 1, 2], |i| self.1[i].min(other.1[i])),
         )
     }
 
@@ -30,8 +32,8 @@ impl Bounds {
     fn padded(&self) -> Bounds {
         let pad = |i: usize| 1e-9 * self.0[i].abs().max(self.1[i].abs()).max(1e-300);
         Bounds(
-            std::array::from_fn(|i| self.0[i] - pad(i)),
-            std::array::from_fn(|i| self.1[i] + pad(i)),
+            each([0, 1, 2], |i| self.0[i] - pad(i)),
+            each([0, 1, 2], |i| self.1[i] + pad(i)),
         )
     }
 

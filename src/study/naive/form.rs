@@ -3,6 +3,7 @@
 use super::boxes::{Bounds, Boxes};
 use super::number::{Number, Ray, V, add, cross, dot, scale, sub, unit, vector};
 use super::polynomial::{Few, quadratic, quartic};
+use crate::geometry::array::each;
 use crate::scene::{Geometry, Rgb, TriangleNormals};
 use std::f64::consts::{PI, TAU};
 
@@ -192,7 +193,7 @@ impl<T: Number> Form<T> {
                 }
             }
             Form::Geodesic { facets, boxes } => {
-                boxes.visit(o.map(T::wide), d.map(T::wide), |i| {
+                boxes.visit(each(o, T::wide), each(d, T::wide), |i| {
                     if let Some(t) = facet(&facets[i as usize], ray) {
                         roots.list.push((t, i));
                     }
@@ -233,7 +234,7 @@ impl<T: Number> Form<T> {
                 let [a, b, c] = facets[face as usize];
                 cross(sub(b, a), sub(c, a))
             }
-            Form::Quadric(q) => [0, 1, 2].map(|i| {
+            Form::Quadric(q) => each([0, 1, 2], |i| {
                 let p = [p[0], p[1], p[2], one];
                 let add = |sum: T, j: usize| sum + (q[i][j] + q[j][i]) * p[j];
                 (0..4).fold(zero, add)
@@ -302,7 +303,7 @@ pub fn torus<T: Number>(major: T, minor: T, ray: &Ray<T>, roots: &mut Few<T>) {
         two * b * c - two * four_squares * across(o, d),
         c * c - four_squares * across(o, o),
     ];
-    quartic(coefficients.map(|x| x / lead), roots);
+    quartic(each(coefficients, |x| x / lead), roots);
 }
 
 /// One piece of a cone or disc.
@@ -369,7 +370,7 @@ fn geodesic<T: Number>(radius: T, splits: u32) -> Form<T> {
         unit(p)
     };
     let mut facets: Vec<[V<T>; 3]> = (crate::geometry::icosahedron::FACES.iter())
-        .map(|f| f.map(corner))
+        .map(|f| each(*f, corner))
         .collect();
     for _ in 0..splits {
         let between = |a, b| unit(add(a, b));
@@ -409,7 +410,7 @@ pub fn uv(geometry: &Geometry, p: [f64; 3], face: u32) -> [f64; 2] {
     };
     match geometry {
         Geometry::Sphere { centre, radius } => {
-            let [x, y, z] = [0, 1, 2].map(|i| p[i] - centre[i]);
+            let [x, y, z] = each([0, 1, 2], |i| p[i] - centre[i]);
             let v = (-y / radius).clamp(-1.0, 1.0).acos() / PI;
             [turn((-z).atan2(x)), v]
         }
@@ -432,7 +433,7 @@ pub fn uv(geometry: &Geometry, p: [f64; 3], face: u32) -> [f64; 2] {
                 _ => [part(0), part(1)],
             }
         }
-        Geometry::Rectangle { min, max } => [0, 1].map(|i| part(p[i], min[i], max[i])),
+        Geometry::Rectangle { min, max } => each([0, 1], |i| part(p[i], min[i], max[i])),
         Geometry::Plane(q) | Geometry::HalfSpace(q) => {
             let normal = unit([q[0], q[1], q[2]]);
             let across = match normal[1].abs() > 0.999 {
@@ -518,7 +519,7 @@ pub fn own_colour(geometry: &Geometry, p: [f64; 3], face: u32) -> Option<Rgb> {
     let (i, share) = along(profile, p, face);
     let a = colours.get(i)?;
     let b = colours.get(i + 1).unwrap_or(a);
-    Some([0, 1, 2].map(|k| a[k] * (1.0 - share) + b[k] * share))
+    Some(each([0, 1, 2], |k| a[k] * (1.0 - share) + b[k] * share))
 }
 
 /// The normal that light is reckoned with, where it is another.
@@ -531,7 +532,9 @@ pub fn shading_normal(geometry: &Geometry, p: [f64; 3]) -> Option<[f64; 3]> {
         TriangleNormals::One(n) => Some(*n),
         TriangleNormals::PerVertex(n) => {
             let w = weights(vertices, p);
-            Some([0, 1, 2].map(|c| n[0][c] * w[0] + n[1][c] * w[1] + n[2][c] * w[2]))
+            Some(each([0, 1, 2], |c| {
+                n[0][c] * w[0] + n[1][c] * w[1] + n[2][c] * w[2]
+            }))
         }
     }
 }

@@ -4,6 +4,7 @@ use super::form;
 use super::number::{Number, Ray, V, add, cross, dot, scale, sub, unit, vector};
 use super::trail::{Event, List, Trail};
 use crate::geometry::Matrix;
+use crate::geometry::array::each;
 use crate::scene::{Camera, DEFAULT_COLOUR, DEFAULT_INDEX, Optics, Rgb, Scene, Texture};
 use crate::trace::bitmap::Bitmap;
 use std::sync::Arc;
@@ -40,7 +41,9 @@ impl<T: Number> Lens<T> {
                 let view = [row(right), row(up), row(backward), [o, o, o, T::of(1.0)]];
                 let p = projection.0.map(|row| row.map(T::of));
                 let product = p.map(|row| {
-                    [0, 1, 2, 3].map(|j| (0..4).fold(o, |sum, k| sum + row[k] * view[k][j]))
+                    each([0, 1, 2, 3], |j| {
+                        (0..4).fold(o, |sum, k| sum + row[k] * view[k][j])
+                    })
                 });
                 Some(inverse(product)?)
             }
@@ -70,7 +73,9 @@ impl<T: Number> Lens<T> {
             };
         };
         let unproject = |z: f64| {
-            let [x, y, z, w] = back.map(|r| r[0] * ndc[0] + r[1] * ndc[1] + r[2] * T::of(z) + r[3]);
+            let [x, y, z, w] = each(*back, |r: [T; 4]| {
+                r[0] * ndc[0] + r[1] * ndc[1] + r[2] * T::of(z) + r[3]
+            });
             [x / w, y / w, z / w]
         };
         let (near, far) = (unproject(-1.0), unproject(1.0));
@@ -264,14 +269,16 @@ pub fn radiance<T: Number, W: World<T>>(
     }];
     while let Some(branch) = branches.pop() {
         let Some(found) = first(scenery, world, &branch) else {
-            sum = [0, 1, 2].map(|c| sum[c] + scenery.background[c] * branch.weight[c]);
+            sum = each([0, 1, 2], |c| {
+                sum[c] + scenery.background[c] * branch.weight[c]
+            });
             continue;
         };
         follow(scenery, &branch, &found, &mut branches, rays);
         let light = direct(scenery, world, &found, rays);
-        sum = [0, 1, 2].map(|c| sum[c] + light[c] * branch.weight[c]);
+        sum = each([0, 1, 2], |c| sum[c] + light[c] * branch.weight[c]);
     }
-    sum.map(T::wide)
+    each(sum, T::wide)
 }
 
 fn first<T: Number, W: World<T>>(
@@ -325,7 +332,7 @@ fn located<T: Number, W: World<T>>(
     let geometry = &scenery.scene.shapes[scenery.records[leaf.shape as usize] as usize].geometry;
     let normal = world.normal(leaf.shape, local, event.face);
     let normal = unit(trail.normal(leaf.frame, normal));
-    let coarse = local.map(T::wide);
+    let coarse = each(local, T::wide);
     let mut shading = normal;
     if let Some(own) = form::shading_normal(geometry, coarse) {
         let own = unit(trail.normal(leaf.frame, vector(own)));
@@ -334,7 +341,7 @@ fn located<T: Number, W: World<T>>(
             shading = if cosine > T::of(0.0) {
                 own
             } else {
-                own.map(|x| -x)
+                each(own, |x| -x)
             };
         }
     }
@@ -342,7 +349,7 @@ fn located<T: Number, W: World<T>>(
     let facing = if entering {
         shading
     } else {
-        shading.map(|x| -x)
+        each(shading, |x| -x)
     };
     let optics = *trail.media.optics(&owner.look);
     let colour = match owner.look.texture {
@@ -361,7 +368,7 @@ fn located<T: Number, W: World<T>>(
                 }
                 (Texture::Solid { colours, size }, _) => {
                     let place = trail.frames[frame as usize].ray.at(event.t);
-                    Texture::cell_colour(colours, &place.map(|x| x.wide() / *size))
+                    Texture::cell_colour(colours, &each(place, |x| x.wide() / *size))
                 }
                 (Texture::Image { .. }, Some(bitmap)) => bitmap.colour(uv()),
                 (Texture::Image { .. }, None) => DEFAULT_COLOUR,
@@ -388,7 +395,9 @@ fn direct<T: Number, W: World<T>>(
     rays: &mut RayCounts,
 ) -> V<T> {
     let zero = T::of(0.0);
-    let albedo: V<T> = [0, 1, 2].map(|c| T::of(found.optics.kd[c]) * T::of(found.colour[c]));
+    let albedo: V<T> = each([0, 1, 2], |c| {
+        T::of(found.optics.kd[c]) * T::of(found.colour[c])
+    });
     if albedo.iter().all(|&x| x == zero) {
         return [zero; 3];
     }
@@ -403,10 +412,10 @@ fn direct<T: Number, W: World<T>>(
             };
             rays.sent[1] += 1;
             let seen = visibility(scenery, world, &ray, !found.inside[0]);
-            light = [0, 1, 2].map(|c| light[c] + power[c] * seen[c] * cosine);
+            light = each([0, 1, 2], |c| light[c] + power[c] * seen[c] * cosine);
         }
     }
-    [0, 1, 2].map(|c| albedo[c] * light[c])
+    each([0, 1, 2], |c| albedo[c] * light[c])
 }
 
 /// The product of kt over everything on the way to a light, at t = 1.
@@ -440,7 +449,7 @@ fn visibility<T: Number, W: World<T>>(
     {
         let trail = world.trail();
         let kt = trail.media.optics(trail.look(event.owner)).kt;
-        seen = [0, 1, 2].map(|c| seen[c] * T::of(kt[c]));
+        seen = each([0, 1, 2], |c| seen[c] * T::of(kt[c]));
     }
     seen
 }
@@ -455,7 +464,7 @@ fn follow<T: Number>(
     let (zero, one) = (T::of(0.0), T::of(1.0));
     let d = branch.ray.direction;
     let mut send = |direction: V<T>, share: V<T>, onwards: bool, depth: u32, kind: usize| {
-        let weight: V<T> = [0, 1, 2].map(|c| branch.weight[c] * share[c]);
+        let weight: V<T> = each([0, 1, 2], |c| branch.weight[c] * share[c]);
         let largest = weight
             .into_iter()
             .fold(zero, |m, x| if x > m { x } else { m });

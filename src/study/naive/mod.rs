@@ -17,6 +17,7 @@ pub mod trail;
 pub use number::{Number, Wide};
 pub use solid::Unfit;
 
+use crate::geometry::array::each;
 use crate::parallel;
 use crate::scene::{Camera, Rgb, Scene, Texture};
 use crate::trace::film::developed;
@@ -116,8 +117,8 @@ impl<'s, T: Number> Naive<'s, T> {
     pub fn along(&self, origin: [f64; 3], direction: [f64; 3]) -> Result<Rgb, Unfit> {
         let (scenery, mut solids) = self.ready()?;
         let ray = Ray {
-            origin: origin.map(T::of),
-            direction: direction.map(T::of),
+            origin: each(origin, T::of),
+            direction: each(direction, T::of),
         };
         let mut rays = RayCounts::default();
         let colour = radiance(&scenery, &mut solids, ray, false, &mut rays);

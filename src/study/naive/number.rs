@@ -1,5 +1,6 @@
 //! Plain numbers and vectors of them.
 
+use crate::geometry::array::each;
 use f256::f256;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -164,7 +165,7 @@ impl Neg for Wide {
 pub type V<T> = [T; 3];
 
 pub fn vector<T: Number>(v: [f64; 3]) -> V<T> {
-    v.map(T::of)
+    each(v, T::of)
 }
 
 #[inline]
@@ -179,7 +180,7 @@ pub fn sub<T: Number>(a: V<T>, b: V<T>) -> V<T> {
 
 #[inline]
 pub fn scale<T: Number>(a: V<T>, s: T) -> V<T> {
-    a.map(|x| x * s)
+    [a[0] * s, a[1] * s, a[2] * s]
 }
 
 #[inline]

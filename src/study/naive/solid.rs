@@ -6,6 +6,7 @@ use super::light::{World, back};
 use super::number::{Number, Ray, V};
 use super::trail::{Event, Leaf, List, Look, Media, Operation, Trail};
 use crate::geometry::Matrix;
+use crate::geometry::array::each;
 use crate::scene::{DEFAULT_INDEX, Geometry, Node, NodeId, Scene, Texture};
 use crate::solids::shapes::facts::Facts as _;
 use rustc_hash::FxHashMap;
@@ -146,9 +147,11 @@ impl<'s, T: Number> Solids<'s, T> {
             } => {
                 let ray = self.trail.frames[frame as usize].ray;
                 let mut near = loose.clone();
-                boxes.visit(ray.origin.map(T::wide), ray.direction.map(T::wide), |i| {
-                    near.push(i)
-                });
+                boxes.visit(
+                    each(ray.origin, T::wide),
+                    each(ray.direction, T::wide),
+                    |i| near.push(i),
+                );
                 near.sort_unstable();
                 let near: Vec<u32> = near.into_iter().map(|i| parts[i as usize]).collect();
                 let mut all = List::default();

@@ -2,6 +2,7 @@
 //! "Ray Casting for Modeling Solids", 1982).
 
 use super::number::{Number, Ray, V, dot};
+use crate::geometry::array::each;
 use crate::scene::{DEFAULT_INDEX, Optics, Rgb};
 
 /// A space on the way down to a shape.
@@ -125,8 +126,8 @@ impl<T> Default for Trail<T> {
 pub fn through<T: Number>(back: &[[T; 4]; 3], ray: &Ray<T>) -> Ray<T> {
     let row = |i: usize, v: V<T>| dot([back[i][0], back[i][1], back[i][2]], v);
     Ray {
-        origin: [0, 1, 2].map(|i| row(i, ray.origin) + back[i][3]),
-        direction: [0, 1, 2].map(|i| row(i, ray.direction)),
+        origin: each([0, 1, 2], |i| row(i, ray.origin) + back[i][3]),
+        direction: each([0, 1, 2], |i| row(i, ray.direction)),
     }
 }
 
@@ -164,7 +165,7 @@ impl<T: Number> Trail<T> {
         while frame != 0 {
             let here = &self.frames[frame as usize];
             let m = &here.back;
-            normal = [0, 1, 2].map(|i| dot([m[0][i], m[1][i], m[2][i]], normal));
+            normal = each([0, 1, 2], |i| dot([m[0][i], m[1][i], m[2][i]], normal));
             frame = here.parent;
         }
         normal

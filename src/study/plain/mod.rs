@@ -10,6 +10,7 @@ use super::naive::light::{Lens, RayCounts, Scenery, World, back, radiance};
 use super::naive::number::{Number, Ray, V};
 use super::naive::trail::{Event, Leaf, List, Look, Media, Operation, Trail};
 use crate::diagnostics::{Complaint, Error};
+use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{Beam, Child, Frame, Is, Tree, WIDTH};
@@ -188,8 +189,8 @@ impl<T: Number> Pixels for Plain<'_, T> {
                 &mut self.rays,
             );
             // A plain kernel may come to no number; a picture shows black there.
-            let light = light.map(|c| if c.is_finite() { c } else { 0.0 });
-            sum = [0, 1, 2].map(|c| sum[c] + light[c]);
+            let light = each(light, |c| if c.is_finite() { c } else { 0.0 });
+            sum = each([0, 1, 2], |c| sum[c] + light[c]);
         }
         sum
     }
@@ -235,7 +236,7 @@ impl<T: Number> Pixels for Plain<'_, T> {
 
 /// A ray as boxes see it, as far as its numbers have it.
 fn beam<T: Number>(ray: &Ray<T>, frame: &Frame) -> Beam {
-    let [origin, direction] = [ray.origin, ray.direction].map(|v| Vec3(v.map(T::wide)));
+    let [origin, direction] = each([ray.origin, ray.direction], |v| Vec3(each(v, T::wide)));
     Beam::new(&Line::new(origin, direction), frame)
 }
 
@@ -371,7 +372,7 @@ impl<'a, T: Number> Walker<'a, T> {
         let beam = &self.contexts[context as usize].beam;
         let node = &group.tree.nodes[node as usize];
         self.boxes += WIDTH as u64;
-        let ends = [from, best.t].map(|t| beam.pace(t.wide()));
+        let ends = each([from, best.t], |t| beam.pace(t.wide()));
         let entry = |near, child| (T::of(beam.unpace(near)), context, child);
         let stack = &mut self.stack;
         let base = stack.len();

@@ -1,5 +1,6 @@
 //! Other ways to the roots of tori and surfaces of revolution, in doubles.
 
+use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
 use crate::geometry::line::Line;
 use crate::geometry::number::Real as _;
@@ -94,7 +95,7 @@ impl Solver for Other {
             _ => 0.0,
         };
         let ray = Ray {
-            origin: [0, 1, 2].map(|i| o[i] + moved * d[i]),
+            origin: each([0, 1, 2], |i| o[i] + moved * d[i]),
             direction: d,
         };
         known.cross(&ray, moved, roots);

@@ -7,6 +7,7 @@ use std::cmp::Ordering;
 
 impl<R: Precision> Spans<R> {
     /// Sorts the events of the lists from `base` on; operands keep their order at equal t.
+    #[inline]
     pub fn sort(&mut self, base: usize) {
         let Spans {
             lists,
@@ -21,8 +22,9 @@ impl<R: Precision> Spans<R> {
         for (i, list) in lists.iter().enumerate() {
             scratch.before.push(list.start);
             let end = lists.get(i + 1).map_or(events.len(), |next| next.begin);
-            let own = (list.begin..end).map(|j| (events[j].t(), i as u32, j as u32));
-            scratch.order.extend(own);
+            for (event, j) in events[list.begin..end].iter().zip(list.begin as u32..) {
+                scratch.order.push((event.t(), i as u32, j));
+            }
         }
         scratch.order.sort_unstable_by(|a, b| {
             // Zeros of both signs are one place, and nothing here is NaN.

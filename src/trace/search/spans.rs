@@ -101,9 +101,9 @@ impl<R: Precision> Walker<'_, R> {
         let part = self.part(leaf.part);
         let primitive = match part.target {
             Target::Object(object) => {
-                let context = self.enter(leaf.context, leaf.part, object);
-                let task = context.map(|context| Task::Object { context });
-                self.spans.tasks.extend(task);
+                if let Some(context) = self.enter(leaf.context, leaf.part, object) {
+                    self.spans.tasks.push(Task::Object { context });
+                }
                 return;
             }
             Target::Shape(primitive) => primitive,
@@ -163,7 +163,9 @@ impl<R: Precision> Walker<'_, R> {
         let (from, to) = (from.to_f64(), to.to_f64());
         let (from, to) = (beam.pace(from), beam.pace(to));
         self.nodes.clear();
-        self.nodes.extend(group.tree.nodes.first().map(|_| 0));
+        if !group.tree.nodes.is_empty() {
+            self.nodes.push(0);
+        }
         while let Some(node) = self.nodes.pop() {
             let node = &group.tree.nodes[node as usize];
             self.counts.boxes += WIDTH as u64;

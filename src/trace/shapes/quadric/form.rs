@@ -153,16 +153,19 @@ impl Form {
     }
 
     /// The coefficient of a pair of axes, as exact as the number can have it.
+    #[inline]
     pub(super) fn mixed<R: Traced>(&self, k: usize) -> R {
         whole(self.mixed[k], self.rest[0][k])
     }
 
     /// The coefficient of an axis, as exact as the number can have it.
+    #[inline]
     pub(super) fn linear<R: Traced>(&self, i: usize) -> R {
         whole(self.linear[i], self.rest[1][i])
     }
 
     /// Whether a coefficient of the second degree, the square's or the pair's, is rounded.
+    #[inline]
     pub(super) fn is_rounded<R: Traced>(&self, i: usize, pair: bool) -> bool {
         let (x, rest) = match pair {
             true => (self.mixed[i], self.rest[0][i]),
@@ -178,6 +181,7 @@ impl Form {
     }
 
     /// w²·F(x/w), and the sum of the sizes of its terms.
+    #[inline]
     pub(super) fn value<R: Traced>(&self, x: Vec3<R>, w: R) -> (R, R) {
         let mut sum = R::of(self.constant) * w * w;
         let mut size = sum.abs();
@@ -196,6 +200,7 @@ impl Form {
     }
 
     /// The gradient of F at x, in the form's own units.
+    #[inline]
     fn gradient<R: Traced>(&self, x: Vec3<R>) -> Vec3<R> {
         let mut g = Vec3(each([0, 1, 2], |i| {
             R::of(2.0 * self.square[i]) * x[i] + self.linear::<R>(i)
@@ -208,6 +213,7 @@ impl Form {
         g
     }
 
+    #[inline]
     pub(super) fn units<R: Traced>(&self) -> Vec3<R> {
         Vec3(each(self.unit, R::of))
     }
@@ -216,6 +222,7 @@ impl Form {
     /// where the line is there; zero where that says nothing.
     ///
     /// [`Intersect::speed`]: crate::trace::shapes::Intersect::speed
+    #[inline]
     pub(super) fn speed<R: Traced>(&self, line: &Line<R>, t: R) -> R {
         let unit = self.units::<R>();
         let gradient = self.gradient(line.at(t).zip(unit, |p, s| p / s));

@@ -21,11 +21,13 @@ const UNDERFLOW: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
 impl<R: Traced> Bounded<R> {
     /// Whether the sign may be another than the value's.
+    #[inline]
     pub fn is_doubtful(self) -> bool {
         self.error > R::ZERO && self.value.abs() <= self.error
     }
 
     /// Whether to take it for zero: where it is, and, where decisions are final, where it may be.
+    #[inline]
     pub fn is_zero(self) -> bool {
         self.value == R::ZERO || (is_final::<R>() && self.is_doubtful())
     }
@@ -33,6 +35,7 @@ impl<R: Traced> Bounded<R> {
 
 /// x/y. Its error is that of x over y, and y's relative one, both by the least that y may be; where
 /// that is zero there is no bound.
+#[inline]
 fn quotient<R: Traced>(x: Bounded<R>, y: Bounded<R>) -> Bounded<R> {
     let value = x.value / y.value;
     let least = y.value.abs() - y.error;
@@ -321,6 +324,7 @@ impl<R: Traced> Chord<R> {
     }
 
     /// The line's t at τ.
+    #[inline]
     pub fn t(&self, tau: R) -> R {
         (self.start + tau / self.w / self.stretch) / self.length
     }
@@ -348,6 +352,7 @@ impl<R: Traced> Chord<R> {
 /// Appends crossings, ascending. Two at the same t are a touch and cancel, though another number
 /// might tell them apart; one beyond the finite numbers is at infinity, which changes what is
 /// inside there or is never reached.
+#[inline]
 pub(super) fn push_all<R: Traced, const N: usize>(roots: &mut Roots<R>, list: [(R, u32); N]) {
     for (t, face) in list {
         if t.is_finite() {
