@@ -413,6 +413,24 @@ fn what_is_wanted_can_be_changed() {
     assert_eq!(labels(&mut s), ["ball", "half-space"]);
 }
 
+/// An action of the whole file gets its edit when it is asked for, and keeps what else is in it.
+#[test]
+fn an_action_is_resolved() {
+    let mut s = Session::start(rich(), Value::Null);
+    s.open(A, SCENE);
+    let context = json!({ "diagnostics": [], "only": ["source.fixAll"] });
+    let params = with(with(file(), "range", everything()), "context", context);
+    let offered = s.ask("textDocument/codeAction", params)[0].clone();
+    assert_eq!(offered["edit"], Value::Null);
+    let resolved = s.ask("codeAction/resolve", offered.clone());
+    let edit = &resolved["edit"]["documentChanges"][0]["edits"][0];
+    assert_eq!(edit["newText"], "7 14 3 0.5\n");
+    assert_eq!(
+        with(resolved, "edit", Value::Null),
+        with(offered, "edit", Value::Null)
+    );
+}
+
 /// Wrong parameters, unknown methods, files that were never opened: an error each, and the next answer is right.
 #[test]
 fn nonsense_is_refused() {
@@ -671,6 +689,14 @@ fn it_ends_with_its_input() {
     let (said, status) = spoken_to(all.as_bytes());
     assert_eq!(status, Some(0));
     assert!(said.contains(r#""id":2"#), "{said}");
+
+    // Of what a client says of itself, the server passes over what it cannot read.
+    let odd = json!({ "textDocument": { "hover": 7 }, "window": "yes", "new": {} });
+    let odd = json!({ "id": 1, "method": "initialize", "params": { "processId": "x", "capabilities": odd } });
+    let all = [&frame(odd), &initialized, &shutdown, &exit].map(String::from);
+    let (said, status) = spoken_to(all.concat().as_bytes());
+    assert_eq!(status, Some(0));
+    assert!(said.contains("hoverProvider"), "{said}");
 }
 
 /// A file that was never saved, and one whose characters were lost when it was read in another encoding.

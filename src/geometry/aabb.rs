@@ -1,8 +1,7 @@
 //! Axis-aligned boxes whose sides may be infinitely far away.
 
 use super::affine::Affine;
-use super::array::each;
-use super::array::length;
+use super::array::{each, length};
 use super::line::Line;
 use super::matrix::Matrix;
 use super::vec::gamma;

@@ -1,7 +1,7 @@
 //! The little vector algebra of doubles that a scene's geometry needs.
 
-/// The same function of every element. `[T; N]::map` computes the same, but is inlined only where the compiler has put it
-/// into the same codegen unit as its caller; this is inlined everywhere. An empty array is refused when it is compiled.
+/// The same function of every element. `[T; N]::map` and `array::from_fn` compute the same, but are inlined only where the
+/// compiler has put them into the codegen unit of their caller. An empty array does not compile.
 #[inline]
 pub fn each<T: Copy, U: Copy, const N: usize>(all: [T; N], mut f: impl FnMut(T) -> U) -> [U; N] {
     const { assert!(N > 0) };
@@ -57,7 +57,7 @@ pub fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
 /// second as long.
 pub fn across(n: [f64; 3]) -> [[f64; 3]; 2] {
     let least = (0..3).fold(0, |i, j| if n[j].abs() < n[i].abs() { j } else { i });
-    let axis = std::array::from_fn(|i| f64::from(u8::from(i == least)));
+    let axis = each([0, 1, 2], |i| f64::from(u8::from(i == least)));
     let u = cross(n, axis);
     [u, cross(n, u)]
 }

@@ -1,10 +1,10 @@
 //! 4×4 matrices that act on column vectors.
 
-use super::array::each;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use dashu_int::IBig;
 
+use super::array::each;
 use super::exact;
 
 /// A 4×4 matrix, row by row.

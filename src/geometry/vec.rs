@@ -14,8 +14,17 @@ pub const fn gamma(n: u32) -> f64 {
 }
 
 /// A point, a vector or a colour.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Vec3<R = f64>(pub [R; 3]);
+
+/// As it would be derived, and inlined.
+impl<R: PartialEq> PartialEq for Vec3<R> {
+    #[inline]
+    fn eq(&self, other: &Vec3<R>) -> bool {
+        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
+        a == x && b == y && c == z
+    }
+}
 
 impl<R: Real> Vec3<R> {
     pub const ZERO: Vec3<R> = Vec3([R::ZERO; 3]);

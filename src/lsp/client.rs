@@ -30,7 +30,7 @@ pub struct Client {
     pub refreshes_hints: bool,
     pub refreshes_diagnostics: bool,
     /// The process that is to be outlived by no server.
-    pub process: Option<i32>,
+    pub process: Option<u32>,
 }
 
 /// What the user wants; the client sends it at the start and when it changes.
@@ -80,9 +80,9 @@ impl Preferences {
 }
 
 impl Client {
-    /// What the parameters of `initialize` say. A capability is one that the client lacks if it cannot be understood.
+    /// What the parameters of `initialize` say. What cannot be understood counts as not said.
     ///
-    /// The fields are looked up one by one. Code that reads all that the protocol lets a client say took half a megabyte.
+    /// The fields are looked up one by one: a deserialiser of all parameters took half a megabyte of the program.
     pub fn of(sent: &Value, language: Language) -> Client {
         let capability = |path: &str| sent.pointer(&format!("/capabilities/{path}"));
         let can = |path: &str| capability(path) == Some(&Value::Bool(true));
@@ -105,17 +105,97 @@ impl Client {
             watches_files: can("workspace/didChangeWatchedFiles/dynamicRegistration"),
             refreshes_hints: can("workspace/inlayHint/refreshSupport"),
             refreshes_diagnostics: can("workspace/diagnostics/refreshSupport"),
-            process: sent["processId"].as_i64().and_then(|id| id.try_into().ok()),
+            process: sent["processId"].as_u64().and_then(|id| id.try_into().ok()),
         }
     }
 }
 
 /// The folders that the client has open.
 pub fn folders(sent: &Value) -> Vec<Uri> {
-    let uri = |uri: &Value| Some(Uri(uri.as_str()?.to_owned()));
+    let read = |uri: &Value| uri.as_str().map(Uri::from);
     match sent["workspaceFolders"].as_array() {
-        Some(all) => all.iter().filter_map(|f| uri(&f["uri"])).collect(),
+        Some(all) => all.iter().filter_map(|f| read(&f["uri"])).collect(),
         // What older clients send.
-        None => uri(&sent["rootUri"]).into_iter().collect(),
+        None => read(&sent["rootUri"]).into_iter().collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn said(sent: Value) -> Client {
+        Client::of(&sent, Language::English)
+    }
+
+    /// What has another form than the protocol's is passed over, and so is what is unknown.
+    #[test]
+    fn what_cannot_be_read_counts_as_not_said() {
+        let silent = format!("{:?}", said(json!({})));
+        for sent in [
+            json!(null),
+            json!([1]),
+            json!({ "processId": null, "locale": 7, "clientInfo": [], "capabilities": null }),
+            json!({ "processId": -1, "capabilities": {
+                "general": { "positionEncodings": ["utf-7", 3] },
+                "textDocument": {
+                    "diagnostic": true,
+                    "hover": { "contentFormat": "plaintext" },
+                    "codeAction": { "resolveSupport": ["edit"] },
+                    "completion": { "completionItem": { "snippetSupport": "yes" } },
+                },
+                "window": 1,
+                "workspace": { "inlayHint": { "refreshSupport": null } },
+                "future": { "of": "any kind" },
+            } }),
+        ] {
+            assert_eq!(format!("{:?}", said(sent.clone())), silent, "{sent}");
+        }
+    }
+
+    #[test]
+    fn what_is_said_counts() {
+        let client = said(json!({
+            "processId": 4_000_000_000u32,
+            "locale": "cs-CZ",
+            "clientInfo": { "name": "Eglot" },
+            "capabilities": {
+                "general": { "positionEncodings": ["utf-7", 3, "utf-16", "utf-32"] },
+                "textDocument": {
+                    "diagnostic": {},
+                    "hover": { "contentFormat": ["plaintext"] },
+                    "codeAction": { "resolveSupport": { "properties": ["command", "edit"] } },
+                },
+            },
+        }));
+        assert_eq!(client.process, Some(4_000_000_000));
+        assert_eq!(client.units, Units::Utf32);
+        assert_eq!(client.language, Language::Czech);
+        assert!(client.pulls && client.resolves_edits);
+        assert!(!client.markdown && !client.shows_parameters && !client.snippets);
+    }
+
+    #[test]
+    fn folders_are_those_of_the_workspace_or_the_root() {
+        let list = json!([{ "uri": "file:///a", "name": "a" }, { "name": "b" }]);
+        let root = "file:///r";
+        for (sent, all) in [
+            (
+                json!({ "workspaceFolders": list, "rootUri": root }),
+                vec!["file:///a"],
+            ),
+            (json!({ "workspaceFolders": [], "rootUri": root }), vec![]),
+            (
+                json!({ "workspaceFolders": null, "rootUri": root }),
+                vec![root],
+            ),
+            (json!({ "rootUri": root }), vec![root]),
+            (json!({ "rootUri": null }), vec![]),
+            (json!(null), vec![]),
+        ] {
+            let all: Vec<Uri> = all.into_iter().map(Uri::from).collect();
+            assert_eq!(folders(&sent), all, "{sent}");
+        }
     }
 }

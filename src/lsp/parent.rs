@@ -9,10 +9,7 @@ use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 const STEP: Duration = Duration::from_secs(1);
 
 /// Ends this program soon after the process with this number has ended, if it does not end by itself.
-pub fn end_with(process: i32) {
-    let Ok(process) = u32::try_from(process) else {
-        return;
-    };
+pub fn end_with(process: u32) {
     thread::spawn(move || {
         let pid = Pid::from_u32(process);
         let mut system = System::new();

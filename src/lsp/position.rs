@@ -5,7 +5,6 @@ use std::cell::Cell;
 
 use gen_lsp_types::{Position, PositionEncodingKind, Range};
 use memchr::memchr2;
-use serde::Deserialize;
 use serde_json::Value;
 
 use crate::diagnostics::{SourceFile, Span};
@@ -23,12 +22,12 @@ pub enum Units {
 impl Units {
     /// The best of what a client offers, by its names in the protocol: bytes need no counting.
     pub fn chosen(offered: &[Value]) -> Units {
-        let kinds: Vec<_> = (offered.iter())
-            .filter_map(|name| PositionEncodingKind::deserialize(name).ok())
-            .collect();
-        let is_offered = |units: &Units| kinds.contains(&units.kind());
-        let best = [Units::Utf8, Units::Utf32].into_iter().find(is_offered);
-        best.unwrap_or_default()
+        let offers = |name: &str| offered.iter().any(|o| o == name);
+        match () {
+            () if offers("utf-8") => Units::Utf8,
+            () if offers("utf-32") => Units::Utf32,
+            () => Units::Utf16,
+        }
     }
 
     pub fn kind(self) -> PositionEncodingKind {

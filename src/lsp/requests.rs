@@ -342,7 +342,7 @@ fn whole_edits(file: &Snapshot, kind: &str) -> Vec<Edit> {
     }
 }
 
-/// `codeAction/resolve` of an action that is sent back as it was, plus its edit.
+/// `codeAction/resolve`: the action comes back as it was sent, with its edit added.
 enum ResolveAction {}
 
 impl Request for ResolveAction {

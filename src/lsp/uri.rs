@@ -27,7 +27,13 @@ mod tests {
         let path = path_of(&uri).unwrap();
         assert_eq!(path, Path::new("/a b/ř#.zpg"));
         assert_eq!(uri_of(&path), Some(uri));
-        for other in ["untitled:Untitled-1", "http://a/b.zpg", "nonsense", ""] {
+        for other in [
+            "untitled:Untitled-1",
+            "http://a/b.zpg",
+            "file://Sé/b.zpg",
+            "nonsense",
+            "",
+        ] {
             assert_eq!(path_of(&Uri::from(other)), None);
         }
     }

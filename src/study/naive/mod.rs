@@ -4,7 +4,8 @@
 //!
 //! In `f32` and `f64` it shows what becomes of hard scenes. In [`Wide`] numbers of 71 digits all of this is
 //! harmless, and it says what is right: it follows every ray of a pixel, from the camera record on, and
-//! shares nothing with the tracer but the resolved scene and the decoded pictures of its textures.
+//! shares with the tracer only the resolved scene, the decoded pictures of its textures and, of
+//! [`geometry`](crate::geometry), matrices and arrays.
 
 pub mod boxes;
 pub mod form;

@@ -159,7 +159,7 @@ impl<R: Precision> Walker<'_, R> {
         let (first, alone) = self.nearest(ray, (from, to), Search::First, end)?;
         let (leaf, root) = (first.place.leaf, first.place.root);
         let optics = self.graph.optics[self.optics(first.owner) as usize];
-        if ray.outside && (!GLASS || optics.kt == [0.0; 3]) {
+        if ray.outside && (!GLASS || !Vec3(optics.kt).any()) {
             // A hit is large, and changed where it is.
             let mut found = self.resolve(ray, leaf, root, first.owner);
             if let Some(hit) = &mut found {

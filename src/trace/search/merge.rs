@@ -7,7 +7,6 @@ use std::cmp::Ordering;
 
 impl<R: Precision> Spans<R> {
     /// Sorts the events of the lists from `base` on; operands keep their order at equal t.
-    #[inline]
     pub fn sort(&mut self, base: usize) {
         let Spans {
             lists,

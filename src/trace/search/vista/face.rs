@@ -132,12 +132,14 @@ impl Face {
         let (sum, difference) = (x + y, x - y);
         // One branch: the processor could not predict eight.
         let at = f32x8::new([x, y, sum, difference, -x, -y, -sum, -difference]);
+        // `filter` is not inlined here; see CONTRIBUTING.md on codegen units.
         let mut rest = list.iter();
         iter::from_fn(move || rest.find(|seen| f32x8::new(seen.sides).simd_le(at).all()))
     }
 }
 
 /// The cell of a row that a coordinate is in, or that is nearest to it.
+#[inline]
 fn cell(x: f32, side: usize) -> usize {
     (x.max(0.0) as usize).min(side - 1)
 }

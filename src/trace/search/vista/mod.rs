@@ -105,6 +105,7 @@ impl Vista {
         let face = &self.faces[axis][usize::from(largest > 0.0)];
         let per_depth = largest.abs().recip();
         let mut behind = face.behind(each(across, |component| component * per_depth));
+        // As in `Face::behind`.
         iter::from_fn(move || {
             let seen = behind.next()?;
             Some((f64::from(seen.near), &self.bodies[seen.index as usize]))

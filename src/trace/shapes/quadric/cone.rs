@@ -72,8 +72,9 @@ impl Cone {
         let Some(stretch) = approach.between(1, low, high) else {
             return Pass::Beside;
         };
-        let [p, d] = [approach.point, approach.direction]
-            .map(|v| Vec3::new(v[0] / radius, v[1] / height, v[2] / radius));
+        let [p, d] = each([approach.point, approach.direction], |v| {
+            Vec3::new(v[0] / radius, v[1] / height, v[2] / radius)
+        });
         let form = |v: Vec3, w: Vec3| v[0] * w[0] + v[2] * w[2] - v[1] * w[1];
         let margin = MARGIN * (size / radius.min(height)).powi(2);
         let coefficients @ [a, b, c] = [form(d, d), form(p, d), form(p, p)];

@@ -53,8 +53,9 @@ impl Shape for Ellipsoid {
             Ball::Unknown => return Pass::Perhaps,
             Ball::Meets(approach) => approach,
         };
-        let [p, d] = [approach.point, approach.direction]
-            .map(|v| Vec3(each([0, 1, 2], |i| v[i] / self.semi_axes[i])));
+        let [p, d] = each([approach.point, approach.direction], |v| {
+            Vec3(each([0, 1, 2], |i| v[i] / self.semi_axes[i]))
+        });
         let (a, b) = (d.dot(d), p.dot(d));
         let form = p.dot(p) - 1.0 - b * b / a;
         // In units of the shortest axis.

@@ -83,7 +83,7 @@ impl Form {
             each([0, 1, 2], |i| both(i, 3)),
         );
         Form {
-            square: std::array::from_fn(|i| at(i, i)),
+            square: each([0, 1, 2], |i| at(i, i)),
             mixed: each(mixed, |x| x.0),
             linear: each(linear, |x| x.0),
             rest: each([mixed, linear], |list| each(list, |x| x.1)),
