@@ -1,4 +1,4 @@
-//! The little vector algebra of doubles that a scene's geometry needs.
+//! The little algebra of plain arrays that a scene's geometry needs: a function of every element, vectors of doubles.
 
 /// The same function of every element. `[T; N]::map` and `array::from_fn` compute the same, but are inlined only where the
 /// compiler has put them into the codegen unit of their caller. An empty array does not compile.
