@@ -244,27 +244,29 @@ fn a_checkerboard_by_arithmetic() {
 fn refraction_through_a_sphere_by_snell() {
     // A glass ball before a background of planes: follow the same ray by trigonometry.
     use zpg::geometry::vec::Vec3;
-    use zpg::trace::{Ray, Tracer};
+    use zpg::trace::within::Within;
+    use zpg::trace::{Hit, Ray, Tracer};
     let mut b = Builder::default();
     let ball = b.sphere(0.0, 0.0, 0.0, 1.0);
     let ball = b.made_of(ball, CLEAR, 1.5);
     let tracer = Tracer::new(&b.render(ball, [0.0; 3])).unwrap();
     let mut walker = tracer.walker();
+    let indices = |hit: &Hit| hit.indices.map(|i| tracer.graph.indices[i as usize]);
     for i in 1..100 {
         let offset = f64::from(i) / 100.0;
         let d = Vec3::new(0.0, 0.0, -1.0);
         let mut ray = Ray::new(Vec3::new(offset, 0.0, 5.0), d);
-        ray.outside = true;
+        ray.within = Within::Outside;
         let first = tracer.hit(&mut walker, &ray).unwrap();
         assert_eq!(
-            (first.indices, first.inside),
+            (indices(&first), first.inside),
             ([[1.0; 3], [1.5; 3]], [false, true])
         );
         let into = zpg::trace::shade::refract(d, first.facing(), 1.0 / 1.5).unwrap();
         let ray = first.leave(into, true);
         let second = tracer.hit(&mut walker, &ray).unwrap();
         assert_eq!(
-            (second.indices, second.inside),
+            (indices(&second), second.inside),
             ([[1.5; 3], [1.0; 3]], [true, false])
         );
         let out = zpg::trace::shade::refract(into, second.facing(), 1.5).unwrap();
@@ -338,9 +340,10 @@ fn touching_glass_is_one_block() {
             let Some(hit) = tracer.hit(&mut walker, &ray) else {
                 break;
             };
-            assert_eq!(hit.indices[0][0], *indices.last().unwrap());
-            indices.push(hit.indices[1][0]);
-            let ratio = hit.indices[0][0] / hit.indices[1][0];
+            let [before, behind] = hit.indices.map(|i| tracer.graph.indices[i as usize][0]);
+            assert_eq!(before, *indices.last().unwrap());
+            indices.push(behind);
+            let ratio = before / behind;
             let bent = zpg::trace::shade::refract(ray.line.direction, hit.facing(), ratio);
             ray = hit.leave(bent.unwrap(), true);
         }

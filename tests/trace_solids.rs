@@ -5,6 +5,7 @@ use trace_support::*;
 use zpg::geometry::Matrix;
 use zpg::geometry::vec::Vec3;
 use zpg::scene::*;
+use zpg::trace::within::Within;
 use zpg::trace::{Ray, Tracer};
 
 /// Whether a point is in a node, from the definition of each shape and operation.
@@ -172,7 +173,9 @@ fn first_hits_are_first_crossings() {
         for _ in 0..50 {
             let mut ray = r.ray(5.0);
             let all = tracer.crossings(&mut walker, &ray);
-            ray.outside = !tracer.holds(&mut walker, ray.line.origin);
+            if !tracer.holds(&mut walker, ray.line.origin) {
+                ray.within = Within::Outside;
+            }
             let hit = tracer.hit(&mut walker, &ray);
             assert_eq!(hit.map(|h| h.t), all.first().map(|c| c.hit.t));
         }
@@ -321,7 +324,7 @@ fn a_billion_spheres_from_thirty_moved_copies() {
         let height = r.within(0.45, 0.55);
         let origin = cell + Vec3::new(r.within(-0.2, 0.2), r.within(-0.2, 0.2), height);
         let mut ray = Ray::new(origin, Vec3::new(0.0, 0.0, -1.0));
-        ray.outside = true;
+        ray.within = Within::Outside;
         let hit = tracer.hit(&mut walker, &ray).expect("a sphere below");
         let d = origin - cell;
         let t = d[2] - (0.16 - d[0] * d[0] - d[1] * d[1]).sqrt();

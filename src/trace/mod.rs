@@ -39,6 +39,7 @@ pub mod stats;
 pub mod surfaces;
 pub mod switches;
 mod tracer;
+pub mod within;
 
 pub use costs::CostMap;
 pub use film::Film;

@@ -12,6 +12,7 @@ use super::search::vista::{self, Vista, Vistas};
 use super::shade::{Features, Limits, Shader};
 use super::stats::Counts;
 use super::tracer::{Light, Tracer};
+use super::within::Within;
 use crate::diagnostics::{Error, Span};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
@@ -256,7 +257,10 @@ impl Tracer {
             vistas: self.vistas(&view, lights, features, settings),
             lights,
             limits,
-            outside,
+            within: match outside {
+                true => Within::Outside,
+                false => Within::Unknown,
+            },
             shift: settings.shift,
             features,
             view,
@@ -277,7 +281,8 @@ pub(super) struct Drawing<'t> {
     lights: &'t [Light],
     limits: Limits,
     pub(super) view: View,
-    pub(super) outside: bool,
+    /// Where camera rays start.
+    pub(super) within: Within,
     shift: [f64; 2],
     features: Features,
     vistas: Vistas,
@@ -508,7 +513,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         let ray = self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy);
         match ray.map(|ray| ray.cast::<R>()) {
             Some(mut ray) if ray.line.is_sound() => {
-                ray.outside = self.drawing.outside;
+                ray.within = self.drawing.within;
                 Vec3(self.shader.radiance(&ray))
             }
             _ => Vec3::ZERO,

@@ -117,7 +117,7 @@ impl<R: Precision> Pixels for Single<'_, '_, R> {
         if !ray.line.is_sound() {
             return None;
         }
-        ray.outside = drawing.outside;
+        ray.within = drawing.within;
         let probe = drawing.tracer.probe(&mut self.walkers, &ray);
         let first = probe.crossings.first()?;
         Some(Seen {

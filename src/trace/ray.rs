@@ -1,6 +1,7 @@
 //! Rays, with what they know about where they start.
 
 use super::shapes::support::Passage;
+use super::within::Within;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 
@@ -27,10 +28,8 @@ pub struct Left<R = f64> {
 pub struct Ray<R: Traced = f64> {
     pub line: Line<R>,
     pub left: Option<Left<R>>,
-    /// Known to start outside of every solid.
-    pub outside: bool,
-    /// The number of the only solid that it starts in, if that is known: a shape, or an intersection.
-    pub within: Option<u64>,
+    /// What it starts in.
+    pub within: Within,
 }
 
 impl<R: Traced> Ray<R> {
@@ -40,9 +39,14 @@ impl<R: Traced> Ray<R> {
         Ray {
             line: Line::new(origin, direction),
             left: None,
-            outside: false,
-            within: None,
+            within: Within::Unknown,
         }
+    }
+
+    /// Whether it is known to start outside of every solid.
+    #[inline]
+    pub fn is_outside(&self) -> bool {
+        matches!(self.within, Within::Outside)
     }
 
     /// In another kind of number, rounded.
@@ -57,7 +61,6 @@ impl<R: Traced> Ray<R> {
                 skin: S::of_parts(left.skin.parts()),
                 passage: left.passage,
             }),
-            outside: self.outside,
             within: self.within,
         }
     }

@@ -7,10 +7,11 @@ use super::search::hit::Hit;
 use super::search::vista::{End, Vistas};
 use super::stats::{Counts, Intersections, Rays, Work};
 use super::tracer::{Light, Tracer};
+use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
-use crate::scene::Rgb;
+use crate::scene::{Optics, Rgb};
 
 /// When a path of light is given up.
 #[derive(Debug, Clone, Copy)]
@@ -154,7 +155,7 @@ impl<'t, R: Precision> Shader<'t, R> {
 
     /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V)
     fn direct(&mut self, hit: &Hit<R>) -> Vec3 {
-        let albedo = Vec3(hit.optics.kd).times(Vec3(hit.colour));
+        let albedo = Vec3(self.optics(hit).kd).times(Vec3(hit.colour));
         if !albedo.any() {
             return Vec3::ZERO;
         }
@@ -184,6 +185,10 @@ impl<'t, R: Precision> Shader<'t, R> {
         albedo.times(light)
     }
 
+    fn optics(&self, hit: &Hit<R>) -> &'t Optics {
+        &self.tracer.graph.optics[hit.optics as usize]
+    }
+
     /// The share of light that gets through along a ray from a hit, up to t = 1.
     fn visibility(&mut self, hit: &Hit<R>, ray: &Ray<R>, light: usize) -> Vec3 {
         if !self.features.shadows || (self.tracer.plan.lone_convex && !hit.inside[0]) {
@@ -202,14 +207,17 @@ impl<'t, R: Precision> Shader<'t, R> {
     /// Sends on what is mirrored and what goes through.
     fn follow(&mut self, ray: &Ray<R>, (weight, depth): (Vec3, u32), hit: &Hit<R>) {
         let direction = ray.line.direction;
-        let mut mirrored = Vec3(hit.optics.ks);
+        let optics = self.optics(hit);
+        let mut mirrored = Vec3(optics.ks);
         let mut todo = match self.features.glass {
             false => Vec3::ZERO,
-            true => Vec3(hit.optics.kt),
+            true => Vec3(optics.kt),
         };
+        let indices = &self.tracer.graph.indices;
+        let media = each(hit.indices, |index| indices[index as usize]);
         while let Some(c) = (0..3).find(|&c| todo[c] != 0.0) {
             // The channels that go the same way go together.
-            let ratio = |c: usize| (hit.indices[0][c], hit.indices[1][c]);
+            let ratio = |c: usize| (media[0][c], media[1][c]);
             let mut through = Vec3::ZERO;
             if !self.features.dispersion {
                 through = std::mem::replace(&mut todo, Vec3::ZERO);

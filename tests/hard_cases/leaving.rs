@@ -8,6 +8,7 @@ use zpg::geometry::dd::Dd;
 use zpg::geometry::vec::Vec3;
 use zpg::scene::{Geometry, NodeId};
 use zpg::trace::precision;
+use zpg::trace::within::Within;
 use zpg::trace::{Ray, Tracer};
 
 /// What became of the rays.
@@ -33,7 +34,9 @@ fn leave_in<R: precision::Precision>(
     let mut tally = Tally::default();
     for &(origin, aim) in rays {
         let mut ray = Ray::new(origin, (aim - origin).unit()).cast::<R>();
-        ray.outside = !tracer.holds(&mut walker, ray.line.origin);
+        if !tracer.holds(&mut walker, ray.line.origin) {
+            ray.within = Within::Outside;
+        }
         let Some(hit) = tracer.hit(&mut walker, &ray) else {
             continue;
         };

@@ -1,7 +1,7 @@
 //! Questions about rays, and who answers them: a walker in the precision asked for, and where that
 //! one cannot decide, one in double-double.
 
-use super::events::Kind;
+use super::events::{Event, Kind};
 use super::hit::Hit;
 use super::query::QueryStatus;
 use super::query::Search;
@@ -9,6 +9,7 @@ use super::vista::End;
 use super::walk::Walker;
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
+use crate::trace::graph::Graph;
 use crate::trace::precision::{Doubt, Precision};
 use crate::trace::probe::Probe;
 use crate::trace::ray::Ray;
@@ -325,6 +326,17 @@ struct Visibility<'v, const GLASS: bool> {
     end: End<'v>,
 }
 
+/// The share of light that all surfaces on a way let through.
+fn shared<R: Precision>(events: &[Event<R>], graph: &Graph) -> Vec3 {
+    let mut share = Vec3::ONE;
+    let mut surfaces = events.iter().filter(|e| e.kind != Kind::Silent);
+    while let (true, Some(event)) = (share.any(), surfaces.next()) {
+        let optics = &graph.optics[event.owner.optics as usize];
+        share = share.times(Vec3(optics.kt));
+    }
+    share
+}
+
 impl<const GLASS: bool> Question for Visibility<'_, GLASS> {
     type Answer<R: Precision> = Vec3;
 
@@ -337,29 +349,29 @@ impl<const GLASS: bool> Question for Visibility<'_, GLASS> {
         let Some((from, to)) = tracer.window(ray, R::ONE) else {
             return Vec3::ONE;
         };
-        let seen = |blocked: bool| if blocked { Vec3::ZERO } else { Vec3::ONE };
         let light = (self.light, self.end);
-        if ray.outside && tracer.clip.is_none() {
+        if ray.is_outside() && tracer.clip.is_none() {
             if !GLASS {
-                let blocked = walker.any(ray, (from, to), Search::Any, light);
-                return seen(blocked.is_some());
+                return match walker.any(ray, (from, to), Search::Any, light) {
+                    Some(_) => Vec3::ZERO,
+                    None => Vec3::ONE,
+                };
             }
-            let opaque = walker.any(ray, (from, to), Search::AnyOpaque, light);
-            let before = opaque.map_or(to, |o| o.place.root.t);
+            let Some(opaque) = walker.any(ray, (from, to), Search::AnyOpaque, light) else {
+                let events = walker.trace_clear_spans(ray, from, to);
+                let (any, share) = (!events.is_empty(), shared(events, &tracer.graph));
+                walker.work.transparent_shadow += u64::from(any);
+                return share;
+            };
+            let before = opaque.place.root.t;
             let clear = walker.nearest(ray, (from, before), Search::AnyClear, End::Anywhere);
             if clear.is_none() {
-                return seen(opaque.is_some());
+                return Vec3::ZERO;
             }
         }
         walker.work.transparent_shadow += u64::from(GLASS);
         let (_, events) = walker.trace_spans(ray, from, to);
-        let mut share = Vec3::ONE;
-        let mut surfaces = events.iter().filter(|e| e.kind != Kind::Silent);
-        while let (true, Some(event)) = (share.any(), surfaces.next()) {
-            let optics = &tracer.graph.optics[event.owner.optics as usize];
-            share = share.times(Vec3(optics.kt));
-        }
-        share
+        shared(events, &tracer.graph)
     }
 
     fn cast<R: Precision>(answer: Vec3) -> Vec3 {

@@ -3,6 +3,7 @@
 use super::context::Leaf;
 use crate::trace::precision::Precision;
 use crate::trace::shapes::Root;
+use crate::trace::within::Medium;
 
 /// A crossing to be compared with others.
 #[derive(Debug, Clone, Copy)]
@@ -46,9 +47,10 @@ pub struct Owner {
 }
 
 impl Owner {
-    /// Whether light notices a boundary between the two.
-    pub fn same_medium(&self, other: &Owner) -> bool {
-        self.optics == other.optics && self.index == other.index
+    #[inline]
+    pub fn medium(&self) -> Medium {
+        let Owner { optics, index, .. } = *self;
+        Medium { optics, index }
     }
 }
 
@@ -143,6 +145,13 @@ pub(in crate::trace) struct Scratch<R = f64> {
 }
 
 impl<R: Precision> Spans<R> {
+    /// Forgets all lists.
+    pub fn clear(&mut self) {
+        self.tasks.clear();
+        self.lists.clear();
+        self.events.clear();
+    }
+
     /// What the lists take when they are joined next: each event once more in the result, and once in
     /// their order; each list with the states before and after an event.
     pub fn bytes(&self) -> usize {

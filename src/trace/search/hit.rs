@@ -8,11 +8,12 @@ use super::walk::Walker;
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
-use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture};
+use crate::scene::{DEFAULT_COLOUR, Rgb, Texture};
 use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::{Left, Ray};
 use crate::trace::shapes::Root;
 use crate::trace::shapes::support::Passage;
+use crate::trace::within::{Solid, Within};
 
 /// A point of a visible surface, in the scene's space.
 #[derive(Debug, Clone, Copy)]
@@ -26,15 +27,16 @@ pub struct Hit<R = f64> {
     pub shading: Vec3<R>,
     /// Linear RGB; not looked up where nothing is diffuse.
     pub colour: Rgb,
-    pub optics: Optics,
-    /// Refractive index per channel before and behind the surface.
-    pub indices: [Rgb; 2],
+    /// Index into [`Graph::optics`](crate::trace::graph::Graph::optics).
+    pub optics: u32,
+    /// The refractive indices before and behind the surface: in [`Graph::indices`](crate::trace::graph::Graph::indices).
+    pub indices: [u32; 2],
     /// Whether the ray is in a solid before and behind the surface.
     pub inside: [bool; 2],
     /// Whether the ray goes against the normal.
     pub entering: bool,
-    /// The only solid there, on the one side; see [`Ray::within`].
-    pub solid: Option<u64>,
+    /// What is known of the solids before and behind it.
+    pub within: [Within; 2],
     /// Numbers of the surface and its shape; see [`Left`].
     pub surface: u64,
     pub primitive: u32,
@@ -56,9 +58,11 @@ impl<R: Precision> Hit<R> {
             skin: self.skin,
             passage: self.passage.map(|p| p.turned(!onwards)),
         });
-        let inside = self.inside[onwards as usize];
-        ray.outside = !inside;
-        ray.within = self.solid.filter(|_| inside);
+        let side = usize::from(onwards);
+        ray.within = match self.inside[side] {
+            false => Within::Outside,
+            true => self.within[side],
+        };
         ray
     }
 
@@ -86,7 +90,7 @@ impl<R: Precision> Hit<R> {
             indices: self.indices,
             inside: self.inside,
             entering: self.entering,
-            solid: self.solid,
+            within: self.within,
             surface: self.surface,
             primitive: self.primitive,
             skin: skin + normal.abs().dot(point.abs() * S::gamma(2)),
@@ -111,6 +115,14 @@ fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
         shading
     } else {
         -shading
+    }
+}
+
+/// The number of the refractive index in a state.
+fn index_in(state: Option<State>) -> u32 {
+    match state {
+        Some(s) if s.inside => s.owner.index,
+        _ => 0,
     }
 }
 
@@ -158,20 +170,25 @@ impl<R: Precision> Walker<'_, R> {
         }
         let (first, alone) = self.nearest(ray, (from, to), Search::First, end)?;
         let (leaf, root) = (first.place.leaf, first.place.root);
-        let optics = self.graph.optics[self.optics(first.owner) as usize];
-        if ray.outside && (!GLASS || !Vec3(optics.kt).any()) {
+        let optics = &self.graph.optics[self.optics(first.owner) as usize];
+        if ray.is_outside() && (!GLASS || !Vec3(optics.kt).any()) {
             // A hit is large, and changed where it is.
             let mut found = self.resolve(ray, leaf, root, first.owner);
             if let Some(hit) = &mut found {
                 hit.inside = [false, self.primitive(leaf).shape().is_solid()];
                 return found;
             }
-        } else if alone && let Some(states) = self.states_at(ray, &first) {
+        } else if alone && let Some(sides) = self.sides(ray, &first) {
+            let media = each(sides, |side| side.medium());
+            if media[0] == media[1] && self.is_solid(first.part) {
+                // Another solid goes on where this one begins or ends.
+                return self.first_visible(ray, from, to);
+            }
             let mut found = self.resolve(ray, leaf, root, first.owner);
             if let Some(hit) = &mut found {
-                hit.indices = each(states, |s| self.index_in(Some(s)));
-                hit.inside = each(states, |s| s.inside);
-                hit.solid = Some(self.surface(first.part));
+                hit.indices = each(media, |medium| medium.map_or(0, |m| m.index));
+                hit.inside = each(media, |medium| medium.is_some());
+                hit.within = sides;
                 return found;
             }
         }
@@ -186,35 +203,46 @@ impl<R: Precision> Walker<'_, R> {
         self.first_visible(ray, from, to)
     }
 
-    /// The states before and behind the nearest crossing, if no other is in its place: known where the ray comes from
-    /// outside of every solid, or from within the one whose boundary it is.
-    fn states_at(&self, ray: &Ray<R>, first: &Crossing<R>) -> Option<[State; 2]> {
-        if R::DOUBT == Doubt::Merges {
+    /// The solids before and behind the nearest crossing, if no other is in its place: known where those are that the ray
+    /// starts in.
+    fn sides(&self, ray: &Ray<R>, first: &Crossing<R>) -> Option<[Within; 2]> {
+        let before = ray.within;
+        if R::DOUBT == Doubt::Merges || before == Within::Unknown {
             return None;
         }
         let part = first.part;
-        let states = match first.states {
-            Some(states) => states,
-            None if part == first.place.leaf && self.primitive(part).shape().is_solid() => {
-                let owner = self.owner(part);
-                each([!ray.outside, ray.outside], |inside| State {
-                    inside,
-                    owner,
-                })
-            }
-            None => return None,
+        let surface = self.surface(part);
+        let was_in = before.is_in(surface);
+        let is_in = match first.states {
+            Some([state, after]) if state.inside == was_in => after.inside.then_some(after.owner),
+            Some(_) => return None,
+            None if part != first.place.leaf => return None,
+            None if !self.is_solid(part) => return Some([before, before]),
+            None => (!was_in).then(|| self.owner(part)),
         };
-        let alternates = each(states, |s| s.inside) == [!ray.outside, ray.outside];
-        let is_known = ray.outside || ray.within == Some(self.surface(part));
-        (alternates && is_known).then_some(states)
+        let outside = before.without(surface);
+        let after = match is_in {
+            None => outside,
+            Some(owner) => outside.with(Solid {
+                surface,
+                operand: self.operand(part),
+                medium: owner.medium(),
+            }),
+        };
+        (after != Within::Unknown).then_some([before, after])
     }
 
-    /// The refractive index in a state.
-    fn index_in(&self, state: Option<State>) -> Rgb {
-        match state {
-            Some(s) if s.inside => self.graph.indices[s.owner.index as usize],
-            _ => self.graph.indices[0],
+    /// The operand of the scene's union that a part is, or that it is in.
+    fn operand(&self, leaf: Leaf) -> u32 {
+        let Leaf {
+            mut part,
+            mut context,
+        } = leaf;
+        while context != 0 {
+            let c = &self.contexts[context as usize];
+            (part, context) = (c.part, c.parent);
         }
+        part
     }
 
     /// The first boundary or sheet among the events in (from, to].
@@ -229,7 +257,7 @@ impl<R: Precision> Walker<'_, R> {
         let (leaf, root) = (event.place.leaf, event.place.root);
         let hit = self.resolve(ray, leaf, root, event.owner.leaf)?;
         Some(Hit {
-            indices: each([before, Some(event.state)], |state| self.index_in(state)),
+            indices: each([before, Some(event.state)], index_in),
             inside: [before.is_some_and(|s| s.inside), event.state.inside],
             ..hit
         })
@@ -284,8 +312,8 @@ impl<R: Precision> Walker<'_, R> {
             return None;
         }
         let shading = shading.map_or(normal, |n| beside(n, normal));
-        let optics = self.graph.optics[self.optics(owner) as usize];
-        let colour = match optics.kd {
+        let optics = self.optics(owner);
+        let colour = match self.graph.optics[optics as usize].kd {
             [0.0, 0.0, 0.0] => DEFAULT_COLOUR,
             _ => self.colour(owner, leaf, point.cast(), local, root.face),
         };
@@ -298,10 +326,10 @@ impl<R: Precision> Walker<'_, R> {
             shading,
             colour,
             optics,
-            indices: [self.graph.indices[0]; 2],
+            indices: [0; 2],
             inside: [false; 2],
             entering: normal.dot(ray.line.direction) < R::ZERO,
-            solid: None,
+            within: [Within::Unknown; 2],
             surface: self.surface(leaf),
             primitive: number,
             skin,
@@ -398,14 +426,16 @@ mod tests {
     use crate::trace::search::query::QueryStatus;
     use std::fmt::Write;
 
-    /// A scene of glass in which some solids meet others: spheres, tori, lenses and hollow balls.
+    /// A scene of glass of two kinds in which some solids meet others: spheres, tori, lenses and hollow balls; and panes.
     fn glass(next: &mut impl FnMut(u64) -> u64) -> String {
-        let mut text = String::from("2 -201 0 0.1 0.9\n2 -203 1.5 1.4 1.3\n");
+        let mut text = String::from(
+            "2 -201 0 0.1 0.9\n2 -203 1.5 1.4 1.3\n3 -201 0 0.2 0.8\n3 -203 1.3 1.3 1.3\n",
+        );
         let mut root = 0;
         for id in (10..70).step_by(10) {
-            let [x, y, z, r] = [0; 4].map(|_| (next(4001) as f64 - 2000.0) / 1000.0);
-            let (below, size) = (id + 1, 0.2 + r.abs() / 3.0);
-            let shape = match next(4) {
+            let [x, y, z, r] = [0; 4].map(|_| (next(4001) as f64 - 2000.0) / 2500.0);
+            let (below, size) = (id + 1, 0.2 + r.abs());
+            let shape = match next(5) {
                 0 => format!("{id} 9 {size}\n"),
                 1 => format!("{id} 14 {size} {}\n", size / 3.0),
                 // What two balls have in common, and one without another in it.
@@ -413,13 +443,18 @@ mod tests {
                     "{below} 9 {size}\n{0} 11 0.3 0 0 {size}\n{id} -102 {below} {0}\n",
                     id + 2
                 ),
-                _ => format!(
+                3 => format!(
                     "{below} 9 {size}\n{0} 9 {1}\n{id} -103 {below} {0}\n",
                     id + 2,
                     size / 2.0
                 ),
+                _ => format!("{id} 5 -{size} -{size} {size} {size}\n"),
             };
-            let _ = write!(text, "{shape}{id} -1 {x} {y} {z}\n{id} -299 0 2\n");
+            let _ = write!(
+                text,
+                "{shape}{id} -1 {x} {y} {z}\n{id} -299 0 {}\n",
+                2 + next(2)
+            );
             if root > 0 {
                 let _ = writeln!(text, "{} -101 {root} {id}", id + 5);
             }
@@ -431,7 +466,7 @@ mod tests {
     #[test]
     fn the_nearest_crossing_says_what_spans_say() {
         let mut next = random();
-        let (mut compared, mut known) = (0, 0);
+        let [mut compared, mut known, mut both] = [0; 3];
         for _ in 0..300 {
             let text = glass(&mut next);
             let scene = scene(&text);
@@ -442,7 +477,7 @@ mod tests {
                 let mut direction = || Vec3::new(number(), number(), number()).unit();
                 let away = direction() * 9.0;
                 let mut ray = Ray::new(away, (direction() * 2.0 - away).unit());
-                ray.outside = true;
+                ray.within = Within::Outside;
                 for _ in 0..8 {
                     let walker = walkers.walker();
                     walker.status = QueryStatus::default();
@@ -456,7 +491,8 @@ mod tests {
                     else {
                         break;
                     };
-                    known += u32::from(hit.solid.is_some());
+                    known += u32::from(hit.within[0] != Within::Unknown);
+                    both += u32::from(matches!(hit.within[1], Within::Two(_)));
                     // On through the surface, or back from it, anywhere.
                     let onwards = direction()[0] > -0.5;
                     let mut out = direction();
@@ -467,7 +503,8 @@ mod tests {
                 }
             }
         }
-        assert!(compared > 25_000 && known > 10_000, "{known} of {compared}");
+        assert!(compared > 25_000, "{compared}");
+        assert!(known > 8_000 && both > 100, "{known}, {both} in two");
     }
 
     #[test]

@@ -302,7 +302,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// Whether a crossing with a shape is one of its boundary.
-    fn is_solid(&self, leaf: Leaf) -> bool {
+    pub(super) fn is_solid(&self, leaf: Leaf) -> bool {
         match self.part(leaf.part).target {
             Target::Shape(primitive) => {
                 self.graph.primitives[primitive as usize].shape().is_solid()

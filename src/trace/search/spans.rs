@@ -19,6 +19,26 @@ impl<R: Precision> Walker<'_, R> {
         self.evaluate(ray, 0, from, to)
     }
 
+    /// The same of those parts of the scene alone that hold something transparent: enough where the ray meets nothing else
+    /// and starts outside of everything.
+    pub fn trace_clear_spans(&mut self, ray: &Ray<R>, from: R, to: R) -> &[Event<R>] {
+        self.begin(ray);
+        self.spans.clear();
+        if let Operation::Union(Group {
+            clear: Some(clear), ..
+        }) = &self.graph.root().operation
+        {
+            let join = Task::JoinUnion {
+                context: 0,
+                base: 0,
+            };
+            self.spans.tasks.push(join);
+            self.gather(0, clear, from, to);
+            self.work_off(ray, from, to);
+        }
+        &self.spans.events
+    }
+
     /// The first boundary or sheet of an intersection, of those that are looked for.
     pub(in crate::trace) fn first_of(
         &mut self,
@@ -55,10 +75,15 @@ impl<R: Precision> Walker<'_, R> {
         from: R,
         to: R,
     ) -> (Option<State>, &[Event<R>]) {
-        self.spans.tasks.clear();
-        self.spans.lists.clear();
-        self.spans.events.clear();
+        self.spans.clear();
         self.spans.tasks.push(Task::Object { context });
+        self.work_off(ray, from, to);
+        let start = self.spans.lists.last().map(|l| l.start);
+        (start, &self.spans.events)
+    }
+
+    /// Does what is to be done until one list is left, or none.
+    fn work_off(&mut self, ray: &Ray<R>, from: R, to: R) {
         while let Some(task) = self.spans.tasks.pop() {
             match task {
                 Task::Part { part, context } => {
@@ -84,8 +109,6 @@ impl<R: Precision> Walker<'_, R> {
                 }
             }
         }
-        let start = self.spans.lists.last().map(|l| l.start);
-        (start, &self.spans.events)
     }
 
     pub(super) fn owner(&self, leaf: Leaf) -> Owner {

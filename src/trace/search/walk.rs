@@ -373,7 +373,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     /// crossed does not matter.
     fn is_blocked_by(&self, ray: &Ray<R>, leaf: Leaf) -> bool {
         let is_asked = R::DOUBT == Doubt::GoesOn && self.search == Search::Any;
-        is_asked && ray.outside && !self.part(leaf.part).inverted
+        is_asked && ray.is_outside() && !self.part(leaf.part).inverted
     }
 
     /// Has another solver find the crossings, where there is one that knows the shape.

@@ -133,7 +133,8 @@ impl Sight<'_> {
                     self.far = self.far.max(by.t * to_light.length());
                 }
             }
-            if !hit.optics.kt.iter().any(|k| *k > 0.0) {
+            let optics = &self.tracer.graph.optics[hit.optics as usize];
+            if !optics.kt.iter().any(|k| *k > 0.0) {
                 break;
             }
             ray = hit.leave(ray.line.direction, true);

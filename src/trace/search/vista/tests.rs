@@ -2,6 +2,7 @@ use super::*;
 use crate::geometry::dd::Dd;
 use crate::testing::{random, scene};
 use crate::trace::search::hit::Hit;
+use crate::trace::within::Within;
 use crate::trace::{Ray, Tracer};
 use std::fmt::Write;
 
@@ -222,7 +223,7 @@ fn rays_meet_what_they_meet_without_a_vista() {
         let [from_eye, from_light] = [eye, light].map(|p| Vista::new(&bodies, p).unwrap());
         for _ in 0..300 {
             let mut ray = Ray::new(eye, (vector(&mut next) * 4.0 - eye).unit());
-            ray.outside = true;
+            ray.within = Within::Outside;
             let [known, hit] = [End::At(&from_eye), End::Anywhere]
                 .map(|end| walkers.first_hit::<false>(&ray, end));
             let told = |hit: &Hit| (hit.t, hit.surface, hit.normal.0);
