@@ -256,18 +256,18 @@ impl Cone {
             Inside::Nowhere => {}
             Inside::Between(x, y) => {
                 if let Some(half) = Cone::half(chord, roots) {
-                    self.cut(chord, stretch(x, y, half), roots);
+                    self.cut(chord, stretch(x.bounded(), y.bounded(), half), roots);
                 }
             }
-            Inside::Below(x) => self.cut(chord, stretch(first, x, -up), roots),
-            Inside::Above(x) => self.cut(chord, stretch(x, last, up), roots),
+            Inside::Below(x) => self.cut(chord, stretch(first, x.bounded(), -up), roots),
+            Inside::Above(x) => self.cut(chord, stretch(x.bounded(), last, up), roots),
             Inside::Around(x, y) => {
-                self.cut(chord, stretch(first, x, -up), roots);
-                self.cut(chord, stretch(y, last, up), roots);
+                self.cut(chord, stretch(first, x.bounded(), -up), roots);
+                self.cut(chord, stretch(y.bounded(), last, up), roots);
             }
             Inside::Everywhere => {
                 // Two stretches that meet at the apex: there the crossings of both halves cancel.
-                let apex = chord.middle;
+                let apex = chord.middle();
                 self.cut(chord, stretch(first, apex, -up), roots);
                 self.cut(chord, stretch(apex, last, up), roots);
             }
@@ -278,7 +278,7 @@ impl Cone {
     /// `None` where it may be the apex.
     fn half<R: Traced>(chord: &Chord<R>, roots: &mut Roots<R>) -> Option<R> {
         let (y, slope) = (chord.origin[1], chord.direction[1]);
-        let Bounded { value, error } = chord.middle;
+        let Bounded { value, error } = chord.middle();
         let step = value * slope;
         let middle = Bounded {
             value: y + step,

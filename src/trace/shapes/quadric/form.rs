@@ -37,12 +37,21 @@ pub(super) const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 pub(super) const OPERATIONS: u32 = 20;
 
 /// The largest power of two that does not exceed |x|, kept among the normal numbers; 1 for zero.
+#[inline]
 pub(super) fn power_of_two(x: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     if x == 0.0 || !x.is_finite() {
         return 1.0;
     }
     f64::from_bits(x.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
+}
+
+/// 1/x of a [power of two](power_of_two); zero where that is no normal number.
+#[inline]
+pub(super) fn reciprocal(x: f64) -> f64 {
+    // The exponents of the two add up to this.
+    const EXPONENTS: u64 = 0x7fe0_0000_0000_0000;
+    f64::from_bits(EXPONENTS - x.to_bits())
 }
 
 /// The sum of a double and the rest of it, where there is room for that.

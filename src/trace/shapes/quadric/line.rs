@@ -1,6 +1,6 @@
 //! Where a line meets a polynomial of second degree.
 
-use super::form::{Form, OPERATIONS, PAIRS, power_of_two};
+use super::form::{Form, OPERATIONS, PAIRS, power_of_two, reciprocal};
 use crate::geometry::affine::Slack;
 use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
@@ -33,18 +33,36 @@ impl<R: Traced> Bounded<R> {
     }
 }
 
-/// x/y. Its error is that of x over y, and y's relative one, both by the least that y may be; where
-/// that is zero there is no bound.
-#[inline]
-fn quotient<R: Traced>(x: Bounded<R>, y: Bounded<R>) -> Bounded<R> {
-    let value = x.value / y.value;
-    let least = y.value.abs() - y.error;
-    let error = if least > R::ZERO {
-        (x.error + y.error * value.abs()) / least + R::gamma(2) * value.abs()
-    } else {
-        R::INFINITY
-    };
-    Bounded { value, error }
+/// x/y, of which not all ask for the error.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Quotient<R> {
+    pub value: R,
+    x: R,
+    y: Bounded<R>,
+}
+
+impl<R: Traced> Quotient<R> {
+    #[inline]
+    fn new(x: Bounded<R>, y: Bounded<R>) -> Quotient<R> {
+        Quotient {
+            value: x.value / y.value,
+            x: x.error,
+            y,
+        }
+    }
+
+    /// With its error: that of x over y, and y's relative one, both by the least that y may be; where that is zero
+    /// there is no bound.
+    pub fn bounded(self) -> Bounded<R> {
+        let Quotient { value, x, y } = self;
+        let least = y.value.abs() - y.error;
+        let error = if least > R::ZERO {
+            (x + y.error * value.abs()) / least + R::gamma(2) * value.abs()
+        } else {
+            R::INFINITY
+        };
+        Bounded { value, error }
+    }
 }
 
 /// Where F along a line is negative: a τ² + b τ + c < 0 for the line's own parameter τ.
@@ -53,11 +71,11 @@ pub(super) enum Inside<R> {
     Nowhere,
     Everywhere,
     /// Between the roots.
-    Between(Bounded<R>, Bounded<R>),
+    Between(Quotient<R>, Quotient<R>),
     /// Below the first and above the second.
-    Around(Bounded<R>, Bounded<R>),
-    Below(Bounded<R>),
-    Above(Bounded<R>),
+    Around(Quotient<R>, Quotient<R>),
+    Below(Quotient<R>),
+    Above(Quotient<R>),
 }
 
 /// A line in the units of a form, from its closest approach to the origin there on; its points are
@@ -72,8 +90,8 @@ pub(super) struct Chord<R> {
     pub moved: Vec3<R>,
     pub turned: Vec3<R>,
     pub inside: Inside<R>,
-    /// The vertex of the parabola, −b/2a; zero where a is.
-    pub middle: Bounded<R>,
+    /// The a and b of the parabola's vertex; `None` where a is zero.
+    vertex: Option<[Bounded<R>; 2]>,
     pub uncertain: bool,
     /// Whether all errors are bounded by the rough ones of what the line strays.
     rough: bool,
@@ -118,10 +136,7 @@ impl<R: Traced> Chord<R> {
             moved: Vec3::ZERO,
             turned: Vec3::ZERO,
             inside: Inside::Nowhere,
-            middle: Bounded {
-                value: R::ZERO,
-                error: R::ZERO,
-            },
+            vertex: None,
             uncertain: false,
             rough: false,
             start,
@@ -254,7 +269,7 @@ impl<R: Traced> Chord<R> {
                     Inside::Nowhere
                 }
             } else {
-                let t = quotient(
+                let t = Quotient::new(
                     Bounded {
                         value: -cv,
                         error: c.error,
@@ -286,16 +301,7 @@ impl<R: Traced> Chord<R> {
             error,
         };
         self.uncertain |= discriminant.is_doubtful() || a.is_doubtful();
-        self.middle = quotient(
-            Bounded {
-                value: -bv,
-                error: b.error,
-            },
-            Bounded {
-                value: two * av,
-                error: two * a.error,
-            },
-        );
+        self.vertex = Some([a, b]);
         if discriminant.is_zero() || discriminant.value <= R::ZERO || discriminant.value.is_nan() {
             self.inside = if av < R::ZERO {
                 Inside::Everywhere
@@ -314,7 +320,7 @@ impl<R: Traced> Chord<R> {
             value: q,
             error: (b.error + error / root) / two + R::gamma(3) * q.abs(),
         };
-        let (x, y) = (quotient(q, a), quotient(c, q));
+        let (x, y) = (Quotient::new(q, a), Quotient::new(c, q));
         let (x, y) = if x.value <= y.value { (x, y) } else { (y, x) };
         self.inside = if av > R::ZERO {
             Inside::Between(x, y)
@@ -327,6 +333,26 @@ impl<R: Traced> Chord<R> {
     #[inline]
     pub fn t(&self, tau: R) -> R {
         (self.start + tau / self.w / self.stretch) / self.length
+    }
+
+    /// The vertex of the parabola, −b/2a; zero where a is.
+    pub fn middle(&self) -> Bounded<R> {
+        let Some([a, b]) = self.vertex else {
+            return Bounded {
+                value: R::ZERO,
+                error: R::ZERO,
+            };
+        };
+        let two = R::of(2.0);
+        let b = Bounded {
+            value: -b.value,
+            error: b.error,
+        };
+        let twice = Bounded {
+            value: two * a.value,
+            error: two * a.error,
+        };
+        Quotient::new(b, twice).bounded()
     }
 
     /// The crossings of the whole solid.
@@ -403,9 +429,16 @@ fn closest<R: Traced>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
 
 /// A vector divided by a power of two not below `least`, so that its largest component is in
 /// [1, 2), or below 2 where `least` holds it back; and that power. Exact.
+#[inline]
 fn normalised<R: Traced>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
-    let scale = R::of(power_of_two(v.abs().max_component().to_f64()).max(least));
-    (v / scale, scale)
+    let scale = power_of_two(v.abs().max_component().to_f64()).max(least);
+    let (inverse, scale) = (R::of(reciprocal(scale)), R::of(scale));
+    // A product is quicker than a quotient, and exact where there is such a number.
+    let shrunk = match !is_final::<R>() && inverse.is_finite() && inverse > R::ZERO {
+        true => v * inverse,
+        false => v / scale,
+    };
+    (shrunk, scale)
 }
 
 /// dᵀAd by compensated summation: the errors of products come from fused multiply-adds, those of
