@@ -1,10 +1,13 @@
 //! The geodesic sphere: an icosahedron whose facets are split in four again and again, with the new
 //! vertices pushed out onto the sphere.
 //!
-//! The splitting is itself the hierarchy that lines are traced through, so nothing is stored: the
-//! corners of a facet are found on the way down to it. A new vertex depends on the two ends of its
-//! edge alone, and not on their order, so that neighbours have equal corners, bit for bit. Everything
-//! is computed for radius 1 and scaled at the end.
+//! The splitting is itself the hierarchy that lines are traced through: the corners of a facet are found on the way down
+//! to it. A new vertex depends on the two ends of its edge alone, and not on their order, so that neighbours have equal
+//! corners, bit for bit. Everything is computed for radius 1 and scaled at the end.
+//!
+//! What a facet is split into lies in its cone, between the planes through its edges and the centre. A line meets facets
+//! on two stretches alone, where it enters the sphere and where it leaves it; so the search goes down through the facets
+//! whose cones these stretches meet, mostly one of four.
 
 use super::facet::{Facet, Passage, Projected, Shear, Way, drift_across, narrow};
 use super::hull;
@@ -30,15 +33,10 @@ pub struct GeodesicSphere {
     splits: u32,
     /// 1 / √(1 + φ²) and φ / √(1 + φ²): the icosahedron's coordinates other than 0.
     coordinates: [Dd; 2],
-    /// How far from a facet, after so many splits, the facets that it is split into may lie.
-    bulges: [f64; MAX_SPLITS as usize + 1],
-}
-
-/// A vertex on the unit sphere, and where the line sees it.
-#[derive(Debug, Clone, Copy, Default)]
-struct Vertex<R> {
-    at: Vec3<R>,
-    seen: Projected<R>,
+    /// √5 − 2; see [`GeodesicSphere::facets`].
+    share: Dd,
+    /// No point of a facet is nearer to the centre.
+    inner: f64,
 }
 
 /// A line as the unit sphere's facets see it.
@@ -61,14 +59,40 @@ enum Sight<R> {
     Near(View<R>),
 }
 
-/// A facet on the way down, and how many of its quarters have been seen to.
+/// A facet on the way down, and those of its quarters that are still to be seen to: a bit for each.
 #[derive(Clone, Copy, Default)]
 struct Frame<R> {
-    corners: [Vertex<R>; 3],
+    corners: [Vec3<R>; 3],
     /// Of the edges opposite to the corners of the same number.
-    middles: [Vertex<R>; 3],
+    middles: [Vec3<R>; 3],
     face: u32,
-    next: u32,
+    near: u32,
+}
+
+/// A stretch of a line, by its ends, and how far behind a plane it may be and still count as in front of it.
+#[derive(Clone, Copy)]
+struct Stretch<R> {
+    ends: [Vec3<R>; 2],
+    tolerance: R,
+}
+
+impl<R: Traced> Stretch<R> {
+    /// Whether it reaches the side that a normal points to, and the other side.
+    #[inline]
+    fn sides(&self, normal: Vec3<R>) -> [bool; 2] {
+        let [a, b] = each(self.ends, |end| normal.dot(end));
+        [a.max(b) >= -self.tolerance, a.min(b) <= self.tolerance]
+    }
+
+    /// Of a facet whose cone it meets, the quarters whose cones it may meet: a bit for each. A plane through two of the
+    /// middles and the centre cuts off the quarter at a corner; the last quarter is on the other side of all three.
+    #[inline]
+    fn quarters(&self, [bc, ca, ab]: [Vec3<R>; 3]) -> u32 {
+        let normals = [ab.cross(ca), bc.cross(ab), ca.cross(bc)];
+        let [a, b, c] = each(normals, |normal| self.sides(normal));
+        let inmost = a[1] & b[1] & c[1];
+        u32::from(a[0]) | u32::from(b[0]) << 1 | u32::from(c[0]) << 2 | u32::from(inmost) << 3
+    }
 }
 
 /// The middle of an edge, pushed out to the sphere.
@@ -78,6 +102,12 @@ struct Frame<R> {
 fn middle<R: Traced>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
     let sum = a + b;
     sum * sum.dot(sum).sqrt().recip()
+}
+
+/// The middles of the edges that are opposite to the corners.
+#[inline]
+fn middles<R: Traced>([a, b, c]: [Vec3<R>; 3]) -> [Vec3<R>; 3] {
+    [middle(b, c), middle(c, a), middle(a, b)]
 }
 
 /// The corners of one of the four parts of a facet, which run the same way round.
@@ -95,12 +125,48 @@ impl GeodesicSphere {
     pub fn new(radius: f64, splits: u32) -> GeodesicSphere {
         let phi = (Dd::ONE + Dd::of(5.0).sqrt()) / Dd::of(2.0);
         let short = Dd::ONE / (Dd::ONE + phi * phi).sqrt();
+        let splits = splits.min(MAX_SPLITS);
         GeodesicSphere {
             radius,
-            splits: splits.min(MAX_SPLITS),
+            splits,
             coordinates: [short, phi * short],
-            bulges: bulges(2.0 * short.to_f64()),
+            share: Dd::of(5.0).sqrt() - Dd::of(2.0),
+            inner: inner_radius(2.0 * short.to_f64(), splits),
         }
+    }
+
+    /// The icosahedron's vertices along a vector: their scalar products with it.
+    fn heights<R: Traced>(&self, p: Vec3<R>) -> [R; 12] {
+        let [short, long] = each(self.coordinates, narrow::<R>);
+        let mut heights = [R::ZERO; 12];
+        for (axis, of) in heights.chunks_exact_mut(4).enumerate() {
+            let (x, y) = (short * p[(axis + 1) % 3], long * p[(axis + 2) % 3]);
+            of.copy_from_slice(&[x + y, x - y, y - x, -(x + y)]);
+        }
+        heights
+    }
+
+    /// The facets of the icosahedron whose cones a stretch meets: a bit for each.
+    ///
+    /// With the vertices a, b and c of a facet, whose scalar products with each other are k = 1/√5, the plane through
+    /// the centre, b and c has the normal b × c, whose product with p is √(1 + 2k) ≈ 1.38 times
+    /// a·p − (a + b + c)·p · k / (1 + 2k), and k / (1 + 2k) = √5 − 2.
+    fn facets<R: Traced>(&self, stretch: &Stretch<R>) -> u32 {
+        let share = narrow::<R>(self.share);
+        let heights = each(stretch.ends, |end| self.heights(end));
+        let mut near = 0;
+        for (bit, corners) in (0..).zip(FACES) {
+            let beyond = each([0, 1], |end: usize| {
+                let of = each(corners, |i| heights[end][i]);
+                let level = share * (of[0] + of[1] + of[2]);
+                each(of, |height| height - level)
+            });
+            let [a, b, c] = each([0, 1, 2], |i: usize| {
+                beyond[0][i].max(beyond[1][i]) >= -stretch.tolerance
+            });
+            near |= u32::from(a & b & c) << bit;
+        }
+        near
     }
 
     fn icosahedron<R: Traced>(&self) -> [Vec3<R>; 12] {
@@ -120,15 +186,13 @@ impl GeodesicSphere {
         let base = (face >> (2 * self.splits)) as usize % FACES.len();
         let mut corners = each(FACES[base], |i| vertices[i]);
         for split in (0..self.splits).rev() {
-            let [a, b, c] = corners;
-            let middles = [middle(b, c), middle(c, a), middle(a, b)];
-            corners = quarter(corners, middles, (face >> (2 * split)) & 3);
+            corners = quarter(corners, middles(corners), (face >> (2 * split)) & 3);
         }
         corners
     }
 
-    /// Calls `leaf` with every facet that the line passes at a distance of at most `noise` in the
-    /// sheared space, and maybe some more.
+    /// Calls `leaf` with every facet that the line passes at a distance of at most `noise` in the sheared space, and maybe
+    /// some more; with some of them twice.
     fn visit<R: Traced>(
         &self,
         view: &View<R>,
@@ -136,39 +200,51 @@ impl GeodesicSphere {
         mut leaf: impl FnMut([Projected<R>; 3], u32),
     ) {
         let slack = R::of(SLACK) * R::ROUNDOFF + noise;
-        // The shear stretches no vector by more than the length of the slope.
-        let stretch = view.shear.slope.length();
-        let margins = each(self.bulges, |bulge| R::of(bulge) * stretch + slack);
-        let vertices = each(self.icosahedron(), |at| view.vertex(at));
+        for stretch in view.stretches(R::of(self.inner), slack).iter().flatten() {
+            self.descend(stretch, |corners, face| {
+                leaf(each(corners, |at| view.project(at)), face);
+            });
+        }
+    }
+
+    /// Calls `leaf` with the corners and numbers of all facets whose cones a stretch meets.
+    fn descend<R: Traced>(&self, stretch: &Stretch<R>, mut leaf: impl FnMut([Vec3<R>; 3], u32)) {
+        let split = |corners, face| {
+            let middles = middles(corners);
+            Frame {
+                corners,
+                middles,
+                face,
+                near: stretch.quarters(middles),
+            }
+        };
+        let vertices = self.icosahedron();
         let mut stack = [Frame::default(); MAX_SPLITS as usize];
-        for (face, corners) in (0..).zip(FACES) {
-            let corners = each(corners, |i| &vertices[i]);
-            if !is_near(corners, margins[0]) {
-                continue;
-            }
+        let mut facets = self.facets(stretch);
+        while facets != 0 {
+            let face = facets.trailing_zeros();
+            facets &= facets - 1;
+            let corners = each(FACES[face as usize], |i| vertices[i]);
             if self.splits == 0 {
-                leaf(each(corners, |c| c.seen), face);
+                leaf(corners, face);
                 continue;
             }
-            stack[0] = view.split(corners, face);
+            stack[0] = split(corners, face);
             let mut depth = 1;
             while depth > 0 {
-                let frame = &mut stack[depth - 1];
-                let index = frame.next;
-                if index == 4 {
+                let frame = &mut stack[depth as usize - 1];
+                if frame.near == 0 {
                     depth -= 1;
                     continue;
                 }
-                frame.next += 1;
-                let corners = quarter(frame.corners.each_ref(), frame.middles.each_ref(), index);
+                let index = frame.near.trailing_zeros();
+                frame.near &= frame.near - 1;
+                let corners = quarter(frame.corners, frame.middles, index);
                 let face = frame.face * 4 + index;
-                if !is_near(corners, margins[depth]) {
-                    continue;
-                }
-                if depth == self.splits as usize {
-                    leaf(each(corners, |c| c.seen), face);
+                if depth == self.splits {
+                    leaf(corners, face);
                 } else {
-                    stack[depth] = view.split(corners, face);
+                    stack[depth as usize] = split(corners, face);
                     depth += 1;
                 }
             }
@@ -176,42 +252,25 @@ impl GeodesicSphere {
     }
 }
 
-/// The distance from a facet within which everything lies that it is split into.
+/// No point of a facet is nearer to the centre than this, after so many splits of an icosahedron with such edges.
 ///
 /// A facet with corners on the unit sphere and edges up to L long: where its point with barycentric
 /// weights α, β, γ lies at distance q from the centre, 1 − q² = αβ|ab|² + βγ|bc|² + γα|ca|² ≤ L²/3.
-/// What it is split into is between it and the sphere, straight outwards from its points: at most
-/// 1 − √(1 − L²/3) away. An edge's middle is √(1 − L²/4) or more from the centre, and pushing points
+/// An edge's middle is √(1 − L²/4) or more from the centre, and pushing points
 /// that far out onto the sphere stretches their distances by at most the inverse of that; so after
-/// the next split no edge is longer than L / 2√(1 − L²/4).
-fn bulges(edge: f64) -> [f64; MAX_SPLITS as usize + 1] {
-    let mut l2 = edge * edge;
-    std::array::from_fn(|_| {
-        let bulge = (l2 / 3.0) / (1.0 + (1.0 - l2 / 3.0).sqrt());
-        l2 /= 4.0 - l2;
-        bulge
-    })
+/// the next split no edge is longer than L / 2√(1 − L²/4). The last factor is more than what is rounded here.
+fn inner_radius(edge: f64, splits: u32) -> f64 {
+    let l2 = (0..splits).fold(edge * edge, |l2, _| l2 / (4.0 - l2));
+    (1.0 - l2 / 3.0).sqrt() * (1.0 - 1e-14)
 }
 
-/// What the margins of the search need for rounding, in units of ROUNDOFF.
+/// What the search allows for rounding, in units of ROUNDOFF.
 ///
 /// A new vertex has 6 roundings of its own, and the errors of the ends of its edge, which pushing
 /// the middle out stretches: over all splits by less than 1.26. Ten levels make 76 units, stretched
 /// by the shear up to √3 times: 132. The projection of a point, relative to one on the line and up
-/// to 2.1 from it, has 4 roundings of at most 4.2 in all, 17 units; the bulge's 5 roundings and the
-/// f64 they are done in are a millionth of the bulges themselves apart from the true ones, which the
-/// remaining units cover: 2 · 1.74 · 0.21 · 5 = 4.
+/// to 2.1 from it, has 4 roundings of at most 4.2 in all, 17 units.
 const SLACK: f64 = 160.0;
-
-/// Whether the origin is in the box around the corners, widened by the margin.
-#[inline]
-fn is_near<R: Traced>([a, b, c]: [&Vertex<R>; 3], margin: R) -> bool {
-    let (a, b, c) = (&a.seen, &b.seen, &c.seen);
-    a.x.min(b.x).min(c.x) <= margin
-        && a.x.max(b.x).max(c.x) >= -margin
-        && a.y.min(b.y).min(c.y) <= margin
-        && a.y.max(b.y).max(c.y) >= -margin
-}
 
 impl<R: Traced> View<R> {
     fn of(line: &Line<R>, radius: R) -> Sight<R> {
@@ -253,23 +312,47 @@ impl<R: Traced> View<R> {
         }
     }
 
-    fn vertex(&self, at: Vec3<R>) -> Vertex<R> {
-        Vertex {
-            at,
-            seen: self.shear.project(at - self.nearest),
-        }
+    fn project(&self, at: Vec3<R>) -> Projected<R> {
+        self.shear.project(at - self.nearest)
     }
 
-    fn split(&self, corners: [&Vertex<R>; 3], face: u32) -> Frame<R> {
-        let [a, b, c] = each(corners, |c| c.at);
-        Frame {
-            corners: each(corners, |c| *c),
-            middles: each([middle(b, c), middle(c, a), middle(a, b)], |m| {
-                self.vertex(m)
-            }),
-            face,
-            next: 0,
+    /// Where the line may come within `slack` of facets, coordinate by coordinate in the sheared space, on the way into
+    /// the sphere and out of it; they are no nearer to the centre than `inner`.
+    ///
+    /// A point P of a facet and the line's point Q at the same depth are √2 slack apart at most. The slack is 160 units
+    /// of roundoff or more, the facet's corners are off by 96 units, and what is computed here by 20.
+    ///
+    /// So Q is between the radii inner − 2.1 slack and 1 + 2.1 slack: the squares of the radii are given three times
+    /// what that makes of them.
+    ///
+    /// The true corners of the facet are on the inner side of the planes of all cones that it is in. Corners that are
+    /// off by 96 units make normals, of length 1 at most, that are off by 200. Along such a normal P is above
+    /// −296 units, and Q above −√2 slack − 316 units, which is above −4 slack.
+    fn stretches(&self, inner: R, slack: R) -> Option<[Stretch<R>; 2]> {
+        let (nearest, slope) = (self.nearest, self.shear.slope);
+        let square = slope.dot(slope);
+        // The nearest point is not quite the nearest.
+        let aside = nearest.dot(slope);
+        let middle = -aside / square;
+        let distance = nearest.dot(nearest) + aside * middle;
+        let far = R::of(16.0) * slack;
+        let outside = R::ONE + far - distance;
+        // Nothing for NaN.
+        if !(outside >= R::ZERO) {
+            return None;
         }
+        let inside = (inner * inner - far - distance).max(R::ZERO);
+        let [out, start] = each([outside, inside], |x| (x / square).sqrt());
+        let at = |depth: R| nearest + slope * depth;
+        let tolerance = R::of(4.0) * slack;
+        let ends = [
+            [middle - out, middle - start],
+            [middle + start, middle + out],
+        ];
+        Some(each(ends, |ends| Stretch {
+            ends: each(ends, at),
+            tolerance,
+        }))
     }
 }
 
@@ -348,9 +431,15 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
             let Some(Passage { way, depth, .. }) = facet.passage() else {
                 return;
             };
+            // Of facets at one depth the one of the lowest number, in whatever order they come.
+            let is_first = |(z, other): (R, u32), ahead: bool| ahead || depth == z && face < other;
             match way {
-                Way::In if near.is_none_or(|(z, _)| depth < z) => near = Some((depth, face)),
-                Way::Out if far.is_none_or(|(z, _)| depth > z) => far = Some((depth, face)),
+                Way::In if near.is_none_or(|old| is_first(old, depth < old.0)) => {
+                    near = Some((depth, face));
+                }
+                Way::Out if far.is_none_or(|old| is_first(old, depth > old.0)) => {
+                    far = Some((depth, face));
+                }
                 _ => {}
             }
         });
@@ -376,7 +465,7 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
         let radius = R::of(self.radius);
         let corners = self.corners::<R>(root.face);
         let passage = match View::of(line, radius) {
-            Sight::Near(view) => Facet::new(each(corners, |at| view.vertex(at).seen)).passage(),
+            Sight::Near(view) => Facet::new(each(corners, |at| view.project(at))).passage(),
             Sight::Passes | Sight::Lost => None,
         };
         let weights = match passage {
