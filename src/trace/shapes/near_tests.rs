@@ -26,6 +26,11 @@ fn wave(points: u32) -> Vec<[f64; 2]> {
         .collect()
 }
 
+fn quadric(rows: [[f64; 4]; 4]) -> Geometry {
+    let numbers = rows.as_flattened().try_into().unwrap();
+    Geometry::Quadric(Box::new(numbers))
+}
+
 /// Shapes with a cheap test, some of them flat, thin, small or large.
 fn shapes() -> Vec<Geometry> {
     let torus = |major, minor| Geometry::Torus { major, minor };
@@ -43,6 +48,25 @@ fn shapes() -> Vec<Geometry> {
         ellipsoid([1.0, 0.8, 1.3]),
         ellipsoid([0.01, 1.0, 3.0]),
         ellipsoid([5e7, 5e5, 5e4]),
+        // Turned, far from the origin, and flat.
+        quadric([
+            [1.0, 0.3, 0.0, -0.5],
+            [0.3, 2.0, 0.1, 0.2],
+            [0.0, 0.1, 0.5, -0.3],
+            [-0.5, 0.2, -0.3, -2.0],
+        ]),
+        quadric([
+            [1.0, 0.0, 0.0, -100.0],
+            [0.0, 1.0, 0.0, 0.0],
+            [0.0, 0.0, 4.0, 0.0],
+            [-100.0, 0.0, 0.0, 9999.0],
+        ]),
+        quadric([
+            [1e-12, 0.0, 0.0, 0.0],
+            [0.0, 4e-8, 0.0, 0.0],
+            [0.0, 0.0, 1e-12, 0.0],
+            [0.0, 0.0, 0.0, -1.0],
+        ]),
         cone(1.0, 0.4),
         cone(-3e-6, 1e-6),
         cone(0.05, 2.0),
@@ -165,6 +189,73 @@ fn what_misses_crosses_nothing_and_what_goes_through_is_in_it() {
         told_through * 2 > went_through,
         "{told_through} of {went_through}"
     );
+}
+
+/// Of what has no bounds, lines from near and far.
+#[test]
+fn unbounded_quadrics_are_not_crossed_where_they_are_missed() {
+    let shapes = [
+        // A cylinder, one that is turned and far from the origin, and a cone beside it.
+        quadric([
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0; 4],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, -0.25],
+        ]),
+        quadric([
+            [1.0, 1.0, 0.0, -9.0],
+            [1.0, 1.0, 0.0, -9.0],
+            [0.0, 0.0, 2.0, 0.0],
+            [-9.0, -9.0, 0.0, 80.0],
+        ]),
+        quadric([
+            [1.0, 0.0, 0.0, -2.0],
+            [0.0, -0.5, 0.0, 0.0],
+            [0.0, 0.0, 1.0, 0.0],
+            [-2.0, 0.0, 0.0, 4.0],
+        ]),
+        Geometry::ParabolicCylinder { a: 0.7 },
+        Geometry::HyperbolicCylinder { a: 0.01, b: 3.0 },
+        Geometry::HyperbolicParaboloid { a: 1.0, b: 40.0 },
+        Geometry::Hyperboloid {
+            a: 1.0,
+            b: 0.5,
+            c: 2.0,
+            sheets: 1,
+        },
+        Geometry::Hyperboloid {
+            a: 1e5,
+            b: 3e5,
+            c: 2e4,
+            sheets: 2,
+        },
+    ];
+    let mut random = Random(13);
+    for geometry in shapes {
+        let shape = Primitive::new(&geometry);
+        let (mut found, mut truth) = (Roots::default(), Roots::<Dd>::default());
+        let (mut missed, mut told) = (0, 0);
+        for _ in 0..lines() {
+            let size = shape.shape().extent().min(1e6);
+            let origin = random.point(1.0) * (size * random.length(-1.0, 3.0));
+            let target = random.point(1.0) * (size * random.length(-1.0, 1.0));
+            let mut line = Line::new(origin, (target - origin) * random.length(-3.0, 3.0));
+            if random.next().is_multiple_of(2) {
+                line.slack.origin = line.origin.abs().max_component() * random.length(-16.0, -8.0);
+            }
+            crossings(&shape, &line.cast(), &mut truth);
+            let crosses = truth.inside || truth.uncertain || !truth.list.is_empty();
+            missed += u32::from(!crosses);
+            if shape.shape().pass(&line, ALL) == Pass::Beside {
+                told += 1;
+                assert!(!crosses, "{geometry:?} {line:?} {truth:?}");
+                crossings(&shape, &line, &mut found);
+                assert!(!found.uncertain && !found.inside, "{geometry:?} {line:?}");
+                assert!(found.list.is_empty(), "{geometry:?} {line:?} {found:?}");
+            }
+        }
+        assert!(told * 2 >= missed, "{geometry:?}: {told} of {missed}");
+    }
 }
 
 /// From where a line has come out of a shape on.

@@ -208,6 +208,29 @@ impl Form {
         (sum, size)
     }
 
+    /// The coefficients of F(p + t·d), the leading one first.
+    #[inline]
+    pub(super) fn along(&self, p: Vec3, d: Vec3) -> [f64; 3] {
+        let (a, _) = self.value(d, 0.0);
+        let (c, _) = self.value(p, 1.0);
+        [a, self.gradient(p).dot(d), c]
+    }
+
+    /// The sizes of the terms of second, first and no degree together, for coordinates up to 1 that are not divided by
+    /// their units.
+    pub(super) fn sizes(&self) -> [f64; 3] {
+        let inverse = self.inverse;
+        let (mut second, mut first) = (0.0, 0.0);
+        for i in 0..3 {
+            second += self.square[i].abs() * inverse[i] * inverse[i];
+            first += self.linear[i].abs() * inverse[i];
+        }
+        for ((i, j), mixed) in PAIRS.into_iter().zip(self.mixed) {
+            second += mixed.abs() * inverse[i] * inverse[j];
+        }
+        [second, first, self.constant.abs()]
+    }
+
     /// The gradient of F at x, in the form's own units.
     #[inline]
     fn gradient<R: Traced>(&self, x: Vec3<R>) -> Vec3<R> {

@@ -11,10 +11,12 @@ pub use form::Form;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::Matrix;
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::near::{Ball, KNOWN, MARGIN, Pass};
 use crate::trace::shapes::support::Support;
 use line::Chord;
 use std::f64::consts::TAU;
@@ -27,6 +29,8 @@ pub struct Quadric {
     form: Form,
     bounds: Aabb,
     convex: bool,
+    /// Of the terms of second, first and no degree together, for coordinates up to 1.
+    sizes: [f64; 3],
     name: &'static str,
 }
 
@@ -70,17 +74,50 @@ impl Quadric {
     }
 
     fn with(geometry: &Geometry, form: Form, name: &'static str) -> Quadric {
+        let bounds = bounds_of(geometry);
+        // Ellipsoids alone are bounded.
+        let convex = bounds.is_bounded();
         Quadric {
             geometry: Box::new(geometry.clone()),
+            sizes: form.sizes(),
             form,
-            bounds: bounds_of(geometry),
-            convex: false,
+            bounds,
+            convex,
             name,
         }
     }
 
     pub fn name(&self) -> &'static str {
         self.name
+    }
+
+    /// A bound on the sizes of all terms together, for coordinates up to this.
+    fn size(&self, reach: f64) -> f64 {
+        let [second, first, constant] = self.sizes;
+        (second * reach + first) * reach + constant
+    }
+
+    /// Whether the least value on a line is positive, where that is clear.
+    ///
+    /// The value is a t² + b t + c. The sizes of the terms of a, b and c, where all coordinates are as large as the
+    /// largest one, bound what rounding and the line's slack make of the three.
+    fn is_missed(&self, line: &Line) -> bool {
+        let [reach, pace] = each([line.origin, line.direction], |v| v.abs().max_component());
+        let slack = line.slack;
+        if !(slack.origin <= KNOWN * reach && slack.direction <= KNOWN * pace) {
+            return false;
+        }
+        let unit = self.form.units();
+        let [p, d] = each([line.origin, line.direction], |v| v.zip(unit, |x, s| x / s));
+        let [a, b, c] = self.form.along(p, d);
+        let [second, first, _] = self.sizes;
+        let sizes = [
+            second * pace * pace,
+            (2.0 * second * reach + first) * pace,
+            self.size(reach),
+        ];
+        let least = MARGIN * (sizes[1] * sizes[1] + 4.0 * sizes[0] * sizes[2]);
+        least.is_normal() && a > MARGIN * sizes[0] && 4.0 * a * c - b * b > least
     }
 }
 
@@ -105,6 +142,31 @@ impl Shape for Quadric {
         } else {
             self.form.extent()
         }
+    }
+
+    /// An ellipsoid's least value on the stretch is positive.
+    fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
+        if !self.bounds.is_bounded() {
+            return match self.is_missed(line) {
+                true => Pass::Beside,
+                false => Pass::Perhaps,
+            };
+        }
+        let centre = Vec3(self.bounds.centre());
+        let approach = match Ball::meets(line, stretch, centre, self.bounds.radius()) {
+            Ball::Misses => return Pass::Beside,
+            Ball::Unknown => return Pass::Perhaps,
+            Ball::Meets(approach) => approach,
+        };
+        let [a, b, c] = self.form.along(centre + approach.point, approach.direction);
+        let margin = MARGIN * self.size(self.bounds.reach() + self.bounds.radius());
+        let value = |t: f64| (a * t + b) * t + c;
+        let [from, to] = approach.stretch;
+        let lowest = (-b / (a + a)).max(from).min(to);
+        if margin.is_normal() && value(lowest) > margin {
+            return Pass::Beside;
+        }
+        approach.through(lowest, margin, value)
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
