@@ -55,7 +55,7 @@ pub enum Ball {
 impl Ball {
     /// The ball around a shape that is in `radius` of `centre`, and the line for t from `from` to `to`, or a little
     /// more.
-    #[inline]
+    #[inline(always)]
     pub fn meets(line: &Line, [from, to]: [f64; 2], centre: Vec3, radius: f64) -> Ball {
         let start = line.origin - centre;
         let (square, along) = (

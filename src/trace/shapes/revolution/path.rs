@@ -86,7 +86,7 @@ pub fn normaliser(x: f64) -> f64 {
 
 impl<R: Traced> ClosestApproach<R> {
     /// As a shape with the centre (0, `centre`, 0) sees a line, in coordinates scaled by the power of two `scale`.
-    #[inline]
+    #[inline(always)]
     pub fn new(line: &Line<R>, scale: f64, centre: f64) -> ClosestApproach<R> {
         let origin = line.origin * R::of(scale);
         // In two steps, since the inverse of a subnormal length is no number.
