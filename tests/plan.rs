@@ -147,6 +147,12 @@ fn a_lone_convex_shape_casts_no_shadow() {
     decides("shadows", &on, (5, 5), &lone);
     let (_, stats) = Folder::new().render(&lone);
     assert_eq!(stats["rays"]["shadow"], 0);
+    // An ellipsoid among the quadrics, too, and no cylinder.
+    for (middle, shadows) in [(1, false), (0, true)] {
+        let quadric = format!("4 15 2 0 0 0 0 {middle} 0 0 0 0 3 0 0 0 0 -1\n");
+        let lone = format!("{CAMERA}{quadric}5 -402 1\n1 9999 4 0\n");
+        assert_eq!(effect(&plan(&lone), "shadows")["on"], shadows);
+    }
     // From inside its other side is in the way.
     let inside = format!("{CAMERA}4 11 0 0 8 2\n5 -402 1\n1 9999 4 0\n");
     assert_eq!(effect(&plan(&inside), "shadows")["on"], true);

@@ -281,7 +281,7 @@ pub(super) struct Drawing<'t> {
     lights: &'t [Light],
     limits: Limits,
     pub(super) view: View,
-    /// Where camera rays start.
+    /// The solids that camera rays start in, as far as they are known.
     pub(super) within: Within,
     shift: [f64; 2],
     features: Features,

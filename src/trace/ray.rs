@@ -28,7 +28,7 @@ pub struct Left<R = f64> {
 pub struct Ray<R: Traced = f64> {
     pub line: Line<R>,
     pub left: Option<Left<R>>,
-    /// What it starts in.
+    /// The solids that it starts in, as far as they are known.
     pub within: Within,
 }
 

@@ -214,10 +214,10 @@ impl<'t, R: Precision> Shader<'t, R> {
             true => Vec3(optics.kt),
         };
         let indices = &self.tracer.graph.indices;
-        let media = each(hit.indices, |index| indices[index as usize]);
+        let around = each(hit.indices, |index| indices[index as usize]);
         while let Some(c) = (0..3).find(|&c| todo[c] != 0.0) {
             // The channels that go the same way go together.
-            let ratio = |c: usize| (media[0][c], media[1][c]);
+            let ratio = |c: usize| (around[0][c], around[1][c]);
             let mut through = Vec3::ZERO;
             if !self.features.dispersion {
                 through = std::mem::replace(&mut todo, Vec3::ZERO);

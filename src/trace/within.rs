@@ -1,4 +1,4 @@
-//! The solids that a ray starts in, as far as they are known: what it meets next says then by itself what is before
+//! The solids that a ray starts in, where they are known. With them, the next crossing alone says which media are before
 //! and behind it.
 
 /// A solid of the scene's union: a shape, or an intersection.
@@ -18,7 +18,7 @@ pub struct Medium {
     pub index: u32,
 }
 
-/// The solids around a place: none, or few, or nobody knows. Of two the earlier operand, which owns the place, is first.
+/// The solids around a place: none, one, two, or not known. Of two the earlier operand, which owns the place, is first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Within {
     Unknown,
@@ -36,31 +36,31 @@ impl Within {
         }
     }
 
-    /// The medium of the solid that owns the place, if the place is in any.
+    /// The medium of the solid that owns the place, if the place is known to be in any.
     #[inline]
     pub fn medium(&self) -> Option<Medium> {
         self.solids().first().map(|solid| solid.medium)
     }
 
-    /// Whether the place is in the solid with this surface.
+    /// Whether the place is known to be in the solid with this surface.
     #[inline]
     pub fn is_in(&self, surface: u64) -> bool {
         self.solids().iter().any(|solid| solid.surface == surface)
     }
 
-    /// Around a place in one solid more.
+    /// The solids around a place that is also in `new`.
     #[inline]
     pub fn with(self, new: Solid) -> Within {
         match self {
             Within::Outside => Within::One(new),
             Within::One(old) if old.operand < new.operand => Within::Two([old, new]),
             Within::One(old) if old.operand > new.operand => Within::Two([new, old]),
-            // Which of two within one operand owns the place is written in there.
+            // Of two solids in one operand, their order in there decides, which is not looked up here.
             Within::One(_) | Within::Two(_) | Within::Unknown => Within::Unknown,
         }
     }
 
-    /// Around a place out of the solid with this surface.
+    /// The same without the solid with this surface, if it is among them.
     #[inline]
     pub fn without(self, surface: u64) -> Within {
         match self {
@@ -69,5 +69,39 @@ impl Within {
             Within::Two([a, b]) if b.surface == surface => Within::One(a),
             as_before => as_before,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_solids_are_known_and_no_third() {
+        let solid = |operand: u32| Solid {
+            surface: u64::from(operand) + 100,
+            operand,
+            medium: Medium {
+                optics: operand,
+                index: 7,
+            },
+        };
+        let [a, b, c] = [1, 2, 3].map(solid);
+        // The earlier operand owns the place, whichever comes first.
+        for both in [Within::One(a).with(b), Within::One(b).with(a)] {
+            assert_eq!(both, Within::Two([a, b]));
+            assert_eq!(both.medium(), Some(a.medium));
+            assert!(both.is_in(b.surface) && !both.is_in(c.surface));
+            assert_eq!(both.without(a.surface), Within::One(b));
+            assert_eq!(both.without(b.surface), Within::One(a));
+            assert_eq!(both.without(c.surface), both);
+            assert_eq!(both.with(c), Within::Unknown);
+        }
+        assert_eq!(Within::Outside.with(a), Within::One(a));
+        assert_eq!(Within::One(a).without(a.surface), Within::Outside);
+        assert_eq!(Within::Unknown.without(a.surface), Within::Unknown);
+        // Two parts of one operand.
+        let other = Solid { surface: 9, ..a };
+        assert_eq!(Within::One(a).with(other), Within::Unknown);
     }
 }

@@ -342,8 +342,10 @@ impl<const GLASS: bool> Question for Visibility<'_, GLASS> {
 
     /// A ray that starts outside and crosses something opaque before anything transparent is
     /// blocked: the first thing it meets is a boundary of the scene, and opaque. Which of the
-    /// opaque things that is does not matter, so the search stops at the first one found. Only
-    /// where something transparent comes before is there need to know what is inside of what.
+    /// opaque things that is does not matter, so the search stops at the first one found. If it
+    /// crosses nothing opaque, only parts that hold something transparent can change its light, and
+    /// spans of those are enough. Only where something transparent comes before something opaque is
+    /// there need to know what is inside of what.
     fn ask<R: Precision>(&self, tracer: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> Vec3 {
         walker.work.clip += u64::from(tracer.clip.is_some());
         let Some((from, to)) = tracer.window(ray, R::ONE) else {

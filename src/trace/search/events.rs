@@ -146,7 +146,7 @@ pub(in crate::trace) struct Scratch<R = f64> {
 
 impl<R: Precision> Spans<R> {
     /// Forgets all lists.
-    pub fn clear(&mut self) {
+    pub fn forget(&mut self) {
         self.tasks.clear();
         self.lists.clear();
         self.events.clear();

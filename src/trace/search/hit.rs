@@ -35,7 +35,7 @@ pub struct Hit<R = f64> {
     pub inside: [bool; 2],
     /// Whether the ray goes against the normal.
     pub entering: bool,
-    /// What is known of the solids before and behind it.
+    /// The solids before and behind it; unknown where spans found the hit, and `inside` holds in any case.
     pub within: [Within; 2],
     /// Numbers of the surface and its shape; see [`Left`].
     pub surface: u64,
@@ -118,7 +118,7 @@ fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
     }
 }
 
-/// The number of the refractive index in a state.
+/// The number of the refractive index in a state; 0 outside.
 fn index_in(state: Option<State>) -> u32 {
     match state {
         Some(s) if s.inside => s.owner.index,
@@ -154,8 +154,8 @@ impl<R: Precision> Walker<'_, R> {
     /// The first point of the scene's surface in (from, to].
     ///
     /// A ray that is outside of everything sees the nearest crossing, whatever it is. If that is transparent, or if
-    /// the ray starts inside a solid, it matters which media meet there: the crossing says so if it is alone
-    /// ([`states_at`](Self::states_at)), else spans say what is a boundary.
+    /// the ray starts inside a solid, it matters which media meet there. If the crossing is alone and the solids around
+    /// the start are known, [`sides`](Self::sides) says so. Else spans say what is a boundary.
     /// `clipped`: `from` is where the ray enters the region that is drawn,
     /// maybe in the middle of a solid. Without `GLASS` nothing is transparent.
     pub fn first_hit<const GLASS: bool>(
@@ -203,8 +203,8 @@ impl<R: Precision> Walker<'_, R> {
         self.first_visible(ray, from, to)
     }
 
-    /// The solids before and behind the nearest crossing, if no other is in its place: known where those are that the ray
-    /// starts in.
+    /// The solids before and behind the nearest crossing, which must be alone in its place. `None` where the solids at
+    /// the ray's start are not known, or more than two would be behind it.
     fn sides(&self, ray: &Ray<R>, first: &Crossing<R>) -> Option<[Within; 2]> {
         let before = ray.within;
         if R::DOUBT == Doubt::Merges || before == Within::Unknown {
@@ -426,35 +426,32 @@ mod tests {
     use crate::trace::search::query::QueryStatus;
     use std::fmt::Write;
 
-    /// A scene of glass of two kinds in which some solids meet others: spheres, tori, lenses and hollow balls; and panes.
-    fn glass(next: &mut impl FnMut(u64) -> u64) -> String {
+    /// Solids that meet each other, and panes, of so many of the kinds two glasses and something opaque: spheres, tori,
+    /// lenses, hollow balls, and unions that are painted and moved as a whole. Parts of some are of different kinds.
+    fn things(next: &mut impl FnMut(u64) -> u64, kinds: u64) -> String {
         let mut text = String::from(
-            "2 -201 0 0.1 0.9\n2 -203 1.5 1.4 1.3\n3 -201 0 0.2 0.8\n3 -203 1.3 1.3 1.3\n",
+            "2 -201 0 0.1 0.9\n2 -203 1.5 1.4 1.3\n3 -201 0 0.2 0.8\n3 -203 1.3 1.3 1.3\n4 -201 1 0 0\n",
         );
         let mut root = 0;
         for id in (10..70).step_by(10) {
             let [x, y, z, r] = [0; 4].map(|_| (next(4001) as f64 - 2000.0) / 2500.0);
-            let (below, size) = (id + 1, 0.2 + r.abs());
-            let shape = match next(5) {
+            let ([a, b], size) = ([id + 1, id + 2], 0.2 + r.abs());
+            let half = size / 2.0;
+            let shape = match next(6) {
                 0 => format!("{id} 9 {size}\n"),
                 1 => format!("{id} 14 {size} {}\n", size / 3.0),
-                // What two balls have in common, and one without another in it.
-                2 => format!(
-                    "{below} 9 {size}\n{0} 11 0.3 0 0 {size}\n{id} -102 {below} {0}\n",
-                    id + 2
-                ),
-                3 => format!(
-                    "{below} 9 {size}\n{0} 9 {1}\n{id} -103 {below} {0}\n",
-                    id + 2,
-                    size / 2.0
-                ),
+                // What two balls have in common, one without another in it, and both.
+                2 => format!("{a} 9 {size}\n{b} 11 0.3 0 0 {size}\n{id} -102 {a} {b}\n"),
+                3 => format!("{a} 9 {size}\n{b} 9 {half}\n{id} -103 {a} {b}\n"),
+                4 => format!("{a} 9 {half}\n{b} 11 0.4 0 0 {half}\n{id} -101 {a} {b}\n"),
                 _ => format!("{id} 5 -{size} -{size} {size} {size}\n"),
             };
-            let _ = write!(
-                text,
-                "{shape}{id} -1 {x} {y} {z}\n{id} -299 0 {}\n",
-                2 + next(2)
-            );
+            let mut paint = |id: u32| format!("{id} -299 0 {}\n", 2 + next(kinds));
+            let painted = match shape.lines().count() {
+                3 if id % 20 == 0 => paint(a) + &paint(b),
+                _ => paint(id),
+            };
+            let _ = writeln!(text, "{shape}{painted}{id} -1 {x} {y} {z}");
             if root > 0 {
                 let _ = writeln!(text, "{} -101 {root} {id}", id + 5);
             }
@@ -463,12 +460,45 @@ mod tests {
         text + &format!("1 9999 {root} 0\n")
     }
 
+    /// A ray to a light is answered from what is transparent alone where it meets nothing opaque.
+    #[test]
+    fn as_much_light_gets_through_as_all_spans_let_through() {
+        let mut next = random();
+        let mut counts = [0; 3];
+        for _ in 0..300 {
+            let text = things(&mut next, 3);
+            let scene = scene(&text);
+            let tracer = Tracer::new(&scene).unwrap();
+            let mut walkers = tracer.walker::<f64>();
+            for _ in 0..100 {
+                let mut number = || next(2001) as f64 / 1000.0 - 1.0;
+                let mut point = || Vec3::new(number(), number(), number()) * 2.0;
+                let (from, to) = (point(), point());
+                let mut ray = Ray::new(from, to - from);
+                if !tracer.holds(&mut walkers, from) {
+                    ray.within = Within::Outside;
+                }
+                let found = walkers.visibility::<true>(&ray, 0, End::Anywhere);
+                let (_, events) = walkers.walker().trace_spans(&ray, 0.0, 1.0);
+                let seen = events.iter().filter(|e| e.kind != Kind::Silent);
+                let expected = seen.fold(Vec3::ONE, |share, event| {
+                    let optics = &tracer.graph.optics[event.owner.optics as usize];
+                    share.times(Vec3(optics.kt))
+                });
+                assert_eq!(found, expected, "{text}\n{ray:?}");
+                let kind = [expected == Vec3::ZERO, expected == Vec3::ONE];
+                counts[kind.iter().position(|&k| k).unwrap_or(2)] += 1;
+            }
+        }
+        assert!(counts.iter().all(|&count| count > 3000), "{counts:?}");
+    }
+
     #[test]
     fn the_nearest_crossing_says_what_spans_say() {
         let mut next = random();
         let [mut compared, mut known, mut both] = [0; 3];
         for _ in 0..300 {
-            let text = glass(&mut next);
+            let text = things(&mut next, 2);
             let scene = scene(&text);
             let tracer = Tracer::new(&scene).unwrap();
             let mut walkers = tracer.walker::<f64>();
@@ -504,7 +534,7 @@ mod tests {
             }
         }
         assert!(compared > 25_000, "{compared}");
-        assert!(known > 8_000 && both > 100, "{known}, {both} in two");
+        assert!(known > 5_000 && both > 100, "{known}, {both} in two");
     }
 
     #[test]

@@ -19,11 +19,11 @@ impl<R: Precision> Walker<'_, R> {
         self.evaluate(ray, 0, from, to)
     }
 
-    /// The same of those parts of the scene alone that hold something transparent: enough where the ray meets nothing else
-    /// and starts outside of everything.
+    /// The events up to `to` of the parts that hold something transparent. These are all events of a ray that starts
+    /// outside of every solid and crosses nothing opaque.
     pub fn trace_clear_spans(&mut self, ray: &Ray<R>, from: R, to: R) -> &[Event<R>] {
         self.begin(ray);
-        self.spans.clear();
+        self.spans.forget();
         if let Operation::Union(Group {
             clear: Some(clear), ..
         }) = &self.graph.root().operation
@@ -75,14 +75,14 @@ impl<R: Precision> Walker<'_, R> {
         from: R,
         to: R,
     ) -> (Option<State>, &[Event<R>]) {
-        self.spans.clear();
+        self.spans.forget();
         self.spans.tasks.push(Task::Object { context });
         self.work_off(ray, from, to);
         let start = self.spans.lists.last().map(|l| l.start);
         (start, &self.spans.events)
     }
 
-    /// Does what is to be done until one list is left, or none.
+    /// Works off all tasks. One list is left then, or none.
     fn work_off(&mut self, ray: &Ray<R>, from: R, to: R) {
         while let Some(task) = self.spans.tasks.pop() {
             match task {

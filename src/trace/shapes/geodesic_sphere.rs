@@ -5,9 +5,9 @@
 //! to it. A new vertex depends on the two ends of its edge alone, and not on their order, so that neighbours have equal
 //! corners, bit for bit. Everything is computed for radius 1 and scaled at the end.
 //!
-//! What a facet is split into lies in its cone, between the planes through its edges and the centre. A line meets facets
-//! on two stretches alone, where it enters the sphere and where it leaves it; so the search goes down through the facets
-//! whose cones these stretches meet, mostly one of four.
+//! The cone of a facet lies between the planes through its edges and the centre. All parts that the facet is split into
+//! are in that cone. A line meets facets on two stretches alone, where it enters the sphere and where it leaves it. So
+//! the search goes down through the facets whose cones these stretches meet, mostly one of four.
 
 use super::facet::{Facet, Passage, Projected, Shear, Way, drift_across, narrow};
 use super::hull;
@@ -69,7 +69,7 @@ struct Frame<R> {
     near: u32,
 }
 
-/// A stretch of a line, by its ends, and how far behind a plane it may be and still count as in front of it.
+/// A stretch of a line between two ends. A point up to `tolerance` behind a plane counts as in front of it.
 #[derive(Clone, Copy)]
 struct Stretch<R> {
     ends: [Vec3<R>; 2],
@@ -135,7 +135,7 @@ impl GeodesicSphere {
         }
     }
 
-    /// The icosahedron's vertices along a vector: their scalar products with it.
+    /// The scalar products of a vector with the icosahedron's vertices.
     fn heights<R: Traced>(&self, p: Vec3<R>) -> [R; 12] {
         let [short, long] = each(self.coordinates, narrow::<R>);
         let mut heights = [R::ZERO; 12];
@@ -192,7 +192,7 @@ impl GeodesicSphere {
     }
 
     /// Calls `leaf` with every facet that the line passes at a distance of at most `noise` in the sheared space, and maybe
-    /// some more; with some of them twice.
+    /// some more. A facet that both stretches reach comes twice.
     fn visit<R: Traced>(
         &self,
         view: &View<R>,
@@ -258,7 +258,8 @@ impl GeodesicSphere {
 /// weights α, β, γ lies at distance q from the centre, 1 − q² = αβ|ab|² + βγ|bc|² + γα|ca|² ≤ L²/3.
 /// An edge's middle is √(1 − L²/4) or more from the centre, and pushing points
 /// that far out onto the sphere stretches their distances by at most the inverse of that; so after
-/// the next split no edge is longer than L / 2√(1 − L²/4). The last factor is more than what is rounded here.
+/// the next split no edge is longer than L / 2√(1 − L²/4). The factor 1 − 10⁻¹⁴ covers
+/// the rounding.
 fn inner_radius(edge: f64, splits: u32) -> f64 {
     let l2 = (0..splits).fold(edge * edge, |l2, _| l2 / (4.0 - l2));
     (1.0 - l2 / 3.0).sqrt() * (1.0 - 1e-14)
@@ -316,18 +317,18 @@ impl<R: Traced> View<R> {
         self.shear.project(at - self.nearest)
     }
 
-    /// Where the line may come within `slack` of facets, coordinate by coordinate in the sheared space, on the way into
-    /// the sphere and out of it; they are no nearer to the centre than `inner`.
+    /// The two stretches of the line, on the way in and on the way out, on which it may come within `slack` of a facet in
+    /// the sheared space, coordinate by coordinate. No facet is nearer to the centre than `inner`.
     ///
     /// A point P of a facet and the line's point Q at the same depth are √2 slack apart at most. The slack is 160 units
-    /// of roundoff or more, the facet's corners are off by 96 units, and what is computed here by 20.
+    /// of roundoff or more, the facet's corners are off by 76 units, and what is computed here by 20.
     ///
-    /// So Q is between the radii inner − 2.1 slack and 1 + 2.1 slack: the squares of the radii are given three times
+    /// So Q is between the radii inner − 2 slack and 1 + 2 slack. The squares of the radii are given more than three times
     /// what that makes of them.
     ///
     /// The true corners of the facet are on the inner side of the planes of all cones that it is in. Corners that are
-    /// off by 96 units make normals, of length 1 at most, that are off by 200. Along such a normal P is above
-    /// −296 units, and Q above −√2 slack − 316 units, which is above −4 slack.
+    /// off by 76 units make normals, of length 1 at most, that are off by 160. Along such a normal P is above
+    /// −236 units, and Q above −√2 slack − 256 units, which is above −4 slack.
     fn stretches(&self, inner: R, slack: R) -> Option<[Stretch<R>; 2]> {
         let (nearest, slope) = (self.nearest, self.shear.slope);
         let square = slope.dot(slope);
@@ -337,8 +338,9 @@ impl<R: Traced> View<R> {
         let distance = nearest.dot(nearest) + aside * middle;
         let far = R::of(16.0) * slack;
         let outside = R::ONE + far - distance;
-        // Nothing for NaN.
-        if !(outside >= R::ZERO) {
+        // False for NaN.
+        let is_near = outside >= R::ZERO;
+        if !is_near {
             return None;
         }
         let inside = (inner * inner - far - distance).max(R::ZERO);

@@ -220,6 +220,16 @@ fn known_crossings() {
     for splits in 1..=MAX_SPLITS {
         assert_eq!(along(&GeodesicSphere::new(1.0, splits)), [4.0, 6.0]);
     }
+    // Of the facets on both sides of an edge, 0 and 2 above, 5 and 6 below, the first one is met.
+    let line = Line::new(Vec3::new(0.0, 0.0, 5.0), Vec3::new(0.0, 0.0, -1.0));
+    for line in [line, Line::new(-line.origin, -line.direction)] {
+        let mut faces: Vec<u32> = (roots(&GeodesicSphere::new(1.0, 0), &line).list)
+            .iter()
+            .map(|root| root.face)
+            .collect();
+        faces.sort_unstable();
+        assert_eq!(faces, [0, 5]);
+    }
 }
 
 /// Row 38: a scale by a power of two changes no bit, and no other scale a decision.

@@ -221,9 +221,9 @@ impl Form {
     pub(super) fn sizes(&self) -> [f64; 3] {
         let inverse = self.inverse;
         let (mut second, mut first) = (0.0, 0.0);
-        for i in 0..3 {
-            second += self.square[i].abs() * inverse[i] * inverse[i];
-            first += self.linear[i].abs() * inverse[i];
+        for (i, scale) in inverse.into_iter().enumerate() {
+            second += self.square[i].abs() * scale * scale;
+            first += self.linear[i].abs() * scale;
         }
         for ((i, j), mixed) in PAIRS.into_iter().zip(self.mixed) {
             second += mixed.abs() * inverse[i] * inverse[j];

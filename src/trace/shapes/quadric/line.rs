@@ -33,11 +33,12 @@ impl<R: Traced> Bounded<R> {
     }
 }
 
-/// x/y, of which not all ask for the error.
+/// x/y. Its error is computed only where it is asked for.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Quotient<R> {
     pub value: R,
-    x: R,
+    /// The error of x.
+    error: R,
     y: Bounded<R>,
 }
 
@@ -46,7 +47,7 @@ impl<R: Traced> Quotient<R> {
     fn new(x: Bounded<R>, y: Bounded<R>) -> Quotient<R> {
         Quotient {
             value: x.value / y.value,
-            x: x.error,
+            error: x.error,
             y,
         }
     }
@@ -54,10 +55,10 @@ impl<R: Traced> Quotient<R> {
     /// With its error: that of x over y, and y's relative one, both by the least that y may be; where that is zero
     /// there is no bound.
     pub fn bounded(self) -> Bounded<R> {
-        let Quotient { value, x, y } = self;
+        let Quotient { value, error, y } = self;
         let least = y.value.abs() - y.error;
         let error = if least > R::ZERO {
-            (x + y.error * value.abs()) / least + R::gamma(2) * value.abs()
+            (error + y.error * value.abs()) / least + R::gamma(2) * value.abs()
         } else {
             R::INFINITY
         };
@@ -433,7 +434,7 @@ fn closest<R: Traced>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
 fn normalised<R: Traced>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
     let scale = power_of_two(v.abs().max_component().to_f64()).max(least);
     let (inverse, scale) = (R::of(reciprocal(scale)), R::of(scale));
-    // A product is quicker than a quotient, and exact where there is such a number.
+    // A product is quicker than a division, and gives the same where the inverse is a number.
     let shrunk = match !is_final::<R>() && inverse.is_finite() && inverse > R::ZERO {
         true => v * inverse,
         false => v / scale,

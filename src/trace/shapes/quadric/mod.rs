@@ -29,7 +29,7 @@ pub struct Quadric {
     form: Form,
     bounds: Aabb,
     convex: bool,
-    /// Of the terms of second, first and no degree together, for coordinates up to 1.
+    /// Bounds on the summed sizes of the terms of second, first and no degree, for coordinates up to 1.
     sizes: [f64; 3],
     name: &'static str,
 }
@@ -97,9 +97,9 @@ impl Quadric {
         (second * reach + first) * reach + constant
     }
 
-    /// Whether the least value on a line is positive, where that is clear.
+    /// Whether F is positive on the whole line, by more than rounding and the line's slack can change.
     ///
-    /// The value is a t² + b t + c. The sizes of the terms of a, b and c, where all coordinates are as large as the
+    /// It is a t² + b t + c. The sizes of the terms of a, b and c, where all coordinates are as large as the
     /// largest one, bound what rounding and the line's slack make of the three.
     fn is_missed(&self, line: &Line) -> bool {
         let [reach, pace] = each([line.origin, line.direction], |v| v.abs().max_component());
@@ -144,7 +144,8 @@ impl Shape for Quadric {
         }
     }
 
-    /// An ellipsoid's least value on the stretch is positive.
+    /// Without bounds, a line is beside the solid if F is positive on all of it. An ellipsoid is judged by the least
+    /// value of F on the stretch.
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         if !self.bounds.is_bounded() {
             return match self.is_missed(line) {
@@ -163,7 +164,7 @@ impl Shape for Quadric {
         let value = |t: f64| (a * t + b) * t + c;
         let [from, to] = approach.stretch;
         let lowest = (-b / (a + a)).max(from).min(to);
-        if margin.is_normal() && value(lowest) > margin {
+        if margin.is_normal() && a > 0.0 && value(lowest) > margin {
             return Pass::Beside;
         }
         approach.through(lowest, margin, value)
