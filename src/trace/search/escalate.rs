@@ -331,7 +331,7 @@ fn shared<R: Precision>(events: &[Event<R>], graph: &Graph) -> Vec3 {
     let mut share = Vec3::ONE;
     let mut surfaces = events.iter().filter(|e| e.kind != Kind::Silent);
     while let (true, Some(event)) = (share.any(), surfaces.next()) {
-        let optics = &graph.optics[event.owner.optics as usize];
+        let optics = &graph.optics[event.owner.medium.optics as usize];
         share = share.times(Vec3(optics.kt));
     }
     share

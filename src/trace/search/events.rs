@@ -42,16 +42,7 @@ impl<R> Crossing<R> {
 #[derive(Debug, Clone, Copy)]
 pub struct Owner {
     pub leaf: Leaf,
-    pub optics: u32,
-    pub index: u32,
-}
-
-impl Owner {
-    #[inline]
-    pub fn medium(&self) -> Medium {
-        let Owner { optics, index, .. } = *self;
-        Medium { optics, index }
-    }
+    pub medium: Medium,
 }
 
 /// The state between two events. The owner means something inside only.

@@ -121,7 +121,7 @@ fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
 /// The number of the refractive index in a state; 0 outside.
 fn index_in(state: Option<State>) -> u32 {
     match state {
-        Some(s) if s.inside => s.owner.index,
+        Some(s) if s.inside => s.owner.medium.index,
         _ => 0,
     }
 }
@@ -226,7 +226,7 @@ impl<R: Precision> Walker<'_, R> {
             Some(owner) => outside.with(Solid {
                 surface,
                 operand: self.operand(part),
-                medium: owner.medium(),
+                medium: owner.medium,
             }),
         };
         (after != Within::Unknown).then_some([before, after])
@@ -482,7 +482,7 @@ mod tests {
                 let (_, events) = walkers.walker().trace_spans(&ray, 0.0, 1.0);
                 let seen = events.iter().filter(|e| e.kind != Kind::Silent);
                 let expected = seen.fold(Vec3::ONE, |share, event| {
-                    let optics = &tracer.graph.optics[event.owner.optics as usize];
+                    let optics = &tracer.graph.optics[event.owner.medium.optics as usize];
                     share.times(Vec3(optics.kt))
                 });
                 assert_eq!(found, expected, "{text}\n{ray:?}");

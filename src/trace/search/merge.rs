@@ -140,7 +140,7 @@ pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32
         };
         if let Some((_, &event)) = by_rank.into_iter().find_map(of) {
             let seen = before.inside != after.inside
-                || (before.inside && before.owner.medium() != after.owner.medium());
+                || (before.inside && before.owner.medium != after.owner.medium);
             emit(
                 &mut scratch.out,
                 Event {
@@ -249,7 +249,7 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
             let change = group.find(|e| e.0 == 0 && e.1.kind != Kind::Sheet);
             if let (true, Some((_, &event))) = (first > 0, change) {
                 // Of what it leaves and enters again in one place nothing is to be seen.
-                let seen = before.owner.medium() != after.owner.medium();
+                let seen = before.owner.medium != after.owner.medium;
                 let event = Event {
                     kind: if seen { Kind::Boundary } else { Kind::Silent },
                     state: after,

@@ -11,6 +11,7 @@ use crate::geometry::wide_bvh::{Is, WIDTH};
 use crate::trace::graph::{Group, Operation, Target};
 use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
+use crate::trace::within::Medium;
 
 impl<R: Precision> Walker<'_, R> {
     /// The state of the whole scene at the ray's start, at t = `from`, and its events up to `to`.
@@ -49,8 +50,9 @@ impl<R: Precision> Walker<'_, R> {
     ) -> Option<Crossing<R>> {
         let (graph, search) = (self.graph, self.search);
         let (start, events) = self.evaluate(ray, context, from, to);
-        let is_seen =
-            |e: &Event<R>| e.kind != Kind::Silent && search.wants(graph.made_of(e.owner.optics));
+        let is_seen = |e: &Event<R>| {
+            e.kind != Kind::Silent && search.wants(graph.made_of(e.owner.medium.optics))
+        };
         let at = events.iter().position(is_seen)?;
         let event = events[at];
         let before = at.checked_sub(1).map(|i| events[i].state).or(start);
@@ -114,8 +116,10 @@ impl<R: Precision> Walker<'_, R> {
     pub(super) fn owner(&self, leaf: Leaf) -> Owner {
         Owner {
             leaf,
-            optics: self.optics(leaf),
-            index: self.index(leaf),
+            medium: Medium {
+                optics: self.optics(leaf),
+                index: self.index(leaf),
+            },
         }
     }
 

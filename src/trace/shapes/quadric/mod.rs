@@ -31,6 +31,8 @@ pub struct Quadric {
     convex: bool,
     /// Bounds on the summed sizes of the terms of second, first and no degree, for coordinates up to 1.
     sizes: [f64; 3],
+    /// Of what is bounded: the centre and radius of a ball around it, and a bound on the sizes of all terms in there.
+    ball: Option<(Vec3, f64, f64)>,
     name: &'static str,
 }
 
@@ -75,26 +77,26 @@ impl Quadric {
 
     fn with(geometry: &Geometry, form: Form, name: &'static str) -> Quadric {
         let bounds = bounds_of(geometry);
-        // Ellipsoids alone are bounded.
-        let convex = bounds.is_bounded();
+        let sizes = form.sizes();
+        let ball = bounds.is_bounded().then(|| {
+            let radius = bounds.radius();
+            let size = size(sizes, bounds.reach() + radius);
+            (Vec3(bounds.centre()), radius, size)
+        });
         Quadric {
             geometry: Box::new(geometry.clone()),
-            sizes: form.sizes(),
             form,
             bounds,
-            convex,
+            // Ellipsoids alone are bounded.
+            convex: ball.is_some(),
+            sizes,
+            ball,
             name,
         }
     }
 
     pub fn name(&self) -> &'static str {
         self.name
-    }
-
-    /// A bound on the sizes of all terms together, for coordinates up to this.
-    fn size(&self, reach: f64) -> f64 {
-        let [second, first, constant] = self.sizes;
-        (second * reach + first) * reach + constant
     }
 
     /// Whether F is positive on the whole line, by more than rounding and the line's slack can change.
@@ -114,7 +116,7 @@ impl Quadric {
         let sizes = [
             second * pace * pace,
             (2.0 * second * reach + first) * pace,
-            self.size(reach),
+            size(self.sizes, reach),
         ];
         let least = MARGIN * (sizes[1] * sizes[1] + 4.0 * sizes[0] * sizes[2]);
         least.is_normal() && a > MARGIN * sizes[0] && 4.0 * a * c - b * b > least
@@ -124,6 +126,11 @@ impl Quadric {
 /// The bounds that the scene knows for a shape where it is defined.
 fn bounds_of(geometry: &Geometry) -> Aabb {
     geometry.bounds(&Matrix::IDENTITY).padded()
+}
+
+/// From the sizes of terms for coordinates up to 1, that of all together for coordinates up to `reach`.
+fn size([second, first, constant]: [f64; 3], reach: f64) -> f64 {
+    (second * reach + first) * reach + constant
 }
 
 /// The angle about the y axis, as a share of a full turn.
@@ -147,20 +154,19 @@ impl Shape for Quadric {
     /// Without bounds, a line is beside the solid if F is positive on all of it. An ellipsoid is judged by the least
     /// value of F on the stretch.
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
-        if !self.bounds.is_bounded() {
+        let Some((centre, radius, size)) = self.ball else {
             return match self.is_missed(line) {
                 true => Pass::Beside,
                 false => Pass::Perhaps,
             };
-        }
-        let centre = Vec3(self.bounds.centre());
-        let approach = match Ball::meets(line, stretch, centre, self.bounds.radius()) {
+        };
+        let approach = match Ball::meets(line, stretch, centre, radius) {
             Ball::Misses => return Pass::Beside,
             Ball::Unknown => return Pass::Perhaps,
             Ball::Meets(approach) => approach,
         };
         let [a, b, c] = self.form.along(centre + approach.point, approach.direction);
-        let margin = MARGIN * self.size(self.bounds.reach() + self.bounds.radius());
+        let margin = MARGIN * size;
         let value = |t: f64| (a * t + b) * t + c;
         let [from, to] = approach.stretch;
         let lowest = (-b / (a + a)).max(from).min(to);
