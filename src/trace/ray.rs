@@ -12,6 +12,8 @@ pub struct Left<R = f64> {
     pub surface: u64,
     /// The number of its shape.
     pub primitive: u32,
+    /// A number for the surface of an intersection that the ray meets no more, as it goes out of a convex operand; 0: of none.
+    pub outside_of: u64,
     /// Whether the ray goes into the surface's solid. Crossings alternate, so this and being
     /// nearest to the origin single out the root that is the starting point itself.
     pub entering: bool,
@@ -57,6 +59,7 @@ impl<R: Traced> Ray<R> {
             left: self.left.map(|left| Left {
                 surface: left.surface,
                 primitive: left.primitive,
+                outside_of: left.outside_of,
                 entering: left.entering,
                 skin: S::of_parts(left.skin.parts()),
                 passage: left.passage,

@@ -1,14 +1,16 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
 use super::context::Leaf;
-use super::events::{Crossing, Kind, State};
+use super::events::{Crossing, State};
 use super::query::Search;
+use super::spans::Seen;
 use super::vista::End;
 use super::walk::Walker;
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Rgb, Texture};
+use crate::trace::graph::Operation;
 use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::{Left, Ray};
 use crate::trace::shapes::Root;
@@ -35,11 +37,13 @@ pub struct Hit<R = f64> {
     pub inside: [bool; 2],
     /// Whether the ray goes against the normal.
     pub entering: bool,
-    /// The solids before and behind it; unknown where spans found the hit, and `inside` holds in any case.
+    /// The solids before and behind it, as far as they are known; `inside` holds in any case.
     pub within: [Within; 2],
     /// Numbers of the surface and its shape; see [`Left`].
     pub surface: u64,
     pub primitive: u32,
+    /// A number for the surface of the intersection that the shape is a convex operand of; 0: of none.
+    pub convex_in: u64,
     /// Bound on the point's distance from the true surface.
     pub skin: R,
     /// How the ray passes the surface that the face is a part of.
@@ -51,10 +55,12 @@ impl<R: Precision> Hit<R> {
     #[inline]
     pub fn leave(&self, direction: Vec3<R>, onwards: bool) -> Ray<R> {
         let mut ray = Ray::new(self.point, direction);
+        let entering = self.entering == onwards;
         ray.left = Some(Left {
             surface: self.surface,
             primitive: self.primitive,
-            entering: self.entering == onwards,
+            outside_of: if entering { 0 } else { self.convex_in },
+            entering,
             skin: self.skin,
             passage: self.passage.map(|p| p.turned(!onwards)),
         });
@@ -93,6 +99,7 @@ impl<R: Precision> Hit<R> {
             within: self.within,
             surface: self.surface,
             primitive: self.primitive,
+            convex_in: self.convex_in,
             skin: skin + normal.abs().dot(point.abs() * S::gamma(2)),
             passage: self.passage,
         }
@@ -119,10 +126,10 @@ fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
 }
 
 /// The number of the refractive index in a state; 0 outside.
-fn index_in(state: Option<State>) -> u32 {
-    match state {
-        Some(s) if s.inside => s.owner.medium.index,
-        _ => 0,
+fn index_in(state: State) -> u32 {
+    match state.inside {
+        true => state.owner.medium.index,
+        false => 0,
     }
 }
 
@@ -247,20 +254,19 @@ impl<R: Precision> Walker<'_, R> {
 
     /// The first boundary or sheet among the events in (from, to].
     fn first_visible(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<Hit<R>> {
-        let (start, events) = self.trace_spans(ray, from, to);
-        let found = events.iter().position(|e| e.kind != Kind::Silent)?;
-        let event = events[found];
-        let before = match found {
-            0 => start,
-            _ => Some(events[found - 1].state),
-        };
+        let Seen {
+            event,
+            states,
+            within,
+        } = self.trace_first(ray, from, to)?;
         let (leaf, root) = (event.place.leaf, event.place.root);
-        let hit = self.resolve(ray, leaf, root, event.owner.leaf)?;
-        Some(Hit {
-            indices: each([before, Some(event.state)], index_in),
-            inside: [before.is_some_and(|s| s.inside), event.state.inside],
-            ..hit
-        })
+        let mut found = self.resolve(ray, leaf, root, event.owner.leaf);
+        if let Some(hit) = &mut found {
+            hit.indices = each(states, index_in);
+            hit.inside = each(states, |state| state.inside);
+            hit.within = within;
+        }
+        found
     }
 
     /// The place of a crossing of the shape `leaf` with the properties of `owner`; media and sides
@@ -332,8 +338,26 @@ impl<R: Precision> Walker<'_, R> {
             within: [Within::Unknown; 2],
             surface: self.surface(leaf),
             primitive: number,
+            convex_in: self.convex_in(leaf),
             skin,
             passage: self.passage(leaf, &line, (root.face, located.point)),
+        })
+    }
+
+    /// A number for the surface of the intersection that a shape is a convex operand of; 0: of none.
+    fn convex_in(&self, leaf: Leaf) -> u64 {
+        let whole = &self.contexts[leaf.context as usize];
+        match &self.graph.objects[whole.object as usize].operation {
+            Operation::Intersection { first, .. } if first.contains(&leaf.part) => {}
+            _ => return 0,
+        }
+        let shape = self.primitive(leaf).shape();
+        if self.part(leaf.part).inverted || !(shape.is_solid() && shape.is_convex()) {
+            return 0;
+        }
+        self.surface(Leaf {
+            part: whole.part,
+            context: whole.parent,
         })
     }
 
@@ -420,7 +444,10 @@ impl<R: Precision> Walker<'_, R> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::events::Kind;
+    use super::super::spans::first_seen;
     use super::*;
+    use crate::geometry::dd::Dd;
     use crate::testing::{random, scene};
     use crate::trace::Tracer;
     use crate::trace::search::query::QueryStatus;
@@ -502,6 +529,7 @@ mod tests {
             let scene = scene(&text);
             let tracer = Tracer::new(&scene).unwrap();
             let mut walkers = tracer.walker::<f64>();
+            let mut finest = tracer.walker::<Dd>();
             for _ in 0..60 {
                 let mut number = || next(2001) as f64 / 1000.0 - 1.0;
                 let mut direction = || Vec3::new(number(), number(), number()).unit();
@@ -516,6 +544,23 @@ mod tests {
                     let slow = walker.first_visible(&ray, 0.0, f64::INFINITY);
                     let told = |h: Hit| (h.t, h.inside, h.indices, h.surface, h.entering, h.colour);
                     assert_eq!(found.map(told), slow.map(told), "{text}\n{ray:?}");
+                    let all = found.zip(slow).map(|(a, b)| [a.within, b.within]);
+                    for [a, b] in all.iter().flat_map(|[a, b]| [[a[0], b[0]], [a[1], b[1]]]) {
+                        let known = a != Within::Unknown && b != Within::Unknown;
+                        assert!(!known || a == b, "{a:?} {b:?}\n{text}\n{ray:?}");
+                    }
+                    let (start, events) = walker.trace_spans(&ray, 0.0, f64::INFINITY);
+                    let first = start.and_then(|start| first_seen(start, events));
+                    let place = first.map(|(event, states)| {
+                        (event.t(), states.map(|s| s.inside), states.map(index_in))
+                    });
+                    let told = |h: Hit| (h.t, h.inside, h.indices);
+                    assert_eq!(found.map(told), place, "{text}\n{ray:?}");
+                    // In double-double nothing is taken for left, and all is crossed.
+                    let exact = finest.first_hit::<true>(&ray.cast(), End::Anywhere);
+                    let told = |h: Hit| (h.inside, h.indices, h.surface, h.entering);
+                    let cast = exact.map(|h: Hit<Dd>| h.cast());
+                    assert_eq!(found.map(told), cast.map(told), "{text}\n{ray:?}");
                     compared += 1;
                     let Some(hit) = found.filter(|h| h.normal.dot(ray.line.direction) != 0.0)
                     else {

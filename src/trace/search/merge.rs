@@ -2,6 +2,7 @@
 //! and after it, so what identical surfaces do at the same place cancels out.
 
 use super::events::{Event, Kind, List, Owner, Scratch, Spans, State};
+use crate::geometry::array::each;
 use crate::trace::precision::Precision;
 use std::cmp::Ordering;
 
@@ -82,13 +83,23 @@ fn replace<R: Precision>(spans: &mut Spans<R>, base: usize, part: u32, start: St
 /// The union of the lists from `base` on, once sorted: the first operand that is inside owns the point.
 pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32, base: usize) {
     match spans.lists.len() - base {
-        0 => return,
-        1 => {
-            spans.lists[base].part = part;
-            return;
+        0 => {}
+        1 => spans.lists[base].part = part,
+        _ => {
+            let start = merge_union(spans, base, false);
+            replace(spans, base, part, start);
         }
-        _ => {}
     }
+}
+
+/// Finds the events of the union of the lists from `base` on, once sorted, and returns its state at the start. With
+/// `first`, nothing after the place where the first boundary or sheet is; the scratch has the states of all lists
+/// before and behind that place then.
+pub(in crate::trace) fn merge_union<R: Precision>(
+    spans: &mut Spans<R>,
+    base: usize,
+    first: bool,
+) -> State {
     let Spans {
         lists,
         events,
@@ -111,9 +122,9 @@ pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32
     let mut now = (holder(&scratch.before), start);
     let mut next = 0;
     while next < scratch.order.len() {
-        let first = next;
-        next = scratch.next_group(events, first);
-        let group = scratch.order[first..next].iter();
+        let (from, found) = (next, scratch.out.len());
+        next = scratch.next_group(events, from);
+        let group = scratch.order[from..next].iter();
         let group = group.map(|&(_, list, event)| (list as usize, &events[event as usize]));
         let then = holder(&scratch.after);
         let after = state(&scratch.after, then);
@@ -151,8 +162,95 @@ pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32
             );
         }
         now = (then, after);
+        if first && scratch.out[found..].iter().any(|e| e.kind != Kind::Silent) {
+            break;
+        }
     }
-    replace(spans, base, part, start);
+    start
+}
+
+impl<R: Precision> Spans<R> {
+    /// What the lists from `base` on have in common, where that is easily told: each is inside on one stretch of the
+    /// ray, as a convex solid is, and no two of the stretches begin or end in one place. Else `false`, and nothing is
+    /// changed.
+    pub fn join_stretches(&mut self, part: u32, base: usize) -> bool {
+        let Some([entry, exit]) = self.common_stretch(base) else {
+            return false;
+        };
+        let lists = &self.lists[base..];
+        let begin = lists[0].begin;
+        let owner = match lists[0].start {
+            State {
+                inside: true,
+                owner,
+            } => owner,
+            _ => self.events[begin].state.owner,
+        };
+        let start = State {
+            inside: lists.iter().all(|list| list.start.inside),
+            owner,
+        };
+        let end = |at: Option<usize>, inside| {
+            at.map(|at| Event {
+                state: State { inside, owner },
+                ..self.events[at]
+            })
+        };
+        let ends = [end(entry, true), end(exit, false)];
+        self.events.truncate(begin);
+        self.lists.truncate(base);
+        self.events.extend(ends.into_iter().flatten());
+        if start.inside || self.events.len() > begin {
+            self.lists.push(List { part, start, begin });
+        }
+        true
+    }
+
+    /// The last entry and the first exit among the lists from `base` on, as numbers of events; none of both where the
+    /// exit comes first.
+    fn common_stretch(&self, base: usize) -> Option<[Option<usize>; 2]> {
+        let mut common = self.stretch(base)?;
+        for i in base + 1..self.lists.len() {
+            let own = self.stretch(i)?;
+            let later = [true, false];
+            for end in 0..2 {
+                common[end] = match (common[end], own[end]) {
+                    (Some(a), Some(b)) if self.comes_later(a, b)? == later[end] => Some(a),
+                    (a, b) => b.or(a),
+                };
+            }
+        }
+        Some(match common {
+            [Some(entry), Some(exit)] if self.comes_later(entry, exit)? => [None; 2],
+            _ => common,
+        })
+    }
+
+    /// Where list `i` enters and leaves the one stretch that it is inside on.
+    fn stretch(&self, i: usize) -> Option<[Option<usize>; 2]> {
+        let List { start, begin, .. } = self.lists[i];
+        let ends = match (start.inside, self.of(i).len()) {
+            (true, 0) => [None; 2],
+            (true, 1) => [None, Some(begin)],
+            (false, 1) => [Some(begin), None],
+            (false, 2) => [Some(begin), Some(begin + 1)],
+            _ => return None,
+        };
+        let fits = |end: Option<usize>, inside: bool| {
+            end.is_none_or(|at| {
+                let event = &self.events[at];
+                event.kind == Kind::Boundary && event.state.inside == inside
+            })
+        };
+        (fits(ends[0], true) && fits(ends[1], false)).then_some(ends)
+    }
+
+    /// Whether event `a` comes after event `b`, if they are surely apart.
+    fn comes_later(&self, a: usize, b: usize) -> Option<bool> {
+        let [a, b] = each([a, b], |at| self.events[at].place);
+        let gap = a.root.t - b.root.t;
+        (gap.abs() > a.error + b.error).then_some(gap > R::ZERO)
+    }
 }
 
 /// The intersection of the `first` lists from `base` on less all others, once sorted. The first operand owns
@@ -261,4 +359,121 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
         before = after;
     }
     replace(spans, base, part, start);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::context::Leaf;
+    use super::super::events::Place;
+    use super::*;
+    use crate::testing::random;
+    use crate::trace::shapes::Root;
+    use crate::trace::within::Medium;
+
+    fn owner(part: u32) -> Owner {
+        Owner {
+            leaf: Leaf { part, context: 0 },
+            medium: Medium {
+                optics: part,
+                index: 0,
+            },
+        }
+    }
+
+    /// Lists with events at these places, inside from the start or not.
+    fn lists(all: &[(bool, Vec<f64>)], error: f64) -> Spans {
+        let mut spans = Spans::default();
+        for ((inside, places), part) in all.iter().zip(0..) {
+            let [mut state, start] = [State {
+                inside: *inside,
+                owner: owner(part),
+            }; 2];
+            spans.lists.push(List {
+                part,
+                start,
+                begin: spans.events.len(),
+            });
+            for &t in places {
+                state.inside = !state.inside;
+                spans.events.push(Event {
+                    kind: Kind::Boundary,
+                    place: Place {
+                        leaf: owner(part).leaf,
+                        root: Root { t, face: 0 },
+                        error,
+                    },
+                    owner: owner(part),
+                    state,
+                });
+            }
+        }
+        spans
+    }
+
+    type Told = (bool, Vec<(f64, u32, bool, Option<u32>)>);
+
+    /// The one list that is left: how it starts, and of each event the place, whose face it is, and who owns what
+    /// is behind.
+    fn told(spans: &Spans) -> Option<Told> {
+        let start = spans.lists.first()?.start.inside;
+        let event = |e: &Event| {
+            let behind = e.state.inside.then_some(e.state.owner.leaf.part);
+            (e.t(), e.owner.leaf.part, e.state.inside, behind)
+        };
+        Some((start, spans.of(0).iter().map(event).collect()))
+    }
+
+    #[test]
+    fn one_stretch_each_is_joined_as_any_lists_are() {
+        let mut next = random();
+        let mut counts = [0; 4];
+        for _ in 0..20_000 {
+            let count = 2 + next(3) as usize;
+            let all: Vec<(bool, Vec<f64>)> = (0..count)
+                .map(|_| {
+                    let mut places: Vec<f64> = (0..2).map(|_| next(1 << 40) as f64).collect();
+                    places.sort_by(f64::total_cmp);
+                    match next(4) {
+                        0 => (true, vec![]),
+                        1 => (true, vec![places[0]]),
+                        2 => (false, vec![places[0]]),
+                        _ => (false, places),
+                    }
+                })
+                .collect();
+            let [mut quick, mut slow] = [0, 1].map(|_| lists(&all, 0.25));
+            assert!(quick.join_stretches(9, 0), "{all:?}");
+            slow.sort(0);
+            join_intersection(&mut slow, 9, 0, count, false, owner(0));
+            assert_eq!(told(&quick), told(&slow), "{all:?}");
+            counts[told(&quick).map_or(3, |told| told.1.len())] += 1;
+        }
+        assert!(counts.iter().all(|&count| count > 500), "{counts:?}");
+    }
+
+    #[test]
+    fn stretches_that_are_not_easily_told_apart_are_left_as_they_are() {
+        for (all, error) in [
+            // Two of them begin or end in one place, as far as is known, or one begins where another ends.
+            ([(false, vec![1.0, 5.0]), (false, vec![1.5, 6.0])], 0.25),
+            ([(false, vec![1.0, 5.0]), (false, vec![3.0, 5.5])], 0.25),
+            ([(false, vec![1.0, 2.0]), (false, vec![2.0, 3.0])], 0.0),
+            ([(false, vec![1.0, 2.0]), (true, vec![1.0])], 0.0),
+            // One is inside twice, or around the stretch.
+            (
+                [(false, vec![1.0, 5.0]), (false, vec![0.0, 2.0, 4.0, 6.0])],
+                0.0,
+            ),
+            ([(false, vec![1.0, 5.0]), (true, vec![0.0, 2.0])], 0.0),
+        ] {
+            let mut spans = lists(&all, error);
+            assert!(!spans.join_stretches(9, 0), "{all:?}");
+            let kept = [spans.lists.len(), spans.events.len()];
+            assert_eq!(kept, [2, all[0].1.len() + all[1].1.len()], "{all:?}");
+        }
+        // A sheet is no end of a stretch.
+        let mut spans = lists(&[(false, vec![1.0, 5.0]), (false, vec![2.0, 4.0])], 0.0);
+        spans.events[0].kind = Kind::Sheet;
+        assert!(!spans.join_stretches(9, 0));
+    }
 }

@@ -263,6 +263,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             return true;
         }
         match self.part(leaf.part).target {
+            Target::Object(_) if self.is_left(ray, leaf) => {}
             Target::Object(object) => {
                 let Some(context) = self.enter(leaf.context, leaf.part, object) else {
                     return false;

@@ -3,21 +3,114 @@
 
 use super::context::Leaf;
 use super::events::Place;
-use super::events::{Crossing, Event, Kind, List, Owner, State, Task};
-use super::merge::{join_intersection, join_union};
+use super::events::{Crossing, Event, Kind, List, Owner, Scratch, State, Task};
+use super::merge::{join_intersection, join_union, merge_union};
 use super::walk::Walker;
 use crate::geometry::array::each;
 use crate::geometry::wide_bvh::{Is, WIDTH};
 use crate::trace::graph::{Group, Operation, Target};
-use crate::trace::precision::Precision;
+use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::Ray;
-use crate::trace::within::Medium;
+use crate::trace::within::{Medium, Solid, Within};
+
+/// What a ray sees first of the scene's union.
+pub(super) struct Seen<R> {
+    pub event: Event<R>,
+    /// The states before and behind it.
+    pub states: [State; 2],
+    /// The solids before and behind it, as far as they are known.
+    pub within: [Within; 2],
+}
+
+/// The first boundary or sheet, with the states before and behind it.
+pub(super) fn first_seen<R: Precision>(
+    start: State,
+    events: &[Event<R>],
+) -> Option<(Event<R>, [State; 2])> {
+    let mut before = start;
+    for event in events {
+        if event.kind != Kind::Silent {
+            return Some((*event, [before, event.state]));
+        }
+        before = event.state;
+    }
+    None
+}
 
 impl<R: Precision> Walker<'_, R> {
     /// The state of the whole scene at the ray's start, at t = `from`, and its events up to `to`.
     pub fn trace_spans(&mut self, ray: &Ray<R>, from: R, to: R) -> (Option<State>, &[Event<R>]) {
         self.begin(ray);
         self.evaluate(ray, 0, from, to)
+    }
+
+    /// The first boundary or sheet of the scene in (from, to].
+    pub(super) fn trace_first(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<Seen<R>> {
+        let Operation::Union(all) = &self.graph.root().operation else {
+            return None;
+        };
+        self.begin(ray);
+        self.spans.forget();
+        self.gather(0, all, from, to);
+        self.work_off(ray, from, to);
+        if self.spans.lists.len() > 1 {
+            self.sort(0);
+            let start = merge_union(&mut self.spans, 0, true);
+            let Scratch {
+                before, after, out, ..
+            } = &self.spans.scratch;
+            let (event, states) = first_seen(start, out)?;
+            return Some(self.seen(event, states, [before, after]));
+        }
+        let start = self.spans.lists.first()?.start;
+        let (event, states) = first_seen(start, &self.spans.events)?;
+        Some(self.seen(event, states, each([0, 1], |side| &states[side..=side])))
+    }
+
+    /// The event with the states of the union and those of all lists, before and behind it.
+    fn seen(&self, event: Event<R>, states: [State; 2], all: [&[State]; 2]) -> Seen<R> {
+        let within = match (R::DOUBT, event.kind) {
+            // Where several surfaces are one place, the ray may not be in what it says.
+            (Doubt::Merges, _) => [Within::Unknown; 2],
+            (_, Kind::Sheet) => [self.within(all[0]); 2],
+            _ => each(all, |states| self.within(states)),
+        };
+        Seen {
+            event,
+            states,
+            within,
+        }
+    }
+
+    /// The solids that the ray is in where the lists of the scene's parts have these states.
+    fn within(&self, states: &[State]) -> Within {
+        let lists = self.spans.lists.iter().zip(states);
+        let inside = lists.filter(|(_, state)| state.inside);
+        inside.fold(Within::Outside, |within, (list, state)| {
+            let part = Leaf {
+                part: list.part,
+                context: 0,
+            };
+            if !self.is_one_solid(part) {
+                return Within::Unknown;
+            }
+            within.with(Solid {
+                surface: self.surface(part),
+                operand: list.part,
+                medium: state.owner.medium,
+            })
+        })
+    }
+
+    /// Whether a part is a shape or an intersection, and no union of such.
+    fn is_one_solid(&self, leaf: Leaf) -> bool {
+        match self.part(leaf.part).target {
+            Target::Shape(_) => true,
+            Target::Object(object) => !matches!(
+                self.graph.objects[object as usize].operation,
+                Operation::Union(_)
+            ),
+        }
     }
 
     /// The events up to `to` of the parts that hold something transparent. These are all events of a ray that starts
@@ -127,6 +220,7 @@ impl<R: Precision> Walker<'_, R> {
     fn part_spans(&mut self, ray: &Ray<R>, leaf: Leaf, from: R, to: R) {
         let part = self.part(leaf.part);
         let primitive = match part.target {
+            Target::Object(_) if self.is_left(ray, leaf) => return,
             Target::Object(object) => {
                 if let Some(context) = self.enter(leaf.context, leaf.part, object) {
                     self.spans.tasks.push(Task::Object { context });
@@ -272,6 +366,10 @@ impl<R: Precision> Walker<'_, R> {
         });
         let part = self.contexts[context as usize].part;
         self.work.csg_merge += 1;
+        let cut = self.spans.lists.len() - base > first;
+        if !cut && first > 0 && self.spans.join_stretches(part, base) {
+            return;
+        }
         self.sort(base);
         join_intersection(&mut self.spans, part, base, first, *inherit, lead);
     }

@@ -307,7 +307,6 @@ impl<'g, R: Precision> Walker<'g, R> {
         let shape = &self.graph.primitives[primitive as usize];
         // In double-double the crossing with the surface that the ray has left is asked for.
         let goes_out = R::DOUBT == Doubt::GoesOn
-            && ahead.is_some()
             && ray.left.as_ref().is_some_and(|left| {
                 left.primitive == primitive
                     && !(left.entering && shape.shape().is_solid())
@@ -367,6 +366,13 @@ impl<'g, R: Precision> Walker<'g, R> {
         };
         self.roots = roots;
         Some(behind)
+    }
+
+    /// Whether a ray has left an object for good.
+    #[inline]
+    pub(super) fn is_left(&self, ray: &Ray<R>, object: Leaf) -> bool {
+        let outside_of = ray.left.as_ref().map_or(0, |left| left.outside_of);
+        R::DOUBT == Doubt::GoesOn && outside_of != 0 && outside_of == self.surface(object)
     }
 
     /// Whether it is enough to know that a ray goes through a solid: it starts outside of that, and where the solid is
