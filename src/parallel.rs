@@ -16,23 +16,32 @@ pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     map_with(count, || (), |(), i| work(i))
 }
 
-/// Makes the calling thread a member of a pool for the rest of the process, so that it works while it waits. It begins at
-/// once; threads that have to be woken may share one core for some milliseconds. A thread can do this once, and cannot
-/// make another pool of which it is a member.
-pub fn take_part() {
-    let pool = rayon::ThreadPoolBuilder::new().use_current_thread().build();
+/// Makes the calling thread one of a pool of so many, or of one for each processor if 0, for the rest of the process: it
+/// works while it waits, and begins at once; threads that have to be woken may share one core for some milliseconds. A
+/// thread can do this once. An error where the system starts no threads.
+pub fn take_part(threads: usize) -> Result<(), rayon::ThreadPoolBuildError> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
     // Dropping the pool would end its threads.
-    std::mem::forget(pool);
+    pool.use_current_thread().build().map(std::mem::forget)
 }
 
-/// How many threads there are.
+/// How many threads there are. They start when they are first asked for, which takes longer than to read a short scene.
 pub fn threads() -> usize {
     rayon::current_num_threads()
 }
 
 /// Into how many parts to split a text of so many bytes: one per thread, but none shorter than [`PART_MIN`].
 pub fn parts(bytes: usize) -> usize {
-    threads().min(bytes / PART_MIN).max(1)
+    at_most(bytes / PART_MIN)
+}
+
+/// How many threads work on so many pieces: at least one, and no more than there are pieces. Does not start the threads
+/// for one piece.
+fn at_most(pieces: usize) -> usize {
+    match pieces {
+        0 | 1 => 1,
+        _ => threads().min(pieces),
+    }
 }
 
 /// A shorter part takes less time than to wake up a thread for it.
@@ -52,8 +61,8 @@ pub fn map_with<S, T: Send>(
     state: impl Fn() -> S + Sync,
     work: impl Fn(&mut S, usize) -> T + Sync,
 ) -> Vec<T> {
-    let threads = threads().min(count);
-    if threads <= 1 {
+    let threads = at_most(count);
+    if threads == 1 {
         let mut state = state();
         return (0..count).map(|i| work(&mut state, i)).collect();
     }

@@ -4,6 +4,7 @@
 use std::fs;
 use std::path::Path;
 use std::str::FromStr;
+use std::sync::LazyLock;
 use std::thread::available_parallelism;
 
 use sysinfo::System;
@@ -82,7 +83,7 @@ fn number(x: f64) -> String {
 impl Memory {
     /// What is allowed, in bytes.
     fn bytes(self) -> u64 {
-        self.allowed.map_or_else(half, |b| b.0)
+        self.allowed.map_or_else(|| *HALF, |b| b.0)
     }
 
     fn refused(self, what: &'static str, needed: f64) -> Complaint {
@@ -157,7 +158,7 @@ impl Memory {
 }
 
 /// Half of the memory there is for this process.
-fn half() -> u64 {
+static HALF: LazyLock<u64> = LazyLock::new(|| {
     let mut system = System::new();
     system.refresh_memory();
     let group = system.cgroup_limits().map(|l| l.total_memory);
@@ -168,7 +169,7 @@ fn half() -> u64 {
         .min();
     // Where nobody tells, what most machines have.
     total.unwrap_or(8 << 30) / 2
-}
+});
 
 /// The limit that `ulimit -v` sets.
 fn address_space() -> Option<u64> {
@@ -224,7 +225,6 @@ mod tests {
 
     #[test]
     fn half_of_what_there_is() {
-        let bytes = half();
-        assert!(bytes >= 1 << 26, "{bytes}");
+        assert!(*HALF >= 1 << 26, "{}", *HALF);
     }
 }

@@ -20,6 +20,7 @@ use super::terminal::{self, progress_bar, stop_on_interrupt, tell};
 use super::{LookChoice, Status, camera, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error, Span, Value};
+use crate::parallel;
 use crate::scene::{Camera, Scene};
 use crate::solids::frame::selected_cameras;
 use crate::study::accuracy::{cost, words};
@@ -196,6 +197,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
+    if let Err(why) = parallel::take_part(memory::threads(args.threads, look)) {
+        let complaint = Complaint::new("no-threads").with("reason", why.to_string());
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     let mut loaded = match load_sound(&args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
@@ -232,7 +238,7 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
     let taken = f64::from(width) * f64::from(height) * pixel * cameras.len() as f64;
     args.memory.grant(taken, "picture-needs-memory")?;
     let stereo = args.stereo.unwrap_or_default();
-    let threads = memory::threads(args.threads, look);
+    let threads = parallel::threads();
     let per_camera = |path: PathBuf| match stereo {
         Stereo::Pair if cameras.len() > 1 => left_and_right(&path),
         _ => vec![path],
@@ -275,17 +281,11 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
-    // This thread draws, too, and begins at once.
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .use_current_thread()
-        .build()
-        .map_err(|e| Complaint::new("no-threads").with("reason", e.to_string()))?;
     let rows = settings.crop.map_or(settings.height, |c| c.height);
     let bar = progress_bar(u64::from(rows) * cameras.len() as u64, look);
     let mut pictures = Vec::new();
     for camera in &cameras {
-        pictures.push(pool.install(|| tracer.render(camera, &settings, || bar.inc(1)))?);
+        pictures.push(tracer.render(camera, &settings, || bar.inc(1))?);
     }
     bar.finish_and_clear();
     if stop.load(Ordering::Relaxed) {
@@ -317,7 +317,7 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
         let stats = Stats {
             size: [settings.width, settings.height],
             precision: args.precision.name(),
-            threads: pool.current_num_threads(),
+            threads,
             samples,
             seconds,
             rays: counts.rays,

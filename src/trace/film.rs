@@ -56,9 +56,13 @@ const DIGITS: u32 = f32::MANTISSA_DIGITS - 1 - 8;
 /// What the least number of each such kind, up to 1, is encoded as.
 static STARTS: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let last = 1f32.to_bits() >> DIGITS;
+    let mut code = 0;
     let start = |kind: u32| {
         let least = f32::from_bits(kind << DIGITS);
-        STEPS.partition_point(|&step| step <= least) as u8
+        while STEPS.get(code).is_some_and(|&step| step <= least) {
+            code += 1;
+        }
+        code as u8
     };
     (0..=last).map(start).collect()
 });

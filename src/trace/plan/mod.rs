@@ -17,6 +17,7 @@ use crate::scene::{Node, NodeId, Rgb, Scene, View};
 use reach::Reach;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use unseen::{Found, LeftOut, Unseen};
 
 /// So many of the entities that turn an effect on are named.
@@ -107,8 +108,9 @@ impl Sources {
     }
 }
 
-/// In scenes with more nodes, doing two things at once would take too much memory.
-const AT_ONCE: usize = 1 << 17;
+/// Scenes of so many nodes are looked at on two threads. For fewer it takes longer to start those; with more it would
+/// take too much memory.
+const AT_ONCE: Range<usize> = 1 << 10..1 << 17;
 
 impl Plan {
     /// Of all that is drawn, whether a picture shows it or not: for questions about single rays, which
@@ -128,7 +130,7 @@ impl Plan {
         let render = scene.render.as_ref()?;
         let find = || find(scene, render.root);
         let reach = || Reach::new(scene, render.root, &LeftOut::default());
-        let (found, everything) = match scene.nodes.len() <= AT_ONCE {
+        let (found, everything) = match AT_ONCE.contains(&scene.nodes.len()) {
             true => parallel::both(find, reach),
             false => (find(), reach()),
         };
