@@ -42,6 +42,12 @@ impl Within {
         self.solids().first().map(|solid| solid.medium)
     }
 
+    /// The operand of the solid that owns the place, if the place is known to be in any.
+    #[inline]
+    pub fn operand(&self) -> Option<u32> {
+        self.solids().first().map(|solid| solid.operand)
+    }
+
     /// Whether the place is known to be in the solid with this surface.
     #[inline]
     pub fn is_in(&self, surface: u64) -> bool {

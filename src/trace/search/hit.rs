@@ -42,7 +42,7 @@ pub struct Hit<R = f64> {
     /// Numbers of the surface and its shape; see [`Left`].
     pub surface: u64,
     pub primitive: u32,
-    /// A number for the surface of the intersection that the shape is a convex operand of; 0: of none.
+    /// A number for the surface of the intersection that the shape is a convex operand of; 0 where there is none.
     pub convex_in: u64,
     /// Bound on the point's distance from the true surface.
     pub skin: R,
@@ -162,7 +162,8 @@ impl<R: Precision> Walker<'_, R> {
     ///
     /// A ray that is outside of everything sees the nearest crossing, whatever it is. If that is transparent, or if
     /// the ray starts inside a solid, it matters which media meet there. If the crossing is alone and the solids around
-    /// the start are known, [`sides`](Self::sides) says so. Else spans say what is a boundary.
+    /// the start are known, [`sides`](Self::sides) says so. Else spans say what is a boundary. Where two solids are in one
+    /// place, the earlier operand owns that, so what later operands do there is passed over.
     /// `clipped`: `from` is where the ray enters the region that is drawn,
     /// maybe in the middle of a solid. Without `GLASS` nothing is transparent.
     pub fn first_hit<const GLASS: bool>(
@@ -213,7 +214,10 @@ impl<R: Precision> Walker<'_, R> {
     /// The solids before and behind the nearest crossing, which must be alone in its place. `None` where the solids at
     /// the ray's start are not known, or more than two would be behind it.
     fn sides(&self, ray: &Ray<R>, first: &Crossing<R>) -> Option<[Within; 2]> {
-        let before = ray.within;
+        let before = match self.hidden[..] {
+            [] => ray.within,
+            _ => self.within_before(ray, first),
+        };
         if R::DOUBT == Doubt::Merges || before == Within::Unknown {
             return None;
         }
@@ -237,6 +241,32 @@ impl<R: Precision> Walker<'_, R> {
             }),
         };
         (after != Within::Unknown).then_some([before, after])
+    }
+
+    /// The solids before a crossing: those at the ray's start, with what the ray has passed over. Unknown where it cannot
+    /// be told what comes first.
+    #[inline(never)]
+    fn within_before(&self, ray: &Ray<R>, first: &Crossing<R>) -> Within {
+        let mut within = ray.within;
+        for place in &self.hidden {
+            let gap = first.place.root.t - place.root.t;
+            if gap.abs() <= first.place.error + place.error {
+                return Within::Unknown;
+            }
+            if gap < R::ZERO {
+                continue;
+            }
+            let surface = self.surface(place.leaf);
+            within = match within.is_in(surface) {
+                true => within.without(surface),
+                false => within.with(Solid {
+                    surface,
+                    operand: place.leaf.part,
+                    medium: self.owner(place.leaf).medium,
+                }),
+            };
+        }
+        within
     }
 
     /// The operand of the scene's union that a part is, or that it is in.
@@ -344,7 +374,7 @@ impl<R: Precision> Walker<'_, R> {
         })
     }
 
-    /// A number for the surface of the intersection that a shape is a convex operand of; 0: of none.
+    /// A number for the surface of the intersection that a shape is a convex operand of; 0 where there is none.
     fn convex_in(&self, leaf: Leaf) -> u64 {
         let whole = &self.contexts[leaf.context as usize];
         match &self.graph.objects[whole.object as usize].operation {
@@ -523,7 +553,7 @@ mod tests {
     #[test]
     fn the_nearest_crossing_says_what_spans_say() {
         let mut next = random();
-        let [mut compared, mut known, mut both] = [0; 3];
+        let [mut compared, mut known, mut both, mut over] = [0; 4];
         for _ in 0..300 {
             let text = things(&mut next, 2);
             let scene = scene(&text);
@@ -541,6 +571,9 @@ mod tests {
                     walker.status = QueryStatus::default();
                     let found =
                         walker.first_hit::<true>(&ray, (0.0, f64::INFINITY), false, End::Anywhere);
+                    let is_told = |h: &Hit| h.within[0] != Within::Unknown;
+                    over +=
+                        u32::from(!walker.hidden.is_empty() && found.as_ref().is_some_and(is_told));
                     let slow = walker.first_visible(&ray, 0.0, f64::INFINITY);
                     let told = |h: Hit| (h.t, h.inside, h.indices, h.surface, h.entering, h.colour);
                     assert_eq!(found.map(told), slow.map(told), "{text}\n{ray:?}");
@@ -580,6 +613,7 @@ mod tests {
         }
         assert!(compared > 25_000, "{compared}");
         assert!(known > 5_000 && both > 100, "{known}, {both} in two");
+        assert!(over > 200, "{over} with something passed over");
     }
 
     #[test]

@@ -46,7 +46,8 @@ impl<R: Precision> Best<R> {
 impl<'g, R: Precision> Walker<'g, R> {
     /// The first crossing with a part's surface in (from, to], and whether nothing else is met that cannot be told from
     /// it. Parts that are unions are looked into; of intersections only their own boundary counts. Among crossings at the
-    /// same t a sheet's wins, then the first operand's. A search for any crossing takes the first one found.
+    /// same t a sheet's wins, then the first operand's. A search for any crossing takes the first one found. The search
+    /// for the first one passes over solids that the ray cannot see from where it starts, and notes where it crosses them.
     pub fn nearest(
         &mut self,
         ray: &Ray<R>,
@@ -277,6 +278,9 @@ impl<'g, R: Precision> Walker<'g, R> {
                     }
                 }
             }
+            Target::Shape(primitive) if self.is_hidden(ray, leaf) => {
+                self.pass_over(ray, leaf, primitive, from);
+            }
             Target::Shape(primitive) => {
                 let ahead = Some([best.start, best.limit.to_f64()]);
                 let Some(behind) = self.cross(ray, leaf, primitive, from, ahead) else {
@@ -300,6 +304,30 @@ impl<'g, R: Precision> Walker<'g, R> {
             }
         }
         true
+    }
+
+    /// Whether a part is a solid that the ray cannot see from where it starts. The start is in a solid of an earlier
+    /// operand then, and that one owns the places that both are in. The ray comes to the end of that one first, or to
+    /// something else.
+    #[inline(always)]
+    fn is_hidden(&self, ray: &Ray<R>, leaf: Leaf) -> bool {
+        R::DOUBT != Doubt::Merges
+            && self.search == Search::First
+            && leaf.context == 0
+            && ray.within.operand().is_some_and(|owner| owner < leaf.part)
+            && self.is_solid(leaf)
+            && !self.part(leaf.part).inverted
+    }
+
+    /// Notes where the ray crosses a shape that is hidden.
+    #[inline(never)]
+    fn pass_over(&mut self, ray: &Ray<R>, leaf: Leaf, primitive: u32, from: R) {
+        let behind = (self.cross(ray, leaf, primitive, from, None)).unwrap_or_default();
+        for i in behind..self.roots.list.len() {
+            let root = self.roots.list[i];
+            let error = self.rough(&self.line, primitive, root);
+            self.hidden.push(Place { leaf, root, error });
+        }
     }
 
     /// Whether a crossing with a shape is one of its boundary.

@@ -1,7 +1,7 @@
 //! Walking the graph along one ray: the spaces entered on the way, and where shapes are crossed.
 
 use super::context::{Context, Leaf, Painted};
-use super::events::Spans;
+use super::events::{Place, Spans};
 use super::query::{Along, Entry, QueryStatus, Search};
 use super::query::{Scale, Start};
 use crate::geometry::line::Line;
@@ -32,6 +32,8 @@ pub struct Walker<'g, R: Precision = f64> {
     /// For each light, the shape that was last in its way: a part of the scene itself.
     pub(in crate::trace) in_the_way: Vec<Option<u32>>,
     pub(in crate::trace) spans: Spans<R>,
+    /// Crossings that [`nearest`](Self::nearest) has passed over: from inside an earlier operand they cannot be seen.
+    pub(super) hidden: Vec<Place<R>>,
     pub counts: Intersections,
     /// What has been done between a ray and its hit.
     pub(in crate::trace) work: Work,
@@ -89,6 +91,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             search: Search::First,
             in_the_way: Vec::new(),
             spans: Spans::default(),
+            hidden: Vec::new(),
             counts: Intersections::default(),
             work: Work::default(),
             maps: R::Maps::default(),
@@ -107,6 +110,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     /// Forgets the last ray, but does not [aim](Self::aim) this one at the root's tree.
     pub(in crate::trace) fn place(&mut self, ray: &Ray<R>) {
         self.contexts.truncate(1);
+        self.hidden.clear();
         self.met = None;
         if let Some(root) = self.contexts.first_mut() {
             root.line = ray.line;
