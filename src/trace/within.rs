@@ -48,10 +48,10 @@ impl Within {
         self.solids().first().map(|solid| solid.operand)
     }
 
-    /// Whether the place is known to be in the solid with this surface.
+    /// The solid with this surface, if the place is known to be in it.
     #[inline]
-    pub fn is_in(&self, surface: u64) -> bool {
-        self.solids().iter().any(|solid| solid.surface == surface)
+    pub fn solid(&self, surface: u64) -> Option<&Solid> {
+        self.solids().iter().find(|solid| solid.surface == surface)
     }
 
     /// The solids around a place that is also in `new`.
@@ -97,7 +97,7 @@ mod tests {
         for both in [Within::One(a).with(b), Within::One(b).with(a)] {
             assert_eq!(both, Within::Two([a, b]));
             assert_eq!(both.medium(), Some(a.medium));
-            assert!(both.is_in(b.surface) && !both.is_in(c.surface));
+            assert!(both.solid(b.surface) == Some(&b) && both.solid(c.surface).is_none());
             assert_eq!(both.without(a.surface), Within::One(b));
             assert_eq!(both.without(b.surface), Within::One(a));
             assert_eq!(both.without(c.surface), both);
