@@ -74,6 +74,8 @@ pub struct Group {
     /// Those of them that hold something transparent, if no paint above says otherwise; `None`
     /// where there are none.
     pub clear: Option<Box<Group>>,
+    /// Those of them that hold something opaque, likewise; `None` where all of them do.
+    pub opaque: Option<Box<Group>>,
 }
 
 impl Group {

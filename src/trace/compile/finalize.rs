@@ -347,14 +347,22 @@ impl Compiler<'_> {
         let numbered: Vec<(u32, Aabb)> = (start..).zip(&parts).map(bounds).collect();
         let bounded = numbered.iter().map(|(_, b)| b).filter(|b| b.is_bounded());
         let frame = Frame::around(bounded);
-        let holds_clear = |i: u32| self.graph.holds(&parts[(i - start) as usize]).clear;
-        let clear: Vec<_> = (numbered.iter().copied())
-            .filter(|&(i, _)| holds_clear(i))
-            .collect();
+        let that_hold = |wanted: fn(Holds) -> bool| -> Vec<(u32, Aabb)> {
+            let holds = |i: u32| self.graph.holds(&parts[(i - start) as usize]);
+            let all = numbered.iter().copied();
+            all.filter(|&(i, _)| wanted(holds(i))).collect()
+        };
+        let [clear, opaque] = [that_hold(|h| h.clear), that_hold(|h| h.opaque)];
         let clear = (!clear.is_empty()).then(|| Box::new(tree(clear, &frame)));
+        let opaque = (opaque.len() < numbered.len()).then(|| Box::new(tree(opaque, &frame)));
         let whole = tree(numbered, &frame);
         self.graph.parts.extend(parts);
-        (Group { clear, ..whole }, frame)
+        let group = Group {
+            clear,
+            opaque,
+            ..whole
+        };
+        (group, frame)
     }
 
     /// What some of these parts hold.
@@ -402,5 +410,6 @@ fn tree(parts: Vec<(u32, Aabb)>, frame: &Frame) -> Group {
         loose: loose.into_iter().map(|(i, _)| i).collect(),
         tree: Tree::new(boxes, frame),
         clear: None,
+        opaque: None,
     }
 }

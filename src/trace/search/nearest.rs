@@ -216,10 +216,13 @@ impl<'g, R: Precision> Walker<'g, R> {
         let Operation::Union(whole) = &self.graph.objects[here.object as usize].operation else {
             return None;
         };
-        if self.search == Search::AnyClear && here.optics.is_none() {
-            return whole.clear.as_deref();
+        match self.search {
+            // What is painted over all of them decides.
+            _ if here.optics.is_some() => Some(whole),
+            Search::AnyClear => whole.clear.as_deref(),
+            Search::AnyOpaque => whole.opaque.as_deref().or(Some(whole)),
+            Search::First | Search::Any => Some(whole),
         }
-        Some(whole)
     }
 
     /// What a part of a context's object holds, with what is painted over it.
