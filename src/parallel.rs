@@ -16,16 +16,18 @@ pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     map_with(count, || (), |(), i| work(i))
 }
 
-/// Makes the calling thread one of a pool of so many, or of one for each processor if 0, for the rest of the process: it
-/// works while it waits, and begins at once; threads that have to be woken may share one core for some milliseconds. A
-/// thread can do this once. An error where the system starts no threads.
+/// Starts a pool of `threads` threads for the rest of the process; 0 is one for each processor. The calling thread is one
+/// of them. It works while it waits and begins at once, whereas threads that must be woken may share a core for some
+/// milliseconds. A thread can do this only once. Fails if the system cannot start the threads; the calling thread then
+/// does all the work.
 pub fn take_part(threads: usize) -> Result<(), rayon::ThreadPoolBuildError> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
     // Dropping the pool would end its threads.
     pool.use_current_thread().build().map(std::mem::forget)
 }
 
-/// How many threads there are. They start when they are first asked for, which takes longer than to read a short scene.
+/// How many threads there are. Unless [`take_part`] has started them, they start when this is first called, which takes
+/// longer than to read a short scene.
 pub fn threads() -> usize {
     rayon::current_num_threads()
 }
@@ -35,8 +37,8 @@ pub fn parts(bytes: usize) -> usize {
     at_most(bytes / PART_MIN)
 }
 
-/// How many threads work on so many pieces: at least one, and no more than there are pieces. Does not start the threads
-/// for one piece.
+/// How many threads work on so many pieces: at least one, and no more than there are pieces. For one piece it does not ask
+/// how many threads there are, since asking may start them.
 fn at_most(pieces: usize) -> usize {
     match pieces {
         0 | 1 => 1,

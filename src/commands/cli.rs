@@ -72,7 +72,7 @@ pub fn run() -> Status {
     };
     allocator::keep(KEPT_BYTES);
     if matches!(cli.command, Command::Check(_) | Command::Fmt(_)) {
-        // Without threads, this one does it all.
+        // If no thread can be started, this one does all the work.
         let _ = parallel::take_part(0);
     }
     match &cli.command {

@@ -39,11 +39,12 @@ impl Bvh {
 
     /// As [`new`](Self::new), with so many boxes in one leaf at most, unless they all have the same centre.
     pub fn with_leaves(mut boxes: Vec<(u32, Aabb)>, leaf: usize) -> Bvh {
-        // At least twice as many pieces as threads, since they take different times.
+        // Asking for the number of threads may start them, so it is asked only where they are used.
         let threads = match SHARED.contains(&boxes.len()) {
             true => parallel::threads(),
             false => 1,
         };
+        // At least twice as many pieces as threads, since they take different times.
         let forks = match threads {
             1 => 0,
             threads => threads.next_power_of_two().ilog2() + 1,

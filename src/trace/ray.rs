@@ -12,8 +12,8 @@ pub struct Left<R = f64> {
     pub surface: u64,
     /// The number of its shape.
     pub primitive: u32,
-    /// A number for the surface of an intersection that the ray cannot meet: it goes out of a convex operand for good. 0
-    /// where there is none.
+    /// The number of an intersection's surface (see [`Walker::surface`](super::search::walk::Walker::surface)), or 0. The ray
+    /// leaves a convex operand of that intersection outwards, so it cannot meet it.
     pub outside_of: u64,
     /// Whether the ray goes into the surface's solid. Crossings alternate, so this and being
     /// nearest to the origin single out the root that is the starting point itself.

@@ -108,8 +108,8 @@ impl Sources {
     }
 }
 
-/// Scenes of so many nodes are looked at on two threads. For fewer it takes longer to start those; with more it would
-/// take too much memory.
+/// Scenes with so many nodes are searched on two threads. For smaller ones, waking a thread takes longer than it saves.
+/// For larger ones, both searches at once would take too much memory.
 const AT_ONCE: Range<usize> = 1 << 10..1 << 17;
 
 impl Plan {

@@ -14,6 +14,15 @@ pub struct Place<R> {
     pub error: R,
 }
 
+impl<R: Precision> Place<R> {
+    /// Whether this comes after another place, if the two are surely apart.
+    #[inline]
+    pub(super) fn is_behind(&self, other: &Place<R>) -> Option<bool> {
+        let gap = self.root.t - other.root.t;
+        (gap.abs() > self.error + other.error).then_some(gap > R::ZERO)
+    }
+}
+
 /// A crossing with a shape that may or may not be a boundary of the scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing<R = f64> {

@@ -2,7 +2,6 @@
 //! and after it, so what identical surfaces do at the same place cancels out.
 
 use super::events::{Event, Kind, List, Owner, Scratch, Spans, State};
-use crate::geometry::array::each;
 use crate::trace::precision::Precision;
 use std::cmp::Ordering;
 
@@ -86,19 +85,26 @@ pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32
         0 => {}
         1 => spans.lists[base].part = part,
         _ => {
-            let start = merge_union(spans, base, false);
+            let start = merge_union(spans, base, Until::End);
             replace(spans, base, part, start);
         }
     }
 }
 
-/// Finds the events of the union of the lists from `base` on, once sorted, and returns its state at the start. With
-/// `first`, nothing after the place where the first boundary or sheet is; the scratch has the states of all lists
-/// before and behind that place then.
+/// How far lists are merged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::trace) enum Until {
+    End,
+    /// The place of the first boundary or sheet. `before` and `after` in the scratch then have the states of all lists on
+    /// both sides of it.
+    FirstSeen,
+}
+
+/// Finds the events of the union of the lists from `base` on, once sorted, and returns its state at the start.
 pub(in crate::trace) fn merge_union<R: Precision>(
     spans: &mut Spans<R>,
     base: usize,
-    first: bool,
+    until: Until,
 ) -> State {
     let Spans {
         lists,
@@ -122,7 +128,7 @@ pub(in crate::trace) fn merge_union<R: Precision>(
     let mut now = (holder(&scratch.before), start);
     let mut next = 0;
     while next < scratch.order.len() {
-        let (from, found) = (next, scratch.out.len());
+        let (from, emitted) = (next, scratch.out.len());
         next = scratch.next_group(events, from);
         let group = scratch.order[from..next].iter();
         let group = group.map(|&(_, list, event)| (list as usize, &events[event as usize]));
@@ -162,7 +168,8 @@ pub(in crate::trace) fn merge_union<R: Precision>(
             );
         }
         now = (then, after);
-        if first && scratch.out[found..].iter().any(|e| e.kind != Kind::Silent) {
+        let is_seen = |e: &Event<R>| e.kind != Kind::Silent;
+        if until == Until::FirstSeen && scratch.out[emitted..].iter().any(is_seen) {
             break;
         }
     }
@@ -170,9 +177,8 @@ pub(in crate::trace) fn merge_union<R: Precision>(
 }
 
 impl<R: Precision> Spans<R> {
-    /// What the lists from `base` on have in common, where that is easily told: each is inside on one stretch of the
-    /// ray, as a convex solid is, and no two of the stretches begin or end in one place. Else `false`, and nothing is
-    /// changed.
+    /// Intersects the lists from `base` on without sorting. This works if each list is inside on one stretch of the ray, as
+    /// a convex solid is, and the ends that matter are surely apart. Else it returns `false` and changes nothing.
     pub fn join_stretches(&mut self, part: u32, base: usize) -> bool {
         let Some([entry, exit]) = self.common_stretch(base) else {
             return false;
@@ -206,24 +212,19 @@ impl<R: Precision> Spans<R> {
         true
     }
 
-    /// The last entry and the first exit among the lists from `base` on, as numbers of events; none of both where the
-    /// exit comes first.
+    /// The last entry and the first exit, as indices of events. Both are `None` if the exit comes first. An entry is also
+    /// `None` if all lists start inside, an exit if none ends.
     fn common_stretch(&self, base: usize) -> Option<[Option<usize>; 2]> {
-        let mut common = self.stretch(base)?;
+        let [mut entry, mut exit] = self.stretch(base)?;
         for i in base + 1..self.lists.len() {
-            let own = self.stretch(i)?;
-            let later = [true, false];
-            for end in 0..2 {
-                common[end] = match (common[end], own[end]) {
-                    (Some(a), Some(b)) if self.comes_later(a, b)? == later[end] => Some(a),
-                    (a, b) => b.or(a),
-                };
-            }
+            let [enters, leaves] = self.stretch(i)?;
+            entry = self.outer([entry, enters], true)?;
+            exit = self.outer([exit, leaves], false)?;
         }
-        Some(match common {
-            [Some(entry), Some(exit)] if self.comes_later(entry, exit)? => [None; 2],
-            _ => common,
-        })
+        match (entry, exit) {
+            (Some(_), Some(_)) if self.outer([entry, exit], true)? == entry => Some([None; 2]),
+            _ => Some([entry, exit]),
+        }
     }
 
     /// Where list `i` enters and leaves the one stretch that it is inside on.
@@ -245,11 +246,13 @@ impl<R: Precision> Spans<R> {
         (fits(ends[0], true) && fits(ends[1], false)).then_some(ends)
     }
 
-    /// Whether event `a` comes after event `b`, if they are surely apart.
-    fn comes_later(&self, a: usize, b: usize) -> Option<bool> {
-        let [a, b] = each([a, b], |at| self.events[at].place);
-        let gap = a.root.t - b.root.t;
-        (gap.abs() > a.error + b.error).then_some(gap > R::ZERO)
+    /// The one of two events that comes later, or else the earlier one, if they are surely apart. One alone is both.
+    fn outer(&self, [a, b]: [Option<usize>; 2], later: bool) -> Option<Option<usize>> {
+        let (Some(a), Some(b)) = (a, b) else {
+            return Some(a.or(b));
+        };
+        let is_later = self.events[a].place.is_behind(&self.events[b].place)?;
+        Some(Some(if is_later == later { a } else { b }))
     }
 }
 
@@ -424,7 +427,7 @@ mod tests {
     }
 
     #[test]
-    fn one_stretch_each_is_joined_as_any_lists_are() {
+    fn stretches_join_as_sorted_lists_do() {
         let mut next = random();
         let mut counts = [0; 4];
         for _ in 0..20_000 {
@@ -452,7 +455,7 @@ mod tests {
     }
 
     #[test]
-    fn stretches_that_are_not_easily_told_apart_are_left_as_they_are() {
+    fn unclear_stretches_are_not_joined() {
         for (all, error) in [
             // Two of them begin or end in one place, as far as is known, or one begins where another ends.
             ([(false, vec![1.0, 5.0]), (false, vec![1.5, 6.0])], 0.25),

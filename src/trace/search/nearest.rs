@@ -1,5 +1,5 @@
-//! The nearest crossing with anything: all that is needed while a ray is outside of every solid,
-//! since then the first boundary it meets is a boundary of the scene.
+//! The nearest crossing with anything. For a ray outside of every solid that is a boundary of the scene. For a ray in
+//! known solids, it and the crossings that were passed over say what is a boundary.
 
 use super::context::Leaf;
 use super::events::{Crossing, Place};
@@ -309,12 +309,11 @@ impl<'g, R: Precision> Walker<'g, R> {
         true
     }
 
-    /// Whether a part is a solid that the ray cannot see from where it starts. The start is in a solid of an earlier
-    /// operand then, and that one owns the places that both are in. The ray comes to the end of that one first, or to
-    /// something else.
+    /// Whether a part is a solid shape that cannot be seen from where the ray starts. The ray starts in a solid of an
+    /// earlier operand. That one owns what both are in, and the ray must leave it before it sees this shape.
     #[inline(always)]
     fn is_hidden(&self, ray: &Ray<R>, leaf: Leaf) -> bool {
-        R::DOUBT != Doubt::Merges
+        R::DOUBT == Doubt::GoesOn
             && self.search == Search::First
             && leaf.context == 0
             && ray.within.operand().is_some_and(|owner| owner < leaf.part)
@@ -322,7 +321,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             && !self.part(leaf.part).inverted
     }
 
-    /// Notes where the ray crosses a shape that is hidden.
+    /// Notes where the ray crosses a shape that is hidden. Not inlined: most searches have no use for it.
     #[inline(never)]
     fn pass_over(&mut self, ray: &Ray<R>, leaf: Leaf, primitive: u32, from: R) {
         let behind = (self.cross(ray, leaf, primitive, from, None)).unwrap_or_default();

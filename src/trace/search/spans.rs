@@ -4,7 +4,7 @@
 use super::context::Leaf;
 use super::events::Place;
 use super::events::{Crossing, Event, Kind, List, Owner, Scratch, State, Task};
-use super::merge::{join_intersection, join_union, merge_union};
+use super::merge::{Until, join_intersection, join_union, merge_union};
 use super::walk::Walker;
 use crate::geometry::array::each;
 use crate::geometry::wide_bvh::{Is, WIDTH};
@@ -55,7 +55,7 @@ impl<R: Precision> Walker<'_, R> {
         self.work_off(ray, from, to);
         if self.spans.lists.len() > 1 {
             self.sort(0);
-            let start = merge_union(&mut self.spans, 0, true);
+            let start = merge_union(&mut self.spans, 0, Until::FirstSeen);
             let Scratch {
                 before, after, out, ..
             } = &self.spans.scratch;
@@ -69,11 +69,12 @@ impl<R: Precision> Walker<'_, R> {
 
     /// The event with the states of the union and those of all lists, before and behind it.
     fn seen(&self, event: Event<R>, states: [State; 2], all: [&[State]; 2]) -> Seen<R> {
-        let within = match (R::DOUBT, event.kind) {
-            // Where several surfaces are one place, the ray may not be in what it says.
-            (Doubt::Merges, _) => [Within::Unknown; 2],
-            (_, Kind::Sheet) => [self.within(all[0]); 2],
-            _ => each(all, |states| self.within(states)),
+        // A sheet may lie in the face of a solid that begins or ends there: the states of the lists tell, not the union's.
+        let within = match R::DOUBT {
+            Doubt::GoesOn => each(all, |states| self.within(states)),
+            // Where surfaces are merged into one place, the states do not say where a new ray from there starts. Single
+            // precision does not know about which places it is wrong.
+            Doubt::Merges | Doubt::Stands => [Within::Unknown; 2],
         };
         Seen {
             event,
@@ -91,7 +92,7 @@ impl<R: Precision> Walker<'_, R> {
                 part: list.part,
                 context: 0,
             };
-            if !self.is_one_solid(part) {
+            if !self.is_one_solid(part) || !self.is_solid(part) {
                 return Within::Unknown;
             }
             within.with(Solid {
@@ -102,7 +103,7 @@ impl<R: Precision> Walker<'_, R> {
         })
     }
 
-    /// Whether a part is a shape or an intersection, and no union of such.
+    /// Whether a part is a shape or an intersection, and no union.
     fn is_one_solid(&self, leaf: Leaf) -> bool {
         match self.part(leaf.part).target {
             Target::Shape(_) => true,
@@ -113,10 +114,12 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// The events up to `to` of the parts that hold something transparent. These are all events of a ray that starts
+    /// The events up to `to` of the parts that hold something transparent, after a search along the same ray. These are all events of a ray that starts
     /// outside of every solid and crosses nothing opaque.
     pub fn trace_clear_spans(&mut self, ray: &Ray<R>, from: R, to: R) -> &[Event<R>] {
-        self.begin(ray);
+        if !self.aimed {
+            self.aim(ray);
+        }
         self.spans.forget();
         if let Operation::Union(Group {
             clear: Some(clear), ..
@@ -177,7 +180,8 @@ impl<R: Precision> Walker<'_, R> {
         (start, &self.spans.events)
     }
 
-    /// Works off all tasks. One list is left then, or none.
+    /// Works off all tasks. If a join was the first task, one list or none is left; else there is one list for each part
+    /// that was met.
     fn work_off(&mut self, ray: &Ray<R>, from: R, to: R) {
         while let Some(task) = self.spans.tasks.pop() {
             match task {
@@ -216,7 +220,7 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// A shape becomes a list at once, an object is entered.
+    /// A shape becomes a list at once, an object is entered. An object that the ray has left is passed over.
     fn part_spans(&mut self, ray: &Ray<R>, leaf: Leaf, from: R, to: R) {
         let part = self.part(leaf.part);
         let primitive = match part.target {

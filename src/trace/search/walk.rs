@@ -21,6 +21,8 @@ pub struct Walker<'g, R: Precision = f64> {
     pub graph: &'g Graph,
     pub contexts: Vec<Context<R>>,
     pub roots: Roots<R>,
+    /// Whether the first context's beam is that of this ray.
+    pub(super) aimed: bool,
     /// Of the last shape that was met: the sizes of its numbers, and the ray in its space.
     pub(in crate::trace) scale: Scale<R>,
     pub(in crate::trace) line: Line<R>,
@@ -32,7 +34,8 @@ pub struct Walker<'g, R: Precision = f64> {
     /// For each light, the shape that was last in its way: a part of the scene itself.
     pub(in crate::trace) in_the_way: Vec<Option<u32>>,
     pub(in crate::trace) spans: Spans<R>,
-    /// Crossings that [`nearest`](Self::nearest) has passed over: from inside an earlier operand they cannot be seen.
+    /// Crossings that [`nearest`](Self::nearest) has found but passed over: the ray starts in an earlier operand, which
+    /// hides them.
     pub(super) hidden: Vec<Place<R>>,
     pub counts: Intersections,
     /// What has been done between a ray and its hit.
@@ -82,6 +85,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         Walker {
             graph,
             contexts: Vec::new(),
+            aimed: false,
             roots: Roots::default(),
             scale: Scale::default(),
             line: Line::new(Vec3::ZERO, Vec3::ONE),
@@ -110,6 +114,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     /// Forgets the last ray, but does not [aim](Self::aim) this one at the root's tree.
     pub(in crate::trace) fn place(&mut self, ray: &Ray<R>) {
         self.contexts.truncate(1);
+        self.aimed = false;
         self.hidden.clear();
         self.met = None;
         if let Some(root) = self.contexts.first_mut() {
@@ -135,6 +140,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     pub(in crate::trace) fn aim(&mut self, ray: &Ray<R>) {
         let beam = Beam::new(&R::coarse(&ray.line), &self.graph.root().frame);
         self.contexts[0].beam = beam;
+        self.aimed = true;
     }
 
     pub fn part(&self, part: u32) -> &'g Part {
@@ -294,10 +300,10 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// Finds all crossings with a part that is the shape `primitive`, into `self.roots`, and says
-    /// how many of them lie behind the ray's start, which is at `from`. Where only those in a stretch `ahead` of the
-    /// start matter, there may be none of the others; and there are none at all (`None`) where the ray surely goes
-    /// through the solid and nobody asks where.
+    /// Finds the crossings with a part that is the shape `primitive`, and puts them into `self.roots`. Returns how many of
+    /// them lie behind the ray's start, which is at `from`. If the ray goes out of this surface and cannot meet it again,
+    /// there are none, not even those behind. With `ahead`, crossings outside of that stretch may be missing. `None`, which
+    /// takes `ahead`: the ray surely goes through the solid, and nobody asks where.
     pub fn cross(
         &mut self,
         ray: &Ray<R>,
@@ -372,7 +378,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         Some(behind)
     }
 
-    /// Whether a ray has left an object for good.
+    /// Whether the ray has left a convex operand of this object, so that it cannot meet the object again.
     #[inline]
     pub(super) fn is_left(&self, ray: &Ray<R>, object: Leaf) -> bool {
         let outside_of = ray.left.as_ref().map_or(0, |left| left.outside_of);
