@@ -1,5 +1,8 @@
 //! Pictures within a page.
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
 use super::super::measure::{distance, steps};
 use super::super::report::Raster;
 use crate::trace::film::{Packing, srgb8, write_rgb8};
@@ -9,24 +12,7 @@ pub fn address(width: u32, height: u32, rgb: &[u8]) -> String {
     let mut bytes = Vec::new();
     // Writing to memory cannot fail.
     let _ = write_rgb8(&mut bytes, [width, height], rgb, Packing::Small);
-    format!("data:image/png;base64,{}", base64(&bytes))
-}
-
-/// RFC 4648.
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let byte = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
-        let all = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for i in 0..4 {
-            match i <= three.len() {
-                true => out.push(char::from(DIGITS[(all >> (18 - 6 * i)) as usize & 63])),
-                false => out.push('='),
-            }
-        }
-    }
-    out
+    format!("data:image/png;base64,{}", STANDARD.encode(&bytes))
 }
 
 pub fn picture(raster: &Raster) -> String {
@@ -104,21 +90,6 @@ pub fn map(width: u32, height: u32, values: &[f64]) -> (String, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn base64_of_the_rfc() {
-        for (text, meant) in [
-            ("", ""),
-            ("f", "Zg=="),
-            ("fo", "Zm8="),
-            ("foo", "Zm9v"),
-            ("foob", "Zm9vYg=="),
-            ("fooba", "Zm9vYmE="),
-            ("foobar", "Zm9vYmFy"),
-        ] {
-            assert_eq!(base64(text.as_bytes()), meant);
-        }
-    }
 
     #[test]
     fn few_wrong_pixels_are_counted_and_scaled() {
