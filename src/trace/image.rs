@@ -34,8 +34,13 @@ impl Images {
             {
                 return Err(Box::new(first));
             }
-            let bitmap = Bitmap::read(&folder.join(file), left)
-                .map_err(|e| Box::new(Diagnostic::new(Code::E210, span).with("why", e)))?;
+            let bitmap = Bitmap::read(&folder.join(file), left).map_err(|e| {
+                Box::new(
+                    Diagnostic::new(Code::E210, span)
+                        .case("content")
+                        .with("why", e),
+                )
+            })?;
             left = left.saturating_sub(bitmap.bytes());
             images.0.insert(file.to_owned(), Arc::new(bitmap));
         }

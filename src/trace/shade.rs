@@ -38,6 +38,9 @@ struct Branch<R: Precision> {
     ray: Ray<R>,
     weight: Vec3,
     depth: u32,
+    /// If the ray sees a sheet first that lies in a face of a solid, and is about what is behind that: the share of light
+    /// that the sheet lets through.
+    sheet: Option<Vec3>,
 }
 
 /// The scratch of one thread.
@@ -128,8 +131,17 @@ impl<'t, R: Precision> Shader<'t, R> {
         self.rays.camera += 1;
         let eye = self.vistas.eye.as_ref().map_or(End::Anywhere, End::At);
         let mut sum = self.light_along(ray, eye, (Vec3::ONE, 0));
-        while let Some(Branch { ray, weight, depth }) = self.branches.pop() {
-            let light = self.light_along(&ray, End::Anywhere, (weight, depth));
+        while let Some(Branch {
+            ray,
+            weight,
+            depth,
+            sheet,
+        }) = self.branches.pop()
+        {
+            let light = match sheet {
+                None => self.light_along(&ray, End::Anywhere, (weight, depth)),
+                Some(kt) => self.light_behind_sheet(&ray, (weight, depth), kt),
+            };
             sum = sum + light;
         }
         sum.0
@@ -144,17 +156,31 @@ impl<'t, R: Precision> Shader<'t, R> {
         let light = match &hit {
             Some(hit) => {
                 if self.features.glass || self.features.mirrors {
-                    self.follow(ray, (weight, depth), hit);
+                    self.follow(ray, (weight, depth), hit, None);
                 }
-                self.direct(hit)
+                self.direct(hit, None)
             }
             None => self.tracer.background,
         };
         light.times(weight)
     }
 
+    /// The same of the face that a sheet lies in which the ray sees first. Light gets there through the sheet, and what the
+    /// face mirrors goes back through it; the light that the underside of the sheet adds is left out.
+    #[inline(never)]
+    fn light_behind_sheet(&mut self, ray: &Ray<R>, (weight, depth): (Vec3, u32), kt: Vec3) -> Vec3 {
+        match self.walkers.face_behind_sheet(ray) {
+            Some(hit) => {
+                self.follow(ray, (weight, depth), &hit, Some(kt));
+                self.direct(&hit, Some(kt)).times(weight)
+            }
+            None => self.tracer.background.times(weight),
+        }
+    }
+
     /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V)
-    fn direct(&mut self, hit: &Hit<R>) -> Vec3 {
+    /// Lights are seen through the sheet that the surface is behind, if there is one.
+    fn direct(&mut self, hit: &Hit<R>, sheet: Option<Vec3>) -> Vec3 {
         let albedo = Vec3(self.optics(hit).kd).times(Vec3(hit.colour));
         if !albedo.any() {
             return Vec3::ZERO;
@@ -178,6 +204,7 @@ impl<'t, R: Precision> Shader<'t, R> {
                 ray.line = Line::new(hit.point, way);
                 let seen = self.visibility(hit, &ray, i);
                 if seen.any() {
+                    let power = sheet.map_or(power, |kt| power.times(kt));
                     light = light + power.times(seen) * cosine();
                 }
             }
@@ -204,8 +231,15 @@ impl<'t, R: Precision> Shader<'t, R> {
         }
     }
 
-    /// Sends on what is mirrored and what goes through.
-    fn follow(&mut self, ray: &Ray<R>, (weight, depth): (Vec3, u32), hit: &Hit<R>) {
+    /// Sends on what is mirrored and what goes through. What is mirrored goes through the sheet that the surface is behind,
+    /// if there is one.
+    fn follow(
+        &mut self,
+        ray: &Ray<R>,
+        (weight, depth): (Vec3, u32),
+        hit: &Hit<R>,
+        sheet: Option<Vec3>,
+    ) {
         let direction = ray.line.direction;
         let optics = self.optics(hit);
         let mut mirrored = Vec3(optics.ks);
@@ -232,14 +266,18 @@ impl<'t, R: Precision> Shader<'t, R> {
             self.media += u64::from(before != behind);
             if before == behind {
                 // Straight on: not a step deeper.
-                let ray = hit.leave(direction, true);
-                self.branch(ray, weight.times(through), depth);
+                let weight = weight.times(through);
+                match hit.in_face {
+                    // From the sheet on, the face could not be told from what the ray has left.
+                    true => self.branch(*ray, weight, depth, Some(Vec3(optics.kt))),
+                    false => self.branch(hit.leave(direction, true), weight, depth, None),
+                };
                 self.rays.refraction += 1;
             } else if let Some(refracted) =
                 refract(direction, hit.facing(), R::of(before) / R::of(behind))
             {
                 let ray = hit.leave(refracted, true);
-                if self.branch(ray, weight.times(through), depth + 1) {
+                if self.branch(ray, weight.times(through), depth + 1, None) {
                     self.rays.refraction += 1;
                 }
             } else {
@@ -251,18 +289,25 @@ impl<'t, R: Precision> Shader<'t, R> {
             let normal = hit.shading;
             let reflected = direction - normal * (R::of(2.0) * normal.dot(direction));
             let ray = hit.leave(reflected.unit(), false);
-            if self.branch(ray, weight.times(mirrored), depth + 1) {
+            let mirrored = sheet.map_or(mirrored, |kt| mirrored.times(kt));
+            if self.branch(ray, weight.times(mirrored), depth + 1, None) {
                 self.rays.reflection += 1;
             }
         }
     }
 
     /// Puts a ray on the stack unless it is too deep or counts for too little.
-    fn branch(&mut self, ray: Ray<R>, weight: Vec3, depth: u32) -> bool {
+    /// For `sheet` see [`Branch`].
+    fn branch(&mut self, ray: Ray<R>, weight: Vec3, depth: u32, sheet: Option<Vec3>) -> bool {
         let counts = weight.any() && weight.max_component() >= self.limits.cutoff;
         let goes = counts && depth <= self.limits.depth && ray.line.direction.any();
         if goes {
-            self.branches.push(Branch { ray, weight, depth });
+            self.branches.push(Branch {
+                ray,
+                weight,
+                depth,
+                sheet,
+            });
         }
         goes
     }

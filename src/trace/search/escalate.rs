@@ -233,6 +233,12 @@ impl<R: Precision> Walkers<'_, R> {
         self.ask(&FirstHit::<GLASS> { end }, ray)
     }
 
+    /// The face that a sheet lies in which the ray sees first.
+    #[inline(never)]
+    pub(in crate::trace) fn face_behind_sheet(&mut self, ray: &Ray<R>) -> Option<Hit<R>> {
+        self.ask(&FaceBehindSheet, ray)
+    }
+
     /// The share of light that gets through up to t = 1: the product of kt over all surfaces.
     pub(in crate::trace) fn visibility<const GLASS: bool>(
         &mut self,
@@ -272,6 +278,31 @@ impl<const GLASS: bool> Question for FirstHit<'_, GLASS> {
     fn common<R: Precision>([a, b]: [Option<Hit<R>>; 2], _: R) -> Option<Hit<R>> {
         let (a, b) = (a?, b?);
         Some(if b.t > a.t { b } else { a })
+    }
+}
+
+/// What is behind the sheets that are seen first.
+struct FaceBehindSheet;
+
+impl Question for FaceBehindSheet {
+    type Answer<R: Precision> = Option<Hit<R>>;
+
+    fn ask<R: Precision>(
+        &self,
+        tracer: &Tracer,
+        walker: &mut Walker<R>,
+        ray: &Ray<R>,
+    ) -> Option<Hit<R>> {
+        let (from, to) = tracer.window(ray, R::INFINITY)?;
+        walker.first_boundary(ray, from, to)
+    }
+
+    fn cast<R: Precision>(answer: Option<Hit<Dd>>) -> Option<Hit<R>> {
+        answer.map(|hit| hit.cast())
+    }
+
+    fn common<R: Precision>(answers: [Option<Hit<R>>; 2], least: R) -> Option<Hit<R>> {
+        FirstHit::<true>::common(answers, least)
     }
 }
 

@@ -1,9 +1,9 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
 use super::context::Leaf;
-use super::events::{Crossing, State};
+use super::events::{Crossing, Kind, State};
 use super::query::Search;
-use super::spans::Seen;
+use super::spans::{Seen, first_of_kind};
 use super::vista::End;
 use super::walk::Walker;
 use crate::geometry::array::each;
@@ -37,6 +37,8 @@ pub struct Hit<R = f64> {
     pub inside: [bool; 2],
     /// Whether the ray goes against the normal.
     pub entering: bool,
+    /// Whether this is a sheet that lies in a face of a solid: before that face, in the same place.
+    pub in_face: bool,
     /// The solids before and behind it, as far as they are known; `inside` holds in any case.
     pub within: [Within; 2],
     /// Numbers of the surface and its shape; see [`Left`].
@@ -96,6 +98,7 @@ impl<R: Precision> Hit<R> {
             indices: self.indices,
             inside: self.inside,
             entering: self.entering,
+            in_face: self.in_face,
             within: self.within,
             surface: self.surface,
             primitive: self.primitive,
@@ -294,6 +297,7 @@ impl<R: Precision> Walker<'_, R> {
             event,
             states,
             within,
+            in_face,
         } = self.trace_first(ray, from, to)?;
         let (leaf, root) = (event.place.leaf, event.place.root);
         let mut found = self.resolve(ray, leaf, root, event.owner.leaf);
@@ -301,8 +305,20 @@ impl<R: Precision> Walker<'_, R> {
             hit.indices = each(states, index_in);
             hit.inside = each(states, |state| state.inside);
             hit.within = within;
+            hit.in_face = in_face;
         }
         found
+    }
+
+    /// The first boundary in (from, to], behind sheets. It is the face that a sheet lies in, if that sheet is what the ray
+    /// sees first.
+    pub(super) fn first_boundary(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<Hit<R>> {
+        let (start, events) = self.trace_spans(ray, from, to);
+        let (_, event, states) = first_of_kind(start?, events, |kind| kind == Kind::Boundary)?;
+        let mut hit = self.resolve(ray, event.place.leaf, event.place.root, event.owner.leaf)?;
+        hit.indices = each(states, index_in);
+        hit.inside = each(states, |state| state.inside);
+        Some(hit)
     }
 
     /// The place of a crossing of the shape `leaf` with the properties of `owner`; media and sides
@@ -371,6 +387,7 @@ impl<R: Precision> Walker<'_, R> {
             indices: [0; 2],
             inside: [false; 2],
             entering: normal.dot(ray.line.direction) < R::ZERO,
+            in_face: false,
             within: [Within::Unknown; 2],
             surface: self.surface(leaf),
             primitive: number,

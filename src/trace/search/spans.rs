@@ -20,21 +20,29 @@ pub(super) struct Seen<R> {
     pub states: [State; 2],
     /// The solids before and behind it, as far as they are known.
     pub within: [Within; 2],
+    /// Whether it is a sheet, and behind it in the same place is a boundary.
+    pub in_face: bool,
 }
 
-/// The first boundary or sheet, with the states before and behind it.
-pub(super) fn first_seen<R: Precision>(
+/// The first event of a kind that is looked for, with its number and the states before and behind it.
+pub(super) fn first_of_kind<R: Precision>(
     start: State,
     events: &[Event<R>],
-) -> Option<(Event<R>, [State; 2])> {
+    is_it: impl Fn(Kind) -> bool,
+) -> Option<(usize, Event<R>, [State; 2])> {
     let mut before = start;
-    for event in events {
-        if event.kind != Kind::Silent {
-            return Some((*event, [before, event.state]));
+    for (i, event) in events.iter().enumerate() {
+        if is_it(event.kind) {
+            return Some((i, *event, [before, event.state]));
         }
         before = event.state;
     }
     None
+}
+
+/// Whether something of this kind is seen.
+pub(super) fn is_seen(kind: Kind) -> bool {
+    kind != Kind::Silent
 }
 
 impl<R: Precision> Walker<'_, R> {
@@ -59,12 +67,31 @@ impl<R: Precision> Walker<'_, R> {
             let Scratch {
                 before, after, out, ..
             } = &self.spans.scratch;
-            let (event, states) = first_seen(start, out)?;
-            return Some(self.seen(event, states, [before, after]));
+            let (i, event, states) = first_of_kind(start, out, is_seen)?;
+            let mut seen = self.seen(event, states, [before, after]);
+            let next = out[i + 1..]
+                .iter()
+                .find(|e| e.kind == Kind::Boundary)
+                .copied();
+            seen.in_face = self.is_face_of(&event, next);
+            return Some(seen);
         }
-        let start = self.spans.lists.first()?.start;
-        let (event, states) = first_seen(start, &self.spans.events)?;
-        Some(self.seen(event, states, each([0, 1], |side| &states[side..=side])))
+        let (start, events) = (self.spans.lists.first()?.start, &self.spans.events);
+        let (i, event, states) = first_of_kind(start, events, is_seen)?;
+        let next = events[i + 1..]
+            .iter()
+            .find(|e| e.kind == Kind::Boundary)
+            .copied();
+        let mut seen = self.seen(event, states, each([0, 1], |side| &states[side..=side]));
+        seen.in_face = self.is_face_of(&event, next);
+        Some(seen)
+    }
+
+    /// Whether an event is a sheet, and the next boundary is in the same place.
+    fn is_face_of(&mut self, event: &Event<R>, next: Option<Event<R>>) -> bool {
+        let same =
+            |walker: &mut Self, next: Event<R>| walker.order(&event.place, &next.place).is_eq();
+        event.kind == Kind::Sheet && next.is_some_and(|next| same(self, next))
     }
 
     /// The event with the states of the union and those of all lists, before and behind it.
@@ -80,6 +107,7 @@ impl<R: Precision> Walker<'_, R> {
             event,
             states,
             within,
+            in_face: false,
         }
     }
 

@@ -137,4 +137,45 @@ mod tests {
             }
         }
     }
+
+    /// A transparent sheet in a face of a solid looks as one that lies a little above the face: the face is seen through
+    /// it, and is lit through it.
+    #[test]
+    fn a_face_is_seen_through_a_sheet_in_it() {
+        const LOOKS: &str = "60 -201 0.2 0 0.7\n61 -201 0.1 0.1 0.8\n61 -203 1.5 1.5 1.5\n\
+                             62 -201 0.3 0.5 0\n";
+        let around = "9 -501 0.3 4 3 0 -1 -0.8 0 1 0 45\n50 -402 0.8\n50 -1 2 6 3\n51 -401 0.1\n\
+                      5 -101 2 3\n6 -101 3 2\n40 12 -5 -3 -5 5 -2.5 5\n";
+        let solids = ["2 4 0 1 0 0", "2 12 -2 -1 -2 2 0 2", "2 1 3 0 -1 2 -1 2 0"];
+        let sheets = [
+            "3 5 -1 -1 1 1\n3 -2 -90 1",
+            "3 6 -1 0 1 1 0 1 0 0 -1.4",
+            "3 3 0 1 0 0",
+            "7 5 -1 -1 1 1\n7 -2 -90 1\n8 9 0.9\n3 -102 7 8",
+        ];
+        for (solid, look) in solids.iter().flat_map(|s| [(s, "0"), (s, "61"), (s, "62")]) {
+            for (sheet, order) in sheets.iter().flat_map(|s| [(s, 5), (s, 6)]) {
+                let text = |height: f64| {
+                    let sheet = format!("{sheet}\n3 -1 0 {height} 0\n3 -299 0 60\n");
+                    let solid = format!("{solid}\n2 -299 0 {look}\n");
+                    let union = format!("7{order} -101 {order} 40\n1 9999 7{order} 0\n");
+                    [LOOKS, &solid, &sheet, around, &union].concat()
+                };
+                let [flush, above] = [0.0, 1e-6].map(|height| picture(&text(height), Numbers::F64));
+                let fine = picture(&text(0.0), Numbers::Dd);
+                // What the face mirrors of the sheet's underside is left out, and from inside the sheet is before the face.
+                let most = if look == "0" { 1e-4 } else { 0.01 };
+                let differ = |a: &Picture, b: &Picture, most: f32| {
+                    let pixels = a.film.pixels.iter().zip(&b.film.pixels);
+                    let far = |(a, b): &(&[f32; 3], &[f32; 3])| {
+                        (0..3).any(|c| (a[c] - b[c]).abs() > most)
+                    };
+                    pixels.filter(far).count()
+                };
+                // The picture is of 768 pixels; some lie on edges, or see many reflections.
+                assert!(differ(&flush, &above, most) < 8, "{}", text(0.0));
+                assert_eq!(differ(&flush, &fine, 1e-5), 0, "{}", text(0.0));
+            }
+        }
+    }
 }

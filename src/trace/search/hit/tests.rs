@@ -6,7 +6,7 @@ use crate::testing::{random, scene};
 use crate::trace::Tracer;
 use crate::trace::search::events::Kind;
 use crate::trace::search::query::QueryStatus;
-use crate::trace::search::spans::first_seen;
+use crate::trace::search::spans::{first_of_kind, is_seen};
 use std::fmt::Write;
 
 /// Solids that meet each other, and panes, of so many of the kinds two glasses and something opaque: spheres, tori,
@@ -123,7 +123,11 @@ fn the_nearest_crossing_says_what_spans_say() {
                 let is_told = |h: &Hit| h.within[0] != Within::Unknown;
                 over += u32::from(!walker.hidden.is_empty() && found.as_ref().is_some_and(is_told));
                 let slow = walker.first_visible(&ray, 0.0, f64::INFINITY);
-                let told = |h: Hit| (h.t, h.inside, h.indices, h.surface, h.entering, h.colour);
+                let told = |h: Hit| {
+                    (
+                        h.t, h.inside, h.indices, h.surface, h.entering, h.in_face, h.colour,
+                    )
+                };
                 assert_eq!(found.map(told), slow.map(told), "{text}\n{ray:?}");
                 let all = found.zip(slow).map(|(a, b)| [a.within, b.within]);
                 for [a, b] in all.iter().flat_map(|[a, b]| [[a[0], b[0]], [a[1], b[1]]]) {
@@ -131,15 +135,15 @@ fn the_nearest_crossing_says_what_spans_say() {
                     assert!(!known || a == b, "{a:?} {b:?}\n{text}\n{ray:?}");
                 }
                 let (start, events) = walker.trace_spans(&ray, 0.0, f64::INFINITY);
-                let first = start.and_then(|start| first_seen(start, events));
-                let place = first.map(|(event, states)| {
+                let first = start.and_then(|start| first_of_kind(start, events, is_seen));
+                let place = first.map(|(_, event, states)| {
                     (event.t(), states.map(|s| s.inside), states.map(index_in))
                 });
                 let told = |h: Hit| (h.t, h.inside, h.indices);
                 assert_eq!(found.map(told), place, "{text}\n{ray:?}");
                 // Double-double takes no shortcut for the surface that the ray has left.
                 let exact = finest.first_hit::<true>(&ray.cast(), End::Anywhere);
-                let told = |h: Hit| (h.inside, h.indices, h.surface, h.entering);
+                let told = |h: Hit| (h.inside, h.indices, h.surface, h.entering, h.in_face);
                 let cast = exact.map(|h: Hit<Dd>| h.cast());
                 assert_eq!(found.map(told), cast.map(told), "{text}\n{ray:?}");
                 compared += 1;
