@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 
 use super::Context;
 use super::levels::Selector;
-use super::rules::OF_PICTURES;
 use crate::diagnostics::{self, Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::syntax::Item;
 use crate::syntax::directive::{self, is_directive};
@@ -48,8 +47,9 @@ pub fn apply(context: &Context, comments: &[u32], out: &mut Vec<Diagnostic>) {
 /// covers, a finding is looked at once.
 struct Found {
     codes: BTreeMap<Code, OfCode>,
-    /// What has not been looked for: whether there is any is not known.
-    open: &'static [Code],
+    /// Whether there is an error. What it leaves out of the scene may be what is to be allowed, so a comment that
+    /// allows nothing may still be needed.
+    is_wrong: bool,
 }
 
 /// Findings of one code, in their order.
@@ -76,11 +76,8 @@ impl Found {
         for of in codes.values_mut() {
             of.steps = vec![0; of.starts.len() + 1];
         }
-        let open: &[Code] = match all.iter().any(Diagnostic::is_error) {
-            true => OF_PICTURES,
-            false => &[],
-        };
-        Found { codes, open }
+        let is_wrong = all.iter().any(|d| d.is_error() || d.code == Code::E106);
+        Found { codes, is_wrong }
     }
 
     /// Allows what begins in a stretch of text, its end included; says whether anything does.
@@ -121,6 +118,8 @@ struct Directive {
     comment: Span,
     /// The comment with what belongs to nothing else once it is gone: its line, its `0`.
     removal: Span,
+    /// What stands in its place: a space between two words that it keeps apart.
+    gap: &'static str,
     /// What stands between the brackets, and where; `None` if it is no `allow(…)`.
     entries: Option<(Vec<String>, Span)>,
     /// Where findings begin that it may allow.
@@ -154,6 +153,10 @@ impl Directive {
                     Span::new(kept as u32, token.end())
                 }
             },
+            gap: match text[token.end() as usize..].chars().next() {
+                Some(next) if !alone && !next.is_whitespace() => " ",
+                _ => "",
+            },
             entries,
             covers,
         }
@@ -179,10 +182,8 @@ impl Directive {
                 // It may be there to allow this very remark.
                 own = true;
                 used.push(entry.as_str());
-            } else if self
-                .covers
-                .is_some_and(|covers| found.allow(&codes, covers))
-                || found.open.iter().any(|code| codes.is(*code))
+            } else if (self.covers).is_some_and(|covers| found.allow(&codes, covers))
+                || found.is_wrong
             {
                 used.push(entry);
             } else {
@@ -214,7 +215,7 @@ impl Directive {
             return remarks;
         }
         let (span, text) = match used.as_slice() {
-            [] => (self.removal, String::new()),
+            [] => (self.removal, self.gap.to_owned()),
             used => (*list, used.join(", ")),
         };
         vec![d.fix(Fix::replace("fix", Applicability::Safe, span, text))]

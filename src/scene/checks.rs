@@ -30,14 +30,27 @@ pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) ->
         return Some(());
     }
     let name = |i: usize| p.param(i).map_or("", |q| q.name);
-    let mut edits: Vec<Edit> = (inverted.iter())
-        .flat_map(|&i| [(i, i + n), (i + n, i)])
-        .map(|(to, from)| Edit {
-            span: p.span_of(to, 1),
-            text: p.text_of(from).to_owned(),
-        })
-        .collect();
-    edits.sort_by_key(|e| e.span);
+    // Lower and upper bounds in turn, each pair in order: xmin xmax ymin ymax zmin zmax.
+    let in_turn = (0..n).all(|i| p.number(first + 2 * i) <= p.number(first + 2 * i + 1));
+    // The bound that belongs to each place.
+    let order: Vec<usize> = match in_turn {
+        true => [0, 1]
+            .iter()
+            .flat_map(|end| (0..n).map(move |i| first + 2 * i + end))
+            .collect(),
+        false => (first..first + 2 * n)
+            .map(|i| match i < first + n {
+                true if inverted.contains(&i) => i + n,
+                false if inverted.contains(&(i - n)) => i - n,
+                _ => i,
+            })
+            .collect(),
+    };
+    let edits = (first..).zip(order).filter(|(to, from)| to != from);
+    let edits = edits.map(|(to, from)| Edit {
+        span: p.span_of(to, 1),
+        text: p.text_of(from).to_owned(),
+    });
     let at = inverted[0];
     out.push(
         Diagnostic::new(Code::E202, p.span_of(at, 1))
@@ -47,10 +60,13 @@ pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) ->
             .with("others", Value::Count(inverted.len() as u64 - 1))
             .label(p.span_of(at + n, 1), "other")
             .fix(Fix {
-                title: "fix",
+                title: if in_turn { "fix-order" } else { "fix" },
                 values: Vec::new(),
-                applicability: Applicability::Safe,
-                edits,
+                applicability: match in_turn {
+                    true => Applicability::Unsafe,
+                    false => Applicability::Safe,
+                },
+                edits: edits.collect(),
             }),
     );
     None

@@ -39,27 +39,30 @@ pub struct References {
     /// For each number of an ID the index of the entity that it defines, from the first one on that differ.
     entity: Vec<u32>,
     /// For each ID, where it is first defined, to tell "later" from "nowhere". Only few scenes ask.
-    definition: Option<FxHashMap<u32, Span>>,
+    definition: Option<FxHashMap<u32, (Span, Option<Kind>)>>,
     pub lost: Vec<Lost>,
     dangling: Vec<Dangling>,
     /// How many defined IDs may still be compared.
     comparisons: usize,
 }
 
-/// Where each ID is first defined, perhaps by a record that is broken.
-fn definitions(document: &Document) -> FxHashMap<u32, Span> {
+/// Where each ID is first defined, perhaps by a record that is broken, and as what, if that is known.
+fn definitions(document: &Document) -> FxHashMap<u32, (Span, Option<Kind>)> {
     let mut definition = FxHashMap::default();
     for item in &document.items {
-        let (id, first) = match item {
-            Item::Record(r) if !matches!(r.ty().effect, Effect::Changes(_)) => {
-                (Some(r.id), r.first)
-            }
-            Item::Broken(b) => (b.id, b.first),
+        let (id, first, kind) = match item {
+            Item::Record(r) => match r.ty().effect {
+                Effect::Changes(_) => continue,
+                Effect::Defines(kind) | Effect::DefinesOrChanges(kind, _) => {
+                    (Some(r.id), r.first, Some(kind))
+                }
+            },
+            Item::Broken(b) => (b.id, b.first, None),
             _ => continue,
         };
         if let Some(id) = id {
             let span = document.tokens[first as usize].span();
-            definition.entry(id).or_insert(span);
+            definition.entry(id).or_insert((span, kind));
         }
     }
     definition
@@ -244,15 +247,20 @@ impl Resolver<'_> {
         }
     }
 
-    /// E107 or E101.
+    /// E107 or E101. `used` are the IDs that the record has; none if it is to change this one.
     fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, used: &[u32]) {
         let document = self.document;
         let definition = self
             .references
             .definition
             .get_or_insert_with(|| definitions(document));
-        if let (false, Some(&at)) = (late, definition.get(&id)) {
+        let changes = used.is_empty();
+        let is_meant = |kind: Option<Kind>| !changes || kind.is_none_or(|k| kinds.contains(&k));
+        if let (false, Some(&(at, kind))) = (late, definition.get(&id))
+            && is_meant(kind)
+        {
             let finding = Diagnostic::new(Code::E107, span)
+                .case(if changes { "changed" } else { "" })
                 .with("id", id.to_string())
                 .label(at, "later");
             if self.references.lost.is_empty() {

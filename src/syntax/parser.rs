@@ -32,7 +32,7 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
         recovery::report::comments(text, &lexed.tokens, &mut findings);
     }
     let mut glued = Vec::new();
-    if lexed.has_bad {
+    if lexed.has_bad || has_pair(&lexed, text) {
         let tokens = std::mem::take(&mut lexed.tokens);
         let (tokens, spans) = recovery::respell::respell(text, tokens);
         lexed = Lexed::of(text, tokens);
@@ -69,7 +69,7 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
 /// The items of a text that needs no recovery; `None` for any other.
 pub fn parse_plain(text: &str) -> Option<Document> {
     let lexed = Lexed::new(text, &[]);
-    if lexed.has_bad || may_be_unclosed(&lexed, text) {
+    if lexed.has_bad || has_pair(&lexed, text) || may_be_unclosed(&lexed, text) {
         return None;
     }
     let columns = Columns {
@@ -78,6 +78,11 @@ pub fn parse_plain(text: &str) -> Option<Document> {
     };
     let Plan { items, gaps, .. } = Plan::of(columns);
     gaps.is_empty().then(|| Document::new(lexed, items, 0))
+}
+
+/// Whether a comma that was taken for a separator may be a decimal comma.
+fn has_pair(lexed: &Lexed, text: &str) -> bool {
+    lexed.has_separator && recovery::respell::has_pair(text, &lexed.tokens)
 }
 
 /// Whether a comment may have lost its `#`, or a `#` be none of a comment.

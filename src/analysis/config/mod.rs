@@ -275,6 +275,11 @@ fn is_absence(error: &std::io::Error) -> bool {
 
 /// The settings in a file, whose patterns are about a folder.
 fn read(path: &Path, root: &Path) -> Result<Written, Complaint> {
+    let found = std::fs::metadata(path).map_err(|e| Complaint::from(&e))?;
+    if !found.is_file() {
+        // From a pipe, for instance, nobody knows whether anything comes.
+        return Err(Complaint::new("not-a-file"));
+    }
     let text = std::fs::read_to_string(path).map_err(|e| Complaint::from(&e))?;
     parse(&text, root)
 }

@@ -116,6 +116,7 @@ impl Engine<'_> {
             self.findings.push(matter.finding);
             crate::diagnostics::sort(&mut self.findings);
         }
+        whole::early_changes(self.analysis, &mut self.findings);
         whole::cycles(self.analysis, &mut self.findings);
     }
 

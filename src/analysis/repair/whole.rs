@@ -1,10 +1,13 @@
 //! One slip that shows on many lines: the minus of all types lost, the ID of the render record used for an
 //! object, two scenes in one file, definitions that need each other.
 
+use std::ops::RangeInclusive;
+
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::characters;
 use crate::analysis::Analysis;
+use crate::diagnostics::source::line_break;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::Item;
 use crate::syntax::ast::Record;
@@ -26,7 +29,8 @@ const MANY: usize = 3;
 
 /// Whether a finding is one of these.
 pub fn is_of_many(d: &Diagnostic) -> bool {
-    matches!(d.case, "dashes" | "minus" | "scenes" | "objects")
+    let is_moved = d.code == Code::E107 && !d.fixes.is_empty();
+    is_moved || matches!(d.case, "dashes" | "minus" | "scenes" | "objects")
 }
 
 /// Typographic dashes stand for minus signs on many lines, as in what is copied from a PDF file.
@@ -275,6 +279,52 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
 /// So many references are followed for one file, to find definitions that need each other.
 const FOLLOWED: usize = 100_000;
 
+/// Proposes to move records that change something below its definition: for each ID the last one of those above, so that
+/// they stay in order.
+pub fn early_changes(analysis: &Analysis, findings: &mut [Diagnostic]) {
+    let mut seen = FxHashSet::default();
+    let is_one = |d: &&mut Diagnostic| d.code == Code::E107 && d.case == "changed";
+    for d in findings.iter_mut().rev().filter(is_one) {
+        let Some(definition) = d.labels.first().map(|label| label.span) else {
+            continue;
+        };
+        if !seen.insert(definition.start) {
+            continue;
+        }
+        let [from, to] = [d.span, definition].map(|span| own_lines(analysis, span.start));
+        let (Some(from), Some(to)) = (from, to) else {
+            continue;
+        };
+        let source = &analysis.source;
+        let line = |i: usize| source.line_span(i);
+        let moved = Span::new(line(*from.start()).start, line(*from.end()).end);
+        let gap = Span::new(moved.start, line(from.end() + 1).start);
+        let end = line(*to.end()).end;
+        let edit = |span: Span, text: String| Edit { span, text };
+        let text = format!("{}{}", line_break(&source.text), source.slice(moved));
+        d.fixes = vec![Fix {
+            title: "fix",
+            values: Vec::new(),
+            applicability: Applicability::Unsafe,
+            edits: vec![edit(gap, String::new()), edit(Span::new(end, end), text)],
+        }];
+    }
+}
+
+/// The lines of the record at a place; nothing if another one has a part in them.
+fn own_lines(analysis: &Analysis, at: u32) -> Option<RangeInclusive<usize>> {
+    let (source, document) = (&analysis.source, &analysis.document);
+    let span = |item: &Item| document.item_span(item);
+    let i = document.items.partition_point(|item| span(item).end <= at);
+    let (before, rest) = document.items.split_at(i);
+    let own = span(rest.first()?);
+    let [first, last] = [own.start, own.end - 1].map(|at| source.line_index(at));
+    let is_above = |item: &Item| source.line_index(span(item).end - 1) < first;
+    let is_below = |item: &Item| source.line_index(span(item).start) > last;
+    let is_alone = before.last().is_none_or(is_above) && rest.get(1).is_none_or(is_below);
+    is_alone.then_some(first..=last)
+}
+
 /// Says of definitions that need each other that they do.
 pub fn cycles(analysis: &Analysis, findings: &mut [Diagnostic]) {
     if !findings.iter().any(|d| d.code == Code::E107) {
@@ -295,7 +345,8 @@ pub fn cycles(analysis: &Analysis, findings: &mut [Diagnostic]) {
         }
     }
     let mut left = FOLLOWED;
-    for d in findings.iter_mut().filter(|d| d.code == Code::E107) {
+    let is_one = |d: &&mut Diagnostic| d.code == Code::E107 && d.case != "changed";
+    for d in findings.iter_mut().filter(is_one) {
         let i = at.partition_point(|r| r.1 <= d.span.start);
         let own = at.get(i).filter(|r| r.0 <= d.span.start).map(|r| r.2);
         let named = analysis.source.slice(d.span).parse::<u32>().ok();

@@ -84,6 +84,7 @@ left-unchanged = { $count ->
 }
 list-comma = { $first }, { $last }
 range-of-many = --range platí jen pro jeden soubor
+not-a-file = není to obyčejný soubor
 no-files = není tu soubor se scénou, jehož nastavení by šlo ukázat
 
 ## Vykreslování a dotazy
@@ -150,6 +151,8 @@ too-many-to-count = --tolerance je příliš malá: trojúhelníků by bylo toli
 too-many-joined = vzájemně se překrývá { $solids } těles, mezi nimi tvar { $shape }, a mají příliš mnoho trojúhelníků na to, aby se spojila: zvolte větší --tolerance nebo menší část scény
 mesh-without-name = scéna ze standardního vstupu nemá jméno: zadejte pomocí -o, kam zapsat soubor { $format }
 would-overwrite-image = { $path } je obrázek, který scéna používá, a byl by přepsán: zvolte jiné jméno pomocí -o
+mesh-on-stdout = síť se zapisuje do souboru: zadejte ho pomocí -o
+would-write-twice = { $path } by se zapsal dvakrát: zvolte pro jeden ze souborů jiné jméno
 would-overwrite-scene = { $path } je sama scéna a byla by přepsána: zvolte jiné jméno pomocí -o
 many-files = převod má více souborů ({ $documents ->
     [one] { $documents } dokument

@@ -12,7 +12,7 @@ cannot-read = cannot read { $path }: { $reason }
 cannot-write = cannot write { $path }: { $reason }
 cannot-print = cannot write to standard output: { $reason }
 too-large = it is larger than { $size } GiB
-picture-broken = { $why }
+picture-broken = it is damaged, or in a form that zpg does not read
 picture-too-wide = it has { $width } × { $height } pixels; { $side } × { $side } are read at most
 pictures-too-large = the pictures of a scene may take 256 MiB together
 read-only-file = it is read-only
@@ -81,6 +81,7 @@ left-unchanged = { $count ->
 } left unchanged
 list-comma = { $first }, { $last }
 range-of-many = --range takes the lines of one file
+not-a-file = it is not a plain file
 no-files = there is no scene file to show the settings of
 
 ## Drawing and asking
@@ -147,6 +148,8 @@ too-many-to-count = the --tolerance is too small for the triangles to be counted
 too-many-joined = { $solids } solids overlap each other, the shape { $shape } among them, and have too many triangles to be joined: choose a larger --tolerance or a smaller part of the scene
 mesh-without-name = a scene from standard input has no name: say with -o where to write the { $format } file
 would-overwrite-image = { $path } is a picture that the scene uses and would be overwritten: choose another name with -o
+mesh-on-stdout = a mesh is written to a file: name one with -o
+would-write-twice = { $path } would be written twice: choose another name for one of the files
 would-overwrite-scene = { $path } is the scene itself and would be overwritten: choose another name with -o
 many-files = the translation is more than one file ({ $documents ->
     [one] { $documents } document

@@ -204,6 +204,14 @@ E008 = příliš málo čísel: { $type } má mít { $fewer ->
        *[other] { $off } čísel chybí
     }
     .help = { $type-capital }: { $header }
+E008-points = { E008 }
+    .label = N je { $says }, ale { $points ->
+        [one] následuje { $points } bod
+        [few] následují { $points } body
+       *[other] následuje { $points } bodů
+    }
+    .help = { E008.help }
+    .fix = { fix-write }
 E008-row = { E008 }
     .label = tento řádek jich má méně než ostatní
     .help = { E008.help }
@@ -234,6 +242,14 @@ E009 = příliš mnoho čísel: { $type } má mít { $fewer ->
        *[other] { $off } čísel navíc
     }
     .help = { $type-capital }: { $header }
+E009-points = { E009 }
+    .label = N je { $says }, ale { $points ->
+        [one] následuje { $points } bod
+        [few] následují { $points } body
+       *[other] následuje { $points } bodů
+    }
+    .help = { E009.help }
+    .fix = { fix-write }
 E009-row = { E009 }
     .label = tento řádek jich má více než ostatní
     .help = { E009.help }
@@ -373,6 +389,11 @@ E107 = { $id } se používá dříve, než je definováno
     .label = ještě není definováno
     .help = přesuňte definici výš: scéna se čte shora dolů
     .later = definováno zde
+E107-changed = { $id } se mění dříve, než je definováno
+    .label = ještě není definováno
+    .help = scéna se čte shora dolů: tento záznam patří až za definici
+    .later = definováno tady
+    .fix = přesunout záznam za definici
 E107-cycle = { $id } a { $own } závisí na sobě navzájem: žádné z nich nelze definovat jako první
     .label = { $own } závisí na { $id }, a to zase na { $own }
     .help = definice tvoří kruh, { $own } → { $members }; jeden z těchto odkazů musí vést jinam
@@ -395,6 +416,7 @@ E202 = { $type }: { $lower } je větší než { $upper }{ $others ->
     .label = dolní mez
     .other = horní mez
     .fix = prohodit je
+    .fix-order = napsat nejdřív všechny dolní meze, pak všechny horní
 
 E203 = { $type }: { $vector } je nulový vektor
     .label = nemá žádný směr
@@ -446,12 +468,13 @@ E209 = obrázek musí ležet ve složce scény
 E209-link = { E209 }
     .label = toto je odkaz, který vede jinam
 
-E210 = obrázek nelze přečíst
-    .label = { $why }
+E210 = obrázek nelze přečíst: { $why }
+    .label = soubor ve složce scény
     .help = soubor se hledá ve složce scény
-E210-format = { E210 }
-    .label = není to obrázek PNG ani JPEG
-    .help = { E210.help }
+E210-format = obrázek není ani PNG, ani JPEG
+    .label = { E210.label }
+E210-content = { E210 }
+    .label = { E210.label }
 
 ## Varování
 

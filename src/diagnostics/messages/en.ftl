@@ -195,6 +195,13 @@ E008 = too few numbers: { $type-a } takes { $fewer ->
        *[other] { $off } numbers missing
     }
     .help = { $type-capital }: { $header }
+E008-points = { E008 }
+    .label = N is { $says }, but { $points ->
+        [one] { $points } point follows
+       *[other] { $points } points follow
+    }
+    .help = { E008.help }
+    .fix = { fix-write }
 E008-row = { E008 }
     .label = this line has fewer than the others
     .help = { E008.help }
@@ -223,6 +230,13 @@ E009 = too many numbers: { $type-a } takes { $fewer ->
        *[other] { $off } numbers too many
     }
     .help = { $type-capital }: { $header }
+E009-points = { E009 }
+    .label = N is { $says }, but { $points ->
+        [one] { $points } point follows
+       *[other] { $points } points follow
+    }
+    .help = { E009.help }
+    .fix = { fix-write }
 E009-row = { E009 }
     .label = this line has more than the others
     .help = { E009.help }
@@ -357,6 +371,11 @@ E107 = { $id } is used before it is defined
     .label = not defined yet
     .help = move the definition up: a scene is read from top to bottom
     .later = defined here
+E107-changed = { $id } is changed before it is defined
+    .label = not defined yet
+    .help = a scene is read from top to bottom: this record belongs below the definition
+    .later = defined here
+    .fix = move the record below the definition
 E107-cycle = { $id } and { $own } need each other: neither can be defined first
     .label = { $own } needs { $id }, which needs { $own }
     .help = the definitions go in a circle, { $own } → { $members }; one of these references must name something else
@@ -379,6 +398,7 @@ E202 = { $lower } of the { $type } is greater than { $upper }{ $others ->
     .label = the lower bound
     .other = the upper bound
     .fix = swap them
+    .fix-order = write all lower bounds before all upper ones
 
 E203 = the { $vector } of the { $type } is the zero vector
     .label = it has no direction
@@ -430,12 +450,13 @@ E209 = the image must lie in the scene's own folder
 E209-link = { E209 }
     .label = this is a link that leaves it
 
-E210 = the image cannot be read
-    .label = { $why }
+E210 = the image cannot be read: { $why }
+    .label = a file in the scene's folder
     .help = the file is looked for in the scene's folder
-E210-format = { E210 }
-    .label = it is neither a PNG nor a JPEG picture
-    .help = { E210.help }
+E210-format = the image is neither a PNG nor a JPEG picture
+    .label = { E210.label }
+E210-content = { E210 }
+    .label = { E210.label }
 
 ## Warnings
 

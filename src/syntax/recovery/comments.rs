@@ -17,9 +17,9 @@ const GARBAGE: u32 = 100;
 /// put whole blocks into comments.
 const HIDDEN: u32 = 45;
 const HIDDEN_MAX: usize = 2;
-/// The price of a comment that hides a record, with words behind its closing sign: comments turned
-/// inside out, as where a `#` on each line is meant to comment the rest of the line. More than two
-/// signs that are given up.
+/// The price of words behind a comment's closing sign, if the comment hides a record or the sign is the
+/// first thing on its line: comments turned inside out, as where a `#` on each line is meant to comment
+/// the rest of the line. More than two signs that are given up.
 const INSIDE_OUT: u32 = 2 * UNCLOSED + 5;
 
 /// States: 0 is code, 1 + h a comment that has hidden h records so far.
@@ -123,16 +123,17 @@ impl Reading {
     fn of(line: &str, state: usize) -> Reading {
         let mut price = 0;
         let mut now = state;
+        let before = line.split('#').next().unwrap_or(line);
         for (i, part) in line.split('#').enumerate() {
             let at_hash = now;
             if i > 0 {
                 now = if now == 0 { 1 } else { 0 };
             }
             if now == 0 {
-                let hidden = i == 1 && at_hash > 1;
+                let inside_out = i == 1 && (at_hash > 1 || at_hash == 1 && is_void(before));
                 price = price.max(match garbage(part) {
                     0 => 0,
-                    _ if hidden => INSIDE_OUT,
+                    _ if inside_out => INSIDE_OUT,
                     garbage => garbage,
                 });
             } else if i == 0 && now <= HIDDEN_MAX && looks_like_a_record(part) {
@@ -150,13 +151,21 @@ impl Reading {
 /// The price of a stretch of code: whether there is a word in it that is no number.
 fn garbage(part: &str) -> u32 {
     // File names are words.
-    let is_code = |w: &str| w.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    let is_code = |w: &str| {
+        let unsigned = w.trim_start_matches(['+', '-', '.']);
+        unsigned.starts_with(|c: char| c.is_ascii_digit())
+    };
     let names_a_file = part.split_whitespace().any(|w| w == "-301");
     if names_a_file || part.split_whitespace().all(is_code) {
         0
     } else {
         GARBAGE
     }
+}
+
+/// Whether a stretch of text is nothing, or the `0` in front of a comment.
+fn is_void(part: &str) -> bool {
+    matches!(part.trim(), "" | "0")
 }
 
 /// Whether a stretch of comment is three numbers or more, the first two of them integers.
@@ -217,6 +226,21 @@ mod tests {
             assert_eq!(lines(&text), all);
             assert!(lines(&text.replace("ball", "ball #")).is_empty());
         }
+    }
+
+    #[test]
+    fn signs_for_the_rest_of_neighbouring_lines() {
+        assert_eq!(lines("2 9 1 # a\n# b\n4 9 1\n"), [1, 2]);
+        assert_eq!(lines("0 # a\n0 # b\n4 9 1\n"), [1, 2]);
+        assert_eq!(lines("# a\n\n# b\n# c\n4 9 1\n"), [1, 3, 4]);
+        assert_eq!(lines("# a\n# b\n# c #\n4 9 1\n"), [1, 2]);
+        let banner = "#-----\n# Title\n#-----\n";
+        assert_eq!(lines(&format!("{banner}2 9 1\n")), [1, 2, 3]);
+        assert_eq!(lines(&format!("{banner}2 9 1 # a #\n3 9 1\n")), [1, 2, 3]);
+        let two = format!("{banner}2 9 1\n{}3 9 1\n", banner.replace("Title", "b"));
+        assert_eq!(lines(&two), [1, 2, 3, 5, 6, 7]);
+        // A comment over several lines, and one more word.
+        assert!(lines("# a\n b\n # c\n2 9 1\n").is_empty());
     }
 
     #[test]

@@ -340,10 +340,49 @@ impl Reporter<'_, '_> {
                 .with("wanted", count(ty.params.len() + all))
                 .with("fewer", ty.params.len().to_string()),
         };
-        match row {
-            Some(_) => d.case("row").label(self.span(start, start + 2), "begin"),
-            None => d,
+        match (self.points(piece, ty, got), row) {
+            (Some(points), _) => {
+                let n = self.span(start + 2, start + 3);
+                let says = self.text(start + 2).to_owned();
+                let d = Diagnostic { span: n, ..d }
+                    .case("points")
+                    .with("says", says);
+                let d = d
+                    .with("points", count(points))
+                    .with("number", quote(&points.to_string()));
+                d.fix(write(Applicability::Unsafe, n, points.to_string()))
+            }
+            (None, Some(_)) => d.case("row").label(self.span(start, start + 2), "begin"),
+            (None, None) => d,
         }
+    }
+
+    /// How many whole points a record has that says another number of them.
+    fn points(&self, piece: &Piece, ty: &RecordType, got: usize) -> Option<usize> {
+        let each: usize = ty.repeats.iter().map(|group| group.len()).sum();
+        let numbers = got.checked_sub(1).filter(|_| each > 0)?;
+        let rows = self.rows(piece, ty);
+        let is_whole = |&(from, to): &(usize, usize)| {
+            (ty.repeats.iter()).any(|group| (to - from).is_multiple_of(group.len()))
+        };
+        let in_rows = rows.len() == 1 || rows.iter().all(is_whole);
+        (numbers % each == 0 && numbers >= 2 * each && in_rows).then(|| numbers / each)
+    }
+
+    /// The numbers of a record line by line, behind its ID, its type and its number of points.
+    fn rows(&self, piece: &Piece, ty: &RecordType) -> Vec<(usize, usize)> {
+        let stretch = self.stretch;
+        let head = piece.start + 2 + usize::from(ty.is_counted());
+        let (first, last) = (stretch.line(piece.start), stretch.line(piece.end - 1));
+        let rows = (first..=last).map(|l| {
+            let from = match l == first {
+                true => head,
+                false => stretch.line_start(l),
+            };
+            let to = stretch.line_end(l).min(piece.end);
+            (from.min(to), to)
+        });
+        rows.collect()
     }
 
     /// In a record laid out over lines: the line whose length deviates from the others by just what
@@ -360,19 +399,7 @@ impl Reporter<'_, '_> {
         if first == last || stretch.is_free {
             return None;
         }
-        // The numbers of the head line behind ID, type and count.
-        let head = piece.start + 2 + usize::from(ty.is_counted());
-        let rows: Vec<(usize, usize)> = (first..=last)
-            .map(|l| {
-                let from = if l == first {
-                    head
-                } else {
-                    stretch.line_start(l)
-                };
-                let to = stretch.line_end(l).min(piece.end);
-                (from.min(to), to)
-            })
-            .collect();
+        let rows = self.rows(piece, ty);
         let off = got as i64 - expected as i64;
         let lengths: Vec<i64> = rows.iter().map(|r| (r.1 - r.0) as i64).collect();
         if lengths[0] == off && off > 0 {
@@ -381,6 +408,7 @@ impl Reporter<'_, '_> {
         // How uneven the table is with row `r` put right: how often the length changes from row to
         // row (a short last row is none), and whether points and colours part at a row's end.
         let points = ty.repeats.first().map_or(0, |g| g.len() as i64);
+        let head = piece.start + 2 + usize::from(ty.is_counted());
         let points = points * stretch.sigs[(head - 1).min(piece.end - 1)].int.unwrap_or(0) as i64;
         let uneven = |r: usize| {
             let right = |i: usize| lengths[i] - if i == r { off } else { 0 };

@@ -1,6 +1,7 @@
 //! Tokens that may be two numbers: `0,5` has a decimal comma, or the separator of the handout's
 //! notation of points stands in it; `0-1` and `1.2.3` may have lost a space. They are two where that
-//! gives the record on the line as many numbers as it takes, and one token each does not.
+//! gives the record on the line as many numbers as it takes, and one token each does not. In the same
+//! way `(0,5; 1)`, where the comma is a separator at first sight, may be two numbers instead of three.
 
 use super::super::ast::{Broken, Fault, Item};
 use super::super::lexer::{self, Token, TokenKind};
@@ -9,32 +10,42 @@ use super::super::table::{ParamKind, RecordType};
 use super::stretch::LONG;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 
-/// Which tokens are taken for several numbers.
+/// Which tokens are taken for several numbers, and which several for one.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Split {
     commas: bool,
     glued: bool,
+    /// Commas between digits that were taken for separators are decimal commas.
+    joined: bool,
 }
 
 const AS_IT_STANDS: Split = Split {
     commas: false,
     glued: false,
+    joined: false,
 };
 
-/// The ways to split, the likeliest first.
-const SPLITS: [Split; 3] = [
+const JOINED: Split = Split {
+    joined: true,
+    ..AS_IT_STANDS
+};
+
+/// The other ways to read, the likeliest first.
+const SPLITS: [Split; 4] = [
     Split {
         commas: true,
-        glued: false,
+        ..AS_IT_STANDS
     },
     Split {
-        commas: false,
         glued: true,
+        ..AS_IT_STANDS
     },
     Split {
         commas: true,
         glued: true,
+        joined: false,
     },
+    JOINED,
 ];
 
 impl Split {
@@ -50,10 +61,11 @@ pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
         t.kind() == TokenKind::DecimalComma
             || t.kind() == TokenKind::MalformedNumber && parts(text, t).is_some()
     };
-    if !tokens.iter().any(may_be_two) {
+    let pairs: Vec<Token> = pairs(text, &tokens).collect();
+    if pairs.is_empty() && !tokens.iter().any(may_be_two) {
         return (tokens, Vec::new());
     }
-    let lines = Lines::new(text, &tokens);
+    let lines = Lines::new(text, &tokens, &pairs);
     let splits = lines.splits();
     let mut out = Vec::with_capacity(tokens.len() + 16);
     let mut glued = Vec::new();
@@ -63,17 +75,49 @@ pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
             line += 1;
         }
         let split = splits.get(line).copied().unwrap_or(AS_IT_STANDS);
-        match parts(text, t).filter(|_| split.takes(t.kind())) {
-            Some(parts) => {
-                if t.kind() == TokenKind::MalformedNumber {
-                    glued.push(t.span());
-                }
-                out.extend(parts);
-            }
-            None => out.push(*t),
+        if split.takes(t.kind())
+            && t.kind() == TokenKind::MalformedNumber
+            && parts(text, t).is_some()
+        {
+            glued.push(t.span());
         }
+        out.extend(lines.read(t, split));
     }
     (out, glued)
+}
+
+/// Whether there is any [pair](pairs).
+pub fn has_pair(text: &str, tokens: &[Token]) -> bool {
+    pairs(text, tokens).next().is_some()
+}
+
+/// Numbers with a comma between their digits that was taken for a separator, as in `(0,5; 1)`. Commas of a longer list,
+/// such as `1,2,3`, are separators in any case.
+fn pairs<'a>(text: &'a str, tokens: &'a [Token]) -> impl Iterator<Item = Token> + 'a {
+    let is_comma = move |i: usize| {
+        let token = tokens.get(i);
+        token.is_some_and(|t| t.kind() == TokenKind::Separator && t.text(text) == ",")
+    };
+    let is_integer = |t: &Token| t.kind() == TokenKind::Integer;
+    // Whether a token and the next one touch.
+    let touches = |i: usize| {
+        let ends = tokens.get(i).zip(tokens.get(i + 1));
+        ends.is_some_and(|(a, b)| a.end() == b.start)
+    };
+    (1..tokens.len())
+        .filter(move |&i| is_comma(i))
+        .filter_map(move |i| {
+            let (a, b) = (tokens[i - 1], *tokens.get(i + 1)?);
+            let is_pair = is_integer(&a)
+                && is_integer(&b)
+                && b.text(text).bytes().all(|c| c.is_ascii_digit())
+                && touches(i - 1)
+                && touches(i);
+            let follows = i > 2 && is_comma(i - 2) && touches(i - 3) && touches(i - 2);
+            let is_followed = is_comma(i + 2) && touches(i + 1) && touches(i + 2);
+            (is_pair && !follows && !is_followed)
+                .then(|| Token::new(TokenKind::DecimalComma, a.start as usize, b.end() as usize))
+        })
 }
 
 /// The numbers a token can be taken apart to, with the comma between them.
@@ -152,6 +196,8 @@ fn number_length(word: &[u8]) -> Option<usize> {
 struct Lines<'a> {
     text: &'a str,
     tokens: &'a [Token],
+    /// See [`pairs`].
+    pairs: &'a [Token],
     /// For each line one past its last token, trivia counted.
     ends: Vec<usize>,
     /// For each way to read, how many numbers there are before each line.
@@ -159,18 +205,19 @@ struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    fn new(text: &'a str, tokens: &'a [Token]) -> Lines<'a> {
+    fn new(text: &'a str, tokens: &'a [Token], pairs: &'a [Token]) -> Lines<'a> {
         let newline = |(_, t): &(usize, &Token)| t.kind() == TokenKind::Newline;
         let ends = tokens.iter().enumerate().filter(newline);
         let ends = ends.map(|(i, _)| i + 1).chain([tokens.len()]).collect();
         let mut lines = Lines {
             text,
             tokens,
+            pairs,
             ends,
             before: Vec::new(),
         };
         let before = |split: Split| {
-            let width = |t: &Token| lines.read(t, split).len() as u64;
+            let width = |t: &Token| lines.numbers(t, split).len() as u64;
             let mut sum = 0;
             let sums = (0..lines.ends.len()).map(|l| {
                 sum += lines.line(l).map(width).sum::<u64>();
@@ -195,12 +242,28 @@ impl<'a> Lines<'a> {
             .filter(significant)
     }
 
-    /// A token as the one number or the several that it is.
+    /// What a token is read as: itself, its parts, or a pair, if it is the first token of one; nothing, if it is another
+    /// one of a pair.
     fn read(&self, token: &Token, split: Split) -> Vec<Token> {
-        let mut parts = match split.takes(token.kind()) {
-            true => parts(self.text, token).unwrap_or_else(|| vec![*token]),
-            false => vec![*token],
+        let pair = match split.joined {
+            true => self
+                .pairs
+                .get(self.pairs.partition_point(|p| p.end() <= token.start)),
+            false => None,
         };
+        match pair.filter(|pair| pair.start <= token.start) {
+            Some(pair) if pair.start == token.start => vec![*pair],
+            Some(_) => Vec::new(),
+            None if split.takes(token.kind()) => {
+                parts(self.text, token).unwrap_or_else(|| vec![*token])
+            }
+            None => vec![*token],
+        }
+    }
+
+    /// The numbers among these.
+    fn numbers(&self, token: &Token, split: Split) -> Vec<Token> {
+        let mut parts = self.read(token, split);
         parts.retain(|t| !t.kind().is_trivia());
         parts
     }
@@ -214,6 +277,7 @@ impl<'a> Lines<'a> {
         };
         let mut out = vec![AS_IT_STANDS; lines];
         let mut decimal_commas = false;
+        let mut unclear = Vec::new();
         let mut l = 0;
         while l < lines {
             // What ends with its own line goes before what ends with a later one, and that before
@@ -228,9 +292,13 @@ impl<'a> Lines<'a> {
                 }
                 Some((split, n)) => {
                     out[l..l + n].fill(split);
+                    decimal_commas |= split.joined;
                     n
                 }
-                None => 1,
+                None => {
+                    unclear.push(l);
+                    1
+                }
             };
             l += n;
         }
@@ -242,13 +310,16 @@ impl<'a> Lines<'a> {
                     split.commas = false;
                 }
             }
+            for l in unclear {
+                out[l] = JOINED;
+            }
         }
         out
     }
 
     /// How many lines the record at the head of a line takes, if it ends with a line.
     fn fits(&self, line: usize, (split, before): &(Split, Vec<u64>)) -> Option<usize> {
-        let mut head = self.line(line).flat_map(|t| self.read(t, *split));
+        let mut head = self.line(line).flat_map(|t| self.numbers(t, *split));
         let mut integer = || head.next()?.integer(self.text);
         integer().filter(|&id| id > 0)?;
         let ty = RecordType::by_code(integer()?)?;
@@ -265,7 +336,10 @@ impl<'a> Lines<'a> {
                 matches!(reference, Some(ParamKind::Reference { .. }))
                     && t.text(self.text).starts_with('-')
             };
-            let params = self.line(line).flat_map(|t| self.read(t, *split)).skip(2);
+            let params = self
+                .line(line)
+                .flat_map(|t| self.numbers(t, *split))
+                .skip(2);
             return (!split.glued || !params.enumerate().any(negative_id)).then_some(1);
         }
         if !ty.is_counted() && ty.params.len() < LONG {
@@ -383,6 +457,32 @@ mod tests {
         assert_eq!(words("2 11 0,5 0,5 0,5").len(), 5);
         assert_eq!(words("2 11 0,5 0 1").len(), 6);
         assert_eq!(words("3 11 0 0 0 0,5\n2 11 0,5 0 1").len(), 11);
+    }
+
+    #[test]
+    fn separators_may_be_decimal_commas() {
+        let numbers = |text| words(text)[2..].join(" ");
+        for (text, meant) in [
+            ("2 11 (0,5; 1,25; 0) 0,75", "0,5 1,25 0 0,75"),
+            ("2 11 (1,5; 0; 0) 1", "1,5 0 0 1"),
+            ("2 11 <0,5 0 0> 1", "0,5 0 0 1"),
+            ("2 10 1,5, 1, 1,5", "1,5 1 1,5"),
+            ("2 -1 0,5;1,5;0", "0,5 1,5 0"),
+            ("2;11;0,5;1,25;0;0,75", "0,5 1,25 0 0,75"),
+            ("2 9 (0,5)", "0,5"),
+            // As many as it takes, as it stands.
+            ("2 11 (1,5; 0) 1", "1 5 0 1"),
+            ("2 11 <1,5,0> 1", "1 5 0 1"),
+            // A longer list.
+            ("2 11 (1,5,0) 1 1", "1 5 0 1 1"),
+            // Too many in any way.
+            ("2 11 (1,5; 0; 0; 0) 1 1", "1 5 0 0 0 1 1"),
+        ] {
+            assert_eq!(numbers(text), meant, "{text}");
+        }
+        // Other lines have decimal commas.
+        let text = "3 11 0 0 0 0,5\n2 11 (1,5; 0; 0; 0) 1 1";
+        assert_eq!(words(text)[8..].join(" "), "1,5 0 0 0 1 1");
     }
 
     #[test]

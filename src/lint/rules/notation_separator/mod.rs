@@ -1,8 +1,33 @@
 //! S501: separators of the handout's table notation, copied into a scene.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::Context;
+use crate::syntax::Item;
 use crate::syntax::lexer::{Token, TokenKind};
+
+/// Whether a separator is a comma that may be a decimal one.
+fn is_between_digits(text: &str, separator: &Token) -> bool {
+    let digit = |i: Option<u32>| {
+        i.and_then(|i| text.as_bytes().get(i as usize))
+            .is_some_and(u8::is_ascii_digit)
+    };
+    separator.text(text) == ","
+        && digit(separator.start.checked_sub(1))
+        && digit(Some(separator.end()))
+}
+
+/// Whether a record that cannot be read has a part in the line of a separator.
+fn is_broken(context: &Context, separator: Span) -> bool {
+    let (text, document) = (context.text, context.document);
+    let at = separator.start as usize;
+    let start = text[..at].rfind(['\n', '\r']).map_or(0, |i| i + 1);
+    let end = text[at..].find(['\n', '\r']).map_or(text.len(), |i| at + i);
+    let first =
+        (document.items).partition_point(|item| document.item_span(item).end as usize <= start);
+    let on_line = document.items[first..].iter();
+    let mut on_line = on_line.take_while(|item| (document.item_span(item).start as usize) < end);
+    on_line.any(|item| matches!(item, Item::Broken(_)))
+}
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !context.document.contents.separators {
@@ -32,16 +57,22 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 text: if apart { "" } else { " " }.to_owned(),
             });
         }
-        out.push(
-            Diagnostic::new(Code::S501, first.span())
-                .with("text", first.text(context.text).to_owned())
-                .with("count", Value::Count(separators.len() as u64))
-                .fix(Fix {
-                    title: "fix",
-                    values: Vec::new(),
-                    applicability: Applicability::Safe,
-                    edits,
-                }),
-        );
+        let finding = Diagnostic::new(Code::S501, first.span())
+            .with("text", first.text(context.text).to_owned())
+            .with("count", Value::Count(separators.len() as u64));
+        // What is wrong there may be what the separators say: a decimal comma, a comment.
+        let may_say_more = line.iter().any(|t| t.kind() == TokenKind::Word)
+            || separators
+                .iter()
+                .any(|t| is_between_digits(context.text, t));
+        out.push(match may_say_more && is_broken(context, first.span()) {
+            true => finding,
+            false => finding.fix(Fix {
+                title: "fix",
+                values: Vec::new(),
+                applicability: Applicability::Safe,
+                edits,
+            }),
+        });
     }
 }
