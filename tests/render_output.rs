@@ -232,32 +232,78 @@ fn bad_pictures_are_errors_of_the_scene() {
     }
 }
 
+/// However a run is told to end.
 #[cfg(unix)]
 #[test]
-fn ctrl_c_leaves_no_file() {
+fn a_signal_leaves_no_file() {
     use std::time::{Duration, Instant};
     let dir = folder(&[("a.zpg", SCENE.as_bytes())]);
     let files = || fs::read_dir(dir.path()).unwrap().count();
-    let mut child = crate::support::program::command()
-        .args([
-            "render",
-            "a.zpg",
-            "--size",
-            "2000x2000",
-            "--samples",
-            "1000",
-        ])
-        .current_dir(dir.path())
-        .spawn()
-        .unwrap();
-    let start = Instant::now();
-    while files() < 2 && start.elapsed() < Duration::from_secs(60) {
-        std::thread::sleep(Duration::from_millis(10));
+    for signal in ["-INT", "-TERM", "-HUP"] {
+        let mut child = crate::support::program::command()
+            .args([
+                "render",
+                "a.zpg",
+                "--size",
+                "2000x2000",
+                "--samples",
+                "1000",
+            ])
+            .current_dir(dir.path())
+            .spawn()
+            .unwrap();
+        let start = Instant::now();
+        while files() < 2 && start.elapsed() < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        let kill = Command::new("kill")
+            .args([signal, &child.id().to_string()])
+            .status();
+        assert!(kill.unwrap().success());
+        assert_eq!(child.wait().unwrap().code(), Some(130), "{signal}");
+        assert_eq!(files(), 1, "{signal}");
     }
-    let kill = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(kill.unwrap().success());
-    assert_eq!(child.wait().unwrap().code(), Some(130));
-    assert_eq!(files(), 1);
+}
+
+/// Nothing is written over the scene or what it needs, and nothing twice to one file.
+#[test]
+fn what_is_read_is_spared() {
+    let scene = "2 9 1\n2 -301 ball.png\n1 9999 2 0\n";
+    let dir = folder(&[("ball.zpg", scene.as_bytes())]);
+    fs::write(dir.path().join("a.zpg"), SCENE).unwrap();
+    render(dir.path(), "a.zpg -o ball.png --size 4x3");
+    let picture = fs::read(dir.path().join("ball.png")).unwrap();
+    for args in [
+        "render ball.zpg --size 4x3",
+        "render ball.zpg --size 4x3 -o x.png --heatmap ball.png",
+        "render ball.zpg --size 4x3 -o x.png --stats ball.zpg",
+        "render a.zpg --size 4x3 -o x.png --stats x.png",
+        "render a.zpg --size 4x3 -o x.png --heatmap ./x.png",
+        "convert ball.zpg --to json -o ball.zpg",
+        "convert a.zpg --to json -o x.json --report x.json",
+        "check a.zpg ball.zpg -o ball.zpg",
+    ] {
+        let run = zpg(dir.path(), args);
+        let said = String::from_utf8(run.stderr).unwrap();
+        assert_eq!(run.status.code(), Some(2), "{args}: {said}");
+        let is_clear = said.contains("would be overwritten") || said.contains("be written twice");
+        assert!(is_clear, "{args}: {said}");
+    }
+    assert_eq!(fs::read(dir.path().join("ball.png")).unwrap(), picture);
+    assert_eq!(
+        fs::read_to_string(dir.path().join("ball.zpg")).unwrap(),
+        scene
+    );
+    let left = fs::read_dir(dir.path()).unwrap().count();
+    assert_eq!(left, 3);
+    // A mesh needs two files: if one of them cannot be written, the other one stays as it is.
+    fs::write(dir.path().join("m.obj"), "old").unwrap();
+    fs::create_dir(dir.path().join("m.mtl")).unwrap();
+    assert_eq!(
+        zpg(dir.path(), "convert a.zpg --to obj -o m.obj")
+            .status
+            .code(),
+        Some(2)
+    );
+    assert_eq!(fs::read_to_string(dir.path().join("m.obj")).unwrap(), "old");
 }

@@ -45,7 +45,12 @@ pub struct Args {
     file: Option<PathBuf>,
 
     /// Width and height of the picture in pixels
-    #[arg(long, value_name = "WxH", default_value = "640x480")]
+    #[arg(
+        long,
+        value_name = "WxH",
+        default_value = "640x480",
+        allow_hyphen_values = true
+    )]
     size: Size,
 
     /// The settings to try, with commas between them [default: all]
@@ -53,7 +58,7 @@ pub struct Args {
     axes: Vec<AxisArg>,
 
     /// Timed runs of each setting [default: 5]
-    #[arg(long, value_name = "N", value_parser = runs)]
+    #[arg(long, value_name = "N", value_parser = runs, allow_negative_numbers = true)]
     runs: Option<usize>,
 
     /// About how long it may take: 90s, 2m, 1h [default: 2m]
@@ -61,7 +66,7 @@ pub struct Args {
     budget: Option<Seconds>,
 
     /// The error that is good enough, in steps of an 8-bit picture
-    #[arg(long, value_name = "STEPS", default_value_t = 1.0, value_parser = goal)]
+    #[arg(long, value_name = "STEPS", default_value_t = 1.0, value_parser = goal, allow_negative_numbers = true)]
     goal: f64,
 
     /// The folder for the report; SCENE-accuracy if not given

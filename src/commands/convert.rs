@@ -1,17 +1,16 @@
 //! `zpg convert`: the scene for other programs.
 
-use std::collections::HashSet;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::draft::{Draft, unwritable};
 use super::memory::Memory;
+use super::paths::is_stdin;
 use super::size::Size;
+use super::spare::spare;
 use super::terminal::unprintable;
 use super::{LookChoice, Needs, Status, complain, load_for, refuse, usage};
-use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error, Value};
-use crate::scene::Texture;
 use crate::translate::Fidelity;
 use crate::translate::fidelity::row;
 use crate::translate::registry::{TARGETS, named};
@@ -46,16 +45,21 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Size of the picture the camera is for, in pixels
-    #[arg(long, default_value = "640x480", value_name = "WxH")]
+    #[arg(
+        long,
+        default_value = "640x480",
+        value_name = "WxH",
+        allow_hyphen_values = true
+    )]
     size: Size,
 
     /// How often a ray may be mirrored or refracted
-    #[arg(long, default_value_t = 10, value_name = "N", value_parser = usage::whole::<u32>)]
+    #[arg(long, default_value_t = 10, value_name = "N", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     depth: u32,
 
     /// How far meshes may be from curved surfaces, in scene units; by default a thousandth of the
     /// scene's size
-    #[arg(long, value_name = "LEN", value_parser = length)]
+    #[arg(long, value_name = "LEN", value_parser = length, allow_negative_numbers = true)]
     tolerance: Option<f64>,
 
     #[command(flatten)]
@@ -69,6 +73,9 @@ pub struct Args {
     #[arg(long, value_name = "FILE.json")]
     report: Option<PathBuf>,
 }
+
+/// What is written to files only.
+const MESHES: [&str; 3] = ["ply", "obj", "glb"];
 
 /// Takes the name of a target.
 fn target() -> impl TypedValueParser<Value = &'static dyn Target> {
@@ -102,61 +109,31 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         memory: args.memory.for_triangles(),
         confine: &|scene| args.memory.confine_scene(scene),
         file: &args.file,
-        output: args.output.as_deref(),
+        output: args.output.as_deref().filter(|path| !is_stdin(path)),
     };
+    if options.output != args.output.as_deref() && MESHES.contains(&args.to.name()) {
+        complain(look, &Complaint::new("mesh-on-stdout"));
+        return Status::Failure;
+    }
     let made = args.to.write(&Prepared::new(&loaded), &options);
-    match made.and_then(|made| spare_sources(args, &loaded, made)) {
+    let spared = made.and_then(|made| {
+        let files = made.files.iter().filter_map(|(path, _)| path.as_deref());
+        spare(&args.file, &loaded, files.chain(args.report.as_deref())).map_err(Error::Request)?;
+        Ok(made)
+    });
+    match spared {
         Ok(made) => deliver(args, &made, look),
         Err(error) => refuse(&loaded, error, look),
     }
 }
 
-/// Refuses a translation that would be written over the scene itself or a picture that it names.
-fn spare_sources(args: &Args, loaded: &Analysis, made: Output) -> Result<Output, Error> {
-    let folder = loaded.source.folder().unwrap_or(Path::new("."));
-    let images: HashSet<PathBuf> = (loaded.scene.paints.iter())
-        .filter_map(|paint| match &paint.texture {
-            Some(Texture::Image { file, .. }) => folder.join(file).canonicalize().ok(),
-            _ => None,
-        })
-        .collect();
-    let written = made.files.iter().filter_map(|(path, _)| path.as_ref());
-    // What is not there yet is none of them.
-    let scene = args.file.canonicalize().ok();
-    for path in written.chain(&args.report) {
-        let Ok(there) = path.canonicalize() else {
-            continue;
-        };
-        let what = match () {
-            () if images.contains(&there) => "would-overwrite-image",
-            () if scene.as_ref() == Some(&there) => "would-overwrite-scene",
-            () => continue,
-        };
-        return Err(Error::Request(
-            Complaint::new(what).with("path", path.as_path()),
-        ));
-    }
-    Ok(made)
-}
-
 /// Writes the translation and its report.
 fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
-    let written = (made.files.iter())
-        .try_for_each(|(path, bytes)| match path {
-            Some(path) => write_file(path, bytes),
-            None => match io::stdout().lock().write_all(bytes) {
-                // Nobody reads any more: that is their choice.
-                Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(unprintable(&e)),
-                _ => Ok(()),
-            },
-        })
-        .and_then(|()| match &args.report {
-            Some(path) => {
-                let text = format!("{:#}\n", made.report.to_json());
-                write_file(path, text.as_bytes())
-            }
-            None => Ok(()),
-        });
+    let report = args.report.as_ref().map(|path| {
+        let text = format!("{:#}\n", made.report.to_json());
+        (Some(path.clone()), text.into_bytes())
+    });
+    let written = write(made.files.iter().chain(&report));
     let language = look.language();
     let said = match args.verbose {
         true => made.report.text(language),
@@ -180,8 +157,26 @@ fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
     }
 }
 
-fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
-    Draft::create(path)
-        .and_then(|draft| draft.finish(path, |out| out.write_all(bytes)))
-        .map_err(|e| unwritable(path, &e))
+/// Writes all files, or none if one of them cannot be begun; what has no path goes to standard output.
+fn write<'f>(files: impl Iterator<Item = &'f (Option<PathBuf>, Vec<u8>)>) -> Result<(), Complaint> {
+    let mut drafts = Vec::new();
+    for (path, bytes) in files {
+        let draft = match path {
+            Some(path) => Some((path, Draft::create(path).map_err(|e| unwritable(path, &e))?)),
+            None => None,
+        };
+        drafts.push((draft, bytes));
+    }
+    for (draft, bytes) in drafts {
+        match draft {
+            Some((path, draft)) => (draft.finish(path, |out| out.write_all(bytes)))
+                .map_err(|e| unwritable(path, &e))?,
+            None => match io::stdout().lock().write_all(bytes) {
+                // Nobody reads any more: that is their choice.
+                Err(e) if e.kind() != io::ErrorKind::BrokenPipe => return Err(unprintable(&e)),
+                _ => {}
+            },
+        }
+    }
+    Ok(())
 }

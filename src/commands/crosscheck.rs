@@ -52,7 +52,12 @@ pub struct Args {
     with: Program,
 
     /// Size of the pictures, in pixels; at most 16777216 of them
-    #[arg(long, default_value = "320x240", value_name = "WxH")]
+    #[arg(
+        long,
+        default_value = "320x240",
+        value_name = "WxH",
+        allow_hyphen_values = true
+    )]
     size: Size,
 
     /// The folder for pictures and numbers; SCENE-povray or SCENE-mitsuba if not given
@@ -60,15 +65,15 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// povray: by how much a channel of a pixel may differ, in 255ths of white
-    #[arg(long, default_value_t = 2.0, value_name = "N", value_parser = difference)]
+    #[arg(long, default_value_t = 2.0, value_name = "N", value_parser = difference, allow_negative_numbers = true)]
     max_diff: f64,
 
     /// povray: how often a ray may be mirrored or refracted
-    #[arg(long, default_value_t = 10, value_name = "N", value_parser = usage::whole::<u32>)]
+    #[arg(long, default_value_t = 10, value_name = "N", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     depth: u32,
 
     /// mitsuba: how far meshes may be from curved surfaces, as for convert
-    #[arg(long, value_name = "LEN", value_parser = convert::length)]
+    #[arg(long, value_name = "LEN", value_parser = convert::length, allow_negative_numbers = true)]
     tolerance: Option<f64>,
 
     /// Where the program is, if it is not found by its name: povray, or python3

@@ -29,6 +29,7 @@ pub mod render;
 mod rewrite;
 pub mod settings;
 pub mod size;
+mod spare;
 pub mod terminal;
 pub mod usage;
 

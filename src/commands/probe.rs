@@ -65,7 +65,7 @@ pub struct Args {
     rays: Option<PathBuf>,
 
     /// The ray through the centre of a pixel, counted from 0 at the upper left
-    #[arg(long, value_name = "X,Y")]
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
     pixel: Option<PixelArg>,
 
     /// A point
@@ -82,12 +82,12 @@ pub struct Args {
     size: Size,
 
     /// The camera that --pixel is seen by; of a stereo pair the left one, if nothing is said
-    #[arg(long, value_name = "ID", requires = "pixel", value_parser = usage::whole::<u32>)]
+    #[arg(long, value_name = "ID", requires = "pixel", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     camera: Option<u32>,
 
     /// Ask about this object as it stands at the end of the file, not about the whole scene; the
     /// render record's box does not apply
-    #[arg(long, value_name = "ID", value_parser = usage::whole::<u32>)]
+    #[arg(long, value_name = "ID", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     object: Option<u32>,
 
     /// The numbers to compute with; with dd, t, points and normals are strings of 32 digits. It does

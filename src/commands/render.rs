@@ -16,6 +16,7 @@ use serde::Serialize;
 use super::draft::{Draft, unwritable};
 use super::memory::{self, Memory};
 use super::size::Size;
+use super::spare::spare;
 use super::terminal::{self, progress_bar, stop_on_interrupt, tell};
 use super::{LookChoice, Status, camera, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
@@ -35,7 +36,8 @@ use output::{Output, is_stdout};
 Without -o the picture of SCENE.zpg is written to SCENE.png in the current folder. PNG is 8-bit sRGB,
 EXR and PFM are linear, unclamped 32-bit float. What is written is said on standard output; with `-o -`
 the PNG itself goes there. A scene with a stereo camera makes two pictures, SCENE_left.png and
-SCENE_right.png, unless --stereo says otherwise. Ctrl-C leaves no file.
+SCENE_right.png, unless --stereo says otherwise. Ctrl-C and other
+signals to end leave no file.
 
 Examples:
   zpg render scene.zpg
@@ -54,23 +56,28 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "640x480")]
+    #[arg(
+        long,
+        value_name = "WxH",
+        default_value = "640x480",
+        allow_hyphen_values = true
+    )]
     size: Size,
 
     /// Samples in each pixel; one lies in its centre
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = samples)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = samples, allow_negative_numbers = true)]
     samples: u32,
 
     /// Up to 1024 samples, until a pixel's estimated error in linear RGB is below this
-    #[arg(long, value_name = "TOL", value_parser = tolerance, conflicts_with = "samples")]
+    #[arg(long, value_name = "TOL", value_parser = tolerance, allow_negative_numbers = true, conflicts_with = "samples")]
     adaptive: Option<f64>,
 
     /// How often a ray may be reflected or refracted
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = usage::whole::<u32>)]
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     depth: u32,
 
     /// Leave out what counts for less than this; 0 leaves out nothing [default: 1/4096]
-    #[arg(long, value_name = "W", value_parser = cutoff)]
+    #[arg(long, value_name = "W", value_parser = cutoff, allow_negative_numbers = true)]
     cutoff: Option<f64>,
 
     /// The numbers to compute with between a ray and what it hits
@@ -78,11 +85,11 @@ pub struct Args {
     precision: Numbers,
 
     /// Draw this part of the picture only
-    #[arg(long, value_name = "X,Y,W,H")]
+    #[arg(long, value_name = "X,Y,W,H", allow_hyphen_values = true)]
     crop: Option<CropArg>,
 
     /// Take the picture with this camera of the scene
-    #[arg(long, value_name = "ID", value_parser = usage::whole::<u32>)]
+    #[arg(long, value_name = "ID", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     camera: Option<u32>,
 
     /// How the two pictures of a stereo camera are put [default: pair]
@@ -90,7 +97,7 @@ pub struct Args {
     stereo: Option<Stereo>,
 
     /// Threads to work with; 0: as many as there are processors. At most four times as many
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = usage::whole::<usize>)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = usage::whole::<usize>, allow_negative_numbers = true)]
     threads: usize,
 
     #[command(flatten)]
@@ -247,15 +254,23 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
     if paths.len() > 1 && args.output.as_deref().is_some_and(is_stdout) {
         return Err(Complaint::new("pair-on-stdout").into());
     }
-    let maps = args.heatmap.iter();
-    let maps = maps.flat_map(|path| per_camera(path.clone()));
-    // What cannot be written is known before anything is drawn.
+    let maps: Vec<PathBuf> = (args.heatmap.iter())
+        .flat_map(|path| per_camera(path.clone()))
+        .collect();
+    // What must not or cannot be written is known before anything is drawn.
+    let written = paths
+        .iter()
+        .filter(|path| !is_stdout(path))
+        .chain(&maps)
+        .chain(&args.stats);
+    spare(&args.file, loaded, written.map(PathBuf::as_path))?;
     let outputs = paths
         .iter()
         .map(|path| Output::create(path))
         .collect::<Result<Vec<_>, _>>()?;
     let maps = maps
-        .map(|path| Output::create_map(&path))
+        .iter()
+        .map(|path| Output::create_map(path))
         .collect::<Result<Vec<_>, _>>()?;
 
     let mut seconds = Seconds {

@@ -172,9 +172,9 @@ fn once(args: &Args, look: LookChoice) -> Status {
     let checker = Checker {
         args,
         choice_of_look: look,
-        look: match args.output_file {
-            Some(_) => look.on_file(),
-            None => look.on(&io::stdout()),
+        look: match args.output_file.as_deref() {
+            Some(path) if !is_stdin(path) => look.on_file(),
+            _ => look.on(&io::stdout()),
         },
         configs,
         at_a_time: rayon::current_num_threads().min(files.files.len()),
@@ -184,6 +184,20 @@ fn once(args: &Args, look: LookChoice) -> Status {
             deny: args.deny.clone(),
         },
     };
+    let is_scene = |written: PathBuf| {
+        let mut scenes = files
+            .files
+            .iter()
+            .filter_map(|file| file.canonicalize().ok());
+        scenes.any(|scene| scene == written)
+    };
+    if let Some(path) = &args.output_file
+        && path.canonicalize().is_ok_and(is_scene)
+    {
+        let complaint = Complaint::new("would-overwrite-scene").with("path", path.as_path());
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     if args.show_files || args.show_settings {
         return checker.show(&files.files);
     }
@@ -269,7 +283,8 @@ impl Checker<'_> {
     /// Writes to the file that was asked for, or to standard output.
     fn put(&self, status: Status, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Status {
         let look = self.choice_of_look;
-        let Some(path) = &self.args.output_file else {
+        let named = self.args.output_file.as_ref();
+        let Some(path) = named.filter(|path| !is_stdin(path)) else {
             return terminal::print(look, status, write);
         };
         let folder = path.parent().unwrap_or(Path::new(""));

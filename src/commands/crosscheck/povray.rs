@@ -87,7 +87,7 @@ impl Outcome for Comparison {
             .with("percent", number(percent))
             .with(
                 "largest",
-                number(format!("{:.2}", 255.0 * self.difference.largest)),
+                number(format!("{:.3}", 255.0 * self.difference.largest)),
             )
             .with(
                 "mean",

@@ -1,0 +1,51 @@
+//! What a command writes must spare what it reads.
+
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+use crate::analysis::Analysis;
+use crate::diagnostics::Complaint;
+use crate::scene::Texture;
+
+/// A name for the place of a file, the same however the path to it is written.
+fn place(path: &Path) -> PathBuf {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let new = || Some(folder.canonicalize().ok()?.join(path.file_name()?));
+    (path.canonicalize().ok().or_else(new)).unwrap_or_else(|| path.to_owned())
+}
+
+/// Refuses to write over a scene or a picture that it names, or to write two things to one file.
+pub fn spare<'p>(
+    file: &Path,
+    loaded: &Analysis,
+    written: impl IntoIterator<Item = &'p Path>,
+) -> Result<(), Complaint> {
+    let folder = loaded.source.folder().unwrap_or(Path::new("."));
+    let images: HashSet<PathBuf> = (loaded.scene.paints.iter())
+        .filter_map(|paint| match &paint.texture {
+            Some(Texture::Image { file, .. }) => folder.join(file).canonicalize().ok(),
+            _ => None,
+        })
+        .collect();
+    let scene = file.canonicalize().ok();
+    let mut seen = HashSet::new();
+    for path in written {
+        // What is not there yet is nothing to be spared.
+        let there = path.canonicalize().ok();
+        let is_new = seen.insert(place(path));
+        let what = match &there {
+            Some(there) if images.contains(there) => "would-overwrite-image",
+            Some(there) if scene.as_ref() == Some(there) => "would-overwrite-scene",
+            // Several outputs may go to a device.
+            _ if !is_new && there.as_ref().is_none_or(|there| there.is_file()) => {
+                "would-write-twice"
+            }
+            _ => continue,
+        };
+        return Err(Complaint::new(what).with("path", path));
+    }
+    Ok(())
+}
