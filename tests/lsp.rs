@@ -315,7 +315,11 @@ fn edits_keep_the_texts_alike() {
     let source = zpg::diagnostics::SourceFile::new("a", text.clone().into_bytes());
     let analysis = zpg::analysis::Analysis::of(source);
     let formatted = zpg::format::format(&text, &analysis.document, &Default::default());
-    assert_eq!(edited(&text, &edits), formatted);
+    match zpg::syntax::recognise::is_scene(&text) {
+        true => assert_eq!(edited(&text, &edits), formatted),
+        // `zpg fmt` does not write to it.
+        false => assert!(edits.is_null(), "{text}"),
+    }
 }
 
 #[test]
@@ -368,6 +372,9 @@ fn settings_are_those_of_the_command_line() {
     write("[lint]\nW310 = 7\n");
     s.tell("workspace/didChangeWatchedFiles", changed.clone());
     assert_eq!(codes(s.diagnostics(1))[0], "none");
+    // How the file is to look is not known.
+    let format = json!({ "textDocument": { "uri": uri }, "options": style.clone() });
+    assert_eq!(s.ask("textDocument/formatting", format), Value::Null);
     // Files have codes of their own that are ignored, and may be left out.
     write("[lint.per-file-ignores]\n\"a.zpg\" = [\"W310\"]\n\"!a.zpg\" = [\"N602\"]\n");
     s.tell("workspace/didChangeWatchedFiles", changed.clone());
@@ -384,6 +391,29 @@ fn settings_are_those_of_the_command_line() {
         "context": { "diagnostics": [] },
     });
     assert_eq!(s.ask("textDocument/codeAction", actions), Value::Null);
+}
+
+/// A line break within a record leaves it alone, and what is no scene is never formatted.
+#[test]
+fn what_is_under_way_is_left_alone() {
+    let style = json!({ "tabSize": 2, "insertSpaces": true });
+    let broken_line = |s: &mut Session, line| {
+        let place = with(
+            with(place(line, 0), "ch", "\n".into()),
+            "options",
+            style.clone(),
+        );
+        s.ask("textDocument/onTypeFormatting", place)
+    };
+    let mut s = Session::start(rich(), Value::Null);
+    s.open(A, "2 1 3\n  0 0\n\n  1 1\n  0 2\n3   9   1\n\n1 9999 2 0\n");
+    assert_eq!(broken_line(&mut s, 2), json!([]));
+    let edits = broken_line(&mut s, 6);
+    assert_eq!(edits[0]["newText"], "3 9 1");
+    s.replace(A, 2, "lorem ipsum dolor  \n\n\n\n sit 5   6");
+    let format = with(file(), "options", style.clone());
+    assert_eq!(s.ask("textDocument/formatting", format), Value::Null);
+    assert_eq!(broken_line(&mut s, 1), Value::Null);
 }
 
 #[test]
@@ -618,12 +648,27 @@ fn commands_make_what_they_say() {
         assert!(start.elapsed() < Duration::from_secs(20), "a draft is left");
         std::thread::sleep(Duration::from_millis(20));
     }
-    // So are the pages, when the server ends.
+    // So it does when the server ends, and so do the pages.
+    let arguments = json!([uri, "2000x2000"]);
+    s.send(
+        "workspace/executeCommand",
+        json!({ "command": "zpg.render", "arguments": arguments }),
+    );
+    let start = Instant::now();
+    while !has_drafts() {
+        assert!(start.elapsed() < Duration::from_secs(20), "no draft comes");
+        std::thread::sleep(Duration::from_millis(20));
+    }
     let page = page["uri"].as_str().unwrap().strip_prefix("file://");
     let page = Path::new(page.unwrap());
     assert!(page.is_file());
     assert_eq!(s.end(), Some(0));
     assert!(!page.parent().unwrap().exists());
+    let start = Instant::now();
+    while has_drafts() {
+        assert!(start.elapsed() < Duration::from_secs(20), "a draft is left");
+        std::thread::sleep(Duration::from_millis(20));
+    }
 }
 
 /// Starts the server, sends it some bytes, and gives what it says and its exit status.
@@ -689,6 +734,19 @@ fn it_ends_with_its_input() {
     let (said, status) = spoken_to(all.as_bytes());
     assert_eq!(status, Some(0));
     assert!(said.contains(r#""id":2"#), "{said}");
+
+    // Between the answer to `initialize` and `initialized` all goes on as ever.
+    let trace = frame(json!({ "method": "$/setTrace", "params": { "value": "off" } }));
+    let (said, status) = spoken_to(
+        [start.as_str(), &trace, &shutdown, &exit]
+            .concat()
+            .as_bytes(),
+    );
+    assert_eq!(
+        (said.contains(r#""id":2"#), status),
+        (true, Some(0)),
+        "{said}"
+    );
 
     // Of what a client says of itself, the server passes over what it cannot read.
     let odd = json!({ "textDocument": { "hover": 7 }, "window": "yes", "new": {} });

@@ -25,11 +25,18 @@ pub fn lines(analysis: &Analysis, options: &Options, lines: RangeInclusive<usize
         .collect()
 }
 
-/// What formats the line before the one that an offset is on, when a line has been ended.
+/// What formats the line before the one that an offset is on, when a line has been ended. A record that goes on there is
+/// left alone: the new line is for its next numbers.
 pub fn on_line_break(analysis: &Analysis, options: &Options, offset: u32) -> Vec<Edit> {
-    match analysis.source.line_index(offset).checked_sub(1) {
+    let at = analysis.source.line_index(offset);
+    let edits = match at.checked_sub(1) {
         Some(line) => lines(analysis, options, line..=line),
         None => Vec::new(),
+    };
+    let start = analysis.source.line_span(at).start;
+    match edits.iter().all(|edit| edit.span.end <= start) {
+        true => edits,
+        false => Vec::new(),
     }
 }
 

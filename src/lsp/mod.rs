@@ -98,16 +98,10 @@ pub fn serve(connection: &Connection, language: Language) -> Ending {
     let Some(mut server) = Server::begin(connection, language) else {
         return Ending::Early;
     };
-    while let Ok(first) = connection.receiver.recv() {
-        // Edits first: what is asked about a text that is not there any more is of no use.
-        for message in std::iter::once(first).chain(connection.receiver.try_iter()) {
-            if let Some(ending) = server.take(message) {
-                return ending;
-            }
-        }
-        server.publish();
-    }
-    Ending::Early
+    let ending = server.serve(connection);
+    // Programs that are still running end, too.
+    server.pending.cancel();
+    ending
 }
 
 /// Requests that are not answered yet. Whoever takes one out answers it.
@@ -129,6 +123,14 @@ impl Pending {
     fn add(&self, id: RequestId, waiting: Waiting) {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         all.insert(id, waiting);
+    }
+
+    /// Nobody waits for an answer any more.
+    fn cancel(&self) {
+        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        for waiting in all.values() {
+            waiting.cancelled.store(true, Ordering::Relaxed);
+        }
     }
 
     /// The requests for pictures of a file.
@@ -171,14 +173,15 @@ impl Server {
                 version: Some(env!("CARGO_PKG_VERSION").to_owned()),
             }),
         };
-        let result = serde_json::to_value(result).ok()?;
-        connection.initialize_finish(id, result).ok()?;
+        let response_result = Ok(serde_json::to_value(result).ok()?);
+        let response = Response {
+            id,
+            response_result,
+        };
+        connection.sender.send(response.into()).ok()?;
         let outgoing = Outgoing::new(connection.sender.clone(), client.shows_documents);
         if let Some(process) = client.process {
             parent::end_with(process);
-        }
-        if client.watches_files {
-            outgoing.request("client/registerCapability", watched_files());
         }
         let mut preferences = Preferences::default();
         if let Some(options) = sent.get("initializationOptions") {
@@ -197,6 +200,20 @@ impl Server {
             tokens_sent: Arc::default(),
             is_shut_down: false,
         })
+    }
+
+    /// Takes messages until the session is over.
+    fn serve(&mut self, connection: &Connection) -> Ending {
+        while let Ok(first) = connection.receiver.recv() {
+            // Edits first: what is asked about a text that is not there any more is of no use.
+            for message in std::iter::once(first).chain(connection.receiver.try_iter()) {
+                if let Some(ending) = self.take(message) {
+                    return ending;
+                }
+            }
+            self.publish();
+        }
+        Ending::Early
     }
 
     /// Takes a message; says when the session is over.
@@ -294,6 +311,10 @@ impl Server {
     fn note(&mut self, notification: Notification) {
         let Notification { method, params } = notification;
         match method.as_str() {
+            "initialized" if self.client.watches_files => {
+                let watched = watched_files();
+                self.outgoing.request("client/registerCapability", watched);
+            }
             "textDocument/didOpen" => {
                 if let Some(p) = read::<DidOpenTextDocumentParams>(params) {
                     let file = p.text_document;

@@ -16,6 +16,7 @@ use crate::features::{
     signature, symbols, tokens, uses,
 };
 use crate::format::Options;
+use crate::syntax::recognise;
 
 type Answer<T> = Result<T, Refusal>;
 
@@ -98,8 +99,12 @@ impl Find<'_> {
 }
 
 impl Snapshot {
-    fn style(&self) -> Options {
-        self.config.as_ref().map(|c| c.format).unwrap_or_default()
+    /// How the file is formatted. Nothing for what `zpg fmt` does not write to: it is excluded or no scene, or its settings
+    /// cannot be read.
+    fn style(&self) -> Option<Options> {
+        let config = self.config.as_ref().ok()?;
+        let is_left = self.is_excluded() || !recognise::is_scene(&self.analysis().source.text);
+        (!is_left).then_some(config.format)
     }
 }
 
@@ -190,35 +195,35 @@ fn rename_id(ask: &Ask, p: RenameParams) -> Answer<Option<WorkspaceEdit>> {
 
 fn format(ask: &Ask, p: DocumentFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
     let file = ask.file(&p.text_document)?;
-    if file.is_excluded() {
+    let Some(style) = file.style() else {
         return Ok(None);
-    }
-    let edits = formatting::whole(file.analysis(), &file.style());
+    };
+    let edits = formatting::whole(file.analysis(), &style);
     Ok(Some(ask.convert(file).text_edits(&edits)))
 }
 
 fn format_range(ask: &Ask, p: DocumentRangeFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
     let file = ask.file(&p.text_document)?;
-    if file.is_excluded() {
+    let Some(style) = file.style() else {
         return Ok(None);
-    }
+    };
     let (first, mut last) = (p.range.start.line as usize, p.range.end.line as usize);
     // A selection of whole lines ends where the next one begins.
     if p.range.end.character == 0 && last > first {
         last -= 1;
     }
-    let edits = formatting::lines(file.analysis(), &file.style(), first..=last);
+    let edits = formatting::lines(file.analysis(), &style, first..=last);
     Ok(Some(ask.convert(file).text_edits(&edits)))
 }
 
 fn format_on_type(ask: &Ask, p: DocumentOnTypeFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
     let file = ask.file(&p.text_document)?;
-    if file.is_excluded() {
+    let Some(style) = file.style() else {
         return Ok(None);
-    }
+    };
     let convert = ask.convert(file);
     let offset = convert.places.offset(p.position);
-    let edits = formatting::on_line_break(file.analysis(), &file.style(), offset);
+    let edits = formatting::on_line_break(file.analysis(), &style, offset);
     Ok(Some(convert.text_edits(&edits)))
 }
 

@@ -27,7 +27,9 @@ pub fn connect() -> (Connection, JoinHandle<io::Result<()>>) {
 /// Reads until the input ends or nobody listens.
 fn read(mut input: impl BufRead, to: &Sender<Message>) {
     while let Ok(Some(body)) = next(&mut input) {
-        match serde_json::from_slice::<Message>(&body) {
+        let message = serde_json::from_slice::<Message>(&body);
+        let message = message.or_else(|_| serde_json::from_slice(&without_halves(body)));
+        match message {
             Ok(message) => {
                 let is_exit = matches!(&message, Message::Notification(n) if n.method == "exit");
                 if to.send(message).is_err() || is_exit {
@@ -63,6 +65,30 @@ fn next(input: &mut impl BufRead) -> io::Result<Option<Vec<u8>>> {
     }
 }
 
+/// A message without halves of surrogate pairs, which a string of UTF-16 may be cut to: each becomes U+FFFD, which is as
+/// long in UTF-16.
+fn without_halves(mut body: Vec<u8>) -> Vec<u8> {
+    let unit = |body: &[u8], at: usize| {
+        let digits = body.get(at..at + 6)?.strip_prefix(b"\\u")?;
+        u16::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok()
+    };
+    let mut at = 0;
+    while let Some(next) = memchr::memchr(b'\\', &body[at..]) {
+        at += next;
+        let pair = [unit(&body, at), unit(&body, at + 6)];
+        at += match pair {
+            [Some(0xd800..0xdc00), Some(0xdc00..0xe000)] => 12,
+            [Some(0xd800..0xe000), _] => {
+                body[at + 2..at + 6].copy_from_slice(b"fffd");
+                6
+            }
+            // The sign after a backslash is taken with it.
+            _ => 2.min(body.len() - at),
+        };
+    }
+    body
+}
+
 /// Writes until nobody has anything to say.
 fn write(mut output: impl Write, from: &Receiver<Message>) -> io::Result<()> {
     for message in from {
@@ -74,6 +100,23 @@ fn write(mut output: impl Write, from: &Receiver<Message>) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn halves_of_surrogate_pairs_are_replaced() {
+        let mended = |text: &str| String::from_utf8(without_halves(text.into())).unwrap();
+        for (text, meant) in [
+            (r#""\ud83d""#, r#""\ufffd""#),
+            (
+                r#""\ude00 \ud83d\ud83d\ude00""#,
+                r#""\ufffd \ufffd\ud83d\ude00""#,
+            ),
+            (r#""\\ud83d \n \u0041""#, r#""\\ud83d \n \u0041""#),
+            (r#""\ud8"#, r#""\ud8"#),
+            (r"\", r"\"),
+        ] {
+            assert_eq!(mended(text), meant);
+        }
+    }
 
     #[test]
     fn nonsense_is_passed_over() {
