@@ -66,7 +66,7 @@ impl Extent {
         };
         let all = seen.hull(&faces(scene, &bounds, &seen));
         let region = match options.eye {
-            _ if boxed => seen,
+            _ if boxed => widened(&seen),
             Some(eye) => around(&all.hull(&Aabb::new(eye, eye))),
             None => around(&all),
         };
@@ -83,6 +83,12 @@ impl Extent {
                 .unwrap_or(DEFAULT_TOLERANCE * seen.radius()),
         }
     }
+}
+
+/// A box that holds faces in its own, which are still to be seen there: larger by less than can be seen.
+fn widened(b: &Aabb) -> Aabb {
+    let hair = 1e-6 * b.radius();
+    Aabb::new(b.min.map(|x| x - hair), b.max.map(|x| x + hair))
 }
 
 /// A box about the same centre, so many times as large.

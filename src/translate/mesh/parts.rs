@@ -128,9 +128,13 @@ impl Parts {
         self.extent.boxed && solids.any(|p| p.mesh.labels.iter().any(caps))
     }
 
-    /// Adds to a report what became of this scene in particular.
-    pub fn account(&self, report: &mut Report) {
-        account(report, &self.extent, &self.troubles);
+    /// Adds to a report what became of this scene in particular. So many parts without end were written as such.
+    pub fn account(&self, report: &mut Report, endless: u64) {
+        let troubles = Troubles {
+            endless: self.troubles.endless.saturating_sub(endless),
+            ..self.troubles
+        };
+        account(report, &self.extent, &troubles);
     }
 }
 

@@ -37,6 +37,13 @@ pub struct Reach {
 /// size, so that it holds the scene with room around.
 const NEAR: f64 = 1.0 / 32.0;
 
+/// Whether the shape of a skin is a plane or a half-space.
+pub fn is_endless(scene: &Scene, graph: &Graph, skin: &Skin) -> bool {
+    let record = skin.primitive.map(|p| graph.records[p as usize] as usize);
+    let geometry = record.map(|record| &scene.shapes[record].geometry);
+    matches!(geometry, Some(Geometry::Plane(_) | Geometry::HalfSpace(_)))
+}
+
 /// The shapes that make up the shape of a skin, if Mitsuba has them and its colours can be laid on
 /// them. Planes and half-spaces are rectangles: one, and four around it that reach very far. For
 /// Mitsuba's rectangles are as exact as they are small.

@@ -115,6 +115,8 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let (mut shapes, mut text) = (Vec::new(), String::new());
     let mut cut = meshes::Collector::default();
     let mut written = Written::new(scene, graph);
+    // Parts without end that are not cut off as meshes are.
+    let mut endless = 0;
     let names = Names::new(scene, &options.captions);
     for piece in &parts.pieces {
         let skin = &parts.skins[piece.inside as usize];
@@ -126,6 +128,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             continue;
         };
         written.note(skin, true);
+        endless += u64::from(exact::is_endless(scene, graph, skin));
         text.push_str(&described(&names, skin.shape, skin.object()));
         for shape in own {
             let bsdf = bsdfs.exact(skin, &shape, piece.around, &stem);
@@ -187,7 +190,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let mut report = Report::of("mitsuba", scene, |f| {
         verdict::verdict(f, extent.tolerance, &written)
     });
-    parts.account(&mut report);
+    parts.account(&mut report, endless);
     if bsdfs.brightest() > 1.0 {
         let fidelity = Fidelity::approximate("1 instead: Mitsuba knows none");
         report.state("colours above 1", fidelity, "");

@@ -254,8 +254,9 @@ impl<'b, 'a> Emitter<'b, 'a> {
 
     /// An index that is written.
     fn refraction(&mut self, index: u32) -> Rgb {
-        self.builder.refractive = true;
-        self.builder.aspects.index(index)
+        let written = self.builder.aspects.index(index);
+        self.builder.refractive |= written != [1.0; 3];
+        written
     }
 
     fn modifiers(&mut self, modifiers: &[Modifier], depth: usize) -> Vec<String> {

@@ -343,11 +343,13 @@ fn picture(root: Option<&str>, render: &Render, frame: &Frame, captions: &Captio
     let Some(root) = root else {
         return "\n// There is nothing to draw.\n".to_owned();
     };
+    // A face in a face of the box is drawn, too.
+    let hair = frame.hair();
     let clip = match render.clip {
         Some((min, max)) => format!(
             "  // only what lies in this box is drawn\n  clipped_by {{ box {{ {}, {} }} }}\n",
-            vector(&min),
-            vector(&max)
+            vector(&min.map(|x| x - hair)),
+            vector(&max.map(|x| x + hair))
         ),
         None => String::new(),
     };

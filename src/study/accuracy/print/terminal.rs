@@ -232,7 +232,8 @@ fn summaries(out: &mut String, report: &Report, language: Language) {
     let skipped: Vec<String> = (report.skipped.iter())
         .map(|s| format!("{}: {}", s.axis, s.why.wording(language)))
         .collect();
-    list("accuracy-not-run", skipped);
+    let skipped = (!skipped.is_empty()).then(|| skipped.join("; "));
+    list("accuracy-not-run", skipped.into_iter().collect());
     list("accuracy-cut", words::each(language, &report.budget.cut));
     line(out, &sureness(report, language));
 }
