@@ -1,6 +1,6 @@
 //! Findings as an editor shows them.
 
-use crate::analysis::Analysis;
+use crate::analysis::{Analysis, repair};
 use crate::diagnostics::{Code, Diagnostic, Language, Severity, Span};
 
 /// How many findings of one file are shown: an editor with more of them is slow, and nobody reads them.
@@ -21,9 +21,9 @@ pub struct Problem {
     pub unnecessary: bool,
 }
 
-/// The findings of a scene: all, or the [`MAX_SHOWN`] gravest and how many are left out.
+/// The findings of a scene, as `zpg check` puts them: all, or the [`MAX_SHOWN`] gravest and how many are left out.
 pub fn problems(analysis: &Analysis, language: Language) -> Vec<Problem> {
-    let all = analysis.findings();
+    let all = repair::proposals(analysis);
     let mut shown: Vec<&Diagnostic> = all.iter().collect();
     if all.len() <= MAX_SHOWN {
         return shown.iter().map(|d| problem(d, language)).collect();

@@ -28,7 +28,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::diagnostics::{Code, Complaint};
+use crate::diagnostics::{Code, Complaint, Severity};
 use crate::format;
 use crate::lint::levels::{Choice, Level, Levels, Selector};
 use patterns::Pattern;
@@ -135,7 +135,12 @@ impl Config {
         let _ = writeln!(out, "exclude = [{excluded}]\n\n[lint]");
         let levels = self.levels(file);
         for &code in Code::ALL.iter().filter(|c| !c.is_never_allowed()) {
-            let level = levels.of(choice, code).or(Level::of(code.severity()));
+            let severity = match code {
+                // As long as nothing is to be drawn.
+                Code::E106 => Severity::Warning,
+                _ => code.severity(),
+            };
+            let level = levels.of(choice, code).or(Level::of(severity));
             let (mark, level) = match level {
                 Some(level) => ("", level.as_str()),
                 // A remark on style is none of the levels that can be chosen.

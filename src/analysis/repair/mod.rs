@@ -275,6 +275,11 @@ impl Engine<'_> {
             if !better || errors > least || finding.is_error() && !mends {
                 continue;
             }
+            // A transformation that does nothing is not what was meant.
+            let is_pointless = |d: &Diagnostic| d.code == Code::W327 && line.touches(d.span);
+            if candidate.ty.is_some() && scene.findings().iter().any(is_pointless) {
+                continue;
+            }
             if errors < least {
                 trials.clear();
             }

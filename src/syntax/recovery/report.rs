@@ -114,7 +114,11 @@ impl Reporter<'_, '_> {
             Verdict::WrongArity { ty, got, expected } => {
                 self.real_type(start, out);
                 self.bad_tokens(ty, start + 2, end, out);
-                out.push(self.count(piece, ty, got, expected));
+                // A word for all numbers, as in `2 -701 red`, is one mistake.
+                let is_word = |i: usize| self.stretch.sigs[i].kind == TokenKind::Word;
+                if !(got == 1 && expected > 1 && is_word(start + 2)) {
+                    out.push(self.count(piece, ty, got, expected));
+                }
             }
             Verdict::Surplus {
                 ty,
@@ -159,13 +163,21 @@ impl Reporter<'_, '_> {
                 self.commas(start + 2, end, out);
             }
             Verdict::MissingType => out.push(self.missing_type(start)),
-            Verdict::LostId { ty } => out.push(
-                Diagnostic::new(Code::E005, self.stretch.token(start).span())
+            Verdict::LostId { ty } => {
+                let span = self.stretch.token(start).span();
+                let d = Diagnostic::new(Code::E005, span)
                     .case("lost")
                     .with("type", Value::Term(ty.title))
                     .with("number", ty.code.to_string())
-                    .with("header", header(ty)),
-            ),
+                    .with("header", header(ty));
+                // There is but one ID that it can have.
+                let head = format!("1 {}", ty.code);
+                let fix = Fix::replace("fix-write", Applicability::Unsafe, span, head.clone());
+                out.push(match ty.kind == RecordKind::Render {
+                    true => d.fix(fix.with("number", quote(&head))),
+                    false => d,
+                });
+            }
             Verdict::Swapped => {
                 let span = self.span(start, start + 2);
                 let head = format!("1 {}", RecordType::of(RecordKind::Render).code);
@@ -179,6 +191,16 @@ impl Reporter<'_, '_> {
             }
             Verdict::BadId { ty } => {
                 self.bad_id(start, out);
+                let is_render = ty.is_some_and(|ty| ty.kind == RecordKind::Render);
+                if is_render
+                    && self.text(start) == "0"
+                    && let Some(d) = out.pop()
+                {
+                    let span = self.span(start, start + 1);
+                    let fix =
+                        Fix::replace("fix-write", Applicability::Unsafe, span, String::from("1"));
+                    out.push(d.fix(fix.with("number", quote("1"))));
+                }
                 if let Some(ty) = ty {
                     self.bad_tokens(ty, start + 2, end, out);
                 }

@@ -184,6 +184,7 @@ impl<'a> Place<'a> {
             self.signs(&mut out);
             self.doubled(&mut out);
             self.surplus(finding, &mut out);
+            out.extend(self.angles());
             self.siblings(&mut out);
             self.types(finding, &mut out);
             self.references(finding, &mut out);

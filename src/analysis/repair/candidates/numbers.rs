@@ -8,6 +8,26 @@ use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 
 impl Place<'_> {
+    /// A rotation with an angle for each axis, as other programs have it, of which all but one are 0.
+    pub(super) fn angles(&self) -> Option<Candidate> {
+        let [first, _, last] = *self.params() else {
+            return None;
+        };
+        let turns = self.ty()?.kind == RecordKind::Rotation;
+        let is_angle = |t: &&Token| t.number(self.text).is_some_and(|x| x != 0.0);
+        let all = || (1..).zip(self.params());
+        let (axis, angle) = all().find(|(_, t)| is_angle(t)).filter(|_| turns)?;
+        let is_one = all().all(|(i, t)| i == axis || t.number(self.text) == Some(0.0));
+        let text = format!("{} {axis}", angle.text(self.text));
+        let span = Span::new(first.start, last.end());
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
+        is_one.then(|| Candidate {
+            habit: Habit::Doubled,
+            fix: fix.with("number", quote(&text)),
+            ty: None,
+        })
+    }
+
     /// Numbers in other characters; a unit or dash on its own joins its number.
     pub(super) fn characters(&self, out: &mut Vec<Candidate>) {
         let on_line: Vec<Token> = (self.all.iter())
