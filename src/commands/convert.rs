@@ -1,11 +1,12 @@
 //! `zpg convert`: the scene for other programs.
 
+use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
 use super::draft::{Draft, unwritable};
 use super::memory::Memory;
-use super::paths::is_stdin;
+use super::paths::is_stdout;
 use super::size::Size;
 use super::spare::spare;
 use super::terminal::unprintable;
@@ -37,10 +38,10 @@ pub struct Args {
     #[arg(long, value_name = "TO", value_parser = target())]
     to: &'static dyn Target,
 
-    /// Where to write. If not given: standard output, and a mesh to SCENE.ply (obj, glb) in the
+    /// Where to write; `-` is standard output. If not given: standard output, and a mesh to SCENE.ply (obj, glb) in the
     /// current folder. A stereo pair is written to NAME_left and NAME_right; on standard output it is
     /// one file with a switch. Beside NAME.obj there are NAME.mtl and a picture of each texture,
-    /// NAME_texture_0.png and so on; beside NAME.xml such pictures, and meshes NAME_1.ply and so on
+    /// NAME_texture_N.png; beside NAME.xml such pictures, and meshes NAME_1.ply and so on
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -109,7 +110,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         memory: args.memory.for_triangles(),
         confine: &|scene| args.memory.confine_scene(scene),
         file: &args.file,
-        output: args.output.as_deref().filter(|path| !is_stdin(path)),
+        output: args.output.as_deref().filter(|path| !is_stdout(path)),
     };
     if options.output != args.output.as_deref() && MESHES.contains(&args.to.name()) {
         complain(look, &Complaint::new("mesh-on-stdout"));
@@ -158,18 +159,20 @@ fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
 }
 
 /// Writes all files, or none if one of them cannot be begun; what has no path goes to standard output.
-fn write<'f>(files: impl Iterator<Item = &'f (Option<PathBuf>, Vec<u8>)>) -> Result<(), Complaint> {
-    let mut drafts = Vec::new();
-    for (path, bytes) in files {
-        let draft = match path {
-            Some(path) => Some((path, Draft::create(path).map_err(|e| unwritable(path, &e))?)),
-            None => None,
-        };
-        drafts.push((draft, bytes));
+fn write<'f>(
+    files: impl Iterator<Item = &'f (Option<PathBuf>, Vec<u8>)> + Clone,
+) -> Result<(), Complaint> {
+    for path in files.clone().filter_map(|(path, _)| path.as_deref()) {
+        // To open a pipe twice would end its reader.
+        let is_special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
+        if !is_special {
+            drop(Draft::create(path).map_err(|e| unwritable(path, &e))?);
+        }
     }
-    for (draft, bytes) in drafts {
-        match draft {
-            Some((path, draft)) => (draft.finish(path, |out| out.write_all(bytes)))
+    for (path, bytes) in files {
+        match path {
+            Some(path) => Draft::create(path)
+                .and_then(|draft| draft.finish(path, |out| out.write_all(bytes)))
                 .map_err(|e| unwritable(path, &e))?,
             None => match io::stdout().lock().write_all(bytes) {
                 // Nobody reads any more: that is their choice.

@@ -32,8 +32,8 @@ povray: pictures, in linear light. On silhouettes, where an edge goes through th
 what one sample shows is up to rounding; and POV-Ray treats total internal reflection in another way:
 both are counted by themselves.
 mitsuba: position, normal and shape of what is seen first, from a Python that has the package mitsuba.
-What single precision cannot tell, and which of two surfaces in one place is seen, is counted by itself;
-the answer is \"no\", too, when that is more than what is seen alike.
+Pixels of which single precision cannot tell what is seen, and those of two surfaces in one place, are counted
+by themselves. The answer is also \"no\" if there are more of these pixels than of those that agree.
 
 In DIR are then ours.png, theirs.png, difference.png (green: alike, red: differing, grey: silhouettes,
 with povray those that differ; blue: what is counted by itself), side-by-side.png, crosscheck.json, and

@@ -60,6 +60,11 @@ pub fn is_stdin(path: &Path) -> bool {
     path.as_os_str() == STDIN
 }
 
+/// Whether a path stands for standard output, which is written as standard input is.
+pub fn is_stdout(path: &Path) -> bool {
+    is_stdin(path)
+}
+
 /// Whether settings exclude a file. Where they cannot be read, that is said when the file is.
 pub fn is_excluded(configs: &Configs, file: &Path) -> bool {
     (configs.for_file(file)).is_ok_and(|config| config.excludes_file(file))

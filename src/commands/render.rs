@@ -15,6 +15,7 @@ use serde::Serialize;
 
 use super::draft::{Draft, unwritable};
 use super::memory::{self, Memory};
+use super::paths::is_stdout;
 use super::size::Size;
 use super::spare::spare;
 use super::terminal::{self, progress_bar, stop_on_interrupt, tell};
@@ -28,7 +29,7 @@ use crate::study::accuracy::{cost, words};
 use crate::trace::plan::Plan;
 use crate::trace::stats::{Counts, Intersections, Rays, Work};
 use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer};
-use output::{Output, is_stdout};
+use output::Output;
 
 /// Draw a scene
 #[derive(Debug, clap::Args)]
@@ -36,8 +37,7 @@ use output::{Output, is_stdout};
 Without -o the picture of SCENE.zpg is written to SCENE.png in the current folder. PNG is 8-bit sRGB,
 EXR and PFM are linear, unclamped 32-bit float. What is written is said on standard output; with `-o -`
 the PNG itself goes there. A scene with a stereo camera makes two pictures, SCENE_left.png and
-SCENE_right.png, unless --stereo says otherwise. Ctrl-C and other
-signals to end leave no file.
+SCENE_right.png, unless --stereo says otherwise. Ctrl-C leaves no file.
 
 Examples:
   zpg render scene.zpg

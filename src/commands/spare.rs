@@ -49,3 +49,15 @@ pub fn spare<'p>(
     }
     Ok(())
 }
+
+/// Refuses to write over one of these scenes.
+pub fn spare_scenes(scenes: &[PathBuf], written: &Path) -> Result<(), Complaint> {
+    let Ok(there) = written.canonicalize() else {
+        return Ok(());
+    };
+    let mut scenes = scenes.iter().filter_map(|scene| scene.canonicalize().ok());
+    match scenes.any(|scene| scene == there) {
+        true => Err(Complaint::new("would-overwrite-scene").with("path", written)),
+        false => Ok(()),
+    }
+}

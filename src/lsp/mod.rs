@@ -100,7 +100,7 @@ pub fn serve(connection: &Connection, language: Language) -> Ending {
     };
     let ending = server.serve(connection);
     // Programs that are still running end, too.
-    server.pending.cancel();
+    server.pending.stop_all();
     ending
 }
 
@@ -125,8 +125,8 @@ impl Pending {
         all.insert(id, waiting);
     }
 
-    /// Nobody waits for an answer any more.
-    fn cancel(&self) {
+    /// Stops all work: nobody waits for an answer any more.
+    fn stop_all(&self) {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         for waiting in all.values() {
             waiting.cancelled.store(true, Ordering::Relaxed);

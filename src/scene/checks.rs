@@ -30,8 +30,8 @@ pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) ->
         return Some(());
     }
     let name = |i: usize| p.param(i).map_or("", |q| q.name);
-    // Lower and upper bounds in turn, each pair in order: xmin xmax ymin ymax zmin zmax.
-    let in_turn = (0..n).all(|i| p.number(first + 2 * i) <= p.number(first + 2 * i + 1));
+    // Lower and upper bounds in turn, each pair in order and not equal: xmin xmax ymin ymax zmin zmax.
+    let in_turn = (0..n).all(|i| p.number(first + 2 * i) < p.number(first + 2 * i + 1));
     // The bound that belongs to each place.
     let order: Vec<usize> = match in_turn {
         true => [0, 1]

@@ -38,8 +38,8 @@ struct Branch<R: Precision> {
     ray: Ray<R>,
     weight: Vec3,
     depth: u32,
-    /// If the ray sees a sheet first that lies in a face of a solid, and is about what is behind that: the share of light
-    /// that the sheet lets through.
+    /// For a ray that goes on through a sheet to the face that the sheet lies in: the share of light that the sheet lets
+    /// through. Such a ray starts where the one before it did.
     sheet: Option<Vec3>,
 }
 
@@ -165,8 +165,8 @@ impl<'t, R: Precision> Shader<'t, R> {
         light.times(weight)
     }
 
-    /// The same of the face that a sheet lies in which the ray sees first. Light gets there through the sheet, and what the
-    /// face mirrors goes back through it; the light that the underside of the sheet adds is left out.
+    /// The light of the face behind a sheet that lies in it. Light reaches the face through the sheet, and what the face
+    /// mirrors goes back through it; what the underside of the sheet adds is left out.
     #[inline(never)]
     fn light_behind_sheet(&mut self, ray: &Ray<R>, (weight, depth): (Vec3, u32), kt: Vec3) -> Vec3 {
         match self.walkers.face_behind_sheet(ray) {
@@ -179,6 +179,7 @@ impl<'t, R: Precision> Shader<'t, R> {
     }
 
     /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V)
+    ///
     /// Lights are seen through the sheet that the surface is behind, if there is one.
     fn direct(&mut self, hit: &Hit<R>, sheet: Option<Vec3>) -> Vec3 {
         let albedo = Vec3(self.optics(hit).kd).times(Vec3(hit.colour));

@@ -311,7 +311,7 @@ pub fn early_changes(analysis: &Analysis, findings: &mut [Diagnostic]) {
     }
 }
 
-/// The lines of the record at a place; nothing if another one has a part in them.
+/// The lines of the record at a place; nothing if another one has a part in them, or a comment goes on beyond them.
 fn own_lines(analysis: &Analysis, at: u32) -> Option<RangeInclusive<usize>> {
     let (source, document) = (&analysis.source, &analysis.document);
     let span = |item: &Item| document.item_span(item);
@@ -322,7 +322,18 @@ fn own_lines(analysis: &Analysis, at: u32) -> Option<RangeInclusive<usize>> {
     let is_above = |item: &Item| source.line_index(span(item).end - 1) < first;
     let is_below = |item: &Item| source.line_index(span(item).start) > last;
     let is_alone = before.last().is_none_or(is_above) && rest.get(1).is_none_or(is_below);
-    is_alone.then_some(first..=last)
+    let lines = source.line_span(first).to(source.line_span(last));
+    let goes_on = |t: &Token| {
+        t.kind() == TokenKind::Comment && (t.start < lines.start || t.end() > lines.end)
+    };
+    let tokens = &document.tokens;
+    let begin = tokens.partition_point(|t| t.end() <= lines.start);
+    let end = tokens.partition_point(|t| t.start < lines.end);
+    let ends = tokens[begin..end]
+        .first()
+        .into_iter()
+        .chain(tokens[begin..end].last());
+    (is_alone && !ends.copied().any(|t| goes_on(&t))).then_some(first..=last)
 }
 
 /// Says of definitions that need each other that they do.

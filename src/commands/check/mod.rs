@@ -12,9 +12,10 @@ use std::sync::Arc;
 use super::draft::{Draft, unwritable};
 use super::load::{analyse, is_json};
 use super::memory::Memory;
-use super::paths::is_stdin;
+use super::paths::{is_stdin, is_stdout};
 use super::rewrite::{bytes_of, diff, replace};
 use super::settings::{Chosen, Scenes};
+use super::spare::spare_scenes;
 use super::terminal::Complaints;
 use super::{LookChoice, Status, complain, terminal};
 use crate::analysis::config::{ConfigError, Configs, whole};
@@ -173,7 +174,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
         args,
         choice_of_look: look,
         look: match args.output_file.as_deref() {
-            Some(path) if !is_stdin(path) => look.on_file(),
+            Some(path) if !is_stdout(path) => look.on_file(),
             _ => look.on(&io::stdout()),
         },
         configs,
@@ -184,17 +185,9 @@ fn once(args: &Args, look: LookChoice) -> Status {
             deny: args.deny.clone(),
         },
     };
-    let is_scene = |written: PathBuf| {
-        let mut scenes = files
-            .files
-            .iter()
-            .filter_map(|file| file.canonicalize().ok());
-        scenes.any(|scene| scene == written)
-    };
     if let Some(path) = &args.output_file
-        && path.canonicalize().is_ok_and(is_scene)
+        && let Err(complaint) = spare_scenes(&files.files, path)
     {
-        let complaint = Complaint::new("would-overwrite-scene").with("path", path.as_path());
         complain(look, &complaint);
         return Status::Failure;
     }
@@ -284,7 +277,7 @@ impl Checker<'_> {
     fn put(&self, status: Status, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Status {
         let look = self.choice_of_look;
         let named = self.args.output_file.as_ref();
-        let Some(path) = named.filter(|path| !is_stdin(path)) else {
+        let Some(path) = named.filter(|path| !is_stdout(path)) else {
             return terminal::print(look, status, write);
         };
         let folder = path.parent().unwrap_or(Path::new(""));

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::analysis::file::STDIN;
 use crate::commands::draft::{Draft, unwritable};
+use crate::commands::paths::is_stdout;
 use crate::commands::terminal::unprintable;
 use crate::diagnostics::Complaint;
 use crate::trace::film::Packing;
@@ -101,9 +101,4 @@ impl Place {
             Err(e) => Err(unwritable(&path, &e)),
         }
     }
-}
-
-/// Whether a path stands for standard output.
-pub fn is_stdout(path: &Path) -> bool {
-    path.as_os_str() == STDIN
 }

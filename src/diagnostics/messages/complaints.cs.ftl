@@ -150,10 +150,10 @@ too-many-triangles = bylo by třeba nejméně { $needed } trojúhelníků, ale v
 too-many-to-count = --tolerance je příliš malá: trojúhelníků by bylo tolik, že je nelze ani spočítat, a vytvoří se jich nejvýše { $most }: zvolte větší
 too-many-joined = vzájemně se překrývá { $solids } těles, mezi nimi tvar { $shape }, a mají příliš mnoho trojúhelníků na to, aby se spojila: zvolte větší --tolerance nebo menší část scény
 mesh-without-name = scéna ze standardního vstupu nemá jméno: zadejte pomocí -o, kam zapsat soubor { $format }
-would-overwrite-image = { $path } je obrázek, který scéna používá, a byl by přepsán: zvolte jiné jméno pomocí -o
+would-overwrite-image = { $path } je obrázek, který scéna používá, a byl by přepsán: zvolte pro výstup jiné jméno
 mesh-on-stdout = síť se zapisuje do souboru: zadejte ho pomocí -o
 would-write-twice = { $path } by se zapsal dvakrát: zvolte pro jeden ze souborů jiné jméno
-would-overwrite-scene = { $path } je sama scéna a byla by přepsána: zvolte jiné jméno pomocí -o
+would-overwrite-scene = { $path } je sama scéna a byla by přepsána: zvolte pro výstup jiné jméno
 many-files = převod má více souborů ({ $documents ->
     [one] { $documents } dokument
     [few] { $documents } dokumenty

@@ -147,10 +147,10 @@ too-many-triangles = this takes at least { $needed } triangles, and at most { $m
 too-many-to-count = the --tolerance is too small for the triangles to be counted, and at most { $most } are made: choose a larger one
 too-many-joined = { $solids } solids overlap each other, the shape { $shape } among them, and have too many triangles to be joined: choose a larger --tolerance or a smaller part of the scene
 mesh-without-name = a scene from standard input has no name: say with -o where to write the { $format } file
-would-overwrite-image = { $path } is a picture that the scene uses and would be overwritten: choose another name with -o
+would-overwrite-image = { $path } is a picture that the scene uses and would be overwritten: choose another name for what is written
 mesh-on-stdout = a mesh is written to a file: name one with -o
 would-write-twice = { $path } would be written twice: choose another name for one of the files
-would-overwrite-scene = { $path } is the scene itself and would be overwritten: choose another name with -o
+would-overwrite-scene = { $path } is the scene itself and would be overwritten: choose another name for what is written
 many-files = the translation is more than one file ({ $documents ->
     [one] { $documents } document
    *[other] { $documents } documents

@@ -469,10 +469,11 @@ E209-link = { E209 }
     .label = toto je odkaz, který vede jinam
 
 E210 = obrázek nelze přečíst: { $why }
-    .label = soubor ve složce scény
+    .label = tento soubor
     .help = soubor se hledá ve složce scény
 E210-format = obrázek není ani PNG, ani JPEG
     .label = { E210.label }
+# Je tam a je známého formátu, ale nelze ho přečíst: bez nápovědy.
 E210-content = { E210 }
     .label = { E210.label }
 

@@ -451,10 +451,11 @@ E209-link = { E209 }
     .label = this is a link that leaves it
 
 E210 = the image cannot be read: { $why }
-    .label = a file in the scene's folder
+    .label = this file
     .help = the file is looked for in the scene's folder
 E210-format = the image is neither a PNG nor a JPEG picture
     .label = { E210.label }
+# Found and of a known format, but not readable: no help.
 E210-content = { E210 }
     .label = { E210.label }
 

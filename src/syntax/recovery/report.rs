@@ -383,12 +383,14 @@ impl Reporter<'_, '_> {
     fn points(&self, piece: &Piece, ty: &RecordType, got: usize) -> Option<usize> {
         let each: usize = ty.repeats.iter().map(|group| group.len()).sum();
         let numbers = got.checked_sub(1).filter(|_| each > 0)?;
+        if !numbers.is_multiple_of(each) || numbers < 2 * each {
+            return None;
+        }
         let rows = self.rows(piece, ty);
         let is_whole = |&(from, to): &(usize, usize)| {
             (ty.repeats.iter()).any(|group| (to - from).is_multiple_of(group.len()))
         };
-        let in_rows = rows.len() == 1 || rows.iter().all(is_whole);
-        (numbers % each == 0 && numbers >= 2 * each && in_rows).then(|| numbers / each)
+        (rows.len() == 1 || rows.iter().all(is_whole)).then_some(numbers / each)
     }
 
     /// The numbers of a record line by line, behind its ID, its type and its number of points.

@@ -277,7 +277,6 @@ impl<'a> Lines<'a> {
         };
         let mut out = vec![AS_IT_STANDS; lines];
         let mut decimal_commas = false;
-        let mut unclear = Vec::new();
         let mut l = 0;
         while l < lines {
             // What ends with its own line goes before what ends with a later one, and that before
@@ -295,10 +294,7 @@ impl<'a> Lines<'a> {
                     decimal_commas |= split.joined;
                     n
                 }
-                None => {
-                    unclear.push(l);
-                    1
-                }
+                None => 1,
             };
             l += n;
         }
@@ -309,9 +305,6 @@ impl<'a> Lines<'a> {
                 if split.commas && commas(l) == 1 {
                     split.commas = false;
                 }
-            }
-            for l in unclear {
-                out[l] = JOINED;
             }
         }
         out
@@ -480,9 +473,11 @@ mod tests {
         ] {
             assert_eq!(numbers(text), meant, "{text}");
         }
-        // Other lines have decimal commas.
-        let text = "3 11 0 0 0 0,5\n2 11 (1,5; 0; 0; 0) 1 1";
-        assert_eq!(words(text)[8..].join(" "), "1,5 0 0 0 1 1");
+        // Points of a record over several lines, whatever other lines have.
+        let text = "2 5 (0,0)\n(1,1)\n3 11 0 0 0 0,5";
+        assert_eq!(words(text).join(" "), "2 5 0 0 1 1 3 11 0 0 0 0,5");
+        let text = "2 1 4\n(0,0)\n(1,1)\n(0,2)\n3 11 0 0 0 0,5";
+        assert_eq!(words(text)[3..9].join(" "), "0 0 1 1 0 2");
     }
 
     #[test]

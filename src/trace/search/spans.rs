@@ -40,6 +40,15 @@ pub(super) fn first_of_kind<R: Precision>(
     None
 }
 
+/// The place of the next boundary behind a sheet; nothing for other events.
+fn behind_sheet<R: Precision>(event: &Event<R>, rest: &[Event<R>]) -> Option<Place<R>> {
+    let next = || rest.iter().find(|e| e.kind == Kind::Boundary);
+    match event.kind {
+        Kind::Sheet => next().map(|e| e.place),
+        Kind::Boundary | Kind::Silent => None,
+    }
+}
+
 /// Whether something of this kind is seen.
 pub(super) fn is_seen(kind: Kind) -> bool {
     kind != Kind::Silent
@@ -68,30 +77,17 @@ impl<R: Precision> Walker<'_, R> {
                 before, after, out, ..
             } = &self.spans.scratch;
             let (i, event, states) = first_of_kind(start, out, is_seen)?;
+            let next = behind_sheet(&event, &out[i + 1..]);
             let mut seen = self.seen(event, states, [before, after]);
-            let next = out[i + 1..]
-                .iter()
-                .find(|e| e.kind == Kind::Boundary)
-                .copied();
-            seen.in_face = self.is_face_of(&event, next);
+            seen.in_face = next.is_some_and(|next| self.order(&event.place, &next).is_eq());
             return Some(seen);
         }
         let (start, events) = (self.spans.lists.first()?.start, &self.spans.events);
         let (i, event, states) = first_of_kind(start, events, is_seen)?;
-        let next = events[i + 1..]
-            .iter()
-            .find(|e| e.kind == Kind::Boundary)
-            .copied();
+        let next = behind_sheet(&event, &events[i + 1..]);
         let mut seen = self.seen(event, states, each([0, 1], |side| &states[side..=side]));
-        seen.in_face = self.is_face_of(&event, next);
+        seen.in_face = next.is_some_and(|next| self.order(&event.place, &next).is_eq());
         Some(seen)
-    }
-
-    /// Whether an event is a sheet, and the next boundary is in the same place.
-    fn is_face_of(&mut self, event: &Event<R>, next: Option<Event<R>>) -> bool {
-        let same =
-            |walker: &mut Self, next: Event<R>| walker.order(&event.place, &next.place).is_eq();
-        event.kind == Kind::Sheet && next.is_some_and(|next| same(self, next))
     }
 
     /// The event with the states of the union and those of all lists, before and behind it.
