@@ -62,7 +62,7 @@ pub struct Args {
     runs: Option<usize>,
 
     /// About how long it may take: 90s, 2m, 1h [default: 2m]
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     budget: Option<Seconds>,
 
     /// The error that is good enough, in steps of an 8-bit picture

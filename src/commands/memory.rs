@@ -25,7 +25,7 @@ const THREADS_PER_CORE: usize = 4;
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub struct Memory {
     /// Refuse what would take more memory than this, such as 800M or 12G [default: half of what there is]
-    #[arg(long = "memory", value_name = "SIZE")]
+    #[arg(long = "memory", value_name = "SIZE", allow_hyphen_values = true)]
     allowed: Option<Bytes>,
 }
 

@@ -14,6 +14,7 @@ use rayon::prelude::*;
 use super::ast::{Document, Item, Record};
 use super::lexed::{Lexed, Sig};
 use super::lexer;
+use super::recovery::respell::has_pair;
 use super::recovery::{self, Recovered, Surroundings};
 use super::signature::{self, Columns, Reading};
 use super::table::{Effect, RecordKind, RecordType};
@@ -32,7 +33,7 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
         recovery::report::comments(text, &lexed.tokens, &mut findings);
     }
     let mut glued = Vec::new();
-    if lexed.has_bad || has_pair(&lexed, text) {
+    if lexed.has_bad || has_pair(text, &lexed) {
         let tokens = std::mem::take(&mut lexed.tokens);
         let (tokens, spans) = recovery::respell::respell(text, tokens);
         lexed = Lexed::of(text, tokens);
@@ -69,7 +70,7 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
 /// The items of a text that needs no recovery; `None` for any other.
 pub fn parse_plain(text: &str) -> Option<Document> {
     let lexed = Lexed::new(text, &[]);
-    if lexed.has_bad || has_pair(&lexed, text) || may_be_unclosed(&lexed, text) {
+    if lexed.has_bad || has_pair(text, &lexed) || may_be_unclosed(&lexed, text) {
         return None;
     }
     let columns = Columns {
@@ -78,11 +79,6 @@ pub fn parse_plain(text: &str) -> Option<Document> {
     };
     let Plan { items, gaps, .. } = Plan::of(columns);
     gaps.is_empty().then(|| Document::new(lexed, items, 0))
-}
-
-/// Whether a comma that was taken for a separator may be a decimal comma.
-fn has_pair(lexed: &Lexed, text: &str) -> bool {
-    lexed.has_separator && recovery::respell::has_pair(text, &lexed.tokens)
 }
 
 /// Whether a comment may have lost its `#`, or a `#` be none of a comment.

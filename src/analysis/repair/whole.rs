@@ -1,5 +1,5 @@
 //! One slip that shows on many lines: the minus of all types lost, the ID of the render record used for an
-//! object, two scenes in one file, definitions that need each other.
+//! object, two scenes in one file, definitions that need each other, records above what they change.
 
 use std::ops::RangeInclusive;
 
@@ -276,9 +276,6 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     Some(Matter { finding, spans })
 }
 
-/// So many references are followed for one file, to find definitions that need each other.
-const FOLLOWED: usize = 100_000;
-
 /// Proposes to move records that change something below its definition: for each ID the last one of those above, so that
 /// they stay in order.
 pub fn early_changes(analysis: &Analysis, findings: &mut [Diagnostic]) {
@@ -329,12 +326,13 @@ fn own_lines(analysis: &Analysis, at: u32) -> Option<RangeInclusive<usize>> {
     let tokens = &document.tokens;
     let begin = tokens.partition_point(|t| t.end() <= lines.start);
     let end = tokens.partition_point(|t| t.start < lines.end);
-    let ends = tokens[begin..end]
-        .first()
-        .into_iter()
-        .chain(tokens[begin..end].last());
-    (is_alone && !ends.copied().any(|t| goes_on(&t))).then_some(first..=last)
+    let on_lines = &tokens[begin..end];
+    let mut ends = [on_lines.first(), on_lines.last()].into_iter().flatten();
+    (is_alone && !ends.any(goes_on)).then_some(first..=last)
 }
+
+/// So many references are followed for one file, to find definitions that need each other.
+const FOLLOWED: usize = 100_000;
 
 /// Says of definitions that need each other that they do.
 pub fn cycles(analysis: &Analysis, findings: &mut [Diagnostic]) {

@@ -4,6 +4,7 @@
 //! way `(0,5; 1)`, where the comma is a separator at first sight, may be two numbers instead of three.
 
 use super::super::ast::{Broken, Fault, Item};
+use super::super::lexed::Lexed;
 use super::super::lexer::{self, Token, TokenKind};
 use super::super::quote::quote;
 use super::super::table::{ParamKind, RecordType};
@@ -87,8 +88,8 @@ pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
 }
 
 /// Whether there is any [pair](pairs).
-pub fn has_pair(text: &str, tokens: &[Token]) -> bool {
-    pairs(text, tokens).next().is_some()
+pub fn has_pair(text: &str, lexed: &Lexed) -> bool {
+    lexed.has_separator && pairs(text, &lexed.tokens).next().is_some()
 }
 
 /// Numbers with a comma between their digits that was taken for a separator, as in `(0,5; 1)`. Commas of a longer list,
