@@ -19,6 +19,7 @@ mod convert_mesh;
 mod crosscheck;
 mod czech;
 mod editors;
+mod emitted;
 mod explain_examples;
 mod extreme_numbers;
 mod features;
