@@ -32,6 +32,7 @@ mod handout;
 mod hard_cases;
 mod hard_scenes;
 mod invariance;
+mod lamps;
 mod lint_generated;
 mod lint_large;
 mod lint_overlaps;

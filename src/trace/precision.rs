@@ -23,6 +23,11 @@ pub enum Doubt {
 pub trait Precision: Traced {
     const DOUBT: Doubt;
 
+    /// The share of the way to a lamp, at its end, on which nothing throws a shadow: a lamp on a surface is not in the
+    /// shadow of that surface. It is the same in doubles and in all that judges doubles, and far above what doubles round
+    /// and far below what a picture shows.
+    const AT_LAMP: f64 = 1.0 / (1u64 << 27) as f64;
+
     /// What a walker keeps of placements that it has met.
     type Maps: Default;
 
@@ -52,6 +57,8 @@ impl Precision for f64 {
 
 impl Precision for f32 {
     const DOUBT: Doubt = Doubt::Stands;
+    // Crossings are known to a few units of 2⁻²⁴.
+    const AT_LAMP: f64 = 1.0 / (1u64 << 16) as f64;
     type Maps = ();
 
     fn back(_: &(), graph: &Graph, placement: u32) -> Affine<f32> {

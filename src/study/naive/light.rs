@@ -418,7 +418,7 @@ fn direct<T: Number, W: World<T>>(
     each([0, 1, 2], |c| albedo[c] * light[c])
 }
 
-/// The product of kt over everything on the way to a light, at t = 1.
+/// The product of kt over everything on the way to a light, at t = 1, but for what the light lies on.
 fn visibility<T: Number, W: World<T>>(
     scenery: &Scenery<T>,
     world: &mut W,
@@ -431,7 +431,7 @@ fn visibility<T: Number, W: World<T>>(
         true => ray.offset(),
         false => T::OFFSET / dot(ray.direction, ray.direction).sqrt(),
     };
-    let Some((from, to)) = scenery.window(ray, offset, T::of(1.0)) else {
+    let Some((from, to)) = scenery.window(ray, offset, T::of(1.0) - T::LAMP) else {
         return one;
     };
     if outside

@@ -20,6 +20,8 @@ pub trait Number:
     /// largest number that the ray starts with, where that is so.
     const OFFSET: Self;
     const OFFSET_IS_RELATIVE: bool;
+    /// A lamp is as near as this share of the way to it: a surface there, which the lamp lies on, throws no shadow.
+    const LAMP: Self;
     /// What coefficients smaller than this are taken for: zero.
     const TINY: Self;
     /// Whether roots come from formulas and ends of things are inclusive, as textbooks have it. Else roots
@@ -36,10 +38,11 @@ pub trait Number:
 }
 
 macro_rules! number {
-    ($t:ident, $offset:literal, $tiny:literal) => {
+    ($t:ident, $offset:literal, $lamp:literal, $tiny:literal) => {
         impl Number for $t {
             const OFFSET: $t = $offset;
             const OFFSET_IS_RELATIVE: bool = false;
+            const LAMP: $t = $lamp;
             const TINY: $t = $tiny;
             const TEXTBOOK: bool = true;
 
@@ -68,8 +71,8 @@ macro_rules! number {
     };
 }
 
-number!(f32, 1e-4, 1e-6);
-number!(f64, 1e-6, 1e-9);
+number!(f32, 1e-4, 1e-4, 1e-6);
+number!(f64, 1e-6, 1e-8, 1e-9);
 
 /// About 71 digits.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
@@ -90,6 +93,8 @@ impl Number for Wide {
     // 2⁻⁴⁶: what lies in one place up to the rounding of the scene's own numbers is one surface.
     const OFFSET: Wide = power_of_two(-46);
     const OFFSET_IS_RELATIVE: bool = true;
+    // 2⁻²⁷, as the reference of the language has it.
+    const LAMP: Wide = power_of_two(-27);
     const TINY: Wide = power_of_two(-190);
     const TEXTBOOK: bool = false;
 

@@ -239,7 +239,8 @@ impl<R: Precision> Walkers<'_, R> {
         self.ask(&FaceBehindSheet, ray)
     }
 
-    /// The share of light that gets through up to t = 1: the product of kt over all surfaces.
+    /// The share of light that gets through to a lamp at t = 1: the product of kt over all surfaces on the way. A surface
+    /// that the lamp lies on is not on the way ([`AT_LAMP`](Precision::AT_LAMP)).
     pub(in crate::trace) fn visibility<const GLASS: bool>(
         &mut self,
         ray: &Ray<R>,
@@ -379,7 +380,7 @@ impl<const GLASS: bool> Question for Visibility<'_, GLASS> {
     /// there need to know what is inside of what.
     fn ask<R: Precision>(&self, tracer: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> Vec3 {
         walker.work.clip += u64::from(tracer.clip.is_some());
-        let Some((from, to)) = tracer.window(ray, R::ONE) else {
+        let Some((from, to)) = tracer.window(ray, R::of(1.0 - R::AT_LAMP)) else {
             return Vec3::ONE;
         };
         let light = (self.light, self.end);

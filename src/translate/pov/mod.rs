@@ -168,13 +168,19 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     builder
         .looks
         .write(&mut looks, &builder.aspects, scene, &options.pictures);
+    let on_surface = scenery::is_lit_from_surface(scene, &eyes, &builder.bounds, render.root);
     let file = |eyes: &[Eye]| {
         let mut out = String::new();
         header(&mut out, &builder, eyes, options);
         settings(&mut out, scene, &render, &frame, light_scale, options);
         let captions = &options.captions;
         out.push_str(&camera::cameras(eyes, &frame, captions));
-        out.push_str(&scenery::point_lights(scene, eyes, &frame, captions));
+        let mut lights = scenery::point_lights(scene, eyes, &frame, captions);
+        let mut picture = picture(root.as_deref(), &render, &frame, captions);
+        if on_surface {
+            picture = scenery::light_group(&std::mem::take(&mut lights), &picture);
+        }
+        out.push_str(&lights);
         out.push('\n');
         out.push_str(&looks);
         out.push('\n');
@@ -183,7 +189,7 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
         }
         out.push_str(&shape::geodesics(geodesics.iter().copied()));
         out.push_str(&objects);
-        out.push_str(&picture(root.as_deref(), &render, &frame, captions));
+        out.push_str(&picture);
         out
     };
     let files = match (&eyes[..], options.stereo) {

@@ -3,9 +3,11 @@
 use super::camera::Eye;
 use super::frame::{Frame, power_of_two_about};
 use super::text::{entity, number, rgb, vector};
-use crate::scene::{Optics, Render, Rgb, Scene};
+use crate::scene::{NodeId, Optics, Render, Rgb, Scene};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::frame::headlight;
 use crate::syntax::Captions;
+use crate::trace::plan::unseen::view::on_surfaces;
 
 /// The point lights, one a line; where there is no light at all, a headlight for each camera.
 pub fn point_lights(scene: &Scene, eyes: &[Eye], frame: &Frame, captions: &Captions) -> String {
@@ -35,6 +37,39 @@ pub fn point_lights(scene: &Scene, eyes: &[Eye], frame: &Frame, captions: &Capti
         });
     }
     out
+}
+
+/// Whether any lamp lies on a surface.
+pub fn is_lit_from_surface(
+    scene: &Scene,
+    eyes: &[Eye],
+    bounds: &[NodeBounds],
+    root: NodeId,
+) -> bool {
+    let heads = eyes
+        .iter()
+        .filter_map(|eye| headlight(scene, &eye.camera))
+        .map(|l| l.position);
+    let places: Vec<_> = (scene.point_lights.iter().map(|l| l.position))
+        .chain(heads)
+        .collect();
+    on_surfaces(scene, bounds, root, &places).contains(&true)
+}
+
+/// The scene in a group with its lights. Of other lights POV-Ray remembers what was last in their way, and asks that first:
+/// without its tolerance, so that a light may be hidden by the surface that it lies on.
+pub fn light_group(lights: &str, picture: &str) -> String {
+    let mut out = String::from(
+        "\n// A light that lies on a surface is not hidden by that in a light group.\nlight_group {\n",
+    );
+    for line in lights.lines().chain(picture.lines()) {
+        if !line.is_empty() {
+            out.push_str("  ");
+            out.push_str(line);
+        }
+        out.push('\n');
+    }
+    out + "}\n"
 }
 
 /// The sum of the ambient lights.

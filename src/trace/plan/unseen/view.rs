@@ -231,39 +231,20 @@ pub struct Held {
 
 /// The opaque solids that points are in: for each point the first part of the outermost union that holds it, with room
 /// around it, or else one that has it on its surface, as planes have; none if something that lets light through comes
-/// before it in the union and may hold the point. What the region that is drawn may cut open holds nothing.
+/// before it in the union and may hold the point. A point between parts that hold all around it is inside of the first.
+/// What the region that is drawn may cut open holds nothing.
 pub fn held(
     scene: &Scene,
     bounds: &[NodeBounds],
     root: NodeId,
     points: &[Vec3],
 ) -> Vec<Option<Held>> {
-    let mut out = vec![None; points.len()];
-    // Most points are outside of everything.
-    if !points
-        .iter()
-        .any(|p| bounds[root as usize].all.contains(*p))
-    {
-        return out;
-    }
     let clip = scene.render.and_then(|r| r.clip);
     let clip = clip.map_or(Aabb::ALL, |(min, max)| Aabb::new(min, max));
-    let parts = members(scene, bounds, root);
     let counts = |m: &Member| m.clear || clip.holds(&m.bounds);
-    let numbered = parts.iter().enumerate().filter(|(_, m)| counts(m));
-    let boxes = Boxes::new(numbered.map(|(i, m)| (i as u32, m.bounds)));
-    let mut asked = Asked {
-        scene,
-        inside: Inside::new(scene, bounds),
-        left: PAIRS,
-    };
-    for (held, point) in out.iter_mut().zip(points) {
-        let around = CLEAR * far(point).max(1.0);
-        let here = Aabb::new(point.map(|x| x - around), point.map(|x| x + around));
-        let mut near = Vec::new();
-        boxes.near(&here, &mut near);
-        near.sort_unstable();
-        for part in near.iter().map(|&i| &parts[i as usize]) {
+    let holder = |asked: &mut Asked, point: &Vec3, near: &mut dyn Iterator<Item = &Member>| {
+        let (mut first, mut all) = (None, [false; PLACES]);
+        for part in near {
             // What comes first in a union owns its points.
             if part.clear && asked.may_hold(point, part) {
                 break;
@@ -271,14 +252,74 @@ pub fn held(
             if part.clear {
                 continue;
             }
-            match asked.where_is(point, part) {
-                Some(found) if !found.on_surface => {
-                    *held = Some(found);
-                    break;
-                }
-                found => *held = held.or(found),
+            let Some(met) = asked.met(point, part) else {
+                continue;
+            };
+            let is_inside = met.holds == [true; PLACES];
+            if is_inside || first.is_none() {
+                first = Some(met.solid);
+            }
+            (all.iter_mut().zip(met.holds)).for_each(|(all, holds)| *all |= holds);
+            if is_inside {
+                break;
             }
         }
+        let on_surface = all != [true; PLACES];
+        first.map(|solid| Held { solid, on_surface })
+    };
+    near_parts(scene, bounds, root, points, counts, holder)
+}
+
+/// Of each point whether it lies on the surface of a part of the outermost union, as far as rounding can tell.
+pub fn on_surfaces(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    root: NodeId,
+    points: &[Vec3],
+) -> Vec<bool> {
+    let is_on = |asked: &mut Asked, point: &Vec3, near: &mut dyn Iterator<Item = &Member>| {
+        let mut met = near.filter_map(|part| asked.met(point, part));
+        met.any(|met| met.holds != [true; PLACES])
+    };
+    near_parts(scene, bounds, root, points, |_| true, is_on)
+}
+
+/// Asks about each point with the parts of the outermost union that are near it and count, in their order.
+fn near_parts<T: Clone + Default>(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    root: NodeId,
+    points: &[Vec3],
+    counts: impl Fn(&Member) -> bool,
+    ask: impl Fn(&mut Asked, &Vec3, &mut dyn Iterator<Item = &Member>) -> T,
+) -> Vec<T> {
+    let mut out = vec![T::default(); points.len()];
+    let around = |point: &Vec3| {
+        let by = CLEAR * far(point).max(1.0);
+        Aabb::new(point.map(|x| x - by), point.map(|x| x + by))
+    };
+    // Most points are outside of everything.
+    let all = bounds[root as usize].all;
+    if points
+        .iter()
+        .all(|p| all.intersection(&around(p)).is_empty())
+    {
+        return out;
+    }
+    let parts = members(scene, bounds, root);
+    let numbered = parts.iter().enumerate().filter(|(_, m)| counts(m));
+    let boxes = Boxes::new(numbered.map(|(i, m)| (i as u32, m.bounds)));
+    let mut asked = Asked {
+        scene,
+        inside: Inside::new(scene, bounds),
+        left: PAIRS,
+    };
+    for (out, point) in out.iter_mut().zip(points) {
+        let mut near = Vec::new();
+        boxes.near(&around(point), &mut near);
+        near.sort_unstable();
+        let mut near = near.iter().map(|&i| &parts[i as usize]);
+        *out = ask(&mut asked, point, &mut near);
     }
     out
 }
@@ -304,30 +345,36 @@ impl Asked<'_> {
         !part.sheet && self.inside.node(node, back.point(*point)) != Some(false)
     }
 
-    /// Where a point is with regard to a part; `None` where it is outside, or that is not known.
-    fn where_is(&mut self, point: &Vec3, part: &Member) -> Option<Held> {
+    /// What a part has of a point and of what is around it; `None` if nothing, or if that is not known.
+    fn met(&mut self, point: &Vec3, part: &Member) -> Option<Met> {
         self.left = self.left.checked_sub(1)?;
         let scene = self.scene;
         let solid = named(scene, part.node)?;
         let back = part.matrix().inverse()?;
+        // What has no end may be placed by numbers of any size; those of most scenes are about 1.
         let size = match part.bounds.is_bounded() {
             true => part.bounds.radius(),
-            false => 0.0,
+            false => 1.0,
         };
         let around = CLEAR * far(point).max(size);
+        let mut holds = [false; PLACES];
         if part.sheet {
             let shape = Primitive::new(part.geometry(scene)?);
-            let on_surface = is_on_sheet(&shape, &back, *point, around);
-            return on_surface.then_some(Held { solid, on_surface });
+            return is_on_sheet(&shape, &back, *point, around).then_some(Met { solid, holds });
         }
         let node = below(scene, part.node);
-        let mut count = 0;
-        for place in places_around(*point, around) {
-            count += usize::from(self.inside.node(node, back.point(place))?);
+        for (holds, place) in holds.iter_mut().zip(places_around(*point, around)) {
+            *holds = self.inside.node(node, back.point(place))?;
         }
-        let on_surface = count < PLACES;
-        (count > 0).then_some(Held { solid, on_surface })
+        holds.contains(&true).then_some(Met { solid, holds })
     }
+}
+
+/// A part that a point is in, or on the surface of.
+struct Met {
+    solid: Named,
+    /// Which of the [places around](places_around) the point are in it: of a surface none.
+    holds: [bool; PLACES],
 }
 
 /// Whether a shape without inside has a point on it, give or take a distance along one of the axes. `back` leads into
@@ -357,16 +404,17 @@ fn below(scene: &Scene, mut node: NodeId) -> NodeId {
 }
 
 /// How many places are asked about around a point.
-const PLACES: usize = 7;
+const PLACES: usize = 15;
 
-/// A point and what is so far away from it along the axes.
+/// A point, what is so far away from it along the axes, and the corners of the cube through these.
 fn places_around(p: Vec3, by: f64) -> impl Iterator<Item = Vec3> {
     let aside = (0..6).map(move |i| {
         let mut q = p;
         q[i / 2] += if i % 2 == 0 { by } else { -by };
         q
     });
-    std::iter::once(p).chain(aside)
+    let corners = Aabb::new(p.map(|x| x - by), p.map(|x| x + by)).corners();
+    std::iter::once(p).chain(aside).chain(corners)
 }
 
 /// The largest width or height, in pixels of a picture of the usual size, of all that is drawn; `None` where that is not
