@@ -69,6 +69,7 @@ mod scene_json;
 mod shapes_doubt;
 mod shapes_quadrics;
 mod strangers;
+mod stretched;
 mod surfaces;
 mod trace_pictures;
 mod trace_solids;

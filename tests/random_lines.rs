@@ -1,6 +1,7 @@
 //! A short run of the randomised campaign; the long one is `cargo bench --bench campaign`.
 
 use crate::campaign;
+use crate::campaign::Spread;
 use crate::campaign::exact::{Exact, point};
 use crate::campaign::roots::{Root, between, sign_changes, sorted};
 use crate::campaign::truth::Truth;
@@ -18,7 +19,9 @@ fn threads_change_nothing() {
     let result = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let bars = campaign::Bars::NONE;
-        let kind = pool.unwrap().install(|| campaign::run(0, 400, SEED, &bars));
+        let kind = pool
+            .unwrap()
+            .install(|| campaign::run(0, campaign::Spread::Usual, 400, SEED, &bars));
         kind.rows.map(|r| {
             let counts = [
                 r.rays,
@@ -37,11 +40,15 @@ fn threads_change_nothing() {
 /// One kind of shape must meet the bars in f64, with dd for what that cannot decide, and in dd: the
 /// right number of crossings wherever moving the line by half a unit in the last place does not
 /// change it, and every crossing as near to the surface as the ratchet says.
-fn meets_the_bars(name: &str) {
+fn meets_the_bars(name: &str, spread: Spread) {
     let kind = campaign::KINDS.iter().position(|k| *k == name);
     let kind = kind.expect("a kind of shape");
-    let bars = campaign::Bars::of_kind(name);
-    let result = campaign::run(kind, RAYS, SEED, &bars);
+    let bars = campaign::Bars::of_kind(&spread.name(kind));
+    let rays = match spread {
+        Spread::Usual => RAYS,
+        Spread::Stretched => RAYS / 4,
+    };
+    let result = campaign::run(kind, spread, rays, SEED, &bars);
     let failures = result.failures();
     assert!(
         failures.is_empty(),
@@ -54,9 +61,18 @@ fn meets_the_bars(name: &str) {
 macro_rules! kinds {
     ($($name:ident: $kind:literal,)*) => {
         $(
-            #[test]
-            fn $name() {
-                meets_the_bars($kind);
+            mod $name {
+                use super::*;
+
+                #[test]
+                fn usual() {
+                    meets_the_bars($kind, Spread::Usual);
+                }
+
+                #[test]
+                fn stretched() {
+                    meets_the_bars($kind, Spread::Stretched);
+                }
             }
         )*
 

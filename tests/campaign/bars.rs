@@ -1,6 +1,6 @@
 //! How far crossings may be from the surface, kind by kind of shape: a ratchet. What the kernel has
-//! reached in a long campaign it must not lose by more than half. `cargo bench --bench campaign -- 1e7 1
-//! --renew` writes the file.
+//! reached in a long campaign it must not lose by more than half. Where axes are far apart, both
+//! have a bar of 4 ε of doubles for every kind. `cargo bench --bench campaign -- 1e7 1 --renew` writes the file.
 
 /// The largest distances of a kind of shape, in ε times the larger of the origin's distance and the
 /// shape's size.

@@ -34,6 +34,8 @@ pub struct Row {
     pub outside: u64,
     /// Lines that the kernel could not decide.
     pub uncertain: u64,
+    /// Those of them where the place of a crossing is all that it does not know well enough.
+    pub coarse: u64,
     /// Lines as in pictures, and those of them that it could not decide.
     pub plain: u64,
     pub plain_uncertain: u64,
@@ -59,6 +61,7 @@ impl Row {
         self.wrong += other.wrong;
         self.outside += other.outside;
         self.uncertain += other.uncertain;
+        self.coarse += other.coarse;
         self.plain += other.plain;
         self.plain_uncertain += other.plain_uncertain;
         self.worst = self.worst.max(other.worst);
@@ -165,6 +168,7 @@ pub fn batch(target: &Target, cases: &[Case], bars: &Bars) -> [Row; 3] {
         let lines = Lines::new(case);
         let judge = Judge::new(target, &truth, case, &lines, bars);
         double.doubt(case, doubles[i].uncertain);
+        double.coarse += u64::from(doubles[i].coarse);
         dd.doubt(case, dds[i].uncertain);
         judge.judge::<Dd, Dd>(&dds[i], &mut dd);
         if doubles[i].uncertain {
@@ -275,14 +279,8 @@ impl<'a> Judge<'a> {
         bars: &'a Bars,
     ) -> Judge<'a> {
         let (o, d) = lines.inner(&lines.origin, &lines.direction);
-        let mut scale = norm(&o).max(length(target.centre) + target.size);
-        if let Some(rows) = &case.map {
-            let terms = rows.map(|r| {
-                let sum: f64 = (0..3).map(|j| (r[j] * case.origin[j]).abs()).sum();
-                sum + r[3].abs()
-            });
-            scale = scale.max(length(terms));
-        }
+        let own = norm(&o).max(length(target.centre) + target.size);
+        let scale = own.max(case.terms(case.origin));
         Judge {
             answer: truth.answer(&o, &d),
             target,
@@ -321,7 +319,9 @@ impl<'a> Judge<'a> {
         for t in &t {
             let p = along(&self.o, &self.d, t);
             let scale = if self.target.unbounded {
-                self.scale.max(norm(&p))
+                let outer = along(&self.lines.origin, &self.lines.direction, t);
+                let terms = self.case.terms(outer.map(|x| x.about()));
+                self.scale.max(norm(&p)).max(terms)
             } else {
                 self.scale
             };

@@ -1,7 +1,7 @@
 //! Random lines that come close to a shape in every awkward way.
 
 use super::rng::Rng;
-use super::shapes::{Target, cross};
+use super::shapes::{Spread, Target, cross};
 use super::truth::length;
 use zpg::geometry::Matrix;
 use zpg::geometry::affine::Affine;
@@ -18,6 +18,15 @@ pub struct Case {
 }
 
 impl Case {
+    /// How far from the shape's origin the terms of the map reach for a point; 0 without a map.
+    pub fn terms(&self, p: [f64; 3]) -> f64 {
+        let rows = self.map.unwrap_or_default();
+        length(rows.map(|r| {
+            let sum: f64 = (0..3).map(|j| (r[j] * p[j]).abs()).sum();
+            sum + r[3].abs()
+        }))
+    }
+
     /// The map with the numbers of a kind.
     pub fn affine<R: zpg::geometry::number::Real>(&self) -> Option<Affine<R>> {
         self.map
@@ -44,12 +53,12 @@ fn unit(v: [f64; 3]) -> [f64; 3] {
     }
 }
 
-pub fn case(target: &Target, rng: &mut Rng) -> Case {
+pub fn case(target: &Target, spread: Spread, rng: &mut Rng) -> Case {
     let away = target.size * rng.decade(AWAY.0, AWAY.1);
     let (origin, direction, plain) = match rng.below(20) {
         // Past or through the shape, as the rays of a picture are.
         0..5 => {
-            let through = plus(target.centre, rng.cube(), 1.2 * target.size);
+            let through = plus(target.centre, target.within(1.2, rng), 1.0);
             let d = rng.direction();
             (plus(through, d, -away), d, true)
         }
@@ -136,7 +145,7 @@ pub fn case(target: &Target, rng: &mut Rng) -> Case {
         plain,
     };
     let mut case = if rng.chance(0.3) {
-        placed(case, target, rng)
+        placed(case, target, spread, rng)
     } else {
         case
     };
@@ -151,9 +160,9 @@ pub fn case(target: &Target, rng: &mut Rng) -> Case {
 }
 
 /// The line out in the world, and the map that brings it back, but for rounding: a rotation, a
-/// scaling by 10^±3 that may differ by a factor of 4 between the axes, and a translation of up to
-/// 10³ sizes. One map in four is exact.
-fn placed(case: Case, target: &Target, rng: &mut Rng) -> Case {
+/// scaling by 10^±3 that may differ between the axes by a factor of 4, or of 10⁸ where all is stretched, and a
+/// translation of up to 10³ sizes. One map in four is exact.
+fn placed(case: Case, target: &Target, spread: Spread, rng: &mut Rng) -> Case {
     let exact = rng.chance(0.25);
     let (rows, scales, shift) = if exact {
         let turn = rng.below(3);
@@ -174,7 +183,11 @@ fn placed(case: Case, target: &Target, rng: &mut Rng) -> Case {
         let z = cross(x, y);
         let all = rng.decade(-3.0, 3.0);
         let each = rng.chance(0.3);
-        let scales = [0; 3].map(|_| if each { all * rng.range(0.5, 2.0) } else { all });
+        let scales = [0; 3].map(|_| match spread {
+            Spread::Stretched => all * rng.decade(-4.0, 4.0),
+            Spread::Usual if each => all * rng.range(0.5, 2.0),
+            Spread::Usual => all,
+        });
         let far = all * target.size * rng.decade(-1.0, 3.0);
         ([x, y, z], scales, rng.cube().map(|x| x * far))
     };

@@ -32,12 +32,58 @@ pub const KINDS: [&str; 23] = [
     "cylinder",
 ];
 
+/// How far apart the axes of a shape, and the scales of a map, may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spread {
+    /// By a factor of a hundred, as in most scenes.
+    Usual,
+    /// By a factor of 10⁸, as in needles and sheets.
+    Stretched,
+}
+
+impl Spread {
+    /// The name of a kind of shape with axes this far apart.
+    pub fn name(self, kind: usize) -> String {
+        match self {
+            Spread::Usual => KINDS[kind].to_owned(),
+            Spread::Stretched => format!("{}, stretched", KINDS[kind]),
+        }
+    }
+
+    /// A number of few digits, or of many: the length of an axis in sizes of the shape.
+    fn factor(self, rng: &mut Rng) -> f64 {
+        match self {
+            Spread::Stretched => rng.decade(-4.0, 4.0),
+            Spread::Usual if rng.chance(0.3) => *rng.pick(&[0.25, 0.5, 1.0, 1.0, 2.0, 3.0]),
+            Spread::Usual => rng.decade(-1.0, 1.0),
+        }
+    }
+
+    /// Three axes of a shape that otherwise has none.
+    fn axes(self, size: f64, rng: &mut Rng) -> [f64; 3] {
+        match self {
+            Spread::Usual => [size; 3],
+            Spread::Stretched => [0; 3].map(|_| size * self.factor(rng)),
+        }
+    }
+
+    /// The size of a shape with such axes.
+    fn reach(self, size: f64, axes: [f64; 2]) -> f64 {
+        match self {
+            Spread::Usual => size,
+            Spread::Stretched => axes[0].max(axes[1]),
+        }
+    }
+}
+
 /// A shape to shoot at.
 pub struct Target {
     pub geometry: Geometry,
     pub centre: [f64; 3],
     /// What its extent is like.
     pub size: f64,
+    /// Of what is stretched: the edges of a box of the shape's extent, from the centre to its faces.
+    pub stretch: Option<[[f64; 3]; 3]>,
     /// Whether it goes on for ever.
     pub unbounded: bool,
     /// The apex, points of rims, seams and edges, vertices, the centre.
@@ -64,15 +110,6 @@ fn around(rng: &mut Rng, rho: f64, y: f64) -> [f64; 3] {
     }
 }
 
-/// A number of few digits, or of many.
-fn factor(rng: &mut Rng) -> f64 {
-    if rng.chance(0.3) {
-        *rng.pick(&[0.25, 0.5, 1.0, 1.0, 2.0, 3.0])
-    } else {
-        rng.decade(-1.0, 1.0)
-    }
-}
-
 fn size(rng: &mut Rng) -> f64 {
     if rng.chance(0.2) {
         *rng.pick(&[1.0, 0.25, 2.0, 1024.0, 1e-6, 1e6])
@@ -83,27 +120,27 @@ fn size(rng: &mut Rng) -> f64 {
 
 impl Target {
     /// A random shape of a kind, given by its number in [`KINDS`].
-    pub fn new(kind: usize, rng: &mut Rng) -> Target {
+    pub fn new(kind: usize, spread: Spread, rng: &mut Rng) -> Target {
         let size = size(rng);
         match KINDS[kind] {
-            "surface of revolution" => revolution(size, rng),
+            "surface of revolution" => revolution(size, spread, rng),
             "plane" => plane(size, rng, false),
             "half-space" => plane(size, rng, true),
-            "rectangle" => rectangle(size, rng),
-            "triangle" => triangle(size, rng),
+            "rectangle" => rectangle(size, spread, rng),
+            "triangle" => triangle(size, spread, rng),
             "sphere" => sphere(size, [0.0; 3]),
             "sphere off the origin" => {
                 let far = size * rng.decade(-1.0, 4.0);
                 sphere(size, rng.cube().map(|x| x * far))
             }
             "ellipsoid" => {
-                let semi_axes = std::array::from_fn(|_| size * factor(rng));
+                let semi_axes = std::array::from_fn(|_| size * spread.factor(rng));
                 let mut target = cuboid(semi_axes.map(|x| -x), semi_axes, rng);
                 target.geometry = Geometry::Ellipsoid { semi_axes };
                 target.anchors = (0..3)
                     .map(|i| std::array::from_fn(|j| if i == j { semi_axes[i] } else { 0.0 }))
                     .collect();
-                target
+                target.stretched(spread)
             }
             "box" => {
                 let far = if rng.chance(0.5) {
@@ -112,8 +149,8 @@ impl Target {
                     size * rng.decade(-1.0, 3.0)
                 };
                 let min = rng.cube().map(|x| x * far);
-                let max = min.map(|x| x + size * factor(rng));
-                cuboid(min, max, rng)
+                let max = min.map(|x| x + size * spread.factor(rng));
+                cuboid(min, max, rng).stretched(spread)
             }
             "geodesic sphere" => geodesic(size, rng),
             "torus, tube 1/4" => torus(size, 0.25 * size, rng),
@@ -124,19 +161,35 @@ impl Target {
                 torus(size, tube, rng)
             }
             "cone" => {
-                let (height, radius) = (size * factor(rng) * rng.sign(), size * factor(rng));
-                cone(height, radius, false, rng)
+                let (height, radius) = (
+                    size * spread.factor(rng) * rng.sign(),
+                    size * spread.factor(rng),
+                );
+                cone(height, radius, false, rng).stretched(spread)
             }
             "double cone" => {
-                let (height, radius) = (size * factor(rng), size * factor(rng));
-                cone(height, radius, true, rng)
+                let (height, radius) = (size * spread.factor(rng), size * spread.factor(rng));
+                cone(height, radius, true, rng).stretched(spread)
             }
             "cylinder" => {
-                let (radius, height) = (size * factor(rng), size * factor(rng));
-                profile(vec![[radius, -height], [radius, height]], size, rng)
+                let (radius, height) = (size * spread.factor(rng), size * spread.factor(rng));
+                let size = spread.reach(size, [radius, height]);
+                profile(vec![[radius, -height], [radius, height]], size, rng).stretched(spread)
             }
-            other => second(other, size, rng),
+            other => second(other, size, spread, rng),
         }
+    }
+
+    /// With the box that lines are aimed at, if the spread asks for it: as far as the marks of the axes reach.
+    fn stretched(mut self, spread: Spread) -> Target {
+        if spread == Spread::Stretched {
+            let reach = |i: usize| {
+                let far = self.marks[i].iter().map(|x| (x - self.centre[i]).abs());
+                far.fold(0.0, f64::max)
+            };
+            self.stretch = Some(diagonal([reach(0), reach(1), reach(2)]));
+        }
+        self
     }
 
     /// A point close to the surface, and the normal there, of length 1.
@@ -208,6 +261,15 @@ impl Target {
         }
     }
 
+    /// A random vector from the centre: up to so many sizes of the shape, or of each axis of what is stretched.
+    pub fn within(&self, sizes: f64, rng: &mut Rng) -> [f64; 3] {
+        let v = rng.cube();
+        match &self.stretch {
+            None => v.map(|x| x * sizes * self.size),
+            Some(edges) => spanned(edges, v.map(|x| x * sizes)),
+        }
+    }
+
     /// Where a random line meets a surface of second degree.
     fn second_surface(&self, rng: &mut Rng) -> ([f64; 3], [f64; 3]) {
         let q = matrix(&self.geometry);
@@ -218,13 +280,16 @@ impl Target {
         /// Some lines meet nothing, and some surfaces are empty.
         const TRIES: usize = 8;
         for _ in 0..TRIES {
-            let o = rng.cube().map(|x| x * 3.0 * self.size);
-            let d = rng.direction();
+            let o = self.within(3.0, rng);
+            let d = match &self.stretch {
+                None => rng.direction(),
+                Some(edges) => unit(spanned(edges, rng.direction())),
+            };
             let (o4, d4) = ([o[0], o[1], o[2], 1.0], [d[0], d[1], d[2], 0.0]);
             let (a, b, c) = (product(d4, d4), product(o4, d4), product(o4, o4));
             let t = (-b + rng.sign() * (b * b - a * c).sqrt()) / a;
             let p: [f64; 3] = std::array::from_fn(|i| o[i] + t * d[i]);
-            if t.is_finite() && t.abs() < 100.0 * self.size {
+            if t.is_finite() && t.abs() < 100.0 * self.size && p.iter().all(|x| x.is_finite()) {
                 let n = std::array::from_fn(|i| {
                     let mut e = [0.0; 4];
                     e[i] = 1.0;
@@ -244,6 +309,16 @@ fn unit(v: [f64; 3]) -> [f64; 3] {
     } else {
         [0.0, 1.0, 0.0]
     }
+}
+
+/// The edges of a box along the axes.
+fn diagonal(lengths: [f64; 3]) -> [[f64; 3]; 3] {
+    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { lengths[i] } else { 0.0 }))
+}
+
+/// The sum of vectors, each times a number.
+fn spanned(edges: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| (0..3).map(|j| edges[j][i] * v[j]).sum())
 }
 
 fn facet_point(vertices: [[f64; 3]; 3], rng: &mut Rng) -> ([f64; 3], [f64; 3]) {
@@ -276,6 +351,7 @@ fn sphere(radius: f64, centre: [f64; 3]) -> Target {
         anchors: vec![centre],
         marks: std::array::from_fn(|i| vec![centre[i] - radius, centre[i], centre[i] + radius]),
         directions: vec![],
+        stretch: None,
     }
 }
 
@@ -299,29 +375,31 @@ fn cuboid(min: [f64; 3], max: [f64; 3], rng: &mut Rng) -> Target {
         anchors,
         marks: std::array::from_fn(|i| vec![min[i], centre[i], max[i]]),
         directions: vec![],
+        stretch: None,
     }
 }
 
-fn rectangle(size: f64, rng: &mut Rng) -> Target {
+fn rectangle(size: f64, spread: Spread, rng: &mut Rng) -> Target {
     let min = [0; 2].map(|_| rng.range(-2.0, 1.0) * size);
-    let max = min.map(|x| x + size * factor(rng));
+    let max = min.map(|x| x + size * spread.factor(rng));
     let (low, high) = ([min[0], min[1], 0.0], [max[0], max[1], 0.0]);
     Target {
         geometry: Geometry::Rectangle { min, max },
-        ..cuboid(low, high, rng)
+        ..cuboid(low, high, rng).stretched(spread)
     }
 }
 
-fn triangle(size: f64, rng: &mut Rng) -> Target {
+fn triangle(size: f64, spread: Spread, rng: &mut Rng) -> Target {
     let far = if rng.chance(0.5) {
         0.0
     } else {
         size * rng.decade(-1.0, 3.0)
     };
     let shift = rng.cube().map(|x| x * far);
+    let axes = spread.axes(size, rng);
     let mut vertex = || -> [f64; 3] {
         let v = rng.cube();
-        std::array::from_fn(|i| shift[i] + size * v[i])
+        std::array::from_fn(|i| shift[i] + axes[i] * v[i])
     };
     let vertices = [vertex(), vertex(), vertex()];
     let [a, b, c] = vertices;
@@ -345,7 +423,9 @@ fn triangle(size: f64, rng: &mut Rng) -> Target {
             std::array::from_fn(|i| (b[i] - a[i]) / size),
             std::array::from_fn(|i| (c[i] - a[i]) / size),
         ],
+        stretch: None,
     }
+    .stretched(spread)
 }
 
 fn plane(size: f64, rng: &mut Rng, solid: bool) -> Target {
@@ -376,6 +456,7 @@ fn plane(size: f64, rng: &mut Rng, solid: bool) -> Target {
         anchors: vec![foot],
         marks: foot.map(|x| vec![x, 0.0]),
         directions: vec![across],
+        stretch: None,
     }
 }
 
@@ -424,6 +505,7 @@ fn torus(major: f64, minor: f64, rng: &mut Rng) -> Target {
         anchors,
         marks: [across.clone(), vec![minor, -minor, 0.0], across],
         directions: vec![],
+        stretch: None,
     }
 }
 
@@ -449,6 +531,7 @@ fn cone(height: f64, radius: f64, double: bool, rng: &mut Rng) -> Target {
         ],
         marks: [across.clone(), vec![height, 0.0], across],
         directions: vec![generator, [radius, height, 0.0].map(|x| x / radius)],
+        stretch: None,
     }
 }
 
@@ -456,7 +539,7 @@ fn cone(height: f64, radius: f64, double: bool, rng: &mut Rng) -> Target {
 const THIN: (f64, f64) = (-17.0, -2.0);
 
 /// A random profile: any line, a ring, steps, a crossing one, needles, many points.
-fn revolution(size: f64, rng: &mut Rng) -> Target {
+fn revolution(size: f64, spread: Spread, rng: &mut Rng) -> Target {
     let few = 2 + rng.below(6);
     let far = if rng.chance(0.3) {
         size * rng.decade(-1.0, 2.0)
@@ -507,7 +590,12 @@ fn revolution(size: f64, rng: &mut Rng) -> Target {
     if points.len() > 3 && rng.chance(0.25) {
         points.push(points[0]);
     }
-    profile(points, size, rng)
+    let [across, along, _] = spread.axes(1.0, rng);
+    for point in &mut points {
+        *point = [point[0] * across, point[1] * along];
+    }
+    let size = spread.reach(size, [size * across, size * along]);
+    profile(points, size, rng).stretched(spread)
 }
 
 fn profile(points: Vec<[f64; 2]>, size: f64, rng: &mut Rng) -> Target {
@@ -525,6 +613,7 @@ fn profile(points: Vec<[f64; 2]>, size: f64, rng: &mut Rng) -> Target {
         anchors,
         marks: [radii.clone(), heights, radii],
         directions: generators.collect(),
+        stretch: None,
         geometry: Geometry::Revolution {
             profile: points,
             colours: vec![],
@@ -533,11 +622,12 @@ fn profile(points: Vec<[f64; 2]>, size: f64, rng: &mut Rng) -> Target {
 }
 
 /// The surfaces of second degree that are not bounded, and general ones.
-fn second(kind: &str, size: f64, rng: &mut Rng) -> Target {
-    let [a, b, c] = [0; 3].map(|_| size * factor(rng));
+fn second(kind: &str, size: f64, spread: Spread, rng: &mut Rng) -> Target {
+    let [a, b, c] = [0; 3].map(|_| size * spread.factor(rng));
     let half = std::f64::consts::FRAC_1_SQRT_2;
     let mut directions = vec![[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [half, half, 0.0]];
     let mut anchors = vec![[0.0; 3], [a, 0.0, 0.0]];
+    let mut stretch = diagonal([a, b, c]);
     let geometry = match kind {
         // x² = a² y: as large as a² is for x = 1; of size a where a is.
         "parabolic cylinder" => Geometry::ParabolicCylinder { a },
@@ -564,7 +654,13 @@ fn second(kind: &str, size: f64, rng: &mut Rng) -> Target {
             directions.extend([unit([a, 0.0, b]), [a / b, 0.0, -1.0], unit([a, size, b])]);
             Geometry::HyperbolicParaboloid { a, b }
         }
-        _ => quadric(size, rng),
+        _ => {
+            let mut q = quadric(size, rng);
+            if spread == Spread::Stretched {
+                (q, stretch) = stretched_quadric([a, b, c], rng);
+            }
+            Geometry::Quadric(Box::new(q))
+        }
     };
     Target {
         geometry,
@@ -574,11 +670,12 @@ fn second(kind: &str, size: f64, rng: &mut Rng) -> Target {
         anchors,
         marks: [vec![a, -a, 0.0], vec![b, -b, 0.0], vec![c, -c, 0.0]],
         directions,
+        stretch: Some(stretch).filter(|_| spread == Spread::Stretched),
     }
 }
 
 /// xᵀQx of which only exact sums are made: Q is symmetric.
-fn quadric(size: f64, rng: &mut Rng) -> Geometry {
+fn quadric(size: f64, rng: &mut Rng) -> [f64; 16] {
     let mut q = [0.0; 16];
     let all = rng.decade(-3.0, 3.0);
     let over = all / (size * size);
@@ -620,7 +717,44 @@ fn quadric(size: f64, rng: &mut Rng) -> Geometry {
             }
         }
     }
-    Geometry::Quadric(Box::new(q))
+    q
+}
+
+/// A quadric of size 1, stretched along the axes and, in half of the cases, turned; and the edges of the box that the unit
+/// cube becomes. The numbers are what rounding makes of that.
+fn stretched_quadric(axes: [f64; 3], rng: &mut Rng) -> ([f64; 16], [[f64; 3]; 3]) {
+    let q = quadric(1.0, rng);
+    let turned = rng.chance(0.5);
+    let x = rng.direction();
+    let y = unit(cross(x, rng.direction()));
+    let rows = match turned {
+        true => [x, y, cross(x, y)],
+        false => diagonal([1.0; 3]),
+    };
+    // Back into the space of size 1.
+    let mut back = [[0.0; 4]; 4];
+    for i in 0..3 {
+        for j in 0..3 {
+            back[i][j] = rows[i][j] / axes[i];
+        }
+    }
+    back[3][3] = 1.0;
+    let mut image = [0.0; 16];
+    for i in 0..4 {
+        for j in 0..=i {
+            let terms = (0..16).map(|k| back[k / 4][i] * q[k] * back[k % 4][j]);
+            let sum: f64 = terms.sum();
+            // Mostly symmetric; else the sum of both is rounded where it is not kept apart.
+            let share = if rng.chance(0.8) { 0.5 } else { rng.unit() };
+            image[4 * i + j] = 2.0 * share * sum;
+            image[4 * j + i] = if i == j {
+                sum
+            } else {
+                2.0 * (1.0 - share) * sum
+            };
+        }
+    }
+    (image, std::array::from_fn(|i| rows[i].map(|x| x * axes[i])))
 }
 
 /// Q of xᵀQx, about, for shapes of second degree that are no solids of revolution.

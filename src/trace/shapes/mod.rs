@@ -56,6 +56,8 @@ pub struct Roots<R = f64> {
     /// A decision was closer than the rounding errors behind it: how many crossings there are, or
     /// their order, may be wrong.
     pub uncertain: bool,
+    /// Uncertain for the reason alone that a crossing may be farther from the surface than 4 ε.
+    pub coarse: bool,
     /// The normal of a flat face that the line lies in. Such a line does not cross the solid; but
     /// where another solid's face lies against this one, the line may be within the two together.
     pub along: Option<Vec3>,
@@ -66,6 +68,7 @@ impl<R: Traced> Roots<R> {
     pub fn clear(&mut self) {
         self.inside = false;
         self.uncertain = false;
+        self.coarse = false;
         self.along = None;
         self.list.clear();
     }

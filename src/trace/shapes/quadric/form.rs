@@ -1,5 +1,6 @@
 //! A polynomial of second degree, its value and its gradient.
 
+use super::line::Bounded;
 use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
 use crate::geometry::line::{Line, Traced};
@@ -16,7 +17,7 @@ pub struct Form {
     pub(super) mixed: [f64; 3],
     pub(super) linear: [f64; 3],
     /// What the sums in the mixed and linear coefficients have lost in rounding.
-    rest: [[f64; 3]; 2],
+    pub(super) rest: [[f64; 3]; 2],
     pub(super) constant: f64,
     pub(super) unit: [f64; 3],
     /// The highest power in which each coordinate occurs.
@@ -27,6 +28,8 @@ pub struct Form {
     pub(super) weight: f64,
     /// 1 / |unit|.
     pub(super) inverse: [f64; 3],
+    /// Whether its terms may cancel at crossings by more than the usual rounding leaves room for.
+    pub(super) cancels: bool,
 }
 
 /// The pairs of axes of `mixed`.
@@ -77,6 +80,7 @@ impl Form {
             second: 0.0,
             weight: 0.0,
             inverse: [1.0; 3],
+            cancels: false,
         }
         .completed()
     }
@@ -91,7 +95,7 @@ impl Form {
             each(PAIRS, |(i, j)| both(i, j)),
             each([0, 1, 2], |i| both(i, 3)),
         );
-        Form {
+        let mut form = Form {
             square: each([0, 1, 2], |i| at(i, i)),
             mixed: each(mixed, |x| x.0),
             linear: each(linear, |x| x.0),
@@ -102,8 +106,53 @@ impl Form {
             second: 0.0,
             weight: 0.0,
             inverse: [1.0; 3],
+            cancels: false,
         }
-        .completed()
+        .completed();
+        form.cancels = form.may_cancel();
+        form
+    }
+
+    /// Whether the quadric has axes that are much longer than others, or is far from the origin beside its size. With
+    /// units of their own the axes do not matter, and canonical forms are at the origin.
+    fn may_cancel(&self) -> bool {
+        /// A product of three eigenvalues, in units of the sum of all squares to the 3/2: axes about ten apart.
+        const STRETCHED: f64 = 1e-3;
+        /// The square of the centre's distance, beside that of the size.
+        const AWAY: f64 = 10.0;
+        if self.second == 0.0 {
+            return false;
+        }
+        // Axes without a second power do not count: as if theirs were the largest.
+        let is_curved = each(self.degree, |n| n == 2);
+        let square = each([0, 1, 2], |i| match is_curved[i] {
+            true => self.square[i] / self.second,
+            false => 1.0,
+        });
+        let [xy, xz, yz] = each(self.mixed, |x| 0.5 * x / self.second);
+        let rows = [
+            [square[0], xy, xz],
+            [xy, square[1], yz],
+            [xz, yz, square[2]],
+        ]
+        .map(Vec3);
+        // The columns of the adjugate.
+        let others = each([0, 1, 2], |i| rows[(i + 1) % 3].cross(rows[(i + 2) % 3]));
+        let determinant = rows[0].dot(others[0]);
+        let all: f64 = rows.iter().map(|row| row.dot(*row)).sum();
+        if determinant.abs() < STRETCHED * all * all.sqrt() {
+            return true;
+        }
+        let half = |i: usize| match is_curved[i] {
+            true => 0.5 * self.linear[i] / self.second,
+            false => 0.0,
+        };
+        let half = Vec3(each([0, 1, 2], half));
+        let centre = -Vec3(each(others, |column| column.dot(half))) / determinant;
+        let straight = (0..3).filter(|&i| !is_curved[i]);
+        let straight = straight.map(|i| self.linear[i].abs()).fold(0.0, f64::max) / self.second;
+        let size = (self.constant / self.second + half.dot(centre)).abs() + straight * straight;
+        centre.dot(centre) > AWAY * size
     }
 
     /// With what follows from the coefficients.
@@ -135,6 +184,7 @@ impl Form {
             second: _,
             weight: _,
             inverse: _,
+            cancels: _,
         } = self;
         for list in [square, mixed, linear, mixed_rest, linear_rest, unit] {
             list.iter().copied().for_each(&mut *sink);
@@ -245,6 +295,25 @@ impl Form {
         g
     }
 
+    /// F at a point near the surface, and what its error is γₙ of: the sum of the sizes of its terms, or less.
+    #[inline]
+    fn value_at<R: Traced>(&self, x: Vec3<R>) -> (R, R) {
+        if !self.is_summed_closely::<R>() {
+            return self.value(x, R::ONE);
+        }
+        let Bounded { value, error } = self.closely(x);
+        (value, error / R::gamma(OPERATIONS))
+    }
+
+    /// The gradient at a point near the surface.
+    #[inline]
+    fn gradient_at<R: Traced>(&self, x: Vec3<R>) -> Vec3<R> {
+        if !self.is_summed_closely::<R>() {
+            return self.gradient(x);
+        }
+        Vec3(each([0, 1, 2], |axis| self.slope_closely(x, axis).value))
+    }
+
     #[inline]
     pub(super) fn units<R: Traced>(&self) -> Vec3<R> {
         Vec3(each(self.unit, R::of))
@@ -257,7 +326,7 @@ impl Form {
     #[inline]
     pub(super) fn speed<R: Traced>(&self, line: &Line<R>, t: R) -> R {
         let unit = self.units::<R>();
-        let gradient = self.gradient(line.at(t).zip(unit, |p, s| p / s));
+        let gradient = self.gradient_at(line.at(t).zip(unit, |p, s| p / s));
         let normal = gradient.zip(unit, |g, s| g / s);
         // The length is up to √3 of the greatest component.
         let speed = normal.dot(line.direction).abs() / (R::of(1.75) * normal.abs().max_component());
@@ -281,8 +350,8 @@ impl Form {
         let mut x = start.zip(unit, |p, s| p / s);
         let mut stuck = None;
         for _ in 0..2 {
-            let (value, size) = self.value(x, R::ONE);
-            let g = self.gradient(x);
+            let (value, size) = self.value_at(x);
+            let g = self.gradient_at(x);
             let square = g.dot(g);
             let off = value.abs() + R::gamma(OPERATIONS) * size;
             let step = g * (value / square);
@@ -292,8 +361,8 @@ impl Form {
             }
             x = x - step;
         }
-        let (_, size) = self.value(x, R::ONE);
-        let g = self.gradient(x);
+        let (_, size) = self.value_at(x);
+        let g = self.gradient_at(x);
         let square = g.dot(g);
         let mut error = match stuck {
             None => g.abs() * (R::of(2.0) * R::gamma(OPERATIONS) * size / square),

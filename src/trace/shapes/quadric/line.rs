@@ -1,6 +1,7 @@
 //! Where a line meets a polynomial of second degree.
 
 use super::form::{Form, OPERATIONS, PAIRS, power_of_two, reciprocal};
+use super::refine::Sum;
 use crate::geometry::affine::Slack;
 use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
@@ -442,31 +443,17 @@ fn normalised<R: Traced>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
     (shrunk, scale)
 }
 
-/// dᵀAd by compensated summation: the errors of products come from fused multiply-adds, those of
-/// sums from Knuth's two-sum (Ogita, Rump and Oishi, "Accurate Sum and Dot Product", 2005). The
-/// error is at most 2u of the result plus γₙ² of the sizes of the terms (γₙ of them where products
-/// are not fused), plus 3u of them where two coordinates were rounded in a division by their units or
-/// the coefficient was. Where nothing was lost it is zero.
-fn leading<R: Traced>(form: &Form, d: Vec3<R>) -> Bounded<R> {
-    let (mut sum, mut lost, mut size) = (R::ZERO, R::ZERO, R::ZERO);
-    let (mut divided, mut exact) = (R::ZERO, true);
+/// dᵀAd in twice the working precision. The error is that of the [sum](Sum), plus 3u of the sizes of the terms where
+/// two coordinates were rounded in a division by their units or the coefficient was. Where nothing was lost it is zero.
+pub(super) fn leading<R: Traced>(form: &Form, d: Vec3<R>) -> Bounded<R> {
+    let (mut sum, mut divided) = (Sum::new(), R::ZERO);
     let mut add = |k: R, rounded: bool, i: usize, j: usize| {
         if k == R::ZERO {
             return;
         }
-        let half = k * d[i];
-        let half_error = k.mul_add(d[i], -half);
-        let term = half * d[j];
-        let term_error = half.mul_add(d[j], -term) + half_error * d[j];
-        let next = sum + term;
-        let back = next - sum;
-        let rest = (sum - (next - back)) + (term - back) + term_error;
-        lost += rest;
-        exact &= rest == R::ZERO;
-        sum = next;
-        size += term.abs();
+        let size = sum.add(k, d[i], d[j]);
         if rounded || form.unit[i] != 1.0 || form.unit[j] != 1.0 {
-            divided += term.abs();
+            divided += size;
         }
     };
     for i in 0..3 {
@@ -475,20 +462,14 @@ fn leading<R: Traced>(form: &Form, d: Vec3<R>) -> Bounded<R> {
     for (k, (i, j)) in PAIRS.into_iter().enumerate() {
         add(form.mixed(k), form.is_rounded::<R>(k, true), i, j);
     }
-    let value = sum + lost;
-    let gamma = R::gamma(OPERATIONS);
-    let noise = if !is_final::<R>() {
-        gamma * gamma
-    } else {
-        gamma
-    };
+    let value = sum.value();
     let (two_u, three_u) = (R::gamma(2), R::gamma(3));
     Bounded {
         value,
-        error: if exact {
+        error: if sum.exact {
             three_u * divided
         } else {
-            two_u * value.abs() + three_u * divided + noise * size
+            two_u * value.abs() + three_u * divided + sum.noise()
         },
     }
 }

@@ -5,6 +5,7 @@ pub mod cone;
 pub mod ellipsoid;
 mod form;
 mod line;
+mod refine;
 
 pub use form::Form;
 
@@ -204,6 +205,9 @@ impl Shape for Quadric {
 impl<R: Traced> Intersect<R> for Quadric {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         Chord::new(&self.form, line).append(roots);
+        if self.form.is_summed_closely::<R>() {
+            self.form.refine(line, roots);
+        }
     }
 
     fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
