@@ -16,6 +16,8 @@ module.exports = grammar({
     $.angle,
     $.file,
     $.word,
+    // In no rule: a number too many is an error.
+    $.surplus,
   ],
 
   extras: ($) => [/\s/, "\uFEFF", $.comment, $.separator],

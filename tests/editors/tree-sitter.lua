@@ -34,7 +34,9 @@ end
 assert(count >= 3, "the corpus is not read")
 
 for i = 4, #arg do
-  assert(not root(read(arg[i])):has_error(), arg[i])
+  -- Of the handout's scenes as they are printed one has a number too many.
+  local printed_with_one = arg[i]:find("printed/4-", 1, true) ~= nil
+  assert(root(read(arg[i])):has_error() == printed_with_one, arg[i])
 end
 
 local query = vim.treesitter.query.parse("zpg", read(queries .. "/highlights.scm"))

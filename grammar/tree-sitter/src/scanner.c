@@ -8,7 +8,7 @@
 #include <string.h>
 
 // In the order of `externals` in grammar.js.
-enum TokenType { COMMENT, VOID, ID, TYPE, NUMBER, REFERENCE, COLOUR, ANGLE, FILE_NAME, WORD };
+enum TokenType { COMMENT, VOID, ID, TYPE, NUMBER, REFERENCE, COLOUR, ANGLE, FILE_NAME, WORD, SURPLUS };
 
 struct RecordType {
   int32_t code;
@@ -150,6 +150,47 @@ static bool is_record_line(TSLexer *lexer, struct Word first) {
   return words == needed || words == needed + strlen(type->optional);
 }
 
+// Steps over white space and comments, on this line alone or up to the next word.
+static void skip(TSLexer *lexer, bool over_breaks) {
+  bool in_comment = false;
+  while (!lexer->eof(lexer)) {
+    int32_t c = lexer->lookahead;
+    if (is_break(c) && !in_comment && !over_breaks) return;
+    if (c == '#') in_comment = !in_comment;
+    else if (!in_comment && !is_space(c) && !is_separator(c)) return;
+    lexer->advance(lexer, false);
+  }
+}
+
+// Reads on from behind a word on the line of a record that is whole: whether another record begins with it. Where the line
+// does not hold all of that, the next one goes on, unless it is a record by itself.
+static bool begins_another(TSLexer *lexer, struct Word first) {
+  if (!first.is_integer || first.value < 0) return false;
+  // A lone 0 is whole.
+  if (first.value == 0) return true;
+  const struct RecordType *type = NULL;
+  int16_t index;
+  uint64_t words = 0, count = 0;
+  for (;;) {
+    skip(lexer, false);
+    if (lexer->eof(lexer) || is_break(lexer->lookahead)) break;
+    struct Word next = word(lexer);
+    if (words == 0) {
+      if (next.is_integer && next.value == 0) return true;
+      type = next.is_integer ? find(next.value, &index) : NULL;
+      if (type == NULL) return false;
+    } else if (words == 1 && type->params[0] == 'k') {
+      count = next.value > 0 ? (uint64_t)next.value : 0;
+    }
+    words++;
+    if (words > required(type, count)) return true;
+  }
+  skip(lexer, true);
+  if (lexer->eof(lexer)) return false;
+  struct Word below = word(lexer);
+  return !(below.is_integer && below.value == 0) && !is_record_line(lexer, below);
+}
+
 static enum TokenType token_of(char role) {
   switch (role) {
     case 'r': return REFERENCE;
@@ -194,10 +235,19 @@ bool tree_sitter_zpg_external_scanner_scan(void *payload, TSLexer *lexer, const 
   }
   if (lexer->eof(lexer)) return false;
   if (lexer->lookahead == '#') {
-    do lexer->advance(lexer, false);
-    while (!lexer->eof(lexer) && lexer->lookahead != '#');
-    if (!lexer->eof(lexer)) lexer->advance(lexer, false);
-    lexer->mark_end(lexer);
+    bool is_one_line = true;
+    do {
+      lexer->advance(lexer, false);
+      // One that nobody closes ends with its line.
+      if (is_one_line && (lexer->eof(lexer) || is_break(lexer->lookahead))) {
+        lexer->mark_end(lexer);
+        is_one_line = false;
+      }
+    } while (!lexer->eof(lexer) && lexer->lookahead != '#');
+    if (!lexer->eof(lexer)) {
+      lexer->advance(lexer, false);
+      lexer->mark_end(lexer);
+    }
     lexer->result_symbol = COMMENT;
     return true;
   }
@@ -226,6 +276,10 @@ bool tree_sitter_zpg_external_scanner_scan(void *payload, TSLexer *lexer, const 
       if (what == 'k' && here.is_integer && here.value > 0) state->count = (uint32_t)here.value;
       state->read++;
       lexer->result_symbol = here.is_number || what == 'f' ? token_of(what) : WORD;
+      return true;
+    }
+    if (here.is_number && !first_of_line && !begins_another(lexer, here)) {
+      lexer->result_symbol = SURPLUS;
       return true;
     }
   } else if (state->stage == AT_TYPE && !(first_of_line && is_record_line(lexer, here))) {
