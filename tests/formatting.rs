@@ -3,7 +3,7 @@
 //!
 //! `FORMAT_CASES=100000 cargo test --test all formatting` takes as many generated scenes as that.
 
-mod generate;
+pub mod generate;
 
 use std::path::{Path, PathBuf};
 

@@ -127,6 +127,11 @@ fn every_request_is_answered_in_the_protocols_form() {
                 with(file(), "range", everything()),
             ),
             ("textDocument/prepareCallHierarchy", place(4, 7)),
+            (
+                "textDocument/codeAction",
+                range("context", only("refactor.rewrite.comment")),
+            ),
+            ("zpg/comment", with(file(), "ranges", json!([everything()]))),
         ] {
             let answer = s.ask(method, params);
             let is_empty = answer.is_null() || answer.as_array().is_some_and(Vec::is_empty);
@@ -250,6 +255,38 @@ fn positions_in_all_units() {
         let range = json!({ "start": at(2, column), "end": at(2, column + 1) });
         assert_eq!(found[0]["range"], range, "{units}");
     }
+}
+
+/// The request and the action say the same, in the client's units; what went out comes in. Nothing is offered unasked.
+#[test]
+fn comments_go_out_and_in() {
+    let mut s = Session::start(rich(), Value::Null);
+    let text = "# ž😀 # 2 9 1 #😀#\r\n\r\n10 -701 0.8 0.1 0.1 # red #\r\n";
+    let range = json!({ "start": at(0, 5), "end": at(2, 1) });
+    let ask = |mode: &str| {
+        let params = with(file(), "ranges", json!([range]));
+        with(params, "mode", mode.into())
+    };
+    let context = |value: Value| with(with(file(), "range", range.clone()), "context", value);
+    let only = json!({ "diagnostics": [], "only": ["refactor.rewrite"] });
+    let out = "0 # ~ ~~ ž😀 ~~ 2 9 1 ~~😀~~ #\r\n\r\n0 # ~ 10 -701 0.8 0.1 0.1 ~~ red ~~ #\r\n";
+    s.open(A, text);
+    for (version, before, after, title) in
+        [(2, text, out, "Comment out"), (3, out, text, "Comment in")]
+    {
+        let edits = s.ask("zpg/comment", ask("toggle"));
+        assert_eq!(edited(before, &edits), after);
+        let actions = s.ask("textDocument/codeAction", context(only.clone()));
+        let own = |a: &&Value| a["kind"] == "refactor.rewrite.comment";
+        let action = actions.as_array().unwrap().iter().find(own).unwrap();
+        assert_eq!(action["title"], title);
+        assert_eq!(action["edit"]["documentChanges"][0]["edits"], edits);
+        s.replace(A, version, after);
+    }
+    assert_eq!(s.ask("zpg/comment", ask("in")), json!([]));
+    let unasked = json!({ "diagnostics": [], "triggerKind": 2 });
+    let all = s.ask("textDocument/codeAction", context(unasked));
+    assert!(!all.to_string().contains("Comment"), "{all}");
 }
 
 /// Edits at random places, some out of range: what the server has is what a client has.

@@ -14,6 +14,7 @@ mod allowing;
 mod architecture;
 mod check;
 mod cli;
+mod commenting;
 mod convert_json;
 mod convert_mesh;
 mod crosscheck;

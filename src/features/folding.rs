@@ -2,6 +2,7 @@
 
 use crate::analysis::Analysis;
 use crate::syntax::Item;
+use crate::syntax::commented_out::is_commented_out;
 use crate::syntax::lexer::TokenKind;
 
 /// Lines that can be folded, from 0, both included.
@@ -31,7 +32,7 @@ pub fn headings(analysis: &Analysis) -> Vec<usize> {
         let introduces = document
             .tokens
             .get(at + 1)
-            .is_some_and(|t| t.kind().is_comment());
+            .is_some_and(|t| t.kind().is_comment() && !is_commented_out(t.text(&source.text)));
         let first = at.checked_sub(1).map(|i| document.tokens[i].kind());
         let is_first = matches!(
             first,

@@ -16,6 +16,7 @@
 //! | folding, selecting outwards | [`folding`], [`selection`] |
 //! | colours of the text by meaning, colours of the scene | [`tokens`], [`colours`] |
 //! | formatting | [`formatting`] |
+//! | commenting records out and in | [`commenting`] |
 //! | buttons above records | [`lenses`] |
 //! | pictures | [`picture`] |
 //!
@@ -25,6 +26,7 @@
 pub mod actions;
 pub mod calls;
 pub mod colours;
+pub mod commenting;
 pub mod completion;
 pub mod entity;
 pub mod folding;

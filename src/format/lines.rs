@@ -7,6 +7,8 @@ use super::chunk::{Chunk, Element, Piece};
 use super::page::Page;
 use super::rows;
 use super::run::{Entry, Run};
+use crate::syntax::commented_out::is_commented_out;
+use crate::syntax::lexer::Token;
 use crate::syntax::{Item, is_directive};
 
 /// What of the file's own layout is kept, besides the lines with something that could not be read.
@@ -126,8 +128,8 @@ impl<'a> Printer<'a> {
     fn is_heading(&self, line: &Line) -> bool {
         let Context { text, document, .. } = self.context;
         let tokens = &document.tokens[line.first as usize..=line.last as usize];
-        matches!(line.item, Some(Item::Void { .. }))
-            && !tokens.iter().any(|t| is_directive(t, text))
+        let is_for_people = |t: &Token| !is_directive(t, text) && !is_commented_out(t.text(text));
+        matches!(line.item, Some(Item::Void { .. })) && tokens.iter().all(is_for_people)
     }
 
     /// Whether a line is to become several rows, the last of which must not be read as a record with

@@ -14,6 +14,9 @@ use super::{convert, programs};
 /// The kind of the action that numbers all IDs anew.
 pub const RENUMBER: &str = "refactor.rewrite.renumber";
 
+/// The kind of the action that comments lines out or in.
+pub const COMMENT: &str = "refactor.rewrite.comment";
+
 /// The kind of the action that applies all safe fixes.
 pub const FIX_ALL: &str = "source.fixAll.zpg";
 
@@ -28,6 +31,7 @@ pub fn capabilities(client: &Client) -> ServerCapabilities {
             CodeActionKind::QuickFix,
             FIX_ALL.to_owned().into(),
             RENUMBER.to_owned().into(),
+            COMMENT.to_owned().into(),
         ]),
         resolve_provider: Some(true),
         ..CodeActionOptions::default()

@@ -12,6 +12,7 @@
 mod ask;
 mod capabilities;
 mod client;
+mod commenting;
 mod convert;
 mod documents;
 mod drawing;

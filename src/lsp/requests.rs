@@ -5,10 +5,10 @@ use lsp_server::ErrorCode;
 use serde_json::{Value, json};
 
 use super::ask::{Ask, Refusal, refusal};
-use super::capabilities::{FIX_ALL, RENUMBER};
+use super::capabilities::{COMMENT, FIX_ALL, RENUMBER};
 use super::convert::Convert;
 use super::documents::Snapshot;
-use super::{drawing, programs, pull, workspace};
+use super::{commenting, drawing, programs, pull, workspace};
 use crate::diagnostics::{Edit, Span};
 use crate::features::actions::{self, What};
 use crate::features::{
@@ -69,7 +69,8 @@ pub fn handler(method: &str) -> Option<(Lane, Handler)> {
         .on::<CallHierarchyIncomingCallsRequest>(Lane::Quick, incoming_calls)
         .on::<CallHierarchyOutgoingCallsRequest>(Lane::Quick, outgoing_calls)
         .on::<ExecuteCommandRequest>(Lane::Slow, programs::execute)
-        .on::<drawing::PreviewRequest>(Lane::Slow, drawing::preview);
+        .on::<drawing::PreviewRequest>(Lane::Slow, drawing::preview)
+        .on::<commenting::CommentRequest>(Lane::Quick, commenting::comment);
     find.found
 }
 
@@ -266,9 +267,12 @@ fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionR
             out.push(action_of(&convert, &p.context.diagnostics, action).into());
         }
     }
-    // Those about the whole file are offered when they are asked for, by kind or by hand.
+    // Those about no finding are offered when they are asked for, by kind or by hand.
     let is_automatic = p.context.trigger_kind == Some(CodeActionTriggerKind::Automatic);
     let by_hand = p.context.only.is_some() || !is_automatic;
+    if wants(COMMENT) && by_hand {
+        out.extend(commenting::action(ask, &convert, p.range).map(Into::into));
+    }
     if wants(FIX_ALL) && by_hand && actions::has_safe_fixes(analysis) {
         let title = language.say("lsp-fix-all", &[]);
         out.push(whole_file(ask, &convert, title, FIX_ALL).into());

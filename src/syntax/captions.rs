@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::ast::{Document, Item};
+use super::commented_out::is_commented_out;
 use super::directive::{inside, is_directive};
 use super::lexer::{Token, TokenKind};
 
@@ -176,9 +177,9 @@ impl Walk {
     }
 }
 
-/// A comment on one line; nothing if it is empty or meant for zpg.
+/// A comment on one line; nothing if it is empty, meant for zpg, or commented out.
 fn said(token: &Token, text: &str) -> Option<String> {
-    if is_directive(token, text) {
+    if is_directive(token, text) || is_commented_out(token.text(text)) {
         return None;
     }
     let breaks = |c: char| c.is_whitespace() || c.is_control();
@@ -233,6 +234,12 @@ mod tests {
         let all = captions("0 # balls #\n2 9 1 # red #\n\n3 9 2\n");
         let of = (all.title(), all.get(2), all.get(3));
         assert_eq!(of, (Some("balls"), Some("red"), None));
+    }
+
+    #[test]
+    fn what_is_commented_out_says_nothing() {
+        let all = captions("2 9 1\n\n0 # ~ 3 9 1 ~~ red ~~ #\n4 9 1\n5 9 1 0 # ~ 6 9 1 #\n");
+        assert_eq!((all.title(), all.get(4), all.get(5)), (None, None, None));
     }
 
     #[test]

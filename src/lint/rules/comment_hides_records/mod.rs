@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
+use crate::syntax::commented_out::is_commented_out;
 use crate::syntax::lexer::TokenKind;
 use crate::syntax::table::RecordKind;
 use crate::syntax::{self, Item};
@@ -17,6 +18,10 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut budget = BYTES_MAX;
     for t in &context.document.tokens {
         if t.kind() != TokenKind::Comment || t.length() < 2 {
+            continue;
+        }
+        // Other editors may comment out several lines as one.
+        if is_commented_out(t.text(context.text)) {
             continue;
         }
         let span = t.span();
