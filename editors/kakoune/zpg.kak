@@ -5,8 +5,8 @@ hook global BufCreate .*\.zpg %{
 }
 
 hook global WinSetOption filetype=zpg %{
-    set-option window comment_block_begin '#'
-    set-option window comment_block_end '#'
+    set-option window comment_block_begin '0 # ~ '
+    set-option window comment_block_end ' #'
     add-highlighter window/zpg regions
     add-highlighter window/zpg/code default-region group
     add-highlighter window/zpg/comment region '#' '#' fill comment

@@ -48,6 +48,15 @@ key Enter
 want "rename" '-101.*77.*3'
 key : f o r m a t Enter
 want "format" '77 11.* {2,}.*# ball #'
+key g g
+key Space a
+want "commenting out is offered" 'Comment out'
+$tmux send-keys Escape
+key C-c
+# Its own way is right for lines without comments, and comes back for all.
+want "a line is out" '0 # ~ 77 11'
+key C-c
+want "and in" '^ *[^0]* 1 +77 11'
 key : 5 Enter
 key /
 $tmux send-keys -l 77

@@ -126,6 +126,34 @@ step("definition", function()
   end)
 end)
 
+-- As people type it: with the mappings.
+local function type(keys)
+  vim.api.nvim_feedkeys(vim.api.nvim_replace_termcodes(keys, true, false, true), "mtx", false)
+end
+
+local function out(first, last)
+  for i, line in ipairs(lines()) do
+    local is_out = vim.startswith(line, "0 # ~ ")
+    assert(is_out == (first <= i and i <= last), vim.inspect(lines()))
+  end
+end
+
+step("comment out and in", function()
+  local scene = lines()
+  for keys, where in pairs({ gcc = { 1, 1 }, gcj = { 1, 2 }, ["3gcc"] = { 1, 3 }, gcG = { 1, 7 }, ["Vjjgc"] = { 1, 3 } }) do
+    vim.api.nvim_win_set_cursor(0, { 1, 3 })
+    type(keys)
+    out(unpack(where))
+    assert(lines()[1] == "0 # ~ 77 11  0 1 0  1  ~~ ball ~~ #", lines()[1])
+    vim.api.nvim_win_set_cursor(0, { 1, 3 })
+    type(keys)
+    assert(vim.deep_equal(lines(), scene), keys .. vim.inspect(lines()))
+  end
+  vim.api.nvim_win_set_cursor(0, { 2, 0 })
+  type("gcc.")
+  assert(vim.deep_equal(lines(), scene), "repeated: " .. vim.inspect(lines()))
+end)
+
 step("symbols", function()
   local found = ask("textDocument/documentSymbol", { textDocument = here().textDocument })
   local top = found[#found]

@@ -215,6 +215,21 @@ async function inTheWindow() {
     // Columns of a type stand under each other: the ball's y behind more blanks than one.
     await until("columns", (all) => all.some((l) => /^77 11\D* {2,}\D*0/.test(l)));
   });
+  await step("comment out and in", async () => {
+    await page.locator(".editor-instance .view-line").first().click();
+    const out = (line) => line.startsWith("0 # ~ ");
+    for (const [keys, count] of [[["Control+Home", "Control+/"], 1], [["Control+a", "Shift+Alt+a"], 7]]) {
+      for (const key of keys) await page.keyboard.press(key);
+      await until("out", (all) => all.filter(out).length === count && all[0].includes("~~ ball ~~"));
+      await page.keyboard.press(keys.at(-1));
+      await until("in", (all) => all.filter(out).length === 0 && all[0].includes("# ball #"));
+    }
+    await page.keyboard.press("Control+Home");
+    // The menu's own command finds nothing to put around a line.
+    await palette("Toggle Line Comment");
+    await page.waitForTimeout(300);
+    await until("nothing", (all) => all.filter(out).length === 0 && all[0].includes("# ball #"));
+  });
   await step("completion", async () => {
     await page.keyboard.press("Control+End");
     await page.keyboard.type("80 sph");

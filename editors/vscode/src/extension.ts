@@ -2,6 +2,7 @@
 
 import * as vscode from "vscode";
 import { LanguageClient, LanguageClientOptions, ServerOptions } from "vscode-languageclient/node";
+import { comment, Mode } from "./comment";
 import { Preview } from "./preview";
 import { complain, program } from "./program";
 
@@ -28,6 +29,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   command("zpg.crosscheckScene", () => onScene("zpg.crosscheck"));
   command("zpg.accuracyOfScene", () => onScene("zpg.accuracy"));
   command("zpg.convertScene", convert);
+  const commented = (mode: Mode) => async () => (await isRunning()) && client && comment(client, mode);
+  command("zpg.toggleComment", commented("toggle"));
+  command("zpg.commentOut", commented("out"));
+  command("zpg.commentIn", commented("in"));
   command("zpg.restart", restart);
   const changed = vscode.workspace.onDidChangeConfiguration(
     (e) => e.affectsConfiguration("zpg.serverPath") && restart(),

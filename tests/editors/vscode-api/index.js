@@ -102,6 +102,40 @@ const tests = {
     await vscode.workspace.applyEdit(edit);
     assert.match(scene.lineAt(0).text, /^77 11 {2,}0 1 0 {2}1 {2}# ball #$/);
   },
+  async "comment out and in"() {
+    const before = scene.getText();
+    const editor = vscode.window.activeTextEditor;
+    const toggled = async (selections, command = "zpg.toggleComment") => {
+      editor.selections = selections;
+      await vscode.commands.executeCommand(command);
+    };
+    const line = (n) => new vscode.Selection(n, 4, n, 4);
+    await toggled([line(0)]);
+    assert.equal(scene.lineAt(0).text, "0 # ~ 77 11  0 1 0  1  ~~ ball ~~ #");
+    await vscode.commands.executeCommand("zpg.toggleComment");
+    assert.equal(scene.getText(), before);
+    const all = new vscode.Selection(0, 3, scene.lineCount, 0);
+    for (const selections of [[line(0), line(2)], [all]]) {
+      await toggled(selections);
+      assert.notEqual(scene.getText(), before);
+      await vscode.commands.executeCommand("zpg.toggleComment");
+      assert.equal(scene.getText(), before);
+    }
+    // Faster than it is answered.
+    editor.selections = [all];
+    await Promise.all([1, 2, 3, 4].map(() => vscode.commands.executeCommand("zpg.toggleComment")));
+    assert.equal(scene.getText(), before);
+    await toggled([all], "zpg.commentOut");
+    await toggled([all], "zpg.commentIn");
+    assert.equal(scene.getText(), before);
+    // The editor's own ways, as in its menus, do nothing.
+    for (const own of ["commentLine", "blockComment", "addCommentLine", "removeCommentLine"]) {
+      for (const selection of [line(0), all]) {
+        await toggled([selection], `editor.action.${own}`);
+        assert.equal(scene.getText(), before, own);
+      }
+    }
+  },
 };
 
 exports.run = async () => {
