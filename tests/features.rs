@@ -84,11 +84,7 @@ fn hints_of(f: &Fixture) -> String {
         hints::Wanted::default(),
         Language::English,
     );
-    f.with(
-        all.into_iter()
-            .map(|h| (h.at, format!("‹{}›", h.text)))
-            .collect(),
-    )
+    f.with(all.map(|h| (h.at, format!("‹{}›", h.text))).collect())
 }
 
 fn hover_of(f: &Fixture) -> String {
@@ -121,12 +117,7 @@ fn completion_of(f: &Fixture) -> String {
         let word = f.scene.source.slice(found.word);
         let mut out = format!("in the place of `{word}`:\n");
         for p in &found.proposals {
-            let insert = match &p.insert {
-                completion::Insert::Text(text) => text.clone(),
-                completion::Insert::Record { code, values } => {
-                    format!("{code} {}", values.join(" "))
-                }
-            };
+            let insert = p.insert.snippet().replace('\n', "⏎");
             let _ = writeln!(out, "{} | {} | {} | {insert}", p.label, p.detail, p.filter);
         }
         out
@@ -144,6 +135,15 @@ fn references_of(f: &Fixture) -> String {
     f.each(|at| {
         let all = uses::references(&f.scene, at, true);
         let line = |o: &uses::Occurrence| format!("{} {:?}\n", f.place(o.span), o.kind);
+        all.iter().map(line).collect()
+    })
+}
+
+fn highlights_of(f: &Fixture) -> String {
+    f.each(|at| {
+        let all = uses::highlights(&f.scene, at);
+        let line =
+            |(span, kind): &(Span, Option<uses::Kind>)| format!("{} {kind:?}\n", f.place(*span));
         all.iter().map(line).collect()
     })
 }
@@ -305,6 +305,7 @@ fn answer(feature: &str, f: &Fixture) -> String {
         "completion" => completion_of(f),
         "definition" => definition_of(f),
         "references" => references_of(f),
+        "highlights" => highlights_of(f),
         "rename" => rename_of(f),
         "renumber" => renumber_of(f),
         "symbols" => symbols_of(f),
@@ -363,7 +364,8 @@ fn no_place_is_too_odd() {
         let f = Fixture::read(&text);
         let all = f.all();
         for wanted in [all, Span::new(all.end / 3, all.end / 2)] {
-            hints::hints(&f.scene, wanted, hints::Wanted::default(), Language::Czech);
+            hints::hints(&f.scene, wanted, hints::Wanted::default(), Language::Czech)
+                .for_each(drop);
             tokens::tokens(&f.scene, wanted);
         }
         for answer in [
@@ -379,6 +381,7 @@ fn no_place_is_too_odd() {
             let word = completion::completion(&f.scene, at, Language::Czech).word;
             assert!(word.start <= at && text.get(word.range()).is_some());
             uses::definition(&f.scene, at);
+            uses::highlights(&f.scene, at);
             calls::prepare(&f.scene, at, Language::Czech);
             let spans = selection::selection(&f.scene, at);
             let holds =

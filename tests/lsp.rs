@@ -1,6 +1,7 @@
 //! The language server, spoken to as editors do. What it answers is tested as data in `features`; here is the form
 //! of its messages, and that it lives on whatever it is sent.
 
+mod answers;
 mod edited;
 pub mod model;
 mod session;
@@ -510,7 +511,7 @@ fn nonsense_is_refused() {
         ("textDocument/hover", other.clone(), -32602),
         ("textDocument/nothing", json!({}), -32601),
         ("codeAction/resolve", json!([1]), -32602),
-        ("initialize", json!({}), -32601),
+        ("initialize", json!({}), -32600),
         (
             "workspace/executeCommand",
             json!({ "command": "rm", "arguments": [A] }),
@@ -771,6 +772,18 @@ fn it_ends_with_its_input() {
     let (said, status) = spoken_to(all.as_bytes());
     assert_eq!(status, Some(0));
     assert!(said.contains(r#""id":2"#), "{said}");
+    assert!(said.contains(r#""code":-32700"#), "{said}");
+
+    // What comes too early or twice is refused, and the session goes on.
+    let early = frame(json!({ "id": 7, "method": "textDocument/hover", "params": {} }));
+    let all = [&early, &start, &start, &initialized, &shutdown, &exit].map(String::from);
+    let (said, status) = spoken_to(all.concat().as_bytes());
+    assert_eq!(status, Some(0));
+    let codes: Vec<&str> = (said.split(r#""code":"#).skip(1))
+        .map(|rest| &rest[..6])
+        .collect();
+    assert_eq!(codes, ["-32002", "-32600"], "{said}");
+    assert_eq!(said.matches("hoverProvider").count(), 1);
 
     // Between the answer to `initialize` and `initialized` all goes on as ever.
     let trace = frame(json!({ "method": "$/setTrace", "params": { "value": "off" } }));

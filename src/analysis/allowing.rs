@@ -72,14 +72,6 @@ impl Place {
     }
 }
 
-/// The edit that has a comment allow a finding; nothing for errors of the language.
-pub fn edit(analysis: &Analysis, finding: &Diagnostic) -> Option<Edit> {
-    let finder = Finder::new(analysis);
-    let place = KINDS.iter().find_map(|&kind| finder.place(finding, kind))?;
-    let codes = BTreeSet::from([finding.code]);
-    Some(place.edit(&codes, &analysis.source.text))
-}
-
 /// A scene whose comments allow all findings that can be allowed.
 pub struct Allowed {
     pub analysis: Analysis,
@@ -145,7 +137,7 @@ fn says_the_same(a: &Analysis, b: &Analysis) -> bool {
 }
 
 /// Finds places in a scene.
-struct Finder<'a> {
+pub struct Finder<'a> {
     analysis: &'a Analysis,
     /// Indices of the items that are not void.
     records: Vec<u32>,
@@ -156,7 +148,7 @@ struct Finder<'a> {
 }
 
 impl<'a> Finder<'a> {
-    fn new(analysis: &'a Analysis) -> Finder<'a> {
+    pub fn new(analysis: &'a Analysis) -> Finder<'a> {
         let document = &analysis.document;
         let is_record = |item: &Item| !matches!(item, Item::Void { .. });
         let items = (0..).zip(&document.items);
@@ -171,6 +163,13 @@ impl<'a> Finder<'a> {
             directives: tokens.filter(|(_, t)| is_one(t)).map(|(n, _)| n).collect(),
             ends: RefCell::default(),
         }
+    }
+
+    /// The edit that has a comment allow a finding; nothing for errors of the language.
+    pub fn edit(&self, finding: &Diagnostic) -> Option<Edit> {
+        let place = KINDS.iter().find_map(|&kind| self.place(finding, kind))?;
+        let codes = BTreeSet::from([finding.code]);
+        Some(place.edit(&codes, &self.analysis.source.text))
     }
 
     /// What is to be written for all findings at places of a kind.

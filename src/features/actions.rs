@@ -66,10 +66,13 @@ pub fn actions(analysis: &Analysis, span: Span, language: Language) -> Vec<Actio
         }
     }
     let mut seen: Vec<Code> = Vec::new();
+    let mut finder = None;
     for (finding, d) in here().filter(|(_, d)| !d.code.is_never_allowed()) {
-        if let Some(edit) = allowing::edit(analysis, d)
-            && !seen.contains(&d.code)
-        {
+        if seen.contains(&d.code) {
+            continue;
+        }
+        let finder = finder.get_or_insert_with(|| allowing::Finder::new(analysis));
+        if let Some(edit) = finder.edit(d) {
             seen.push(d.code);
             out.push(Action {
                 title: said("lsp-allow", d.code, language),

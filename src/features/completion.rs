@@ -1,16 +1,15 @@
-//! Proposals while a record is typed: types, IDs, the next free ID.
+//! Proposals while a record is typed: records by name, types, IDs, the next free ID.
 
-use rustc_hash::FxHashSet;
+use std::fmt::Write as _;
 
 use crate::analysis::Analysis;
+use crate::analysis::repair::words::names;
 use crate::diagnostics::Language;
 use crate::diagnostics::Span;
-use crate::syntax::table::{
-    Constraint, Effect, Family, Kind, Param, ParamKind, RECORD_TYPES, RecordType,
-};
+use crate::syntax::table::{Constraint, Effect, Family, Kind, Param, ParamKind, RecordType};
 
-use super::entity;
 use super::place::{Typing, typing};
+use super::{allow_codes, entity, templates};
 
 /// Something that may be put in the place of what has been typed of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,14 +25,51 @@ pub struct Proposal {
     pub kind: Sort,
 }
 
+/// A text, some pieces of which are places to fill.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Insert {
-    Text(String),
-    /// The type, then its parameters as places to fill, each with a value that is right.
-    Record {
-        code: i32,
-        values: Vec<String>,
-    },
+pub struct Insert(pub Vec<Piece>);
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Piece {
+    Fixed(String),
+    /// Something to be replaced, with a value that is right.
+    Place(String),
+}
+
+impl Insert {
+    fn text(text: impl Into<String>) -> Insert {
+        Insert(vec![Piece::Fixed(text.into())])
+    }
+
+    pub fn has_places(&self) -> bool {
+        self.0.iter().any(|p| matches!(p, Piece::Place(_)))
+    }
+
+    pub fn plain(&self) -> String {
+        let text = |p: &Piece| match p {
+            Piece::Fixed(text) | Piece::Place(text) => text.clone(),
+        };
+        self.0.iter().map(text).collect()
+    }
+
+    /// The text in the notation of snippets, where `${1:…}` is the first place.
+    pub fn snippet(&self) -> String {
+        let mut number = 0;
+        let mut out = String::new();
+        for piece in &self.0 {
+            let (Piece::Fixed(text) | Piece::Place(text)) = piece;
+            let text = text.replace('\\', r"\\").replace('$', r"\$");
+            let text = text.replace('}', r"\}");
+            match piece {
+                Piece::Fixed(_) => out += &text,
+                Piece::Place(_) => {
+                    number += 1;
+                    let _ = write!(out, "${{{number}:{text}}}");
+                }
+            }
+        }
+        out
+    }
 }
 
 /// What a proposal is, for its sign in the list.
@@ -42,6 +78,7 @@ pub enum Sort {
     Shape,
     Operation,
     Other,
+    Scene,
     Id,
     Value,
     File,
@@ -59,16 +96,28 @@ const MAX_IDS: usize = 200;
 
 /// What may be typed at an offset.
 pub fn completion(analysis: &Analysis, offset: u32, language: Language) -> Completion {
+    if let Some(list) = allow_codes::completion(analysis, offset) {
+        return list;
+    }
     let Some(typing) = typing(analysis, offset) else {
         return Completion::default();
     };
     let word = analysis.source.slice(typing.word);
+    let records = || templates::records(analysis, word, typing.word.start, language);
+    let new_id = || new_id(analysis, language);
+    let is_name = word.starts_with(char::is_alphabetic);
     let proposals = match typing.index {
-        _ if typing.complete => new_id(analysis, language),
-        0 => new_id(analysis, language)
-            .into_iter()
-            .chain(changes(analysis, language))
-            .collect(),
+        _ if typing.complete && is_name => records(),
+        _ if typing.complete => new_id(),
+        0 if is_name => records(),
+        0 => {
+            let by_name = if word.is_empty() {
+                records()
+            } else {
+                Vec::new()
+            };
+            [new_id(), by_name, changes(analysis, language)].concat()
+        }
         1 => types(analysis, &typing, word, language),
         i => typing.ty.map_or_else(Vec::new, |ty| {
             let param = ty.param(i - 2, typing.count);
@@ -88,7 +137,7 @@ fn new_id(analysis: &Analysis, language: Language) -> Vec<Proposal> {
         detail: language.name("the next free ID"),
         doc: String::new(),
         filter: id.clone(),
-        insert: Insert::Text(id.clone()),
+        insert: Insert::text(id.clone()),
         kind: Sort::Id,
         label: id,
     };
@@ -131,70 +180,24 @@ fn types(analysis: &Analysis, typing: &Typing, word: &str, language: Language) -
         (Effect::Changes(_), None) => false,
         (Effect::DefinesOrChanges(..), None) => true,
     };
-    RECORD_TYPES
-        .iter()
-        .filter(fits)
-        .map(|ty| Proposal {
+    let all = templates::by_use(analysis)
+        .into_iter()
+        .filter(|ty| fits(ty));
+    let proposal = |ty: &'static RecordType| {
+        let filter = match by_number {
+            true => ty.code.to_string(),
+            false => templates::filter(word, &[names(ty), vec![ty.code.to_string()]].concat())?,
+        };
+        Some(Proposal {
             label: format!("{} {}", ty.code, language.name(ty.title)),
             detail: ty.signature(),
-            doc: format!("{}\n\n```zpg\n{}\n```\n", ty.summary(language), ty.example),
-            filter: match by_number {
-                true => ty.code.to_string(),
-                false => {
-                    // Whoever writes English names finds them, too.
-                    let name = language.name(ty.title);
-                    let english = (name != ty.title).then(|| format!(" {}", ty.title));
-                    format!("{name}{} {}", english.unwrap_or_default(), ty.code)
-                }
-            },
-            insert: Insert::Record {
-                code: ty.code,
-                values: example_values(analysis, ty, typing.word.start),
-            },
-            kind: match ty.family {
-                Family::Shape => Sort::Shape,
-                Family::Operation => Sort::Operation,
-                _ => Sort::Other,
-            },
+            doc: templates::doc(ty, language),
+            filter,
+            insert: templates::record(None, ty, analysis, typing.word.start),
+            kind: templates::sort(ty),
         })
-        .collect()
-}
-
-/// The numbers of the type's example; for references the last entities of the file that fit.
-fn example_values(analysis: &Analysis, ty: &'static RecordType, before: u32) -> Vec<String> {
-    let mut used = FxHashSet::default();
-    let words = ty.example.split_whitespace().skip(2);
-    words
-        .enumerate()
-        .map(|(i, word)| {
-            let reference = match ty.param(i, word.parse().unwrap_or(0)).map(|p| p.kind) {
-                Some(ParamKind::Reference { kinds, .. }) if word != "0" => {
-                    last_of(analysis, kinds, before, &used)
-                }
-                _ => None,
-            };
-            reference.map_or_else(
-                || word.to_owned(),
-                |id| {
-                    used.insert(id);
-                    id.to_string()
-                },
-            )
-        })
-        .collect()
-}
-
-fn last_of(analysis: &Analysis, kinds: &[Kind], before: u32, used: &FxHashSet<u32>) -> Option<u32> {
-    let fits = |e: &&crate::scene::Entity| {
-        e.kind.is_some_and(|k| kinds.contains(&k)) && e.span.start < before && !used.contains(&e.id)
     };
-    analysis
-        .scene
-        .entities
-        .iter()
-        .rev()
-        .find(fits)
-        .map(|e| e.id)
+    all.filter_map(proposal).collect()
 }
 
 /// What a parameter may be.
@@ -204,7 +207,7 @@ fn values(analysis: &Analysis, param: &Param, offset: u32, language: Language) -
         detail: language.name(detail),
         doc: String::new(),
         filter: text.to_owned(),
-        insert: Insert::Text(text.to_owned()),
+        insert: Insert::text(text),
         kind,
     };
     match (param.kind, param.constraint) {
@@ -254,7 +257,7 @@ fn ids(analysis: &Analysis, kinds: &[Kind], before: u32, language: Language) -> 
         detail: entity::described(analysis, e.id, language).unwrap_or_default(),
         doc: String::new(),
         filter: e.id.to_string(),
-        insert: Insert::Text(e.id.to_string()),
+        insert: Insert::text(e.id.to_string()),
         kind: Sort::Id,
     })
     .collect()

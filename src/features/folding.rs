@@ -20,26 +20,33 @@ pub enum Kind {
     Record,
 }
 
-/// The lines on which sections begin: a lone `0` that introduces a comment, first on its line.
+/// The lines on which sections begin.
 pub fn headings(analysis: &Analysis) -> Vec<usize> {
-    let (document, source) = (&analysis.document, &analysis.source);
+    let tokens = &analysis.document.tokens;
+    let line = |token: usize| analysis.source.line_index(tokens[token].start);
+    heading_tokens(analysis).into_iter().map(line).collect()
+}
+
+/// The tokens with which sections begin: a lone `0` that introduces a comment, first on its line. The comment is the
+/// token behind it.
+pub fn heading_tokens(analysis: &Analysis) -> Vec<usize> {
+    let document = &analysis.document;
     let mut out = Vec::new();
     for item in &document.items {
         let Item::Void { token } = *item else {
             continue;
         };
         let at = token as usize;
-        let introduces = document
-            .tokens
-            .get(at + 1)
-            .is_some_and(|t| t.kind().is_comment() && !is_commented_out(t.text(&source.text)));
+        let introduces = document.tokens.get(at + 1).is_some_and(|t| {
+            t.kind().is_comment() && !is_commented_out(t.text(&analysis.source.text))
+        });
         let first = at.checked_sub(1).map(|i| document.tokens[i].kind());
         let is_first = matches!(
             first,
             None | Some(TokenKind::Newline | TokenKind::ByteOrderMark)
         );
         if introduces && is_first {
-            out.push(source.line_index(document.tokens[at].start));
+            out.push(at);
         }
     }
     out

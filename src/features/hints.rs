@@ -65,15 +65,22 @@ impl Wanted {
 }
 
 /// The hints within a stretch of text, in order.
-pub fn hints(analysis: &Analysis, visible: Span, wanted: Wanted, language: Language) -> Vec<Hint> {
-    let mut out = Vec::new();
-    for item in &analysis.document.items[place::items_in(&analysis.document, visible)] {
-        if let Some(record) = place::readable(analysis, item) {
-            of_record(analysis, &record, visible, language, &mut out);
-        }
-    }
-    out.retain(|hint| wanted.wants(hint.kind));
-    out
+pub fn hints(
+    analysis: &Analysis,
+    visible: Span,
+    wanted: Wanted,
+    language: Language,
+) -> impl Iterator<Item = Hint> {
+    let items = &analysis.document.items[place::items_in(&analysis.document, visible)];
+    let readable = items
+        .iter()
+        .filter_map(|item| place::readable(analysis, item));
+    let all = readable.flat_map(move |record| {
+        let mut out = Vec::new();
+        of_record(analysis, &record, visible, language, &mut out);
+        out
+    });
+    all.filter(move |hint| wanted.wants(hint.kind))
 }
 
 fn of_record(

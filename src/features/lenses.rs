@@ -21,7 +21,7 @@ pub enum Action {
     Render,
     Preview,
     Crosscheck,
-    /// Shows what refers to this ID, so many tokens.
+    /// Shows what refers to this ID: so many tokens, at least two. A single use says nothing that the eye misses.
     Uses(u32, usize),
 }
 
@@ -46,7 +46,7 @@ pub fn lenses(analysis: &Analysis) -> Vec<Lens> {
             (_, Effect::Defines(_) | Effect::DefinesOrChanges(..)) => {
                 let first = analysis.definition(record.id).map(|r| r.first);
                 let count = uses.get(&record.id).copied().unwrap_or(0);
-                if first == Some(record.first) && count > 0 {
+                if first == Some(record.first) && count > 1 {
                     add(Action::Uses(record.id, count));
                 }
             }

@@ -10,7 +10,7 @@
 //! | names before numbers | [`hints`] |
 //! | what stands under the pointer | [`hover`] |
 //! | the parameters while a record is typed | [`signature`] |
-//! | proposals while typing | [`completion`] |
+//! | proposals while typing | [`completion`]; whole records: `templates`; in comments: `allow_codes` |
 //! | jumps, uses, a new ID | [`uses`], [`rename`] |
 //! | the outline and operations as calls | [`symbols`], [`calls`] |
 //! | folding, selecting outwards | [`folding`], [`selection`] |
@@ -24,6 +24,7 @@
 //! [`pages`] has the pages of `zpg explain`.
 
 pub mod actions;
+mod allow_codes;
 pub mod calls;
 pub mod colours;
 pub mod commenting;
@@ -42,6 +43,7 @@ pub mod rename;
 pub mod selection;
 pub mod signature;
 pub mod symbols;
+mod templates;
 pub mod tokens;
 pub mod uses;
 

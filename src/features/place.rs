@@ -114,6 +114,15 @@ pub fn record_at(analysis: &Analysis, offset: u32) -> Option<&Record> {
     }
 }
 
+/// The token at an offset, or that ends there, which is no comment and no space. Of two that touch the second one counts.
+pub fn token_at(analysis: &Analysis, offset: u32) -> Option<Token> {
+    let tokens = &analysis.document.tokens;
+    let end = tokens.partition_point(|t| t.start <= offset);
+    let mut near = tokens[..end].iter().rev().take(2);
+    near.find(|t| offset <= t.end() && !t.kind().is_trivia())
+        .copied()
+}
+
 /// The token of a record at an offset, or that ends there.
 pub fn place_at(analysis: &Analysis, offset: u32) -> Option<Place<'_>> {
     let record = record_at(analysis, offset)?;

@@ -31,9 +31,12 @@ pub fn signature(analysis: &Analysis, offset: u32, language: Language) -> Option
     if typing.complete {
         return None;
     }
-    let (label, params) = label(ty, language);
-    let active = typing.index.checked_sub(2);
-    let active = active.and_then(|i| listed(ty, i, typing.count));
+    let (mut label, params) = label(ty, language);
+    let position = typing.index.checked_sub(2);
+    let active = position.and_then(|i| listed(ty, i, typing.count));
+    if let Some(point) = position.and_then(|i| point(ty, i, typing.count, language)) {
+        label = format!("{label}   {point}");
+    }
     Some(Signature {
         label,
         doc: ty.summary(language).into_owned(),
@@ -76,6 +79,31 @@ fn label(ty: &'static RecordType, language: Language) -> (String, Vec<Parameter>
         add(&mut label, ty.optional, "[", "]");
     }
     (label, params)
+}
+
+/// Which point of a profile a position of the record is about, as "point 2/5: y". The number of points is left out as
+/// long as it is not known.
+fn point(ty: &RecordType, position: usize, count: usize, language: Language) -> Option<String> {
+    let mut inside = position.checked_sub(ty.params.len())?;
+    for group in ty.repeats {
+        let length = group.len().saturating_mul(count);
+        if inside >= length && count > 0 {
+            inside -= length;
+            continue;
+        }
+        let number = inside / group.len() + 1;
+        let place = match count {
+            0 => number.to_string(),
+            _ => format!("{number}/{count}"),
+        };
+        let message = match group.len() {
+            2 => "lsp-profile-point",
+            _ => "lsp-profile-colour",
+        };
+        let name = group[inside % group.len()].name;
+        return Some(language.say(message, &[("place", place.into()), ("name", name.into())]));
+    }
+    None
 }
 
 /// The index among the listed parameters, each of which is there once, of the parameter at a position of

@@ -1,31 +1,34 @@
-//! The outline: the render record, the tree of operations under it, and whatever is in no tree.
+//! The outline: sections under `0 # … #`, in them the tree of operations, and whatever is in no tree.
 
 use rustc_hash::FxHashMap;
 
 use crate::analysis::Analysis;
 use crate::diagnostics::{Language, Span};
+use crate::syntax::directive::{inside, is_directive};
+use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind};
 use crate::syntax::{Item, Record};
 
-use super::{entity, uses};
+use super::{entity, folding, uses};
 
 /// An entity in the outline.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Symbol {
-    /// "21 ball".
+    /// "21 ball", or what the heading of a section says.
     pub name: String,
-    /// The type's title.
+    /// The type's title; empty for a section.
     pub detail: String,
     pub sort: Sort,
     /// From the first record below it to its own.
     pub span: Span,
-    /// Its ID.
+    /// Its ID, or the heading.
     pub id_span: Span,
     pub children: Vec<Symbol>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sort {
+    Section,
     Render,
     Operation,
     Shape,
@@ -38,16 +41,23 @@ pub enum Sort {
 }
 
 /// Deeper trees are cut off: what is below hangs on the last level.
-const MAX_DEPTH: usize = 40;
+const MAX_DEPTH: usize = 12;
 
-/// The outline of a scene. Each entity is there once, below the first operation that names it, seen from the
-/// render record.
+/// The outline of a scene: its sections, and in each of them trees of operations. Each entity is there once, below the
+/// first operation of its section that names it, seen from the render record. Operations that only go on with one of
+/// the same kind are left out.
 pub fn symbols(analysis: &Analysis, language: Language) -> Vec<Symbol> {
     let all = Definitions::of(analysis);
+    let sections = sections(analysis);
+    let section_of = |at: usize| {
+        let start = entity::span(analysis, all.records[at]).start;
+        sections.partition_point(|s| s.heading.start <= start)
+    };
     // Who hangs on whom: depth first from the last record, as operands are defined before.
-    let mut parent: Vec<Option<usize>> = vec![None; all.records.len()];
+    let mut above: Vec<Option<usize>> = vec![None; all.records.len()];
     let mut depth = vec![0usize; all.records.len()];
     let mut taken = vec![false; all.records.len()];
+    let mut goes_on = vec![false; all.records.len()];
     for top in (0..all.records.len()).rev() {
         if taken[top] {
             continue;
@@ -55,37 +65,127 @@ pub fn symbols(analysis: &Analysis, language: Language) -> Vec<Symbol> {
         taken[top] = true;
         let mut open = vec![top];
         while let Some(at) = open.pop() {
-            for operand in all.operands(analysis, at) {
+            // What stands in for an operation that is left out.
+            let shown = match goes_on[at] {
+                true => above[at].unwrap_or(at),
+                false => at,
+            };
+            for (place, operand) in all.operands(analysis, at).enumerate() {
                 // Only what stands before: a cycle is an error, and no tree.
-                if operand < at && !taken[operand] {
-                    taken[operand] = true;
-                    let above = match depth[at] + 1 < MAX_DEPTH {
-                        true => at,
-                        false => parent[at].unwrap_or(at),
-                    };
-                    parent[operand] = Some(above);
-                    depth[operand] = depth[above] + 1;
-                    open.push(operand);
+                if operand >= at || taken[operand] {
+                    continue;
                 }
+                taken[operand] = true;
+                open.push(operand);
+                if section_of(operand) != section_of(shown) {
+                    continue;
+                }
+                let on = match depth[shown] + 1 < MAX_DEPTH {
+                    true => shown,
+                    false => above[shown].unwrap_or(shown),
+                };
+                above[operand] = Some(on);
+                depth[operand] = depth[on] + 1;
+                goes_on[operand] =
+                    goes_on_with(analysis, all.records[at], all.records[operand], place);
             }
         }
     }
     // Children stand before their parents in the file, so they are complete when they are hung up.
     let mut below: Vec<Vec<Symbol>> = (0..all.records.len()).map(|_| Vec::new()).collect();
-    let mut tops = Vec::new();
-    for (i, above) in parent.iter().enumerate() {
-        let symbol = symbol(
-            analysis,
-            all.records[i],
-            std::mem::take(&mut below[i]),
-            language,
-        );
+    let mut tops: Vec<Vec<Symbol>> = (0..=sections.len()).map(|_| Vec::new()).collect();
+    for (i, above) in above.iter().enumerate().filter(|(i, _)| !goes_on[*i]) {
+        let children = std::mem::take(&mut below[i]);
+        let symbol = symbol(analysis, all.records[i], children, language);
         match above {
             Some(above) => below[*above].push(symbol),
-            None => tops.push(symbol),
+            None => tops[section_of(i)].push(symbol),
         }
     }
-    tops
+    let mut tops = tops.into_iter();
+    let mut out = tops.next().unwrap_or_default();
+    out.extend(sections.into_iter().zip(tops).map(|(s, children)| Symbol {
+        name: s.title,
+        detail: String::new(),
+        sort: Sort::Section,
+        span: s.span,
+        id_span: s.heading,
+        children,
+    }));
+    out
+}
+
+/// Whether an operation goes on with the work of its operand, as `5 -101 4 3` does with that of `4 -101 2 1`. One that
+/// has a name is a part of its own.
+fn goes_on_with(analysis: &Analysis, record: &Record, operand: &Record, place: usize) -> bool {
+    let is_chained = match record.kind {
+        RecordKind::Union | RecordKind::Intersection => true,
+        RecordKind::Difference => place == 0,
+        _ => false,
+    };
+    is_chained && operand.kind == record.kind && entity::comment(analysis, operand).is_none()
+}
+
+/// A part of the file under a heading.
+struct Section {
+    title: String,
+    heading: Span,
+    /// To the last thing before the next heading.
+    span: Span,
+}
+
+/// The sections, in order. Headings on lines one after the other are one, called by the first that has words.
+fn sections(analysis: &Analysis) -> Vec<Section> {
+    let (document, source) = (&analysis.document, &analysis.source);
+    let line = |offset| source.line_index(offset);
+    let mut out: Vec<Section> = Vec::new();
+    for token in folding::heading_tokens(analysis) {
+        let [void, comment] = [0, 1].map(|i| document.tokens[token + i]);
+        let heading = void.span().to(comment.span());
+        let goes_on = out.last_mut();
+        if let Some(last) = goes_on.filter(|s| line(s.span.end) + 1 >= line(heading.start)) {
+            last.span.end = heading.end;
+            if last.title.is_empty() {
+                last.title = title(&comment, &source.text);
+                last.heading = heading;
+            }
+            continue;
+        }
+        out.push(Section {
+            title: title(&comment, &source.text),
+            heading,
+            span: heading,
+        });
+    }
+    // Lines that are drawn, records that are commented out and comments for zpg begin no section.
+    out.retain(|s| !s.title.is_empty());
+    for i in 0..out.len() {
+        let next = out.get(i + 1).map(|s| s.span.start);
+        let end = next.unwrap_or(source.text.len() as u32);
+        let last = document
+            .items
+            .partition_point(|item| document.item_span(item).start < end)
+            .checked_sub(1)
+            .map(|last| document.item_span(&document.items[last]).end);
+        let span = &mut out[i].span;
+        span.end = last.unwrap_or(end).max(span.end).min(end);
+    }
+    out
+}
+
+/// The words of a heading; empty if there are none, or if they are a record or meant for zpg.
+fn title(comment: &Token, text: &str) -> String {
+    if is_directive(comment, text) {
+        return String::new();
+    }
+    let words: Vec<&str> = inside(comment.text(text)).split_whitespace().collect();
+    let is_number = |word: &&str| word.parse::<f64>().is_ok();
+    let is_record = words.len() > 1 && words.iter().take(2).all(is_number);
+    let has_words = words.iter().any(|w| w.contains(char::is_alphabetic));
+    match has_words && !is_record {
+        true => words.join(" "),
+        false => String::new(),
+    }
 }
 
 /// The records that define something, in file order.
@@ -116,11 +216,10 @@ impl<'a> Definitions<'a> {
     }
 
     /// What a record is made of.
-    fn operands(&self, analysis: &Analysis, at: usize) -> Vec<usize> {
-        let record = self.records[at];
-        let references = uses::references_of(analysis, record);
+    fn operands(&self, analysis: &Analysis, at: usize) -> impl Iterator<Item = usize> {
+        let references = uses::references_of(analysis, self.records[at]);
         let known = |(_, id): (Span, u32)| self.by_id.get(&id).copied();
-        references.into_iter().filter_map(known).collect()
+        references.into_iter().filter_map(known)
     }
 }
 

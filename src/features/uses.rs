@@ -135,6 +135,17 @@ pub fn definition(analysis: &Analysis, offset: u32) -> Option<(Span, Span)> {
     ))
 }
 
+/// What is highlighted at an offset: every place where the entity is named, with what each is. Another number is alone:
+/// the same digits elsewhere mean something else.
+pub fn highlights(analysis: &Analysis, offset: u32) -> Vec<(Span, Option<Kind>)> {
+    let named = references(analysis, offset, true);
+    if named.is_empty() {
+        let token = place::token_at(analysis, offset);
+        return token.map(|t| (t.span(), None)).into_iter().collect();
+    }
+    named.iter().map(|o| (o.span, Some(o.kind))).collect()
+}
+
 /// Every place where the entity at an offset is named.
 pub fn references(analysis: &Analysis, offset: u32, with_definition: bool) -> Vec<Occurrence> {
     let Some((id, _)) = id_at(analysis, offset) else {

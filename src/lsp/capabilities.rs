@@ -9,16 +9,11 @@ use gen_lsp_types::{
 };
 
 use super::client::Client;
+use super::whole_file::WholeFile;
 use super::{convert, programs};
-
-/// The kind of the action that numbers all IDs anew.
-pub const RENUMBER: &str = "refactor.rewrite.renumber";
 
 /// The kind of the action that comments lines out or in.
 pub const COMMENT: &str = "refactor.rewrite.comment";
-
-/// The kind of the action that applies all safe fixes.
-pub const FIX_ALL: &str = "source.fixAll.zpg";
 
 pub fn capabilities(client: &Client) -> ServerCapabilities {
     let sync = TextDocumentSyncOptions {
@@ -26,13 +21,15 @@ pub fn capabilities(client: &Client) -> ServerCapabilities {
         change: Some(TextDocumentSyncKind::Incremental),
         ..TextDocumentSyncOptions::default()
     };
+    let whole = WholeFile::ALL.map(|action| action.kind().to_owned().into());
     let actions = CodeActionOptions {
-        code_action_kinds: Some(vec![
-            CodeActionKind::QuickFix,
-            FIX_ALL.to_owned().into(),
-            RENUMBER.to_owned().into(),
-            COMMENT.to_owned().into(),
-        ]),
+        code_action_kinds: Some(
+            [
+                vec![CodeActionKind::QuickFix, COMMENT.to_owned().into()],
+                whole.into(),
+            ]
+            .concat(),
+        ),
         resolve_provider: Some(true),
         ..CodeActionOptions::default()
     };
@@ -86,7 +83,10 @@ pub fn capabilities(client: &Client) -> ServerCapabilities {
         folding_range_provider: Some(true.into()),
         selection_range_provider: Some(true.into()),
         execute_command_provider: Some(ExecuteCommandOptions {
-            commands: programs::COMMANDS.iter().map(|c| (*c).to_owned()).collect(),
+            commands: (programs::COMMANDS.into_iter())
+                .chain(WholeFile::ALL.map(WholeFile::command))
+                .map(str::to_owned)
+                .collect(),
             ..ExecuteCommandOptions::default()
         }),
         call_hierarchy_provider: Some(true.into()),

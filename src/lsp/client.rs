@@ -16,12 +16,16 @@ pub struct Client {
     /// It asks for diagnostics itself, so none are sent unasked.
     pub pulls: bool,
     pub snippets: bool,
+    /// Symbols of a file may be a tree.
+    pub symbol_trees: bool,
     pub markdown: bool,
     /// It shows what is said of a parameter. Eglot 1.17, of Emacs 30, fails at the last parameter of a signature
     /// if anything is said of it.
     pub shows_parameters: bool,
     /// Code actions may get their edits later.
     pub resolves_edits: bool,
+    /// The server may ask for edits.
+    pub applies_edits: bool,
     /// Edits may name the version that they are for.
     pub versioned_edits: bool,
     /// It shows documents when asked to.
@@ -96,10 +100,12 @@ impl Client {
             language: if czech { Language::Czech } else { language },
             pulls: capability("textDocument/diagnostic").is_some_and(Value::is_object),
             snippets: can("textDocument/completion/completionItem/snippetSupport"),
+            symbol_trees: can("textDocument/documentSymbol/hierarchicalDocumentSymbolSupport"),
             markdown: list("textDocument/hover/contentFormat")
                 .is_none_or(|all| all.iter().any(|f| f == "markdown")),
             shows_parameters: text("/clientInfo/name") != Some("Eglot"),
             resolves_edits: edits_later.is_some_and(|all| all.iter().any(|p| p == "edit")),
+            applies_edits: can("workspace/applyEdit"),
             versioned_edits: can("workspace/workspaceEdit/documentChanges"),
             shows_documents: can("window/showDocument/support"),
             watches_files: can("workspace/didChangeWatchedFiles/dynamicRegistration"),

@@ -1,15 +1,15 @@
 //! What the features answer, in the protocol's types. Nothing else makes these.
 
 use gen_lsp_types::{
-    ActiveParameter, CallHierarchyItem, Code, CodeLens, Color, ColorInformation, Command,
-    CompletionItem, CompletionItemKind, CompletionItemLabelDetails, Contents, Diagnostic,
-    DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, DocumentHighlight,
-    DocumentHighlightKind, DocumentSymbol, Documentation, Edit as LspEdit, FoldingRange,
-    FoldingRangeKind, Hover, InlayHint, InlayHintKind, InsertTextFormat, Label, Location,
-    MarkupContent, MarkupKind, Message, OptionalVersionedTextDocumentIdentifier,
+    ActiveParameter, BaseSymbolInformation, CallHierarchyItem, Code, CodeLens, Color,
+    ColorInformation, Command, CompletionItem, CompletionItemKind, CompletionItemLabelDetails,
+    Contents, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag,
+    DocumentHighlight, DocumentHighlightKind, DocumentSymbol, Documentation, Edit as LspEdit,
+    FoldingRange, FoldingRangeKind, Hover, InlayHint, InlayHintKind, InsertTextFormat, Label,
+    Location, MarkupContent, MarkupKind, Message, OptionalVersionedTextDocumentIdentifier,
     ParameterInformation, ParameterInformationLabel, SelectionRange, SemanticToken, SignatureHelp,
-    SignatureInformation, SymbolKind, TextDocumentEdit, TextDocumentIdentifier, TextEdit, Tooltip,
-    Uri, WorkspaceEdit,
+    SignatureInformation, SymbolInformation, SymbolKind, TextDocumentEdit, TextDocumentIdentifier,
+    TextEdit, Tooltip, Uri, WorkspaceEdit,
 };
 use serde_json::json;
 
@@ -212,28 +212,16 @@ impl<'a> Convert<'a> {
         proposal: completion::Proposal,
         range: gen_lsp_types::Range,
     ) -> CompletionItem {
-        let (text, format) = match proposal.insert {
-            completion::Insert::Text(text) => (text, InsertTextFormat::PlainText),
-            completion::Insert::Record { code, values } if self.client.snippets => {
-                let places = values.iter().enumerate().map(|(i, v)| {
-                    let v = v
-                        .replace('\\', r"\\")
-                        .replace('$', r"\$")
-                        .replace('}', r"\}");
-                    format!(" ${{{}:{v}}}", i + 1)
-                });
-                let places: String = places.collect();
-                (format!("{code}{places}"), InsertTextFormat::Snippet)
-            }
-            completion::Insert::Record { code, values } => {
-                let words = [vec![code.to_string()], values].concat();
-                (words.join(" "), InsertTextFormat::PlainText)
-            }
+        let has_places = proposal.insert.has_places();
+        let (text, format) = match has_places && self.client.snippets {
+            true => (proposal.insert.snippet(), InsertTextFormat::Snippet),
+            false => (proposal.insert.plain(), InsertTextFormat::PlainText),
         };
         let kind = match proposal.kind {
             completion::Sort::Shape => CompletionItemKind::Class,
             completion::Sort::Operation => CompletionItemKind::Operator,
             completion::Sort::Other => CompletionItemKind::Keyword,
+            completion::Sort::Scene => CompletionItemKind::Snippet,
             completion::Sort::Id => CompletionItemKind::Variable,
             completion::Sort::Value => CompletionItemKind::Value,
             completion::Sort::File => CompletionItemKind::File,
@@ -262,12 +250,13 @@ impl<'a> Convert<'a> {
         }
     }
 
-    pub fn highlight(&self, o: &uses::Occurrence) -> DocumentHighlight {
+    pub fn highlight(&self, span: Span, kind: Option<uses::Kind>) -> DocumentHighlight {
         DocumentHighlight {
-            range: self.places.range(o.span),
-            kind: Some(match o.kind {
-                uses::Kind::Reference => DocumentHighlightKind::Read,
-                uses::Kind::Definition | uses::Kind::Change => DocumentHighlightKind::Write,
+            range: self.places.range(span),
+            kind: Some(match kind {
+                None => DocumentHighlightKind::Text,
+                Some(uses::Kind::Reference) => DocumentHighlightKind::Read,
+                Some(uses::Kind::Definition | uses::Kind::Change) => DocumentHighlightKind::Write,
             }),
         }
     }
@@ -281,13 +270,36 @@ impl<'a> Convert<'a> {
             .collect();
         DocumentSymbol {
             name: symbol.name,
-            detail: Some(symbol.detail),
+            detail: Some(symbol.detail).filter(|d| !d.is_empty()),
             kind: symbol_kind(symbol.sort),
             tags: None,
             deprecated: None,
             range: self.places.range(symbol.span),
             selection_range: self.places.range(symbol.id_span),
             children: (!children.is_empty()).then_some(children),
+        }
+    }
+
+    /// The symbols one after the other, each with the name of what it is in.
+    #[allow(deprecated)]
+    pub fn flat_symbols(
+        &self,
+        symbols: Vec<symbols::Symbol>,
+        within: Option<&str>,
+        out: &mut Vec<SymbolInformation>,
+    ) {
+        for symbol in symbols {
+            out.push(SymbolInformation {
+                deprecated: None,
+                location: self.location(symbol.span),
+                base_symbol_information: BaseSymbolInformation {
+                    name: symbol.name.clone(),
+                    kind: symbol_kind(symbol.sort),
+                    tags: None,
+                    container_name: within.map(str::to_owned),
+                },
+            });
+            self.flat_symbols(symbol.children, Some(&symbol.name), out);
         }
     }
 
@@ -443,6 +455,7 @@ pub fn token_types() -> Vec<String> {
 
 pub fn symbol_kind(sort: symbols::Sort) -> SymbolKind {
     match sort {
+        symbols::Sort::Section => SymbolKind::Namespace,
         symbols::Sort::Render => SymbolKind::Module,
         symbols::Sort::Operation => SymbolKind::Operator,
         symbols::Sort::Shape => SymbolKind::Object,

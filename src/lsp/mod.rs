@@ -26,6 +26,7 @@ mod requests;
 mod stdio;
 mod tokens_sent;
 mod uri;
+mod whole_file;
 mod workspace;
 
 use std::collections::HashMap;
@@ -36,13 +37,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crossbeam_channel::{Sender, unbounded};
+use crossbeam_channel::{Receiver, Sender, unbounded};
 use gen_lsp_types::{
     DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
     DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
     InitializeResult, ServerInfo, Uri,
 };
-use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
+use lsp_server::{ErrorCode, Message, Notification, Request, RequestId};
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
@@ -73,10 +74,9 @@ pub enum Ending {
 /// The output cannot be written to.
 pub fn run(language: Language) -> io::Result<Ending> {
     allocator::keep(KEPT_BYTES);
-    let (connection, writer) = stdio::connect();
-    let ending = serve(&connection, language);
+    let (incoming, sender, writer) = stdio::connect();
+    let ending = serve(&incoming, sender, language);
     programs::remove_pages();
-    drop(connection);
     // The last answers are written; what takes long yet, nobody reads any more.
     let end = Instant::now() + LAST_WORDS;
     while !writer.is_finished() && Instant::now() < end {
@@ -94,12 +94,12 @@ pub const KEPT_BYTES: usize = 31 << 20;
 /// How long the last answers may take.
 const LAST_WORDS: Duration = Duration::from_secs(1);
 
-/// Serves one client until it is gone.
-pub fn serve(connection: &Connection, language: Language) -> Ending {
-    let Some(mut server) = Server::begin(connection, language) else {
+/// Serves one client until it is gone. What is said to it are messages in JSON.
+pub fn serve(incoming: &Receiver<Message>, sender: Sender<String>, language: Language) -> Ending {
+    let Some(mut server) = Server::begin(incoming, sender, language) else {
         return Ending::Early;
     };
-    let ending = server.serve(connection);
+    let ending = server.serve(incoming);
     // Programs that are still running end, too.
     server.pending.stop_all();
     ending
@@ -164,8 +164,12 @@ struct Server {
 
 impl Server {
     /// Agrees with the client on what both can. `None` if it is gone before that.
-    fn begin(connection: &Connection, language: Language) -> Option<Server> {
-        let (id, sent) = connection.initialize_start().ok()?;
+    fn begin(
+        incoming: &Receiver<Message>,
+        sender: Sender<String>,
+        language: Language,
+    ) -> Option<Server> {
+        let (id, sent) = first_request(incoming, &sender)?;
         let client = Arc::new(Client::of(&sent, language));
         let result = InitializeResult {
             capabilities: capabilities::capabilities(&client),
@@ -174,13 +178,8 @@ impl Server {
                 version: Some(env!("CARGO_PKG_VERSION").to_owned()),
             }),
         };
-        let response_result = Ok(serde_json::to_value(result).ok()?);
-        let response = Response {
-            id,
-            response_result,
-        };
-        connection.sender.send(response.into()).ok()?;
-        let outgoing = Outgoing::new(connection.sender.clone(), client.shows_documents);
+        let outgoing = Outgoing::new(sender, client.shows_documents);
+        outgoing.send(outgoing::answer(&id, result).ok()?);
         if let Some(process) = client.process {
             parent::end_with(process);
         }
@@ -204,10 +203,10 @@ impl Server {
     }
 
     /// Takes messages until the session is over.
-    fn serve(&mut self, connection: &Connection) -> Ending {
-        while let Ok(first) = connection.receiver.recv() {
+    fn serve(&mut self, incoming: &Receiver<Message>) -> Ending {
+        while let Ok(first) = incoming.recv() {
             // Edits first: what is asked about a text that is not there any more is of no use.
-            for message in std::iter::once(first).chain(connection.receiver.try_iter()) {
+            for message in std::iter::once(first).chain(incoming.try_iter()) {
                 if let Some(ending) = self.take(message) {
                     return ending;
                 }
@@ -222,14 +221,17 @@ impl Server {
         match message {
             Message::Request(request) if self.is_shut_down => {
                 let error = refusal(ErrorCode::InvalidRequest, "the server is shut down");
-                self.refuse(request.id, error);
+                self.refuse(&request.id, &error);
             }
             Message::Request(request) if request.method == "shutdown" => {
                 self.is_shut_down = true;
-                self.outgoing.respond(Response {
-                    id: request.id,
-                    response_result: Ok(Value::Null),
-                });
+                if let Ok(answer) = outgoing::answer(&request.id, Value::Null) {
+                    self.outgoing.send(answer);
+                }
+            }
+            Message::Request(request) if request.method == INITIALIZE => {
+                let error = refusal(ErrorCode::InvalidRequest, "the server is initialized");
+                self.refuse(&request.id, &error);
             }
             Message::Request(request) => self.answer(request),
             Message::Notification(notification) if notification.method == "exit" => {
@@ -245,18 +247,15 @@ impl Server {
         None
     }
 
-    fn refuse(&self, id: RequestId, error: Refusal) {
-        self.outgoing.respond(Response {
-            id,
-            response_result: Err(error),
-        });
+    fn refuse(&self, id: &RequestId, error: &Refusal) {
+        self.outgoing.send(outgoing::refused(id, error));
     }
 
     /// Has a request answered.
     fn answer(&mut self, Request { id, method, params }: Request) {
         let Some((lane, handler)) = requests::handler(&method) else {
             let error = refusal(ErrorCode::MethodNotFound, format!("there is no {method}"));
-            self.refuse(id, error);
+            self.refuse(&id, &error);
             return;
         };
         let cancelled = Arc::new(AtomicBool::new(false));
@@ -282,16 +281,14 @@ impl Server {
             if ask.is_cancelled() {
                 return;
             }
-            let answered = catch_unwind(AssertUnwindSafe(|| handler(&ask, params)));
-            let response_result = answered.unwrap_or_else(|_| {
+            let answered = catch_unwind(AssertUnwindSafe(|| handler(&ask, &id, params)));
+            let answer = answered.unwrap_or_else(|_| {
                 let message = format!("zpg has made a mistake in {method}");
                 Err(refusal(ErrorCode::InternalError, message))
             });
             if pending.take(&id).is_some() {
-                ask.outgoing.respond(Response {
-                    id,
-                    response_result,
-                });
+                let refused = |why| outgoing::refused(&id, &why);
+                ask.outgoing.send(answer.unwrap_or_else(refused));
             }
         };
         match lane {
@@ -304,7 +301,7 @@ impl Server {
     fn cancel(&self, id: RequestId, code: ErrorCode) {
         if let Some(waiting) = self.pending.take(&id) {
             waiting.cancelled.store(true, Ordering::Relaxed);
-            self.refuse(id, refusal(code, "cancelled"));
+            self.refuse(&id, &refusal(code, "cancelled"));
         }
     }
 
@@ -417,6 +414,29 @@ impl Server {
     }
 }
 
+const INITIALIZE: &str = "initialize";
+
+/// The request that a session begins with: its ID and its parameters. `None` if the client is gone before it.
+fn first_request(
+    incoming: &Receiver<Message>,
+    sender: &Sender<String>,
+) -> Option<(RequestId, Value)> {
+    loop {
+        match incoming.recv().ok()? {
+            Message::Request(r) if r.method == INITIALIZE => return Some((r.id, r.params)),
+            Message::Request(r) => {
+                let why = refusal(
+                    ErrorCode::ServerNotInitialized,
+                    "the server is not initialized",
+                );
+                let _ = sender.send(outgoing::refused(&r.id, &why));
+            }
+            Message::Notification(n) if n.method == "exit" => return None,
+            Message::Notification(_) | Message::Response(_) => {}
+        }
+    }
+}
+
 fn read<P: DeserializeOwned>(params: Value) -> Option<P> {
     match serde_json::from_value(params) {
         Ok(params) => Some(params),
@@ -458,22 +478,23 @@ mod tests {
     /// A request that we make a mistake in is answered with an error, and the next one as ever.
     #[test]
     fn it_outlives_a_panic() {
-        let (server, client) = Connection::memory();
-        let serving = thread::spawn(move || serve(&server, Language::English));
+        let (to_server, incoming) = unbounded();
+        let (sender, said) = unbounded();
+        let serving = thread::spawn(move || serve(&incoming, sender, Language::English));
         let ask = |id: i32, method: &str, params: Value| {
             let (id, method) = (RequestId::from(id), method.to_owned());
             let request = Request { id, method, params };
-            client.sender.send(request.into()).unwrap();
+            to_server.send(request.into()).unwrap();
             loop {
-                if let Message::Response(response) = client.receiver.recv().unwrap() {
+                let message = serde_json::from_str(&said.recv().unwrap()).unwrap();
+                if let Message::Response(response) = message {
                     return response.response_result;
                 }
             }
         };
         let tell = |method: &str| {
             let (method, params) = (method.to_owned(), json!({}));
-            client
-                .sender
+            to_server
                 .send(Notification { method, params }.into())
                 .unwrap();
         };

@@ -1,27 +1,32 @@
-//! The way to the client.
+//! The way to the client: messages are JSON from here on.
+//!
+//! `lsp-server` would have them as trees of [`Value`]s, and the tree of a long answer takes many times the memory of
+//! its text.
 
+use std::cell::Cell;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicI32, Ordering};
 
 use crossbeam_channel::Sender;
-use lsp_server::{Message, Notification, Request, RequestId, Response};
-use serde::Serialize;
+use lsp_server::{ErrorCode, RequestId};
+use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
+use super::ask::{Refusal, refusal};
 use super::uri;
 
 /// Sends messages, from any thread.
 #[derive(Clone)]
 pub struct Outgoing {
-    sender: Sender<Message>,
+    sender: Sender<String>,
     /// The number of the next request.
     next: Arc<AtomicI32>,
     shows_documents: bool,
 }
 
 impl Outgoing {
-    pub fn new(sender: Sender<Message>, shows_documents: bool) -> Outgoing {
+    pub fn new(sender: Sender<String>, shows_documents: bool) -> Outgoing {
         Outgoing {
             sender,
             next: Arc::new(AtomicI32::new(1)),
@@ -31,21 +36,40 @@ impl Outgoing {
 
     /// Says something.
     pub fn notify(&self, method: &str, params: impl Serialize) {
-        let params = serde_json::to_value(params).unwrap_or(Value::Null);
-        let method = method.to_owned();
-        // Nobody is left to be told when this fails.
-        let _ = self.sender.send(Notification { method, params }.into());
+        self.call(None, method, params);
     }
 
     /// Asks for something whose answer does not matter.
-    pub fn request(&self, method: &str, params: Value) {
-        let id = RequestId::from(self.next.fetch_add(1, Ordering::Relaxed));
-        let method = method.to_owned();
-        let _ = self.sender.send(Request { id, method, params }.into());
+    pub fn request(&self, method: &str, params: impl Serialize) {
+        let id = self.next.fetch_add(1, Ordering::Relaxed);
+        self.call(Some(id), method, params);
     }
 
-    pub fn respond(&self, response: Response) {
-        let _ = self.sender.send(response.into());
+    fn call(&self, id: Option<i32>, method: &str, params: impl Serialize) {
+        #[derive(Serialize)]
+        struct Call<'a, P> {
+            jsonrpc: &'a str,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            id: Option<i32>,
+            method: &'a str,
+            params: P,
+        }
+        let call = Call {
+            jsonrpc: VERSION,
+            id,
+            method,
+            params,
+        };
+        // What we say can be written as JSON.
+        if let Ok(message) = serde_json::to_string(&call) {
+            self.send(message);
+        }
+    }
+
+    /// Sends a message that [`answer`] or [`refused`] has made.
+    pub fn send(&self, message: String) {
+        // Nobody is left to be told when this fails.
+        let _ = self.sender.send(message);
     }
 
     /// Has the client show a file, if it can.
@@ -70,4 +94,49 @@ impl Outgoing {
         let params = json!({ "type": 3, "message": message });
         self.notify("window/showMessage", params);
     }
+}
+
+const VERSION: &str = "2.0";
+
+/// The answer to a request.
+///
+/// # Errors
+///
+/// The result cannot be written as JSON.
+pub fn answer(id: &RequestId, result: impl Serialize) -> Result<String, Refusal> {
+    #[derive(Serialize)]
+    struct Answer<'a, R> {
+        jsonrpc: &'a str,
+        id: &'a RequestId,
+        result: R,
+    }
+    let answer = Answer {
+        jsonrpc: VERSION,
+        id,
+        result,
+    };
+    serde_json::to_string(&answer).map_err(|e| refusal(ErrorCode::InternalError, e.to_string()))
+}
+
+/// The answer to a request for a list, of which only one item is held at a time.
+///
+/// # Errors
+///
+/// An item cannot be written as JSON.
+pub fn answer_list(
+    id: &RequestId,
+    all: impl Iterator<Item = impl Serialize>,
+) -> Result<String, Refusal> {
+    struct List<I>(Cell<Option<I>>);
+    impl<T: Serialize, I: Iterator<Item = T>> Serialize for List<I> {
+        fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+            to.collect_seq(self.0.take().into_iter().flatten())
+        }
+    }
+    answer(id, List(Cell::new(Some(all))))
+}
+
+/// The answer to a request that is not met. The ID is null where it cannot be read.
+pub fn refused(id: impl Serialize, why: &Refusal) -> String {
+    json!({ "jsonrpc": VERSION, "id": json!(id), "error": why }).to_string()
 }

@@ -18,6 +18,7 @@ use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, Signal, System};
 use super::ask::{Ask, Refusal, refusal};
 use super::documents::Snapshot;
 use super::uri::{path_of, uri_of};
+use super::whole_file::WholeFile;
 use crate::diagnostics::{Code, Complaint};
 use crate::features::pages;
 use crate::syntax::table::RecordType;
@@ -26,7 +27,7 @@ use crate::translate::registry;
 /// Shows the page of a code or of a type of records.
 pub const EXPLAIN: &str = "zpg.explain";
 
-/// All of them. Each but [`EXPLAIN`] takes the URI of an open file first.
+/// All that are programs or pages. Each but [`EXPLAIN`] takes the URI of an open file first.
 pub const COMMANDS: [&str; 6] = [
     "zpg.render",
     "zpg.convert",
@@ -45,6 +46,10 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
     }
     let uri = Uri::from(text(0).unwrap_or_default());
     let file = ask.file(&TextDocumentIdentifier { uri })?;
+    let whole = (WholeFile::ALL.into_iter()).find(|action| p.command == action.command());
+    if let Some(action) = whole {
+        return Ok(Some(action.apply(ask, file)));
+    }
     let job = Job::of(ask, file);
     let made = match p.command.as_str() {
         "zpg.render" => {

@@ -1,14 +1,15 @@
 //! The requests, one line each in the table, one short function each below it.
 
 use gen_lsp_types::*;
-use lsp_server::ErrorCode;
+use lsp_server::{ErrorCode, RequestId};
 use serde_json::{Value, json};
 
 use super::ask::{Ask, Refusal, refusal};
-use super::capabilities::{COMMENT, FIX_ALL, RENUMBER};
+use super::capabilities::COMMENT;
 use super::convert::Convert;
 use super::documents::Snapshot;
-use super::{commenting, drawing, programs, pull, workspace};
+use super::whole_file::WholeFile;
+use super::{commenting, drawing, outgoing, programs, pull, workspace};
 use crate::diagnostics::{Edit, Span};
 use crate::features::actions::{self, What};
 use crate::features::{
@@ -20,8 +21,8 @@ use crate::syntax::recognise;
 
 type Answer<T> = Result<T, Refusal>;
 
-/// A handler with its types taken off.
-pub type Handler = Box<dyn Fn(&Ask, Value) -> Answer<Value> + Send>;
+/// A handler with its types taken off. It makes the whole message that answers.
+pub type Handler = Box<dyn Fn(&Ask, &RequestId, Value) -> Answer<String> + Send>;
 
 /// Who answers a request. Quick ones take their turn; slow ones have a thread of their own.
 pub enum Lane {
@@ -33,7 +34,10 @@ pub enum Lane {
 pub fn handler(method: &str) -> Option<(Lane, Handler)> {
     #[cfg(test)]
     if method == "test/panic" {
-        return Some((Lane::Quick, Box::new(|_, _| panic!("as it was asked for"))));
+        return Some((
+            Lane::Quick,
+            Box::new(|_, _, _| panic!("as it was asked for")),
+        ));
     }
     let mut find = Find {
         method,
@@ -41,7 +45,7 @@ pub fn handler(method: &str) -> Option<(Lane, Handler)> {
     };
     find.on::<DocumentDiagnosticRequest>(Lane::Quick, pull::of_file)
         .on::<WorkspaceDiagnosticRequest>(Lane::Slow, pull::of_folders)
-        .on::<InlayHintRequest>(Lane::Quick, inlay_hints)
+        .written::<InlayHintRequest>(Lane::Quick, inlay_hints)
         .on::<HoverRequest>(Lane::Slow, hover)
         .on::<SignatureHelpRequest>(Lane::Quick, signature_help)
         .on::<CompletionRequest>(Lane::Quick, complete)
@@ -85,13 +89,30 @@ impl Find<'_> {
         lane: Lane,
         answer: fn(&Ask, R::Params) -> Answer<R::Result>,
     ) -> &mut Self {
+        self.add::<R>(lane, move |ask, id, params| {
+            outgoing::answer(id, answer(ask, params)?)
+        })
+    }
+
+    /// A request whose answer is written piece by piece.
+    fn written<R: Request>(
+        &mut self,
+        lane: Lane,
+        answer: fn(&Ask, &RequestId, R::Params) -> Answer<String>,
+    ) -> &mut Self {
+        self.add::<R>(lane, answer)
+    }
+
+    fn add<R: Request>(
+        &mut self,
+        lane: Lane,
+        answer: impl Fn(&Ask, &RequestId, R::Params) -> Answer<String> + Send + 'static,
+    ) -> &mut Self {
         if self.found.is_none() && String::from(R::METHOD) == self.method {
-            let handler = move |ask: &Ask, params: Value| {
+            let handler = move |ask: &Ask, id: &RequestId, params: Value| {
                 let params = serde_json::from_value(params)
                     .map_err(|e| refusal(ErrorCode::InvalidParams, e.to_string()))?;
-                let answer = answer(ask, params)?;
-                serde_json::to_value(answer)
-                    .map_err(|e| refusal(ErrorCode::InternalError, e.to_string()))
+                answer(ask, id, params)
             };
             self.found = Some((lane, Box::new(handler)));
         }
@@ -109,7 +130,8 @@ impl Snapshot {
     }
 }
 
-fn inlay_hints(ask: &Ask, p: InlayHintParams) -> Answer<Option<Vec<InlayHint>>> {
+/// Some clients ask for the whole file: of a long one, hints are a hundred megabytes as text, and more as values.
+fn inlay_hints(ask: &Ask, id: &RequestId, p: InlayHintParams) -> Answer<String> {
     let file = ask.file(&p.text_document)?;
     let convert = ask.convert(file);
     let visible = convert.places.span(p.range);
@@ -119,7 +141,7 @@ fn inlay_hints(ask: &Ask, p: InlayHintParams) -> Answer<Option<Vec<InlayHint>>> 
         ask.preferences.hints,
         ask.client.language,
     );
-    Ok(Some(all.into_iter().map(|h| convert.hint(h)).collect()))
+    outgoing::answer_list(id, all.map(|h| convert.hint(h)))
 }
 
 fn hover(ask: &Ask, p: HoverParams) -> Answer<Option<Hover>> {
@@ -174,8 +196,11 @@ fn references(ask: &Ask, p: ReferenceParams) -> Answer<Option<Vec<Location>>> {
 
 fn highlights(ask: &Ask, p: DocumentHighlightParams) -> Answer<Option<Vec<DocumentHighlight>>> {
     let (convert, offset) = ask.place(&p.text_document_position_params)?;
-    let all = uses::references(convert.file.analysis(), offset, true);
-    Ok(Some(all.iter().map(|o| convert.highlight(o)).collect()))
+    let all = uses::highlights(convert.file.analysis(), offset).into_iter();
+    Ok(Some(
+        all.map(|(span, kind)| convert.highlight(span, kind))
+            .collect(),
+    ))
 }
 
 fn prepare_rename(ask: &Ask, p: PrepareRenameParams) -> Answer<Option<PrepareRenameResult>> {
@@ -231,8 +256,13 @@ fn format_on_type(ask: &Ask, p: DocumentOnTypeFormattingParams) -> Answer<Option
 fn document_symbols(ask: &Ask, p: DocumentSymbolParams) -> Answer<Option<DocumentSymbolResponse>> {
     let file = ask.file(&p.text_document)?;
     let convert = ask.convert(file);
-    let all = symbols::symbols(file.analysis(), ask.client.language).into_iter();
-    let all: Vec<DocumentSymbol> = all.map(|s| convert.symbol(s)).collect();
+    let all = symbols::symbols(file.analysis(), ask.client.language);
+    if !ask.client.symbol_trees {
+        let mut flat = Vec::new();
+        convert.flat_symbols(all, None, &mut flat);
+        return Ok(Some(flat.into()));
+    }
+    let all: Vec<DocumentSymbol> = all.into_iter().map(|s| convert.symbol(s)).collect();
     Ok(Some(all.into()))
 }
 
@@ -250,7 +280,6 @@ fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionR
     }
     let convert = ask.convert(file);
     let analysis = file.analysis();
-    let language = ask.client.language;
     let wants = |kind: &str| {
         let only = p.context.only.as_ref();
         only.is_none_or(|only| {
@@ -263,23 +292,21 @@ fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionR
     let mut out: Vec<CodeActionResponse> = Vec::new();
     if wants("quickfix") {
         let span = convert.places.span(p.range);
-        for action in actions::actions(analysis, span, language) {
+        for action in actions::actions(analysis, span, ask.client.language) {
             out.push(action_of(&convert, &p.context.diagnostics, action).into());
         }
     }
     // Those about no finding are offered when they are asked for, by kind or by hand.
     let is_automatic = p.context.trigger_kind == Some(CodeActionTriggerKind::Automatic);
-    let by_hand = p.context.only.is_some() || !is_automatic;
+    let by_kind = p.context.only.is_some();
+    let by_hand = by_kind || !is_automatic;
     if wants(COMMENT) && by_hand {
         out.extend(commenting::action(ask, &convert, p.range).map(Into::into));
     }
-    if wants(FIX_ALL) && by_hand && actions::has_safe_fixes(analysis) {
-        let title = language.say("lsp-fix-all", &[]);
-        out.push(whole_file(ask, &convert, title, FIX_ALL).into());
-    }
-    if wants(RENUMBER) && by_hand && rename::can_renumber(analysis) {
-        let title = language.say("lsp-renumber", &[]);
-        out.push(whole_file(ask, &convert, title, RENUMBER).into());
+    for action in WholeFile::ALL {
+        if wants(action.kind()) && by_hand && action.is_of_use(analysis) {
+            out.extend(action.offer(ask, &convert, by_kind).map(Into::into));
+        }
     }
     Ok(Some(out))
 }
@@ -330,27 +357,6 @@ fn action_of(convert: &Convert, shown: &[Diagnostic], action: actions::Action) -
     }
 }
 
-/// An action for a whole file, with its edit at once or when it is chosen.
-fn whole_file(ask: &Ask, convert: &Convert, title: String, kind: &str) -> CodeAction {
-    let mut action = CodeAction {
-        title,
-        kind: Some(kind.to_owned().into()),
-        ..CodeAction::default()
-    };
-    match ask.client.resolves_edits {
-        true => action.data = Some(json!({ "uri": convert.file.uri })),
-        false => action.edit = Some(convert.workspace_edit(&whole_edits(convert.file, kind))),
-    }
-    action
-}
-
-fn whole_edits(file: &Snapshot, kind: &str) -> Vec<Edit> {
-    match kind {
-        FIX_ALL => actions::fix_all(file.analysis(), &file.settings()),
-        _ => rename::renumber(file.analysis()).unwrap_or_default(),
-    }
-}
-
 /// `codeAction/resolve`: the action comes back as it was sent, with its edit added.
 enum ResolveAction {}
 
@@ -366,10 +372,13 @@ fn resolve_action(ask: &Ask, mut action: Value) -> Answer<Value> {
         return Err(refusal(ErrorCode::InvalidParams, "no code action"));
     }
     let uri = action.pointer("/data/uri").and_then(Value::as_str);
-    if let (Some(uri), Some(kind)) = (uri, action["kind"].as_str()) {
+    let chosen = WholeFile::ALL
+        .into_iter()
+        .find(|w| action["kind"] == w.kind());
+    if let (Some(uri), Some(chosen)) = (uri, chosen) {
         let uri = Uri::from(uri);
         let file = ask.file(&TextDocumentIdentifier { uri })?;
-        let edits = whole_edits(file, kind);
+        let edits = chosen.edits(file);
         action["edit"] = json!(ask.convert(file).workspace_edit(&edits));
     }
     Ok(action)

@@ -1,12 +1,16 @@
 //! Messages over standard input and output.
 //!
-//! Unlike the threads of `lsp-server`, these live on when a message cannot be understood: it is left out.
+//! Unlike the threads of `lsp-server`, these live on when a message cannot be understood: it is refused.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::thread::{self, JoinHandle};
 
 use crossbeam_channel::{Receiver, Sender, unbounded};
-use lsp_server::{Connection, Message};
+use lsp_server::{ErrorCode, Message, Response};
+use serde_json::Value;
+
+use super::ask::{Refusal, refusal};
+use super::outgoing;
 
 /// The longest message that is read, in bytes: larger than the largest scene.
 const MAX_MESSAGE: u64 = 1 << 32;
@@ -14,31 +18,58 @@ const MAX_MESSAGE: u64 = 1 << 32;
 /// The longest line of a header.
 const MAX_LINE: u64 = 1 << 13;
 
-/// A connection over standard input and output, and the thread that writes. The one that reads ends with its
-/// input, or with the program.
-pub fn connect() -> (Connection, JoinHandle<io::Result<()>>) {
-    let (incoming, receiver) = unbounded();
+/// What comes over standard input, the way to standard output, and the thread that writes there. The one that reads ends
+/// with its input, or with the program.
+pub fn connect() -> (
+    Receiver<Message>,
+    Sender<String>,
+    JoinHandle<io::Result<()>>,
+) {
+    let (to, incoming) = unbounded();
     let (sender, outgoing) = unbounded();
-    thread::spawn(move || read(BufReader::new(io::stdin()), &incoming));
+    let back = sender.clone();
+    thread::spawn(move || read(BufReader::new(io::stdin()), &to, &back));
     let writer = thread::spawn(move || write(io::stdout(), &outgoing));
-    (Connection { sender, receiver }, writer)
+    (incoming, sender, writer)
 }
 
-/// Reads until the input ends or nobody listens.
-fn read(mut input: impl BufRead, to: &Sender<Message>) {
+/// Reads until the input ends or nobody listens. What is no message is refused.
+fn read(mut input: impl BufRead, to: &Sender<Message>, back: &Sender<String>) {
     while let Ok(Some(body)) = next(&mut input) {
         let message = serde_json::from_slice::<Message>(&body);
-        let message = message.or_else(|_| serde_json::from_slice(&without_halves(body)));
-        match message {
+        match message.or_else(|_| understood(&without_halves(body))) {
             Ok(message) => {
                 let is_exit = matches!(&message, Message::Notification(n) if n.method == "exit");
                 if to.send(message).is_err() || is_exit {
                     return;
                 }
             }
-            Err(e) => eprintln!("zpg lsp: a message is left out: {e}"),
+            Err((id, why)) => {
+                eprintln!("zpg lsp: a message is refused: {}", why.message);
+                let _ = back.send(outgoing::refused(id, &why));
+            }
         }
     }
+}
+
+/// The message, or why it is none, with its ID where it has one. What looks like an answer is taken for one that says
+/// nothing: two programs that refuse each other's answers would never end.
+fn understood(body: &[u8]) -> Result<Message, (Value, Refusal)> {
+    let value: Value = serde_json::from_slice(body).map_err(|e| {
+        let why = format!("this is no JSON: {e}");
+        (Value::Null, refusal(ErrorCode::ParseError, why))
+    })?;
+    let id = value
+        .get("id")
+        .filter(|id| id.is_string() || id.is_number());
+    let id = id.cloned().unwrap_or_default();
+    if value.get("method").is_none() && (value.get("result").or(value.get("error"))).is_some() {
+        return Ok(Response::new_ok(0.into(), Value::Null).into());
+    }
+    serde_json::from_value(value).map_err(|_| {
+        let why = "this is no message of JSON-RPC 2.0";
+        (id, refusal(ErrorCode::InvalidRequest, why))
+    })
 }
 
 /// The next message's body; `None` at the end of the input. Lines that are no headers are passed over.
@@ -90,9 +121,10 @@ fn without_halves(mut body: Vec<u8>) -> Vec<u8> {
 }
 
 /// Writes until nobody has anything to say.
-fn write(mut output: impl Write, from: &Receiver<Message>) -> io::Result<()> {
+fn write(mut output: impl Write, from: &Receiver<String>) -> io::Result<()> {
     for message in from {
-        message.write(&mut output)?;
+        write!(output, "Content-Length: {}\r\n\r\n{message}", message.len())?;
+        output.flush()?;
     }
     Ok(())
 }
@@ -119,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn nonsense_is_passed_over() {
+    fn nonsense_is_refused_and_passed_over() {
         let good = r#"{"jsonrpc":"2.0","method":"a","params":{}}"#;
         let frame = |body: &str| format!("Content-Length: {}\r\n\r\n{body}", body.len());
         let nested = format!("{}{}", "[".repeat(100_000), "]".repeat(100_000));
@@ -129,6 +161,10 @@ mod tests {
             frame("[1, 2]"),
             frame(&nested),
             frame("\u{1}"),
+            // A method that is none, no method, and an answer to something.
+            frame(r#"{"jsonrpc":"2.0","id":"a","method":7}"#),
+            frame("{}"),
+            frame(r#"{"jsonrpc":"2.0","id":null,"error":7}"#),
             format!(
                 "Content-Type: x\r\ncontent-length:{}\r\n\r\n{good}",
                 good.len()
@@ -138,9 +174,25 @@ mod tests {
             "Content-Length: 4000000000\r\n\r\n{}".to_owned(),
         ]
         .concat();
-        let (sender, receiver) = unbounded();
-        read(stream.as_bytes(), &sender);
-        drop(sender);
-        assert_eq!(receiver.iter().count(), 2);
+        let (to, receiver) = unbounded();
+        let (back, said) = unbounded();
+        read(stream.as_bytes(), &to, &back);
+        drop((to, back));
+        assert_eq!(receiver.iter().count(), 3);
+        // Broken JSON three times, then messages that are none.
+        let refused: Vec<(i64, Value)> = (said.iter())
+            .map(|text| serde_json::from_str::<Value>(&text).unwrap())
+            .map(|m| (m["error"]["code"].as_i64().unwrap(), m["id"].clone()))
+            .collect();
+        let none = Value::Null;
+        let expected = [
+            (-32700, none.clone()),
+            (-32600, none.clone()),
+            (-32700, none.clone()),
+            (-32700, none.clone()),
+            (-32600, "a".into()),
+            (-32600, none),
+        ];
+        assert_eq!(refused, expected);
     }
 }

@@ -6,7 +6,8 @@ use std::process::{Child, Stdio};
 use std::thread;
 use std::time::Duration;
 
-use lsp_server::{Connection, Message, Notification, Request, Response};
+use crossbeam_channel::{Receiver, Sender, unbounded};
+use lsp_server::{Message, Notification, Request, Response};
 use serde_json::{Value, json};
 use zpg::diagnostics::Language;
 
@@ -16,7 +17,8 @@ use super::model::Model;
 const PATIENCE: Duration = Duration::from_secs(60);
 
 pub struct Session {
-    connection: Connection,
+    to: Sender<Message>,
+    from: Receiver<Message>,
     model: Model,
     /// The methods of the requests that are not answered.
     asked: HashMap<i32, String>,
@@ -34,10 +36,12 @@ pub fn rich() -> Value {
         "general": { "positionEncodings": ["utf-16"] },
         "textDocument": {
             "completion": { "completionItem": { "snippetSupport": true } },
+            "documentSymbol": { "hierarchicalDocumentSymbolSupport": true },
             "hover": { "contentFormat": ["markdown"] },
             "codeAction": { "resolveSupport": { "properties": ["edit"] }, "dataSupport": true },
         },
         "workspace": {
+            "applyEdit": true,
             "workspaceEdit": { "documentChanges": true },
             "didChangeWatchedFiles": { "dynamicRegistration": true },
             "inlayHint": { "refreshSupport": true },
@@ -50,9 +54,17 @@ pub fn rich() -> Value {
 impl Session {
     /// A server in this program.
     pub fn start(capabilities: Value, options: Value) -> Session {
-        let (server, client) = Connection::memory();
-        thread::spawn(move || zpg::lsp::serve(&server, Language::English));
-        Session::begin(client, None, capabilities, options)
+        let (to, incoming) = unbounded();
+        let (sender, said) = unbounded::<String>();
+        thread::spawn(move || zpg::lsp::serve(&incoming, sender, Language::English));
+        let (received, from) = unbounded();
+        thread::spawn(move || {
+            for text in said {
+                let message = serde_json::from_str(&text).expect("a message");
+                let _ = received.send(message);
+            }
+        });
+        Session::begin((to, from), None, capabilities, options)
     }
 
     /// The server as it is installed.
@@ -64,26 +76,27 @@ impl Session {
             .spawn()
             .unwrap();
         let (mut input, output) = (child.stdin.take().unwrap(), child.stdout.take().unwrap());
-        let (ours, theirs) = Connection::memory();
-        let Connection { sender, receiver } = theirs;
-        thread::spawn(move || receiver.iter().try_for_each(|m| m.write(&mut input)));
+        let (to, outgoing) = unbounded::<Message>();
+        let (received, from) = unbounded();
+        thread::spawn(move || outgoing.iter().try_for_each(|m| m.write(&mut input)));
         thread::spawn(move || {
             let mut output = BufReader::new(output);
             while let Ok(Some(message)) = Message::read(&mut output) {
-                let _ = sender.send(message);
+                let _ = received.send(message);
             }
         });
-        Session::begin(ours, Some(child), capabilities, Value::Null)
+        Session::begin((to, from), Some(child), capabilities, Value::Null)
     }
 
     fn begin(
-        connection: Connection,
+        (to, from): (Sender<Message>, Receiver<Message>),
         child: Option<Child>,
         capabilities: Value,
         options: Value,
     ) -> Session {
         let mut session = Session {
-            connection,
+            to,
+            from,
             model: Model::read(),
             asked: HashMap::new(),
             next: 0,
@@ -102,10 +115,7 @@ impl Session {
 
     pub fn tell(&mut self, method: &str, params: Value) {
         let method = method.to_owned();
-        let _ = self
-            .connection
-            .sender
-            .send(Notification { method, params }.into());
+        let _ = self.to.send(Notification { method, params }.into());
     }
 
     /// Sends a request and does not wait.
@@ -118,7 +128,7 @@ impl Session {
             method,
             params,
         };
-        self.connection.sender.send(request.into()).unwrap();
+        self.to.send(request.into()).unwrap();
         id
     }
 
@@ -169,11 +179,7 @@ impl Session {
     }
 
     fn next_message(&mut self) {
-        let message = self
-            .connection
-            .receiver
-            .recv_timeout(PATIENCE)
-            .expect("a message");
+        let message = self.from.recv_timeout(PATIENCE).expect("a message");
         let right = match message {
             Message::Response(response) => self.take(response),
             Message::Notification(n) => {
@@ -191,7 +197,7 @@ impl Session {
                     id: r.id,
                     response_result: Ok(Value::Null),
                 };
-                let _ = self.connection.sender.send(response.into());
+                let _ = self.to.send(response.into());
                 self.said.push((r.method, r.params));
                 right
             }

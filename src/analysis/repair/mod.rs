@@ -10,7 +10,7 @@ mod characters;
 mod elsewhere;
 mod judge;
 mod whole;
-mod words;
+pub mod words;
 
 use rustc_hash::FxHashSet;
 

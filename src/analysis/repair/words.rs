@@ -1,5 +1,7 @@
 //! What people write in the place of a type's number: its English and its Czech names.
 
+use rustc_hash::FxHashSet;
+
 use crate::diagnostics::Language;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
 
@@ -144,8 +146,20 @@ pub fn types(word: &str) -> Vec<&'static RecordType> {
     NAMES.iter().find(near).map_or(Vec::new(), |n| of(n.1))
 }
 
+/// What a type is called in both languages, without accents and in lower case.
+pub fn names(ty: &RecordType) -> Vec<String> {
+    let others = NAMES.iter().filter(|n| n.1.contains(&ty.code));
+    let czech = Language::Czech.name(ty.title);
+    let titles = [ty.title, &czech].map(|title| title.split(' ').map(plain).collect::<Vec<_>>());
+    let mut all: Vec<String> = others.map(|n| n.0.to_owned()).collect();
+    all.extend(titles.concat());
+    let mut seen = FxHashSet::default();
+    all.retain(|name| seen.insert(name.clone()));
+    all
+}
+
 /// Lower case, without accents, and without what joins words.
-fn plain(word: &str) -> String {
+pub fn plain(word: &str) -> String {
     let letters = word.chars().flat_map(char::to_lowercase);
     letters
         .filter(|c| !matches!(c, '-' | '_' | ' ' | ':' | '.'))

@@ -241,13 +241,13 @@ lsp-fix-all = Provést všechny bezpečné opravy
 lsp-renumber = Přečíslovat všechna ID podle pořadí v souboru
 lsp-comment-out = Zakomentovat
 lsp-comment-in = Odkomentovat
+lsp-new-scene = nová scéna
+lsp-profile-point = bod { $place }: { $name }
+lsp-profile-colour = barva bodu { $place }: { $name }
 lsp-render = Vykreslit
 lsp-preview = Náhled
 lsp-crosscheck = Porovnat s POV-Rayem
-lsp-used = { $count ->
-    [one] použito jednou
-   *[other] použito { $count }×
-}
+lsp-used = použito { $count }×
 lsp-no-id = zde není žádné ID
 lsp-render-id = 1 je ID renderovacího záznamu a jiné být nemůže
 lsp-reserved-id = 1 je vyhrazeno renderovacímu záznamu

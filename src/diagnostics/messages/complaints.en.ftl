@@ -235,13 +235,13 @@ lsp-fix-all = Apply all safe fixes
 lsp-renumber = Number all IDs anew, in the order of the file
 lsp-comment-out = Comment out
 lsp-comment-in = Comment in
+lsp-new-scene = new scene
+lsp-profile-point = point { $place }: { $name }
+lsp-profile-colour = colour of point { $place }: { $name }
 lsp-render = Render
 lsp-preview = Preview
 lsp-crosscheck = Check in POV-Ray
-lsp-used = { $count ->
-    [one] used once
-   *[other] used { $count } times
-}
+lsp-used = used { $count } times
 lsp-no-id = there is no ID here
 lsp-render-id = 1 is the ID of the render record and stays so
 lsp-reserved-id = 1 is kept for the render record

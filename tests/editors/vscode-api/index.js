@@ -73,7 +73,7 @@ const tests = {
     assert.ok(tokens.data.length > 100);
     const lenses = await call("vscode.executeCodeLensProvider", 20);
     const titles = lenses.map((l) => l.command.title);
-    assert.ok(titles.includes("Preview") && titles.includes("used once"), titles.join());
+    assert.ok(titles.includes("Preview") && !titles.some((t) => t.startsWith("used")), titles.join());
     const [ball] = await call("vscode.prepareCallHierarchy", new vscode.Position(0, 0));
     const calls = await vscode.commands.executeCommand("vscode.provideIncomingCalls", ball);
     assert.equal(calls[0].from.name, "5 union");

@@ -1,0 +1,98 @@
+//! Actions that change a whole file. Their edits are computed when somebody has chosen one: of a large scene they take
+//! long, and clients ask what there is at every move of the cursor.
+
+use gen_lsp_types::{CodeAction, Command};
+use serde_json::{Value, json};
+
+use super::ask::Ask;
+use super::convert::Convert;
+use super::documents::Snapshot;
+use crate::analysis::Analysis;
+use crate::diagnostics::Edit;
+use crate::features::{actions, rename};
+
+/// An action of a whole file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WholeFile {
+    /// Applies all safe fixes.
+    FixAll,
+    /// Numbers all IDs anew.
+    Renumber,
+}
+
+impl WholeFile {
+    pub const ALL: [WholeFile; 2] = [WholeFile::FixAll, WholeFile::Renumber];
+
+    /// Its kind in the protocol.
+    pub fn kind(self) -> &'static str {
+        match self {
+            WholeFile::FixAll => "source.fixAll.zpg",
+            WholeFile::Renumber => "refactor.rewrite.renumber",
+        }
+    }
+
+    /// The command that takes the URI of an open file and asks the client for the edit.
+    pub fn command(self) -> &'static str {
+        match self {
+            WholeFile::FixAll => "zpg.fixAll",
+            WholeFile::Renumber => "zpg.renumber",
+        }
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            WholeFile::FixAll => "lsp-fix-all",
+            WholeFile::Renumber => "lsp-renumber",
+        }
+    }
+
+    /// Whether it may have something to do, at a glance.
+    pub fn is_of_use(self, analysis: &Analysis) -> bool {
+        match self {
+            WholeFile::FixAll => actions::has_safe_fixes(analysis),
+            WholeFile::Renumber => rename::can_renumber(analysis),
+        }
+    }
+
+    pub fn edits(self, file: &Snapshot) -> Vec<Edit> {
+        match self {
+            WholeFile::FixAll => actions::fix_all(file.analysis(), &file.settings()),
+            WholeFile::Renumber => rename::renumber(file.analysis()).unwrap_or_default(),
+        }
+    }
+
+    /// The action as it is offered. Who asks for its kind wants its edit; else that comes when the action is chosen, by
+    /// `codeAction/resolve` or by a command. A client that knows neither is offered nothing.
+    pub fn offer(self, ask: &Ask, convert: &Convert, by_kind: bool) -> Option<CodeAction> {
+        let uri = json!(convert.file.uri);
+        let title = ask.client.language.say(self.title(), &[]);
+        let mut action = CodeAction {
+            title: title.clone(),
+            kind: Some(self.kind().to_owned().into()),
+            ..CodeAction::default()
+        };
+        match () {
+            () if ask.client.resolves_edits => action.data = Some(json!({ "uri": uri })),
+            () if by_kind => action.edit = Some(convert.workspace_edit(&self.edits(convert.file))),
+            () if ask.client.applies_edits => {
+                action.command = Some(Command {
+                    title,
+                    tooltip: None,
+                    command: self.command().to_owned(),
+                    arguments: Some(vec![uri]),
+                });
+            }
+            () => return None,
+        }
+        Some(action)
+    }
+
+    /// Has the client make the edit.
+    pub fn apply(self, ask: &Ask, file: &Snapshot) -> Value {
+        let edit = ask.convert(file).workspace_edit(&self.edits(file));
+        let label = ask.client.language.say(self.title(), &[]);
+        let params = json!({ "label": label, "edit": edit });
+        ask.outgoing.request("workspace/applyEdit", params);
+        Value::Null
+    }
+}
