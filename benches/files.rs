@@ -32,7 +32,8 @@ fn main() -> ExitCode {
     let start = Instant::now();
     let tally = any_files::run(files as usize, seed, &pool);
     println!(
-        "{} files ({} out of {} in folders): {} scenes, {} changed by fmt, {} by check --fix, {} wrong, {:.0} s",
+        "{} files ({} out of {} in folders): {} scenes, {} changed by fmt, {} by check --fix, {} wrong, {:.0} s; \
+         of {} scenes with mistakes {} were taken for none",
         tally.files,
         tally.found,
         pool.texts(),
@@ -40,8 +41,17 @@ fn main() -> ExitCode {
         tally.formatted,
         tally.fixed,
         tally.wrong.len(),
-        start.elapsed().as_secs_f64()
+        start.elapsed().as_secs_f64(),
+        tally.spoiled,
+        tally.lost.len()
     );
+    println!("Texts of other tools:");
+    for (kind, taken) in any_files::others::run(files as usize, seed) {
+        println!(
+            "{kind}: of {} files {} are taken for scenes, {} would be rewritten",
+            taken.files, taken.scenes, taken.changed
+        );
+    }
     for line in tally.wrong.iter().take(50) {
         println!("{line}");
     }

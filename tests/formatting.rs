@@ -95,6 +95,10 @@ fn complaint(text: &str) -> Option<String> {
         return Some("comments differ".to_owned());
     }
     let (before, after) = (load(text), load(&once));
+    if !before.is_scene() {
+        // The formatter is not asked.
+        return None;
+    }
     if let Some(silent) = broken_without_an_error(&before) {
         return Some(format!("nothing is said of {silent}"));
     }

@@ -51,7 +51,10 @@ fn strangers() -> Vec<(Vec<u8>, &'static str)> {
     assert!(!json.stdout.is_empty() && !pov.stdout.is_empty());
     vec![
         (png(), "this is a PNG picture, not a scene"),
-        (b"2 9 1\n\0".to_vec(), "this is binary data, not a scene"),
+        (
+            b"2 9 1\n\0\n3 9 1\n".to_vec(),
+            "this is binary data, not a scene",
+        ),
         (json.stdout, "this is a scene written as JSON"),
         (b"[\n1,\n2,\n3\n]\n".to_vec(), "this is JSON, not a scene"),
         (pov.stdout, "this looks like a POV-Ray scene"),
@@ -229,8 +232,130 @@ fn files_of_all_kinds_come_out_right() {
         tally.wrong.len(),
         tally.files
     );
+    // A long matrix with mistakes may be most of a scene.
+    let lost = tally.lost.len();
+    assert!(
+        lost * 50 <= tally.spoiled,
+        "{lost} of {}: {:#?}",
+        tally.spoiled,
+        tally.lost
+    );
     // All kinds were there.
     assert!(pool.texts() > 50 && tally.found > count / 6);
     assert!(tally.scenes > count / 3 && tally.files - tally.scenes > count / 5);
     assert!(tally.formatted > count * 7 / 30 && tally.fixed > count / 6);
+}
+
+/// Texts of other tools that are full of numbers.
+#[test]
+fn nothing_is_written_to_what_other_tools_write() {
+    use std::fmt::Write;
+    let taken = any_files::others::run(cases(3400, 34_000), 1);
+    let mut wrong = String::new();
+    let (mut files, mut changed) = (0, 0);
+    for (kind, taken) in &taken {
+        (files, changed) = (files + taken.files, changed + taken.changed);
+        // Of a few rows of integers most may be records that can be read.
+        if taken.changed * 25 > taken.files {
+            writeln!(
+                wrong,
+                "{kind}: {} of {}: {:?}",
+                taken.changed, taken.files, taken.example
+            )
+            .unwrap();
+        }
+    }
+    assert!(wrong.is_empty(), "of {files} files: {wrong}");
+    assert!(changed * 300 <= files, "{changed} of {files}");
+    assert_eq!(taken.len(), any_files::others::KINDS.len());
+}
+
+#[test]
+fn endings_of_other_tools_protect_a_file() {
+    let dir = tempfile::tempdir().unwrap();
+    for name in ["a.md", "a.CSV", "a.off", "a.pov"] {
+        let path = dir.path().join(name);
+        fs::write(&path, SCENE.replace("1.50", "1,50")).unwrap();
+        for args in [
+            &["fmt"][..],
+            &["fmt", "--check"],
+            &["check", "--fix"],
+            &["check", "--diff"],
+            &["check", "--add-allow"],
+        ] {
+            let run = zpg(dir.path(), &[args, &[name]].concat(), b"");
+            assert_eq!(run.status.code(), Some(2), "{run:?}");
+            assert!(text(&run.stderr).contains("--force changes it"), "{run:?}");
+        }
+        assert_eq!(
+            fs::read_to_string(&path).unwrap(),
+            SCENE.replace("1.50", "1,50")
+        );
+        zpg(dir.path(), &["check", "--fix", "--force", name], b"");
+        zpg(dir.path(), &["fmt", "--force", name], b"");
+        assert_eq!(fs::read_to_string(&path).unwrap(), FORMATTED);
+        // What is only read may have any name.
+        assert_ne!(
+            zpg(dir.path(), &["check", name], b"").status.code(),
+            Some(2)
+        );
+    }
+    // Nothing is written to a file.
+    let run = zpg(
+        dir.path(),
+        &["fmt", "--stdin-filename", "a.md", "-"],
+        SCENE.as_bytes(),
+    );
+    assert_eq!(text(&run.stdout), FORMATTED);
+}
+
+#[test]
+fn what_follows_the_text_stays() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("a.zpg");
+    for tail in [
+        "\u{1a}",
+        "\u{1a}\u{1a}\u{1a}",
+        "\0\0\0\0\0",
+        "\u{1a}\0\0",
+        "\u{1a}\r\n",
+    ] {
+        for encode in [
+            |t: &str| t.as_bytes().to_vec(),
+            |t: &str| utf16(t, true, true),
+        ] {
+            fs::write(&path, encode(&format!("{SCENE}{tail}"))).unwrap();
+            let run = zpg(dir.path(), &["check", "--format", "short", "a.zpg"], b"");
+            assert_eq!(
+                run.status.code(),
+                Some(0),
+                "{tail:?}: {}",
+                text(&run.stdout)
+            );
+            let run = zpg(dir.path(), &["fmt", "a.zpg"], b"");
+            assert_eq!(run.status.code(), Some(0), "{tail:?}: {run:?}");
+            assert!(
+                fs::read(&path).unwrap() == encode(&format!("{FORMATTED}{tail}")),
+                "{tail:?}"
+            );
+            fs::write(
+                &path,
+                encode(&format!("{}{tail}", SCENE.replace("1.50", "1,5"))),
+            )
+            .unwrap();
+            zpg(dir.path(), &["check", "--fix", "a.zpg"], b"");
+            let fixed = format!("{}{tail}", SCENE.replace("1.50", "1.5"));
+            assert!(fs::read(&path).unwrap() == encode(&fixed), "{tail:?}");
+        }
+    }
+    // Files that were joined, and a page break.
+    fs::write(&path, format!("\u{feff}# a #\n\u{feff}{SCENE}\u{c}\n")).unwrap();
+    let run = zpg(dir.path(), &["fmt", "a.zpg"], b"");
+    assert_eq!(run.status.code(), Some(0), "{run:?}");
+    let formatted = fs::read_to_string(&path).unwrap();
+    assert_eq!(formatted, format!("\u{feff}# a #\n{FORMATTED}"));
+    assert_eq!(
+        zpg(dir.path(), &["check", "a.zpg"], b"").status.code(),
+        Some(0)
+    );
 }

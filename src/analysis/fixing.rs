@@ -132,6 +132,7 @@ fn step(
                 && !harms
                 && !has_new_errors(before, &fixed)
                 && leaves_the_rest(analysis, &edits, &fixed)
+                && fixed.is_scene()
                 && recognise::is_scene(&fixed.source.text)
                 && !(guesses && repair::draws_nothing(&fixed) && !repair::draws_nothing(before))
             {

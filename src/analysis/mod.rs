@@ -25,7 +25,7 @@ use crate::scene::{self, Scene};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::syntax::recognise::{self, Stranger};
 use crate::syntax::table::{Effect, RecordKind};
-use crate::syntax::{self, Document, Item, Record, lexer};
+use crate::syntax::{self, Document, Item, Record, in_records, lexer};
 
 /// A scene read as far as it goes.
 #[derive(Debug)]
@@ -174,7 +174,14 @@ impl Analysis {
 
     /// Reads a scene from its text.
     pub fn of(source: SourceFile) -> Analysis {
-        Analysis::read(source, true)
+        let analysis = Analysis::read(source, true);
+        match in_records::by_records(&analysis.source.text, &analysis.document) {
+            None => analysis,
+            Some(finding) => Analysis::stranger(Stranger {
+                source: analysis.source,
+                finding,
+            }),
+        }
     }
 
     /// The same of a text that is only tried: what it says is counted, and not all proposals are made.

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use super::draft::{Draft, unwritable};
+use super::draft::{Draft, try_folder, unwritable};
 use super::size::Size;
 use super::terminal::{print, progress_bar, stop_on_interrupt};
 use super::{LookChoice, Status, complain, load_sound, refuse, usage};
@@ -154,6 +154,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &Complaint::new("too-many-pixels").with("max", max));
         return Status::Failure;
     }
+    if let Err(complaint) = try_folder(&folder(args, file)) {
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     let loaded = match load_sound(file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
@@ -283,6 +287,10 @@ impl Shown {
 
 /// The table without a scene.
 fn shapes(args: &Args, look: LookChoice) -> Status {
+    if let Err(complaint) = args.output.iter().try_for_each(|folder| try_folder(folder)) {
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     let seconds = args.budget.map_or(60.0, |b| b.0);
     let stop = stop_on_interrupt(look);
     let bar = progress_bar(1000, look);

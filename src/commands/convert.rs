@@ -1,10 +1,9 @@
 //! `zpg convert`: the scene for other programs.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use super::draft::{Draft, unwritable};
+use super::draft::{Draft, try_file, unwritable};
 use super::memory::Memory;
 use super::paths::is_stdout;
 use super::size::Size;
@@ -95,6 +94,15 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
+    // What cannot be written is known before anything is read.
+    let named = args.output.iter().filter(|path| !is_stdout(path));
+    if let Err(complaint) = named
+        .chain(&args.report)
+        .try_for_each(|path| try_file(path))
+    {
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     let needs = match args.to.draws() {
         true => Needs::Render,
         false => Needs::Nothing,
@@ -162,13 +170,8 @@ fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
 fn write<'f>(
     files: impl Iterator<Item = &'f (Option<PathBuf>, Vec<u8>)> + Clone,
 ) -> Result<(), Complaint> {
-    for path in files.clone().filter_map(|(path, _)| path.as_deref()) {
-        // To open a pipe twice would end its reader.
-        let is_special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
-        if !is_special {
-            drop(Draft::create(path).map_err(|e| unwritable(path, &e))?);
-        }
-    }
+    let mut paths = files.clone().filter_map(|(path, _)| path.as_deref());
+    paths.try_for_each(try_file)?;
     for (path, bytes) in files {
         match path {
             Some(path) => Draft::create(path)

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use super::draft::{Draft, unwritable};
+use super::draft::{Draft, try_folder, unwritable};
 use super::size::Size;
 use super::{LookChoice, Status, complain, convert, load_sound, terminal, usage};
 use crate::analysis::Analysis;
@@ -161,6 +161,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     if u64::from(args.size.width) * u64::from(args.size.height) > MAX_PIXELS {
         let max = MAX_PIXELS.to_string();
         complain(look, &Complaint::new("too-many-pixels").with("max", max));
+        return Status::Failure;
+    }
+    if let Err(complaint) = try_folder(&folder(args)) {
+        complain(look, &complaint);
         return Status::Failure;
     }
     let loaded = match load_sound(&args.file, look) {

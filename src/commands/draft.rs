@@ -31,11 +31,7 @@ impl Draft {
             }
             _ => {}
         }
-        let folder = match path.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
-        temporary(folder).map(Draft::Temporary)
+        temporary(folder_of(path)).map(Draft::Temporary)
     }
 
     /// Writes the file and puts it in its place, complete or not at all.
@@ -60,6 +56,40 @@ impl Draft {
         }
         Ok(())
     }
+}
+
+/// The folder that a file lies in.
+pub fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+/// Makes sure, before long work begins, that a file can be written; nothing is left of the attempt.
+pub fn try_file(path: &Path) -> Result<(), Complaint> {
+    // To open a pipe twice would end its reader.
+    let is_special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
+    match is_special {
+        true => Ok(()),
+        false => (Draft::create(path).map(drop)).map_err(|e| unwritable(path, &e)),
+    }
+}
+
+/// The same for a file whose folder is made if it is not there yet.
+pub fn try_file_in_new_folder(path: &Path) -> Result<(), Complaint> {
+    match folder_of(path).exists() {
+        true => try_file(path),
+        false => try_folder(folder_of(path)),
+    }
+}
+
+/// Makes sure, before long work begins, that files can be written into a folder, which need not be there yet; nothing is
+/// left of the attempt.
+pub fn try_folder(folder: &Path) -> Result<(), Complaint> {
+    let there = folder.ancestors().find(|f| f.exists());
+    let there = there.filter(|f| !f.as_os_str().is_empty());
+    (temporary(there.unwrap_or(Path::new("."))).map(drop)).map_err(|e| unwritable(folder, &e))
 }
 
 /// A new file in a folder for what is not complete, removed unless it is given a name.

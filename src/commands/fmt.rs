@@ -6,8 +6,9 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use super::difference::diff;
 use super::load::is_json;
-use super::rewrite::{bytes_of, diff, replace};
+use super::rewrite::{allow, bytes_of, replace};
 use super::settings::{Chosen, Scenes};
 use super::terminal::Complaints;
 use super::{LookChoice, Status, complain, terminal};
@@ -16,7 +17,7 @@ use crate::analysis::file::{self, STDIN};
 use crate::diagnostics::{Complaint, Value};
 use crate::format::{format, format_range};
 use crate::parallel;
-use crate::syntax::{self, preserved, recognise};
+use crate::syntax::{preserved, recognise};
 
 /// Format scenes: one record a line, numbers and comments under each other
 #[derive(Debug, clap::Args)]
@@ -53,6 +54,10 @@ pub struct Args {
     /// Write nothing; show what would change
     #[arg(long)]
     diff: bool,
+
+    /// Format files even if their names end as those of other tools' files do (.csv, .md, .obj …)
+    #[arg(long)]
+    force: bool,
 
     /// Change only the records that touch these lines, counted from 1; for one file
     #[arg(long, value_name = "FIRST-LAST")]
@@ -192,12 +197,15 @@ fn format_file(
         _ => path,
     };
     let config = configs.for_file(name).map_err(ConfigError::complaint)?;
+    if !is_stdin {
+        allow(path, args.force, !args.check && !args.diff)?;
+    }
     let bytes = file::read(path)?;
     if is_json(name, &bytes) {
         return Err(Complaint::new("json-not-formatted").with("path", name));
     }
-    let source = match recognise::read(name.to_string_lossy(), bytes) {
-        Ok(source) => source,
+    let (source, document) = match recognise::parse(name.to_string_lossy(), bytes) {
+        Ok(read) => read,
         Err(stranger) => {
             terminal::findings(&stranger.source, &[stranger.finding], look);
             return Ok(Formatted {
@@ -206,7 +214,6 @@ fn format_file(
             });
         }
     };
-    let (document, _) = syntax::parse(&source.text);
     let text = match &args.range {
         None => format(&source.text, &document, &config.format),
         Some(Lines(lines)) => {
@@ -224,7 +231,7 @@ fn format_file(
     }
     // What cannot be written is known whether it is to be written or not.
     let bytes = match changed || is_stdin {
-        true => bytes_of(&source, &text)?,
+        true => bytes_of(&source, &text, document.contents.broken)?,
         false => Cow::default(),
     };
     let mut output = Vec::new();

@@ -110,6 +110,7 @@ help-check-exit_zero = Skončí s návratovým kódem 0, i když jsou ve scéná
 help-check-show_files = Vypíše soubory, které by se kontrolovaly
 help-check-show_settings = Vypíše nastavení, které platí pro první soubor, v podobě pro zpg.toml
 help-check-fix = Opraví v souborech, co lze opravit bezpečně; scénu ze standardního vstupu vypíše na standardní výstup
+help-check-force = S --fix nebo --add-allow: změní i soubory, jejichž jména mají příponu jiných programů (.csv, .md, .obj …)
 help-check-add_allow = Doplní komentáře, které povolí všechny zbývající nálezy; chyby povolit nelze
 help-check-unsafe_fixes = S --fix nebo --diff: použije i opravy, které jsou jen odhadem
 help-check-diff = Nic nezapíše, jen ukáže, co by změnila volba --fix
@@ -150,6 +151,7 @@ help-fmt = Zformátuje scény: jeden záznam na řádek, čísla a komentáře z
           zpg fmt - < vstup.zpg > vystup.zpg
 help-fmt-check = Nic nezapíše, jen vyjmenuje soubory, které by se změnily
 help-fmt-diff = Nic nezapíše, jen ukáže, co by se změnilo
+help-fmt-force = Zformátuje i soubory, jejichž jména mají příponu jiných programů (.csv, .md, .obj …)
 help-fmt-range = Změní jen záznamy, které zasahují do těchto řádků (počítáno od 1); jen pro jeden soubor
     .value = OD-DO
 help-fmt-stdin_filename = Jméno souboru, za který se má standardní vstup považovat: ve zprávách a při hledání zpg.toml

@@ -1,8 +1,8 @@
 //! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`, which
 //! returns the exit [`Status`].
 //!
-//! What they share: [`camera()`] finds a camera by its ID, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`draft`] writes files that
-//! appear when they are complete, [`help`] gives `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files and shows how, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
+//! What they share: [`camera()`] finds a camera by its ID, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`difference`] shows how a file would change, [`draft`] writes files that
+//! appear when they are complete, [`help`] gives `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
 //! is wrong with arguments.
 
@@ -13,6 +13,7 @@ pub mod cli;
 pub mod completions;
 pub mod convert;
 pub mod crosscheck;
+mod difference;
 pub mod draft;
 pub mod explain;
 pub mod fmt;

@@ -13,7 +13,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use super::draft::{Draft, unwritable};
+use super::draft::{Draft, try_file, unwritable};
 use super::memory::{self, Memory};
 use super::paths::is_stdout;
 use super::size::Size;
@@ -272,6 +272,7 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
         .iter()
         .map(|path| Output::create_map(path))
         .collect::<Result<Vec<_>, _>>()?;
+    args.stats.iter().try_for_each(|path| try_file(path))?;
 
     let mut seconds = Seconds {
         load,

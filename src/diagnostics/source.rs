@@ -101,9 +101,21 @@ impl Encoding {
 /// Whether the bytes are pairs whose first (0) or second (1) byte is NUL nearly always, and the other
 /// one hardly ever: letters beyond Latin 1 occur in comments.
 fn is_half_nul(bytes: &[u8], nul: usize) -> bool {
-    let (pairs, _) = bytes.as_chunks::<2>();
+    let (mut pairs, _) = bytes.as_chunks::<2>();
+    // What a block of a disk is filled with says nothing.
+    while let [before @ .., [0, 0]] = pairs {
+        pairs = before;
+    }
     let nuls = |i: usize| pairs.iter().filter(|pair| pair[i] == 0).count();
-    4 * nuls(nul) >= 3 * pairs.len() && 16 * nuls(1 - nul) <= pairs.len()
+    !pairs.is_empty() && 4 * nuls(nul) >= 3 * pairs.len() && 16 * nuls(1 - nul) <= pairs.len()
+}
+
+/// Where a text ends. Behind it are marks of DOS, 0x1A, NULs, and perhaps blanks between them.
+fn end_of_text(text: &str) -> usize {
+    let is_fill = |c: char| matches!(c, '\0' | '\u{1a}');
+    let kept = text.trim_end_matches(|c: char| is_fill(c) || matches!(c, ' ' | '\t' | '\r' | '\n'));
+    let fill = text[kept.len()..].find(is_fill);
+    fill.map_or(text.len(), |at| kept.len() + at)
 }
 
 /// The line break of a text. In a mixed one it is the last: a text that is printed anew ends with it, so
@@ -134,6 +146,8 @@ pub struct SourceFile {
     pub encoding: Encoding,
     /// Whether the text stands for all bytes of the file; half a character of UTF-16 is lost.
     pub is_whole: bool,
+    /// What the file has behind its text: the mark with which texts of DOS end, and what fills its last block on a disk.
+    tail: String,
     lines: OnceLock<Lines>,
 }
 
@@ -184,22 +198,41 @@ impl SourceFile {
             },
             _ => (encoding, encoding.decode(bytes)),
         };
-        SourceFile::decoded(path.into(), text, encoding, is_whole)
+        SourceFile {
+            encoding,
+            is_whole,
+            ..SourceFile::of_text(path, text)
+        }
+    }
+
+    /// A file whose characters are known; in UTF-8.
+    pub fn of_text(path: impl Into<String>, mut text: String) -> SourceFile {
+        let tail = text.split_off(end_of_text(&text));
+        SourceFile {
+            path: path.into(),
+            text,
+            encoding: Encoding::Utf8,
+            is_whole: true,
+            tail,
+            lines: OnceLock::new(),
+        }
     }
 
     /// The same file with another text.
     pub fn with_text(&self, text: String) -> SourceFile {
-        SourceFile::decoded(self.path.clone(), text, self.encoding, self.is_whole)
-    }
-
-    fn decoded(path: String, text: String, encoding: Encoding, is_whole: bool) -> SourceFile {
         SourceFile {
-            path,
+            path: self.path.clone(),
             text,
-            encoding,
-            is_whole,
+            encoding: self.encoding,
+            is_whole: self.is_whole,
+            tail: self.tail.clone(),
             lines: OnceLock::new(),
         }
+    }
+
+    /// Whether the file is nothing but NULs, and so no text at all.
+    pub fn is_blank_disk(&self) -> bool {
+        self.text.is_empty() && self.tail.contains('\0')
     }
 
     /// Where lines start. Most scenes are right, and nobody asks.
@@ -291,7 +324,10 @@ impl SourceFile {
     /// The file's bytes with another text, in its encoding; nothing if they would be read as something
     /// else, or the file has bytes that its text does not stand for.
     pub fn encode<'t>(&self, text: &'t str) -> Option<Cow<'t, [u8]>> {
-        let bytes = self.encoding.encode(text);
+        let mut bytes = self.encoding.encode(text);
+        if !self.tail.is_empty() {
+            bytes.to_mut().extend(&*self.encoding.encode(&self.tail));
+        }
         let is_same = self.is_whole
             && (self.encoding == Encoding::Utf8
                 || SourceFile::new("", bytes.to_vec()).text == text);
@@ -455,6 +491,11 @@ mod tests {
                 assert_eq!(f.encode(&f.text), None);
             }
         }
+        // What a block of a disk is filled with.
+        let f = SourceFile::new("a", b"2 9 1\n\x1a\0\0\0\0\0\0\0\0\0\0\0".to_vec());
+        assert_eq!((f.encoding, &f.text[..]), (Encoding::Utf8, "2 9 1\n"));
+        let f = SourceFile::new("a", b"2\09\0\x1a\0\0\0".to_vec());
+        assert_eq!((f.encoding, &f.text[..]), (Encoding::Utf16Le, "29"));
         // Text of some other kind with a NUL in it.
         let f = SourceFile::new("a", b"2 9 1\0\n".to_vec());
         assert_eq!(f.encoding, Encoding::Utf8);
@@ -473,6 +514,30 @@ mod tests {
             ("a\r\n\r", "\r"),
         ] {
             assert_eq!(line_break(text), expected, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_behind_the_text_stays() {
+        for (text, tail) in [
+            ("2 9 1\n", "\u{1a}"),
+            ("2 9 1", "\u{1a}\u{1a}"),
+            ("2 9 1\r\n", "\u{1a}\r\n"),
+            ("2 9 1\n\n", "\0\0\0"),
+            ("2 9\u{1a}1 \n", ""),
+            ("", "\u{1a}"),
+        ] {
+            let all = format!("{text}{tail}");
+            let file = SourceFile::new("a", all.clone().into());
+            assert_eq!(file.text, text);
+            assert_eq!(file.encode(text).as_deref(), Some(all.as_bytes()));
+            let other = file.with_text("3 9 1\n".to_owned());
+            let expected = format!("3 9 1\n{tail}");
+            assert_eq!(
+                other.encode(&other.text).as_deref(),
+                Some(expected.as_bytes())
+            );
+            assert_eq!(SourceFile::of_text("a", all).text, text);
         }
     }
 

@@ -2,11 +2,11 @@
 
 use std::ops::RangeInclusive;
 
-use imara_diff::{Algorithm, Diff, Hunk, InternedInput, Token};
+use imara_diff::{Hunk, InternedInput, Token};
 
 use crate::analysis::Analysis;
 use crate::diagnostics::{Edit, Span};
-use crate::format::{self, Options};
+use crate::format::{self, Options, difference};
 
 /// What formats a scene, as few lines as possible.
 pub fn whole(analysis: &Analysis, options: &Options) -> Vec<Edit> {
@@ -56,9 +56,7 @@ pub fn edits(before: &str, after: &str) -> Vec<Edit> {
     let hunks: Vec<Hunk> = match input.before.len() == input.after.len() {
         // As many lines as there were: each stays where it is, as a rule.
         true => runs(&input.before, &input.after),
-        false => Diff::compute(Algorithm::Histogram, &input)
-            .hunks()
-            .collect(),
+        false => difference::of(&input).hunks().collect(),
     };
     let edit = |hunk: Hunk| {
         let span = Span::new(

@@ -20,6 +20,7 @@
 mod cell;
 mod chunk;
 mod compare;
+pub mod difference;
 mod lines;
 mod number;
 mod options;

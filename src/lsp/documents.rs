@@ -95,9 +95,9 @@ impl Snapshot {
 
     pub fn analysis(&self) -> &Analysis {
         self.analysis.get_or_init(|| {
-            let empty = SourceFile::new(Snapshot::name(&self.uri), Vec::new());
             let text = self.text.as_ref().clone();
-            Analysis::of(empty.with_text(text)).with_settings(self.settings())
+            let source = SourceFile::of_text(Snapshot::name(&self.uri), text);
+            Analysis::of(source).with_settings(self.settings())
         })
     }
 }

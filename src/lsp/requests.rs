@@ -125,7 +125,9 @@ impl Snapshot {
     /// cannot be read.
     fn style(&self) -> Option<Options> {
         let config = self.config.as_ref().ok()?;
-        let is_left = self.is_excluded() || !recognise::is_scene(&self.analysis().source.text);
+        let analysis = self.analysis();
+        let is_scene = analysis.is_scene() && recognise::is_scene(&analysis.source.text);
+        let is_left = self.is_excluded() || !is_scene;
         (!is_left).then_some(config.format)
     }
 }

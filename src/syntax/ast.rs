@@ -64,6 +64,8 @@ pub struct Broken {
     /// Its type, if that could be told.
     pub kind: Option<RecordKind>,
     pub fault: Fault,
+    /// Whether it is one slip of the pen away from a record.
+    pub is_slip: bool,
 }
 
 /// What is wrong with a [`Broken`] item, as far as it matters to what others make of it.

@@ -34,7 +34,7 @@ pub enum TokenKind {
     /// `, ; < > ( ) { }`, and `⟨ ⟩` as the handout prints them (and `〈 〉 ‹ ›`): read as white space.
     Separator,
     Newline,
-    /// U+FEFF at the start of the text.
+    /// U+FEFF at the start of a line: a file began there once.
     ByteOrderMark,
 }
 
@@ -64,6 +64,18 @@ impl TokenKind {
                 | TokenKind::Separator
                 | TokenKind::Newline
                 | TokenKind::ByteOrderMark
+        )
+    }
+
+    /// Whether it is a number, or begins like one.
+    pub fn is_numeric(self) -> bool {
+        matches!(
+            self,
+            TokenKind::Integer
+                | TokenKind::Real
+                | TokenKind::DecimalComma
+                | TokenKind::HugeNumber
+                | TokenKind::MalformedNumber
         )
     }
 
@@ -430,10 +442,10 @@ impl Tokens<'_> {
                 Ok(Raw::Comment(true)) => TokenKind::Comment,
                 Ok(Raw::Comment(false)) => TokenKind::UnterminatedComment,
                 Ok(Raw::Word | Raw::Never(_)) | Err(()) => {
-                    if span.start == 0 && slice.starts_with('\u{feff}') {
-                        self.at = '\u{feff}'.len_utf8();
+                    if slice.starts_with(MARK) && begins_a_file(&self.text[..span.start]) {
+                        self.at = span.start + MARK.len_utf8();
                         self.raw = Raw::lexer_with_extras(self.text, self.raw.extras);
-                        return Some(Token::new(TokenKind::ByteOrderMark, 0, self.at));
+                        return Some(Token::new(TokenKind::ByteOrderMark, span.start, self.at));
                     }
                     word(slice)
                 }
@@ -441,6 +453,14 @@ impl Tokens<'_> {
             return Some(Token::new(kind, span.start, span.end));
         }
     }
+}
+
+/// What a file in Unicode may begin with.
+const MARK: char = '\u{feff}';
+
+/// Whether a file may begin behind a text: it is the first, or the files were written one behind the other.
+fn begins_a_file(before: &str) -> bool {
+    before.is_empty() || before.ends_with(['\n', '\r', MARK])
 }
 
 /// The given kind for a number that fits a double.

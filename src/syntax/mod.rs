@@ -30,6 +30,7 @@ pub mod directive;
 pub mod grammar;
 pub mod hex;
 pub mod ids;
+pub mod in_records;
 mod lexed;
 pub mod lexer;
 pub mod parser;

@@ -6,12 +6,15 @@
 //! |---|---|
 //! | in UTF-16, by its mark or because every other byte is NUL | looked at as the text that it is |
 //! | that begins as files of a known format do | such a file |
-//! | with a NUL | binary data |
-//! | with other control characters in more than 1 % of it, but for tab, LF, VT, FF, CR and a last 0x1A | binary data |
+//! | with a NUL before its end | binary data |
+//! | with other control characters in more than 1 % of it, but for tab, LF, VT, FF and CR | binary data |
 //! | that is one value in brackets or braces of JSON, or begins with `{ "` | JSON, or a scene in JSON |
 //! | with a comment or word of 256 MiB or more | some other text |
 //! | of which fewer than half of the lines begin with a number | some other text |
+//! | of which fewer than half of the numbers are in records, or nearly so: [`by_records`](super::in_records::by_records) | some other text |
 //! | that is something else | a scene, with mistakes perhaps |
+//!
+//! What follows the text is no part of it: a mark with which texts of DOS end, 0x1A, and NULs that fill a block of a disk.
 //!
 //! Lines do not count that are blank, that a comment takes, or that begin with `//`, `;`, `--` or `/*`,
 //! as comments in other languages do. So an empty file and one of comments are scenes. Because a
@@ -23,6 +26,8 @@ use file_format::{FileFormat, Kind};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
+use super::ast::Document;
+use super::in_records::by_records;
 use super::lexer::{self, TokenKind, Tokens};
 use crate::diagnostics::wording::with_article;
 use crate::diagnostics::{Code, Diagnostic, SourceFile, Span, Value};
@@ -54,7 +59,7 @@ pub fn read(path: impl Into<String>, bytes: Vec<u8>) -> Result<SourceFile, Box<S
             .with("name-a", with_article(&name))
             .with("name", name)
             .with("kind", kind(format))
-    } else if is_binary(&source.text, characters) {
+    } else if source.is_blank_disk() || is_binary(&source.text, characters) {
         finding.case("binary")
     } else {
         return match text(&source.text, finding) {
@@ -66,7 +71,20 @@ pub fn read(path: impl Into<String>, bytes: Vec<u8>) -> Result<SourceFile, Box<S
     Err(Box::new(Stranger { source, finding }))
 }
 
-/// Whether a text is a scene; see the table above for what else it may be.
+/// The same, and reads the records: what is in them says as well whether it is one.
+pub fn parse(
+    path: impl Into<String>,
+    bytes: Vec<u8>,
+) -> Result<(SourceFile, Document), Box<Stranger>> {
+    let source = read(path, bytes)?;
+    let (document, _) = super::parse(&source.text);
+    match by_records(&source.text, &document) {
+        None => Ok((source, document)),
+        Some(finding) => Err(Box::new(Stranger { source, finding })),
+    }
+}
+
+/// Whether the lines of a text are those of a scene; see the table above for what else it may be.
 pub fn is_scene(written: &str) -> bool {
     let finding = Diagnostic::new(Code::E014, Span::default());
     !is_binary(written, written.len()) && text(written, finding).is_none()
@@ -98,8 +116,7 @@ fn is_binary(text: &str, characters: usize) -> bool {
         return false;
     }
     let controls = bytes.iter().filter(|b| is_control(b)).count();
-    let end_of_file = usize::from(text.ends_with('\u{1a}'));
-    text.contains('\0') || (controls - end_of_file) * 100 > characters
+    text.contains('\0') || controls * 100 > characters
 }
 
 /// What a text is that is no scene.
@@ -213,7 +230,7 @@ fn opening(line: &str, goes_on: bool) -> Opening {
         };
     }
     match rest {
-        "" | "\u{1a}" => Opening::Nothing,
+        "" => Opening::Nothing,
         _ if ["//", ";", "--", "/*"].iter().any(|c| rest.starts_with(c)) => Opening::Nothing,
         _ if is_number(rest) => Opening::Number,
         _ => Opening::Other,
@@ -375,7 +392,9 @@ mod tests {
         assert_eq!(stranger(&with(b"\x01\x7f\x1b\x08")), Some("binary"));
         assert_eq!(stranger(&with(b"\x01\x7f\x1b\x1a")), None);
         assert_eq!(stranger(&with(b"\t\x0b\x0c\t\x0b\x0c\t\x0b\x0c")), None);
-        assert_eq!(stranger(&with(b"\0")), Some("binary"));
+        assert_eq!(stranger(&with(b"\0")), None);
+        assert_eq!(stranger(&with(b"\x002 9 1")), Some("binary"));
+        assert_eq!(stranger(b"\0\0\0\0"), Some("binary"));
         assert_eq!(stranger(b"\x01"), Some("binary"));
         assert_eq!(stranger(b"\x1a"), None);
     }
@@ -388,7 +407,7 @@ mod tests {
             assert_eq!(stranger(&utf16(&format!("{mark}2 9 1\n# žlutá #\n"))), None);
             assert_eq!(stranger(&utf16(&format!("{mark}some words\n"))), Some(""));
             assert_eq!(
-                stranger(&utf16(&format!("{mark}2 9 1\n\0"))),
+                stranger(&utf16(&format!("{mark}2 9 1\n\x003 9 1"))),
                 Some("binary")
             );
             assert_eq!(stranger(&utf16(&format!("{mark}[1, 2]"))), Some("json"));

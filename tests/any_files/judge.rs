@@ -5,7 +5,7 @@ use zpg::analysis::Analysis;
 use zpg::analysis::fixing::to_fixed_point;
 use zpg::diagnostics::SourceFile;
 use zpg::format::{Options, format};
-use zpg::syntax::{parse, preserved, recognise};
+use zpg::syntax::{in_records, parse, preserved, recognise};
 
 /// What the tools make of a file, and what is wrong with that.
 pub struct Verdict {
@@ -29,7 +29,7 @@ pub fn foresee(bytes: &[u8], is_scene: Option<bool>) -> Verdict {
         fixed: bytes.to_vec(),
         wrong: Vec::new(),
     };
-    let read = recognise::read("a.zpg", bytes.to_vec());
+    let read = recognise::parse("a.zpg", bytes.to_vec());
     // Mutations may leave fewer than half of the lines of a scene with a number at their beginning.
     let expected = match known(bytes) {
         Some(false) => Some(false),
@@ -42,11 +42,10 @@ pub fn foresee(bytes: &[u8], is_scene: Option<bool>) -> Verdict {
         };
         verdict.wrong.push(what);
     }
-    let Ok(source) = read else {
+    let Ok((source, document)) = read else {
         verdict.is_scene = false;
         return verdict;
     };
-    let (document, _) = parse(&source.text);
     let text = format(&source.text, &document, &Options::default());
     if text != source.text {
         if !preserved::by_layout((&source.text, &document), &text) {
@@ -92,7 +91,9 @@ pub fn foresee(bytes: &[u8], is_scene: Option<bool>) -> Verdict {
 /// The bytes of a scene with another text, if it is a scene still.
 fn written(scene: &SourceFile, text: &str) -> Option<Vec<u8>> {
     let bytes = scene.encode(text)?;
-    recognise::is_scene(text).then(|| bytes.into_owned())
+    let is_scene =
+        recognise::is_scene(text) && in_records::by_records(text, &parse(text).0).is_none();
+    is_scene.then(|| bytes.into_owned())
 }
 
 /// Whether a file is a scene, where that does not depend on which `#` closes which or on a format.

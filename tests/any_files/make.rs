@@ -16,6 +16,8 @@ pub struct File {
 }
 
 pub const FOUND: &str = "a file of this machine";
+/// One that is hardly ever taken for something else.
+pub const SPOILED: &str = "a scene with mistakes";
 
 /// What files are made of.
 pub struct Pool {
@@ -180,11 +182,9 @@ pub fn file(rng: &mut Rng, pool: &Pool) -> File {
             let mut text = rng.pick(&pool.scenes).clone();
             spoil(rng, &mut text);
             // Where a `#` is lost, most lines may be in comments over several lines.
-            let is_scene = text.matches('#').count().is_multiple_of(2);
-            File {
-                kind: "a scene of the project",
-                bytes: encode(rng, &text),
-                is_scene: is_scene.then_some(true),
+            match text.matches('#').count().is_multiple_of(2) {
+                true => unknown(SPOILED, encode(rng, &text)),
+                false => unknown("a scene of the project", encode(rng, &text)),
             }
         }
         11 => {
@@ -194,10 +194,11 @@ pub fn file(rng: &mut Rng, pool: &Pool) -> File {
         }
         _ => {
             let mut text = scene(rng);
-            if rng.chance(0.7) {
-                spoil(rng, &mut text);
+            if rng.chance(0.3) {
+                return known("a scene", encode(rng, &text), true);
             }
-            known("a scene", encode(rng, &text), true)
+            spoil(rng, &mut text);
+            unknown(SPOILED, encode(rng, &text))
         }
     }
 }

@@ -3,6 +3,7 @@
 
 mod judge;
 mod make;
+pub mod others;
 
 use std::fs;
 use std::path::Path;
@@ -23,6 +24,9 @@ pub struct Tally {
     /// What was found in folders.
     pub found: usize,
     pub scenes: usize,
+    /// Scenes with mistakes, and how many of them were taken for none.
+    pub spoiled: usize,
+    pub lost: Vec<String>,
     pub formatted: usize,
     pub fixed: usize,
     /// What should not have come, with the file.
@@ -34,6 +38,8 @@ impl Tally {
         self.files += other.files;
         self.found += other.found;
         self.scenes += other.scenes;
+        self.spoiled += other.spoiled;
+        self.lost.extend(other.lost);
         self.formatted += other.formatted;
         self.fixed += other.fixed;
         self.wrong.extend(other.wrong);
@@ -68,6 +74,11 @@ fn batch(size: usize, seed: u64, pool: &Pool) -> Tally {
     };
     for (i, verdict) in verdicts.iter().enumerate() {
         tally.scenes += usize::from(verdict.is_scene);
+        let is_spoiled = files[i].kind == make::SPOILED;
+        tally.spoiled += usize::from(is_spoiled);
+        let lost = is_spoiled && !verdict.is_scene;
+        let told = || describe(seed, i, "taken for no scene", &files[i]);
+        tally.lost.extend(lost.then(told));
         tally.formatted += usize::from(verdict.formatted != files[i].bytes);
         tally.fixed += usize::from(verdict.fixed != files[i].bytes);
         let told = |what: &String| describe(seed, i, what, &files[i]);

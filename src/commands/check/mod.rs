@@ -9,11 +9,12 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::draft::{Draft, unwritable};
+use super::difference::diff;
+use super::draft::{Draft, try_file_in_new_folder, unwritable};
 use super::load::{analyse, is_json};
 use super::memory::Memory;
 use super::paths::{is_stdin, is_stdout};
-use super::rewrite::{bytes_of, diff, replace};
+use super::rewrite::{allow, bytes_of, replace};
 use super::settings::{Chosen, Scenes};
 use super::spare::spare_scenes;
 use super::terminal::Complaints;
@@ -88,6 +89,11 @@ pub struct Args {
     /// Mend what can be mended safely, in place; a scene from standard input goes to standard output
     #[arg(long)]
     fix: bool,
+
+    /// With --fix or --add-allow: change files even if their names end as those of other tools' files do (.csv, .md,
+    /// .obj …)
+    #[arg(long)]
+    force: bool,
 
     /// Write comments that allow all findings that are left; errors cannot be allowed
     #[arg(long, conflicts_with_all = ["fix", "diff", "watch", "show_files", "show_settings"])]
@@ -185,9 +191,12 @@ fn once(args: &Args, look: LookChoice) -> Status {
             deny: args.deny.clone(),
         },
     };
-    if let Some(path) = &args.output_file
-        && let Err(complaint) = spare_scenes(&files.files, path)
-    {
+    let named = args.output_file.iter().filter(|path| !is_stdout(path));
+    let mut tried = named.map(|path| {
+        spare_scenes(&files.files, path)?;
+        try_file_in_new_folder(path)
+    });
+    if let Err(complaint) = tried.try_for_each(|tried| tried) {
         complain(look, &complaint);
         return Status::Failure;
     }
@@ -299,13 +308,16 @@ impl Checker<'_> {
         let name = self.name(path);
         let config = (self.configs.for_file(name)).map_err(ConfigError::complaint)?;
         self.args.memory.admit(path, self.at_a_time)?;
+        let changes_it = self.args.fix || self.args.diff || self.args.add_allow;
+        if changes_it && !is_stdin {
+            allow(path, self.args.force, !self.args.diff)?;
+        }
         let bytes = file::read(path)?;
         let settings = Settings {
             levels: config.levels(name),
             choice: self.choice.clone(),
         };
         let levelled = |analysis: Analysis| analysis.with_settings(settings.clone());
-        let changes_it = self.args.fix || self.args.diff || self.args.add_allow;
         if changes_it && is_json(name, &bytes) {
             return Err(Complaint::new("json-not-changed").with("path", name));
         }
@@ -330,7 +342,7 @@ impl Checker<'_> {
             let source = &loaded.source;
             // What cannot be written is known whether it is to be written or not.
             let bytes = match fixed > 0 || is_stdin {
-                true => bytes_of(source, &source.text)?,
+                true => bytes_of(source, &source.text, false)?,
                 false => Cow::default(),
             };
             if self.args.diff {
@@ -355,9 +367,9 @@ impl Checker<'_> {
             (loaded, allowed) = (made.analysis, made.count);
             let source = &loaded.source;
             if is_stdin {
-                data = bytes_of(source, &source.text)?.into_owned();
+                data = bytes_of(source, &source.text, false)?.into_owned();
             } else if allowed > 0 {
-                replace(path, &bytes_of(source, &source.text)?)?;
+                replace(path, &bytes_of(source, &source.text, false)?)?;
             }
         }
         let mut tally = Tally::default();

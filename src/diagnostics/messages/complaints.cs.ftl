@@ -15,9 +15,12 @@ too-large = soubor je větší než { $size } GiB
 picture-broken = je poškozený, nebo má podobu, kterou zpg nečte
 picture-too-wide = má { $width } × { $height } pixelů; přečte se nejvýše { $side } × { $side }
 pictures-too-large = obrázky jedné scény smějí zabrat dohromady 256 MiB
+cannot-write-in-place = { $path } nelze zapsat: { $reason }; původní obsah je uložen v { $copy }
 read-only-file = soubor je jen pro čtení
+no-regular-file = není to obyčejný soubor
+other-ending = { $path } je podle jména soubor jiného programu ({ $ending }) a zůstává, jak je; změní ho jen --force
 text-lost = v kódování { $encoding } by se některé znaky ztratily
-no-scene-any-more = číslem by pak začínala méně než polovina řádků a soubor by se už nečetl jako scéna
+no-scene-any-more = číslem by pak začínalo příliš málo řádků, nebo by v záznamech leželo příliš málo čísel, a soubor by se už nečetl jako scéna
 layout-changes-content = vnitřní chyba: { $path } by po zformátování neříkal totéž, a tak zůstává, jak je; nahlaste to, prosím
 no-scenes = ve složce { $path } není žádný soubor se scénou (*.zpg)
 

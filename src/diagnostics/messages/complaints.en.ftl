@@ -15,9 +15,12 @@ too-large = it is larger than { $size } GiB
 picture-broken = it is damaged, or in a form that zpg does not read
 picture-too-wide = it has { $width } × { $height } pixels; { $side } × { $side } are read at most
 pictures-too-large = the pictures of a scene may take 256 MiB together
+cannot-write-in-place = cannot write { $path }: { $reason }; what it was is kept in { $copy }
 read-only-file = it is read-only
+no-regular-file = it is no regular file
+other-ending = { $path } is a file of another tool by its name ({ $ending }), and is left as it is; --force changes it all the same
 text-lost = as { $encoding } it would lose something
-no-scene-any-more = fewer than half of its lines would begin with a number, so that it would not be known for a scene
+no-scene-any-more = too few of its lines would begin with a number, or too few of its numbers would be in records, so that it would not be known for a scene
 layout-changes-content = internal error: { $path } would not say the same when it is formatted, and is left as it is; please report this
 no-scenes = no scene files (*.zpg) in { $path }
 

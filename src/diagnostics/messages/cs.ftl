@@ -284,6 +284,12 @@ E014 = soubor nevypadá jako scéna: { $lines ->
     }
     .label = tento řádek číslem nezačíná
     .help = scénu tvoří záznamy `ID TYP PARAMETR…` a `# komentáře #`; číslem začíná aspoň polovina jejích řádků
+E014-numbers = soubor nevypadá jako scéna: { $all ->
+        [one] jeho jediné číslo není v žádném záznamu
+       *[other] v záznamech leží { $numbers } z { $all } čísel
+    }
+    .label = toto není záznam
+    .help = scénu tvoří záznamy `ID TYP PARAMETR…`; aspoň polovina jejích čísel leží v záznamech, které lze přečíst nebo jim k tomu chybí jediná oprava
 E014-known = { $kind ->
         [picture] obrázek { $name }
         [recording] zvuková nahrávka { $name }

@@ -270,6 +270,12 @@ E014 = this does not look like a scene: { $lines ->
     }
     .label = this line does not
     .help = a scene is made of records, `ID TYPE PARAMETER…`, and of `# comments #`; at least half of its lines begin with a number
+E014-numbers = this does not look like a scene: { $all ->
+        [one] its only number is in no record
+       *[other] { $numbers } of { $all } numbers are in records
+    }
+    .label = this is no record
+    .help = a scene is made of records, `ID TYPE PARAMETER…`; at least half of its numbers are in records that can be read, or are one slip of the pen away from it
 E014-known = this is { $kind ->
         [picture] { $name-a } picture
         [recording] { $name-a } recording

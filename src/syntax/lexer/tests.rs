@@ -92,6 +92,20 @@ fn byte_order_mark_and_odd_spaces() {
         kinds("\u{feff}2\u{a0}9 1"),
         [ByteOrderMark, Integer, Integer, Integer]
     );
+    // Files that were joined.
+    assert_eq!(
+        kinds("\u{feff}\u{feff}2 9 1\r\n\u{feff}3\u{feff}"),
+        [
+            ByteOrderMark,
+            ByteOrderMark,
+            Integer,
+            Integer,
+            Integer,
+            Newline,
+            ByteOrderMark,
+            MalformedNumber
+        ]
+    );
 }
 
 #[test]

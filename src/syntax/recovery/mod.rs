@@ -48,6 +48,7 @@ use super::ast::Item;
 use super::signature::Columns;
 use crate::diagnostics::Diagnostic;
 pub use group::doubtful_group;
+pub use slips::LEAST_HEAD;
 use stretch::Stretch;
 pub use surroundings::Surroundings;
 use verdict::{Piece, Verdict};

@@ -402,6 +402,7 @@ pub fn broken(items: &mut [Item], tokens: &[Token], glued: &[Span]) {
                 id: Some(r.id),
                 kind: Some(r.kind),
                 fault: Fault::Form,
+                is_slip: true,
             });
         }
     }

@@ -3,10 +3,10 @@
 
 use super::super::table::{RecordKind, RecordType};
 use super::faults::{Unknown, has_lost_id, judge, lost_sign};
-use super::heads::{expected_end, is_counted};
+use super::heads::{end_of, expected_end, is_counted, type_behind_stray};
 use super::order::Order;
 use super::stretch::Stretch;
-use super::verdict::Verdict;
+use super::verdict::{Piece, Verdict};
 
 /// Whether a line would be a record of its own but for a slip: a number more or less, one that is
 /// malformed, a word for the type, a lost ID or sign.
@@ -48,7 +48,7 @@ pub fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Sl
             (Some(ty), Slip::Yes)
         }
         Verdict::WrongArity { ty, got, expected }
-            if got.abs_diff(expected) <= SLIP_MAX.min(1 + expected / 4) =>
+            if got.abs_diff(expected) <= most_off(expected) =>
         {
             let head = got > 0 || ty.code <= LEAST_HEAD || in_order;
             (Some(ty), if head { Slip::Yes } else { Slip::Maybe })
@@ -101,4 +101,56 @@ pub fn rows_expected(stretch: &Stretch, line: usize) -> usize {
         }
         _ => line,
     }
+}
+
+/// Whether a piece that is no record is one slip of the pen away from one.
+pub fn is_slip(stretch: &Stretch, piece: &Piece) -> bool {
+    let Piece {
+        start,
+        end,
+        verdict,
+    } = *piece;
+    let code = (start + 1 < end).then(|| stretch.sigs[start + 1].int);
+    // No table of numbers has such a type.
+    let is_no_row = |code: i32| {
+        let ty = RecordType::by_code(code.into());
+        code <= LEAST_HEAD || ty.is_some_and(|ty| ty.kind == RecordKind::Render)
+    };
+    if code.flatten().is_some_and(is_no_row) {
+        return true;
+    }
+    let is_record = |ty: &RecordType| ty.kind != RecordKind::Undefined;
+    match verdict {
+        Verdict::Void | Verdict::Whole(_) | Verdict::Swapped => true,
+        Verdict::Damaged { ty }
+        | Verdict::Reals { ty }
+        | Verdict::Surplus { ty, .. }
+        | Verdict::LostSign { meant: ty, .. }
+        | Verdict::LostId { ty }
+        | Verdict::CutOff { ty: Some(ty) } => is_record(ty),
+        Verdict::WrongArity { ty, got, expected } => {
+            let is_cut_off = end == stretch.len() && got < expected;
+            is_record(ty) && (is_cut_off || got.abs_diff(expected) <= most_off(expected))
+        }
+        Verdict::BadPointCount { .. } => end > start + 4,
+        Verdict::BadId { ty: Some(ty) } => {
+            is_record(ty) && end_of(stretch, start + 2, ty) == Some(end as u64)
+        }
+        Verdict::BadType => {
+            let ty = type_behind_stray(stretch, start + 1);
+            let is_right = |ty| end_of(stretch, start + 3, ty) == Some(end as u64);
+            // A word for the type, and then hardly anything but numbers.
+            let params = &stretch.sigs[(start + 2).min(end)..end];
+            let numbers = params.iter().filter(|s| s.kind.is_numeric()).count();
+            let has_numbers = numbers > 0 && 2 * numbers >= params.len();
+            stretch.sigs[start].int.is_some() && has_numbers || ty.is_some_and(is_right)
+        }
+        Verdict::UnknownType => lost_sign(stretch, start, end),
+        Verdict::MissingType | Verdict::BadId { ty: None } | Verdict::CutOff { ty: None } => false,
+    }
+}
+
+/// How many numbers more or less are a slip of the pen in a record that takes so many.
+fn most_off(expected: usize) -> usize {
+    SLIP_MAX.min(1 + expected / 4)
 }

@@ -4,6 +4,7 @@ use super::super::ast::{self, Broken, Item, Record};
 use super::super::signature::Reading;
 use super::super::table::{RecordKind, RecordType};
 use super::heads::{integral, spoiled};
+use super::slips::is_slip;
 use super::stretch::Stretch;
 
 /// The price of one error. All other prices are in relation to this one.
@@ -93,6 +94,7 @@ impl Piece {
                 .filter(|&id| id > 0),
             kind: None,
             fault: ast::Fault::Form,
+            is_slip: is_slip(stretch, self),
         };
         match self.verdict {
             Verdict::Void => Item::Void {

@@ -1,0 +1,182 @@
+//! Whether the numbers of a text are in records. Of a text whose lines begin with numbers that is what tells a scene from
+//! a table, a list or a mesh.
+
+use super::ast::{Document, Fault, Item};
+use super::lexer::{Token, TokenKind};
+use super::recovery::LEAST_HEAD as LEAST_OF_SCENES;
+use super::table::{RecordKind, RecordType};
+use crate::diagnostics::{Code, Diagnostic, Value};
+
+/// A text with fewer numbers may be a scene that was just begun.
+const BEGUN: usize = 12;
+
+/// What is wrong with a text as a scene of whose numbers too few are in records. Half of them must be, and a fifth where
+/// lines begin as those of scenes alone do. A `0` that introduces a comment does not count.
+///
+/// A table of integers has many rows that would be records but for a number more or less, and from the middle of a row on some
+/// records can be read. So these count only in a text with fewer than twelve numbers, or with lines of a scene.
+pub fn by_records(text: &str, document: &Document) -> Option<Diagnostic> {
+    if !document.contents.broken && document.items.iter().any(|i| i.record().is_some()) {
+        return None;
+    }
+    let tokens = &document.tokens;
+    let (mut all, mut right, mut slips) = (0, 0, 0);
+    let mut wrong = None;
+    for item in &document.items {
+        let (first, last) = item.ends();
+        // As many numbers as the type takes.
+        let (count, complete) = match item {
+            Item::Record(r) => (2 + r.params as usize, Some(r.ty())),
+            Item::Void { .. } => {
+                let mut behind = tokens[last as usize + 1..].iter();
+                let next = behind.find(|t| t.kind() != TokenKind::Newline);
+                all += usize::from(!next.is_some_and(|t| t.kind().is_comment()));
+                continue;
+            }
+            Item::Broken(b) => {
+                let inside = document.significant(first, last);
+                let count = inside.filter(|t| t.kind().is_numeric()).count();
+                if !b.is_slip {
+                    all += count;
+                    if count > 0 {
+                        wrong.get_or_insert(document.item_span(item));
+                    }
+                    continue;
+                }
+                let is_complete = b.fault == Fault::Form && b.id.is_some();
+                (count, b.ty().filter(|_| is_complete))
+            }
+        };
+        all += count;
+        let is_right = |ty: &RecordType| {
+            ty.kind != RecordKind::Undefined && is_in_lines(tokens, (first, last), ty)
+        };
+        match complete.is_some_and(is_right) {
+            true => right += count,
+            false => slips += count,
+        }
+    }
+    let headed = headed(text, tokens);
+    if headed.is_some() || all < BEGUN && right + slips == all {
+        right = (right + slips).max(headed.unwrap_or_default());
+    }
+    let least = all.div_ceil(if headed.is_some() { 5 } else { 2 });
+    let finding = || {
+        let first = document.items.first().map(|item| document.item_span(item));
+        Diagnostic::new(Code::E014, wrong.or(first).unwrap_or_default())
+            .case("numbers")
+            .with("numbers", right.to_string())
+            .with("all", Value::Count(all as u64))
+    };
+    (right < least).then(finding)
+}
+
+/// How many numbers are on lines with the head of a record, an ID and a type, whose sign may be lost or a dash; `None` where no
+/// line begins as those of scenes alone do: with the type of a render record, an operation, a property, a light or a
+/// camera, behind an ID or where one is lost. Types without their signs count for that where one line in five has one.
+fn headed(text: &str, tokens: &[Token]) -> Option<usize> {
+    let (mut lines, mut unsigned, mut numbers) = (0, 0, 0);
+    let mut is_scene = false;
+    for line in tokens.split(|t| t.kind() == TokenKind::Newline) {
+        let line = line.iter().filter(|t| !t.kind().is_trivia());
+        let count = line.clone().count();
+        lines += usize::from(count > 0);
+        let mut has_type = false;
+        for (i, token) in line.clone().take(2).enumerate() {
+            let word = token.text(text);
+            let dashed = word.strip_prefix(['−', '–', '-']);
+            let Ok(code) = dashed.unwrap_or(word).parse::<u32>().map(i64::from) else {
+                continue;
+            };
+            let (plain, signed) = (RecordType::by_code(code), RecordType::by_code(-code));
+            has_type |= i == 1 && (plain.is_some() || signed.is_some());
+            let is_drawn = plain.is_some_and(|ty| ty.kind == RecordKind::Render);
+            match signed.filter(|ty| ty.code <= LEAST_OF_SCENES) {
+                Some(_) if dashed.is_some() => is_scene = true,
+                Some(ty) => unsigned += usize::from(i + 1 + ty.params.len() == count),
+                None => is_scene |= is_drawn && dashed.is_none() && count > 2,
+            }
+        }
+        if has_type {
+            numbers += line.filter(|t| t.kind().is_numeric()).count();
+        }
+    }
+    (is_scene || unsigned > 1 && 5 * unsigned >= lines).then_some(numbers)
+}
+
+/// Whether a record is on a line, or takes up whole lines as people lay them out: its parameters begin on a line of their
+/// own, or the first line has as many of them as the next one. Of a table's rows all have as many numbers, the first one
+/// with ID and type.
+fn is_in_lines(tokens: &[Token], (first, last): (u32, u32), ty: &RecordType) -> bool {
+    let (first, last) = (first as usize, last as usize);
+    let mut lines = tokens[first..=last]
+        .split(|t| t.kind() == TokenKind::Newline)
+        .map(|line| line.iter().filter(|t| !t.kind().is_trivia()).count())
+        .filter(|&count| count > 0);
+    let own = lines.next().unwrap_or_default();
+    let Some(next) = lines.next() else {
+        return true;
+    };
+    let ends = |token: Option<&Token>| token.is_none_or(|t| t.kind() == TokenKind::Newline);
+    let counts = |t: &&Token| t.kind() == TokenKind::Newline || !t.kind().is_trivia();
+    let before = tokens[..first].iter().rev().find(counts);
+    let behind = tokens[last + 1..].iter().find(counts);
+    let head = 2 + usize::from(ty.is_counted());
+    ends(before) && ends(behind) && (own <= head || own - head == next)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::parse;
+    use super::*;
+
+    fn is_scene(text: &str) -> bool {
+        by_records(text, &parse(text).0).is_none()
+    }
+
+    #[test]
+    fn tables_lists_and_meshes_are_no_scenes() {
+        for text in [
+            "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n",
+            "4 1 0 0\n3 0 1 2\n3 0 1 3\n4 0 1 2 3\n0 0 1\n0 1 0\n",
+            "1,2,3\n4,5,6\n7,8,9\n10,11,12\n13,14,15\n",
+            "# Title\n\n1. one\n2. two\n",
+            "1. one\n2. two\n3. three\n",
+            "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n",
+            "0 0 0\n0 0 0\n",
+        ] {
+            assert!(!is_scene(text), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn line_breaks_make_no_difference() {
+        for text in [
+            // A lathe with a point a line, a matrix in rows, a camera over lines; each with a slip behind it.
+            "2 1 4\n0 2\n1 1\n1 0\n0 0\n3 9 x\n",
+            "2 9 1\n2 -4\n0 -1 0 0\n1 0 0 0\n0 0 1 0\n0 0 0 1\n3 9\n1 9999 2 0\n",
+            "9 -501\n0 0 9\n0 0 -1\n0 1 0\n45\n2 9 1 1\n1 9999 2 0\n",
+            "2 11 0 0 0 1 3 9 1 4 -101 2 3 1 9999 4 0 x",
+            "2\n9\n1\n1\n9999\n2\n0\n3\n",
+        ] {
+            assert!(is_scene(text), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn a_scene_with_mistakes_is_one() {
+        for text in [
+            "",
+            "# a comment #",
+            "0 # a title #\n",
+            "2 11 0 0\n",
+            "2 9 0,5\n",
+            "2 sphere 0 0 0 1\n",
+            "2 11 0 0 0 1\n3 11 0 0 0\n4 11 0 0 0 x\n",
+            "2 9 1\n10 77 1 0 2\n11 77 1 0 2\n12 77 1 0 2\n1 9999 2 0\n",
+            "2 9\n3 9\n4 9\n5 9\n6 101 2 3\n1 9999 6 0\n",
+        ] {
+            assert!(is_scene(text), "{text:?}");
+        }
+    }
+}
