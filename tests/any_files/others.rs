@@ -9,8 +9,10 @@ use zpg::syntax::recognise;
 
 use crate::rng::Rng;
 
+type Make = fn(&mut Rng) -> String;
+
 /// The kinds, and how a text of each is made.
-pub const KINDS: [(&str, fn(&mut Rng) -> String); 34] = [
+pub const KINDS: [(&str, Make); 35] = [
     ("list in Markdown", markdown_list),
     ("table in Markdown", markdown_table),
     ("numbered list", numbered_list),
@@ -22,6 +24,7 @@ pub const KINDS: [(&str, fn(&mut Rng) -> String); 34] = [
     }),
     ("columns of reals", |rng| table(rng, "  ", real)),
     ("columns of integers", |rng| table(rng, " ", integer)),
+    ("columns of signed integers", |rng| table(rng, " ", signed)),
     ("columns with tabs", |rng| table(rng, "\t", wide)),
     ("points", points),
     ("OFF", off),
@@ -59,6 +62,11 @@ fn integer(rng: &mut Rng) -> String {
     rng.below(most).to_string()
 }
 
+fn signed(rng: &mut Rng) -> String {
+    let most = *rng.pick(&[20.0, 200.0, 600.0]);
+    (rng.range(-most, most) as i32).to_string()
+}
+
 fn wide(rng: &mut Rng) -> String {
     match rng.below(3) {
         0 => integer(rng),
@@ -72,7 +80,7 @@ fn comma(rng: &mut Rng) -> String {
 }
 
 fn word(rng: &mut Rng) -> &'static str {
-    *rng.pick(&[
+    rng.pick::<&'static str>(&[
         "milk", "rent", "train", "Praha", "the", "cube", "vertex", "total", "north", "error",
         "index", "and",
     ])

@@ -116,8 +116,8 @@ impl Form {
     /// Whether the quadric has axes that are much longer than others, or is far from the origin beside its size. With
     /// units of their own the axes do not matter, and canonical forms are at the origin.
     fn may_cancel(&self) -> bool {
-        /// A product of three eigenvalues, in units of the sum of all squares to the 3/2: axes about ten apart.
-        const STRETCHED: f64 = 1e-3;
+        /// A product of three eigenvalues, in units of the sum of all squares to the 3/2: axes four to eight times as long as others.
+        const STRETCHED: f64 = 5e-3;
         /// The square of the centre's distance, beside that of the size.
         const AWAY: f64 = 10.0;
         if self.second == 0.0 {
