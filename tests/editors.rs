@@ -144,6 +144,29 @@ fn neovim() {
     assert!(text.starts_with("77 11  0 1 0  1  # ball #\n77 -701 0.9 0.2 0.1\n4 11  0.5 0 0  1\n"));
 }
 
+/// Records that are typed come out as they are, with Neovim's own completion, on and off.
+#[test]
+#[ignore = "needs Neovim"]
+fn neovim_typing() {
+    let (home, scene, path) = home();
+    let data = home.path().join("data");
+    let package = data.join("nvim/site/pack/zpg/start/zpg");
+    copy_folder(&root().join("editors/neovim"), &package);
+    let output = Command::new(installed("venv/bin/nvim"))
+        .args(["--headless", "-u", "NONE", "-l"])
+        .arg(root().join("tests/editors/neovim-typing.lua"))
+        .arg(&scene)
+        .env("HOME", home.path())
+        .env("XDG_DATA_HOME", &data)
+        .env("XDG_STATE_HOME", home.path().join("state"))
+        .env("XDG_CONFIG_HOME", home.path().join("config"))
+        .env("PATH", path)
+        .output()
+        .unwrap();
+    has_passed(&output);
+    all_kept_to_the_protocol(home.path());
+}
+
 /// The extension as it is packed: what people see in the window, and the interface within the host.
 #[test]
 #[ignore = "needs VS Code and Chromium"]

@@ -36,12 +36,13 @@ fn glossary() -> Vec<Term> {
 /// All files with Czech texts.
 fn files() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folders = ["src", "docs", "grammar"].map(|folder| root.join(folder));
+    let folders = ["src", "docs", "grammar", "editors"].map(|folder| root.join(folder));
     let all = folders.into_iter().flat_map(ignore::Walk::new);
     let paths = all.map(|entry| entry.unwrap().into_path());
     let is_czech = |path: &PathBuf| {
         let name = path.file_name().unwrap().to_string_lossy();
-        name == "cs.ftl" || name.ends_with(".cs.ftl") || name.ends_with(".cs.md")
+        let ends = [".cs.ftl", ".cs.md", ".cs.json"];
+        name == "cs.ftl" || ends.iter().any(|end| name.ends_with(end))
     };
     let is_glossary = |path: &PathBuf| path.ends_with("docs/glossary.cs.md");
     paths

@@ -4,6 +4,7 @@
 mod answers;
 mod edited;
 pub mod model;
+mod not_open;
 mod session;
 
 use std::io::{Read, Write};
@@ -47,6 +48,87 @@ fn everything() -> Value {
     json!({ "start": at(0, 0), "end": at(99, 0) })
 }
 
+/// Every request about an open file that has an answer of the protocol's, with parameters for [`SCENE`].
+fn every_request() -> Vec<(&'static str, Value)> {
+    let only = |kind: &str| json!({ "diagnostics": [], "only": [kind] });
+    let style = json!({ "tabSize": 2, "insertSpaces": true });
+    let range = |name: &str, value: Value| with(with(file(), "range", everything()), name, value);
+    let red = json!({ "red": 0.5, "green": 0, "blue": 0, "alpha": 1 });
+    let colour = json!({ "start": at(2, 7), "end": at(2, 18) });
+    vec![
+        (
+            "textDocument/inlayHint",
+            with(file(), "range", everything()),
+        ),
+        ("textDocument/hover", place(4, 7)),
+        ("textDocument/signatureHelp", place(1, 7)),
+        ("textDocument/completion", place(4, 7)),
+        ("textDocument/definition", place(4, 7)),
+        (
+            "textDocument/references",
+            with(
+                place(4, 7),
+                "context",
+                json!({ "includeDeclaration": true }),
+            ),
+        ),
+        ("textDocument/documentHighlight", place(4, 7)),
+        ("textDocument/prepareRename", place(4, 7)),
+        (
+            "textDocument/rename",
+            with(place(4, 7), "newName", "77".into()),
+        ),
+        (
+            "textDocument/formatting",
+            with(file(), "options", style.clone()),
+        ),
+        (
+            "textDocument/rangeFormatting",
+            range("options", style.clone()),
+        ),
+        (
+            "textDocument/onTypeFormatting",
+            with(with(place(4, 0), "ch", "\n".into()), "options", style),
+        ),
+        ("textDocument/documentSymbol", file()),
+        ("workspace/symbol", json!({ "query": "ball" })),
+        (
+            "textDocument/codeAction",
+            range("context", json!({ "diagnostics": [] })),
+        ),
+        (
+            "textDocument/codeAction",
+            range("context", only("source.fixAll")),
+        ),
+        ("textDocument/codeLens", file()),
+        ("textDocument/documentColor", file()),
+        (
+            "textDocument/colorPresentation",
+            with(with(file(), "color", red), "range", colour),
+        ),
+        ("textDocument/foldingRange", file()),
+        (
+            "textDocument/selectionRange",
+            with(file(), "positions", json!([at(1, 7), at(5, 9)])),
+        ),
+        ("textDocument/semanticTokens/full", file()),
+        (
+            "textDocument/semanticTokens/full/delta",
+            with(file(), "previousResultId", "1".into()),
+        ),
+        (
+            "textDocument/semanticTokens/range",
+            with(file(), "range", everything()),
+        ),
+        (
+            "textDocument/codeAction",
+            range("context", only("refactor.rewrite.comment")),
+        ),
+        ("zpg/comment", with(file(), "ranges", json!([everything()]))),
+        ("textDocument/prepareCallHierarchy", place(4, 7)),
+    ]
+}
+
 /// Every request, sent by a client that can all and by one that can nothing. The form of each answer is checked
 /// where it comes in.
 #[test]
@@ -56,84 +138,7 @@ fn every_request_is_answered_in_the_protocols_form() {
         let mut s = Session::start(capabilities.clone(), options.clone());
         s.open(A, SCENE);
         assert_eq!(s.diagnostics(1)[0]["code"], "E003");
-        let only = |kind: &str| json!({ "diagnostics": [], "only": [kind] });
-        let style = json!({ "tabSize": 2, "insertSpaces": true });
-        let range =
-            |name: &str, value: Value| with(with(file(), "range", everything()), name, value);
-        let red = json!({ "red": 0.5, "green": 0, "blue": 0, "alpha": 1 });
-        let colour = json!({ "start": at(2, 7), "end": at(2, 18) });
-        for (method, params) in [
-            (
-                "textDocument/inlayHint",
-                with(file(), "range", everything()),
-            ),
-            ("textDocument/hover", place(4, 7)),
-            ("textDocument/signatureHelp", place(1, 7)),
-            ("textDocument/completion", place(4, 7)),
-            ("textDocument/definition", place(4, 7)),
-            (
-                "textDocument/references",
-                with(
-                    place(4, 7),
-                    "context",
-                    json!({ "includeDeclaration": true }),
-                ),
-            ),
-            ("textDocument/documentHighlight", place(4, 7)),
-            ("textDocument/prepareRename", place(4, 7)),
-            (
-                "textDocument/rename",
-                with(place(4, 7), "newName", "77".into()),
-            ),
-            (
-                "textDocument/formatting",
-                with(file(), "options", style.clone()),
-            ),
-            (
-                "textDocument/rangeFormatting",
-                range("options", style.clone()),
-            ),
-            (
-                "textDocument/onTypeFormatting",
-                with(with(place(4, 0), "ch", "\n".into()), "options", style),
-            ),
-            ("textDocument/documentSymbol", file()),
-            ("workspace/symbol", json!({ "query": "ball" })),
-            (
-                "textDocument/codeAction",
-                range("context", json!({ "diagnostics": [] })),
-            ),
-            (
-                "textDocument/codeAction",
-                range("context", only("source.fixAll")),
-            ),
-            ("textDocument/codeLens", file()),
-            ("textDocument/documentColor", file()),
-            (
-                "textDocument/colorPresentation",
-                with(with(file(), "color", red), "range", colour),
-            ),
-            ("textDocument/foldingRange", file()),
-            (
-                "textDocument/selectionRange",
-                with(file(), "positions", json!([at(1, 7), at(5, 9)])),
-            ),
-            ("textDocument/semanticTokens/full", file()),
-            (
-                "textDocument/semanticTokens/full/delta",
-                with(file(), "previousResultId", "1".into()),
-            ),
-            (
-                "textDocument/semanticTokens/range",
-                with(file(), "range", everything()),
-            ),
-            ("textDocument/prepareCallHierarchy", place(4, 7)),
-            (
-                "textDocument/codeAction",
-                range("context", only("refactor.rewrite.comment")),
-            ),
-            ("zpg/comment", with(file(), "ranges", json!([everything()]))),
-        ] {
+        for (method, params) in every_request() {
             let answer = s.ask(method, params);
             let is_empty = answer.is_null() || answer.as_array().is_some_and(Vec::is_empty);
             assert!(!is_empty, "{method} has no answer");

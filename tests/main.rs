@@ -22,6 +22,7 @@ mod czech;
 mod editors;
 mod emitted;
 mod explain_examples;
+mod extension;
 mod extreme_numbers;
 mod features;
 mod fixes;

@@ -15,4 +15,10 @@ impl Language {
             Language::Czech => "cs",
         }
     }
+
+    /// The language with a tag.
+    pub fn of_tag(tag: &str) -> Option<Language> {
+        let all = [Language::English, Language::Czech];
+        all.into_iter().find(|language| language.tag() == tag)
+    }
 }

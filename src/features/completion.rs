@@ -45,6 +45,11 @@ impl Insert {
         self.0.iter().any(|p| matches!(p, Piece::Place(_)))
     }
 
+    /// Whether it is a text and nothing else.
+    fn is(&self, word: &str) -> bool {
+        !self.has_places() && self.plain() == word
+    }
+
     pub fn plain(&self) -> String {
         let text = |p: &Piece| match p {
             Piece::Fixed(text) | Piece::Place(text) => text.clone(),
@@ -106,7 +111,7 @@ pub fn completion(analysis: &Analysis, offset: u32, language: Language) -> Compl
     let records = || templates::records(analysis, word, typing.word.start, language);
     let new_id = || new_id(analysis, language);
     let is_name = word.starts_with(char::is_alphabetic);
-    let proposals = match typing.index {
+    let mut proposals = match typing.index {
         _ if typing.complete && is_name => records(),
         _ if typing.complete => new_id(),
         0 if is_name => records(),
@@ -124,6 +129,8 @@ pub fn completion(analysis: &Analysis, offset: u32, language: Language) -> Compl
             param.map_or_else(Vec::new, |p| values(analysis, p, offset, language))
         }),
     };
+    // What is there already is no help: whoever takes it loses the key that ends the word.
+    proposals.retain(|p| !p.insert.is(word));
     Completion {
         word: typing.word,
         proposals,

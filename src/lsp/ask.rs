@@ -1,7 +1,7 @@
 //! What a request may look at, and how it is refused.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use gen_lsp_types::{TextDocumentIdentifier, TextDocumentPositionParams, Uri};
 use lsp_server::{ErrorCode, ResponseError};
@@ -10,17 +10,23 @@ use super::client::{Client, Preferences};
 use super::convert::Convert;
 use super::documents::{Changes, Snapshot, Snapshots};
 use super::outgoing::Outgoing;
+use super::pull::Told;
 use super::tokens_sent::TokensSent;
+use super::uri;
+use crate::analysis::config::Configs;
 use crate::diagnostics::Complaint;
 
 /// What a request may look at: all open files as they were when it came.
 pub struct Ask {
     pub files: Snapshots,
+    /// The file that the request is about, where it is not open.
+    pub not_open: OnceLock<Snapshot>,
     pub client: Arc<Client>,
     pub preferences: Preferences,
     pub folders: Vec<Uri>,
     pub outgoing: Outgoing,
     pub tokens_sent: Arc<TokensSent>,
+    pub told: Arc<Told>,
     pub changes: Changes,
     /// Set when the client does not want the answer any more.
     pub cancelled: Arc<AtomicBool>,
@@ -38,13 +44,21 @@ pub fn refusal(code: ErrorCode, message: impl Into<String>) -> Refusal {
 }
 
 impl Ask {
+    /// The file that the request is about. Clients also ask about files that they have just closed, renamed or deleted:
+    /// one that is not open is taken as it is on disk.
     pub fn file(&self, document: &TextDocumentIdentifier) -> Result<&Snapshot, Refusal> {
-        let file = self.files.get(&document.uri).map(Arc::as_ref);
-        file.ok_or_else(|| {
-            let values = [("path", document.uri.0.clone().into())];
-            let message = self.client.language.say("lsp-not-open", &values);
-            refusal(ErrorCode::InvalidParams, message)
-        })
+        let uri = &document.uri;
+        match self.files.get(uri) {
+            Some(file) => Ok(file),
+            None if uri::is_uri(uri) => Ok(self
+                .not_open
+                .get_or_init(|| Snapshot::on_disk(uri.clone(), &Configs::default()))),
+            None => {
+                let values = [("text", uri.0.clone().into())];
+                let message = self.client.language.say("lsp-no-uri", &values);
+                Err(refusal(ErrorCode::InvalidParams, message))
+            }
+        }
     }
 
     pub fn convert<'a>(&'a self, file: &'a Snapshot) -> Convert<'a> {

@@ -92,12 +92,15 @@ impl Client {
         let can = |path: &str| capability(path) == Some(&Value::Bool(true));
         let list = |path: &str| capability(path).and_then(Value::as_array);
         let text = |path: &str| sent.pointer(path).and_then(Value::as_str);
+        let wanted = text("/initializationOptions/lang")
+            .or(text("/initializationOptions/zpg/lang"))
+            .and_then(Language::of_tag);
         let czech = text("/locale").is_some_and(|l| l.starts_with("cs"));
         let encodings = list("general/positionEncodings");
         let edits_later = list("textDocument/codeAction/resolveSupport/properties");
         Client {
             units: Units::chosen(encodings.map_or(&[], Vec::as_slice)),
-            language: if czech { Language::Czech } else { language },
+            language: wanted.unwrap_or(if czech { Language::Czech } else { language }),
             pulls: capability("textDocument/diagnostic").is_some_and(Value::is_object),
             snippets: can("textDocument/completion/completionItem/snippetSupport"),
             symbol_trees: can("textDocument/documentSymbol/hierarchicalDocumentSymbolSupport"),

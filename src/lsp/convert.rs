@@ -93,7 +93,7 @@ impl<'a> Convert<'a> {
 
     /// All there is to say about the file.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
-        if self.file.is_excluded() {
+        if self.file.is_excluded() || self.file.is_missing {
             return Vec::new();
         }
         let config = self
@@ -127,7 +127,7 @@ impl<'a> Convert<'a> {
             };
         }
         let file = OptionalVersionedTextDocumentIdentifier {
-            version: Some(self.file.version),
+            version: self.file.version,
             text_document_identifier: TextDocumentIdentifier { uri: self.uri() },
         };
         let edits = edits.into_iter().map(LspEdit::TextEdit).collect();

@@ -8,7 +8,7 @@ use gen_lsp_types::{TextDocumentContentChangeEvent as Change, Uri};
 use super::position::{self, Units};
 use super::uri::path_of;
 use crate::analysis::config::{Config, Configs};
-use crate::analysis::{Analysis, Settings};
+use crate::analysis::{Analysis, Settings, file};
 use crate::diagnostics::{Complaint, SourceFile};
 use crate::lint::levels::Choice;
 
@@ -43,9 +43,12 @@ pub type Snapshots = HashMap<Uri, Arc<Snapshot>>;
 /// A file as it is at one moment. It is read when its analysis is first asked for, by whoever asks.
 pub struct Snapshot {
     pub uri: Uri,
-    pub version: i32,
-    /// No two snapshots have the same.
+    /// The version that the client has open.
+    pub version: Option<i32>,
+    /// No two snapshots of open files have the same.
     pub number: u64,
+    /// Whether it is neither open nor on disk.
+    pub is_missing: bool,
     /// What its `zpg.toml` says, or what is wrong with that.
     pub config: Result<Arc<Config>, Complaint>,
     text: Arc<String>,
@@ -54,24 +57,29 @@ pub struct Snapshot {
 
 impl Snapshot {
     /// What messages call it: the path, or the URI of what is no file.
-    fn name(uri: &Uri) -> String {
-        path_of(uri).map_or_else(|| uri.0.clone(), |path| path.to_string_lossy().into_owned())
+    pub fn name(&self) -> String {
+        let path = path_of(&self.uri);
+        path.map_or_else(
+            || self.uri.0.clone(),
+            |path| path.to_string_lossy().into_owned(),
+        )
     }
 
-    /// A file that is not open.
-    pub fn on_disk(
-        uri: Uri,
-        config: Result<Arc<Config>, Complaint>,
-        analysis: Analysis,
-    ) -> Snapshot {
+    /// A file that is not open, as it is on disk. One that cannot be read is empty.
+    pub fn on_disk(uri: Uri, configs: &Configs) -> Snapshot {
+        let path = path_of(&uri).filter(|path| path.is_file());
+        let config = path.as_ref().map(|path| configs.for_file(path));
+        let bytes = path.and_then(|path| file::read(&path).ok());
         let mut file = Snapshot {
-            uri,
-            version: 0,
+            version: None,
             number: 0,
-            config,
+            is_missing: bytes.is_none(),
+            config: config.map_or_else(|| Ok(Arc::default()), |c| c.map_err(|e| e.complaint())),
             text: Arc::default(),
             analysis: OnceLock::new(),
+            uri,
         };
+        let analysis = Analysis::new(file.name(), bytes.unwrap_or_default());
         file.analysis = analysis.with_settings(file.settings()).into();
         file
     }
@@ -96,7 +104,7 @@ impl Snapshot {
     pub fn analysis(&self) -> &Analysis {
         self.analysis.get_or_init(|| {
             let text = self.text.as_ref().clone();
-            let source = SourceFile::of_text(Snapshot::name(&self.uri), text);
+            let source = SourceFile::of_text(self.name(), text);
             Analysis::of(source).with_settings(self.settings())
         })
     }
@@ -174,8 +182,9 @@ impl Documents {
             };
             Arc::new(Snapshot {
                 uri: uri.clone(),
-                version: document.version,
+                version: Some(document.version),
                 number: *next,
+                is_missing: false,
                 config,
                 text: document.text.clone(),
                 analysis: OnceLock::new(),

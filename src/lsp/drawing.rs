@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use super::ask::{Ask, Refusal, refusal};
+use super::programs;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error, Language};
 use crate::features::picture::{Stage, Subject};
@@ -67,8 +68,8 @@ pub struct Preview {
     pub height: u32,
     /// The ID of the object that is drawn alone.
     pub id: Option<u32>,
-    /// Of the file.
-    pub version: i32,
+    /// Of the file; `None` if it is not open.
+    pub version: Option<i32>,
 }
 
 /// The threads that draw.
@@ -103,7 +104,9 @@ pub fn preview(ask: &Ask, p: PreviewParams) -> Result<Preview, Refusal> {
     let language = ask.client.language;
     let failed = |e: Error| refusal(ErrorCode::RequestFailed, said(&e, language));
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    let stage = Stage::new(analysis, subject, aspect).map_err(failed)?;
+    let stage = Stage::new(analysis, subject, aspect).map_err(|e| {
+        programs::trouble(file, language).map_or_else(|| failed(e), |why| ask.refuse(&why))
+    })?;
     let taken = |size: [u32; 2]| -> Result<Preview, Refusal> {
         let png = draw(&stage, size, &ask.cancelled).map_err(failed)?;
         let png = png.ok_or_else(|| refusal(ErrorCode::RequestCanceled, "stopped"))?;

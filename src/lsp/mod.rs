@@ -33,7 +33,7 @@ use std::collections::HashMap;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -52,6 +52,7 @@ use client::{Client, Preferences};
 use documents::Documents;
 use outgoing::Outgoing;
 use publish::News;
+use pull::Told;
 use requests::Lane;
 use tokens_sent::TokensSent;
 
@@ -159,6 +160,7 @@ struct Server {
     jobs: Sender<Job>,
     pending: Pending,
     tokens_sent: Arc<TokensSent>,
+    told: Arc<Told>,
     is_shut_down: bool,
 }
 
@@ -198,6 +200,7 @@ impl Server {
             outgoing,
             pending: Pending::default(),
             tokens_sent: Arc::default(),
+            told: Arc::default(),
             is_shut_down: false,
         })
     }
@@ -268,11 +271,13 @@ impl Server {
         self.pending.add(id.clone(), waiting);
         let ask = Ask {
             files: self.documents.snapshots(),
+            not_open: OnceLock::new(),
             client: self.client.clone(),
             preferences: self.preferences.clone(),
             folders: self.folders.clone(),
             outgoing: self.outgoing.clone(),
             tokens_sent: self.tokens_sent.clone(),
+            told: self.told.clone(),
             changes: self.documents.changes,
             cancelled,
         };

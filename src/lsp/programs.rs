@@ -12,14 +12,15 @@ use std::time::{Duration, Instant};
 
 use gen_lsp_types::{ExecuteCommandParams, LspAny, TextDocumentIdentifier, Uri};
 use lsp_server::ErrorCode;
-use serde_json::{Value, json};
+use serde_json::json;
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, Signal, System};
 
 use super::ask::{Ask, Refusal, refusal};
 use super::documents::Snapshot;
 use super::uri::{path_of, uri_of};
 use super::whole_file::WholeFile;
-use crate::diagnostics::{Code, Complaint};
+use crate::analysis::repair;
+use crate::diagnostics::{Code, Complaint, Language, Value};
 use crate::features::pages;
 use crate::syntax::table::RecordType;
 use crate::translate::registry;
@@ -40,7 +41,7 @@ pub const COMMANDS: [&str; 6] = [
 /// Runs a command. The answer says what was made: `uri` of a file, `text`.
 pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Refusal> {
     let arguments = p.arguments.unwrap_or_default();
-    let text = |i: usize| arguments.get(i).and_then(Value::as_str);
+    let text = |i: usize| arguments.get(i).and_then(|a| a.as_str());
     if p.command == EXPLAIN {
         return explain(ask, text(0).unwrap_or_default()).map(Some);
     }
@@ -49,6 +50,12 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
     let whole = (WholeFile::ALL.into_iter()).find(|action| p.command == action.command());
     if let Some(action) = whole {
         return Ok(Some(action.apply(ask, file)));
+    }
+    if !COMMANDS.contains(&p.command.as_str()) {
+        return Err(refusal(ErrorCode::InvalidParams, p.command));
+    }
+    if let Some(why) = trouble(file, ask.client.language) {
+        return Err(ask.refuse(&why));
     }
     let job = Job::of(ask, file);
     let made = match p.command.as_str() {
@@ -106,8 +113,39 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
     Ok(Some(made))
 }
 
+/// Why nothing can be done with a file, in one line: it is missing, or its scene has errors, which the client shows
+/// already.
+pub fn trouble(file: &Snapshot, language: Language) -> Option<Complaint> {
+    if file.is_missing {
+        return Some(Complaint::new("lsp-missing").with("path", file.name()));
+    }
+    let analysis = file.analysis();
+    if analysis.is_scene() && analysis.is_sound() {
+        return None;
+    }
+    let findings = repair::proposals(analysis);
+    let mut errors = findings.iter().filter(|d| d.is_error());
+    let first = errors.next()?;
+    let line = analysis.source.position(first.span.start).line;
+    let why = Complaint::new("lsp-has-errors")
+        .with("count", Value::Count(1 + errors.count() as u64))
+        .with("line", line.to_string())
+        .with("message", first.wording(language).message);
+    Some(why)
+}
+
+/// What a report on the terminal says first, without its frame. `error` is what it begins with.
+fn headline<'a>(report: &'a str, error: &str) -> &'a str {
+    let says_so = |line: &&str| line.starts_with(error);
+    let line = report.lines().find(says_so).or(report.lines().next());
+    match line.unwrap_or_default().split_once(": ") {
+        Some((kind, rest)) if kind.starts_with(error) => rest,
+        _ => line.unwrap_or_default(),
+    }
+}
+
 /// The page of a code or a type.
-fn explain(ask: &Ask, topic: &str) -> Result<Value, Refusal> {
+fn explain(ask: &Ask, topic: &str) -> Result<serde_json::Value, Refusal> {
     let language = ask.client.language;
     let ty = || RecordType::by_code(topic.parse().ok()?).or_else(|| RecordType::by_keyword(topic));
     let page = match (Code::parse(topic), ty()) {
@@ -208,7 +246,10 @@ impl<'a> Job<'a> {
         let said = said.join().unwrap_or_default();
         match success {
             Some(true) => Ok(out),
-            Some(false) => Err(why(Complaint::quoted(said.trim()))),
+            Some(false) => {
+                let error = self.ask.client.language.say("error", &[]);
+                Err(why(Complaint::quoted(headline(said.trim(), &error))))
+            }
             None => Err(refusal(ErrorCode::RequestCanceled, "stopped")),
         }
     }
@@ -227,12 +268,12 @@ impl<'a> Job<'a> {
         }
     }
 
-    fn show(&self, path: &Path) -> Value {
+    fn show(&self, path: &Path) -> serde_json::Value {
         self.ask.outgoing.show_document(path);
         json!({ "uri": uri_of(path) })
     }
 
-    fn page(&self, name: &str, extension: &str, text: &str) -> Result<Value, Refusal> {
+    fn page(&self, name: &str, extension: &str, text: &str) -> Result<serde_json::Value, Refusal> {
         let path = write_page(name, extension, text).map_err(|why| self.ask.refuse(&why))?;
         self.ask.outgoing.show_document(&path);
         Ok(json!({ "uri": uri_of(&path), "text": text }))

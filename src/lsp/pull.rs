@@ -6,6 +6,7 @@
 use std::collections::{HashMap, HashSet};
 use std::fs::Metadata;
 use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
 use std::time::UNIX_EPOCH;
 
 use gen_lsp_types::{
@@ -19,12 +20,10 @@ use gen_lsp_types::{
 use lsp_server::ErrorCode;
 
 use super::ask::{Ask, Refusal, refusal};
-use super::convert::Convert;
 use super::documents::{Changes, Snapshot};
 use super::uri::path_of;
 use super::workspace::{self, OnDisk, PICTURES};
 use crate::analysis::config::Configs;
-use crate::analysis::{Analysis, file};
 
 /// The findings of an open file.
 pub fn of_file(
@@ -32,20 +31,25 @@ pub fn of_file(
     p: DocumentDiagnosticParams,
 ) -> Result<DocumentDiagnosticReport, Refusal> {
     let file = ask.file(&p.text_document)?;
-    let name = file.number.to_string();
-    if p.previous_result_id.as_ref() == Some(&name) {
-        return Ok(RelatedUnchangedDocumentDiagnosticReport {
-            related_documents: None,
-            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport {
-                result_id: name,
-            },
+    // What is on disk changes unseen: its report has no name.
+    let name = file.version.map(|_| file.number.to_string());
+    match name {
+        Some(result_id) if p.previous_result_id.as_ref() == Some(&result_id) => {
+            return Ok(RelatedUnchangedDocumentDiagnosticReport {
+                related_documents: None,
+                unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport {
+                    result_id,
+                },
+            }
+            .into());
         }
-        .into());
+        _ => {}
     }
+    ask.told.note(&file.uri);
     Ok(RelatedFullDocumentDiagnosticReport {
         related_documents: None,
         full_document_diagnostic_report: FullDocumentDiagnosticReport {
-            result_id: Some(name),
+            result_id: name,
             items: ask.convert(file).diagnostics(),
         },
     }
@@ -62,11 +66,12 @@ pub fn of_folders(
     if ask.preferences.whole_folder {
         let mut open = HashSet::new();
         for file in ask.files.values() {
-            let (name, version) = (file.number.to_string(), Some(file.version));
+            let (name, version) = (file.number.to_string(), file.version);
             let report = match known.take(&file.uri) {
                 Some(known) if known == name => same(&file.uri, version, name),
                 _ => {
                     let found = ask.convert(file).diagnostics();
+                    ask.told.note(&file.uri);
                     full(&file.uri, version, Some(name), found)
                 }
             };
@@ -81,14 +86,46 @@ pub fn of_folders(
             let names = NamesOnDisk::of(&scene.metadata, ask.changes);
             let report = match known.take(&scene.uri) {
                 Some(known) if names.contains(&known) => same(&scene.uri, None, known),
-                _ => found_on_disk(ask, &scene, &configs, names),
+                _ => {
+                    ask.told.note(&scene.uri);
+                    found_on_disk(ask, &scene, &configs, names)
+                }
             };
             items.push(report);
         }
     }
     // What is left has gone, or is not looked at any more.
     items.extend(known.left().map(|uri| full(&uri, None, None, Vec::new())));
+    let reported = items.iter().map(|report| key(uri_of_report(report)));
+    let open = ask.files.keys().map(key);
+    let gone = ask.told.others(&reported.chain(open).collect());
+    items.extend(gone.iter().map(|uri| full(uri, None, None, Vec::new())));
     Ok(WorkspaceDiagnosticReport { items })
+}
+
+fn uri_of_report(report: &Report) -> &Uri {
+    match report {
+        Report::WorkspaceFullDocumentDiagnosticReport(r) => &r.uri,
+        Report::WorkspaceUnchangedDocumentDiagnosticReport(r) => &r.uri,
+    }
+}
+
+/// The files that the client has been told about. When one is closed and gone, Visual Studio Code's client forgets the
+/// report's name, and shows the report all the same; so it is told in each report of the folder that there is nothing.
+#[derive(Default)]
+pub struct Told(Mutex<HashMap<PathBuf, Uri>>);
+
+impl Told {
+    fn note(&self, uri: &Uri) {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.entry(key(uri)).or_insert_with(|| uri.clone());
+    }
+
+    fn others(&self, named: &HashSet<PathBuf>) -> Vec<Uri> {
+        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let others = all.iter().filter(|(path, _)| !named.contains(*path));
+        others.map(|(_, uri)| uri.clone()).collect()
+    }
 }
 
 /// The reports that a client has: the URI of a file as the client writes it, and the report's name.
@@ -155,14 +192,10 @@ impl NamesOnDisk {
 
 fn found_on_disk(ask: &Ask, scene: &OnDisk, configs: &Configs, names: NamesOnDisk) -> Report {
     let NamesOnDisk([with_pictures, plain]) = names;
-    let Ok(bytes) = file::read(&scene.path) else {
-        return full(&scene.uri, None, Some(plain), Vec::new());
-    };
-    let config = configs.for_file(&scene.path).map_err(|e| e.complaint());
-    let analysis = Analysis::new(scene.path.to_string_lossy(), bytes);
-    let shows_pictures = PICTURES.iter().any(|e| analysis.source.text.contains(e));
+    let file = Snapshot::on_disk(scene.uri.clone(), configs);
+    let text = &file.analysis().source.text;
+    let shows_pictures = PICTURES.iter().any(|e| text.contains(e));
     let name = if shows_pictures { with_pictures } else { plain };
-    let file = Snapshot::on_disk(scene.uri.clone(), config, analysis);
-    let found = Convert::new(&file, &ask.client).diagnostics();
+    let found = ask.convert(&file).diagnostics();
     full(&scene.uri, None, Some(name), found)
 }

@@ -169,9 +169,14 @@ fn signature_help(ask: &Ask, p: SignatureHelpParams) -> Answer<Option<SignatureH
 
 fn complete(ask: &Ask, p: CompletionParams) -> Answer<Option<CompletionResponse>> {
     let (convert, offset) = ask.place(&p.text_document_position_params)?;
+    if convert.file.is_missing {
+        return Ok(None);
+    }
     let found = completion::completion(convert.file.analysis(), offset, ask.client.language);
-    // A number and a name are compared with different words: ask again once it is known which it is.
-    let is_incomplete = found.word.start == found.word.end;
+    // A number and a name are compared with different words: ask again once it is known which it is. What is typed in full
+    // is not proposed, so ask again while anything may become that.
+    let is_text = |p: &completion::Proposal| !p.insert.has_places();
+    let is_incomplete = found.word.start == found.word.end || found.proposals.iter().any(is_text);
     let items = convert.completion(found);
     Ok(Some(
         CompletionList {
@@ -209,6 +214,7 @@ fn prepare_rename(ask: &Ask, p: PrepareRenameParams) -> Answer<Option<PrepareRen
     let (convert, offset) = ask.place(&p.text_document_position_params)?;
     match rename::prepare(convert.file.analysis(), offset) {
         Ok(span) => Ok(Some(convert.places.range(span).into())),
+        Err(_) if convert.file.is_missing => Ok(None),
         Err(why) => Err(ask.refuse(&why)),
     }
 }
@@ -217,6 +223,7 @@ fn rename_id(ask: &Ask, p: RenameParams) -> Answer<Option<WorkspaceEdit>> {
     let (convert, offset) = ask.place(&p.text_document_position_params)?;
     match rename::rename(convert.file.analysis(), offset, &p.new_name) {
         Ok(edits) => Ok(Some(convert.workspace_edit(&edits))),
+        Err(_) if convert.file.is_missing => Ok(None),
         Err(why) => Err(ask.refuse(&why)),
     }
 }
@@ -277,7 +284,7 @@ fn workspace_symbols(
 
 fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionResponse>>> {
     let file = ask.file(&p.text_document)?;
-    if file.is_excluded() {
+    if file.is_excluded() || file.is_missing {
         return Ok(None);
     }
     let convert = ask.convert(file);
@@ -427,6 +434,9 @@ fn folding_ranges(ask: &Ask, p: FoldingRangeParams) -> Answer<Option<Vec<Folding
 
 fn selection_ranges(ask: &Ask, p: SelectionRangeParams) -> Answer<Option<Vec<SelectionRange>>> {
     let file = ask.file(&p.text_document)?;
+    if file.is_missing {
+        return Ok(None);
+    }
     let convert = ask.convert(file);
     let all = p.positions.iter().map(|&position| {
         let offset = convert.places.offset(position);

@@ -11,6 +11,11 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     (url.scheme() == "file").then(|| url.to_file_path().ok())?
 }
 
+/// Whether a text is a URI at all.
+pub fn is_uri(uri: &Uri) -> bool {
+    Url::parse(uri.as_ref()).is_ok()
+}
+
 /// The URI of a file.
 pub fn uri_of(path: &Path) -> Option<Uri> {
     let path = std::path::absolute(path).ok()?;

@@ -166,6 +166,17 @@
                (search-forward "ball #")
                (delete-char -1)
                (cl-assert (equal (comments) '(nil nil nil))))))
+;; Records come out as they are typed, with completion as Emacs has it: from 30 on it shows what might follow.
+(test-step "typed"
+           (save-buffer)
+           (let ((records '("2 11 0 1 0 1" "3 12 -1 -1 -1 1 1 1" "33 9 0.5 # ball #" "4 -101 2 3" "5 -102 4 33"
+                            "6 -101 5 2" "1 9999 6 0")))
+             (find-file (expand-file-name "typed.zpg" (file-name-directory (getenv "SCENE"))))
+             (set-window-buffer nil (current-buffer))
+             (when (fboundp 'completion-preview-mode) (completion-preview-mode 1))
+             (dolist (record records)
+               (execute-kbd-macro (concat record "\r")))
+             (cl-assert (equal (buffer-string) (mapconcat (lambda (r) (concat r "\n")) records "")))))
 (test-step "save and end"
            (save-buffer)
            (eglot-shutdown (eglot--current-server-or-lose)))

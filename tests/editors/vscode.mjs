@@ -11,6 +11,8 @@ import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { files } from "./vscode-window/files.mjs";
+import { typing } from "./vscode-window/typing.mjs";
 
 const [editors, vsix, zpg, out] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
@@ -23,6 +25,9 @@ const workspace = join(home, "scenes");
 mkdirSync(workspace);
 cpSync(join(here, "scene.zpg"), join(workspace, "a.zpg"));
 cpSync(join(here, "scene.zpg"), join(workspace, "b.zpg"));
+for (const name of ["one", "two", "three"]) cpSync(join(here, "scene.zpg"), join(workspace, `${name}.zpg`));
+writeFileSync(join(workspace, "typed.zpg"), "");
+writeFileSync(join(workspace, "right.zpg"), "2 9 1\n1 9999 2 0\n");
 mkdirSync(join(home, "data", "data", "User"), { recursive: true });
 const settings = {
   "files.autoSave": "off",
@@ -262,6 +267,18 @@ async function inTheWindow() {
     await page.locator(".tab", { hasText: "a.png" }).first().waitFor();
     await page.waitForTimeout(500);
   });
+  await step("all is saved and closed", async () => {
+    await palette("File: Save All Files");
+    await palette("View: Close All Editors");
+  });
+  const open = async (name) => {
+    await page.locator(".explorer-folders-view .monaco-list-row", { hasText: name }).dblclick();
+    await page.locator(`.tab.active[data-resource-name="${name}"]`).waitFor();
+    await page.locator(".editor-instance .view-line").first().waitFor();
+  };
+  const tools = { page, step, open, palette, line, workspace };
+  await typing(tools);
+  await files(tools);
   await page.close();
 }
 

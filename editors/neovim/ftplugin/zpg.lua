@@ -11,5 +11,7 @@ map("n", "gcc", function()
   return require("zpg.comment").operator() .. "_"
 end)
 
+-- A number goes on as it is typed: nothing that completion proposes stands in its place unasked.
+vim.bo.completeopt = vim.o.completeopt .. ",noselect"
 -- Colours from the grammar, where the parser is installed; the server adds its own.
 pcall(vim.treesitter.start)

@@ -18,7 +18,7 @@ let starting: Promise<void> = Promise.resolve();
 const OWN_COMMANDS = ["zpg.preview", "zpg.showReferences"];
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
-  page = vscode.Uri.joinPath(context.extensionUri, "INSTALL.md");
+  page = vscode.Uri.joinPath(context.extensionUri, vscode.l10n.t("INSTALL.md"));
   const preview = new Preview(() => client);
   const command = (name: string, run: (...args: any[]) => unknown) =>
     context.subscriptions.push(vscode.commands.registerCommand(name, run));
@@ -35,7 +35,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   command("zpg.commentIn", commented("in"));
   command("zpg.restart", restart);
   const changed = vscode.workspace.onDidChangeConfiguration(
-    (e) => e.affectsConfiguration("zpg.serverPath") && restart(),
+    (e) => ["zpg.serverPath", "zpg.lang"].some((name) => e.affectsConfiguration(name)) && restart(),
   );
   context.subscriptions.push(preview, changed);
   await restart();
@@ -74,6 +74,7 @@ async function start(): Promise<void> {
     initializationOptions: { ...JSON.parse(JSON.stringify(settings)), commands: OWN_COMMANDS },
     initializationFailedHandler: () => false,
     middleware: {
+      executeCommand: run,
       window: {
         // Pictures are no texts: the editor chooses how to show them.
         showDocument: async (params, token, next) => {
@@ -108,31 +109,46 @@ async function isRunning(): Promise<boolean> {
 async function onScene(command: string, ...args: unknown[]): Promise<void> {
   const scene = vscode.window.activeTextEditor?.document;
   if (scene?.languageId !== "zpg") {
-    void vscode.window.showInformationMessage("Open a scene first.");
+    void vscode.window.showInformationMessage(vscode.l10n.t("Open a scene first."));
     return;
   }
-  if (!(await isRunning()) || client === undefined) {
-    return;
+  if (await isRunning()) {
+    await run(command, [scene.uri.toString(), ...args]);
   }
+}
+
+/** Runs a command of the server, also for buttons. What goes wrong is said once, and leads to the scene's mistakes. */
+async function run(command: string, args: unknown[]): Promise<unknown> {
   const asked = client;
-  const params = { command, arguments: [asked.code2ProtocolConverter.asUri(scene.uri), ...args] };
-  await vscode.window.withProgress(
+  return vscode.window.withProgress(
     { location: vscode.ProgressLocation.Notification, title: `zpg ${command.slice(4)}`, cancellable: true },
     async (_, cancelled) => {
       try {
-        await asked.sendRequest("workspace/executeCommand", params, cancelled);
+        return await asked?.sendRequest("workspace/executeCommand", { command, arguments: args }, cancelled);
       } catch (error) {
         if (!cancelled.isCancellationRequested) {
-          void vscode.window.showErrorMessage(error instanceof Error ? error.message : String(error));
+          // Nothing waits for the answer.
+          void refused(error instanceof Error ? error.message : String(error), String(args[0]));
         }
       }
     },
   );
 }
 
+/** Says why the server refuses a command on a scene. */
+async function refused(message: string, scene: string): Promise<void> {
+  const found = vscode.languages.getDiagnostics(vscode.Uri.parse(scene));
+  const hasErrors = found.some((d) => d.severity === vscode.DiagnosticSeverity.Error);
+  const problems = vscode.l10n.t("Show Problems");
+  const chosen = await vscode.window.showErrorMessage(message, ...(hasErrors ? [problems] : []));
+  if (chosen === problems) {
+    await vscode.commands.executeCommand("workbench.actions.view.problems");
+  }
+}
+
 async function convert(): Promise<void> {
   const targets = ["pov", "mitsuba", "ply", "obj", "glb", "json"];
-  const target = await vscode.window.showQuickPick(targets, { placeHolder: "Convert the scene to" });
+  const target = await vscode.window.showQuickPick(targets, { placeHolder: vscode.l10n.t("Convert the scene to") });
   if (target !== undefined) {
     await onScene("zpg.convert", target);
   }

@@ -43,7 +43,7 @@ export class Preview implements vscode.Disposable {
     if (this.panel === undefined) {
       this.panel = vscode.window.createWebviewPanel(
         "zpg.preview",
-        "Preview",
+        vscode.l10n.t("Preview"),
         { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
         { enableScripts: true, retainContextWhenHidden: true },
       );
@@ -52,7 +52,7 @@ export class Preview implements vscode.Disposable {
         this.alone = message.alone ?? this.alone;
         this.later();
       });
-      this.panel.webview.html = page();
+      this.panel.webview.html = page(this.alone);
     }
     this.later();
   }
@@ -105,7 +105,9 @@ export class Preview implements vscode.Disposable {
   }
 }
 
-function page(): string {
+/** The page; `alone` is what its box says at first. */
+function page(alone: boolean): string {
+  const label = vscode.l10n.t("the object at the cursor alone");
   return `<!DOCTYPE html>
 <html>
 <head>
@@ -118,7 +120,7 @@ function page(): string {
 </style>
 </head>
 <body>
-<label><input type="checkbox" id="alone"> the object at the cursor alone</label>
+<label><input type="checkbox" id="alone"${alone ? " checked" : ""}> ${label}</label>
 <div id="error"></div>
 <img id="picture" alt="">
 <script>
@@ -130,6 +132,7 @@ function page(): string {
     if (data.picture) {
       of("picture").src = "data:image/png;base64," + data.picture.png;
       of("picture").dataset.width = data.picture.width;
+      of("picture").dataset.id = data.picture.id ?? "";
     }
   });
   host.postMessage({});

@@ -5,6 +5,9 @@ import { homedir } from "node:os";
 import { join } from "node:path";
 import * as vscode from "vscode";
 
+/** In the language of the editor. */
+const t = vscode.l10n.t;
+
 /** What speaks against a program. */
 export type Fault = "missing" | "forbidden" | "strange" | "silent";
 
@@ -48,24 +51,24 @@ function faultOf(path: string): Promise<Fault | undefined> {
 
 /** What is wrong, and what to do about it. */
 function message({ path, fault }: Program): string {
-  const cure = "Install it, or set zpg.serverPath to where it is.";
+  const cure = t("Install it, or set zpg.serverPath to where it is.");
   switch (fault) {
     case "missing":
       return isName(path)
-        ? `The program ${path}, which finds the mistakes in scenes, is not in the PATH. ${cure}`
-        : `The program zpg, which finds the mistakes in scenes, is not at ${path}. ${cure}`;
+        ? t("The program {0}, which finds the mistakes in scenes, is not in the PATH. {1}", path, cure)
+        : t("The program zpg, which finds the mistakes in scenes, is not at {0}. {1}", path, cure);
     case "forbidden":
-      return `You may not run ${path}. Allow it (chmod +x), or set zpg.serverPath to another zpg.`;
+      return t("You may not run {0}. Allow it (chmod +x), or set zpg.serverPath to another zpg.", path);
     case "silent":
-      return `${path} was started and does not answer. The view "Output: ZPG" has what it said.`;
+      return t("{0} was started and does not answer. The view Output: ZPG has what it said.", path);
     default:
-      return `${path} is not zpg: it does not say its version. Set zpg.serverPath to where zpg is.`;
+      return t("{0} is not zpg: it does not say its version. Set zpg.serverPath to where zpg is.", path);
   }
 }
 
 /** Says what is wrong; `again` is what starts it. */
 export async function complain(wrong: Program, page: vscode.Uri, again: () => Promise<void>): Promise<void> {
-  const [how, settings, retry] = ["How to Install", "Open Settings", "Try Again"];
+  const [how, settings, retry] = [t("How to Install"), t("Open Settings"), t("Try Again")];
   const chosen = await vscode.window.showErrorMessage(message(wrong), how, settings, retry);
   switch (chosen) {
     case how:

@@ -256,6 +256,12 @@ lsp-render-id = 1 je ID renderovacího záznamu a jiné být nemůže
 lsp-reserved-id = 1 je vyhrazeno renderovacímu záznamu
 lsp-not-an-id = { $text } není ID: ID je celé číslo od 2 do { $max }
 lsp-id-taken = { $id } je již použito na řádku { $line }
-lsp-not-open = soubor { $path } není otevřen
+lsp-no-uri = { $text } není URI
+lsp-missing = soubor { $path } neexistuje
+lsp-has-errors = { $count ->
+    [one] ve scéně je chyba na řádku { $line }: { $message }
+    [few] ve scéně jsou { $count } chyby, první na řádku { $line }: { $message }
+   *[other] ve scéně je { $count } chyb, první na řádku { $line }: { $message }
+}
 lsp-stopped = zastaveno
 lsp-cannot-run = zpg selhalo: { $reason }

@@ -250,6 +250,11 @@ lsp-render-id = 1 is the ID of the render record and stays so
 lsp-reserved-id = 1 is kept for the render record
 lsp-not-an-id = { $text } is not an ID: an ID is a whole number from 2 to { $max }
 lsp-id-taken = { $id } is taken: it stands in line { $line }
-lsp-not-open = { $path } is not open
+lsp-no-uri = { $text } is no URI
+lsp-missing = { $path } is not there
+lsp-has-errors = { $count ->
+    [one] the scene has an error, in line { $line }: { $message }
+   *[other] the scene has { $count } errors, the first in line { $line }: { $message }
+}
 lsp-stopped = stopped
 lsp-cannot-run = zpg did not succeed: { $reason }
