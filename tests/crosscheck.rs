@@ -112,6 +112,66 @@ fn other_pictures_differ() {
     assert!(picture["flip"].as_f64().unwrap() > 0.05);
 }
 
+/// POV-Ray's picture of a scene without one of its lamps.
+#[test]
+#[ignore = "needs POV-Ray"]
+fn a_scene_without_a_lamp_differs() {
+    let lamp = "20 -402 0.4\n20 -1 -4 3 2\n";
+    let dir = folder(&SCENE.replace("1 9999", &format!("{lamp}1 9999")));
+    // The light of the lamp is taken out of the file that POV-Ray is given.
+    let script = "for a in \"$@\"; do case $a in +I*) f=${a#+I};; esac; done\n\
+        grep -q '// 20$' \"$f\" || exit 7\n\
+        sed -i '/^light_source.*\\/\\/ 20$/d' \"$f\"\nexec povray \"$@\"\n";
+    let program = script_in(dir.path(), script);
+    let args = [
+        "crosscheck",
+        "a.zpg",
+        "--with",
+        "povray",
+        "--size",
+        "96x72",
+        "--json",
+    ];
+    for (more, agrees) in [(&[][..], true), (&["--program", &program], false)] {
+        let run = zpg(dir.path(), &[&args[..], more].concat());
+        let (said, errors) = (text(&run.stdout), text(&run.stderr));
+        assert_eq!(
+            run.status.code(),
+            Some(i32::from(!agrees)),
+            "{said}{errors}"
+        );
+        let json: serde_json::Value = serde_json::from_str(&said).unwrap();
+        let differing = &json["pictures"][0]["differing"];
+        assert_eq!(differing["off_silhouettes"] == 0, agrees, "{said}");
+    }
+}
+
+/// Nothing is written over a picture that the scene uses, whatever the folder.
+#[test]
+#[ignore = "needs POV-Ray and Mitsuba"]
+fn pictures_of_the_scene_stay() {
+    for (with, path) in programs() {
+        let own = match with {
+            "povray" => "a_image_1.png",
+            _ => "a_texture_0.png",
+        };
+        for picture in ["ours.png", own] {
+            let dir = folder(&format!("2 5 -1 -1 1 1\n2 -301 {picture}\n1 9999 2 0\n"));
+            let file = dir.path().join(picture);
+            image::RgbImage::new(2, 2).save(&file).unwrap();
+            let before = fs::read(&file).unwrap();
+            let args = ["crosscheck", "a.zpg", "--with", with, "--program", &path];
+            let run = zpg(
+                dir.path(),
+                &[&args[..], &["--size", "16x12", "-o", "."]].concat(),
+            );
+            assert_eq!(run.status.code(), Some(2), "{}", text(&run.stdout));
+            assert!(text(&run.stderr).contains(picture), "{}", text(&run.stderr));
+            assert_eq!(fs::read(&file).unwrap(), before);
+        }
+    }
+}
+
 #[test]
 #[ignore = "needs Mitsuba"]
 fn geometry_agrees_with_mitsuba() {

@@ -50,6 +50,7 @@ mod mutations;
 mod never_worse;
 mod options;
 mod people;
+mod picture_files;
 mod places;
 mod plan;
 mod portable;

@@ -40,7 +40,9 @@ pub struct Args {
     /// Where to write; `-` is standard output. If not given: standard output, and a mesh to SCENE.ply (obj, glb) in the
     /// current folder. A stereo pair is written to NAME_left and NAME_right; on standard output it is
     /// one file with a switch. Beside NAME.obj there are NAME.mtl and a picture of each texture,
-    /// NAME_texture_N.png; beside NAME.xml such pictures, and meshes NAME_1.ply and so on
+    /// NAME_texture_N.png; beside NAME.xml such pictures, and meshes NAME_1.ply and so on; beside NAME.pov the
+    /// scene's pictures, NAME_image_N.png. In the names beside .obj and .pov, what is no letter of ASCII, digit, -, _
+    /// or . is replaced
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 

@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use super::draft::{Draft, try_folder, unwritable};
 use super::size::Size;
+use super::spare::spare;
 use super::{LookChoice, Status, complain, convert, load_sound, terminal, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
@@ -26,18 +27,20 @@ use crate::trace::film::{Packing, write_rgb8};
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 The scene is translated, the program looks at it, and the two are compared pixel by pixel. The answer
-is \"no\", with exit status 1, when more than 0.05 % of the pixels differ off silhouettes.
+is \"no\", with exit status 1, when more than 0.05 % of the pixels differ off silhouettes and other edges.
 
-povray: pictures, in linear light. On silhouettes, where an edge goes through the middle of a pixel,
-what one sample shows is up to rounding; and POV-Ray treats total internal reflection in another way:
-both are counted by themselves.
+povray: pictures, in linear light. Where an edge goes through the middle of a pixel, what one sample
+shows is up to rounding. It is a silhouette where another object is seen beside it, and else an edge of a
+face, a shadow, a pattern, or of what is seen in mirrors and glass. POV-Ray treats total internal
+reflection in another way. Each of these is counted by itself.
 mitsuba: position, normal and shape of what is seen first, from a Python that has the package mitsuba.
 Pixels of which single precision cannot tell what is seen, and those of two surfaces in one place, are counted
 by themselves. The answer is also \"no\" if there are more of these pixels than of those that agree.
 
 In DIR are then ours.png, theirs.png, difference.png (green: alike, red: differing, grey: silhouettes,
-with povray those that differ; blue: what is counted by itself), side-by-side.png, crosscheck.json, and
-the translation; with _left and _right for a pair of cameras. Pictures of mitsuba show normals as colours.
+with povray those that differ; yellow: other edges that differ; blue: what else is counted by itself),
+side-by-side.png, crosscheck.json, and the translation; with _left and _right for a pair of cameras.
+Pictures of mitsuba show normals as colours.
 
 Examples:
   zpg crosscheck scene.zpg --with povray
@@ -150,6 +153,9 @@ trait Outcome: Serialize {
 /// How wide the first column of the answer is.
 const WIDTH: usize = 18;
 
+/// What the pictures that are left are called.
+const PICTURES: [&str; 4] = ["ours", "theirs", "difference", "side-by-side"];
+
 /// Three pictures of 8-bit RGB.
 struct Pictures {
     ours: Vec<u8>,
@@ -255,9 +261,19 @@ fn folder(args: &Args) -> PathBuf {
         .unwrap_or_else(|| PathBuf::from(format!("{}-{}", stem(args), args.with.name())))
 }
 
-/// The folder, which exists from now on.
-fn made_folder(args: &Args) -> Result<PathBuf, Complaint> {
+/// The folder, which exists from now on; what is written there is no picture of the scene, nor are `files`.
+fn made_folder<'f>(
+    args: &Args,
+    loaded: &Analysis,
+    files: impl IntoIterator<Item = &'f str>,
+) -> Result<PathBuf, Complaint> {
     let folder = folder(args);
+    let ends = ["", "_left", "_right"];
+    let pictures = ends.map(|end| PICTURES.map(|name| format!("{name}{end}.png")));
+    let ours = pictures.iter().flatten().map(|name| folder.join(name));
+    let files = files.into_iter().map(|name| folder.join(name));
+    let paths: Vec<PathBuf> = ours.chain(files).collect();
+    spare(&args.file, loaded, paths.iter().map(PathBuf::as_path))?;
     match fs::create_dir_all(&folder) {
         Ok(()) => Ok(folder),
         Err(e) => Err(unwritable(&folder, &e)),
@@ -344,12 +360,13 @@ fn write_pictures(
     let row = 3 * width as usize;
     let rows = (ours.chunks(row).zip(theirs.chunks(row))).zip(difference.chunks(row));
     let all: Vec<u8> = rows.flat_map(|((a, b), c)| [a, b, c].concat()).collect();
-    for (name, width, rgb) in [
-        ("ours", width, ours),
-        ("theirs", width, theirs),
-        ("difference", width, difference),
-        ("side-by-side", 3 * width, &all),
-    ] {
+    let files = [
+        (width, ours),
+        (width, theirs),
+        (width, difference),
+        (3 * width, &all),
+    ];
+    for (name, (width, rgb)) in PICTURES.into_iter().zip(files) {
         let path = folder.join(format!("{name}{suffix}.png"));
         write_file(&path, |out| {
             write_rgb8(out, [width, height], rgb, Packing::Quick)

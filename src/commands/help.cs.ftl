@@ -179,7 +179,7 @@ help-convert-to = Do čeho scénu převést
     .glb = trojúhelníky: glTF 2.0, binární
     .json = vyhodnocená scéna pro jiné programy
     .zpg = vyhodnocená scéna jako záznamy
-help-convert-output = Kam převod zapsat; `-` je standardní výstup. Bez této volby jde na standardní výstup, síť do souboru SCÉNA.ply (obj, glb) v aktuální složce. Z dvojice kamer vzniknou soubory JMÉNO_left a JMÉNO_right, na standardním výstupu jeden soubor s přepínačem. K souboru JMÉNO.obj patří JMÉNO.mtl a obrázky textur JMÉNO_texture_N.png; k souboru JMÉNO.xml takové obrázky a sítě JMÉNO_1.ply a další
+help-convert-output = Kam převod zapsat; `-` je standardní výstup. Bez této volby jde na standardní výstup, síť do souboru SCÉNA.ply (obj, glb) v aktuální složce. Z dvojice kamer vzniknou soubory JMÉNO_left a JMÉNO_right, na standardním výstupu jeden soubor s přepínačem. K souboru JMÉNO.obj patří JMÉNO.mtl a obrázky textur JMÉNO_texture_N.png; k souboru JMÉNO.xml takové obrázky a sítě JMÉNO_1.ply a další; k souboru JMÉNO.pov obrázky scény JMÉNO_image_N.png. Ve jménech vedle .obj a .pov se nahradí, co není písmeno bez diakritiky, číslice, -, _ ani tečka
     .value = SOUBOR
 help-convert-size = Velikost obrázku, pro který se převádí kamera, v pixelech
     .value = ŠxV
@@ -196,17 +196,19 @@ help-convert-report = Zapíše zprávu o věrnosti převodu také jako JSON
 help-crosscheck = Porovná, co ve scéně vidí zpg a co jiný program
     .after =
         Scéna se převede pro druhý program a to, co vidí, se porovná pixel po pixelu s tím, co vidí zpg. Liší-li se mimo
-        obrysy více než 0,05 % pixelů, odpověď zní „ne“ a návratový kód je 1.
+        obrysy a jiné hrany více než 0,05 % pixelů, odpověď zní „ne“ a návratový kód je 1.
 
-        povray: porovnávají se obrázky v lineárním světle. Na obrysech, kde hrana prochází středem pixelu, rozhoduje
-        o jediném vzorku zaokrouhlení. Úplný odraz počítá POV-Ray jinak. Obojí se uvádí zvlášť.
+        povray: porovnávají se obrázky v lineárním světle. Kde středem pixelu prochází hrana, rozhoduje o jediném vzorku
+        zaokrouhlení. Je-li vedle vidět jiný objekt, je to obrys, jinak hrana stěny, stínu, vzoru nebo toho, co je vidět
+        v zrcadle nebo ve skle. Úplný odraz počítá POV-Ray jinak. Všechno to se uvádí zvlášť.
         mitsuba: porovnává se poloha, normála a tvar toho, co je vidět jako první. Potřebuje Python s balíčkem mitsuba.
         Zvlášť se uvádějí pixely, které nerozliší jednoduchá přesnost, a pixely, ve kterých je náhoda, která ze dvou
         ploch na jednom místě je vidět. Je-li jich více než pixelů, které jsou vidět stejně, odpověď zní také „ne“.
 
         Do složky SLOŽKA se zapíšou obrázky ours.png, theirs.png, difference.png a side-by-side.png, čísla
         crosscheck.json a převedená scéna; u dvojice kamer se ke jménům přidá _left a _right. Barvy v difference.png:
-        zelená je shoda, červená rozdíl, šedá obrysy (u povray jen ty, které se liší), modrá to, co se uvádí zvlášť.
+        zelená je shoda, červená rozdíl, šedá obrysy (u povray jen ty, které se liší), žlutá jiné hrany, které se liší,
+        modrá ostatní, co se uvádí zvlášť.
         Obrázky z mitsuba znázorňují normály barvami.
 
         Příklady:

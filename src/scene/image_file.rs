@@ -5,6 +5,9 @@ use std::path::{Component, Path};
 
 use crate::diagnostics::{Code, Complaint, Diagnostic, Span};
 
+/// How a JPEG picture begins.
+pub const JPEG: [u8; 3] = [0xff, 0xd8, 0xff];
+
 /// Checks a file name; `folder` is where the scene lies, if it is a file. `true` if it can be used.
 pub fn check(file: &str, span: Span, folder: Option<&Path>, out: &mut Vec<Diagnostic>) -> bool {
     let path = Path::new(file);
@@ -45,7 +48,7 @@ fn is_picture(path: &Path) -> io::Result<bool> {
         let file = std::fs::File::open(path)?;
         file.take(8).read_to_end(&mut start)?;
     }
-    Ok(start == b"\x89PNG\r\n\x1a\n" || start.starts_with(&[0xff, 0xd8, 0xff]))
+    Ok(start == b"\x89PNG\r\n\x1a\n" || start.starts_with(&JPEG))
 }
 
 fn unreadable(span: Span, why: &io::Error, out: &mut Vec<Diagnostic>) -> bool {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::silhouette::{Studied, study};
+use super::silhouette::{Edge, Studied, study};
 use crate::diagnostics::Error;
 use crate::scene::Camera;
 use crate::trace::film::srgb8;
@@ -18,7 +18,7 @@ pub fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pixel {
     /// It differs, and an edge goes through it.
-    Silhouette,
+    Edge(Edge),
     /// It shows light that was totally reflected, where the other program differs by design.
     Apart,
     Alike,
@@ -29,7 +29,7 @@ enum Pixel {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     pub pixels: usize,
-    /// Off silhouettes, with total reflection: not compared.
+    /// Off edges, with total reflection: not compared.
     pub total_reflection: usize,
     pub differing: Differing,
     pub difference: Difference,
@@ -45,13 +45,17 @@ pub struct Comparison {
 /// Pixels that differ by more than the bar.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Differing {
+    /// Off edges of any kind.
     pub off_silhouettes: usize,
     /// Of all pixels.
     pub share_off_silhouettes: f64,
+    /// Where another object is seen a hair beside.
     pub on_silhouettes: usize,
+    /// Where one object has an edge: of a face, a shadow, a pattern, or of what is seen in it.
+    pub on_other_edges: usize,
 }
 
-/// Differences off silhouettes and without total reflection, in linear light, where 1 is white.
+/// Differences off edges and without total reflection, in linear light, where 1 is white.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Difference {
     pub largest: f64,
@@ -88,11 +92,11 @@ impl Comparison {
         let map: Vec<(Pixel, f64)> = (held.iter().zip(&theirs.pixels).enumerate())
             .map(|(i, (a, b))| {
                 let d = distance(*a, *b);
-                let pixel = match () {
-                    () if ours.edges[i] => Pixel::Silhouette,
-                    () if ours.total_reflection[i] => Pixel::Apart,
-                    () if d > bar => Pixel::Differing,
-                    () => Pixel::Alike,
+                let pixel = match ours.edges[i] {
+                    Some(edge) => Pixel::Edge(edge),
+                    None if ours.total_reflection[i] => Pixel::Apart,
+                    None if d > bar => Pixel::Differing,
+                    None => Pixel::Alike,
                 };
                 (pixel, d)
             })
@@ -110,7 +114,8 @@ impl Comparison {
             differing: Differing {
                 off_silhouettes: off,
                 share_off_silhouettes: off as f64 / map.len().max(1) as f64,
-                on_silhouettes: count(Pixel::Silhouette),
+                on_silhouettes: count(Pixel::Edge(Edge::Silhouette)),
+                on_other_edges: count(Pixel::Edge(Edge::Other)),
             },
             difference: Difference {
                 largest: compared().fold(0.0, f64::max),
@@ -123,12 +128,14 @@ impl Comparison {
     }
 
     /// The differences as a picture of 8-bit RGB, row by row: green up to the bar, red above it, grey
-    /// for silhouettes that differ, blue where there is total reflection; all the brighter the more they differ.
+    /// for silhouettes that differ, yellow for other edges that do, blue where there is total reflection; all
+    /// the brighter the more they differ.
     pub fn picture(&self) -> Vec<u8> {
         let colour = |&(pixel, d): &(Pixel, f64)| {
             let shade = (55.0 + 200.0 * (d / self.bar).min(1.0)) as u8;
             match pixel {
-                Pixel::Silhouette => [shade / 2; 3],
+                Pixel::Edge(Edge::Silhouette) => [shade / 2; 3],
+                Pixel::Edge(Edge::Other) => [shade, shade, 0],
                 Pixel::Apart => [0, 0, shade],
                 Pixel::Alike => [0, (200.0 * d / self.bar) as u8, 0],
                 Pixel::Differing => [255, 0, 0],

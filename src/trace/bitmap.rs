@@ -1,6 +1,7 @@
 //! A decoded picture.
 
 use super::decode::{Pixels, decode};
+use super::film::{Packing, write_rgb};
 use crate::diagnostics::Complaint;
 use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
@@ -54,17 +55,26 @@ impl Bitmap {
         })
     }
 
-    /// Width, height, and the texels as 8-bit sRGB, row by row from the top.
-    pub fn rgb8(&self) -> (u32, u32, Vec<u8>) {
-        let texels = match &self.texels {
-            Pixels::Eight(t) => t.clone(),
-            // 65535 / 255 = 257, rounded to nearest.
-            Pixels::Sixteen(t) => t
-                .iter()
-                .map(|x| ((u32::from(*x) + 128) / 257) as u8)
-                .collect(),
+    /// A PNG of the same texels: sRGB, of as many bits.
+    pub fn png(&self) -> Vec<u8> {
+        let wide: Vec<u8>;
+        let (depth, samples) = match &self.texels {
+            Pixels::Eight(t) => (png::BitDepth::Eight, t),
+            Pixels::Sixteen(t) => {
+                wide = t.iter().flat_map(|x| x.to_be_bytes()).collect();
+                (png::BitDepth::Sixteen, &wide)
+            }
         };
-        (self.width, self.height, texels)
+        let mut out = Vec::new();
+        // Writing to memory does not fail.
+        let _ = write_rgb(
+            &mut out,
+            [self.width, self.height],
+            depth,
+            samples,
+            Packing::Small,
+        );
+        out
     }
 
     pub fn bytes(&self) -> u64 {

@@ -108,6 +108,9 @@ fn jpeg(file: &[u8], limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {
     // Sides of JPEG are numbers of 16 bits.
     let size = [width as u32, height as u32];
     limits.check(size, 1)?;
+    if !first_is_finest(file) {
+        return Err(Complaint::new("picture-broken"));
+    }
     let (colours, samples) = match decoder.input_colorspace() {
         Some(ColorSpace::Luma) => (ColorSpace::Luma, 1),
         _ => (ColorSpace::RGB, 3),
@@ -115,4 +118,35 @@ fn jpeg(file: &[u8], limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {
     decoder.set_options(options.jpeg_set_out_colorspace(colours));
     let data = decoder.decode().map_err(broken)?;
     Ok((size, Pixels::Eight(rgb(&data, samples))))
+}
+
+/// Whether no component of a JPEG has more samples, across or down, than the first: the decoder takes that for granted,
+/// and draws other pictures wrong.
+fn first_is_finest(file: &[u8]) -> bool {
+    // The segments after the two bytes that every JPEG begins with.
+    let mut rest = file.get(2..).unwrap_or_default();
+    while let [0xff, tail @ ..] = rest {
+        match tail {
+            // Any number of these may stand before a segment.
+            [0xff, ..] => rest = tail,
+            // A frame, but for tables of codes, what is reserved, and arithmetic coding.
+            [0xc0..=0xcf, _, _, _, _, _, _, _, count, components @ ..]
+                if !matches!(tail[0], 0xc4 | 0xc8 | 0xcc) =>
+            {
+                let samples = |c: &[u8]| [c[1] >> 4, c[1] & 15];
+                let mut samples = components
+                    .chunks_exact(3)
+                    .take((*count).into())
+                    .map(samples);
+                let first = samples.next().unwrap_or_default();
+                return samples.all(|n| n[0] <= first[0] && n[1] <= first[1]);
+            }
+            [_, high, low, ..] => {
+                let length = usize::from(u16::from_be_bytes([*high, *low]));
+                rest = tail.get(1 + length..).unwrap_or_default();
+            }
+            _ => break,
+        }
+    }
+    true
 }

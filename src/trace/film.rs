@@ -85,15 +85,21 @@ pub enum Packing {
 }
 
 /// A PNG of 8-bit sRGB, from rows of red, green and blue from the top.
-pub fn write_rgb8(
+pub fn write_rgb8(out: impl Write, size: [u32; 2], rgb: &[u8], packing: Packing) -> io::Result<()> {
+    write_rgb(out, size, png::BitDepth::Eight, rgb, packing)
+}
+
+/// The same with samples of any depth; those of 16 bits are two bytes, the higher one first.
+pub fn write_rgb(
     out: impl Write,
     [width, height]: [u32; 2],
+    depth: png::BitDepth,
     rgb: &[u8],
     packing: Packing,
 ) -> io::Result<()> {
     let mut encoder = png::Encoder::new(out, width, height);
     encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_depth(depth);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     if packing == Packing::Quick {
         encoder.set_compression(png::Compression::Fast);

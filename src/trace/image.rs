@@ -3,7 +3,7 @@
 use super::bitmap::Bitmap;
 use crate::diagnostics::{Code, Diagnostic, Span};
 use crate::scene::{Node, Scene, Texture, image_file};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ pub const MAX_BYTES: u64 = 256 << 20;
 
 /// The pictures of a scene, each once however often it is used.
 #[derive(Debug, Default)]
-pub struct Images(HashMap<String, Arc<Bitmap>>);
+pub struct Images(BTreeMap<String, Arc<Bitmap>>);
 
 impl Images {
     /// Reads the pictures of what is drawn from the scene's folder.
@@ -49,6 +49,13 @@ impl Images {
 
     pub fn get(&self, file: &str) -> Option<&Arc<Bitmap>> {
         self.0.get(file)
+    }
+
+    /// In the order of their names.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Bitmap)> {
+        self.0
+            .iter()
+            .map(|(file, bitmap)| (file.as_str(), &**bitmap))
     }
 }
 

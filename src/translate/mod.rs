@@ -7,6 +7,7 @@ pub mod json;
 pub mod mesh;
 pub mod mitsuba;
 pub mod names;
+pub mod plain;
 pub mod pov;
 pub mod registry;
 pub mod target;

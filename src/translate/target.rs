@@ -62,10 +62,22 @@ impl<'a> Prepared<'a> {
         if let Some(tracer) = self.tracer.get() {
             return Ok(tracer);
         }
-        let folder = self.analysis.source.folder().unwrap_or(Path::new("."));
-        let images = Images::load(self.scene(), folder)?;
-        let tracer = Tracer::with_images(self.scene(), &images)?;
+        let tracer = Tracer::with_images(self.scene(), &self.images()?)?;
         Ok(self.tracer.get_or_init(|| tracer))
+    }
+
+    /// The pictures that lie on what is drawn.
+    ///
+    /// # Errors
+    ///
+    /// A picture that cannot be read.
+    pub fn images(&self) -> Result<Images, Error> {
+        Images::load(self.scene(), self.folder()).map_err(Error::from)
+    }
+
+    /// Where the scene's pictures are.
+    pub fn folder(&self) -> &Path {
+        self.analysis.source.folder().unwrap_or(Path::new("."))
     }
 }
 

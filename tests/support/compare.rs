@@ -8,7 +8,7 @@ use zpg::scene::Scene;
 use zpg::solids::frame::selected_cameras;
 use zpg::study::compare::Comparison;
 use zpg::trace::{Images, Settings, Tracer};
-use zpg::translate::pov::{self, Options};
+use zpg::translate::pov::{self, Options, pictures::Pictures};
 
 /// Pixels may differ by so much.
 pub const BAR: f64 = 2.0 / 255.0;
@@ -18,7 +18,7 @@ pub const BAR: f64 = 2.0 / 255.0;
 pub fn compare(name: &str, scene: &Scene, folder: &Path, size: (u32, u32)) -> Vec<Comparison> {
     let options = Options {
         size,
-        pictures: format!("{}/", folder.display()),
+        pictures: Pictures::InPlace(folder.to_owned()),
         ..Options::default()
     };
     let translation = pov::write(scene, &options).unwrap_or_else(|e| panic!("{name}: {e}"));

@@ -3,6 +3,7 @@
 pub mod compare;
 pub mod make;
 pub mod mitsuba;
+pub mod picture_file;
 pub mod povray;
 pub mod program;
 

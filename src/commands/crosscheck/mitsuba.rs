@@ -46,7 +46,11 @@ pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison
         return Err(Error::scene(why));
     }
     let made = write(scene, &tracer, &options)?;
-    let folder = made_folder(args)?;
+    let folder = made_folder(
+        args,
+        loaded,
+        made.meshes.iter().map(|(name, _)| name.as_str()),
+    )?;
     let program = program(args, PROGRAM);
     let fail = |e| failed(e, ("Mitsuba", HOW), &program, &folder);
     let suffixes = made.documents.iter().map(|d| d.0);

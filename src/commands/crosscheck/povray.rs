@@ -1,7 +1,7 @@
 //! Pictures, beside POV-Ray's.
 
 use super::{Args, Compared, Outcome, Pictures};
-use super::{cameras, each_camera, failed, images, made_folder, program, stem};
+use super::{cameras, each_camera, failed, images, made_folder, program, stem, write_file};
 use crate::analysis::Analysis;
 use crate::commands::{LookChoice, terminal};
 use crate::diagnostics::{Complaint, Error, Language};
@@ -11,7 +11,8 @@ use crate::study::povray::{PROGRAM, render};
 use crate::syntax::Captions;
 use crate::trace::film::srgb8;
 use crate::trace::{Film, Settings, Tracer};
-use crate::translate::pov;
+use crate::translate::plain::plain;
+use crate::translate::pov::{self, pictures};
 
 const HOW: &str = "crosscheck-how-povray";
 
@@ -24,15 +25,18 @@ pub fn compare(
     let scene = &loaded.scene;
     let size = (args.size.width, args.size.height);
     let bar = args.max_diff / 255.0;
+    let name = plain(&stem(args));
+    let images = images(loaded)?;
+    let (pictures, copies) = pictures::Pictures::beside(&images, &name);
     let options = pov::Options {
         size,
         depth: args.depth,
-        pictures: pov::target::pictures(&args.file, None),
+        pictures,
         stereo: pov::Stereo::TwoFiles,
         captions: Captions::of(&loaded.document, &loaded.source.text),
     };
     let translation = pov::write(scene, &options)?;
-    let tracer = Tracer::with_images(scene, &images(loaded)?)?;
+    let tracer = Tracer::with_images(scene, &images)?;
     let settings = Settings {
         width: size.0,
         height: size.1,
@@ -40,12 +44,15 @@ pub fn compare(
         cutoff: 0.0,
         ..Settings::default()
     };
-    let folder = made_folder(args)?;
+    let folder = made_folder(args, loaded, copies.iter().map(|(name, _)| name.as_str()))?;
+    for (name, png) in &copies {
+        write_file(&folder.join(name), |out| out.write_all(png))?;
+    }
     let program = program(args, PROGRAM);
     let cameras = cameras(scene, args.size);
     let suffixes = translation.files.iter().map(|f| f.suffix);
     each_camera(args, &folder, suffixes, |i, suffix| {
-        let name = format!("{}{suffix}", plain(&stem(args)));
+        let name = format!("{name}{suffix}");
         let theirs = render(&program, &translation, i, size, &folder, &name)
             .map_err(|e| failed(e, ("POV-Ray", HOW), &program, &folder))?;
         let most = (1.0 / translation.light_scale) as f32;
@@ -60,12 +67,6 @@ pub fn compare(
         };
         Ok((pictures, comparison))
     })
-}
-
-/// A file name that POV-Ray's command line takes as it is.
-fn plain(name: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
-    name.replace(|c| !plain(c), "_")
 }
 
 fn srgb(film: &Film) -> Vec<u8> {
@@ -94,10 +95,14 @@ impl Outcome for Comparison {
                 number(format!("{:.3}", 255.0 * self.difference.mean)),
             );
         vec![
-            ("crosscheck-off-silhouettes", off),
+            ("crosscheck-off-edges", off),
             (
                 "crosscheck-on-silhouettes",
                 pixels("crosscheck-povray-on", differing.on_silhouettes),
+            ),
+            (
+                "crosscheck-on-other-edges",
+                pixels("crosscheck-povray-edges", differing.on_other_edges),
             ),
             (
                 "crosscheck-total-reflection",

@@ -69,9 +69,8 @@ pub fn picture(number: u32, graph: &Graph) -> Option<Picture> {
         }
         Texture::Image { .. } => {
             let bitmap = graph.bitmaps[number as usize].as_ref()?;
-            let (width, height, texels) = bitmap.rgb8();
             Picture {
-                png: png(width, height, &texels)?,
+                png: bitmap.png(),
                 cells: false,
                 scale: [1.0; 2],
             }

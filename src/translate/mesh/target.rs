@@ -11,6 +11,7 @@ use super::{glb, obj, ply};
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error};
 use crate::translate::names::Names;
+use crate::translate::plain::plain;
 use crate::translate::target::{self, Output, Prepared, Target};
 
 /// The kinds of files there are for meshes.
@@ -67,12 +68,9 @@ impl Target for Format {
                         .to_string_lossy()
                         .into_owned()
                 };
-                let library = path.with_extension("mtl");
-                let stem = path
-                    .file_stem()
-                    .unwrap_or_default()
-                    .to_string_lossy()
-                    .into_owned();
+                // In the text, names end at spaces.
+                let stem = plain(&path.file_stem().unwrap_or_default().to_string_lossy());
+                let library = path.with_file_name(format!("{stem}.mtl"));
                 let picture = |number: u32| path.with_file_name(file_name(&stem, number));
                 let (text, materials) = obj::write(&coloured, &names, &name(&library), |number| {
                     name(&picture(number))

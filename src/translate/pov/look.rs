@@ -7,6 +7,7 @@
 use std::collections::HashMap;
 
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
+use super::pictures::Pictures;
 use super::profile::Profile;
 use super::shape::coordinates;
 use super::text::{matrix, number, rgb};
@@ -108,15 +109,16 @@ impl Looks {
         self.looks.iter().map(|l| l.optics)
     }
 
-    /// Whether a look shows a JPEG picture.
-    pub fn has_jpeg(&self, aspects: &Aspects) -> bool {
-        self.looks.iter().any(|look| {
-            matches!(aspects.texture(look.texture.texture), Texture::Image { file, .. } if is_jpeg(file))
+    /// The picture files that looks show, as the scene names them.
+    pub fn pictures<'a>(&'a self, aspects: &'a Aspects) -> impl Iterator<Item = &'a str> {
+        (self.looks.iter()).filter_map(|look| match aspects.texture(look.texture.texture) {
+            Texture::Image { file, .. } => Some(file.as_str()),
+            _ => None,
         })
     }
 
-    /// The declarations of all looks. The pictures lie in `folder`.
-    pub fn write(&self, out: &mut String, aspects: &Aspects, scene: &Scene, folder: &str) {
+    /// The declarations of all looks.
+    pub fn write(&self, out: &mut String, aspects: &Aspects, scene: &Scene, pictures: &Pictures) {
         let mut images = Images::default();
         for (look, name) in self.looks.iter().zip(&self.names) {
             let pigments = Pigments {
@@ -126,7 +128,7 @@ impl Looks {
                 name,
             };
             if let Pattern::Image(file) = pigments.pattern {
-                images.declare(out, file, folder);
+                images.declare(out, file, pictures);
             }
             out.push_str(&pigments.functions());
             out.push_str(&format!("#declare {name} ="));
@@ -174,26 +176,19 @@ impl<'a> Pattern<'a> {
 struct Images<'a>(HashMap<&'a str, String>);
 
 impl<'a> Images<'a> {
-    fn declare(&mut self, out: &mut String, file: &'a str, folder: &str) {
+    fn declare(&mut self, out: &mut String, file: &'a str, pictures: &Pictures) {
         let next = self.0.len() + 1;
         if self.0.contains_key(file) {
             return;
         }
         let name = format!("Image_{next}");
-        let kind = if is_jpeg(file) { "jpeg" } else { "png" };
-        let path = format!("{folder}{file}")
-            .replace('\\', "\\\\")
-            .replace('"', "\\\"");
+        let named = pictures.named(file);
+        let said = file.replace(char::is_control, " ");
         out.push_str(&format!(
-            "#declare {name} = function {{ pigment {{ image_map {{ {kind} \"{path}\" gamma srgb interpolate 2 }} }} }}\n"
+            "#declare {name} = function {{ pigment {{ image_map {{ {named} gamma srgb interpolate 2 }} }} }} // {said}\n"
         ));
         self.0.insert(file, name);
     }
-}
-
-fn is_jpeg(file: &str) -> bool {
-    let file = file.to_ascii_lowercase();
-    [".jpg", ".jpeg"].iter().any(|end| file.ends_with(end))
 }
 
 fn layers(pigments: &Pigments, optics: &Optics, behind: bool, images: &Images) -> String {

@@ -32,6 +32,7 @@ mod look;
 mod matrices;
 mod neighbours;
 mod offset;
+pub mod pictures;
 mod piece;
 mod planes_moved;
 mod poly;
@@ -64,6 +65,7 @@ use build::Builder;
 use camera::Eye;
 use emit::Emitter;
 use frame::Frame;
+use pictures::Pictures;
 use text::{entity, number, rgb, vector};
 
 /// What the scene itself does not say.
@@ -73,8 +75,7 @@ pub struct Options {
     pub size: (u32, u32),
     /// How often a ray may be mirrored or refracted.
     pub depth: u32,
-    /// What stands before the names of image files: a folder and a slash, or nothing.
-    pub pictures: String,
+    pub pictures: Pictures,
     pub stereo: Stereo,
     /// What comments say about the scene.
     pub captions: Captions,
@@ -94,7 +95,7 @@ impl Default for Options {
         Options {
             size: (640, 480),
             depth: 10,
-            pictures: String::new(),
+            pictures: Pictures::default(),
             stereo: Stereo::TwoFiles,
             captions: Captions::default(),
         }
@@ -138,7 +139,7 @@ const MOST_LEVELS: u32 = 256;
 /// # Errors
 /// Something in it has no translation.
 pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
-    let report = Report::of("pov", scene, verdict::verdict);
+    let report = Report::of("pov", scene, |f| verdict::verdict(f, &options.pictures));
     let reordered = cuts::reordered(scene);
     let scene = reordered.as_ref().unwrap_or(scene);
     let spread = spread::spread(scene);
@@ -245,11 +246,12 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
             Complaint::new("fidelity-volumes").with("ids", ids.join(", ") + more),
         );
     }
-    if builder.looks.has_jpeg(&builder.aspects) {
+    let closed = |file: &str| !options.pictures.path(file).is_ascii();
+    if builder.looks.pictures(&builder.aspects).any(closed) {
         builder.report.state(
-            "JPEG pictures",
-            Fidelity::approximate("decoders differ by a few 255ths"),
-            "",
+            "pictures whose paths are not ASCII",
+            Fidelity::Dropped,
+            "POV-Ray cannot open them: choose a file with -o",
         );
     }
     if options.depth >= MOST_LEVELS {

@@ -1,7 +1,8 @@
 //! POV-Ray: a file, or one for each eye.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use super::pictures::Pictures;
 use super::{Options, Stereo, Translation, write};
 use crate::diagnostics::Error;
 use crate::translate::target::{self, Output, Prepared, Target};
@@ -27,10 +28,18 @@ impl Target for Pov {
         let span = scene.scene().render.map(|r| r.span);
         let crowded = |why| Error::Scene { why, span };
         (options.confine)(scene.scene()).map_err(crowded)?;
+        let (pictures, copies) = match options.output {
+            Some(path) => {
+                let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+                Pictures::beside(&scene.images()?, &stem)
+            }
+            // Nobody knows where the translation will lie.
+            None => (Pictures::InPlace(whole(scene.folder())), Vec::new()),
+        };
         let own = Options {
             size: options.size,
             depth: options.depth,
-            pictures: pictures(options.file, options.output),
+            pictures,
             stereo: match options.output {
                 Some(_) => Stereo::TwoFiles,
                 None => Stereo::OneFile,
@@ -38,25 +47,23 @@ impl Target for Pov {
             captions: scene.captions.clone(),
         };
         let Translation { files, report, .. } = write(scene.scene(), &own)?;
+        // Pictures first: a translation is there when what it names is there.
+        let beside = |name: String| options.output.map(|path| path.with_file_name(name));
+        let copies = copies.into_iter().map(|(name, png)| (beside(name), png));
+        let files = files.into_iter();
+        let files = files.map(|f| (options.suffixed(f.suffix), f.text.into_bytes()));
         Ok(Output {
-            files: (files.into_iter())
-                .map(|f| (options.suffixed(f.suffix), f.text.into_bytes()))
-                .collect(),
+            files: copies.chain(files).collect(),
             report,
         })
     }
 }
 
-/// What leads from the translation to the pictures beside the scene: nothing where it is written
-/// beside them, too, else their folder with its whole path.
-pub fn pictures(scene: &Path, output: Option<&Path>) -> String {
-    let folder = |path: &Path| {
-        let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
-        folder.unwrap_or(Path::new(".")).canonicalize().ok()
+/// A folder with its whole path.
+fn whole(folder: &Path) -> PathBuf {
+    let folder = match folder.as_os_str().is_empty() {
+        true => Path::new("."),
+        false => folder,
     };
-    match (folder(scene), output.map(folder)) {
-        (Some(from), Some(Some(to))) if from == to => String::new(),
-        (Some(from), _) => format!("{}/", from.display()),
-        (None, _) => String::new(),
-    }
+    folder.canonicalize().unwrap_or_else(|_| folder.to_owned())
 }

@@ -1,11 +1,20 @@
 //! What POV-Ray makes of each feature.
 
+use super::pictures::Pictures;
 use super::shape;
 use crate::syntax::table::RecordKind;
 use crate::translate::{Effect, Feature, Verdict};
 
-pub fn verdict(feature: Feature) -> Verdict {
+const IMAGE_MAP: &str = "image_map through the surface coordinates";
+
+pub fn verdict(feature: Feature, pictures: &Pictures) -> Verdict {
     match feature {
+        Feature::Record(RecordKind::ImageTexture) if matches!(pictures, Pictures::InPlace(_)) => {
+            Verdict::approximate(
+                "POV-Ray decodes the picture itself; with -o it is copied as PNG",
+                IMAGE_MAP,
+            )
+        }
         Feature::Record(kind) => record(kind),
         Feature::Effect(effect) => of_effect(effect),
     }
@@ -28,7 +37,7 @@ fn record(kind: RecordKind) -> Verdict {
         RecordKind::Optics | RecordKind::OpticsRgb => Verdict::exact("finish, kt as a filter"),
         RecordKind::RefractiveIndex => Verdict::exact("interior { ior }"),
         RecordKind::Assignment | RecordKind::Colour => Verdict::exact(""),
-        RecordKind::ImageTexture => Verdict::exact("image_map through the surface coordinates"),
+        RecordKind::ImageTexture => Verdict::exact(IMAGE_MAP),
         RecordKind::SolidTexture | RecordKind::Checkerboard => Verdict::exact("a function pigment"),
         RecordKind::AmbientLight => Verdict::exact("ambient_light"),
         RecordKind::PointLight => Verdict::exact("light_source without fading"),
