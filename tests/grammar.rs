@@ -3,12 +3,13 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use zpg::analysis::Analysis;
 use zpg::diagnostics::{Code, Language};
 use zpg::features::tokens::{self, Role};
 use zpg::syntax::grammar;
+use zpg::syntax::lexer::SEPARATORS;
 use zpg::syntax::table::{Family, Param, ParamKind, RECORD_TYPES, RecordType};
 
 fn path(name: &str) -> PathBuf {
@@ -172,7 +173,76 @@ fn the_scanner_of_the_tree_sitter_grammar_is_up_to_date() {
         );
         assert!(ty.repeats.len() <= 2);
     }
+    let list: Vec<String> = SEPARATORS
+        .iter()
+        .map(|&c| format!("0x{:X}", c as u32))
+        .collect();
+    let list: Vec<String> = list
+        .chunks(14)
+        .map(|row| format!("  {},\n", row.join(", ")))
+        .collect();
+    table +=
+        "};\n\n// Signs that are read as white space.\nstatic const int32_t SEPARATORS[] = {\n";
+    table += &list.concat();
     agrees("tree-sitter/src/types.h", &(table + "};\n"));
+}
+
+/// The characters of a class of a regular expression.
+fn class(text: &str, before: &str) -> BTreeSet<char> {
+    let (_, rest) = text.split_once(before).unwrap();
+    let (class, _) = rest.split_once(']').unwrap();
+    let mut parts = class.split("\\u");
+    let mut all: BTreeSet<char> = parts.next().unwrap().chars().collect();
+    for part in parts {
+        let (code, plain) = part.split_at(4);
+        all.extend(char::from_u32(u32::from_str_radix(code, 16).unwrap()));
+        all.extend(plain.chars());
+    }
+    all
+}
+
+/// Editors' grammars have the lexer's separators.
+#[test]
+fn separators_are_the_same_everywhere() {
+    let read =
+        |name: &str| fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap();
+    let expected: BTreeSet<char> = SEPARATORS.iter().copied().collect();
+    assert_eq!(expected.len(), SEPARATORS.len());
+    let grammar = read("grammar/tree-sitter/grammar.js");
+    assert_eq!(class(&grammar, "separator: () => /["), expected);
+    let grammar = read("grammar/tree-sitter/src/grammar.json");
+    assert_eq!(
+        class(&grammar.replace("\\\\", "\\"), "\"value\": \"[,"),
+        &expected - &[','].into()
+    );
+    let textmate = read("editors/vscode/syntaxes/zpg.tmLanguage.json");
+    assert_eq!(
+        class(&textmate, "\"separator\": {\n      \"match\": \"["),
+        expected
+    );
+    // What `tree-sitter generate` made of it: ranges of characters.
+    let parser = read("grammar/tree-sitter/src/parser.c");
+    let (_, ranges) = parser
+        .split_once("sym_separator_character_set_1[] = {")
+        .unwrap();
+    let (ranges, rest) = ranges.split_once("};").unwrap();
+    let code = |text: &str| -> char {
+        let text = text.trim_matches([' ', '{', '}', ',', '\n']);
+        match text.strip_prefix("0x") {
+            Some(hex) => char::from_u32(u32::from_str_radix(hex, 16).unwrap()).unwrap(),
+            None => text.trim_matches('\'').chars().next().unwrap_or(','),
+        }
+    };
+    let ranges: Vec<(char, char)> = (ranges.split("},"))
+        .filter_map(|range| range.split_once(", "))
+        .map(|(from, to)| (code(from), code(to)))
+        .collect();
+    let all: BTreeSet<char> = ranges.iter().flat_map(|&(from, to)| from..=to).collect();
+    assert_eq!(all, expected);
+    assert!(rest.contains(&format!(
+        "sym_separator_character_set_1, {}, lookahead",
+        ranges.len()
+    )));
 }
 
 /// The grammar of VS Code has a pattern for each family, and each pattern the types of that family.

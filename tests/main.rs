@@ -37,6 +37,7 @@ mod invariance;
 mod lamps;
 mod lint_generated;
 mod lint_large;
+mod lint_media;
 mod lint_overlaps;
 mod lint_rules;
 mod lint_views;

@@ -1,7 +1,9 @@
 //! What people get wrong: the first error is on the line, is the only one, and its first proposal is the
 //! record that was meant.
 
+mod agreement;
 mod messages;
+mod order;
 mod rules;
 mod scenes;
 mod slips;

@@ -35,6 +35,6 @@ module.exports = grammar({
       ),
 
     // Read as white space.
-    separator: () => /[,;<>(){}⟨⟩〈〉‹›]/,
+    separator: () => /[,;<>(){}\u27E8\u27E9\u2329\u232A\u3008\u3009\u2039\u203A\u00AB\u00BB\u27EA\u27EB\u300A\u300B\u276C\u276D\u276E\u276F\u2770\u2771\uFF1C\uFF1E\uFE64\uFE65\uFF08\uFF09\uFE59\uFE5A\uFF5B\uFF5D\uFE5B\uFE5C\uFF0C\uFE50\u3001\uFF1B\uFE54\u037E]/,
   },
 });

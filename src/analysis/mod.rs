@@ -9,6 +9,7 @@ mod commas;
 pub mod config;
 pub mod file;
 pub mod fixing;
+mod moving;
 pub mod repair;
 mod worse;
 
@@ -189,12 +190,15 @@ impl Analysis {
         Analysis::read(source, false)
     }
 
-    /// `compares`: see [`scene::resolve_with`].
+    /// `compares`: see [`scene::resolve_with`]; whether all proposals are made.
     fn read(source: SourceFile, compares: bool) -> Analysis {
         let (document, mut read) = syntax::parse(&source.text);
         commas::join(&source, &mut read);
         colours::join(&document, &source, &mut read);
         let scene = scene::resolve_with(&document, &source, &mut read, compares);
+        if compares {
+            moving::propose(&source, &document, &mut read);
+        }
         read.extend(encoding_note(&source));
         Analysis {
             document,

@@ -41,7 +41,8 @@ impl Slope {
         }
     }
 
-    fn turned(self) -> Slope {
+    /// Of the complement.
+    pub fn turned(self) -> Slope {
         Slope {
             distance: -self.distance,
             up: self.up.map(|x| -x),

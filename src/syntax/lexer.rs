@@ -31,7 +31,7 @@ pub enum TokenKind {
     Comment,
     /// A comment that is taken to end with its line.
     UnterminatedComment,
-    /// `, ; < > ( ) { }`, and `⟨ ⟩` as the handout prints them (and `〈 〉 ‹ ›`): read as white space.
+    /// One of the [`SEPARATORS`]: read as white space.
     Separator,
     Newline,
     /// U+FEFF at the start of a line: a file began there once.
@@ -190,6 +190,29 @@ impl fmt::Debug for Token {
     }
 }
 
+/// The signs of the handout's table notation, and what looks like them. They are given as numbers, since a text that is
+/// normalised loses some of them. The automaton below has the same ones.
+#[rustfmt::skip]
+pub const SEPARATORS: &[char] = &[
+    ',', ';', '<', '>', '(', ')', '{', '}',
+    // Angle brackets of the handout, of mathematics, of technical and of East Asian texts.
+    '\u{27E8}', '\u{27E9}', '\u{2329}', '\u{232A}', '\u{3008}', '\u{3009}',
+    // Double angle brackets.
+    '\u{27EA}', '\u{27EB}', '\u{300A}', '\u{300B}',
+    // Quotation marks in the form of angle brackets.
+    '\u{2039}', '\u{203A}', '\u{AB}', '\u{BB}',
+    // Ornaments.
+    '\u{276C}', '\u{276D}', '\u{276E}', '\u{276F}', '\u{2770}', '\u{2771}',
+    // Full-width and small signs: less and greater, parentheses, braces.
+    '\u{FF1C}', '\u{FF1E}', '\u{FE64}', '\u{FE65}',
+    '\u{FF08}', '\u{FF09}', '\u{FE59}', '\u{FE5A}',
+    '\u{FF5B}', '\u{FF5D}', '\u{FE5B}', '\u{FE5C}',
+    // Commas: full-width, small, ideographic.
+    '\u{FF0C}', '\u{FE50}', '\u{3001}',
+    // Semicolons: full-width, small, and the Greek question mark.
+    '\u{FF1B}', '\u{FE54}', '\u{37E}',
+];
+
 #[derive(Logos, Debug, Clone, Copy, PartialEq)]
 #[logos(extras = Unclosed<'s>)]
 enum Raw<'s> {
@@ -206,12 +229,12 @@ enum Raw<'s> {
     DecimalComma,
     #[regex(r#""[^"\r\n]*""#, priority = 20)]
     Quoted,
-    #[regex(r"[,;<>(){}⟨⟩〈〉〈〉‹›]")]
+    #[regex(r"[,;<>(){}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}]")]
     Separator,
     /// Its end is found by hand: where it is depends on the comments before.
     #[token("#", comment)]
     Comment(bool),
-    #[regex(r##"[^\p{White_Space}#,;<>(){}⟨⟩〈〉〈〉‹›"]+"##, priority = 1)]
+    #[regex(r##"[^\p{White_Space}#,;<>(){}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}"]+"##, priority = 1)]
     #[token("\"", priority = 1)]
     Word,
     // Only there to carry the lifetime of the extras.

@@ -28,7 +28,7 @@ use serde::de::IgnoredAny;
 
 use super::ast::Document;
 use super::in_records::by_records;
-use super::lexer::{self, TokenKind, Tokens};
+use super::lexer::{self, SEPARATORS, TokenKind, Tokens};
 use crate::diagnostics::wording::with_article;
 use crate::diagnostics::{Code, Diagnostic, SourceFile, Span, Value};
 
@@ -248,7 +248,7 @@ fn is_number(text: &str) -> bool {
     if !number.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
         return false;
     }
-    let ends = |c: char| c.is_whitespace() || "#,;<>(){}⟨⟩〈〉〈〉‹›\"".contains(c);
+    let ends = |c: char| c.is_whitespace() || "#\"".contains(c) || SEPARATORS.contains(&c);
     let word = number.split(ends).next().unwrap_or_default();
     matches!(
         Tokens::new(word, &[]).next().map(|t| t.kind()),

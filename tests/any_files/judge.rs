@@ -5,6 +5,7 @@ use zpg::analysis::Analysis;
 use zpg::analysis::fixing::to_fixed_point;
 use zpg::diagnostics::SourceFile;
 use zpg::format::{Options, format};
+use zpg::syntax::lexer::SEPARATORS;
 use zpg::syntax::{in_records, parse, preserved, recognise};
 
 /// What the tools make of a file, and what is wrong with that.
@@ -128,7 +129,7 @@ fn known(bytes: &[u8]) -> Option<bool> {
         if !line.is_empty() && !comment {
             all += 1;
             let word =
-                line.split(|c: char| c.is_whitespace() || ",;<>(){}⟨⟩〈〉〈〉‹›\"".contains(c));
+                line.split(|c: char| c.is_whitespace() || c == '"' || SEPARATORS.contains(&c));
             let word = word.into_iter().next().unwrap_or_default();
             let digits = word.trim_start_matches(['+', '-']);
             let begins = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
@@ -145,8 +146,7 @@ fn known(bytes: &[u8]) -> Option<bool> {
 /// The words of a text. A `#` is one by itself, and notation marks are none.
 fn words(text: &str) -> Vec<&str> {
     let mut words = Vec::new();
-    let blank =
-        |c: char| c.is_whitespace() || c == '\u{feff}' || ",;<>(){}⟨⟩〈〉〈〉‹›".contains(c);
+    let blank = |c: char| c.is_whitespace() || c == '\u{feff}' || SEPARATORS.contains(&c);
     for piece in text.split(blank) {
         for (i, part) in piece.split('#').enumerate() {
             words.extend((i > 0).then_some("#"));

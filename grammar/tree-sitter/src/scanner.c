@@ -64,13 +64,10 @@ static char role(const struct RecordType *type, uint64_t count, uint64_t at) {
 }
 
 static bool is_separator(int32_t c) {
-  switch (c) {
-    case ',': case ';': case '<': case '>': case '(': case ')': case '{': case '}':
-    case 0x27E8: case 0x27E9: case 0x3008: case 0x3009: case 0x2039: case 0x203A:
-      return true;
-    default:
-      return false;
+  for (size_t i = 0; i < sizeof SEPARATORS / sizeof *SEPARATORS; i++) {
+    if (SEPARATORS[i] == c) return true;
   }
+  return false;
 }
 
 static bool is_break(int32_t c) { return c == '\n' || c == '\r'; }

@@ -116,7 +116,6 @@ impl Engine<'_> {
             self.findings.push(matter.finding);
             crate::diagnostics::sort(&mut self.findings);
         }
-        whole::early_changes(self.analysis, &mut self.findings);
         whole::cycles(self.analysis, &mut self.findings);
     }
 
@@ -244,7 +243,9 @@ impl Engine<'_> {
             }
         }
         let line = place.line();
-        let elsewhere = |d: &&Diagnostic| d.is_error() && !line.touches(d.span);
+        // What moves lines would take this one to another place.
+        let moves = |d: &Diagnostic| d.code == Code::E107;
+        let elsewhere = |d: &&Diagnostic| d.is_error() && !line.touches(d.span) && !moves(d);
         let others: Vec<Fix> = (self.findings.iter().filter(elsewhere))
             .filter_map(|d| d.applicable_fix(true).cloned())
             .collect();
@@ -332,36 +333,23 @@ impl Engine<'_> {
             c.habit != Habit::Comment || comments == 1
         });
         let best = best.take(PROPOSALS);
-        retell(&mut self.findings[at], &best.collect::<Vec<_>>());
+        retell(&mut self.findings[at], &best.collect::<Vec<_>>(), place);
         true
     }
 }
 
-/// Gives a finding its fixes, and words that go with the first of them.
-fn retell(finding: &mut Diagnostic, best: &[&Candidate]) {
+/// Gives a finding its fixes, and words that go with the first of them: those of what that one puts right, where the
+/// finding speaks of something else.
+fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Place) {
     finding.fixes = best.iter().map(|c| c.fix.clone()).collect();
     let Some(first) = best.first() else { return };
-    if let (Habit::Sign, Some(ty), Some(edit)) = (first.habit, first.ty, first.fix.edits.first())
-        && finding.code != Code::E007
-        && finding.code != Code::E103
-    {
-        *finding = Diagnostic {
-            fixes: std::mem::take(&mut finding.fixes),
-            ..Diagnostic::new(Code::E007, edit.span)
-                .case("sign")
-                .with("number", ty.code.to_string())
-                .with("type", Value::Term(ty.title))
-        };
-    } else if let (Habit::NoType, Some(ty), Some(edit)) =
-        (first.habit, first.ty, first.fix.edits.first())
-    {
-        *finding = Diagnostic {
-            fixes: std::mem::take(&mut finding.fixes),
-            ..Diagnostic::new(Code::E006, edit.span)
-                .case("lost")
-                .with("number", ty.code.to_string())
-                .with("type", Value::Term(ty.title))
-        };
+    let matter = match first.habit.is_said_by(finding) {
+        true => None,
+        false => place.matter(first),
+    };
+    if let Some(matter) = matter {
+        let fixes = std::mem::take(&mut finding.fixes);
+        *finding = Diagnostic { fixes, ..matter };
     } else if finding.code == Code::E007 {
         finding.values.retain(|v| v.0 == "text");
         finding.case = "";

@@ -1,13 +1,10 @@
 //! One slip that shows on many lines: the minus of all types lost, the ID of the render record used for an
-//! object, two scenes in one file, definitions that need each other, records above what they change.
-
-use std::ops::RangeInclusive;
+//! object, two scenes in one file, definitions that need each other.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::characters;
 use crate::analysis::Analysis;
-use crate::diagnostics::source::line_break;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::Item;
 use crate::syntax::ast::Record;
@@ -274,61 +271,6 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
         });
     let spans = vec![Span::new(end, end + rest.len() as u32)];
     Some(Matter { finding, spans })
-}
-
-/// Proposes to move records that change something below its definition: for each ID the last one of those above, so that
-/// they stay in order.
-pub fn early_changes(analysis: &Analysis, findings: &mut [Diagnostic]) {
-    let mut seen = FxHashSet::default();
-    let is_one = |d: &&mut Diagnostic| d.code == Code::E107 && d.case == "changed";
-    for d in findings.iter_mut().rev().filter(is_one) {
-        let Some(definition) = d.labels.first().map(|label| label.span) else {
-            continue;
-        };
-        if !seen.insert(definition.start) {
-            continue;
-        }
-        let [from, to] = [d.span, definition].map(|span| own_lines(analysis, span.start));
-        let (Some(from), Some(to)) = (from, to) else {
-            continue;
-        };
-        let source = &analysis.source;
-        let line = |i: usize| source.line_span(i);
-        let moved = Span::new(line(*from.start()).start, line(*from.end()).end);
-        let gap = Span::new(moved.start, line(from.end() + 1).start);
-        let end = line(*to.end()).end;
-        let edit = |span: Span, text: String| Edit { span, text };
-        let text = format!("{}{}", line_break(&source.text), source.slice(moved));
-        d.fixes = vec![Fix {
-            title: "fix",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits: vec![edit(gap, String::new()), edit(Span::new(end, end), text)],
-        }];
-    }
-}
-
-/// The lines of the record at a place; nothing if another one has a part in them, or a comment goes on beyond them.
-fn own_lines(analysis: &Analysis, at: u32) -> Option<RangeInclusive<usize>> {
-    let (source, document) = (&analysis.source, &analysis.document);
-    let span = |item: &Item| document.item_span(item);
-    let i = document.items.partition_point(|item| span(item).end <= at);
-    let (before, rest) = document.items.split_at(i);
-    let own = span(rest.first()?);
-    let [first, last] = [own.start, own.end - 1].map(|at| source.line_index(at));
-    let is_above = |item: &Item| source.line_index(span(item).end - 1) < first;
-    let is_below = |item: &Item| source.line_index(span(item).start) > last;
-    let is_alone = before.last().is_none_or(is_above) && rest.get(1).is_none_or(is_below);
-    let lines = source.line_span(first).to(source.line_span(last));
-    let goes_on = |t: &Token| {
-        t.kind() == TokenKind::Comment && (t.start < lines.start || t.end() > lines.end)
-    };
-    let tokens = &document.tokens;
-    let begin = tokens.partition_point(|t| t.end() <= lines.start);
-    let end = tokens.partition_point(|t| t.start < lines.end);
-    let on_lines = &tokens[begin..end];
-    let mut ends = [on_lines.first(), on_lines.last()].into_iter().flatten();
-    (is_alone && !ends.any(goes_on)).then_some(first..=last)
 }
 
 /// So many references are followed for one file, to find definitions that need each other.

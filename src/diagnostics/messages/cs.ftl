@@ -223,6 +223,9 @@ E008-sign = { E008 }
 E008-count = { $type }: chybí počet bodů
     .label = za typem chybí N
     .help = { E008.help }
+E008-file = { $type }: chybí jméno souboru
+    .label = za typem chybí jméno souboru
+    .help = { E008.help }
 
 E009 = příliš mnoho čísel: { $type } má mít { $fewer ->
     [none] {""}
@@ -254,6 +257,9 @@ E009-row = { E009 }
     .label = tento řádek jich má více než ostatní
     .help = { E009.help }
     .begin = { $type } začíná zde
+E009-file = { $type }: za jménem souboru stojí něco navíc
+    .label = toto je navíc
+    .help = { E009.help }
 
 E010 = { $text } není celé číslo
     .label = { $parameter } musí být celé číslo, zapsané bez tečky
@@ -393,8 +399,10 @@ E106 = chybí renderovací záznam
 
 E107 = { $id } se používá dříve, než je definováno
     .label = ještě není definováno
-    .help = přesuňte definici výš: scéna se čte shora dolů
+    .help = scéna se čte shora dolů: co se používá, patří výš
     .later = definováno zde
+    .fix = přesunout definici { $id } výš
+    .fix-down = přesunout tento záznam za definici { $id }
 E107-changed = { $id } se mění dříve, než je definováno
     .label = ještě není definováno
     .help = scéna se čte shora dolů: tento záznam patří až za definici

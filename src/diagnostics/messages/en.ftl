@@ -213,6 +213,9 @@ E008-sign = { E008 }
 E008-count = this { $type } has no number of points
     .label = N is missing after the type
     .help = { E008.help }
+E008-file = this { $type } has no file name
+    .label = a file name is missing after the type
+    .help = { E008.help }
 
 E009 = too many numbers: { $type-a } takes { $fewer ->
     [none] {""}
@@ -241,6 +244,9 @@ E009-row = { E009 }
     .label = this line has more than the others
     .help = { E009.help }
     .begin = the { $type } begins here
+E009-file = this { $type } has something behind its file name
+    .label = this is too much
+    .help = { E009.help }
 
 E010 = { $text } is not an integer
     .label = { $parameter } must be a whole number, written without a point
@@ -375,8 +381,10 @@ E106 = there is no render record
 
 E107 = { $id } is used before it is defined
     .label = not defined yet
-    .help = move the definition up: a scene is read from top to bottom
+    .help = a scene is read from top to bottom: what is used belongs above
     .later = defined here
+    .fix = move the definition of { $id } up
+    .fix-down = move this record below the definition of { $id }
 E107-changed = { $id } is changed before it is defined
     .label = not defined yet
     .help = a scene is read from top to bottom: this record belongs below the definition

@@ -52,6 +52,23 @@ fn commas() {
     );
 }
 
+/// Of all characters, those that are listed are separators, and end numbers and words.
+#[test]
+fn separators() {
+    use TokenKind::*;
+    for c in '\0'..=char::MAX {
+        let listed = SEPARATORS.contains(&c);
+        assert_eq!(kinds(&c.to_string()) == [Separator], listed, "{c:?}");
+        if listed {
+            assert_eq!(
+                kinds(&format!("-1.5{c}x{c}")),
+                [Real, Separator, Word, Separator],
+                "{c:?}"
+            );
+        }
+    }
+}
+
 #[test]
 fn comments() {
     use TokenKind::*;

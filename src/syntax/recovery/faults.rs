@@ -347,6 +347,10 @@ const FEW_OFF: u32 = FAULT + 2 * ONE_OFF;
 /// The price of each number more or less.
 const ONE_OFF: u32 = 20;
 
+/// What it costs more to take the type of an operation, a light, a camera or a property for a coordinate. The record that
+/// it may be the type of has up to two numbers more or less than it takes.
+const TYPE_AS_COORDINATE: u32 = 3 * ONE_OFF;
+
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have
 /// written all lines like that: it is less than what three numbers too many cost.
 const REALS: u32 = 50;
@@ -572,7 +576,9 @@ fn lost_id(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)
     if ty.code > 0 && !whole_line {
         return None;
     }
-    let price = FAULT - 10;
+    let is_head = |ty: &RecordType| ty.code <= LEAST_HEAD;
+    let hardly = ty.code > 0 && stretch.record_type(start + 1).is_some_and(is_head);
+    let price = FAULT - 10 + if hardly { TYPE_AS_COORDINATE } else { 0 };
     let n = match ty.is_counted() {
         true => point_count(stretch, start + 1).ok()?,
         false => 0,

@@ -375,6 +375,7 @@ impl Reporter<'_, '_> {
                 d.fix(write(Applicability::Unsafe, n, points.to_string()))
             }
             (None, Some(_)) => d.case("row").label(self.span(start, start + 2), "begin"),
+            (None, None) if ty.kind == RecordKind::ImageTexture => d.case("file"),
             (None, None) => d,
         }
     }

@@ -44,6 +44,29 @@ pub enum Habit {
     NoType,
 }
 
+impl Habit {
+    /// Whether a finding speaks of what this puts right. If not, [`Place::matter`] does.
+    pub fn is_said_by(self, finding: &Diagnostic) -> bool {
+        use Code::*;
+        match self {
+            Habit::Sign => matches!(finding.code, E007 | E103),
+            Habit::Characters => matches!(
+                finding.code,
+                E001 | E002 | E003 | E004 | E006 | E010 | E011 | E012
+            ),
+            Habit::Word => finding.code == E006,
+            Habit::Comment => matches!(finding.code, E001 | E002 | E003 | E007 | E009 | E012),
+            Habit::Doubled | Habit::Sibling => matches!(finding.code, E008 | E009),
+            Habit::Swapped => {
+                matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
+            }
+            Habit::NoType => false,
+            // They are made for such findings only.
+            Habit::Shifted | Habit::Reference | Habit::Id | Habit::Type | Habit::Proposed => true,
+        }
+    }
+}
+
 /// A text that may have been meant.
 #[derive(Debug, Clone)]
 pub struct Candidate {
@@ -187,6 +210,7 @@ impl<'a> Place<'a> {
             out.extend(self.angles());
             self.siblings(&mut out);
             self.types(finding, &mut out);
+            self.arranged(&mut out);
             self.references(finding, &mut out);
             self.ids(finding, undefined, &mut out);
             if out.is_empty() {
@@ -204,6 +228,42 @@ impl<'a> Place<'a> {
         out.retain(|c| seen.insert(edits(c)));
         out.truncate(MOST);
         out
+    }
+
+    /// What a candidate puts right, as a finding. Together with [`Habit::is_said_by`] it sees to it that a finding and
+    /// its first proposal speak of one thing.
+    pub fn matter(&self, candidate: &Candidate) -> Option<Diagnostic> {
+        let edit = candidate.fix.edits.first()?;
+        let written = quote(&self.text[edit.span.range()]);
+        let with_type = |d: Diagnostic| {
+            let ty = candidate.ty?;
+            let d = d.with("number", ty.code.to_string());
+            Some(d.with("type", Value::Term(ty.title)))
+        };
+        match candidate.habit {
+            Habit::Sign => with_type(Diagnostic::new(Code::E007, edit.span).case("sign")),
+            Habit::NoType => with_type(Diagnostic::new(Code::E006, edit.span).case("lost")),
+            Habit::Characters => Some(Diagnostic::new(Code::E003, edit.span).with("text", written)),
+            Habit::Word => {
+                let d = Diagnostic::new(Code::E006, edit.span).case("word");
+                Some(d.with("text", written))
+            }
+            Habit::Comment => {
+                let words = self.text[edit.span.range()]
+                    .trim_start_matches('#')
+                    .trim_start();
+                let word = words.split_whitespace().next()?;
+                let start = edit.span.end - words.len() as u32;
+                let span = Span::new(start, start + word.len() as u32);
+                Some(Diagnostic::new(Code::E012, span).with("text", quote(word)))
+            }
+            Habit::Doubled | Habit::Sibling => self.wrong_count(),
+            Habit::Swapped => {
+                let d = Diagnostic::new(Code::E101, edit.span).case("no-id");
+                Some(d.with("number", written))
+            }
+            Habit::Shifted | Habit::Reference | Habit::Id | Habit::Type | Habit::Proposed => None,
+        }
     }
 
     fn write_type(&self, habit: Habit, ty: &'static RecordType) -> Candidate {

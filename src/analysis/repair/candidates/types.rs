@@ -178,19 +178,27 @@ impl Place<'_> {
     pub fn wrong_count(&self) -> Option<Diagnostic> {
         let (ty, got) = (self.ty()?, self.params().len());
         let wanted = self.wanted(ty);
+        if got == wanted {
+            return None;
+        }
         let code = if got < wanted { Code::E008 } else { Code::E009 };
         let span = match self.params().get(wanted) {
             Some(surplus) => surplus.span().to(self.tokens[got + 1].span()),
             None => self.line,
         };
         let count = |n: usize| Value::Count(n as u64);
+        let least = ty.params.len();
+        let (full, fewer) = match ty.optional.len() {
+            0 => (wanted, "none".to_owned()),
+            more => (least + more, least.to_string()),
+        };
         Some(
             Diagnostic::new(code, span)
                 .with("type", Value::Term(ty.title))
                 .with("got", count(got))
                 .with("off", count(got.abs_diff(wanted)))
-                .with("wanted", count(wanted))
-                .with("fewer", "none")
+                .with("wanted", count(full))
+                .with("fewer", fewer)
                 .with("header", format!("`ID {} {}`", ty.code, ty.signature())),
         )
     }

@@ -55,6 +55,8 @@ pub(super) struct Search<'a> {
     bounds: &'a [NodeBounds],
     /// What is left for closer looks.
     close: usize,
+    /// Pairs of which the first part lies within the second.
+    nested: FxHashSet<[u32; 2]>,
 }
 
 /// Two parts to be looked at, and whether both are opaque.
@@ -74,6 +76,7 @@ impl<'a> Search<'a> {
             done: FxHashSet::default(),
             bounds,
             close: CLOSE_ALL,
+            nested: FxHashSet::default(),
         }
     }
 
@@ -198,13 +201,7 @@ impl<'a> Search<'a> {
                 true => self.opened(both_parts, p, depth, &mut halves),
             };
             if let Some(witness) = witness {
-                return Some(self.found(
-                    union,
-                    (pair, opaque),
-                    both_parts,
-                    witness,
-                    (&both, depth),
-                ));
+                return self.found(union, (pair, opaque), both_parts, witness, (&both, depth));
             }
         }
         None
@@ -217,9 +214,13 @@ impl<'a> Search<'a> {
         both_parts: [(&Part, &Matrix); 2],
         witness: Vec3,
         (within, depth): (&Aabb, f64),
-    ) -> Found {
+    ) -> Option<Found> {
         /// What overlaps by less than a millionth is not spoken of.
         const FINER: usize = 7;
+        if self.is_nested((parts, open), both_parts, (within, depth)) {
+            self.nested.insert(parts);
+            return None;
+        }
         self.done.insert(union);
         let sides = (0..3).map(|i| within.max[i] - within.min[i]);
         let size = sides.fold(f64::INFINITY, f64::min);
@@ -228,18 +229,74 @@ impl<'a> Search<'a> {
             let number = |x: String| x.parse().unwrap_or(f64::NAN);
             self.deep(both_parts, told(*k).map(number), depth, !open)
         };
-        Found {
+        Some(Found {
             union,
             parts,
             witness: told((0..FINER).find(holds).unwrap_or(FINER)),
             open,
+        })
+    }
+
+    /// Whether the first of two parts lies within the second, and the second is more than that. Then the first owns all of
+    /// itself, and the second what is around it. The other order would leave nothing of the first.
+    fn is_nested(
+        &mut self,
+        (pair, open): Pair,
+        both_parts: [(&Part, &Matrix); 2],
+        within: (&Aabb, f64),
+    ) -> bool {
+        let [one, two] = both_parts;
+        let [i, j] = pair;
+        self.reaches_out(([i, j], open), [one, two], within) == Some(false)
+            && self.reaches_out(([j, i], open), [two, one], within) == Some(true)
+    }
+
+    /// Whether a point of one part is found that is as far outside of another as it has to be in both for a warning.
+    /// `None`: that is not looked for.
+    fn reaches_out(
+        &mut self,
+        (pair, open): Pair,
+        both_parts: [(&Part, &Matrix); 2],
+        (both, depth): (&Aabb, f64),
+    ) -> Option<bool> {
+        let [inner, outer] = pair.map(|i| &self.unions.parts[i as usize]);
+        let mut within = match (inner.bounds.is_finite(), outer.bounds.is_finite()) {
+            (true, _) => inner.bounds,
+            (false, true) => return Some(true),
+            (false, false) => *both,
+        };
+        if let Some((min, max)) = self.scene.render.and_then(|r| r.clip) {
+            within = within.intersection(&Aabb::new(min, max));
         }
+        let fields = [inner, outer].map(|part| Field::new(self.scene, part.node, &part.matrix));
+        let [Some(mut one), Some(mut two)] = fields else {
+            return None;
+        };
+        let cut = inner.cut.filter(|_| !open);
+        let mut left = cut.and_then(|root| Field::new(self.scene, root, &Matrix::IDENTITY));
+        let cost = one.cost + two.cost + left.as_ref().map_or(0, |f| f.cost);
+        let share = CLOSE.min(self.close) / cost.max(1);
+        if share == 0 {
+            return None;
+        }
+        let mut points = share;
+        let slopes = |p: Vec3| {
+            let (a, b) = (one.at(p), two.at(p).turned());
+            match left.as_mut().map(|left| left.at(p)) {
+                Some(c) => [a.both(c), b],
+                None => [a, b],
+            }
+        };
+        let out = |p: Vec3| self.sticks_out(both_parts, p, depth, !open);
+        let witness = lowest(&within, depth, &mut points, slopes, out);
+        self.close = self.close.saturating_sub(cost * (share - points));
+        Some(witness.is_some())
     }
 
     /// A point of two parts that overlap by little, or are both without end.
     fn closely(&mut self, (pair, opaque): Pair) -> Option<Found> {
         let parts = pair.map(|i| &self.unions.parts[i as usize]);
-        let union = self.union(parts).filter(|_| !opaque)?;
+        let union = (self.union(parts)).filter(|_| !opaque && !self.nested.contains(&pair))?;
         let mut within = parts[0].bounds.intersection(&parts[1].bounds);
         if parts.iter().all(|p| !p.bounds.is_finite()) {
             let [a, b] = parts.map(|p| self.anchor(p));
@@ -287,13 +344,13 @@ impl<'a> Search<'a> {
         let deep = |p: Vec3| self.deep(both_parts, p, depth, true);
         let witness = lowest(&within, depth, &mut points, slopes, deep);
         self.close = self.close.saturating_sub(cost * (share - points));
-        Some(self.found(
+        self.found(
             union,
             (pair, opaque),
             both_parts,
             witness?,
             (&within, depth),
-        ))
+        )
     }
 
     /// Where something without end is at home: around its own origin, by several times its size.
@@ -360,6 +417,28 @@ impl<'a> Search<'a> {
     /// Whether a point, and what is around it, is in both parts and in the box of the render record,
     /// and, if asked for, left by whatever cuts.
     fn deep(&mut self, parts: [(&Part, &Matrix); 2], p: Vec3, depth: f64, left: bool) -> bool {
+        self.holds([(parts[0], true), (parts[1], true)], p, depth, left)
+    }
+
+    /// The same of the first part alone, outside of the second.
+    fn sticks_out(
+        &mut self,
+        parts: [(&Part, &Matrix); 2],
+        p: Vec3,
+        depth: f64,
+        left: bool,
+    ) -> bool {
+        self.holds([(parts[0], true), (parts[1], false)], p, depth, left)
+    }
+
+    /// For each part whether it is to hold the point.
+    fn holds(
+        &mut self,
+        parts: [((&Part, &Matrix), bool); 2],
+        p: Vec3,
+        depth: f64,
+        left: bool,
+    ) -> bool {
         let clip = self.scene.render.and_then(|r| r.clip);
         for k in 0..7 {
             let mut q = p;
@@ -370,12 +449,12 @@ impl<'a> Search<'a> {
             if clip.is_some_and(|(min, max)| !Aabb::new(min, max).contains(q)) {
                 return false;
             }
-            for (part, back) in parts {
-                if self.inside.node(part.node, back.point(q)) != Some(true) {
+            for ((part, back), holds) in parts {
+                if self.inside.node(part.node, back.point(q)) != Some(holds) {
                     return false;
                 }
             }
-            if let Some(root) = parts[0].0.cut.filter(|_| left)
+            if let Some(root) = parts[0].0.0.cut.filter(|_| left)
                 && self.inside.node(root, q) != Some(true)
             {
                 return false;

@@ -1,13 +1,16 @@
 //! W318: a refractive index that nothing is seen of, because no light goes through, or one that is
 //! less than 1.
 
+mod apart;
+
 use rustc_hash::FxHashMap;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
-use crate::lint::Context;
+use crate::lint::{Context, live_nodes, roots};
 use crate::scene::record::Params;
 use crate::scene::{DEFAULT_INDEX, Node, NodeId, Paint, Scene};
 use crate::syntax::table::{Kind, RecordKind};
+use apart::Apart;
 
 /// The refractive index of a vacuum: nothing is thinner.
 const VACUUM: f64 = 1.0;
@@ -43,7 +46,8 @@ fn below_one(p: &Params) -> Option<Diagnostic> {
     Some(d.case("below-one").with("parts", parts.join(", ")))
 }
 
-/// Indices that have no effect on any object that has them.
+/// Indices that have no effect on any object that has them: no light goes through these, and nothing that lets light
+/// through comes near them.
 fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let sources = sources(context);
@@ -78,6 +82,11 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     silent.sort_by_key(|s| s.0);
+    let roots = roots(scene, &live_nodes(scene));
+    let Some(mut apart) = Apart::new(scene, context.bounds(), &sources, &roots) else {
+        return;
+    };
+    silent.retain(|s| apart.is_without_effect(s.0));
     let titles = context.titles();
     for (span, object) in silent {
         let Some(p) = context.params(span) else {

@@ -17,7 +17,7 @@ use crate::solids::named;
 use hidden::Hidden;
 use members::{Member, Slot, members};
 use rustc_hash::FxHashMap;
-use starts::Starts;
+pub use starts::Starts;
 
 /// Why nothing of a part can be seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

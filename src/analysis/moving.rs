@@ -1,0 +1,340 @@
+//! Records that stand above what they need (E107): a definition moves up, or the record moves down.
+//!
+//! What moves is a block: a record, the records right behind it that change it, and the comment above it, on lines that
+//! nothing else has a part in.
+
+use std::ops::Range;
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, SourceFile, Span};
+use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::table::{Effect, Family, ParamKind, RecordKind};
+use crate::syntax::{Document, Item, Record};
+
+/// So many items are gone through for one file, to see whether what moves is needed on the way: some milliseconds.
+const STEPS: usize = 1_000_000;
+
+/// Gives the findings about such records their fixes.
+pub fn propose(source: &SourceFile, document: &Document, findings: &mut [Diagnostic]) {
+    if !findings.iter().any(|d| d.code == Code::E107) {
+        return;
+    }
+    let mut mover = Mover::new(source, document, findings);
+    let is_use = |d: &&mut Diagnostic| d.code == Code::E107 && d.case.is_empty();
+    for d in findings.iter_mut().filter(is_use) {
+        d.fixes.extend(mover.moved(d));
+    }
+    early_changes(&mover, findings);
+}
+
+/// Proposes to move records that change something below its definition: for each ID the last one of those above, so that
+/// they stay in order.
+fn early_changes(mover: &Mover, findings: &mut [Diagnostic]) {
+    let mut seen = FxHashSet::default();
+    let is_one = |d: &&mut Diagnostic| d.code == Code::E107 && d.case == "changed";
+    let mut all: Vec<&mut Diagnostic> = findings.iter_mut().filter(is_one).collect();
+    all.sort_by_key(|d| std::cmp::Reverse(d.span.start));
+    for d in all {
+        let Some(definition) = d.labels.first().map(|label| label.span) else {
+            continue;
+        };
+        if !seen.insert(definition.start) {
+            continue;
+        }
+        let [from, to] = [d.span, definition].map(|span| {
+            let at = mover.item(span.start)?;
+            mover.own_lines(at..at + 1)
+        });
+        if let (Some(from), Some(to)) = (from, to) {
+            d.fixes = vec![mover.fix("fix", Applicability::Unsafe, from, to.end)];
+        }
+    }
+}
+
+struct Mover<'a> {
+    source: &'a SourceFile,
+    document: &'a Document,
+    /// For each definition, where it begins: the first item that uses it too early.
+    first_use: FxHashMap<u32, usize>,
+    /// How often each ID is referred to.
+    uses: FxHashMap<u32, usize>,
+    /// How often each ID is referred to by records above its definition.
+    early: FxHashMap<u32, usize>,
+    left: usize,
+}
+
+/// The records that move, as items and as lines.
+struct Block {
+    items: Range<usize>,
+    lines: Range<usize>,
+}
+
+impl<'a> Mover<'a> {
+    fn new(source: &'a SourceFile, document: &'a Document, findings: &[Diagnostic]) -> Self {
+        let mut mover = Mover {
+            source,
+            document,
+            first_use: FxHashMap::default(),
+            uses: FxHashMap::default(),
+            early: FxHashMap::default(),
+            left: STEPS,
+        };
+        for record in document.items.iter().filter_map(Item::record) {
+            for id in mover.references(record) {
+                *mover.uses.entry(id).or_default() += 1;
+            }
+        }
+        for d in findings.iter().filter(|d| d.code == Code::E107) {
+            let used = mover.item(d.span.start);
+            let (Some(used), Some(label)) = (used, d.labels.first()) else {
+                continue;
+            };
+            let first = mover.first_use.entry(label.span.start).or_insert(used);
+            *first = used.min(*first);
+            if let (true, Ok(id)) = (d.case.is_empty(), source.slice(d.span).parse()) {
+                *mover.early.entry(id).or_default() += 1;
+            }
+        }
+        mover
+    }
+
+    /// What a record is about to need is defined below: moves the definition up, or else the record down.
+    fn moved(&mut self, finding: &Diagnostic) -> Option<Fix> {
+        let definition = finding.labels.first()?.span.start;
+        let (user, defined) = (self.item(finding.span.start)?, self.item(definition)?);
+        let first = *self.first_use.get(&definition)?;
+        self.left = self.left.checked_sub(self.document.items.len())?;
+        let id = self.record(defined)?.id;
+        let block = self.block(defined)?;
+        let mut needs = FxHashSet::default();
+        for i in block.items.clone() {
+            needs.extend(self.references(self.record(i)?));
+        }
+        needs.remove(&id);
+        // What the definition needs below itself is another matter.
+        if !self.unmet(&needs, defined).is_empty() {
+            return None;
+        }
+        if self.unmet(&needs, first).is_empty() {
+            let to = self.with_comment(&self.block(first)?, &block.lines).start;
+            let lines = self.with_comment(&block, &(0..0));
+            let applicability = match self.is_safe(id, &needs, &block, first) {
+                true => Applicability::Safe,
+                false => Applicability::Unsafe,
+            };
+            return Some(self.fix("fix", applicability, lines, to));
+        }
+        let own = self.block(user).filter(|own| own.items.end <= defined)?;
+        let id = self.record(user)?.id;
+        let is_free = (own.items.end..block.items.end).all(|i| !self.mentions(i, id));
+        let lines = self.with_comment(&own, &(0..0));
+        is_free.then(|| self.fix("fix-down", Applicability::Unsafe, lines, block.lines.end))
+    }
+
+    /// Of some IDs those that are defined, but not before an item.
+    fn unmet(&self, ids: &FxHashSet<u32>, at: usize) -> FxHashSet<u32> {
+        let named = |items: &'a [Item]| items.iter().filter_map(Item::record).map(|r| r.id);
+        let (above, below) = self.document.items.split_at(at);
+        let mut unmet: FxHashSet<u32> = named(below).filter(|id| ids.contains(id)).collect();
+        named(above).for_each(|id| {
+            unmet.remove(&id);
+        });
+        unmet
+    }
+
+    /// Whether nothing is against it that a definition stands before the item `to`.
+    fn is_safe(&self, id: u32, needs: &FxHashSet<u32>, block: &Block, to: usize) -> bool {
+        let items = &self.document.items;
+        // What it is made of changes on the way, or it changes later, which would not reach what uses it.
+        let is_changed = |r: &Record| r.id == id || needs.contains(&r.id);
+        let between = items[to..block.items.start].iter().filter_map(Item::record);
+        let later = items[block.items.end..].iter().filter_map(Item::record);
+        // What is used in its place, too, may be another one's.
+        let [all, early] = [&self.uses, &self.early].map(|n| n.get(&id).copied().unwrap_or(0));
+        all == early
+            && !between.into_iter().any(is_changed)
+            && !later.into_iter().any(|r| r.id == id)
+    }
+
+    fn record(&self, i: usize) -> Option<&'a Record> {
+        self.document.items.get(i)?.record()
+    }
+
+    /// The IDs that a record refers to.
+    fn references(&self, record: &'a Record) -> impl Iterator<Item = u32> + use<'a> {
+        let (text, document) = (self.source.text.as_str(), self.document);
+        let params = document.params(record).enumerate();
+        params.filter_map(move |(i, token)| {
+            let param = record.ty().param(i, record.count())?;
+            let is_one = matches!(param.kind, ParamKind::Reference { .. });
+            u32::try_from(token.integer(text).filter(|_| is_one)?).ok()
+        })
+    }
+
+    /// Whether an item changes or refers to an ID; of one that cannot be read nothing is known. The render record and
+    /// selections of cameras do so at the end of the file.
+    fn mentions(&self, i: usize, id: u32) -> bool {
+        match &self.document.items[i] {
+            Item::Void { .. } => false,
+            Item::Broken(_) => true,
+            Item::Record(r) => {
+                let late = matches!(
+                    r.kind,
+                    RecordKind::Render | RecordKind::MonoCamera | RecordKind::StereoCamera
+                );
+                r.id == id || !late && self.references(r).any(|used| used == id)
+            }
+        }
+    }
+
+    /// The item that a place is in, or the first one behind it.
+    fn item(&self, at: u32) -> Option<usize> {
+        let items = &self.document.items;
+        let i = items.partition_point(|item| self.document.item_span(item).end <= at);
+        (i < items.len()).then_some(i)
+    }
+
+    /// A record and those right behind it that change it.
+    fn block(&self, first: usize) -> Option<Block> {
+        let id = self.record(first)?.id;
+        let mut lines = self.own_lines(first..first + 1)?;
+        let mut end = first + 1;
+        while let Some(next) = self.record(end).filter(|r| r.id == id) {
+            let changes = !matches!(next.ty().effect, Effect::Defines(_));
+            let Some(own) = self.own_lines(end..end + 1).filter(|_| changes) else {
+                break;
+            };
+            lines.end = own.end;
+            end += 1;
+        }
+        Some(Block {
+            items: first..end,
+            lines,
+        })
+    }
+
+    /// The lines of items; nothing if another one has a part in them, or a comment goes on beyond them.
+    fn own_lines(&self, items: Range<usize>) -> Option<Range<usize>> {
+        let (source, document) = (self.source, self.document);
+        let span = |item: &Item| document.item_span(item);
+        let (before, rest) = document.items.split_at(items.start);
+        let own = span(rest.first()?).to(span(&document.items[items.end - 1]));
+        let [first, last] = [own.start, own.end - 1].map(|at| source.line_index(at));
+        let is_above = |item: &Item| source.line_index(span(item).end - 1) < first;
+        let is_below = |item: &Item| source.line_index(span(item).start) > last;
+        let is_alone = before.last().is_none_or(is_above)
+            && document.items.get(items.end).is_none_or(is_below);
+        let lines = source.line_span(first).to(source.line_span(last));
+        let goes_on = |t: &Token| {
+            t.kind() == TokenKind::Comment && (t.start < lines.start || t.end() > lines.end)
+        };
+        let tokens = &document.tokens;
+        let begin = tokens.partition_point(|t| t.end() <= lines.start);
+        let end = tokens.partition_point(|t| t.start < lines.end);
+        let on_lines = &tokens[begin..end];
+        let mut ends = [on_lines.first(), on_lines.last()].into_iter().flatten();
+        (is_alone && !ends.any(goes_on)).then_some(first..last + 1)
+    }
+
+    /// The lines of a block, with those of the comment right above it, if that is not the heading of more: behind the
+    /// block, and behind the lines `gone` if these come next, there is an empty line, another comment, nothing, or a light,
+    /// a camera or the render record.
+    fn with_comment(&self, block: &Block, gone: &Range<usize>) -> Range<usize> {
+        let next = match gone.start == block.lines.end {
+            true => gone.end,
+            false => block.lines.end,
+        };
+        let goes_on = |line: usize| {
+            let at = self.source.line_span(line).start;
+            let item = self.item(at).map(|i| &self.document.items[i]);
+            let on_line =
+                |item: &&Item| self.source.line_index(self.document.item_span(item).start) == line;
+            item.filter(on_line).is_some_and(|item| match item {
+                Item::Void { .. } => false,
+                Item::Broken(_) => true,
+                Item::Record(r) => !matches!(
+                    r.ty().family,
+                    Family::Light | Family::Camera | Family::Render
+                ),
+            })
+        };
+        if next < self.source.line_count() && goes_on(next) {
+            return block.lines.clone();
+        }
+        self.comment_above(block.lines.start)..block.lines.end
+    }
+
+    /// Where the comments begin that stand on lines of their own right above a line.
+    fn comment_above(&self, line: usize) -> usize {
+        let (source, tokens) = (self.source, &self.document.tokens);
+        let start = source.line_span(line).start;
+        let mut i = tokens.partition_point(|t| t.start < start);
+        let mut begin = line;
+        // From behind: the end of a line, a comment, and perhaps a `0` before it.
+        while let [.., comment, end] = &tokens[..i]
+            && (comment.kind(), end.kind()) == (TokenKind::Comment, TokenKind::Newline)
+        {
+            let mut first = i - 2;
+            let is_void = |t: &Token| t.text(&source.text) == "0";
+            if first > 0 && is_void(&tokens[first - 1]) {
+                first -= 1;
+            }
+            let is_first = first == 0 || tokens[first - 1].kind() == TokenKind::Newline;
+            if !is_first {
+                break;
+            }
+            begin = source.line_index(tokens[first].start);
+            i = first;
+        }
+        begin
+    }
+
+    /// Lines that go to another place: before the line `to`.
+    fn fix(
+        &self,
+        title: &'static str,
+        applicability: Applicability,
+        lines: Range<usize>,
+        to: usize,
+    ) -> Fix {
+        let source = self.source;
+        let start = |line: usize| match line < source.line_count() {
+            true => source.line_span(line).start,
+            false => source.text.len() as u32,
+        };
+        let end = |line: usize| source.line_span(line - 1).end;
+        let span = Span::new(start(lines.start), end(lines.end));
+        // Edits have line breaks of one kind.
+        let text = (source.slice(span).replace("\r\n", "\n")).replace('\r', "\n");
+        let edit = |span: Span, text: String| Edit { span, text };
+        let mut edits = match to <= lines.start {
+            true => {
+                let gap = match lines.end < source.line_count() {
+                    true => Span::new(span.start, start(lines.end)),
+                    false => Span::new(end(lines.start), span.end),
+                };
+                let at = start(to);
+                vec![
+                    edit(Span::new(at, at), text + "\n"),
+                    edit(gap, String::new()),
+                ]
+            }
+            false => {
+                let at = end(to);
+                let gap = Span::new(span.start, start(lines.end));
+                vec![
+                    edit(gap, String::new()),
+                    edit(Span::new(at, at), format!("\n{text}")),
+                ]
+            }
+        };
+        edits.sort_by_key(|e| e.span.start);
+        Fix {
+            title,
+            values: Vec::new(),
+            applicability,
+            edits,
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Proofs that an index changes nothing in a picture: no ray that the index could bend comes to where it counts.
+//!
+//! An index counts where light goes through a surface with the medium of that index on one side. Opaque solids have
+//! such surfaces where transparent ones overlap or touch them: glass ends inside of a stone, and the light goes on in
+//! the medium of the stone. So what lets light through has to lie apart.
+
+use crate::diagnostics::Span;
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Node, NodeId, Optics, Scene};
+use crate::solids::bounds::NodeBounds;
+use crate::solids::shapes::facts::Facts;
+use crate::solids::within::CLEAR;
+use crate::trace::plan::unseen::Starts;
+
+/// Nodes gone through, and pairs of shapes compared: some hundredths of a second.
+const NODES: usize = 200_000;
+const PAIRS: usize = 4_000_000;
+
+/// A shape in its place.
+struct Leaf {
+    bounds: Aabb,
+    /// The record that gives the index of its inside.
+    source: Option<Span>,
+    is_solid: bool,
+    /// Whether a ray may get from its one side to the other.
+    clear: bool,
+}
+
+#[derive(Clone, Copy)]
+struct Task {
+    node: NodeId,
+    matrix: Matrix,
+    optics: Option<Optics>,
+    source: Option<Option<Span>>,
+    /// Whether its inside may be what is around it.
+    complement: bool,
+}
+
+pub struct Apart {
+    leaves: Vec<Leaf>,
+    /// Whether no ray starts within a solid. Those that do see where media meet.
+    is_closed: bool,
+    left: usize,
+}
+
+impl Apart {
+    /// `sources`: for each node that sets an index the record that says so. `None` where there is too much to look at.
+    pub fn new(
+        scene: &Scene,
+        bounds: &[NodeBounds],
+        sources: &[Option<Span>],
+        roots: &[NodeId],
+    ) -> Option<Apart> {
+        let leaves = leaves(scene, sources, roots)?;
+        let starts = Starts::new(scene, bounds);
+        let clip = scene.render.and_then(|r| r.clip);
+        let clip = clip.map(|(min, max)| Aabb::new(min, max));
+        let is_whole = |b: &Aabb| {
+            clip.is_none_or(|clip| {
+                let hair = CLEAR * clip.far().max(b.far());
+                (0..3).all(|i| clip.min[i] + hair < b.min[i] && b.max[i] + hair < clip.max[i])
+            })
+        };
+        let is_closed = |leaf: &Leaf| {
+            !leaf.is_solid || is_whole(&leaf.bounds) && starts.are_clear_of(&leaf.bounds, None)
+        };
+        Some(Apart {
+            is_closed: leaves.iter().all(is_closed),
+            leaves,
+            left: PAIRS,
+        })
+    }
+
+    /// Whether the index that a record gives changes nothing for certain.
+    pub fn is_without_effect(&mut self, source: Span) -> bool {
+        let all = &self.leaves;
+        let own = |leaf: &&Leaf| leaf.source == Some(source);
+        for leaf in all.iter().filter(own) {
+            match self.left.checked_sub(all.len()) {
+                Some(left) => self.left = left,
+                None => return false,
+            }
+            let apart = |other: &Leaf| {
+                let (a, b) = (&leaf.bounds, &other.bounds);
+                let hair = CLEAR * a.far().max(b.far());
+                (0..3).any(|i| a.max[i] + hair < b.min[i] || b.max[i] + hair < a.min[i])
+            };
+            let meets = |other: &Leaf| {
+                (other.clear || !self.is_closed && other.source != leaf.source) && !apart(other)
+            };
+            if all.iter().any(meets) {
+                return false;
+            }
+        }
+        true
+    }
+}
+
+/// All shapes in their places, tools of differences left out; `None` if there are too many.
+fn leaves(scene: &Scene, sources: &[Option<Span>], roots: &[NodeId]) -> Option<Vec<Leaf>> {
+    let mut out = Vec::new();
+    let start = |&node: &NodeId| Task {
+        node,
+        matrix: Matrix::IDENTITY,
+        optics: None,
+        source: None,
+        complement: false,
+    };
+    let mut todo: Vec<Task> = roots.iter().map(start).collect();
+    let mut left = NODES;
+    while let Some(task) = todo.pop() {
+        left = left.checked_sub(1)?;
+        match scene.nodes[task.node as usize] {
+            Node::Shape(s) => {
+                let geometry = &scene.shapes[s as usize].geometry;
+                let optics = task.optics.unwrap_or_default();
+                let any = |share: [f64; 3]| share.iter().any(|&k| k > 0.0);
+                // A mirror may send rays through itself where its normals are not those of its surface.
+                let turned = geometry.character().is_smooth && any(optics.ks);
+                out.push(Leaf {
+                    bounds: match task.complement {
+                        true => Aabb::ALL,
+                        false => geometry.bounds(&task.matrix),
+                    },
+                    source: task.source.flatten(),
+                    is_solid: geometry.is_solid(),
+                    clear: any(optics.kt) || turned,
+                });
+            }
+            Node::Transform { child, matrix } => todo.push(Task {
+                node: child,
+                matrix: task.matrix.after(&scene.matrices[matrix as usize]),
+                ..task
+            }),
+            Node::Copy { child, .. } => todo.push(Task {
+                node: child,
+                ..task
+            }),
+            Node::Paint { child, paint } => {
+                let paint = &scene.paints[paint as usize];
+                let own = paint.index.map(|_| sources[task.node as usize]);
+                todo.push(Task {
+                    node: child,
+                    optics: task.optics.or(paint.optics),
+                    source: task.source.or(own),
+                    ..task
+                });
+            }
+            // Of a tool nothing is seen.
+            Node::Difference(child, _) => todo.push(Task {
+                node: child,
+                ..task
+            }),
+            Node::Complement(child) => todo.push(Task {
+                node: child,
+                complement: true,
+                ..task
+            }),
+            Node::Union(a, b) | Node::Intersection(a, b) => {
+                todo.extend([a, b].map(|node| Task { node, ..task }));
+            }
+        }
+    }
+    Some(out)
+}
