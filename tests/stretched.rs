@@ -35,9 +35,11 @@ const BALL: [f64; 16] = [
     1e6 - 1.0 / 1024.0,
 ];
 
-/// Quadrics, lines, and where they cross.
+/// A quadric, the two points of a line, and where the line crosses it.
+type Known = ([f64; 16], [f64; 3], [f64; 3], [f64; 2]);
+
 #[allow(clippy::excessive_precision)]
-const KNOWN: [([f64; 16], [f64; 3], [f64; 3], [f64; 2]); 3] = [
+const KNOWN: [Known; 3] = [
     (
         NEEDLE,
         [0.8485420081224309, 2.761100563884834, -0.8101235316705764],

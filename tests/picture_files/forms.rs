@@ -136,7 +136,8 @@ fn pngs() -> Vec<File> {
         .iter()
         .flat_map(|n| n.to_be_bytes())
         .collect();
-    let said: [(&str, &[(&str, Vec<u8>)]); 6] = [
+    type Chunks<'a> = &'a [(&'a str, Vec<u8>)];
+    let said: [(&str, Chunks); 6] = [
         ("linear", &[("gAMA", gamma(100_000))]),
         ("gamma", &[("gAMA", gamma(45_455))]),
         ("srgb", &[("sRGB", vec![0]), ("gAMA", gamma(45_455))]),
