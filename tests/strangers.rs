@@ -255,8 +255,8 @@ fn nothing_is_written_to_what_other_tools_write() {
     let (mut files, mut changed) = (0, 0);
     for (kind, taken) in &taken {
         (files, changed) = (files + taken.files, changed + taken.changed);
-        // Of a few rows of integers most may be records that can be read.
-        if taken.changed * 25 > taken.files {
+        // Of a few rows of integers most may be records that can be read: of graphs, one file in forty.
+        if taken.changed * 25 > taken.files + 50 {
             writeln!(
                 wrong,
                 "{kind}: {} of {}: {:?}",

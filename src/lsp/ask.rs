@@ -1,17 +1,18 @@
-//! What a request may look at, and how it is refused.
+//! What a request may look at.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use gen_lsp_types::{TextDocumentIdentifier, TextDocumentPositionParams, Uri};
-use lsp_server::{ErrorCode, ResponseError};
+use lsp_server::ErrorCode;
 
 use super::client::{Client, Preferences};
 use super::convert::Convert;
 use super::documents::{Changes, Snapshot, Snapshots};
 use super::outgoing::Outgoing;
-use super::pull::Told;
+use super::refusal::{Refusal, refusal};
 use super::tokens_sent::TokensSent;
+use super::told::Told;
 use super::uri;
 use crate::analysis::config::Configs;
 use crate::diagnostics::Complaint;
@@ -30,17 +31,6 @@ pub struct Ask {
     pub changes: Changes,
     /// Set when the client does not want the answer any more.
     pub cancelled: Arc<AtomicBool>,
-}
-
-/// Why a request is not met.
-pub type Refusal = ResponseError;
-
-pub fn refusal(code: ErrorCode, message: impl Into<String>) -> Refusal {
-    ResponseError {
-        code: code as i32,
-        message: message.into(),
-        data: None,
-    }
 }
 
 impl Ask {

@@ -6,9 +6,10 @@ use gen_lsp_types::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::ask::{Ask, Refusal};
+use super::ask::Ask;
 use super::capabilities::COMMENT;
 use super::convert::Convert;
+use super::refusal::Refusal;
 use crate::diagnostics::Span;
 use crate::features::commenting::{self, Mode};
 

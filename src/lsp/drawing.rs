@@ -15,8 +15,9 @@ use lsp_server::ErrorCode;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::ask::{Ask, Refusal, refusal};
+use super::ask::Ask;
 use super::programs;
+use super::refusal::{Refusal, refusal};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error, Language};
 use crate::features::picture::{Stage, Subject};

@@ -13,7 +13,7 @@ use lsp_server::{ErrorCode, RequestId};
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
-use super::ask::{Refusal, refusal};
+use super::refusal::{Refusal, refusal};
 use super::uri;
 
 /// Sends messages, from any thread.

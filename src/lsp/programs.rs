@@ -15,8 +15,9 @@ use lsp_server::ErrorCode;
 use serde_json::json;
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, Signal, System};
 
-use super::ask::{Ask, Refusal, refusal};
+use super::ask::Ask;
 use super::documents::Snapshot;
+use super::refusal::{Refusal, refusal};
 use super::uri::{path_of, uri_of};
 use super::whole_file::WholeFile;
 use crate::analysis::repair;

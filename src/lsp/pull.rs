@@ -6,7 +6,6 @@
 use std::collections::{HashMap, HashSet};
 use std::fs::Metadata;
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
 use std::time::UNIX_EPOCH;
 
 use gen_lsp_types::{
@@ -19,9 +18,10 @@ use gen_lsp_types::{
 };
 use lsp_server::ErrorCode;
 
-use super::ask::{Ask, Refusal, refusal};
+use super::ask::Ask;
 use super::documents::{Changes, Snapshot};
-use super::uri::path_of;
+use super::refusal::{Refusal, refusal};
+use super::uri::key;
 use super::workspace::{self, OnDisk, PICTURES};
 use crate::analysis::config::Configs;
 
@@ -110,31 +110,8 @@ fn uri_of_report(report: &Report) -> &Uri {
     }
 }
 
-/// The files that the client has been told about. When one is closed and gone, Visual Studio Code's client forgets the
-/// report's name, and shows the report all the same; so it is told in each report of the folder that there is nothing.
-#[derive(Default)]
-pub struct Told(Mutex<HashMap<PathBuf, Uri>>);
-
-impl Told {
-    fn note(&self, uri: &Uri) {
-        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        all.entry(key(uri)).or_insert_with(|| uri.clone());
-    }
-
-    fn others(&self, named: &HashSet<PathBuf>) -> Vec<Uri> {
-        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let others = all.iter().filter(|(path, _)| !named.contains(*path));
-        others.map(|(_, uri)| uri.clone()).collect()
-    }
-}
-
 /// The reports that a client has: the URI of a file as the client writes it, and the report's name.
 struct Known(HashMap<PathBuf, (Uri, String)>);
-
-/// Clients do not all write the same characters in URIs as they are.
-fn key(uri: &Uri) -> PathBuf {
-    path_of(uri).unwrap_or_else(|| uri.0.clone().into())
-}
 
 impl Known {
     fn of(all: Vec<PreviousResultId>) -> Known {

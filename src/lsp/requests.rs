@@ -4,10 +4,11 @@ use gen_lsp_types::*;
 use lsp_server::{ErrorCode, RequestId};
 use serde_json::{Value, json};
 
-use super::ask::{Ask, Refusal, refusal};
+use super::ask::Ask;
 use super::capabilities::COMMENT;
 use super::convert::Convert;
 use super::documents::Snapshot;
+use super::refusal::{Refusal, refusal};
 use super::whole_file::WholeFile;
 use super::{commenting, drawing, outgoing, programs, pull, workspace};
 use crate::diagnostics::{Edit, Span};

@@ -9,8 +9,8 @@ use crossbeam_channel::{Receiver, Sender, unbounded};
 use lsp_server::{ErrorCode, Message, Response};
 use serde_json::Value;
 
-use super::ask::{Refusal, refusal};
 use super::outgoing;
+use super::refusal::{Refusal, refusal};
 
 /// The longest message that is read, in bytes: larger than the largest scene.
 const MAX_MESSAGE: u64 = 1 << 32;

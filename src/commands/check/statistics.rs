@@ -99,7 +99,7 @@ mod tests {
     #[test]
     fn the_most_frequent_come_first() {
         let of = |text: &str| Statistics::new(Analysis::new("a.zpg", text.into()).findings());
-        let all = [of("2 9 0,5\n2 9\n"), of("2 9 0,5\n2 9 x\n1 9999 2 0\n")];
+        let all = [of("2 9 0,5\n3 9\n"), of("2 9 0,5\n2 9 x\n1 9999 2 0\n")];
         let mut out = Vec::new();
         Statistics::sum(all.iter()).write(&mut out).unwrap();
         let text = String::from_utf8(out).unwrap();

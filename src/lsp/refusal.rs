@@ -1,0 +1,13 @@
+//! Why a request is not met.
+
+use lsp_server::{ErrorCode, ResponseError};
+
+pub type Refusal = ResponseError;
+
+pub fn refusal(code: ErrorCode, message: impl Into<String>) -> Refusal {
+    ResponseError {
+        code: code as i32,
+        message: message.into(),
+        data: None,
+    }
+}
