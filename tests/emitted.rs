@@ -37,14 +37,25 @@ fn form(line: &str) -> String {
     form
 }
 
+/// A number to two digits. Where solids are joined, how many vertices and faces a mesh has depends on the run and on how the
+/// program was compiled.
+fn about(n: usize) -> String {
+    let digits = 10usize.pow(n.max(1).ilog10().saturating_sub(1));
+    match n {
+        0..100 => n.to_string(),
+        _ => format!("about {}", (n + digits / 2) / digits * digits),
+    }
+}
+
 /// The text with its long runs cut short.
 fn abridged(text: &str) -> String {
     let lines: Vec<&str> = text.lines().collect();
     let mut out = String::new();
     let is_face = |line: &str| line.starts_with("f ");
+    let is_vertex = |line: &str| line.starts_with("v ") || line.starts_with("vn ");
     for run in lines.chunk_by(|a, b| form(a) == form(b)) {
         if is_face(run[0]) {
-            writeln!(out, "… {} faces", run.len()).unwrap();
+            writeln!(out, "… {} faces", about(run.len())).unwrap();
             continue;
         }
         let shown = match run.len() < ABRIDGED_FROM {
@@ -55,7 +66,9 @@ fn abridged(text: &str) -> String {
         for line in head {
             writeln!(out, "{line}").unwrap();
         }
-        if !rest.is_empty() {
+        if is_vertex(run[0]) && !rest.is_empty() {
+            writeln!(out, "… {} more", about(rest.len())).unwrap();
+        } else if !rest.is_empty() {
             let left_out = hash(rest.join("\n").into_bytes());
             writeln!(out, "… {} more, {left_out:016x}", rest.len()).unwrap();
         }
@@ -69,8 +82,15 @@ fn shown(bytes: &[u8]) -> String {
     match bytes.windows(END.len()).position(|w| w == END) {
         Some(at) => {
             let (header, body) = bytes.split_at(at + END.len());
-            let header = std::str::from_utf8(header).unwrap();
-            format!("{header}… {} bytes\n", body.len())
+            let mut shown = String::new();
+            for line in std::str::from_utf8(header).unwrap().lines() {
+                match line.strip_prefix("element face ").map(str::parse) {
+                    Some(count) => writeln!(shown, "element face {}", about(count.unwrap())),
+                    None => writeln!(shown, "{line}"),
+                }
+                .unwrap();
+            }
+            shown + &format!("… {} bytes\n", about(body.len()))
         }
         None => match std::str::from_utf8(bytes) {
             Ok(text) => abridged(text),

@@ -1,12 +1,14 @@
 //! Twelve pictures beside POV-Ray: processor seconds of the whole process, the PNG included, on one thread, one sample a
-//! pixel; the least of some runs in turn. The two pictures are held against each other. Fails if a bar is missed. See
-//! benches/README.md.
+//! pixel; the least of some runs in turn. Both programs go to the same depth and leave out the same: nothing, and then
+//! what counts for less than 1/4096. POV-Ray draws the translation and what a person would write, and the quicker one
+//! counts. The two pictures are held against each other. Fails if a bar is missed. See benches/README.md.
 //!
 //! Then what certainty costs, what a second thread brings, how the phases grow with the scene, and some single figures.
 //!
 //! `cargo bench --bench render` measures all; `-- tori lights` the scenes whose names hold these words; `-- povray`,
 //! `certainty`, `threads`, `growth` or `around` that part; `-- write DIR` writes the scenes.
 
+mod by_hand;
 mod chart;
 mod growth;
 mod kernels;
@@ -27,6 +29,8 @@ const RUNS: usize = 5;
 const ALIKE: f64 = 0.01;
 /// It lies on an edge if it differs from a neighbour by more than this: what is seen there is up to rounding.
 const EDGE: f64 = 0.1;
+/// The programs follow as many rays, but for this factor: the same work.
+const ONE_ORDER: f64 = 3.0;
 /// More pixels than this may not differ, those on edges apart.
 const FEW: f64 = 0.01;
 
@@ -91,34 +95,80 @@ fn main() {
     }
 }
 
+/// What a picture costs: processor seconds and rays, those of shadows apart.
+#[derive(Clone, Copy)]
+struct Cost {
+    seconds: f64,
+    rays: f64,
+}
+
+/// Cutoffs: nothing is left out, and what zpg leaves out unless asked.
+const CUTOFFS: [&str; 2] = ["0", "1/4096"];
+const CUTOFF: [f64; 2] = [0.0, 1.0 / 4096.0];
+
+/// What the programs took for a scene, for each cutoff.
+struct Measured {
+    translated: [Cost; 2],
+    by_hand: [Cost; 2],
+    ours: [Cost; 2],
+}
+
+impl Measured {
+    /// How many times as long POV-Ray takes, with what suits it better.
+    fn ratio(&self, cutoff: usize) -> f64 {
+        let theirs = [self.translated, self.by_hand].map(|cost| cost[cutoff].seconds);
+        theirs[0].min(theirs[1]) / self.ours[cutoff].seconds
+    }
+}
+
 fn beside_pov_ray(scenes: &[&Scene], folder: &Path, bars: &mut Bars) {
-    println!("| scene | POV-Ray, s | zpg, s | ratio | bar | pixels that differ | |");
-    println!("|---|---:|---:|---:|---:|---:|---|");
-    let mut logarithms = Vec::new();
+    println!(
+        "| scene | POV-Ray, s | by hand, s | zpg, s | ratio | bar | rays of POV-Ray | of zpg | pixels that differ \
+         | cutoff 1/4096: POV-Ray, s | by hand, s | zpg, s | ratio | |"
+    );
+    println!("|---|{}---|", "---:|".repeat(12));
+    let mut logarithms = [const { Vec::new() }; 2];
     let mut rows: Vec<chart::Row> = Vec::new();
     for scene in scenes {
-        let [theirs, ours] = measured(scene, folder);
-        let ratio = theirs / ours;
+        let measured = measured(scene, folder);
+        let ratio = [0, 1].map(|cutoff| measured.ratio(cutoff));
         if !scene.csg {
-            logarithms.push(ratio.ln());
+            (0..2).for_each(|i| logarithms[i].push(ratio[i].ln()));
         }
-        rows.push((scene.name, ratio));
+        rows.push((scene.name, ratio[0]));
         let differ = differing(folder);
         let bar = scene.bar.unwrap_or(LEAST);
+        let seconds = |i: usize| {
+            let [theirs, hand, ours] = [measured.translated, measured.by_hand, measured.ours]
+                .map(|cost| format!("{:.2}", cost[i].seconds));
+            // Shown where it matters.
+            let differs = measured.by_hand[i].seconds / measured.translated[i].seconds;
+            let hand = match (0.9..=1.1).contains(&differs) {
+                true => String::new(),
+                false => hand,
+            };
+            format!("{theirs} | {hand} | {ours} | {:.2}", ratio[i])
+        };
+        let [theirs, ours] = [measured.translated[0].rays, measured.ours[0].rays];
+        let same_work = (1.0 / ONE_ORDER..=ONE_ORDER).contains(&(theirs / ours));
         println!(
-            "| {} | {theirs:.2} | {ours:.2} | {ratio:.2} | {bar} | {:.2} % | {} |",
+            "| {} | {} | {bar} | {theirs:.2e} | {ours:.2e} | {:.2} % | {} | {} |",
             scene.name,
+            seconds(0),
             differ * 100.0,
-            bars.judge(ratio >= bar && differ <= FEW)
+            seconds(1),
+            bars.judge(ratio[0] >= bar && differ <= FEW && same_work)
         );
     }
-    let mean = (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp();
-    if logarithms.len() == 9 {
+    if logarithms[0].len() == 9 {
+        let [mean, cut] = logarithms.map(|l| (l.iter().sum::<f64>() / l.len() as f64).exp());
         let verdict = bars.judge(mean >= MEAN);
-        println!("| mean of those without CSG | | | {mean:.2} | {MEAN} | | {verdict} |");
+        println!(
+            "| mean of those without CSG | | | | {mean:.2} | {MEAN} | | | | | | | {cut:.2} | {verdict} |"
+        );
         let path = concat!(env!("CARGO_TARGET_TMPDIR"), "/speed.svg");
         if std::fs::write(path, chart::svg(&rows)).is_ok() {
-            println!("| `{path}` | | | | | | |");
+            println!("\nThe chart is `{path}`.");
         }
     }
 }
@@ -131,16 +181,15 @@ fn write_all(scenes: &[Scene], folder: &Path) {
     }
 }
 
-/// The processor seconds of POV-Ray and of zpg.
-fn measured(scene: &Scene, folder: &Path) -> [f64; 2] {
+/// What the programs take in turn, the least of some runs. All write a PNG of eight bits a channel.
+fn measured(scene: &Scene, folder: &Path) -> Measured {
     let [zpg, pov, ours, theirs] = files(folder);
     std::fs::write(&zpg, &scene.text).expect("the folder can be written to");
     let program = env!("CARGO_BIN_EXE_zpg");
+    let path = |path: &Path| path.display().to_string();
     let converted = Command::new(program)
         .args(["convert", "--to", "pov"])
-        .arg(&zpg)
-        .arg("-o")
-        .arg(&pov)
+        .args([path(&zpg), "-o".to_owned(), path(&pov)])
         .stderr(Stdio::null())
         .status();
     assert!(
@@ -148,57 +197,113 @@ fn measured(scene: &Scene, folder: &Path) -> [f64; 2] {
         "{}",
         scene.name
     );
+    let translation = std::fs::read_to_string(&pov).expect("a scene was written");
+    let statistics = folder.join("statistics.json");
+    let mut costs = [[Cost::NONE; 3]; 2];
+    for (i, costs) in costs.iter_mut().enumerate() {
+        let bailout = CUTOFF[i];
+        let translation = translation.replace("adc_bailout 0", &format!("adc_bailout {bailout}"));
+        let texts = [translation, by_hand::written(&scene.text, bailout)];
+        let commands = [0, 1].map(|k| {
+            let pov = folder.join(["translated.pov", "by-hand.pov"][k]);
+            std::fs::write(&pov, &texts[k]).expect("the folder can be written to");
+            pov_ray(&pov, &theirs, &["+FN8", "File_Gamma=srgb"])
+        });
+        let [width, height] = SIZE;
+        let render = [
+            program.to_owned(),
+            "render".to_owned(),
+            path(&zpg),
+            "--threads=1".to_owned(),
+            format!("--size={width}x{height}"),
+            format!("--cutoff={}", CUTOFFS[i]),
+            format!("--stats={}", path(&statistics)),
+            "-o".to_owned(),
+            path(&ours),
+        ];
+        for run in 0..RUNS {
+            for (cost, command) in costs.iter_mut().zip(&commands) {
+                if run == 0 || cost.seconds < LONG {
+                    let (seconds, said) = run_timed(command);
+                    cost.take(seconds, || pov_rays(&said));
+                }
+            }
+            let (seconds, _) = run_timed(&render);
+            costs[2].take(seconds, || zpg_rays(&statistics));
+        }
+    }
+    let of = |k: usize| [costs[0][k], costs[1][k]];
+    // Once more, as exact as a file can be, for the pixels.
+    run_timed(&pov_ray(&pov, &theirs, &["+FN16", "File_Gamma=1.0"]));
+    Measured {
+        translated: of(0),
+        by_hand: of(1),
+        ours: of(2),
+    }
+}
+
+impl Cost {
+    const NONE: Cost = Cost {
+        seconds: f64::INFINITY,
+        rays: 0.0,
+    };
+
+    fn take(&mut self, seconds: f64, rays: impl FnOnce() -> f64) {
+        self.seconds = self.seconds.min(seconds);
+        self.rays = rays();
+    }
+}
+
+fn pov_ray(scene: &Path, picture: &Path, output: &[&str]) -> Vec<String> {
     let [width, height] = SIZE;
-    let render = [
-        program.to_owned(),
-        "render".to_owned(),
-        zpg.display().to_string(),
-        "--threads=1".to_owned(),
-        format!("--size={width}x{height}"),
-        "-o".to_owned(),
-        ours.display().to_string(),
-    ];
-    let povray = [
+    let mut command = vec![
         "povray".to_owned(),
-        format!("+I{}", pov.display()),
-        format!("+O{}", theirs.display()),
+        format!("+I{}", scene.display()),
+        format!("+O{}", picture.display()),
         format!("+W{width}"),
         format!("+H{height}"),
         "+WT1".to_owned(),
         "-D".to_owned(),
-        "-GA".to_owned(),
-        "+FN16".to_owned(),
-        "File_Gamma=1.0".to_owned(),
     ];
-    let mut least = [f64::INFINITY; 2];
-    for run in 0..RUNS {
-        if run == 0 || least[0] < LONG {
-            least[0] = least[0].min(seconds(&povray));
-        }
-        least[1] = least[1].min(seconds(&render));
-    }
-    least
+    command.extend(output.iter().map(|&o| o.to_owned()));
+    command
+}
+
+/// Rays from the eye, mirrored and refracted ones, as POV-Ray counts them in what it says.
+fn pov_rays(said: &str) -> f64 {
+    let behind = |label: &str| {
+        let mut words = said.split(label).nth(1)?.split_whitespace();
+        words.next()?.parse::<f64>().ok()
+    };
+    behind("\nRays:").unwrap_or_else(|| panic!("POV-Ray does not count its rays: {said}"))
+}
+
+/// The same of a picture's statistics.
+fn zpg_rays(statistics: &Path) -> f64 {
+    let text = std::fs::read_to_string(statistics).expect("statistics were written");
+    let all: serde_json::Value = serde_json::from_str(&text).expect("they are JSON");
+    let kinds = ["camera", "reflection", "refraction"];
+    let rays = kinds.map(|kind| all["rays"][kind].as_f64().expect("a number"));
+    rays.iter().sum()
 }
 
 fn files(folder: &Path) -> [PathBuf; 4] {
     ["scene.zpg", "scene.pov", "ours.png", "theirs.png"].map(|name| folder.join(name))
 }
 
-/// The processor seconds of a program, as the shell has them.
-fn seconds(command: &[String]) -> f64 {
+/// The processor seconds of a program, as the shell has them, and what the program says.
+fn run_timed(command: &[String]) -> (f64, String) {
     let timed = Command::new("bash")
-        .args([
-            "-c",
-            r#"TIMEFORMAT="%3U %3S"; time "$@" >/dev/null 2>&1"#,
-            "bash",
-        ])
+        .args(["-c", r#"TIMEFORMAT="%3U %3S"; time "$@" 2>&1"#, "bash"])
         .args(command)
         .output()
         .expect("there is a bash");
-    assert!(timed.status.success(), "{command:?}");
+    let said = String::from_utf8_lossy(&timed.stdout).into_owned();
+    assert!(timed.status.success(), "{command:?}: {said}");
     let times = String::from_utf8_lossy(&timed.stderr).into_owned();
     let times = times.split_whitespace().map(|t| t.parse::<f64>());
-    times.sum::<Result<f64, _>>().expect("two numbers")
+    let seconds = times.sum::<Result<f64, _>>().expect("two numbers");
+    (seconds, said)
 }
 
 /// The share of the pixels that differ.
@@ -210,6 +315,7 @@ fn differing(folder: &Path) -> f64 {
         .arg("render")
         .arg(&scene)
         .arg(format!("--size={width}x{height}"))
+        .arg("--cutoff=0")
         .arg("-o")
         .arg(&exact)
         .output();

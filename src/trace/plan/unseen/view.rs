@@ -270,16 +270,19 @@ pub fn held(
     near_parts(scene, bounds, root, points, counts, holder)
 }
 
-/// Of each point whether it lies on the surface of a part of the outermost union, as far as rounding can tell.
+/// Of each point whether it lies on the surface of a part of the outermost union, as far as rounding can tell. Of what an
+/// operation cuts out of rectangles and the like, it may lie on what is cut off.
 pub fn on_surfaces(
     scene: &Scene,
     bounds: &[NodeBounds],
     root: NodeId,
     points: &[Vec3],
 ) -> Vec<bool> {
-    let is_on = |asked: &mut Asked, point: &Vec3, near: &mut dyn Iterator<Item = &Member>| {
-        let mut met = near.filter_map(|part| asked.met(point, part));
-        met.any(|met| met.holds != [true; PLACES])
+    let is_on = |asked: &mut Asked, point: &Vec3, mut near: &mut dyn Iterator<Item = &Member>| {
+        (&mut near).any(|part| match asked.met(point, part) {
+            Some(met) => met.holds != [true; PLACES],
+            None => asked.is_on_sheet_within(point, part),
+        })
     };
     near_parts(scene, bounds, root, points, |_| true, is_on)
 }
@@ -351,12 +354,7 @@ impl Asked<'_> {
         let scene = self.scene;
         let solid = named(scene, part.node)?;
         let back = part.matrix().inverse()?;
-        // What has no end may be placed by numbers of any size; those of most scenes are about 1.
-        let size = match part.bounds.is_bounded() {
-            true => part.bounds.radius(),
-            false => 1.0,
-        };
-        let around = CLEAR * far(point).max(size);
+        let around = around(point, part);
         let mut holds = [false; PLACES];
         if part.sheet {
             let shape = Primitive::new(part.geometry(scene)?);
@@ -368,6 +366,49 @@ impl Asked<'_> {
         }
         holds.contains(&true).then_some(Met { solid, holds })
     }
+
+    /// Whether a point is on a shape without inside that is somewhere in a part.
+    fn is_on_sheet_within(&mut self, point: &Vec3, part: &Member) -> bool {
+        let mut todo = vec![(below(self.scene, part.node), *part.matrix())];
+        while let Some((node, matrix)) = todo.pop() {
+            let Some(left) = self.left.checked_sub(1) else {
+                return false;
+            };
+            self.left = left;
+            let node = self.scene.nodes[node as usize];
+            let inner = match node {
+                Node::Transform { matrix: m, .. } => matrix.after(&self.scene.matrices[m as usize]),
+                _ => matrix,
+            };
+            if let Node::Shape(s) = node {
+                let geometry = &self.scene.shapes[s as usize].geometry;
+                let is_on = |back| {
+                    let shape = Primitive::new(geometry);
+                    is_on_sheet(&shape, &back, *point, around(point, part))
+                };
+                if !geometry.is_solid() && matrix.inverse().is_some_and(is_on) {
+                    return true;
+                }
+            }
+            todo.extend(
+                node.children()
+                    .into_iter()
+                    .flatten()
+                    .map(|child| (child, inner)),
+            );
+        }
+        false
+    }
+}
+
+/// How far from a point that lies on a part rounding may have put either.
+fn around(point: &Vec3, part: &Member) -> f64 {
+    // What has no end may be placed by numbers of any size; those of most scenes are about 1.
+    let size = match part.bounds.is_bounded() {
+        true => part.bounds.radius(),
+        false => 1.0,
+    };
+    CLEAR * far(point).max(size)
 }
 
 /// A part that a point is in, or on the surface of.
