@@ -52,7 +52,7 @@ fn abridged(text: &str) -> String {
     let lines: Vec<&str> = text.lines().collect();
     let mut out = String::new();
     let is_face = |line: &str| line.starts_with("f ");
-    let is_vertex = |line: &str| line.starts_with("v ") || line.starts_with("vn ");
+    let is_vertex = |line: &str| ["v ", "vt ", "vn "].iter().any(|v| line.starts_with(v));
     for run in lines.chunk_by(|a, b| form(a) == form(b)) {
         if is_face(run[0]) {
             writeln!(out, "… {} faces", about(run.len())).unwrap();
@@ -84,9 +84,11 @@ fn shown(bytes: &[u8]) -> String {
             let (header, body) = bytes.split_at(at + END.len());
             let mut shown = String::new();
             for line in std::str::from_utf8(header).unwrap().lines() {
-                match line.strip_prefix("element face ").map(str::parse) {
-                    Some(count) => writeln!(shown, "element face {}", about(count.unwrap())),
-                    None => writeln!(shown, "{line}"),
+                match line.rsplit_once(' ') {
+                    Some((element, count)) if element.starts_with("element ") => {
+                        writeln!(shown, "{element} {}", about(count.parse().unwrap()))
+                    }
+                    _ => writeln!(shown, "{line}"),
                 }
                 .unwrap();
             }

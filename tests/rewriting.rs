@@ -22,7 +22,13 @@ impl Place {
     fn new() -> Place {
         let folder = tempfile::tempdir().unwrap();
         let program = folder.path().join("zpg");
-        fs::copy(env!("CARGO_BIN_EXE_zpg"), &program).unwrap();
+        // By another process: a program that any process still has open to write cannot be started, and those that other
+        // tests start have what this one has open.
+        let copied = Command::new("cp")
+            .arg(env!("CARGO_BIN_EXE_zpg"))
+            .arg(&program)
+            .status();
+        assert!(copied.unwrap().success());
         fs::set_permissions(folder.path(), Permissions::from_mode(0o755)).unwrap();
         let place = Place { folder, program };
         fs::create_dir(place.at("home")).unwrap();

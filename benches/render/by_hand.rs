@@ -1,18 +1,18 @@
 //! The scenes as a person would write them for POV-Ray: objects side by side instead of unions of pairs, meshes of
 //! triangles, the patterns and the finishes that POV-Ray has. What is written here is independent of the translation.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// A record without its ID: its type and its numbers.
 type Record = (i32, Vec<f64>);
 
 /// What the records of a scene say about each ID, in their order: first the definition.
-struct Records(HashMap<u32, Vec<Record>>);
+struct Records(BTreeMap<u32, Vec<Record>>);
 
 /// The scene in POV-Ray's language. Rays that count for less than `bailout` are left out.
 pub fn written(text: &str, bailout: f64) -> String {
-    let mut records: HashMap<u32, Vec<Record>> = HashMap::new();
+    let mut records: BTreeMap<u32, Vec<Record>> = BTreeMap::new();
     for line in text.lines() {
         let mut words = line.split_whitespace();
         let id = words.next().map(|w| w.parse().expect("an ID"));
@@ -25,7 +25,7 @@ pub fn written(text: &str, bailout: f64) -> String {
     let root = records.numbers(1, 9999);
     let [root, sky] = [0, 1].map(|i| root[i] as u32);
     let mut out = String::from(
-        "#version 3.7;\n#default { finish { ambient 1 diffuse 1 } }\n\
+        "#version 3.7;\n#default { pigment { rgb 1 } finish { ambient 1 diffuse 1 } }\n\
          global_settings { assumed_gamma 1 max_trace_level 11 ",
     );
     let mut lights = String::new();
@@ -225,8 +225,8 @@ impl Records {
     fn look(&self, id: u32) -> String {
         let texture = self.numbers(id, -299).first().map_or(0, |&t| t as u32);
         let optics = self.numbers(id, -201);
-        let operation = self.of(id)[0].0 < 0;
-        if operation && texture == 0 && optics.is_empty() && self.numbers(id, -701).is_empty() {
+        // It has that of what it is a part of.
+        if texture == 0 && optics.is_empty() && self.numbers(id, -701).is_empty() {
             return String::new();
         }
         let checker = |at: usize, numbers: &[f64]| {

@@ -6,7 +6,7 @@
 //! Then what certainty costs, what a second thread brings, how the phases grow with the scene, and some single figures.
 //!
 //! `cargo bench --bench render` measures all; `-- tori lights` the scenes whose names hold these words; `-- povray`,
-//! `certainty`, `threads`, `growth` or `around` that part; `-- write DIR` writes the scenes.
+//! `certainty`, `threads`, `growth` or `around` that part; `-- write DIR` writes the scenes, by hand for POV-Ray, too.
 
 mod by_hand;
 mod chart;
@@ -177,7 +177,11 @@ fn write_all(scenes: &[Scene], folder: &Path) {
     std::fs::create_dir_all(folder).expect("the folder can be made");
     for scene in scenes {
         let path = folder.join(scene.name.replace(' ', "-") + ".zpg");
-        std::fs::write(path, &scene.text).expect("the folder can be written to");
+        let by_hand = by_hand::written(&scene.text, 0.0);
+        for (ending, text) in [("zpg", &scene.text), ("pov", &by_hand)] {
+            std::fs::write(path.with_extension(ending), text)
+                .expect("the folder can be written to");
+        }
     }
 }
 

@@ -117,8 +117,13 @@ async function inTheWindow() {
     }
   };
   const palette = async (command) => {
-    await page.keyboard.press("F1");
-    await page.locator(".quick-input-widget input").first().waitFor();
+    const input = page.locator(".quick-input-widget input").first();
+    // A frame that is just being closed swallows the key.
+    for (let tries = 0; tries < 8 && !(await input.isVisible()); tries += 1) {
+      if (tries > 0) await page.evaluate(() => document.activeElement?.blur());
+      await page.keyboard.press("F1");
+      await input.waitFor({ timeout: 3000 }).catch(() => {});
+    }
     await page.keyboard.type(command);
     await page.locator(".quick-input-list .monaco-list-row", { hasText: command }).first().click();
   };
