@@ -259,15 +259,23 @@ fn latency(lines: usize) {
         ("highlights", "textDocument/documentHighlight"),
         ("hints of 60 lines", "textDocument/inlayHint"),
         ("tokens of 60 lines", "textDocument/semanticTokens/range"),
+        ("code actions of 60 lines", "textDocument/codeAction"),
     ] {
         let mut times = Vec::new();
         for _ in 0..50 {
             let line = random.below(count - 100);
             s.edit(line, &mut random);
             s.diagnostics();
-            let params = match method.contains("Hint") || method.contains("range") {
-                true => with("range", visible(line)),
-                false => place(line),
+            let params = match method {
+                "textDocument/codeAction" => {
+                    let mut params = with("range", visible(line));
+                    params["context"] = json!({ "diagnostics": [] });
+                    params
+                }
+                _ if method.contains("Hint") || method.contains("range") => {
+                    with("range", visible(line))
+                }
+                _ => place(line),
             };
             times.push(s.ask(method, params));
         }
@@ -298,6 +306,10 @@ fn latency(lines: usize) {
         }
         row(name, times);
     }
+    println!(
+        "\nAfter all requests the server holds {} MB.",
+        s.memory_kib() / 1024
+    );
 }
 
 /// 100 000 edits of a small scene.

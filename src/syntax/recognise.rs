@@ -11,7 +11,7 @@
 //! | that is one value in brackets or braces of JSON, or begins with `{ "` | JSON, or a scene in JSON |
 //! | with a comment or word of 256 MiB or more | some other text |
 //! | of which fewer than half of the lines begin with a number | some other text |
-//! | of which fewer than half of the numbers are in records, or nearly so: [`by_records`](super::in_records::by_records) says where a fifth is enough | some other text |
+//! | of which fewer than half of the numbers are in records, or nearly so: [`by_records`] says where a fifth is enough | some other text |
 //! | that is something else | a scene, with mistakes perhaps |
 //!
 //! What follows the text is no part of it: a mark with which texts of DOS end, 0x1A, and NULs that fill a block of a disk.
