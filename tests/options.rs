@@ -580,3 +580,53 @@ fn commands_that_are_not_check_say_errors_only() {
     assert_eq!(run.status.code(), Some(1));
     assert!(text(&run.stderr).starts_with("error[E106]"));
 }
+
+/// What `--help` gives as a default can be written on the command line.
+#[test]
+fn defaults_in_help_are_accepted() {
+    let dir = folder(&[("a.zpg", GOOD)]);
+    let mut tried = 0;
+    for command in [
+        "check",
+        "fmt",
+        "render",
+        "convert",
+        "crosscheck",
+        "accuracy",
+    ] {
+        let help = text(&zpg(dir.path(), &[command, "--help"]).stdout).to_owned();
+        let mut option = "";
+        for line in help.lines().map(str::trim) {
+            let long = line.split_whitespace().find(|w| w.starts_with("--"));
+            option = long.filter(|_| line.starts_with('-')).unwrap_or(option);
+            let Some((_, value)) = line.split_once("[default: ") else {
+                continue;
+            };
+            let value = value.trim_end_matches(']');
+            // Some are described.
+            if value.contains(' ') {
+                continue;
+            }
+            let given = format!("{option}={value}");
+            let run = zpg(dir.path(), &[command, "missing.zpg", &given]);
+            let said = text(&run.stderr);
+            assert!(
+                !said.contains("is not a value"),
+                "{command} {given}: {said}"
+            );
+            tried += 1;
+        }
+    }
+    assert!(tried > 12, "{tried}");
+    for (cutoff, is_right) in [
+        ("1/4096", true),
+        ("0", true),
+        ("2/1", false),
+        ("1/0", false),
+        ("1/", false),
+    ] {
+        let given = ["render", "missing.zpg", "--cutoff", cutoff];
+        let said = text(&zpg(dir.path(), &given).stderr).to_owned();
+        assert_eq!(said.contains("from 0 to 1"), !is_right, "{cutoff}: {said}");
+    }
+}

@@ -158,8 +158,17 @@ fn samples(text: &str) -> Result<u32, Complaint> {
     usage::number(text, "expected-samples", |n| (1..=1_048_576).contains(&n))
 }
 
+/// A number from 0 to 1, or a fraction as `--help` has it.
 fn cutoff(text: &str) -> Result<f64, Complaint> {
-    usage::number(text, "expected-cutoff", |x| (0.0..=1.0).contains(&x))
+    let number = |text: &str| usage::number(text, "expected-cutoff", |x: f64| x >= 0.0);
+    let value = match text.split_once('/') {
+        Some((part, whole)) => number(part)? / number(whole)?,
+        None => number(text)?,
+    };
+    match (0.0..=1.0).contains(&value) {
+        true => Ok(value),
+        false => Err(Complaint::new("expected-cutoff")),
+    }
 }
 
 fn tolerance(text: &str) -> Result<f64, Complaint> {
