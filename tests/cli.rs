@@ -209,6 +209,11 @@ fn fmt_rewrites_files() {
         text(&run.stdout),
         "--- a.zpg\n+++ a.zpg\n@@ -1 +1,2 @@\n-2  9 1.50 3 9 2\n\\ No newline at end of file\n+2 9 1.5\n+3 9 2\n"
     );
+    // For `patch`, a name with spaces ends with a tab.
+    fs::copy(dir.path().join("a.zpg"), dir.path().join("c d.zpg")).unwrap();
+    let run = zpg(dir.path(), &["fmt", "--diff", "c d.zpg"]);
+    let start = "--- c d.zpg\t\n+++ c d.zpg\t\n@@ -1 +1,2 @@\n";
+    assert!(text(&run.stdout).starts_with(start));
     let run = zpg(dir.path(), &["fmt", "a.zpg", "b.zpg"]);
     assert_eq!(run.status.code(), Some(0));
     assert_eq!(

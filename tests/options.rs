@@ -213,6 +213,18 @@ fn files_that_are_left_out() {
         (fmt(&[]), fmt(&["--force-exclude"])),
         ("2 9 1\n".into(), "2   9 1\n".into())
     );
+    for (changes, passed) in [
+        (&["--fix"][..], "2   9 0,5\n"),
+        (&["--add-allow"], "2   9 0,5\n"),
+        (&["--fix", "--diff"], ""),
+    ] {
+        let args = [&["check", "--force-exclude"], changes, &stdin].concat();
+        let run = program::zpg(dir.path(), &args, "2   9 0,5\n");
+        assert_eq!(
+            (text(&run.stdout), run.status.code()),
+            (passed.into(), Some(0))
+        );
+    }
     // Others count in their place.
     let all = [
         "a.zpg",

@@ -263,6 +263,21 @@ fn many_rays_keep_their_order() {
     }
 }
 
+/// A mark of UTF-8 at the start of the file is no part of the first ray; anywhere else it is no number.
+#[test]
+fn files_of_rays_may_begin_with_a_mark() {
+    let dir = folder(&scene("2 11 0 0 0 2", 2));
+    let rays = "\u{feff}0 0 9 0 0 -1\n1 0 9 0 0 -1\n";
+    let out = zpg(dir.path(), &["a.zpg", "--rays", "-"], rays);
+    assert_eq!((lines(&out).len(), out.status.code()), (2, Some(0)));
+    let out = zpg(
+        dir.path(),
+        &["a.zpg", "--rays", "-"],
+        &rays[3..].replace("\n1", "\n\u{feff}1"),
+    );
+    assert_eq!((lines(&out).len(), out.status.code()), (1, Some(2)));
+}
+
 /// The origins' x of the answers to a file of rays, and what was complained about; the status is 2.
 fn origins_and_complaints(scene: &str, args: &[&str], rays: &str) -> (Vec<f64>, String) {
     let dir = folder(scene);

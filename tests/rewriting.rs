@@ -158,6 +158,30 @@ fn the_owner_stays() {
     }
 }
 
+/// What cannot be read is named, not the folder that was asked for.
+#[test]
+fn a_folder_below_may_be_closed() {
+    let place = Place::new();
+    for name in ["a", "b/c"] {
+        let closed = place.at("home").join(name);
+        fs::create_dir_all(&closed).unwrap();
+        fs::set_permissions(&closed, Permissions::from_mode(0)).unwrap();
+    }
+    let mut command = place.command(&["check"]);
+    if is_root() {
+        command.uid(NOBODY).gid(NOBODY);
+    }
+    let run = command.arg(place.at("home")).output().unwrap();
+    assert_eq!(run.status.code(), Some(2));
+    for name in ["home/a", "home/b/c"] {
+        let line = format!(
+            "cannot read {}: Permission denied",
+            place.at(name).display()
+        );
+        assert!(said(&run).contains(&line), "{}", said(&run));
+    }
+}
+
 #[test]
 fn a_folder_may_forbid_new_files() {
     let place = Place::new();

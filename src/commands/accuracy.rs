@@ -53,7 +53,7 @@ pub struct Args {
     )]
     size: Size,
 
-    /// The settings to try, with commas between them [default: all]
+    /// The settings to try, with commas between them [default: all of them]
     #[arg(long, value_enum, value_delimiter = ',', value_name = "AXIS")]
     axes: Vec<AxisArg>,
 

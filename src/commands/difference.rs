@@ -56,7 +56,12 @@ pub fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: bool) {
     let diff = difference::of(&input);
     let lines = Lines(&input.interner);
     let hunks = diff.unified_diff(&lines, UnifiedDiffConfig::default(), &input);
-    let unified = format!("--- {path}\n+++ {path}\n{hunks}");
+    // A name with spaces ends with a tab for `patch`, as git writes it.
+    let end = match path.contains(char::is_whitespace) {
+        true => "\t",
+        false => "",
+    };
+    let unified = format!("--- {path}{end}\n+++ {path}{end}\n{hunks}");
     for line in unified.split_inclusive('\n') {
         let style = match line.as_bytes().first() {
             _ if !colour => None,

@@ -9,7 +9,7 @@ use std::str::FromStr;
 use super::difference::diff;
 use super::load::is_json;
 use super::rewrite::{allow, bytes_of, replace};
-use super::settings::{Chosen, Scenes};
+use super::settings::{Chosen, Scenes, pass_through};
 use super::terminal::Complaints;
 use super::{LookChoice, Status, complain, terminal};
 use crate::analysis::config::{ConfigError, Configs};
@@ -109,7 +109,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     };
     if found.files.is_empty() && args.chosen.reads_stdin() {
-        return pass_through(args, look);
+        return pass_through(!args.check && !args.diff, look);
     }
     if args.range.is_some() && found.files.len() != 1 {
         complain(look, &Complaint::new("range-of-many"));
@@ -152,18 +152,6 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         }
         writeln!(out, "{}", summary(changed, unchanged, only_looking, look))
     })
-}
-
-/// A scene from standard input that the settings exclude goes on as it is.
-fn pass_through(args: &Args, look: LookChoice) -> Status {
-    match file::read(Path::new(STDIN)) {
-        Ok(_) if args.check || args.diff => Status::Clean,
-        Ok(bytes) => terminal::print(look, Status::Clean, |out| out.write_all(&bytes)),
-        Err(complaint) => {
-            complain(look, &complaint);
-            Status::Failure
-        }
-    }
 }
 
 /// `2 files would be reformatted, 1 file left unchanged`

@@ -103,12 +103,23 @@ fn scenes_in(
                 let why = e
                     .io_error()
                     .map_or_else(|| Complaint::quoted(&e), Complaint::from);
-                complain(look, &unreadable(folder, why));
+                complain(look, &unreadable(place(&e).unwrap_or(folder), why));
                 *failed = true;
             }
         }
     }
     scenes
+}
+
+/// The file or folder that could not be read.
+fn place(error: &ignore::Error) -> Option<&Path> {
+    match error {
+        ignore::Error::WithPath { path, .. } => Some(path),
+        ignore::Error::WithDepth { err, .. } | ignore::Error::WithLineNumber { err, .. } => {
+            place(err)
+        }
+        _ => None,
+    }
 }
 
 #[cfg(test)]

@@ -3,9 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::Status;
 use super::paths::{self, Files};
-use super::terminal::{LookChoice, complain};
+use super::terminal::{self, LookChoice, complain};
 use crate::analysis::config::Configs;
+use crate::analysis::file;
 
 /// The arguments that `check` and `fmt` share.
 #[derive(Debug, Clone, clap::Args)]
@@ -78,5 +80,17 @@ impl Chosen {
     /// Whether a scene comes from standard input.
     pub fn reads_stdin(&self) -> bool {
         self.paths.iter().any(|p| paths::is_stdin(p))
+    }
+}
+
+/// A scene from standard input that the settings exclude goes on as it is, where it is printed at all.
+pub fn pass_through(is_printed: bool, look: LookChoice) -> Status {
+    match file::read(Path::new(file::STDIN)) {
+        Ok(_) if !is_printed => Status::Clean,
+        Ok(bytes) => terminal::print(look, Status::Clean, |out| out.write_all(&bytes)),
+        Err(complaint) => {
+            complain(look, &complaint);
+            Status::Failure
+        }
     }
 }

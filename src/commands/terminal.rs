@@ -189,12 +189,23 @@ pub fn print(
     let mut out = BufWriter::new(io::stdout().lock());
     match write(&mut out).and_then(|()| out.flush()) {
         Ok(()) => status,
-        Err(e) if e.kind() == io::ErrorKind::BrokenPipe => status,
+        Err(e) if e.kind() == io::ErrorKind::BrokenPipe => {
+            UNREAD.store(true, Ordering::Relaxed);
+            status
+        }
         Err(e) => {
             complain(look, &unprintable(&e));
             Status::Failure
         }
     }
+}
+
+/// Whoever read standard output has gone.
+static UNREAD: AtomicBool = AtomicBool::new(false);
+
+/// Whether nobody reads standard output any more, as far as [`print`] has noticed.
+pub fn is_unread() -> bool {
+    UNREAD.load(Ordering::Relaxed)
 }
 
 /// Standard output cannot be written to.

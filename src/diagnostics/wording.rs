@@ -57,7 +57,10 @@ impl From<&'static str> for Value {
 
 impl From<&Path> for Value {
     fn from(path: &Path) -> Value {
-        path.to_string_lossy().into_owned().into()
+        // A name may move the cursor of a terminal.
+        path.to_string_lossy()
+            .replace(char::is_control, "\u{fffd}")
+            .into()
     }
 }
 

@@ -167,6 +167,15 @@ fn pages_folder() -> PathBuf {
     std::env::temp_dir().join(format!("zpg-{}", std::process::id()))
 }
 
+/// The same folder for what is made of a text that was never saved.
+fn unsaved() -> PathBuf {
+    let folder = pages_folder();
+    match std::fs::create_dir_all(&folder) {
+        Ok(()) => folder,
+        Err(_) => std::env::temp_dir(),
+    }
+}
+
 /// Removes these texts, when the server ends.
 pub fn remove_pages() {
     // There is none where no text was shown.
@@ -211,7 +220,8 @@ impl<'a> Job<'a> {
         Job {
             ask,
             file,
-            folder: folder.map_or_else(std::env::temp_dir, Path::to_owned),
+            // What was never saved must not come in the place of others' files.
+            folder: folder.map_or_else(unsaved, Path::to_owned),
             stem: stem.map_or_else(|| "scene".to_owned(), |s| s.to_string_lossy().into_owned()),
         }
     }

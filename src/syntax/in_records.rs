@@ -169,6 +169,9 @@ mod tests {
             "",
             "# a comment #",
             "0 # a title #\n",
+            // The first record is under way.
+            "2",
+            "0 # a title #\n2",
             "2 11 0 0\n",
             "2 9 0,5\n",
             "2 sphere 0 0 0 1\n",

@@ -9,7 +9,7 @@ use std::time::Duration;
 use notify::{Event, EventKind, RecursiveMode, Watcher};
 
 use crate::analysis::file::STDIN;
-use crate::commands::terminal::tell;
+use crate::commands::terminal::{is_unread, tell};
 use crate::commands::{LookChoice, Status, complain};
 use crate::diagnostics::Complaint;
 
@@ -44,7 +44,10 @@ pub fn run(paths: &[PathBuf], look: LookChoice, check: impl Fn() -> Status) -> S
         if io::stdout().is_terminal() {
             let _ = write!(io::stdout(), "\x1b[2J\x1b[H");
         }
-        check();
+        let status = check();
+        if is_unread() {
+            return status;
+        }
         if !look.quiet {
             tell(&look.language().say("watching", &[]));
         }

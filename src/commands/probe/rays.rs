@@ -193,6 +193,8 @@ impl Lines<'_> {
         }
         // Comments may be in any encoding, numbers are ASCII.
         let text = String::from_utf8_lossy(&self.line);
+        let mark = |text| str::strip_prefix(text, '\u{feff}').filter(|_| self.number == 1);
+        let text = mark(&text).unwrap_or(&text);
         let content = text.split('#').next().unwrap_or("").trim();
         if content.is_empty() {
             return Ok(Some(Content::Nothing));

@@ -146,7 +146,11 @@ pub fn is_slip(stretch: &Stretch, piece: &Piece) -> bool {
             stretch.sigs[start].int.is_some() && has_numbers || ty.is_some_and(is_right)
         }
         Verdict::UnknownType => lost_sign(stretch, start, end),
-        Verdict::MissingType | Verdict::BadId { ty: None } | Verdict::CutOff { ty: None } => false,
+        // The text may end in the middle of its first record.
+        Verdict::MissingType | Verdict::CutOff { ty: None } => {
+            end == stretch.len() && end - start < 2
+        }
+        Verdict::BadId { ty: None } => false,
     }
 }
 
