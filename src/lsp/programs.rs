@@ -46,14 +46,18 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
     if p.command == EXPLAIN {
         return explain(ask, text(0).unwrap_or_default()).map(Some);
     }
+    let invalid = |message, text: &str| {
+        let message = (ask.client.language).say(message, &[("text", text.to_owned().into())]);
+        refusal(ErrorCode::InvalidParams, message)
+    };
+    let whole = (WholeFile::ALL.into_iter()).find(|action| p.command == action.command());
+    if whole.is_none() && !COMMANDS.contains(&p.command.as_str()) {
+        return Err(invalid("lsp-no-command", &p.command));
+    }
     let uri = Uri::from(text(0).unwrap_or_default());
     let file = ask.file(&TextDocumentIdentifier { uri })?;
-    let whole = (WholeFile::ALL.into_iter()).find(|action| p.command == action.command());
     if let Some(action) = whole {
         return Ok(Some(action.apply(ask, file)));
-    }
-    if !COMMANDS.contains(&p.command.as_str()) {
-        return Err(refusal(ErrorCode::InvalidParams, p.command));
     }
     if let Some(why) = trouble(file, ask.client.language) {
         return Err(ask.refuse(&why));
@@ -73,7 +77,7 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
             let target = text(1).unwrap_or("pov");
             let extension = match registry::named(target).map(|t| t.name()) {
                 // The scene itself is not overwritten.
-                None | Some("zpg") => return Err(refusal(ErrorCode::InvalidParams, target)),
+                None | Some("zpg") => return Err(invalid("lsp-no-target", target)),
                 Some("mitsuba") => "xml",
                 Some(name) => name,
             };
@@ -109,7 +113,7 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
             ask.outgoing.show_in_browser(&page);
             json!({ "uri": uri_of(&page), "text": said })
         }
-        other => return Err(refusal(ErrorCode::InvalidParams, other)),
+        other => return Err(invalid("lsp-no-command", other)),
     };
     Ok(Some(made))
 }

@@ -184,3 +184,28 @@ fn a_failure_of_the_program_is_one_line() {
         "zpg did not succeed: there is no render record"
     );
 }
+
+/// What there is not is said in words.
+#[test]
+fn unknown_commands_and_targets_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = uri(&folder.path().join("a.zpg"));
+    let mut s = Session::start(rich(), json!({ "lang": "en" }));
+    s.open(&own, "2 9 1\n1 9999 2 0\n");
+    for (command, arguments, says) in [
+        ("zpg.nope", json!([own]), "zpg has no command zpg.nope"),
+        ("zpg.nope", json!([]), "zpg has no command zpg.nope"),
+        (
+            "zpg.convert",
+            json!([own, "xyz"]),
+            "zpg does not convert a scene to xyz here",
+        ),
+    ] {
+        let params = json!({ "command": command, "arguments": arguments });
+        let error = s.try_ask("workspace/executeCommand", params).unwrap_err();
+        assert_eq!(
+            (&error["message"], &error["code"]),
+            (&json!(says), &json!(-32602))
+        );
+    }
+}

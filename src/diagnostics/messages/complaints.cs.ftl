@@ -257,6 +257,8 @@ lsp-reserved-id = 1 je vyhrazeno renderovacímu záznamu
 lsp-not-an-id = { $text } není ID: ID je celé číslo od 2 do { $max }
 lsp-id-taken = { $id } je již použito na řádku { $line }
 lsp-no-uri = { $text } není URI
+lsp-no-command = zpg nemá příkaz { $text }
+lsp-no-target = zpg zde scénu do { $text } nepřevádí
 lsp-missing = soubor { $path } neexistuje
 lsp-has-errors = { $count ->
     [one] ve scéně je chyba na řádku { $line }: { $message }

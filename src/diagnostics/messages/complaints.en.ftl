@@ -251,6 +251,8 @@ lsp-reserved-id = 1 is kept for the render record
 lsp-not-an-id = { $text } is not an ID: an ID is a whole number from 2 to { $max }
 lsp-id-taken = { $id } is taken: it stands in line { $line }
 lsp-no-uri = { $text } is no URI
+lsp-no-command = zpg has no command { $text }
+lsp-no-target = zpg does not convert a scene to { $text } here
 lsp-missing = { $path } is not there
 lsp-has-errors = { $count ->
     [one] the scene has an error, in line { $line }: { $message }
