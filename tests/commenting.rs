@@ -432,3 +432,38 @@ fn the_program_says_nothing() {
         .unwrap();
     assert_eq!(String::from_utf8_lossy(&said.stdout), "");
 }
+
+/// No record takes in lines that are commented out, however many numbers it lacks.
+#[test]
+fn a_record_that_lacks_numbers_ends_before_what_is_out() {
+    let whole = "2 11 0 0 0 1\n3 2 3 0 1 1 1 1 0 1 0 0 0 1 0 0 0 1\n4 15 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 -1\n";
+    for record in whole.lines() {
+        let words: Vec<&str> = record.split(' ').collect();
+        for kept in 2..words.len() {
+            for lines in 1..words.len() - kept + 3 {
+                let head = words[..kept].join(" ");
+                let out: String = (0..lines)
+                    .map(|i| format!("0 # ~ {} 9 1 #\n", 20 + i))
+                    .collect();
+                let text = format!("{head}\n{out}1 9999 2 0\n");
+                let analysis = read(&text);
+                let in_first = |d: &zpg::diagnostics::Diagnostic| {
+                    analysis.source.line_index(d.span.start) == 0
+                };
+                let errors = analysis.findings();
+                let errors = errors
+                    .iter()
+                    .filter(|d| d.is_error() && d.code != Code::E101);
+                assert!(
+                    errors.clone().count() == 1 && errors.clone().all(in_first),
+                    "{text}"
+                );
+                let formatted = zpg::format::format(&text, &analysis.document, &Options::default());
+                assert!(
+                    formatted.ends_with(&format!("{out}1 9999 2 0\n")),
+                    "{formatted}"
+                );
+            }
+        }
+    }
+}

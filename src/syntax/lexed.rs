@@ -1,5 +1,6 @@
 //! The tokens of a text in columns. A long text is cut by all threads.
 
+use super::commented_out::is_commented_out;
 use super::directive::is_directive;
 use super::lexer::{Token, TokenKind, Tokens};
 use crate::parallel;
@@ -15,6 +16,8 @@ pub struct Lexed {
     pub values: Vec<f64>,
     /// The significant tokens that are no plain numbers, ascending.
     odd: Vec<u32>,
+    /// Those that begin lines that are [commented out](super::commented_out), ascending.
+    out: Vec<u32>,
     /// There is a comment, a separator, a word, a comment over several lines, a comment that nobody closes, a token that
     /// can never be right.
     pub has_comment: bool,
@@ -104,6 +107,7 @@ impl Lexed {
     fn append(&mut self, mut part: Lexed) {
         let (tokens, sigs) = (self.tokens.len() as u32, self.sigs.len() as u32);
         self.odd.extend(part.odd.iter().map(|i| i + sigs));
+        self.out.extend(part.out.iter().map(|i| i + sigs));
         // Most of the time goes into memory that is touched for the first time. Two threads share it.
         let moved = part.sigs.iter().map(|sig| Sig(sig.0 + tokens));
         parallel::both(
@@ -151,6 +155,13 @@ impl Lexed {
                     let comment = &text.as_bytes()[token.span().range()];
                     self.has_comment = true;
                     self.has_long_comment |= memchr::memchr2(b'\n', b'\r', comment).is_some();
+                    let head = self.sigs.last().filter(|sig| {
+                        let is_zero = self.values.last() == Some(&0.0);
+                        is_zero && sig.starts_line() && sig.token() as usize + 1 == index
+                    });
+                    if head.is_some() && is_commented_out(&text[token.span().range()]) {
+                        self.out.push(self.sigs.len() as u32 - 1);
+                    }
                 }
             }
             TokenKind::Separator => self.has_separator = true,
@@ -172,6 +183,13 @@ impl Lexed {
     pub fn all_numbers(&self, from: usize, to: usize) -> bool {
         let next = self.odd.partition_point(|&i| (i as usize) < from);
         self.odd.get(next).is_none_or(|&i| i as usize >= to)
+    }
+
+    /// Whether a line that is commented out begins among significant tokens `from..to`: no record goes on there.
+    #[inline]
+    pub fn goes_out(&self, from: usize, to: usize) -> bool {
+        let next = self.out.partition_point(|&i| (i as usize) < from);
+        self.out.get(next).is_some_and(|&i| (i as usize) < to)
     }
 }
 

@@ -119,7 +119,11 @@ pub fn allows(param: &Param, x: f64) -> bool {
 pub fn read(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     let mut reading = read_base(c, i, limit)?;
     if !reading.ty.optional.is_empty() {
+        let base = reading;
         group(c, &mut reading, limit)?;
+        if c.lexed.goes_out(base.end, reading.end) {
+            return Some(base);
+        }
     }
     Some(reading)
 }
@@ -147,7 +151,9 @@ fn read_base(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     let end = first + ty.arity(count.into()) as usize;
     let head = first + ty.params.len();
     // Repeated parameters are real, all of them.
-    let right = are_right(c, first, ty.params) && c.lexed.all_numbers(head, end);
+    let right = are_right(c, first, ty.params)
+        && c.lexed.all_numbers(head, end)
+        && !c.lexed.goes_out(first, end);
     right.then_some(Reading {
         end,
         ty,

@@ -247,6 +247,9 @@ impl Search<'_, '_> {
     fn fault(&self, start: usize, end: usize) -> (Verdict, u32) {
         let stretch = self.stretch;
         let (verdict, mut price) = faults::judge(stretch, start, end, self.witnesses);
+        if stretch.goes_out(start + 1, end) {
+            price += IMPLAUSIBLE;
+        }
         let (first, last) = (stretch.line(start), stretch.line(end - 1));
         // A single token that can be nothing is passed over wherever it stands. Else a fault is
         // likelier to be a whole line, unless the rest of the line is whole records.

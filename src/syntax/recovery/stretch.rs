@@ -111,6 +111,11 @@ impl<'s> Stretch<'s> {
         self.readings.get(i)?.as_ref()
     }
 
+    /// Whether a line that is commented out begins among tokens `from..to`.
+    pub fn goes_out(&self, from: usize, to: usize) -> bool {
+        (self.columns.lexed).goes_out(self.from + from, self.from + to)
+    }
+
     /// The significant token of the whole text that a token here is.
     pub fn in_text(&self, i: usize) -> usize {
         self.from + i
