@@ -103,6 +103,12 @@ fn known(bytes: &[u8]) -> Option<bool> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         return None;
     }
+    // What fills a block of a disk is no part of the text.
+    let text = bytes
+        .iter()
+        .rposition(|&b| b != 0)
+        .map_or(0, |last| last + 1);
+    let bytes = &bytes[..text];
     if bytes.contains(&0) {
         let every_other = (0..2).any(|i| {
             bytes.iter().skip(i).step_by(2).filter(|b| **b == 0).count() * 4 > bytes.len()
@@ -131,6 +137,10 @@ fn known(bytes: &[u8]) -> Option<bool> {
             let word =
                 line.split(|c: char| c.is_whitespace() || c == '"' || SEPARATORS.contains(&c));
             let word = word.into_iter().next().unwrap_or_default();
+            // Such a number may be malformed.
+            if !word.is_ascii() {
+                return None;
+            }
             let digits = word.trim_start_matches(['+', '-']);
             let begins = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
             numbers += usize::from(begins && word.parse::<f64>().is_ok());
@@ -143,14 +153,15 @@ fn known(bytes: &[u8]) -> Option<bool> {
     None
 }
 
-/// The words of a text. A `#` is one by itself, and notation marks are none.
+/// The words of a text. A `#` is one by itself, notation marks are none, and what a `"` opens need not stand apart.
 fn words(text: &str) -> Vec<&str> {
     let mut words = Vec::new();
     let blank = |c: char| c.is_whitespace() || c == '\u{feff}' || SEPARATORS.contains(&c);
     for piece in text.split(blank) {
         for (i, part) in piece.split('#').enumerate() {
             words.extend((i > 0).then_some("#"));
-            words.extend((!part.is_empty()).then_some(part));
+            let (before, quoted) = part.split_at(part.find('"').unwrap_or(part.len()));
+            words.extend([before, quoted].into_iter().filter(|w| !w.is_empty()));
         }
     }
     words
