@@ -593,6 +593,26 @@ fn commands_that_are_not_check_say_errors_only() {
     assert!(text(&run.stderr).starts_with("error[E106]"));
 }
 
+#[test]
+fn names_that_ruff_has() {
+    let dir = folder(&[("a.zpg", BAD)]);
+    for (theirs, ours) in [
+        (
+            &["format", "--check", "a.zpg"][..],
+            &["fmt", "--check", "a.zpg"][..],
+        ),
+        (&["rule", "E201"], &["explain", "E201"]),
+        (
+            &["check", "--output-format", "short", "a.zpg"],
+            &["check", "--format", "short", "a.zpg"],
+        ),
+        (&["check", "-w", "-"], &["check", "--watch", "-"]),
+    ] {
+        let [theirs, ours] = [theirs, ours].map(|args| zpg(dir.path(), args));
+        assert_eq!(theirs, ours);
+    }
+}
+
 /// What `--help` gives as a default can be written on the command line.
 #[test]
 fn defaults_in_help_are_accepted() {

@@ -41,6 +41,7 @@ pub struct Cli {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Check(check::Args),
+    #[command(alias = "format")]
     Fmt(fmt::Args),
     Convert(convert::Args),
     Crosscheck(crosscheck::Args),
@@ -48,6 +49,7 @@ pub enum Command {
     Probe(Box<probe::Args>),
     Plan(plan::Args),
     Accuracy(accuracy::Args),
+    #[command(alias = "rule")]
     Explain(explain::Args),
     Lsp(lsp::Args),
     Completions(completions::Args),

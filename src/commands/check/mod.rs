@@ -67,7 +67,7 @@ pub struct Args {
     chosen: Chosen,
 
     /// How to print the findings
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, alias = "output-format", value_enum, default_value_t)]
     format: Format,
 
     /// Write the findings to this file, not to standard output
@@ -131,7 +131,7 @@ pub struct Args {
     memory: Memory,
 
     /// Check again whenever a file changes
-    #[arg(long, conflicts_with_all = ["fix", "diff"])]
+    #[arg(short, long, conflicts_with_all = ["fix", "diff"])]
     watch: bool,
 }
 
