@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{LookChoice, Status, complain, terminal};
+use crate::analysis::repair::words;
 use crate::diagnostics::{Code, Complaint, Language, Value};
 use crate::features::pages::{code_page, type_page};
 use crate::syntax::quote;
@@ -19,7 +20,7 @@ Examples:
   zpg explain -399            a record type by its number
   zpg explain checkerboard    … or by its keyword")]
 pub struct Args {
-    /// A code or name of a finding, or a number or keyword of a record type
+    /// A code or name of a finding, or a number, keyword or other name of a record type
     #[arg(value_name = "CODE|TYPE", allow_negative_numbers = true)]
     topic: Option<String>,
 }
@@ -96,13 +97,25 @@ fn page(topic: &str, language: Language) -> Option<String> {
     if let Some(code) = Code::parse(&topic) {
         return Some(code_page(code, language));
     }
-    let ty = match topic.parse::<i64>() {
-        Ok(number) => RecordType::by_code(number)?,
-        Err(_) => RECORD_TYPES
-            .iter()
-            .find(|t| names(t).any(|name| normalise(&name) == topic))?,
-    };
-    Some(type_page(ty, language))
+    if let Ok(number) = topic.parse::<i64>() {
+        return Some(type_page(RecordType::by_code(number)?, language));
+    }
+    let is_named = |t: &&RecordType| names(t).any(|name| normalise(&name) == topic);
+    if let Some(ty) = RECORD_TYPES.iter().find(is_named) {
+        return Some(type_page(ty, language));
+    }
+    // What people call it. A word may stand for several types.
+    let types = words::named(&topic);
+    let (ty, others) = types.split_first()?;
+    let mut page = type_page(ty, language);
+    if !others.is_empty() {
+        let list =
+            |ty: &&RecordType| format!("{} (`zpg explain {}`)", language.name(ty.title), ty.code);
+        let list: Vec<String> = others.iter().map(list).collect();
+        let also = language.say("explain-also", &[("list", list.join(", ").into())]);
+        page = format!("{}\n\n{also}\n", page.trim_end());
+    }
+    Some(page)
 }
 
 /// What a record type goes by, in any language.
@@ -174,6 +187,41 @@ mod tests {
         let page_of_a_ball = page("Koule", Language::Czech).unwrap();
         assert!(page_of_a_ball.starts_with("# koule (11)"));
         assert!(page("-400", Language::English).is_none());
+    }
+
+    /// What people call things, the handout first.
+    #[test]
+    fn words_have_pages() {
+        for (word, codes) in [
+            ("posuv", &["-1"][..]),
+            ("anuloid", &["14"]),
+            ("krychle", &["12"]),
+            ("Kamera stereo", &["-503"]),
+            ("textura obrazová", &["-301"]),
+            ("Válcová plocha parabolická", &["18"]),
+            ("koule v obecne poloze", &["11"]),
+            ("cylinder", &["1"]),
+            ("válec", &["1"]),
+            ("glass", &["-201", "-203"]),
+            ("zrcadlo", &["-201"]),
+            ("look at", &["-501"]),
+            ("light", &["-402", "-401"]),
+        ] {
+            let page = page(word, Language::English).expect(word);
+            assert!(
+                page.lines()
+                    .next()
+                    .unwrap()
+                    .ends_with(&format!("({})", codes[0])),
+                "{word}"
+            );
+            for code in &codes[1..] {
+                assert!(
+                    page.contains("See also: ") && page.contains(&format!("zpg explain {code}")),
+                    "{word}"
+                );
+            }
+        }
     }
 
     #[test]

@@ -39,8 +39,8 @@ const NAMES: &[(&str, &[i32])] = &[
     ("kvadrika", &[15]),
     ("lathe", &[1, 2]),
     ("revolution", &[1, 2]),
-    ("cylinder", &[18, 19]),
-    ("valec", &[18, 19]),
+    ("cylinder", &[1]),
+    ("valec", &[1]),
     ("move", &[-1]),
     ("translate", &[-1]),
     ("translation", &[-1]),
@@ -116,34 +116,86 @@ const NAMES: &[(&str, &[i32])] = &[
     ("scena", &[9999]),
 ];
 
+/// What else leads to types: what they are for, and the names of the course's handout.
+const TOPICS: &[(&str, &[i32])] = &[
+    ("glass", &[-201, -203]),
+    ("sklo", &[-201, -203]),
+    ("mirror", &[-201]),
+    ("zrcadlo", &[-201]),
+    ("transparent", &[-201]),
+    ("transparency", &[-201]),
+    ("pruhledny", &[-201]),
+    ("pruhlednost", &[-201]),
+    ("refraction", &[-203]),
+    ("lookat", &[-501]),
+    ("shadow", &[-402]),
+    ("stin", &[-402]),
+    ("background", &[9999]),
+    ("pozadi", &[9999]),
+    ("neorientovanarovina", &[3]),
+    ("neorientovanyobdelnik", &[5]),
+    ("trojuhelnikajehonormala", &[7]),
+    ("elipsoidsestredemvpocatku", &[10]),
+    ("koulevobecnepoloze", &[11]),
+    ("kouleisometrickygenerovana", &[13]),
+    ("obecnakvadrika", &[15]),
+    ("valcovaplocha", &[18, 19]),
+    ("valcovaplochaparabolicka", &[18]),
+    ("valcovaplochahyperbolicka", &[19]),
+    ("parabolickyhyperboloid", &[21]),
+    ("obecnarotace", &[-4]),
+    ("optickevlastnosti", &[-201, -202]),
+    ("optickevlastnostimaterialu", &[-201, -202]),
+    ("indexlomudanehoprostredi", &[-203]),
+    ("prirazenivlastnostiobjektu", &[-299]),
+    ("kameramono", &[-502]),
+    ("kamerastereo", &[-503]),
+    ("renderovanascena", &[9999]),
+];
+
 /// Shorter words are no misspelling of a name.
 const MISSPELLED_LEAST: usize = 5;
 
-/// The types that a word may stand for, the likeliest first.
+/// The types that a word may stand for, the likeliest first; one letter of it may be wrong.
 pub fn types(word: &str) -> Vec<&'static RecordType> {
+    let named = named(word);
     let word = plain(word);
-    let of = |codes: &[i32]| -> Vec<_> {
-        (codes.iter())
-            .filter_map(|&c| RecordType::by_code(c.into()))
-            .collect()
-    };
-    if let Some((_, codes)) = NAMES.iter().find(|n| n.0 == word) {
-        return of(codes);
-    }
-    let titled = |ty: &&RecordType| {
-        let czech = Language::Czech.name(ty.title);
-        [ty.keyword, ty.title, &czech]
-            .iter()
-            .any(|t| plain(t) == word)
-    };
-    let by_title: Vec<_> = RECORD_TYPES.iter().filter(titled).collect();
-    if !by_title.is_empty() || word.len() < MISSPELLED_LEAST {
-        return by_title;
+    if !named.is_empty() || word.len() < MISSPELLED_LEAST {
+        return named;
     }
     let near = |n: &&(&str, &[i32])| {
         n.0.len() >= MISSPELLED_LEAST && strsim::osa_distance(n.0, &word) == 1
     };
     NAMES.iter().find(near).map_or(Vec::new(), |n| of(n.1))
+}
+
+fn of(codes: &[i32]) -> Vec<&'static RecordType> {
+    let types = codes.iter().filter_map(|&c| RecordType::by_code(c.into()));
+    types.collect()
+}
+
+/// The types that go by a name, the likeliest first.
+pub fn named(name: &str) -> Vec<&'static RecordType> {
+    let (word, parts) = (plain(name), in_order(name));
+    if let Some((_, codes)) = NAMES.iter().chain(TOPICS).find(|n| n.0 == word) {
+        return of(codes);
+    }
+    let titled = |ty: &&RecordType| {
+        let czech = Language::Czech.name(ty.title);
+        let titles = [ty.keyword, ty.title, &czech];
+        titles
+            .iter()
+            .any(|t| plain(t) == word || in_order(t) == parts)
+    };
+    RECORD_TYPES.iter().filter(titled).collect()
+}
+
+/// The words of a name without accents, in alphabetical order: `textura obrazová` is `obrazová textura`.
+fn in_order(name: &str) -> Vec<String> {
+    let mut words: Vec<String> = name.split([' ', '-', '_']).map(plain).collect();
+    words.retain(|word| !word.is_empty());
+    words.sort();
+    words
 }
 
 /// What a type is called in both languages, without accents and in lower case.

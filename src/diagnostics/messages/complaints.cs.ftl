@@ -256,6 +256,7 @@ lsp-render-id = 1 je ID renderovacího záznamu a jiné být nemůže
 lsp-reserved-id = 1 je vyhrazeno renderovacímu záznamu
 lsp-not-an-id = { $text } není ID: ID je celé číslo od 2 do { $max }
 lsp-id-taken = { $id } je již použito na řádku { $line }
+explain-also = Viz též: { $list }
 lsp-no-uri = { $text } není URI
 lsp-no-command = zpg nemá příkaz { $text }
 lsp-no-target = zpg zde scénu do { $text } nepřevádí

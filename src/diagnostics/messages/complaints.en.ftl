@@ -250,6 +250,7 @@ lsp-render-id = 1 is the ID of the render record and stays so
 lsp-reserved-id = 1 is kept for the render record
 lsp-not-an-id = { $text } is not an ID: an ID is a whole number from 2 to { $max }
 lsp-id-taken = { $id } is taken: it stands in line { $line }
+explain-also = See also: { $list }
 lsp-no-uri = { $text } is no URI
 lsp-no-command = zpg has no command { $text }
 lsp-no-target = zpg does not convert a scene to { $text } here
