@@ -593,6 +593,28 @@ fn commands_that_are_not_check_say_errors_only() {
     assert!(text(&run.stderr).starts_with("error[E106]"));
 }
 
+/// A suggestion is a name that may have been meant.
+#[test]
+fn suggestions_are_near() {
+    let dir = folder(&[("a.zpg", GOOD)]);
+    for (args, near) in [
+        (&["chek"][..], Some("check")),
+        (&["render", "--camra=3", "a.zpg"], Some("--camera")),
+        (&["check", "--stat", "a.zpg"], Some("--statistics")),
+        (&["convert", "--to", "mitsub", "a.zpg"], Some("mitsuba")),
+        (&["render", "--gamma=2", "a.zpg"], None),
+        (&["check", "--fix-onlyest", "a.zpg"], Some("--fix")),
+        (&["explain", "W999"], None),
+    ] {
+        let run = zpg(dir.path(), args);
+        let said = text(&run.stderr);
+        let meant = near.map(|near| format!("did you mean `{near}`?"));
+        assert_eq!(said.contains("did you mean"), near.is_some(), "{said}");
+        assert!(meant.is_none_or(|meant| said.contains(&meant)), "{said}");
+        assert_eq!(run.status.code(), Some(2));
+    }
+}
+
 #[test]
 fn names_that_ruff_has() {
     let dir = folder(&[("a.zpg", BAD)]);

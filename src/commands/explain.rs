@@ -153,6 +153,10 @@ fn suggestions(topic: &str, language: Language) -> Vec<String> {
             let distance = strsim::damerau_levenshtein(&topic, &name);
             // `light` is part of `point-light`.
             let part = topic.len() > 2 && name.split('-').any(|word| word == topic);
+            // No number is a misspelt code.
+            if topic.starts_with(char::is_alphabetic) && !name.contains(char::is_alphabetic) {
+                return None;
+            }
             (distance <= allowed || part).then_some((if part { 1 } else { distance }, name))
         })
         .collect();
@@ -237,6 +241,7 @@ mod tests {
         assert_eq!(suggestions("e0001", Language::English), ["E001"]);
         assert_eq!(suggestions("sachovnice", Language::Czech), ["šachovnice"]);
         assert!(suggestions("quite something else", Language::English).is_empty());
+        assert!(!suggestions("W999", Language::English).contains(&"9999".to_owned()));
     }
 
     #[test]

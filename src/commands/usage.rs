@@ -112,12 +112,26 @@ fn complaint(error: &clap::Error) -> Option<Complaint> {
         ContextKind::SuggestedSubcommand,
         ContextKind::SuggestedValue,
     ];
-    Some(match near.into_iter().find_map(get) {
+    let written = [
+        ContextKind::InvalidValue,
+        ContextKind::InvalidSubcommand,
+        ContextKind::InvalidArg,
+    ];
+    let written = written.into_iter().find_map(get);
+    let is_near = |near: &String| written.as_deref().is_none_or(|w| is_near(w, near));
+    Some(match near.into_iter().find_map(get).filter(is_near) {
         Some(near) => Complaint::new("with-near")
             .with("what", what)
             .with("near", near),
         None => what,
     })
+}
+
+/// Whether someone may have meant one name who has written another: a part of it, or few letters are others.
+fn is_near(written: &str, name: &str) -> bool {
+    let [written, name] = [written, name].map(|w| w.trim_start_matches('-'));
+    let part = written.len() > 2 && (name.contains(written) || written.contains(name));
+    part || strsim::osa_distance(written, name) <= 1 + written.len() / 4
 }
 
 /// Why a value is not right: which ones there are, or what reading it complained about.
