@@ -185,8 +185,14 @@ impl Server {
         };
         let outgoing = Outgoing::new(sender, client.shows_documents);
         outgoing.send(outgoing::answer(&id, result).ok()?);
+        let pending = Pending::default();
         if let Some(process) = client.process {
-            parent::end_with(process);
+            let pending = pending.clone();
+            parent::end_with(process, move || {
+                pending.stop_all();
+                thread::sleep(LAST_WORDS);
+                programs::remove_pages();
+            });
         }
         let mut preferences = Preferences::default();
         if let Some(options) = sent.get("initializationOptions") {
@@ -201,7 +207,7 @@ impl Server {
             documents: Documents::default(),
             changed: Vec::new(),
             outgoing,
-            pending: Pending::default(),
+            pending,
             tokens_sent: Arc::default(),
             told: Arc::default(),
             is_shut_down: false,

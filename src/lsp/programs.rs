@@ -23,6 +23,7 @@ use super::whole_file::WholeFile;
 use crate::analysis::repair;
 use crate::diagnostics::{Code, Complaint, Language, Value};
 use crate::features::pages;
+use crate::study::program;
 use crate::syntax::table::RecordType;
 use crate::translate::registry;
 
@@ -310,6 +311,7 @@ fn end(child: &mut Child) -> std::io::Result<()> {
         }
         thread::sleep(STEP);
     }
+    program::end_those_of(child.id());
     child.kill()?;
     child.wait().map(drop)
 }
