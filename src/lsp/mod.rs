@@ -331,6 +331,7 @@ impl Server {
                 if let Some(p) = read::<DidOpenTextDocumentParams>(params) {
                     let file = p.text_document;
                     self.changed.push(file.uri.clone());
+                    self.tokens_sent.open(&file.uri);
                     self.documents.open(file.uri, file.version, file.text);
                 }
             }
