@@ -255,6 +255,7 @@ lsp-no-uri = { $text } is no URI
 lsp-no-command = zpg has no command { $text }
 lsp-no-target = zpg does not convert a scene to { $text } here
 lsp-missing = { $path } is not there
+lsp-unreadable = { $method } cannot be read and is left out: { $reason }
 lsp-has-errors = { $count ->
     [one] the scene has an error, in line { $line }: { $message }
    *[other] the scene has { $count } errors, the first in line { $line }: { $message }
