@@ -58,7 +58,7 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
     let uri = Uri::from(text(0).unwrap_or_default());
     let file = ask.file(&TextDocumentIdentifier { uri })?;
     if let Some(action) = whole {
-        return Ok(Some(action.apply(ask, file)));
+        return action.apply(ask, file).map(Some);
     }
     if let Some(why) = trouble(file, ask.client.language) {
         return Err(ask.refuse(&why));

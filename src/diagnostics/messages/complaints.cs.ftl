@@ -262,6 +262,7 @@ lsp-no-command = zpg nemá příkaz { $text }
 lsp-no-target = zpg zde scénu do { $text } nepřevádí
 lsp-missing = soubor { $path } neexistuje
 lsp-unreadable = zprávu { $method } nelze přečíst, je vynechána: { $reason }
+lsp-no-edits = editor neprovádí úpravy, o které je požádán; může si vyžádat akci { $kind }
 lsp-has-errors = { $count ->
     [one] ve scéně je chyba na řádku { $line }: { $message }
     [few] ve scéně jsou { $count } chyby, první na řádku { $line }: { $message }

@@ -256,6 +256,7 @@ lsp-no-command = zpg has no command { $text }
 lsp-no-target = zpg does not convert a scene to { $text } here
 lsp-missing = { $path } is not there
 lsp-unreadable = { $method } cannot be read and is left out: { $reason }
+lsp-no-edits = the editor makes no edits that it is asked for; it may ask for the action { $kind }
 lsp-has-errors = { $count ->
     [one] the scene has an error, in line { $line }: { $message }
    *[other] the scene has { $count } errors, the first in line { $line }: { $message }
