@@ -46,7 +46,7 @@ const KINDS: [Kind; 5] = [
 const TRIALS: usize = 64;
 
 /// So many bytes are read again for what is offered at one place.
-const TRIED_BYTES: usize = 1_000_000;
+pub const TRIED_BYTES: usize = 1_000_000;
 
 /// Where a comment or a part of it is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
