@@ -141,6 +141,10 @@ fn there_are_no_empty_edits() {
                     }
                 }
             }
+            for uri in [A, broken, &uri(&here), &uri(&gone)] {
+                let action = json!({ "title": "t", "kind": kind, "data": { "uri": uri } });
+                assert_eq!(s.ask("codeAction/resolve", action.clone()), action);
+            }
             for uri in [uri(&gone), uri(folder.path()), "untitled:U".to_owned()] {
                 let why = run(&mut s, &uri).unwrap_err();
                 let message = why["message"].as_str().unwrap();
