@@ -5,8 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use zpg::analysis::{Analysis, allowing};
-use zpg::diagnostics::Code;
+use zpg::diagnostics::{Code, Language, SourceFile, Span, fixes};
+use zpg::features::actions::{self, What};
 
+use crate::rng::Rng;
 use crate::support::program::{folder, text, zpg};
 
 /// All samples of the rules, and all scenes.
@@ -233,4 +235,96 @@ fn the_encoding_stays() {
     let comment = b" # zpg: allow(W301, N601) #";
     let at = 14 + b"2 -701 2 0 0 # \xe8erven\xe1 #".len();
     assert_eq!(after, [&scene[..at], &comment[..], &scene[at..]].concat());
+}
+
+/// Lines of scenes, right ones and torn ones.
+const LINES: [&str; 24] = [
+    "2 11 0 0 0 1",
+    "2 -701 2 0 0",
+    "3 9 1",
+    "3 9 1 # a # b #",
+    "3 9 1 # a #",
+    "3 9",
+    "4 9 1 # a",
+    "4 9 1 # a # # b # c # d",
+    "5 -101 2 3",
+    "2 -701 2",
+    "0 0",
+    "# bare #",
+    "# bare",
+    "#",
+    "##",
+    "0 # note # # a # b #",
+    "# zpg: allow(W310) #",
+    "# zpg: allow(W310, W301, S501, S502) as it is meant #",
+    "# zpg: allow(W3$0) #",
+    "# zpg: allow(W311, , S502) #",
+    "# zpg: allow(E101) #",
+    "# zpg: deny(W311) #",
+    "# zpg: allow(W311)",
+    "3 9 1 # zpg: allow(W311)",
+];
+
+/// What editors offer silences the finding and does no harm, and is what `--add-allow` writes where there is one finding.
+#[test]
+fn what_is_offered_has_an_effect() {
+    let mut rng = Rng::new(5);
+    let (mut offered, mut the_same) = (0, 0);
+    let mut texts = vec![
+        "2 9 1\n3 9 1 # a # b #\n1 9999 2 0\n".to_owned(),
+        "2 9 1\n3 9 1 # zpg: allow(W311)\n1 9999 2 0\n".to_owned(),
+        "2 9 1 # zpg: allow(W3$0) #\n1 9999 2 0\n".to_owned(),
+    ];
+    texts.extend((0..2000).map(|_| {
+        let count = 1 + rng.below(4);
+        let end = if rng.chance(0.2) { " " } else { "\n" };
+        let lines: String = (0..count)
+            .map(|_| format!("{}{end}", rng.pick(&LINES)))
+            .collect();
+        let first = if rng.chance(0.7) {
+            "2 11 0 0 0 1\n"
+        } else {
+            ""
+        };
+        format!("{first}{lines}{REST}")
+    }));
+    for text in texts {
+        let read = |text: &str| Analysis::of(SourceFile::of_text("a.zpg", text.to_owned()));
+        let before = read(&text);
+        let old = counts(&before);
+        let all = Span::new(0, text.len() as u32);
+        let can_be = old.iter().filter(|(code, _)| !code.is_never_allowed());
+        let is_one = can_be.map(|(_, n)| n).sum::<usize>() == 1;
+        let all = actions::actions(&before, all, Language::English).into_iter();
+        let all = all.filter_map(|action| match action.what {
+            What::Allow { finding, edits } => Some((finding, edits)),
+            _ => None,
+        });
+        let all: Vec<_> = all.collect();
+        if is_one && all.is_empty() {
+            assert_eq!(allowing::all(read(&text), Analysis::of).count, 0, "{text}");
+        }
+        for (finding, edits) in all {
+            let code = before.findings()[finding].code;
+            let after = read(&fixes::edited(&text, &edits));
+            let new = counts(&after);
+            let count = |all: &BTreeMap<Code, usize>| all.get(&code).copied().unwrap_or(0);
+            assert!(
+                count(&new) < count(&old),
+                "{code:?}: {text}{}",
+                after.source.text
+            );
+            assert!(
+                new.iter().all(|(code, n)| old.get(code) >= Some(n)),
+                "{code:?}: {text}"
+            );
+            offered += 1;
+            if is_one {
+                let made = allowing::all(read(&text), Analysis::of);
+                assert_eq!(made.analysis.source.text, after.source.text, "{text}");
+                the_same += 1;
+            }
+        }
+    }
+    assert!(offered > 1000 && the_same > 100, "{offered} {the_same}");
 }

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Output;
 
+#[cfg(unix)]
+use crate::support::endless::Endless;
 use crate::support::{mitsuba, program};
 
 fn zpg(folder: &Path, args: &[&str]) -> Output {
@@ -369,4 +371,31 @@ fn programs_that_fail() {
     let run = zpg(dir.path(), &[&args[..], &[&without]].concat());
     assert_eq!(run.status.code(), Some(2));
     assert!(text(&run.stderr).contains("Mitsuba is not installed: get it with `pip install"));
+}
+
+/// Ctrl-C, told to zpg alone: what it runs ends, too, and nothing is said of that.
+#[test]
+#[cfg(unix)]
+fn an_interrupted_one_ends_its_programs() {
+    use std::process::{Command, Stdio};
+    for with in ["povray", "mitsuba"] {
+        let dir = folder(SCENE);
+        let endless = Endless::new(dir.path(), "endless");
+        let child = program::command()
+            .args(["crosscheck", "a.zpg", "--with", with, "--program"])
+            .arg(&endless.path)
+            .current_dir(dir.path())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        endless.wait_for_start();
+        let number = child.id().to_string();
+        let told = Command::new("kill").args(["-INT", &number]).status();
+        assert!(told.unwrap().success());
+        let run = child.wait_with_output().unwrap();
+        assert_eq!(run.status.code(), Some(130), "{}", text(&run.stderr));
+        assert_eq!((text(&run.stdout), text(&run.stderr)), Default::default());
+        endless.wait_for_end();
+    }
 }

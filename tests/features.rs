@@ -357,6 +357,15 @@ fn no_place_is_too_odd() {
             let half = &text[..text.floor_char_boundary(text.len() / 2)];
             texts.push(half.replace("\n", "\r").replace('1', "ž😀"));
             texts.push(text.replace(' ', "\r\n"));
+            // IDs that begin with a placeholder, and those that are defined twice.
+            let id = |line: &str| line.split(' ').next().unwrap_or_default().to_owned();
+            let with_placeholders = |line: &str| format!("{} 0\n{line}\n\n", id(line));
+            texts.push(text.lines().map(with_placeholders).collect());
+            texts.push(
+                text.lines()
+                    .map(|line| format!("{line}\n{line}\n\n"))
+                    .collect(),
+            );
             texts.push(text);
         }
     }
@@ -378,8 +387,13 @@ fn no_place_is_too_odd() {
                 assert!(text.get(hover.span.range()).is_some());
             }
             signature::signature(&f.scene, at, Language::Czech);
-            let word = completion::completion(&f.scene, at, Language::Czech).word;
+            let found = completion::completion(&f.scene, at, Language::Czech);
+            let word = found.word;
             assert!(word.start <= at && text.get(word.range()).is_some());
+            let mut labels: Vec<&str> = found.proposals.iter().map(|p| p.label.as_str()).collect();
+            labels.sort_unstable();
+            let twice = labels.windows(2).find(|pair| pair[0] == pair[1]);
+            assert_eq!(twice, None, "at {at} of {text}");
             uses::definition(&f.scene, at);
             uses::highlights(&f.scene, at);
             calls::prepare(&f.scene, at, Language::Czech);

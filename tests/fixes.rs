@@ -5,9 +5,11 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::rng::Rng;
 use crate::trace_support;
-use zpg::analysis::Analysis;
-use zpg::diagnostics::{Applicability, Code, Diagnostic, Language, Severity, fixes};
+use zpg::analysis::{Analysis, fixing};
+use zpg::diagnostics::{Applicability, Code, Diagnostic, Language, Severity, Span, fixes};
+use zpg::features::actions::{self, Action, What};
 
 /// What the examples leave out: other cases of a code, and comments between any two tokens.
 const TRIGGERS: &[&str] = &[
@@ -236,4 +238,53 @@ fn decimal_commas_are_mended() {
         }
     }
     assert!(commas > 1000, "{commas}");
+}
+
+/// Editors prefer no fix that `zpg check --fix` refuses; the only one there is, they prefer where it is applied.
+#[test]
+fn what_is_refused_is_not_preferred() {
+    let refused = [
+        "2 9 1\n3 9 1 # a # b #\n1 9999 2 0\n",
+        "2 4##😀#",
+        "1e9 -1#1",
+        "5-1 0 1 0\n7 -102 5 5",
+    ];
+    let (mut preferred, mut not) = (0, 0);
+    let mut texts: Vec<String> = scenes().into_iter().map(|(_, text)| text).collect();
+    texts.retain(|text| text.len() < 4000);
+    texts.extend(refused.map(str::to_owned));
+    let mut rng = Rng::new(3);
+    for i in 0..600 {
+        let text = &texts[i % texts.len()];
+        if text.len() < 2000 {
+            let at = text.floor_char_boundary(rng.below(text.len() + 1));
+            let (before, after) = text.split_at(at);
+            let odd = rng.pick(&["#", "-", ",5", ";", " ", "\n", "<", "0", "# a # b #"]);
+            texts.push(format!("{before}{odd}{after}"));
+        }
+    }
+    for text in texts {
+        let read = |text: &str| Analysis::new("a.zpg", text.into());
+        let before = read(&text);
+        let all = Span::new(0, before.source.text.len() as u32);
+        let offered = actions::actions(&before, all, Language::English);
+        let of_fix = |action: &Action| match action.what {
+            What::Fix { preferred, .. } => Some(preferred),
+            _ => None,
+        };
+        let chosen: Vec<bool> = offered.iter().filter_map(of_fix).collect();
+        let count = chosen.iter().filter(|&&p| p).count();
+        let is_safe = |d: &&Diagnostic| d.applicable_fix(false).is_some();
+        let safe = before.findings().iter().filter(is_safe).count();
+        let mended = fixing::to_fixed_point(read(&text), false, Analysis::of);
+        if mended.count == 0 {
+            assert_eq!(count, 0, "{text}");
+        }
+        if safe == 1 && mended.count > 0 {
+            assert!(count > 0, "{text}");
+        }
+        preferred += count;
+        not += usize::from(safe > 0 && count == 0);
+    }
+    assert!(preferred > 200 && not > 10, "{preferred} {not}");
 }

@@ -5,6 +5,8 @@ mod answers;
 mod edited;
 pub mod model;
 mod not_open;
+#[cfg(unix)]
+mod others;
 mod session;
 
 use std::io::{Read, Write};

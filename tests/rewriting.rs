@@ -165,7 +165,7 @@ fn a_folder_below_may_be_closed() {
     for name in ["a", "b/c"] {
         let closed = place.at("home").join(name);
         fs::create_dir_all(&closed).unwrap();
-        fs::set_permissions(&closed, Permissions::from_mode(0)).unwrap();
+        fs::set_permissions(&closed, Permissions::from_mode(0o000)).unwrap();
     }
     let mut command = place.command(&["check"]);
     if is_root() {

@@ -8,9 +8,10 @@
 //! 4. alone on the line above the record;
 //! 5. at the head of the file, which covers all of it, where the finding is in no record.
 //!
-//! What comes of a place is tried: the scene is read again, and must have fewer findings and none that is new.
+//! What comes of a place is tried: the scene is read again, and must have fewer findings and none that is new. Editors
+//! offer the same for one finding.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::FxHashMap;
@@ -43,6 +44,9 @@ const KINDS: [Kind; 5] = [
 
 /// So many times a scene is read again to find out which of many comments did harm.
 const TRIALS: usize = 64;
+
+/// So many bytes are read again for what is offered at one place.
+pub const TRIED_BYTES: usize = 1_000_000;
 
 /// Where a comment or a part of it is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -116,14 +120,31 @@ fn attempt(
 ) -> Option<Analysis> {
     let text = fixes::edited(&analysis.source.text, edits);
     let after = again(analysis.source.with_text(text));
-    let [old, new] = [analysis, &after].map(|a| counts(a.findings().iter()));
-    let is_new = |(code, count): (&Code, &usize)| old.get(code).is_none_or(|old| count > old);
-    let is_better = after.is_scene()
-        && after.findings().len() < analysis.findings().len()
-        && !new.iter().any(is_new)
-        && !has_new_errors(analysis, &after)
-        && says_the_same(analysis, &after);
+    let is_better = after.findings().len() < analysis.findings().len() && no_harm(analysis, &after);
     is_better.then_some(after)
+}
+
+/// Whether nothing new is to be said after an edit, and the scene is the same.
+fn no_harm(analysis: &Analysis, after: &Analysis) -> bool {
+    let [old, new] = [analysis, after].map(|a| counts(a.findings().iter()));
+    let is_new = |(code, count): (&Code, &usize)| old.get(code).is_none_or(|old| count > old);
+    after.is_scene()
+        && !new.iter().any(is_new)
+        && !has_new_errors(analysis, after)
+        && says_the_same(analysis, after)
+}
+
+/// Whether an edit takes a finding away, and does no harm.
+fn is_silenced(analysis: &Analysis, finding: &Diagnostic, edit: &Edit) -> bool {
+    let text = fixes::edited(&analysis.source.text, std::slice::from_ref(edit));
+    let after = Analysis::of(analysis.source.with_text(text));
+    let after = after.with_settings(analysis.settings.clone());
+    let mut at = finding.span.start;
+    if edit.span.start <= at {
+        at += edit.text.len() as u32;
+    }
+    let is_it = |d: &Diagnostic| d.code == finding.code && d.span.start == at;
+    !after.findings().iter().any(is_it) && no_harm(analysis, &after)
 }
 
 /// Whether two scenes are the same but for comments.
@@ -145,6 +166,8 @@ pub struct Finder<'a> {
     directives: Vec<u32>,
     /// What is known of where lines end: a file may be a single line.
     ends: RefCell<FxHashMap<usize, Option<u32>>>,
+    /// How many bytes may be read yet to find out what a comment does.
+    left: Cell<usize>,
 }
 
 impl<'a> Finder<'a> {
@@ -152,7 +175,9 @@ impl<'a> Finder<'a> {
         let document = &analysis.document;
         let is_record = |item: &Item| !matches!(item, Item::Void { .. });
         let items = (0..).zip(&document.items);
-        let is_one = |t: &Token| is_directive(t, &analysis.source.text);
+        // One that is never closed allows nothing.
+        let text = &analysis.source.text;
+        let is_one = |t: &Token| t.kind() == TokenKind::Comment && is_directive(t, text);
         let tokens = (0..).zip(&document.tokens);
         Finder {
             analysis,
@@ -162,14 +187,29 @@ impl<'a> Finder<'a> {
                 .collect(),
             directives: tokens.filter(|(_, t)| is_one(t)).map(|(n, _)| n).collect(),
             ends: RefCell::default(),
+            left: Cell::new(TRIED_BYTES),
         }
     }
 
-    /// The edit that has a comment allow a finding; nothing for errors of the language.
+    /// The edit that has a comment allow a finding; nothing for errors of the language, and where no comment does.
+    ///
+    /// In a scene with errors it is tried, as long as that is quick: there, a comment may change how others are read.
     pub fn edit(&self, finding: &Diagnostic) -> Option<Edit> {
-        let place = KINDS.iter().find_map(|&kind| self.place(finding, kind))?;
+        let analysis = self.analysis;
+        let text = &analysis.source.text;
         let codes = BTreeSet::from([finding.code]);
-        Some(place.edit(&codes, &self.analysis.source.text))
+        let places = KINDS.iter().filter_map(|&kind| self.place(finding, kind));
+        let mut edits = places.map(|place| place.edit(&codes, text));
+        if analysis.errors.is_empty() {
+            return edits.next();
+        }
+        edits.find(|edit| match self.left.get().checked_sub(text.len()) {
+            Some(left) => {
+                self.left.set(left);
+                is_silenced(analysis, finding, edit)
+            }
+            None => true,
+        })
     }
 
     /// What is to be written for all findings at places of a kind.
@@ -195,7 +235,10 @@ impl<'a> Finder<'a> {
         }
         let at = finding.span.start;
         if finding.code == Code::S504 {
-            // It is about a comment of this kind, which alone can allow it.
+            // It is about a comment of this kind, which alone can allow it; not what is wrong with the entries.
+            if !finding.case.is_empty() {
+                return None;
+            }
             let is_it = |&&i: &&u32| self.token(i).start == at;
             let own = self
                 .directives

@@ -90,6 +90,12 @@ pub fn to_fixed_point(
     }
 }
 
+/// Whether a fix is applied where it is the only one.
+pub fn is_applied(analysis: &Analysis, fix: &Fix) -> bool {
+    let read = |source| Analysis::of(source).with_settings(analysis.settings.clone());
+    step(analysis, std::slice::from_ref(fix), &read, &mut 1).is_some()
+}
+
 fn is_guess(fix: &Fix) -> bool {
     fix.applicability == Applicability::Unsafe
 }

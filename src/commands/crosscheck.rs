@@ -177,6 +177,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
+    terminal::end_on_interrupt(look);
     let said = match args.with {
         Program::Povray => {
             povray::compare(args, &loaded, look).and_then(|c| answer(args, c, look.language()))

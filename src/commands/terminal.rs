@@ -12,6 +12,7 @@ use super::language::{self, LanguageChoice};
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::{self, Look};
 use crate::diagnostics::{Complaint, Diagnostic, Language, SourceFile};
+use crate::study::program;
 
 /// How people want to be spoken to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::Args)]
@@ -141,6 +142,14 @@ pub fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
         );
     }
     stop
+}
+
+/// Has Ctrl-C end the program at once, and the programs that it runs.
+pub fn end_on_interrupt(look: LookChoice) {
+    if let Err(e) = ctrlc::set_handler(|| program::exit(Status::Interrupted as u8)) {
+        let why = Complaint::new("ctrl-c-leaves-programs").with("reason", e.to_string());
+        warn(look, &why);
+    }
 }
 
 /// Shows how many rows of a picture are done, unless nobody wants to know.

@@ -16,7 +16,8 @@ pub struct Action {
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum What {
-    /// Mends a finding, the one with this index among all; a safe fix is the preferred one.
+    /// Mends a finding, the one with this index among all; a safe fix is the preferred one, if `zpg check --fix` would
+    /// apply it.
     Fix {
         finding: usize,
         edits: Vec<Edit>,
@@ -44,6 +45,15 @@ pub fn actions(analysis: &Analysis, span: Span, language: Language) -> Vec<Actio
         true => repair::proposals(analysis),
         false => Vec::new(),
     };
+    let mut left = allowing::TRIED_BYTES;
+    // Of a long scene it is taken as proposed: nobody waits for the cursor.
+    let mut is_applied = |fix| match left.checked_sub(analysis.source.text.len()) {
+        Some(rest) => {
+            left = rest;
+            fixing::is_applied(analysis, fix)
+        }
+        None => true,
+    };
     for (finding, d) in here() {
         let same = |p: &&Diagnostic| (p.code, p.span) == (d.code, d.span);
         let d = proposals.iter().find(same).unwrap_or(d);
@@ -54,7 +64,7 @@ pub fn actions(analysis: &Analysis, span: Span, language: Language) -> Vec<Actio
             .position(|f| f.applicability == Applicability::Safe);
         for (i, (fix, title)) in d.fixes.iter().zip(titles).enumerate() {
             let (edits, _) = fixes::edits(&analysis.source.text, [fix].into_iter());
-            let preferred = first_safe == Some(i);
+            let preferred = first_safe == Some(i) && is_applied(fix);
             out.push(Action {
                 title,
                 what: What::Fix {

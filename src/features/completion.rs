@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use rustc_hash::FxHashSet;
+
 use crate::analysis::Analysis;
 use crate::analysis::repair::words::names;
 use crate::diagnostics::Language;
@@ -247,8 +249,10 @@ fn values(analysis: &Analysis, param: &Param, offset: u32, language: Language) -
     }
 }
 
-/// The IDs of these kinds that are defined before an offset, the last one first.
+/// The IDs of these kinds that are defined before an offset, the last one first. An ID that is defined more than once, as
+/// after `ID 0`, is one.
 fn ids(analysis: &Analysis, kinds: &[Kind], before: u32, language: Language) -> Vec<Proposal> {
+    let mut seen = FxHashSet::default();
     let fits = |e: &&crate::scene::Entity| {
         e.kind.is_some_and(|k| kinds.contains(&k)) && e.span.end <= before
     };
@@ -258,6 +262,7 @@ fn ids(analysis: &Analysis, kinds: &[Kind], before: u32, language: Language) -> 
         .iter()
         .rev()
         .filter(fits)
+        .filter(|e| seen.insert(e.id))
         .take(MAX_IDS);
     all.map(|e| Proposal {
         label: e.id.to_string(),

@@ -71,12 +71,17 @@ impl Preferences {
             Some(own) => own.clone(),
             None => sent.clone(),
         };
-        // Commands are told once.
-        if let Some(fields) = merged.as_object_mut() {
-            fields
-                .entry("commands")
-                .or_insert_with(|| self.commands.clone().into());
+        let Some(fields) = merged.as_object_mut() else {
+            return;
+        };
+        // A list would be taken for the fields in their order.
+        if fields.get("hints").is_some_and(|hints| !hints.is_object()) {
+            return;
         }
+        // Commands are told once.
+        fields
+            .entry("commands")
+            .or_insert_with(|| self.commands.clone().into());
         if let Ok(new) = serde_json::from_value(merged) {
             *self = new;
         }
@@ -161,6 +166,40 @@ mod tests {
         ] {
             assert_eq!(format!("{:?}", said(sent.clone())), silent, "{sent}");
         }
+    }
+
+    /// Settings of any other form change nothing.
+    #[test]
+    fn settings_that_are_none_count_as_not_said() {
+        let mut before = Preferences::default();
+        before.read(&json!({
+            "hints": { "types": false }, "lenses": false, "pictures": true, "commands": ["zpg.preview"],
+        }));
+        let no_objects = [
+            json!(null),
+            json!([]),
+            json!([{ "types": false }]),
+            json!([{}, true, true, true, []]),
+            json!(7),
+            json!("on"),
+            json!(true),
+        ];
+        for odd in no_objects {
+            let nested = json!({ "hints": odd });
+            for sent in [
+                &odd,
+                &json!({ "zpg": odd }),
+                &nested,
+                &json!({ "zpg": nested }),
+            ] {
+                let mut after = before.clone();
+                after.read(sent);
+                assert_eq!(after, before, "{sent}");
+            }
+        }
+        let mut after = before.clone();
+        after.read(&json!({ "zpg": { "lenses": true } }));
+        assert_eq!((after.lenses, &after.commands), (true, &before.commands));
     }
 
     #[test]

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
 
-use gen_lsp_types::{TextDocumentContentChangeEvent as Change, Uri};
+use gen_lsp_types::Uri;
 
+use super::did_change::Change;
 use super::position::{self, Units};
 use super::uri::path_of;
 use crate::analysis::config::{Config, Configs};
@@ -134,13 +135,9 @@ impl Documents {
         document.snapshot = None;
         let text = Arc::make_mut(&mut document.text);
         for change in changes {
-            match change {
-                Change::TextDocumentContentChangePartial(part) => {
-                    position::edit(text, units, part.range, &part.text);
-                }
-                Change::TextDocumentContentChangeWholeDocument(whole) => {
-                    text.clone_from(&whole.text);
-                }
+            match change.range {
+                Some(range) => position::edit(text, units, range, &change.text),
+                None => text.clone_from(&change.text),
             }
         }
         true

@@ -14,6 +14,7 @@ mod capabilities;
 mod client;
 mod commenting;
 mod convert;
+mod did_change;
 mod documents;
 mod drawing;
 mod outgoing;
@@ -41,9 +42,8 @@ use std::time::{Duration, Instant};
 
 use crossbeam_channel::{Receiver, Sender, unbounded};
 use gen_lsp_types::{
-    DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
-    DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
-    InitializeResult, ServerInfo, Uri,
+    DidChangeConfigurationParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, InitializeResult, ServerInfo, Uri,
 };
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId};
 use serde::de::DeserializeOwned;
@@ -51,6 +51,7 @@ use serde_json::{Value, json};
 
 use ask::Ask;
 use client::{Client, Preferences};
+use did_change::DidChange;
 use documents::Documents;
 use outgoing::Outgoing;
 use publish::News;
@@ -185,8 +186,14 @@ impl Server {
         };
         let outgoing = Outgoing::new(sender, client.shows_documents);
         outgoing.send(outgoing::answer(&id, result).ok()?);
+        let pending = Pending::default();
         if let Some(process) = client.process {
-            parent::end_with(process);
+            let pending = pending.clone();
+            parent::end_with(process, move || {
+                pending.stop_all();
+                thread::sleep(LAST_WORDS);
+                programs::remove_pages();
+            });
         }
         let mut preferences = Preferences::default();
         if let Some(options) = sent.get("initializationOptions") {
@@ -201,7 +208,7 @@ impl Server {
             documents: Documents::default(),
             changed: Vec::new(),
             outgoing,
-            pending: Pending::default(),
+            pending,
             tokens_sent: Arc::default(),
             told: Arc::default(),
             is_shut_down: false,
@@ -322,14 +329,15 @@ impl Server {
                 self.outgoing.request("client/registerCapability", watched);
             }
             "textDocument/didOpen" => {
-                if let Some(p) = read::<DidOpenTextDocumentParams>(params) {
+                if let Some(p) = self.read::<DidOpenTextDocumentParams>(&method, params) {
                     let file = p.text_document;
                     self.changed.push(file.uri.clone());
+                    self.tokens_sent.open(&file.uri);
                     self.documents.open(file.uri, file.version, file.text);
                 }
             }
             "textDocument/didChange" => {
-                if let Some(p) = read::<DidChangeTextDocumentParams>(params) {
+                if let Some(p) = self.read::<DidChange>(&method, params) {
                     let file = p.text_document;
                     let uri = file.text_document_identifier.uri;
                     let (version, units) = (file.version, self.client.units);
@@ -345,7 +353,7 @@ impl Server {
                 }
             }
             "textDocument/didClose" => {
-                if let Some(p) = read::<DidCloseTextDocumentParams>(params) {
+                if let Some(p) = self.read::<DidCloseTextDocumentParams>(&method, params) {
                     let uri = p.text_document.uri;
                     self.documents.close(&uri);
                     self.tokens_sent.forget(&uri);
@@ -356,7 +364,7 @@ impl Server {
                 }
             }
             "workspace/didChangeConfiguration" => {
-                if let Some(p) = read::<DidChangeConfigurationParams>(params) {
+                if let Some(p) = self.read::<DidChangeConfigurationParams>(&method, params) {
                     self.preferences.read(&p.settings);
                     if self.client.refreshes_hints {
                         self.outgoing
@@ -365,7 +373,7 @@ impl Server {
                 }
             }
             "workspace/didChangeWatchedFiles" => {
-                if let Some(p) = read::<DidChangeWatchedFilesParams>(params) {
+                if let Some(p) = self.read::<DidChangeWatchedFilesParams>(&method, params) {
                     p.changes.iter().for_each(|c| self.file_has_changed(&c.uri));
                 }
                 if self.client.pulls && self.client.refreshes_diagnostics {
@@ -374,7 +382,7 @@ impl Server {
                 }
             }
             "workspace/didChangeWorkspaceFolders" => {
-                if let Some(p) = read::<DidChangeWorkspaceFoldersParams>(params) {
+                if let Some(p) = self.read::<DidChangeWorkspaceFoldersParams>(&method, params) {
                     let gone = |uri: &Uri| p.event.removed.iter().any(|f| f.uri == *uri);
                     self.folders.retain(|uri| !gone(uri));
                     self.folders
@@ -389,6 +397,18 @@ impl Server {
             }
             _ => {}
         }
+    }
+
+    /// The parameters of a notification. The client is told of those that cannot be understood: nobody waits for an answer.
+    fn read<P: DeserializeOwned>(&self, method: &str, params: Value) -> Option<P> {
+        let why = match serde_json::from_value(params) {
+            Ok(params) => return Some(params),
+            Err(why) => why.to_string(),
+        };
+        let values = [("method", method.to_owned().into()), ("reason", why.into())];
+        let message = self.client.language.say("lsp-unreadable", &values);
+        self.outgoing.log_warning(&message);
+        None
     }
 
     /// A file that is not open was written or deleted: settings, or a picture.
@@ -441,16 +461,6 @@ fn first_request(
             }
             Message::Notification(n) if n.method == "exit" => return None,
             Message::Notification(_) | Message::Response(_) => {}
-        }
-    }
-}
-
-fn read<P: DeserializeOwned>(params: Value) -> Option<P> {
-    match serde_json::from_value(params) {
-        Ok(params) => Some(params),
-        Err(e) => {
-            eprintln!("zpg lsp: a message is left out: {e}");
-            None
         }
     }
 }

@@ -94,6 +94,13 @@ impl Outgoing {
         let params = json!({ "type": 3, "message": message });
         self.notify("window/showMessage", params);
     }
+
+    /// Says something where people look who look for mistakes.
+    pub fn log_warning(&self, message: &str) {
+        // 2: a warning.
+        let params = json!({ "type": 2, "message": message });
+        self.notify("window/logMessage", params);
+    }
 }
 
 const VERSION: &str = "2.0";

@@ -8,8 +8,8 @@ use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 /// How often it is looked after.
 const STEP: Duration = Duration::from_secs(1);
 
-/// Ends this program soon after the process with this number has ended, if it does not end by itself.
-pub fn end_with(process: u32) {
+/// Ends this program soon after the process with this number has ended, if it does not end by itself. `stop` comes first.
+pub fn end_with(process: u32, stop: impl FnOnce() + Send + 'static) {
     thread::spawn(move || {
         let pid = Pid::from_u32(process);
         let mut system = System::new();
@@ -27,6 +27,7 @@ pub fn end_with(process: u32) {
         while is_alive() {
             thread::sleep(STEP);
         }
+        stop();
         std::process::exit(1);
     });
 }

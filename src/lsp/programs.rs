@@ -23,6 +23,7 @@ use super::whole_file::WholeFile;
 use crate::analysis::repair;
 use crate::diagnostics::{Code, Complaint, Language, Value};
 use crate::features::pages;
+use crate::study::program;
 use crate::syntax::table::RecordType;
 use crate::translate::registry;
 
@@ -57,7 +58,7 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
     let uri = Uri::from(text(0).unwrap_or_default());
     let file = ask.file(&TextDocumentIdentifier { uri })?;
     if let Some(action) = whole {
-        return Ok(Some(action.apply(ask, file)));
+        return action.apply(ask, file).map(Some);
     }
     if let Some(why) = trouble(file, ask.client.language) {
         return Err(ask.refuse(&why));
@@ -310,6 +311,7 @@ fn end(child: &mut Child) -> std::io::Result<()> {
         }
         thread::sleep(STEP);
     }
+    program::end_those_of(child.id());
     child.kill()?;
     child.wait().map(drop)
 }

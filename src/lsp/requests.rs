@@ -389,7 +389,9 @@ fn resolve_action(ask: &Ask, mut action: Value) -> Answer<Value> {
         let uri = Uri::from(uri);
         let file = ask.file(&TextDocumentIdentifier { uri })?;
         let edits = chosen.edits(file);
-        action["edit"] = json!(ask.convert(file).workspace_edit(&edits));
+        if !edits.is_empty() {
+            action["edit"] = json!(ask.convert(file).workspace_edit(&edits));
+        }
     }
     Ok(action)
 }

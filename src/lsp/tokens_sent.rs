@@ -1,7 +1,7 @@
 //! The tokens that a client has, so that it can be told what is different.
 
 use std::collections::HashMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use gen_lsp_types::{
     SemanticToken, SemanticTokens, SemanticTokensDelta, SemanticTokensDeltaResponse,
@@ -16,17 +16,33 @@ pub struct TokensSent(Mutex<Sent>);
 struct Sent {
     /// The name of the next result.
     next: u64,
-    files: HashMap<Uri, (String, Vec<SemanticToken>)>,
+    /// All open files. Of others nothing is kept: they are never closed.
+    files: HashMap<Uri, Option<Named>>,
 }
 
+/// The tokens of a result, and its name.
+type Named = (String, Vec<SemanticToken>);
+
 impl TokensSent {
-    /// Keeps what is sent whole.
+    fn sent(&self) -> MutexGuard<'_, Sent> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// From now on there may be something to keep.
+    pub fn open(&self, uri: &Uri) {
+        self.sent().files.entry(uri.clone()).or_default();
+    }
+
+    /// Keeps what is sent whole, under a name, if the file is open; it may have been closed meanwhile.
     pub fn keep(&self, uri: &Uri, data: Vec<SemanticToken>) -> SemanticTokens {
-        let mut sent = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut sent = self.sent();
         let name = sent.name();
-        sent.files.insert(uri.clone(), (name.clone(), data.clone()));
+        let kept = sent.files.get_mut(uri).map(|kept| {
+            *kept = Some((name.clone(), data.clone()));
+            name
+        });
         SemanticTokens {
-            result_id: Some(name),
+            result_id: kept,
             data,
         }
     }
@@ -38,10 +54,8 @@ impl TokensSent {
         previous: &str,
         data: Vec<SemanticToken>,
     ) -> SemanticTokensDeltaResponse {
-        let old = {
-            let mut sent = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-            sent.files.remove(uri).filter(|(name, _)| name == previous)
-        };
+        let old = self.sent().files.get_mut(uri).and_then(Option::take);
+        let old = old.filter(|(name, _)| name == previous);
         let edits = old.map(|(_, old)| edits(&old, &data));
         let whole = self.keep(uri, data);
         match edits {
@@ -55,8 +69,7 @@ impl TokensSent {
     }
 
     pub fn forget(&self, uri: &Uri) {
-        let mut sent = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        sent.files.remove(uri);
+        self.sent().files.remove(uri);
     }
 }
 
@@ -92,4 +105,41 @@ fn edits(old: &[SemanticToken], new: &[SemanticToken]) -> Vec<SemanticTokensEdit
         delete_count: 5 * (old.len() - after) as u32,
         data: (!data.is_empty()).then_some(data),
     }]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tokens(n: u32) -> Vec<SemanticToken> {
+        let token = |i| SemanticToken {
+            delta_line: 1,
+            delta_start: i,
+            length: 1,
+            token_type: 0,
+            token_modifiers_bitset: 0,
+        };
+        (0..n).map(token).collect()
+    }
+
+    /// Whatever is asked for, and in whatever order: of what is not open, nothing is kept.
+    #[test]
+    fn only_of_open_files_something_is_kept() {
+        let sent = TokensSent::default();
+        let uri = Uri::from("file:///a.zpg");
+        let kept = || -> usize { sent.sent().files.values().flatten().count() };
+        let is_whole = |answer| matches!(answer, SemanticTokensDeltaResponse::SemanticTokens(_));
+        assert_eq!(sent.keep(&uri, tokens(3)).result_id, None);
+        assert!(is_whole(sent.delta(&uri, "1", tokens(3))));
+        assert_eq!(kept(), 0);
+        sent.open(&uri);
+        let name = sent.keep(&uri, tokens(3)).result_id.expect("a name");
+        assert!(!is_whole(sent.delta(&uri, &name, tokens(4))));
+        assert!(is_whole(sent.delta(&uri, &name, tokens(5))));
+        assert_eq!(kept(), 1);
+        // An answer that is made when the file has just been closed.
+        sent.forget(&uri);
+        assert_eq!(sent.keep(&uri, tokens(3)).result_id, None);
+        assert!(sent.sent().files.is_empty());
+    }
 }

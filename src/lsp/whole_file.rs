@@ -7,8 +7,9 @@ use serde_json::{Value, json};
 use super::ask::Ask;
 use super::convert::Convert;
 use super::documents::Snapshot;
+use super::refusal::Refusal;
 use crate::analysis::Analysis;
-use crate::diagnostics::Edit;
+use crate::diagnostics::{Complaint, Edit};
 use crate::features::{actions, rename};
 
 /// An action of a whole file.
@@ -73,7 +74,13 @@ impl WholeFile {
         };
         match () {
             () if ask.client.resolves_edits => action.data = Some(json!({ "uri": uri })),
-            () if by_kind => action.edit = Some(convert.workspace_edit(&self.edits(convert.file))),
+            () if by_kind => {
+                let edits = self.edits(convert.file);
+                if edits.is_empty() {
+                    return None;
+                }
+                action.edit = Some(convert.workspace_edit(&edits));
+            }
             () if ask.client.applies_edits => {
                 action.command = Some(Command {
                     title,
@@ -87,12 +94,27 @@ impl WholeFile {
         Some(action)
     }
 
-    /// Has the client make the edit.
-    pub fn apply(self, ask: &Ask, file: &Snapshot) -> Value {
-        let edit = ask.convert(file).workspace_edit(&self.edits(file));
-        let label = ask.client.language.say(self.title(), &[]);
-        let params = json!({ "label": label, "edit": edit });
-        ask.outgoing.request("workspace/applyEdit", params);
-        Value::Null
+    /// Has the client make the edit, if there is something to do.
+    ///
+    /// # Errors
+    ///
+    /// There is no such file, or the client makes no edits that the server asks for.
+    pub fn apply(self, ask: &Ask, file: &Snapshot) -> Result<Value, Refusal> {
+        if file.is_missing {
+            let why = Complaint::new("lsp-missing").with("path", file.name());
+            return Err(ask.refuse(&why));
+        }
+        if !ask.client.applies_edits {
+            let why = Complaint::new("lsp-no-edits").with("kind", self.kind());
+            return Err(ask.refuse(&why));
+        }
+        let edits = self.edits(file);
+        if !edits.is_empty() {
+            let edit = ask.convert(file).workspace_edit(&edits);
+            let label = ask.client.language.say(self.title(), &[]);
+            let params = json!({ "label": label, "edit": edit });
+            ask.outgoing.request("workspace/applyEdit", params);
+        }
+        Ok(Value::Null)
     }
 }

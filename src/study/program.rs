@@ -4,6 +4,9 @@ use std::ffi::OsStr;
 use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
 /// Why another program gives no answer.
 #[derive(Debug)]
@@ -29,21 +32,62 @@ impl From<io::Error> for ProgramError {
 /// How many of a program's last lines are told.
 const LINES: usize = 12;
 
+/// Held while a program is started. Whoever ends this process keeps it, so that none is started any more, and that of
+/// those which have been ended nothing is said.
+static STARTING: Mutex<()> = Mutex::new(());
+
+fn starting() -> MutexGuard<'static, ()> {
+    STARTING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ends this process with a status, and all programs that it runs.
+pub fn exit(status: u8) -> ! {
+    let _last = starting();
+    end_those_of(std::process::id());
+    std::process::exit(status.into())
+}
+
+/// Ends the programs that a process has started, and those that they have; not the process itself.
+pub fn end_those_of(process: u32) {
+    let mut system = System::new();
+    // Threads would be processes to the library, whose parent is their own.
+    let what = ProcessRefreshKind::nothing().without_tasks();
+    system.refresh_processes_specifics(ProcessesToUpdate::All, true, what);
+    let top = Pid::from_u32(process);
+    let parent = |pid: Pid| system.process(pid).and_then(|p| p.parent());
+    let is_one = |pid: Pid| {
+        // A process cannot have more ancestors than there are processes: numbers are used again.
+        let ancestors = std::iter::successors(parent(pid), |&pid| parent(pid));
+        let mut ancestors = ancestors.take(system.processes().len());
+        pid != top && ancestors.any(|pid| pid == top)
+    };
+    for (&pid, program) in system.processes() {
+        if is_one(pid) {
+            program.kill();
+        }
+    }
+}
+
 /// Runs a program in a folder and waits for it.
 pub(super) fn run<S: AsRef<OsStr>>(
     program: &Path,
     folder: &Path,
     arguments: &[S],
 ) -> Result<(), ProgramError> {
-    let output = Command::new(program)
-        .args(arguments)
-        .current_dir(folder)
+    let mut command = Command::new(program);
+    let command = (command.args(arguments).current_dir(folder))
         .stdin(Stdio::null())
-        .output()
-        .map_err(|e| match e.kind() {
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let child = {
+        let _one = starting();
+        command.spawn().map_err(|e| match e.kind() {
             io::ErrorKind::NotFound => ProgramError::Missing,
             _ => ProgramError::Start(e),
-        })?;
+        })?
+    };
+    let output = child.wait_with_output().map_err(ProgramError::Start)?;
+    drop(starting());
     if output.status.success() {
         return Ok(());
     }

@@ -109,6 +109,65 @@ fn whole_files_are_changed_when_it_is_asked_for() {
     assert!(all[0]["edit"]["documentChanges"][0]["edits"].is_array());
 }
 
+/// Where nothing is to do, or nobody to do it, no edit is asked for.
+#[test]
+fn there_are_no_empty_edits() {
+    let folder = tempfile::tempdir().unwrap();
+    let uri = |path: &std::path::Path| format!("file://{}", path.to_str().unwrap());
+    let [here, gone] = ["a.zpg", "gone.zpg"].map(|name| folder.path().join(name));
+    std::fs::write(&here, "2 9 1\n1 9999 2 0\n").unwrap();
+    let wrong = "22 9 0,5\n1 9999 22 0\n";
+    let mut without = rich();
+    without["workspace"]["applyEdit"] = json!(false);
+    for (capabilities, applies) in [(rich(), true), (without, false), (json!({}), false)] {
+        let mut s = Session::start(capabilities, Value::Null);
+        s.open(A, "2 9 1\n1 9999 2 0\n");
+        let broken = "file:///nowhere/broken.zpg";
+        s.open(broken, "2 9\n1 9999 2 0\n");
+        for (command, kind) in [
+            ("zpg.fixAll", "source.fixAll.zpg"),
+            ("zpg.renumber", "refactor.rewrite.renumber"),
+        ] {
+            let run = |s: &mut Session, uri: &str| {
+                let params = json!({ "command": command, "arguments": [uri] });
+                s.try_ask("workspace/executeCommand", params)
+            };
+            for uri in [A, broken, &uri(&here)] {
+                match run(&mut s, uri) {
+                    Ok(answer) => assert_eq!((answer, applies), (Value::Null, true)),
+                    Err(why) => {
+                        let message = why["message"].as_str().unwrap();
+                        assert!(!applies && message.ends_with(kind), "{message}");
+                    }
+                }
+            }
+            for uri in [A, broken, &uri(&here), &uri(&gone)] {
+                let action = json!({ "title": "t", "kind": kind, "data": { "uri": uri } });
+                assert_eq!(s.ask("codeAction/resolve", action.clone()), action);
+            }
+            for uri in [uri(&gone), uri(folder.path()), "untitled:U".to_owned()] {
+                let why = run(&mut s, &uri).unwrap_err();
+                let message = why["message"].as_str().unwrap();
+                assert!(message.ends_with("is not there"), "{message}");
+            }
+        }
+        let context =
+            json!({ "diagnostics": [], "only": ["source.fixAll", "refactor.rewrite.renumber"] });
+        let params = with(with(file(), "range", everything()), "context", context);
+        let all = s.ask("textDocument/codeAction", params);
+        let empty = |a: &Value| !a["edit"].is_null();
+        assert!(!all.as_array().unwrap().iter().any(empty), "{all}");
+        s.ask("textDocument/hover", with(file(), "position", at(0, 0)));
+        let asked = |s: &Session| s.said.iter().any(|(m, _)| m == "workspace/applyEdit");
+        assert!(!asked(&s));
+        s.replace(A, 2, wrong);
+        let params = json!({ "command": "zpg.fixAll", "arguments": [A] });
+        let _ = s.try_ask("workspace/executeCommand", params);
+        s.ask("textDocument/hover", with(file(), "position", at(0, 0)));
+        assert_eq!(asked(&s), applies);
+    }
+}
+
 #[test]
 fn two_uses_are_worth_a_button() {
     let mut s = Session::start(rich(), json!({ "commands": ["zpg.showReferences"] }));

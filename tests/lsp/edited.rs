@@ -118,3 +118,76 @@ fn an_edited_file_is_as_one_that_is_opened() {
         }
     }
 }
+
+/// An edit at a place that cannot be read is none, and so are those that are sent with it.
+#[test]
+fn what_cannot_be_read_changes_nothing() {
+    let mut s = Session::start(rich(), Value::Null);
+    let place = |line: Value, character: Value| json!({ "line": line, "character": character });
+    let good = || place(json!(0), json!(1));
+    let mut ranges = vec![
+        json!({ "start": good() }),
+        json!({ "end": good() }),
+        json!({}),
+    ];
+    ranges.extend([json!([]), json!(7), json!("0:1"), json!(true)]);
+    for odd in [
+        json!(-1),
+        json!(0.5),
+        json!(1u64 << 32),
+        json!("1"),
+        json!(null),
+        json!([]),
+    ] {
+        for at in [place(odd.clone(), json!(1)), place(json!(0), odd)] {
+            ranges.push(json!({ "start": at, "end": good() }));
+            ranges.push(json!({ "start": good(), "end": at }));
+        }
+    }
+    let mut changes: Vec<Value> = (ranges.into_iter())
+        .map(|range| json!({ "range": range, "text": "7" }))
+        .collect();
+    let start = json!({ "start": good(), "end": good() });
+    changes.extend([
+        json!({ "range": start, "text": 7 }),
+        json!({ "range": start }),
+        json!({}),
+        json!(null),
+        json!([]),
+    ]);
+    s.open(A, SCENE);
+    let before = said(&mut s, 1);
+    let fine = json!({ "range": start, "text": " # new #" });
+    let mut version = 1;
+    for change in changes {
+        for all in [json!([change]), json!([fine, change])] {
+            version += 1;
+            s.tell(
+                "textDocument/didChange",
+                json!({ "textDocument": { "uri": A, "version": version }, "contentChanges": all }),
+            );
+            let told = s.heard("window/logMessage");
+            let message = told["message"].as_str().unwrap();
+            assert!(
+                message.starts_with("textDocument/didChange cannot be read"),
+                "{message}"
+            );
+            assert_eq!(message.lines().count(), 1, "{message}");
+            let tokens = s.ask(
+                "textDocument/semanticTokens/full",
+                json!({ "textDocument": { "uri": A } }),
+            );
+            assert_eq!(tokens["data"], before[2], "{all}");
+        }
+    }
+    // Without a range, all of it is new, also with what is said of a range that is none.
+    for (range, length) in [(json!(null), json!(-1)), (start, json!("x"))] {
+        version += 1;
+        let change = json!({ "range": range, "rangeLength": length, "text": SCENE });
+        s.tell(
+            "textDocument/didChange",
+            json!({ "textDocument": { "uri": A, "version": version }, "contentChanges": [change] }),
+        );
+        s.diagnostics(version);
+    }
+}

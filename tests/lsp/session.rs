@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::io::BufReader;
-use std::process::{Child, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
@@ -69,7 +69,12 @@ impl Session {
 
     /// The server as it is installed.
     pub fn program(capabilities: Value) -> Session {
-        let mut child = crate::support::program::command()
+        Session::started(crate::support::program::command(), capabilities)
+    }
+
+    /// The same, as it is called.
+    pub fn started(mut command: Command, capabilities: Value) -> Session {
+        let mut child = command
             .arg("lsp")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())

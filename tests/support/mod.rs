@@ -1,6 +1,7 @@
 //! What the tests of translations share: making scenes, the real POV-Ray.
 
 pub mod compare;
+pub mod endless;
 pub mod make;
 pub mod mitsuba;
 pub mod picture_file;

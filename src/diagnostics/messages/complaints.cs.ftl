@@ -106,6 +106,7 @@ expected-memory = očekává se množství paměti, například 800M nebo 12G
 fewer-threads = --threads { $wanted } je příliš mnoho; spustí se jich { $most }, čtyři na každý procesor
 no-threads = vlákna nelze spustit
 ctrl-c-leaves = po Ctrl-C mohou zůstat dočasné soubory
+ctrl-c-leaves-programs = po Ctrl-C mohou jiné programy běžet dál
 heatmap-scale = mapa nákladů: testy průsečíků na pixel, od 0 (černá) do { $max } (světle žlutá), ve stupnici log(1 + n)
 unknown-format = formát souboru { $path } nelze poznat: jméno má končit na .png, .exr nebo .pfm
 unseen-outside = mimo kvádr renderovacího záznamu
@@ -261,6 +262,8 @@ lsp-no-uri = { $text } není URI
 lsp-no-command = zpg nemá příkaz { $text }
 lsp-no-target = zpg zde scénu do { $text } nepřevádí
 lsp-missing = soubor { $path } neexistuje
+lsp-unreadable = zprávu { $method } nelze přečíst, je vynechána: { $reason }
+lsp-no-edits = editor neprovádí úpravy, o které je požádán; může si vyžádat akci { $kind }
 lsp-has-errors = { $count ->
     [one] ve scéně je chyba na řádku { $line }: { $message }
     [few] ve scéně jsou { $count } chyby, první na řádku { $line }: { $message }

@@ -103,6 +103,7 @@ expected-memory = expected an amount of memory, such as 800M or 12G
 fewer-threads = --threads { $wanted } are too many; { $most } are started, four for each processor
 no-threads = cannot start threads: { $reason }
 ctrl-c-leaves = Ctrl-C may leave temporary files: { $reason }
+ctrl-c-leaves-programs = Ctrl-C may leave other programs running: { $reason }
 heatmap-scale = heatmap: intersection tests per pixel, from 0 (black) to { $max } (light yellow), on the scale log(1 + n)
 unknown-format = cannot tell the format of { $path }: expected a name that ends in .png, .exr or .pfm
 unseen-outside = outside of the box of the render record
@@ -255,6 +256,8 @@ lsp-no-uri = { $text } is no URI
 lsp-no-command = zpg has no command { $text }
 lsp-no-target = zpg does not convert a scene to { $text } here
 lsp-missing = { $path } is not there
+lsp-unreadable = { $method } cannot be read and is left out: { $reason }
+lsp-no-edits = the editor makes no edits that it is asked for; it may ask for the action { $kind }
 lsp-has-errors = { $count ->
     [one] the scene has an error, in line { $line }: { $message }
    *[other] the scene has { $count } errors, the first in line { $line }: { $message }
