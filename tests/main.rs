@@ -50,6 +50,7 @@ mod mitsuba;
 mod mutations;
 mod never_worse;
 mod options;
+mod outputs;
 mod people;
 mod picture_files;
 mod places;
