@@ -169,6 +169,7 @@ term-a-light-behind-the-triangle-but-before-its-shading-normal-is-seen = světlo
 ## Jak je co zapsáno
 
 term-steps-one-after-the-other-are-one-matrix = transformace jdoucí po sobě jsou složeny do jedné matice
+term-an-image-must-lie-in-the-folder-of-its-scene = obrázek musí ležet ve složce své scény
 term-as-the-properties-that-were-assigned = jako vlastnosti, které byly přiřazeny
 term-there-is-nothing-to-draw = není co vykreslit
 term-triangles = trojúhelníky
