@@ -44,6 +44,7 @@ mod lint_views;
 mod lsp;
 mod memory;
 mod mesh;
+mod mesh_precision;
 mod messages;
 mod metamorphic;
 mod mitsuba;
