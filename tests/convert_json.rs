@@ -144,3 +144,151 @@ fn the_scene_is_spared() {
         assert_eq!(fs::read_to_string(&scene).unwrap(), text);
     }
 }
+
+/// A scene of one rectangle for each picture.
+fn pictured(names: &[&str]) -> String {
+    let mut text = String::new();
+    let mut root = 2;
+    for (name, i) in names.iter().zip(0..) {
+        let id = 2 + 2 * i;
+        text += &format!("{id} 5 {i} 0 {} 1\n{id} -301 \"{name}\"\n", i + 1);
+        if i > 0 {
+            text += &format!("{} -101 {root} {id}\n", id + 1);
+            root = id + 1;
+        }
+    }
+    text + &format!("1 9999 {root} 0\n")
+}
+
+/// A picture of one pixel.
+fn pixel(colour: [u8; 3]) -> Vec<u8> {
+    let picture = image::RgbImage::from_raw(1, 1, colour.to_vec()).unwrap();
+    let mut out = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut out, image::ImageFormat::Png).unwrap();
+    out.into_inner()
+}
+
+/// What is written into another folder names the same pictures, as far as the language has a path to them.
+#[test]
+fn pictures_are_found_from_another_folder() {
+    let names = [
+        "tex.png",
+        "two words.png",
+        "příliš #1.png",
+        "deep/er/./a.png",
+    ];
+    for (to, input) in [
+        ("json", "zpg"),
+        ("zpg", "zpg"),
+        ("zpg", "json"),
+        ("json", "json"),
+    ] {
+        let dir = tempfile::tempdir().unwrap();
+        let at = |name: &str| dir.path().join(name);
+        fs::create_dir_all(at("a/b/deep/er")).unwrap();
+        fs::create_dir_all(at("a/c")).unwrap();
+        for (name, i) in names.iter().zip(1..) {
+            fs::write(at("a/b").join(name), pixel([50 * i, 9, 0])).unwrap();
+        }
+        fs::write(at("a/b/t.zpg"), pictured(&names)).unwrap();
+        let run = |args: &[&str]| {
+            let run = zpg(dir.path(), args);
+            let said = String::from_utf8(run.stderr).unwrap();
+            assert_eq!(run.status.code(), Some(0), "{args:?}: {said}");
+            (run.stdout, said)
+        };
+        run(&["convert", "a/b/t.zpg", "--to", "json", "-o", "a/b/t.json"]);
+        let scene = format!("a/b/t.{input}");
+        let draw = |scene: &str| {
+            run(&["render", scene, "-o", "p.pfm", "--size", "64x16"]);
+            fs::read(at("p.pfm")).unwrap()
+        };
+        let picture = draw(&scene);
+        let text = |name: &str| fs::read_to_string(at(name)).unwrap();
+        let convert = |output: &str| run(&["convert", &scene, "--to", to, "-o", output]).1;
+        // Upwards, and where it is; and through a folder's other name.
+        for (folder, prefix) in [("a", "b/"), (".", "a/b/"), ("a/b", ""), ("a/c/../b", "")] {
+            let output = format!("{folder}/out.{to}");
+            let said = convert(&output);
+            assert!(!said.contains("image texture"), "{said}");
+            for name in names {
+                let name = match prefix {
+                    "" => name.to_owned(),
+                    _ => format!("{prefix}{}", name.replace("./", "")),
+                };
+                assert!(text(&output).contains(&format!("\"{name}\"")), "{name}");
+            }
+            assert!(draw(&output) == picture, "{output}");
+        }
+        // To standard output as they are.
+        let (stdout, said) = run(&["convert", &scene, "--to", to]);
+        assert!(!said.contains("image texture"), "{said}");
+        assert!(
+            String::from_utf8(stdout)
+                .unwrap()
+                .contains("deep/er/./a.png")
+        );
+        // Down to one of them, and beside all.
+        let output = format!("a/b/deep/out.{to}");
+        let said = convert(&output);
+        assert!(
+            said.contains(&format!(
+                "approximate  image texture (only with a copy of příliš #1.png, tex.png, two words.png beside {output}) ×4: \
+                 an image must lie in the folder of its scene"
+            )),
+            "{said}"
+        );
+        assert!(text(&output).contains("\"er/a.png\"") && text(&output).contains("\"tex.png\""));
+        let output = format!("a/c/out.{to}");
+        let said = convert(&output);
+        assert!(
+            said.contains(&format!(
+                "deep/er/./a.png, příliš #1.png, tex.png, two words.png beside {output})"
+            )),
+            "{said}"
+        );
+        let checked = zpg(dir.path(), &["check", &output]);
+        assert_eq!(checked.status.code(), Some(1));
+        // Another picture of that name is not the one.
+        fs::create_dir_all(at("a/c/deep/er")).unwrap();
+        for name in names {
+            fs::write(at("a/c").join(name), pixel([0; 3])).unwrap();
+        }
+        assert!(convert(&output).contains("tex.png"));
+        for name in names {
+            fs::copy(at("a/b").join(name), at("a/c").join(name)).unwrap();
+        }
+        let said = convert(&output);
+        assert!(!said.contains("image texture"), "{said}");
+        assert!(draw(&output) == picture);
+    }
+}
+
+/// A link is taken by its name, unless the name lies elsewhere.
+#[cfg(unix)]
+#[test]
+fn pictures_behind_links_are_found_from_another_folder() {
+    use std::os::unix::fs::symlink;
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| dir.path().join(name);
+    fs::create_dir_all(at("a/sub")).unwrap();
+    fs::write(at("a/sub/real.png"), pixel([9; 3])).unwrap();
+    symlink("sub/real.png", at("a/link.png")).unwrap();
+    symlink("sub", at("a/other")).unwrap();
+    for (picture, to, expected) in [
+        ("link.png", "t.json", "a/link.png"),
+        ("link.png", "a/sub/t.json", "real.png"),
+        ("other/real.png", "t.json", "a/sub/real.png"),
+        ("other/real.png", "a/sub/t.json", "real.png"),
+    ] {
+        fs::write(at("a/t.zpg"), pictured(&[picture])).unwrap();
+        let run = zpg(
+            dir.path(),
+            &["convert", "a/t.zpg", "--to", "json", "-o", to],
+        );
+        assert_eq!(run.status.code(), Some(0));
+        let text = fs::read_to_string(at(to)).unwrap();
+        assert!(text.contains(&format!("\"{expected}\"")), "{text}");
+        assert_eq!(zpg(dir.path(), &["check", to]).status.code(), Some(0));
+    }
+}

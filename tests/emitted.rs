@@ -108,7 +108,8 @@ fn shown(bytes: &[u8]) -> String {
 fn written(path: &Path, target: &str) -> String {
     let loaded = load(path).unwrap();
     let name = path.file_name().unwrap();
-    let output = Path::new("out").with_extension(match target {
+    // Beside the scene, where its pictures are.
+    let output = path.with_file_name("out").with_extension(match target {
         "mitsuba" => "xml",
         other => other,
     });
@@ -131,8 +132,8 @@ fn written(path: &Path, target: &str) -> String {
     };
     let mut text = made.report.text(zpg::diagnostics::Language::English);
     for (path, bytes) in &made.files {
-        let path = path.as_ref().unwrap();
-        write!(text, "\n==== {}\n{}", path.display(), shown(bytes)).unwrap();
+        let name = path.as_ref().and_then(|path| path.file_name()).unwrap();
+        write!(text, "\n==== {}\n{}", name.display(), shown(bytes)).unwrap();
     }
     text
 }

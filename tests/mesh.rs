@@ -153,7 +153,7 @@ fn the_gallery_is_closed_and_in_its_place() {
         let Ok(model) = made else { continue };
         let faults = faults(&loaded.scene, &model, cases(60, 200));
         assert!(faults.is_empty(), "{}: {faults:?}", path.display());
-        let report = report("ply", &loaded.scene, &model).to_string();
+        let report = report("ply", &loaded.scene, &model, 0.0).to_string();
         assert!(!report.contains("failed") && !report.contains("not joined"));
     }
 }
@@ -167,7 +167,7 @@ fn random_scenes_are_closed_and_in_their_place() {
         let loaded = Analysis::new("scene", scenes::scene(seed).into_bytes());
         let tracer = tracer(&loaded.scene, Path::new("."));
         let model = model(&loaded.scene, &tracer.graph, &Options::default()).unwrap();
-        let report = report("ply", &loaded.scene, &model).to_string();
+        let report = report("ply", &loaded.scene, &model, 0.0).to_string();
         n += 1;
         let own_up = report.contains("failed") || report.contains("not joined");
         reported += u32::from(own_up);

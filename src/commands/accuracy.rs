@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use super::draft::{Draft, try_folder, unwritable};
+use super::draft::{self, try_folder, unwritable};
 use super::size::Size;
 use super::terminal::{print, progress_bar, stop_on_interrupt};
 use super::{LookChoice, Status, complain, load_sound, refuse, usage};
@@ -218,9 +218,7 @@ fn study(
     progress.bar.finish_and_clear();
     for (name, text) in accuracy::print::files(&report, look.language()) {
         let path = folder.join(name);
-        Draft::create(&path)
-            .and_then(|draft| draft.finish(&path, |out| out.write_all(text.as_bytes())))
-            .map_err(|e| unwritable(&path, &e))?;
+        draft::write(&path, |out| out.write_all(text.as_bytes()))?;
     }
     let path = folder.join("accuracy.html").to_string_lossy().into_owned();
     let page = look
@@ -303,10 +301,8 @@ fn shapes(args: &Args, look: LookChoice) -> Status {
     if let Some(folder) = &args.output {
         let write = |name: &str, text: &str| -> Result<(), Complaint> {
             let path = folder.join(name);
-            fs::create_dir_all(folder)
-                .and_then(|()| Draft::create(&path))
-                .and_then(|draft| draft.finish(&path, |out| out.write_all(text.as_bytes())))
-                .map_err(|e| unwritable(&path, &e))
+            fs::create_dir_all(folder).map_err(|e| unwritable(&path, &e))?;
+            draft::write(&path, |out| out.write_all(text.as_bytes()))
         };
         let written = write("shapes.json", &json).and_then(|()| write("shapes.md", &table));
         if let Err(complaint) = written {

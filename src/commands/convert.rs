@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use super::draft::{Draft, try_file, unwritable};
+use super::draft::{self, try_file};
 use super::memory::Memory;
 use super::paths::is_stdout;
 use super::size::Size;
@@ -176,9 +176,7 @@ fn write<'f>(
     paths.try_for_each(try_file)?;
     for (path, bytes) in files {
         match path {
-            Some(path) => Draft::create(path)
-                .and_then(|draft| draft.finish(path, |out| out.write_all(bytes)))
-                .map_err(|e| unwritable(path, &e))?,
+            Some(path) => draft::write(path, |out| out.write_all(bytes))?,
             None => match io::stdout().lock().write_all(bytes) {
                 // Nobody reads any more: that is their choice.
                 Err(e) if e.kind() != io::ErrorKind::BrokenPipe => return Err(unprintable(&e)),

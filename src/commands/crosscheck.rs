@@ -4,12 +4,11 @@ mod mitsuba;
 mod povray;
 
 use std::fs;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use super::draft::{Draft, try_folder, unwritable};
+use super::draft::{self, try_folder, unwritable};
 use super::size::Size;
 use super::spare::spare;
 use super::{LookChoice, Status, complain, convert, load_sound, terminal, usage};
@@ -217,7 +216,7 @@ fn answer<T: Outcome>(
     let folder = folder(args);
     let json = serde_json::to_vec_pretty(&answer).unwrap_or_default();
     let json = [&json[..], b"\n"].concat();
-    write_file(&folder.join("crosscheck.json"), |out| out.write_all(&json))?;
+    draft::write(&folder.join("crosscheck.json"), |out| out.write_all(&json))?;
     if args.json {
         return Ok((answer.agrees, json));
     }
@@ -369,18 +368,9 @@ fn write_pictures(
     ];
     for (name, (width, rgb)) in PICTURES.into_iter().zip(files) {
         let path = folder.join(format!("{name}{suffix}.png"));
-        write_file(&path, |out| {
+        draft::write(&path, |out| {
             write_rgb8(out, [width, height], rgb, Packing::Quick)
         })?;
     }
     Ok(())
-}
-
-fn write_file(
-    path: &Path,
-    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> Result<(), Complaint> {
-    Draft::create(path)
-        .and_then(|draft| draft.finish(path, write))
-        .map_err(|e| unwritable(path, &e))
 }

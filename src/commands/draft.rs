@@ -1,61 +1,204 @@
 //! Files that appear when they are complete. Until then they lie beside their place under a name of their
 //! own, locked. A run that is killed leaves its drafts behind without the lock, and the next run that
 //! writes into the folder removes them.
+//!
+//! Links are followed: what they lead to is written. A file that is there already keeps what belongs to it. Where a draft
+//! cannot take its place with all that, the file is written over.
 
 use std::collections::HashSet;
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::ffi::OsString;
+use std::fs::{self, File, Metadata};
+use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex, PoisonError};
 
 use tempfile::NamedTempFile;
 
+use super::belongings;
 use crate::diagnostics::Complaint;
 
 /// How the names of drafts begin and end; in between are a few random characters.
 const NAME: (&str, &str) = (".zpg-", ".draft");
 
+/// How many links may follow each other, as on Linux.
+const MAX_LINKS: usize = 40;
+
 /// A file under way.
-pub enum Draft {
-    Temporary(NamedTempFile),
+pub struct Draft {
+    /// As it was given.
+    path: PathBuf,
+    way: Way,
+}
+
+/// How a file is written.
+enum Way {
+    /// This file takes the place of what is there.
+    Exchange { file: NamedTempFile, place: PathBuf },
+    /// What is there gets the bytes of this file, which lies in the temporary folder.
+    Over { file: NamedTempFile, place: PathBuf },
     /// What exists and is not a plain file, a pipe for instance, is written to as it is.
     Direct(File),
 }
 
 impl Draft {
-    pub fn create(path: &Path) -> io::Result<Draft> {
-        match fs::metadata(path) {
-            Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
-            Ok(found) if !found.is_file() => {
-                return File::options().write(true).open(path).map(Draft::Direct);
-            }
-            _ => {}
-        }
-        temporary(folder_of(path)).map(Draft::Temporary)
+    pub fn create(path: &Path) -> Result<Draft, Complaint> {
+        let way = Way::to(path).map_err(|e| unwritable(path, &e))?;
+        let path = path.to_owned();
+        Ok(Draft { path, way })
     }
 
     /// Writes the file and puts it in its place, complete or not at all.
     pub fn finish(
         self,
-        path: &Path,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    ) -> io::Result<()> {
-        match self {
-            Draft::Temporary(mut file) => {
-                let mut out = BufWriter::new(file.as_file_mut());
-                write(&mut out)?;
-                out.flush()?;
-                drop(out);
-                file.persist(path)?;
+    ) -> Result<(), Complaint> {
+        let error = |e: io::Error| unwritable(&self.path, &e);
+        match self.way {
+            Way::Exchange { mut file, place } => {
+                fill(file.as_file_mut(), write).map_err(error)?;
+                match file.persist(&place) {
+                    Ok(_) => Ok(()),
+                    Err(e) if forbids_exchange(&e.error) && place.is_file() => {
+                        copy_over(e.file.into_file(), &place, &self.path)
+                    }
+                    Err(e) => Err(error(e.error)),
+                }
             }
-            Draft::Direct(file) => {
-                let mut out = BufWriter::new(file);
-                write(&mut out)?;
-                out.flush()?;
+            Way::Over { mut file, place } => {
+                fill(file.as_file_mut(), write).map_err(error)?;
+                copy_over(file.into_file(), &place, &self.path)
             }
+            Way::Direct(mut file) => fill(&mut file, write).map_err(error),
         }
-        Ok(())
     }
+}
+
+impl Way {
+    fn to(path: &Path) -> io::Result<Way> {
+        let found = match fs::metadata(path) {
+            Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+            Ok(found) if !found.is_file() => {
+                return File::options().write(true).open(path).map(Way::Direct);
+            }
+            Ok(found) => Some(found),
+            Err(_) => None,
+        };
+        let Some(place) = place(path)? else {
+            // After what others have written to it.
+            return File::options().append(true).open(path).map(Way::Direct);
+        };
+        let Some(found) = found else {
+            let file = temporary(folder_of(&place))?;
+            return Ok(Way::Exchange { file, place });
+        };
+        if let Some(file) = successor(&place, &found)? {
+            return Ok(Way::Exchange { file, place });
+        }
+        File::options().write(true).open(&place)?;
+        let file = tempfile::Builder::new().prefix("zpg-").tempfile()?;
+        Ok(Way::Over { file, place })
+    }
+}
+
+/// Writes a file that is complete when it is closed.
+pub fn write(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Complaint> {
+    Draft::create(path)?.finish(write)
+}
+
+fn fill(file: &mut File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut out = BufWriter::new(file);
+    write(&mut out)?;
+    out.flush()
+}
+
+/// The file that a path leads to through links, which need not be there yet. `None` for what a process has open, as
+/// /dev/stdout is: whatever name that may have elsewhere, it is to be written through this one.
+fn place(path: &Path) -> io::Result<Option<PathBuf>> {
+    let mut place = path.to_owned();
+    for _ in 0..MAX_LINKS {
+        let folder = folder_of(&place).canonicalize();
+        if folder.is_ok_and(|f| f.starts_with("/proc") || f == Path::new("/dev/fd")) {
+            return Ok(None);
+        }
+        match fs::read_link(&place) {
+            Ok(target) => place = folder_of(&place).join(target),
+            // It is no link.
+            Err(_) => return Ok(Some(place)),
+        }
+    }
+    // The links lead to themselves, which is said best by the system.
+    fs::metadata(path).map(|_| Some(place))
+}
+
+/// A draft with all that belongs to the file that it is to replace. `None` where links, the owner, attributes or the folder
+/// forbid that.
+fn successor(place: &Path, found: &Metadata) -> io::Result<Option<NamedTempFile>> {
+    if belongings::has_other_names(found) {
+        return Ok(None);
+    }
+    match temporary(folder_of(place)) {
+        Ok(draft) => {
+            let is_alike = belongings::copy(place, found, draft.as_file()).is_ok();
+            Ok(is_alike.then_some(draft))
+        }
+        Err(e) if forbids_exchange(&e) => Ok(None),
+        Err(e) => Err(e),
+    }
+}
+
+/// Whether a file cannot be exchanged, though it may be written.
+fn forbids_exchange(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        io::ErrorKind::PermissionDenied
+        | io::ErrorKind::ReadOnlyFilesystem
+        // Another file system begins at the file: a container's has such ones.
+        | io::ErrorKind::ResourceBusy
+        | io::ErrorKind::CrossesDevices
+    )
+}
+
+/// Writes over a file. What it was is kept in the temporary folder until that is done, and named if it fails.
+fn copy_over(mut new: File, place: &Path, path: &Path) -> Result<(), Complaint> {
+    let folder = std::env::temp_dir();
+    let kept = match File::open(place) {
+        Ok(old) => Some(keep(old, place).map_err(|e| unwritable(&folder, &e))?),
+        // Not even its owner may read it.
+        Err(_) => None,
+    };
+    let copied = new.rewind().and_then(|()| {
+        let mut file = File::options().write(true).truncate(true).open(place)?;
+        io::copy(&mut new, &mut file)?;
+        file.sync_all()
+    });
+    match (copied, kept) {
+        (Ok(()), kept) => {
+            // A copy that is left does no harm.
+            let _ = kept.map(fs::remove_file);
+            Ok(())
+        }
+        (Err(e), Some(kept)) => Err(Complaint::new("cannot-write-in-place")
+            .with("path", path)
+            .with("reason", Complaint::from(&e))
+            .with("copy", kept.as_path())),
+        (Err(e), None) => Err(unwritable(path, &e)),
+    }
+}
+
+/// Writes a copy into the temporary folder, with the ending of the file.
+fn keep(mut old: File, place: &Path) -> io::Result<PathBuf> {
+    let mut ending = OsString::from(".");
+    ending.push(place.extension().unwrap_or_default());
+    let mut copy = tempfile::Builder::new()
+        .prefix("zpg-")
+        .suffix(&ending)
+        .tempfile()?;
+    io::copy(&mut old, &mut copy)?;
+    copy.as_file().sync_all()?;
+    Ok(copy.keep()?.1)
 }
 
 /// The folder that a file lies in.
@@ -72,7 +215,7 @@ pub fn try_file(path: &Path) -> Result<(), Complaint> {
     let is_special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
     match is_special {
         true => Ok(()),
-        false => (Draft::create(path).map(drop)).map_err(|e| unwritable(path, &e)),
+        false => Draft::create(path).map(drop),
     }
 }
 
@@ -161,9 +304,25 @@ mod tests {
         let there = |name| at(name).exists();
         assert!(!there(".zpg-abc.draft"));
         assert!(there(".zpg-abc.other") && there("zpg-abc.draft") && there(".zpg-def.draft"));
-        draft.finish(&path, |out| out.write_all(b"all")).unwrap();
+        draft.finish(|out| out.write_all(b"all")).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"all");
         let left = fs::read_dir(folder.path()).unwrap().count();
         assert_eq!(left, 4);
+    }
+
+    /// A file that cannot be written to its end is named together with the copy of what it was.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_copy_is_kept_until_all_is_written() {
+        let mut new = tempfile::tempfile().unwrap();
+        new.write_all(b"new").unwrap();
+        // Nobody may write to it, and root fails when he does.
+        let place = Path::new("/proc/version");
+        let complaint = copy_over(new, place, Path::new("a.png")).unwrap_err();
+        let said = complaint.to_string();
+        let (said, copy) = said.split_once("; what it was is kept in ").unwrap();
+        assert!(said.starts_with("cannot write a.png: "), "{said}");
+        assert_eq!(fs::read(copy).unwrap(), fs::read(place).unwrap());
+        fs::remove_file(copy).unwrap();
     }
 }

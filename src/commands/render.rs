@@ -13,7 +13,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use super::draft::{Draft, try_file, unwritable};
+use super::draft::{self, try_file};
 use super::memory::{self, Memory};
 use super::paths::is_stdout;
 use super::size::Size;
@@ -549,9 +549,7 @@ fn write_stats(path: &Path, stats: &Stats) -> Result<(), Error> {
         serde_json::to_writer_pretty(&mut *out, stats)?;
         writeln!(out)
     };
-    Draft::create(path)
-        .and_then(|draft| draft.finish(path, write))
-        .map_err(|e| unwritable(path, &e).into())
+    Ok(draft::write(path, write)?)
 }
 
 /// The most memory the process has held, in bytes; 0 where the system does not tell.

@@ -24,6 +24,7 @@ fidelity-meshes = { $meshes ->
     [few] { $meshes } sítě
    *[other] { $meshes } sítí
 }
+fidelity-pictures = jen s kopií { $files } vedle { $path }
 fidelity-rounding = o tom, která je vidět, rozhoduje zaokrouhlování, například u { $id }
 fidelity-parallel = její paprsky budou rovnoběžné: posunou se o méně než { $pixels } pixelu
 fidelity-volumes = u { $ids }: není dokázáno, že svůj objekt obsahují, nebo se objekt zapisuje beze jména

@@ -22,6 +22,7 @@ fidelity-meshes = { $meshes ->
     [one] { $meshes } mesh
    *[other] { $meshes } meshes
 }
+fidelity-pictures = only with a copy of { $files } beside { $path }
 fidelity-rounding = which is seen is up to rounding, as in { $id }
 fidelity-parallel = its rays are made parallel: off by less than { $pixels } pixels
 fidelity-volumes = of { $ids }: not proved to hold their objects, or written without a name

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::difference::diff;
-use super::draft::{Draft, try_file_in_new_folder, unwritable};
+use super::draft::{self, try_file_in_new_folder, unwritable};
 use super::load::{analyse, is_json};
 use super::memory::Memory;
 use super::paths::{is_stdin, is_stdout};
@@ -295,12 +295,12 @@ impl Checker<'_> {
         };
         let folder = path.parent().unwrap_or(Path::new(""));
         let written = std::fs::create_dir_all(folder)
-            .and_then(|()| Draft::create(path))
-            .and_then(|draft| draft.finish(path, write));
+            .map_err(|e| unwritable(path, &e))
+            .and_then(|()| draft::write(path, write));
         match written {
             Ok(()) => status,
-            Err(e) => {
-                complain(look, &unwritable(path, &e));
+            Err(complaint) => {
+                complain(look, &complaint);
                 Status::Failure
             }
         }

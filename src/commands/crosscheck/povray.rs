@@ -1,9 +1,9 @@
 //! Pictures, beside POV-Ray's.
 
 use super::{Args, Compared, Outcome, Pictures};
-use super::{cameras, each_camera, failed, images, made_folder, program, stem, write_file};
+use super::{cameras, each_camera, failed, images, made_folder, program, stem};
 use crate::analysis::Analysis;
-use crate::commands::{LookChoice, terminal};
+use crate::commands::{LookChoice, draft, terminal};
 use crate::diagnostics::{Complaint, Error, Language};
 use crate::study::accuracy::words::local;
 use crate::study::compare::Comparison;
@@ -46,7 +46,7 @@ pub fn compare(
     };
     let folder = made_folder(args, loaded, copies.iter().map(|(name, _)| name.as_str()))?;
     for (name, png) in &copies {
-        write_file(&folder.join(name), |out| out.write_all(png))?;
+        draft::write(&folder.join(name), |out| out.write_all(png))?;
     }
     let program = program(args, PROGRAM);
     let cameras = cameras(scene, args.size);

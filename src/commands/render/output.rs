@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::commands::draft::{Draft, unwritable};
+use crate::commands::draft::Draft;
 use crate::commands::paths::is_stdout;
 use crate::commands::terminal::unprintable;
 use crate::diagnostics::Complaint;
@@ -48,7 +48,7 @@ impl Output {
                 return Err(Complaint::new("unknown-format").with("path", path));
             }
         };
-        let file = Draft::create(path).map_err(|e| unwritable(path, &e))?;
+        let file = Draft::create(path)?;
         Ok(Output {
             place: Place::File(path.to_owned(), file),
             format,
@@ -96,9 +96,7 @@ impl Place {
                 };
             }
         };
-        match file.finish(&path, write) {
-            Ok(()) => Ok(Some(path)),
-            Err(e) => Err(unwritable(&path, &e)),
-        }
+        file.finish(write)?;
+        Ok(Some(path))
     }
 }

@@ -104,6 +104,9 @@ term-depth = hloubka paprsků
 term-narrow-gaps-behind-transparent-surfaces = úzké mezery za průhlednými plochami
 term-near-plane-of-the-projection-matrix = přední rovina matice projekce
 term-operations-on-media-of-different-index = operace s prostředími různého indexu lomu
+term-coordinates = souřadnice
+term-single-precision-is-coarse-so-far-from-the-origin-an-obj-has-more-digits = jednoduchá přesnost je tak daleko od počátku hrubá; OBJ má více číslic
+term-double-precision-is-coarse-so-far-from-the-origin = dvojitá přesnost je tak daleko od počátku hrubá
 term-operations-that-failed = operace, které se nezdařily
 term-overlapping-parts-that-were-not-joined = překrývající se části, které se nespojily
 term-parallel-rays = rovnoběžné paprsky
@@ -169,6 +172,7 @@ term-a-light-behind-the-triangle-but-before-its-shading-normal-is-seen = světlo
 ## Jak je co zapsáno
 
 term-steps-one-after-the-other-are-one-matrix = transformace jdoucí po sobě jsou složeny do jedné matice
+term-an-image-must-lie-in-the-folder-of-its-scene = obrázek musí ležet ve složce své scény
 term-as-the-properties-that-were-assigned = jako vlastnosti, které byly přiřazeny
 term-there-is-nothing-to-draw = není co vykreslit
 term-triangles = trojúhelníky

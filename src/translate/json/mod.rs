@@ -9,6 +9,7 @@ mod fields;
 mod file;
 mod locate;
 pub mod model;
+mod pictures;
 mod read;
 mod spell;
 pub mod target;

@@ -1,5 +1,6 @@
 //! The resolved scene: as JSON, and as records.
 
+use super::pictures::{Left, follow};
 use super::spell::spell;
 use super::verdict::verdict;
 use super::write::write;
@@ -27,10 +28,11 @@ impl Target for Json {
     }
 
     fn write(&self, scene: &Prepared, options: &Options) -> Result<Output, Error> {
-        let model = write(scene.scene());
+        let mut model = write(scene.scene());
+        let left = follow(&mut model, scene, options);
         let mut text = serde_json::to_vec_pretty(&model).unwrap_or_default();
         text.push(b'\n');
-        Ok(output(self.name(), scene, options, text))
+        Ok(output(self.name(), scene, options, &left, text))
     }
 }
 
@@ -52,16 +54,31 @@ impl Target for Zpg {
     }
 
     fn write(&self, scene: &Prepared, options: &Options) -> Result<Output, Error> {
-        let records = spell(&write(scene.scene())).text;
+        let mut model = write(scene.scene());
+        let left = follow(&mut model, scene, options);
+        let records = spell(&model).text;
         let (document, _) = syntax::parse(&records);
         let text = format::format(&records, &document, &format::Options::default());
-        Ok(output(self.name(), scene, options, text.into_bytes()))
+        Ok(output(
+            self.name(),
+            scene,
+            options,
+            &left,
+            text.into_bytes(),
+        ))
     }
 }
 
-fn output(name: &'static str, scene: &Prepared, options: &Options, bytes: Vec<u8>) -> Output {
+fn output(
+    name: &'static str,
+    scene: &Prepared,
+    options: &Options,
+    left: &Left,
+    bytes: Vec<u8>,
+) -> Output {
+    let of = |feature| (left.verdict(feature, options)).unwrap_or_else(|| verdict(feature));
     Output {
         files: vec![(options.output.map(ToOwned::to_owned), bytes)],
-        report: Report::of(name, scene.scene(), verdict),
+        report: Report::of(name, scene.scene(), of),
     }
 }

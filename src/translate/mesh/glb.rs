@@ -19,15 +19,15 @@ const LINEAR: u32 = 9729;
 const REPEAT: u32 = 10497;
 
 /// The bytes of the file: a node for each object, called after the scene's.
-pub fn write(coloured: &Coloured, names: &Names) -> Vec<u8> {
+pub fn write(coloured: &Coloured, points: &[[f32; 3]], names: &Names) -> Vec<u8> {
     let mesh = &coloured.model.mesh;
     if mesh.is_empty() {
         return container(&json!({ "asset": asset() }), &[]);
     }
     let mut file = Parts::default();
     let vertices = &coloured.vertices;
-    let place = |v: &Vertex| mesh.points[v.point as usize];
-    let places = file.attribute(vertices.iter().map(place));
+    let place = |v: &Vertex| points[v.point as usize];
+    let places = file.attribute(vertices.iter().map(|v| place(v).map(f64::from)));
     let normals = file.attribute(vertices.iter().map(|v| rounded_unit(v.normal)));
     let materials = &coloured.materials;
     let colours = materials.iter().any(|m| m.colour.is_none()).then(|| {
@@ -59,7 +59,7 @@ pub fn write(coloured: &Coloured, names: &Names) -> Vec<u8> {
         let places = file.part(&places, of);
         let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for v in &vertices[of.start as usize..of.end as usize] {
-            for (i, x) in place(v).map(|x| x as f32).into_iter().enumerate() {
+            for (i, x) in place(v).into_iter().enumerate() {
                 (low[i], high[i]) = (low[i].min(x), high[i].max(x));
             }
         }

@@ -3,7 +3,7 @@
 //! [`shape`] makes each shape of triangles that keep within a tolerance of it; [`assemble`] places and
 //! combines them as the scene says, by [`operate`], with [`csg`] for two solids, [`unite`] for many, of which
 //! [`crowds`] finds those that overlap, and [`carve`] for those of different media; [`shared`] finds surfaces that are there twice; [`skin`] knows
-//! what each triangle shows; [`ply`], [`obj`] and [`glb`] write files.
+//! what each triangle shows; [`precision`] what numbers in files cost; [`ply`], [`obj`] and [`glb`] write files.
 
 mod assemble;
 mod budget;
@@ -24,6 +24,7 @@ mod options;
 mod parts;
 pub mod picture;
 pub mod ply;
+mod precision;
 mod refine;
 mod sets;
 pub mod shape;
@@ -41,6 +42,7 @@ pub use carve::Medium;
 pub use extent::Extent;
 pub use material::{Coloured, Material};
 pub use model::{Model, model, report};
+pub use needles::Precision;
 pub use options::{DEFAULT_TOLERANCE, Options};
 pub use parts::Parts;
 pub use shape::is_faceted;

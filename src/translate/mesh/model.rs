@@ -3,14 +3,16 @@
 use super::assemble::{Troubles, crowded};
 use super::budget::Budget;
 use super::extent::Extent;
+use super::needles::Precision;
 use super::options::Options;
 use super::parts::{account, pieces, refusal};
 use super::picture;
+use super::precision;
 use super::shape::DROPPED;
 use super::skin::Skin;
 use super::soup::Mesh;
 use super::unite::Union;
-use super::verdict;
+use super::verdict::{self, Bounds};
 use crate::diagnostics::Error;
 use crate::scene::Scene;
 use crate::trace::graph::Graph;
@@ -25,6 +27,8 @@ pub struct Model {
     pub solid: usize,
     pub skins: Vec<Skin>,
     pub extent: Extent,
+    /// How far points were moved so that every triangle has an area in the file.
+    pub moved: f64,
     pub(super) troubles: Troubles,
 }
 
@@ -58,9 +62,15 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, E
             skin.plain_colour(graph).is_none() && !pictured
         })
         .collect();
+    let mut moved = 0.0f64;
     for part in [&mut mesh, &mut surfaces] {
         part.refine(|label| textured[label as usize], |_| extent.grain());
-        part.drop_needles();
+        let precision = match options.digits && !precision::is_single_enough(part, extent.tolerance)
+        {
+            true => Precision::Double,
+            false => Precision::Single,
+        };
+        moved = moved.max(part.drop_needles(precision, extent.tolerance));
     }
     let solid = mesh.triangles.len();
     mesh.append(&surfaces);
@@ -69,15 +79,21 @@ pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, E
         solid,
         skins: thing.skins,
         extent,
+        moved,
         troubles,
     })
 }
 
-/// The report on a mesh for one of the targets.
-pub fn report(target: &'static str, scene: &Scene, model: &Model) -> Report {
+/// The report on a mesh for one of the targets, whose numbers put points off by no more than `off`.
+pub fn report(target: &'static str, scene: &Scene, model: &Model, off: f64) -> Report {
+    let bounds = Bounds {
+        tolerance: model.extent.tolerance,
+        off: off + model.moved,
+    };
     let mut report = Report::of(target, scene, |feature| {
-        verdict::verdict(target, feature, model.extent.tolerance)
+        verdict::verdict(target, feature, bounds)
     });
     account(&mut report, &model.extent, &model.troubles);
+    bounds.account(target, &mut report);
     report
 }

@@ -1,6 +1,6 @@
-//! Triangles without area, as files have them: coordinates are written in single precision. They are taken out
+//! Triangles without area, as files have them: coordinates are mostly written in single precision. They are taken out
 //! so that what was closed stays closed: an edge without length is collapsed, one that passes through a
-//! corner is flipped into the triangle behind it, and where neither can be a point is moved by what single
+//! corner is flipped into the triangle behind it, and where neither can be a point is moved by what the
 //! precision rounds.
 
 use std::collections::HashMap;
@@ -13,14 +13,43 @@ use crate::scene::Vec3;
 /// So often is each triangle looked at, in the worst case.
 const ROUNDS: usize = 16;
 
-/// A point as it is written.
-pub fn written(p: Vec3) -> Vec3 {
-    p.map(|x| f64::from(x as f32))
+/// The numbers that points are written in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Precision {
+    Single,
+    /// Or digits that make no difference.
+    Double,
+}
+
+impl Precision {
+    /// A point as it is written.
+    fn written(self, p: Vec3) -> Vec3 {
+        match self {
+            Precision::Single => p.map(|x| f64::from(x as f32)),
+            Precision::Double => p,
+        }
+    }
+
+    /// So many numbers further up, or down.
+    fn stepped(self, x: f64, steps: u32, up: bool) -> f64 {
+        let mut single = x as f32;
+        let mut double = x;
+        for _ in 0..steps {
+            (single, double) = match up {
+                true => (single.next_up(), double.next_up()),
+                false => (single.next_down(), double.next_down()),
+            };
+        }
+        match self {
+            Precision::Single => f64::from(single),
+            Precision::Double => double,
+        }
+    }
 }
 
 /// Whether a triangle as it is written has no area, exactly or in single precision.
-pub fn is_needle(corners: [Vec3; 3]) -> bool {
-    let p = corners.map(written);
+fn is_needle(corners: [Vec3; 3], precision: Precision) -> bool {
+    let p = corners.map(|p| precision.written(p));
     let away = |i: usize, j: usize| length(sub(p[i], p[j]));
     let longest = away(0, 1).max(away(1, 2)).max(away(2, 0));
     // Where products underflow, single precision says nothing of a shape.
@@ -31,7 +60,7 @@ pub fn is_needle(corners: [Vec3; 3]) -> bool {
         let part = |j: usize, k: usize| a[j] * b[k] - a[k] * b[j];
         part(1, 2) == 0.0 && part(2, 0) == 0.0 && part(0, 1) == 0.0
     };
-    if longest > TINY && (0..3).any(single) {
+    if precision == Precision::Single && longest > TINY && (0..3).any(single) {
         return true;
     }
     let (u, v) = (sub(p[1], p[0]), sub(p[2], p[0]));
@@ -40,17 +69,19 @@ pub fn is_needle(corners: [Vec3; 3]) -> bool {
 }
 
 impl Mesh {
-    /// Takes out triangles without area.
-    pub fn drop_needles(&mut self) {
+    /// Takes out triangles without area, as far as no point is moved farther than `most` for that; how far one was.
+    pub fn drop_needles(&mut self, precision: Precision, most: f64) -> f64 {
         let all = 0..self.triangles.len();
-        let mut todo: Vec<usize> = all.filter(|&t| is_needle(self.corners(t))).collect();
+        let mut todo: Vec<usize> = all
+            .filter(|&t| is_needle(self.corners(t), precision))
+            .collect();
         if todo.is_empty() {
-            return;
+            return 0.0;
         }
-        let mut net = Net::new(self);
+        let mut net = Net::new(self, precision, most);
         for _ in 0..ROUNDS {
             for t in std::mem::take(&mut todo) {
-                if net.is_there(t) && is_needle(net.corners(t)) {
+                if net.is_there(t) && is_needle(net.corners(t), precision) {
                     net.mend(t, &mut todo);
                 }
             }
@@ -58,7 +89,7 @@ impl Mesh {
                 break;
             }
         }
-        net.finish();
+        net.finish()
     }
 }
 
@@ -69,6 +100,10 @@ struct Net<'a> {
     /// The triangle that passes an edge this way.
     edges: HashMap<[u32; 2], usize>,
     around: HashMap<u32, Vec<usize>>,
+    precision: Precision,
+    most: f64,
+    /// Where points were that have been moved.
+    before: HashMap<u32, Vec3>,
 }
 
 fn edges_of([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
@@ -76,11 +111,14 @@ fn edges_of([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
 }
 
 impl<'a> Net<'a> {
-    fn new(mesh: &'a mut Mesh) -> Net<'a> {
+    fn new(mesh: &'a mut Mesh, precision: Precision, most: f64) -> Net<'a> {
         let mut net = Net {
             gone: vec![false; mesh.triangles.len()],
             edges: HashMap::new(),
             around: HashMap::new(),
+            precision,
+            most,
+            before: HashMap::new(),
             mesh,
         };
         for t in 0..net.gone.len() {
@@ -134,7 +172,7 @@ impl<'a> Net<'a> {
     }
 
     fn place(&self, i: u32) -> Vec3 {
-        written(self.mesh.points[i as usize])
+        self.precision.written(self.mesh.points[i as usize])
     }
 
     /// Takes out a triangle without area, and says which others are to be looked at again.
@@ -197,7 +235,8 @@ impl<'a> Net<'a> {
             return false;
         }
         let made = [[a, d, c], [d, b, c]];
-        let needles = made.map(|t| is_needle(t.map(|i| self.mesh.points[i as usize])));
+        let needles =
+            made.map(|t| is_needle(t.map(|i| self.mesh.points[i as usize]), self.precision));
         if needles == [true; 2] {
             return false;
         }
@@ -211,25 +250,25 @@ impl<'a> Net<'a> {
         true
     }
 
-    /// Moves the corner that lies on the longest edge by a little of single precision.
+    /// Moves the corner that lies on the longest edge by a little of the precision.
     fn nudge(&mut self, t: usize, longest: [u32; 2]) {
         let on_it = self.mesh.triangles[t]
             .into_iter()
             .find(|i| !longest.contains(i));
         let Some(c) = on_it else { return };
         let old = self.mesh.points[c as usize];
+        let first = self.before.get(&c).copied().unwrap_or(old);
         for step in 0..5 {
             for k in 0..6 {
-                let mut x = old[k / 2] as f32;
-                for _ in 0..1 << step {
-                    x = if k % 2 == 0 {
-                        x.next_up()
-                    } else {
-                        x.next_down()
-                    };
+                let mut new = old;
+                new[k / 2] = self.precision.stepped(old[k / 2], 1 << step, k % 2 == 0);
+                if length(sub(new, first)) > self.most {
+                    continue;
                 }
-                self.mesh.points[c as usize][k / 2] = f64::from(x);
-                if !(self.around[&c].iter()).any(|&t| is_needle(self.mesh.corners(t))) {
+                self.mesh.points[c as usize] = new;
+                let needle = |t: &usize| is_needle(self.mesh.corners(*t), self.precision);
+                if !self.around[&c].iter().any(needle) {
+                    self.before.insert(c, first);
                     return;
                 }
                 self.mesh.points[c as usize] = old;
@@ -237,8 +276,12 @@ impl<'a> Net<'a> {
         }
     }
 
-    fn finish(self) {
-        let Net { mesh, gone, .. } = self;
+    fn finish(self) -> f64 {
+        let Net {
+            mesh, gone, before, ..
+        } = self;
+        let moved = |(i, first): (&u32, &Vec3)| length(sub(mesh.points[*i as usize], *first));
+        let moved = before.iter().map(moved).fold(0.0, f64::max);
         // Told apart by their number.
         let labels = std::mem::take(&mut mesh.labels);
         mesh.labels = gone.iter().map(|&g| u32::from(g)).collect();
@@ -246,6 +289,7 @@ impl<'a> Net<'a> {
         let labels = labels.into_iter().zip(gone).filter(|l| !l.1);
         left.labels = labels.map(|l| l.0).collect();
         *mesh = left;
+        moved
     }
 }
 
@@ -254,6 +298,10 @@ mod tests {
     use super::super::tests::made;
     use super::*;
     use dashu_ratio::RBig;
+
+    fn needle(corners: [Vec3; 3]) -> bool {
+        is_needle(corners, Precision::Single)
+    }
 
     /// Whether it has no area: in fractions.
     fn is_flat(corners: [Vec3; 3]) -> bool {
@@ -267,18 +315,27 @@ mod tests {
 
     #[test]
     fn needles_and_caps() {
-        let flat = |z: f64| is_needle([[0.0; 3], [1.0, 1.0, 0.0], [3.0, 3.0, z]]);
+        let flat = |z: f64| needle([[0.0; 3], [1.0, 1.0, 0.0], [3.0, 3.0, z]]);
         assert!(flat(0.0) && flat(1e-60) && !flat(1e-6));
-        assert!(is_needle([
+        assert!(needle([
             [1.0, 0.0, 0.0],
             [1.0 + 1e-9, 0.0, 0.0],
             [0.0, 1.0, 0.0]
         ]));
-        assert!(!is_needle([
+        assert!(!needle([
             [1e-20, 0.0, 0.0],
             [0.0, 1e-20, 0.0],
             [0.0, 0.0, 1e-20]
         ]));
+    }
+
+    #[test]
+    fn what_is_a_needle_depends_on_the_numbers() {
+        let far = |x: f64, y: f64| [1e8 + x, 1e8 + y, 0.0];
+        let corners = [far(0.0, 0.0), far(1.0, 0.0), far(0.0, 1.0)];
+        assert!(needle(corners) && !is_needle(corners, Precision::Double));
+        let flat = [far(0.0, 0.0), far(1.0, 1.0), far(2.0, 2.0)];
+        assert!(is_needle(flat, Precision::Double));
     }
 
     /// A tetrahedron with a point on an edge, and one with an edge without length.
@@ -308,7 +365,7 @@ mod tests {
             }
             assert!(mesh.is_closed());
             let volume = mesh.volume();
-            mesh.drop_needles();
+            mesh.drop_needles(Precision::Single, f64::INFINITY);
             assert!(mesh.is_closed(), "{mesh:?}");
             assert!((mesh.volume() - volume).abs() < 1e-6);
             assert!(!(0..mesh.triangles.len()).any(|t| is_flat(mesh.corners(t))));
@@ -373,7 +430,7 @@ mod tests {
             assert!(mesh.is_closed(), "{text}");
             let flat = (0..mesh.triangles.len()).filter(|&t| {
                 let corners = mesh.corners(t);
-                is_flat(corners) || is_needle(corners)
+                is_flat(corners) || needle(corners)
             });
             assert_eq!(flat.count(), 0, "{text}");
             count += usize::from(!mesh.is_empty());

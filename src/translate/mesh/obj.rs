@@ -12,6 +12,7 @@ use crate::translate::names::Names;
 /// is closed stays so.
 pub fn write(
     coloured: &Coloured,
+    places: &[[String; 3]],
     names: &Names,
     library: &str,
     picture: impl Fn(u32) -> String,
@@ -28,8 +29,7 @@ pub fn write(
     for vertex in &coloured.vertices {
         colours[vertex.point as usize] = vertex.colour;
     }
-    for (p, colour) in mesh.points.iter().zip(&colours) {
-        let [x, y, z] = p.map(|x| x as f32);
+    for ([x, y, z], colour) in places.iter().zip(&colours) {
         let _ = write!(out, "v {x} {y} {z}");
         if smooth {
             // As many programs read them: linear, behind the coordinates. Finer than 8 bits.
@@ -39,7 +39,7 @@ pub fn write(
         out.push('\n');
     }
     let mut normals = Numbered::default();
-    let mut places = Numbered::default();
+    let mut texels = Numbered::default();
     let numbers: Vec<[usize; 2]> = (coloured.vertices.iter())
         .map(|v| {
             // Angles to a hundredth of a degree, places to a hundredth of a pixel of the largest pictures.
@@ -47,14 +47,14 @@ pub fn write(
             let [s, t] = v.uv.map(|x| (x * 1e6).round() / 1e6 + 0.0);
             [
                 normals.number(format!("vn {x} {y} {z}\n")),
-                places.number(format!("vt {s} {t}\n")),
+                texels.number(format!("vt {s} {t}\n")),
             ]
         })
         .collect();
     out.push_str(&normals.text);
     let pictured = coloured.materials.iter().any(|m| m.picture.is_some());
     if pictured {
-        out.push_str(&places.text);
+        out.push_str(&texels.text);
     }
     let mut library = String::from("# made by zpg\n");
     for (i, material) in coloured.materials.iter().enumerate() {

@@ -5,8 +5,7 @@ use super::material::Coloured;
 
 /// The bytes of the file. Colours are sRGB; where normals or colours differ there are several points
 /// in one place.
-pub fn write(coloured: &Coloured) -> Vec<u8> {
-    let points = &coloured.model.mesh.points;
+pub fn write(coloured: &Coloured, places: &[[f32; 3]]) -> Vec<u8> {
     let header = format!(
         "ply\nformat binary_little_endian 1.0\n\
          comment made by zpg; lengths as in the scene, y is up\n\
@@ -22,8 +21,9 @@ pub fn write(coloured: &Coloured) -> Vec<u8> {
     let mut out = Vec::with_capacity(size);
     out.extend_from_slice(header.as_bytes());
     for vertex in &coloured.vertices {
-        for x in points[vertex.point as usize].iter().chain(&vertex.normal) {
-            out.extend_from_slice(&(*x as f32).to_le_bytes());
+        let normal = vertex.normal.map(|x| x as f32);
+        for x in places[vertex.point as usize].iter().chain(&normal) {
+            out.extend_from_slice(&x.to_le_bytes());
         }
         out.extend_from_slice(&srgb(vertex.colour));
     }

@@ -7,7 +7,7 @@ use super::material::Coloured;
 use super::model::{model, report};
 use super::options::Options;
 use super::picture::file_name;
-use super::{glb, obj, ply};
+use super::{glb, obj, ply, precision};
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error};
 use crate::translate::names::Names;
@@ -54,14 +54,25 @@ impl Target for Format {
             memory: options.memory,
             eye: None,
             pictured: *self != Format::Ply,
+            digits: *self == Format::Obj,
         };
         let model = model(scene.scene(), &tracer.graph, &own)?;
         let coloured = Coloured::new(&model, &tracer.graph, own.pictured);
         let names = Names::new(scene.scene(), &scene.captions);
-        let files = match self {
-            Format::Ply => vec![(Some(path), ply::write(&coloured))],
-            Format::Glb => vec![(Some(path), glb::write(&coloured, &names))],
+        let mesh = &model.mesh;
+        let (files, off) = match self {
+            Format::Ply => {
+                let places = precision::single(mesh);
+                let bytes = ply::write(&coloured, &places.all);
+                (vec![(Some(path), bytes)], places.off)
+            }
+            Format::Glb => {
+                let places = precision::single(mesh);
+                let bytes = glb::write(&coloured, &places.all, &names);
+                (vec![(Some(path), bytes)], places.off)
+            }
             Format::Obj => {
+                let places = precision::decimal(mesh, model.extent.tolerance);
                 let name = |p: &Path| {
                     p.file_name()
                         .unwrap_or_default()
@@ -72,9 +83,10 @@ impl Target for Format {
                 let stem = plain(&path.file_stem().unwrap_or_default().to_string_lossy());
                 let library = path.with_file_name(format!("{stem}.mtl"));
                 let picture = |number: u32| path.with_file_name(file_name(&stem, number));
-                let (text, materials) = obj::write(&coloured, &names, &name(&library), |number| {
-                    name(&picture(number))
-                });
+                let library_name = name(&library);
+                let picture_name = |number| name(&picture(number));
+                let (text, materials) =
+                    obj::write(&coloured, &places.all, &names, &library_name, picture_name);
                 let mut files = vec![
                     (Some(path.clone()), text.into_bytes()),
                     (Some(library), materials.into_bytes()),
@@ -82,12 +94,12 @@ impl Target for Format {
                 for (number, picture_of) in &coloured.pictures.all {
                     files.push((Some(picture(*number)), picture_of.png.clone()));
                 }
-                files
+                (files, places.off)
             }
         };
         Ok(Output {
             files,
-            report: report(self.name(), scene.scene(), &model),
+            report: report(self.name(), scene.scene(), &model, off),
         })
     }
 }

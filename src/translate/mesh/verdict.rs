@@ -3,25 +3,57 @@
 use super::shape;
 use crate::diagnostics::Complaint;
 use crate::syntax::table::RecordKind;
-use crate::translate::{Effect, Feature, Verdict};
+use crate::translate::{Effect, Feature, Fidelity, Report, Verdict};
 
 /// Off by no more than the tolerance.
 pub fn within(tolerance: f64) -> Complaint {
     Complaint::new("fidelity-within").with("tolerance", format!("{tolerance:.3e}"))
 }
 
-pub fn verdict(target: &str, feature: Feature, tolerance: f64) -> Verdict {
+/// How far triangles are from what they stand for at most.
+#[derive(Clone, Copy)]
+pub struct Bounds {
+    /// As they are made.
+    pub tolerance: f64,
+    /// What the numbers of the file add.
+    pub off: f64,
+}
+
+impl Bounds {
+    /// Whether what the numbers add is more than what was asked for.
+    fn is_coarse(self) -> bool {
+        self.off > self.tolerance
+    }
+
+    /// Names that if it is so.
+    pub fn account(self, target: &str, report: &mut Report) {
+        if !self.is_coarse() {
+            return;
+        }
+        let note = match target {
+            "obj" => "double precision is coarse so far from the origin",
+            _ => "single precision is coarse so far from the origin; an OBJ has more digits",
+        };
+        let fidelity = Fidelity::Approximate(within(self.off));
+        report.state("coordinates", fidelity, Complaint::term(note));
+    }
+}
+
+pub fn verdict(target: &str, feature: Feature, bounds: Bounds) -> Verdict {
     match feature {
-        Feature::Record(kind) => record(target, kind, tolerance),
+        Feature::Record(kind) => record(target, kind, bounds),
         Feature::Effect(effect) => of_effect(target, effect),
     }
 }
 
-fn record(target: &str, kind: RecordKind, tolerance: f64) -> Verdict {
-    let within = || within(tolerance);
+fn record(target: &str, kind: RecordKind, bounds: Bounds) -> Verdict {
+    let within = || within(bounds.tolerance + bounds.off);
     match kind {
         RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
-        RecordKind::Shape(kind) if shape::is_faceted(kind) => Verdict::exact("triangles"),
+        RecordKind::Shape(kind) if shape::is_faceted(kind) => match bounds.is_coarse() {
+            true => Verdict::approximate(self::within(bounds.off), "triangles"),
+            false => Verdict::exact("triangles"),
+        },
         RecordKind::Shape(_) => Verdict::approximate(within(), "triangles"),
         RecordKind::Translation
         | RecordKind::Rotation

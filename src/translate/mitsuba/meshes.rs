@@ -11,7 +11,7 @@ use crate::trace::graph::Graph;
 use crate::translate::mesh::corners::{Corner, corners};
 use crate::translate::mesh::picture::is_pictured;
 use crate::translate::mesh::shape::DROPPED;
-use crate::translate::mesh::{Mesh, Piece, Skin};
+use crate::translate::mesh::{Mesh, Piece, Precision, Skin};
 
 /// What triangles must have in common to be in one file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,7 +49,7 @@ impl Collector {
     pub fn add(&mut self, piece: &Piece, skins: &[Skin], graph: &Graph, grain: f64, eye: Vec3) {
         let far = |p: Vec3| length(sub(p, eye)).max(grain);
         let mut mesh = piece.mesh.clone();
-        mesh.drop_needles();
+        mesh.drop_needles(Precision::Single, f64::INFINITY);
         let mut labels: Vec<u32> = mesh.labels.clone();
         labels.sort_unstable();
         labels.dedup();
@@ -65,7 +65,7 @@ impl Collector {
             if skin.plain_colour(graph).is_none() && !is_pictured(skin, graph) {
                 part.refine(|_| true, |_| grain);
             }
-            part.drop_needles();
+            part.drop_needles(Precision::Single, f64::INFINITY);
             self.meshes
                 .entry(key(skin, piece.around, graph))
                 .or_default()

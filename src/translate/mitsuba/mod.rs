@@ -68,6 +68,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         memory: options.memory,
         eye: cameras.first().map(|c| c.position),
         pictured: true,
+        digits: false,
     };
     let mut parts = mesh::Parts::of(scene, graph, &of_meshes)?;
     parts.drop_equals();
