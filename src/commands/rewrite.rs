@@ -62,7 +62,7 @@ pub fn bytes_of<'t>(
     }
 }
 
-/// Replaces a file as [`draft`](super::draft) does.
+/// Replaces a file as [`draft`] does.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     let found = fs::metadata(path).map_err(|e| unwritable(path, &e))?;
     if !found.is_file() {

@@ -212,7 +212,7 @@ pub fn print(
 /// Whoever read standard output has gone.
 static UNREAD: AtomicBool = AtomicBool::new(false);
 
-/// Whether nobody reads standard output any more, as far as [`print`] has noticed.
+/// Whether nobody reads standard output any more, as far as [`print()`] has noticed.
 pub fn is_unread() -> bool {
     UNREAD.load(Ordering::Relaxed)
 }
