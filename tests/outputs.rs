@@ -196,3 +196,39 @@ fn devices_and_pipes_are_written_to() {
     let after = fs::symlink_metadata("/dev/stdout").unwrap().ino();
     assert_eq!(before, after);
 }
+
+/// `-` is standard output, which then carries nothing else, and takes one output.
+#[test]
+fn a_hyphen_is_standard_output() {
+    let dir = folder(&[("a.zpg", SCENE)]);
+    let meshes = ["ply", "obj", "glb"];
+    for (ending, args) in OUTPUTS {
+        if args.contains("--heatmap")
+            || meshes.contains(&ending)
+            || ["exr", "pfm"].contains(&ending)
+        {
+            continue;
+        }
+        let run = runs(&mut zpg(dir.path(), &format!("{args} -")));
+        let said = &run.stdout;
+        match args.contains("--stats") {
+            true => assert!(serde_json::from_slice::<serde_json::Value>(said).is_ok()),
+            // Some outputs name their scene or what they are written to.
+            false => assert_eq!(said.len() / 100, plain(ending, args).len() / 100, "{args}"),
+        }
+        assert!(!dir.path().join("-").exists(), "{args}");
+    }
+    for args in [
+        "render a.zpg -o - --stats -",
+        "convert a.zpg --to pov -o - --report -",
+        "convert a.zpg --to json --report -",
+    ] {
+        let run = zpg(dir.path(), args).output().unwrap();
+        assert_eq!(
+            (run.status.code(), run.stdout.len()),
+            (Some(2), 0),
+            "{args}"
+        );
+        assert!(String::from_utf8_lossy(&run.stderr).contains("takes one of the outputs"));
+    }
+}

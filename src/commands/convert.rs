@@ -71,7 +71,7 @@ pub struct Args {
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
 
-    /// Write the fidelity report as JSON, too
+    /// Write the fidelity report as JSON, too; `-` is standard output
     #[arg(long, value_name = "FILE.json")]
     report: Option<PathBuf>,
 }
@@ -105,6 +105,13 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
+    let outputs = [&args.output, &args.report].into_iter().flatten();
+    let on_stdout = outputs.filter(|path| is_stdout(path)).count();
+    let is_text = !MESHES.contains(&args.to.name());
+    if on_stdout > 1 || on_stdout > 0 && args.output.is_none() && is_text {
+        complain(look, &Complaint::new("two-on-stdout"));
+        return Status::Failure;
+    }
     let needs = match args.to.draws() {
         true => Needs::Render,
         false => Needs::Nothing,
@@ -129,7 +136,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     let made = args.to.write(&Prepared::new(&loaded), &options);
     let spared = made.and_then(|made| {
         let files = made.files.iter().filter_map(|(path, _)| path.as_deref());
-        spare(&args.file, &loaded, files.chain(args.report.as_deref())).map_err(Error::Request)?;
+        spare(
+            &args.file,
+            &loaded,
+            files.chain(args.report.as_deref().filter(|path| !is_stdout(path))),
+        )
+        .map_err(Error::Request)?;
         Ok(made)
     });
     match spared {

@@ -2,7 +2,7 @@
 //! own, locked. A run that is killed leaves its drafts behind without the lock, and the next run that
 //! writes into the folder removes them.
 //!
-//! Links are followed: what they lead to is written. A file that is there already keeps what belongs to it. Where a draft
+//! `-` is standard output. Links are followed: what they lead to is written. A file that is there already keeps what belongs to it. Where a draft
 //! cannot take its place with all that, the file is written over.
 
 use std::collections::HashSet;
@@ -15,6 +15,8 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use tempfile::NamedTempFile;
 
 use super::belongings;
+use super::paths::is_stdout;
+use super::terminal::unprintable;
 use crate::diagnostics::Complaint;
 
 /// How the names of drafts begin and end; in between are a few random characters.
@@ -38,6 +40,8 @@ enum Way {
     Over { file: NamedTempFile, place: PathBuf },
     /// What exists and is not a plain file, a pipe for instance, is written to as it is.
     Direct(File),
+    /// `-`
+    Stdout,
 }
 
 impl Draft {
@@ -69,12 +73,20 @@ impl Draft {
                 copy_over(file.into_file(), &place, &self.path)
             }
             Way::Direct(mut file) => fill(&mut file, write).map_err(error),
+            Way::Stdout => match fill(&mut io::stdout().lock(), write) {
+                // Nobody reads any more: that is their choice.
+                Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(unprintable(&e)),
+                _ => Ok(()),
+            },
         }
     }
 }
 
 impl Way {
     fn to(path: &Path) -> io::Result<Way> {
+        if is_stdout(path) {
+            return Ok(Way::Stdout);
+        }
         let found = match fs::metadata(path) {
             Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
             Ok(found) if !found.is_file() => {
@@ -108,7 +120,10 @@ pub fn write(
     Draft::create(path)?.finish(write)
 }
 
-fn fill(file: &mut File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+fn fill(
+    file: &mut impl Write,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
     let mut out = BufWriter::new(file);
     write(&mut out)?;
     out.flush()

@@ -188,7 +188,7 @@ help-convert-depth = Kolikrát se smí paprsek odrazit nebo lomit
 help-convert-tolerance = O kolik se smějí sítě odchýlit od zakřivených ploch, v jednotkách scény; výchozí je tisícina velikosti scény
     .value = DÉLKA
 help-convert-verbose = Vyjmenuje i vlastnosti, které jsou převedeny přesně
-help-convert-report = Zapíše zprávu o věrnosti převodu také jako JSON
+help-convert-report = Zapíše zprávu o věrnosti převodu také jako JSON; `-` je standardní výstup
     .value = SOUBOR.json
 
 ## zpg crosscheck
@@ -279,7 +279,7 @@ help-render-stereo = Jak zapsat oba obrázky z dvojice kamer [výchozí: pair]
     .anaglyph = jeden obrázek pro červeno-azurové brýle
 help-render-threads = Počet pracovních vláken; 0 znamená tolik, kolik je procesorů. Nejvýše čtyřikrát tolik
     .value = N
-help-render-stats = Zapíše do souboru jako JSON, co vykreslení stálo: časy, paprsky, testy, práci jednotlivých efektů
+help-render-stats = Zapíše do souboru jako JSON, co vykreslení stálo: časy, paprsky, testy, práci jednotlivých efektů; `-` je standardní výstup
     .value = SOUBOR
 help-render-cost = Vypíše, co vykreslení stálo: paprsky, čas, nejdražší objekty a efekty
 help-render-heatmap = Zapíše mapu nákladů: v nepravých barvách, kolik testů průsečíků připadlo na každý pixel

@@ -103,7 +103,7 @@ pub struct Args {
     #[command(flatten)]
     memory: Memory,
 
-    /// Write what it has cost to this file, as JSON: times, rays, tests, the work of each effect
+    /// Write what it has cost to this file, as JSON: times, rays, tests, the work of each effect; `-` is standard output
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
 
@@ -156,6 +156,15 @@ impl FromStr for CropArg {
 
 fn samples(text: &str) -> Result<u32, Complaint> {
     usage::number(text, "expected-samples", |n| (1..=1_048_576).contains(&n))
+}
+
+impl Args {
+    /// How many of the outputs go to standard output.
+    fn outputs_on_stdout(&self) -> usize {
+        let all = [&self.output, &self.stats];
+        let named = all.into_iter().flatten();
+        named.filter(|path| is_stdout(path)).count()
+    }
 }
 
 /// A number from 0 to 1, or a fraction as `--help` has it.
@@ -226,8 +235,8 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     loaded.forget_records();
     let load = start.elapsed().as_secs_f64();
     match draw(args, &loaded, load, look) {
-        // Where standard output carries the picture, it carries nothing else.
-        Ok(said) if args.output.as_deref().is_some_and(is_stdout) => {
+        // Where standard output carries a picture or numbers, it carries nothing else.
+        Ok(said) if args.outputs_on_stdout() > 0 => {
             said.lines().for_each(tell);
             Status::Clean
         }
@@ -263,6 +272,9 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
     if paths.len() > 1 && args.output.as_deref().is_some_and(is_stdout) {
         return Err(Complaint::new("pair-on-stdout").into());
     }
+    if args.outputs_on_stdout() > 1 {
+        return Err(Complaint::new("two-on-stdout").into());
+    }
     let maps: Vec<PathBuf> = (args.heatmap.iter())
         .flat_map(|path| per_camera(path.clone()))
         .collect();
@@ -271,7 +283,7 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
         .iter()
         .filter(|path| !is_stdout(path))
         .chain(&maps)
-        .chain(&args.stats);
+        .chain(args.stats.iter().filter(|path| !is_stdout(path)));
     spare(&args.file, loaded, written.map(PathBuf::as_path))?;
     let outputs = paths
         .iter()

@@ -116,6 +116,7 @@ map-is-png = mapa nákladů je obrázek PNG: jméno má končit na .png, ne { $p
 no-such-camera = scéna nemá kameru { $id }; její kamery jsou { $cameras }
 no-cameras = scéna nemá kameru { $id }: nemá vůbec žádnou
 stereo-of-one = --stereo potřebuje dvě kamery, ale obrázek pořizuje jedna: ve scéně chybí výběr dvojice kamer (typ -503), nebo jednu kameru vybírá --camera
+two-on-stdout = na standardní výstup lze poslat jen jeden z výstupů: pro druhý zvolte soubor
 pair-on-stdout = dva obrázky nelze poslat na standardní výstup: zvolte --stereo side-by-side nebo --stereo anaglyph
 wrote-picture = Zapsáno: { $path }, { $width } × { $height } pixelů
 no-such-object = scéna nemá objekt { $id }

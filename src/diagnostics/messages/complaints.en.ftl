@@ -113,6 +113,7 @@ map-is-png = a heatmap is a PNG picture: expected a name that ends in .png, not 
 no-such-camera = the scene has no camera { $id }; its cameras are { $cameras }
 no-cameras = the scene has no camera { $id }: it has none at all
 stereo-of-one = --stereo needs two cameras, and the picture is taken by one: the scene has no stereo camera (type -503), or --camera chooses one
+two-on-stdout = standard output takes one of the outputs: name a file for the other
 pair-on-stdout = two pictures cannot be written to standard output: choose --stereo side-by-side or --stereo anaglyph
 wrote-picture = Wrote { $path }: { $width } × { $height } pixels
 no-such-object = the scene has no object { $id }
