@@ -51,7 +51,8 @@ want "format" '77 11.* {2,}.*# ball #'
 key g g
 key Space a
 want "commenting out is offered" 'Comment out'
-$tmux send-keys Escape
+# A key that comes with Escape would be another one.
+key Escape
 key C-c
 # Its own way is right for lines without comments, and comes back for all.
 want "a line is out" '0 # ~ 77 11'
