@@ -104,8 +104,12 @@ impl Session {
 
     /// Waits for the diagnostics of this version.
     fn diagnostics(&mut self) {
-        let version = format!("\"version\":{}", self.version);
-        while !self.next_message().ends_with(&(version.clone() + "}}")) {}
+        let ends = [",", "}"].map(|end| format!("\"version\":{}{end}", self.version));
+        let is_it = |message: &str| {
+            message.contains("textDocument/publishDiagnostics")
+                && ends.iter().any(|end| message.contains(end))
+        };
+        while !is_it(&self.next_message()) {}
     }
 
     /// Changes a digit of a line.
