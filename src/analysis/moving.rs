@@ -8,8 +8,9 @@ use std::ops::Range;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, SourceFile, Span};
+use crate::scene::names;
 use crate::syntax::lexer::{Token, TokenKind};
-use crate::syntax::table::{Effect, Family, ParamKind, RecordKind};
+use crate::syntax::table::{Effect, Family, RecordKind};
 use crate::syntax::{Document, Item, Record};
 
 /// So many items are gone through for one file, to see whether what moves is needed on the way: some milliseconds.
@@ -57,11 +58,17 @@ struct Mover<'a> {
     document: &'a Document,
     /// For each definition, where it begins: the first item that uses it too early.
     first_use: FxHashMap<u32, usize>,
-    /// How often each ID is referred to.
-    uses: FxHashMap<u32, usize>,
-    /// How often each ID is referred to by records above its definition.
-    early: FxHashMap<u32, usize>,
+    /// For each ID that is used too early: how often it is, and how often it is referred to at all.
+    uses: FxHashMap<u32, Uses>,
+    /// The first and the last record with each ID, as items.
+    records: FxHashMap<u32, (usize, usize)>,
     left: usize,
+}
+
+#[derive(Default)]
+struct Uses {
+    early: usize,
+    all: usize,
 }
 
 /// The records that move, as items and as lines.
@@ -77,14 +84,9 @@ impl<'a> Mover<'a> {
             document,
             first_use: FxHashMap::default(),
             uses: FxHashMap::default(),
-            early: FxHashMap::default(),
+            records: FxHashMap::default(),
             left: STEPS,
         };
-        for record in document.items.iter().filter_map(Item::record) {
-            for id in mover.references(record) {
-                *mover.uses.entry(id).or_default() += 1;
-            }
-        }
         for d in findings.iter().filter(|d| d.code == Code::E107) {
             let used = mover.item(d.span.start);
             let (Some(used), Some(label)) = (used, d.labels.first()) else {
@@ -93,7 +95,18 @@ impl<'a> Mover<'a> {
             let first = mover.first_use.entry(label.span.start).or_insert(used);
             *first = used.min(*first);
             if let (true, Ok(id)) = (d.case.is_empty(), source.slice(d.span).parse()) {
-                *mover.early.entry(id).or_default() += 1;
+                mover.uses.entry(id).or_default().early += 1;
+            }
+        }
+        for (i, item) in document.items.iter().enumerate() {
+            let Some(record) = item.record() else {
+                continue;
+            };
+            mover.records.entry(record.id).or_insert((i, i)).1 = i;
+            for id in names::references(document, record) {
+                if let Some(uses) = mover.uses.get_mut(&id) {
+                    uses.all += 1;
+                }
             }
         }
         mover
@@ -104,19 +117,19 @@ impl<'a> Mover<'a> {
         let definition = finding.labels.first()?.span.start;
         let (user, defined) = (self.item(finding.span.start)?, self.item(definition)?);
         let first = *self.first_use.get(&definition)?;
-        self.left = self.left.checked_sub(self.document.items.len())?;
+        self.left = self.left.checked_sub(defined.saturating_sub(first))?;
         let id = self.record(defined)?.id;
         let block = self.block(defined)?;
         let mut needs = FxHashSet::default();
         for i in block.items.clone() {
-            needs.extend(self.references(self.record(i)?));
+            needs.extend(names::references(self.document, self.record(i)?));
         }
         needs.remove(&id);
         // What the definition needs below itself is another matter.
-        if !self.unmet(&needs, defined).is_empty() {
+        if !self.are_above(&needs, defined) {
             return None;
         }
-        if self.unmet(&needs, first).is_empty() {
+        if self.are_above(&needs, first) {
             let to = self.with_comment(&self.block(first)?, &block.lines).start;
             let lines = self.with_comment(&block, &(0..0));
             let applicability = match self.is_safe(id, &needs, &block, first) {
@@ -132,15 +145,10 @@ impl<'a> Mover<'a> {
         is_free.then(|| self.fix("fix-down", Applicability::Unsafe, lines, block.lines.end))
     }
 
-    /// Of some IDs those that are defined, but not before an item.
-    fn unmet(&self, ids: &FxHashSet<u32>, at: usize) -> FxHashSet<u32> {
-        let named = |items: &'a [Item]| items.iter().filter_map(Item::record).map(|r| r.id);
-        let (above, below) = self.document.items.split_at(at);
-        let mut unmet: FxHashSet<u32> = named(below).filter(|id| ids.contains(id)).collect();
-        named(above).for_each(|id| {
-            unmet.remove(&id);
-        });
-        unmet
+    /// Whether those of some IDs that are defined have a record above an item.
+    fn are_above(&self, ids: &FxHashSet<u32>, at: usize) -> bool {
+        let first = |id| self.records.get(id).map(|&(first, _)| first);
+        ids.iter().filter_map(first).all(|first| first < at)
     }
 
     /// Whether nothing is against it that a definition stands before the item `to`.
@@ -148,28 +156,15 @@ impl<'a> Mover<'a> {
         let items = &self.document.items;
         // What it is made of changes on the way, or it changes later, which would not reach what uses it.
         let is_changed = |r: &Record| r.id == id || needs.contains(&r.id);
-        let between = items[to..block.items.start].iter().filter_map(Item::record);
-        let later = items[block.items.end..].iter().filter_map(Item::record);
+        let mut between = items[to..block.items.start].iter().filter_map(Item::record);
+        let is_last = (self.records.get(&id)).is_none_or(|&(_, last)| last < block.items.end);
         // What is used in its place, too, may be another one's.
-        let [all, early] = [&self.uses, &self.early].map(|n| n.get(&id).copied().unwrap_or(0));
-        all == early
-            && !between.into_iter().any(is_changed)
-            && !later.into_iter().any(|r| r.id == id)
+        let all_early = (self.uses.get(&id)).is_none_or(|uses| uses.all == uses.early);
+        all_early && is_last && !between.any(is_changed)
     }
 
     fn record(&self, i: usize) -> Option<&'a Record> {
         self.document.items.get(i)?.record()
-    }
-
-    /// The IDs that a record refers to.
-    fn references(&self, record: &'a Record) -> impl Iterator<Item = u32> + use<'a> {
-        let (text, document) = (self.source.text.as_str(), self.document);
-        let params = document.params(record).enumerate();
-        params.filter_map(move |(i, token)| {
-            let param = record.ty().param(i, record.count())?;
-            let is_one = matches!(param.kind, ParamKind::Reference { .. });
-            u32::try_from(token.integer(text).filter(|_| is_one)?).ok()
-        })
     }
 
     /// Whether an item changes or refers to an ID; of one that cannot be read nothing is known. The render record and
@@ -183,7 +178,7 @@ impl<'a> Mover<'a> {
                     r.kind,
                     RecordKind::Render | RecordKind::MonoCamera | RecordKind::StereoCamera
                 );
-                r.id == id || !late && self.references(r).any(|used| used == id)
+                r.id == id || !late && names::references(self.document, r).any(|used| used == id)
             }
         }
     }

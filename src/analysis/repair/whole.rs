@@ -81,15 +81,15 @@ fn minus(analysis: &Analysis, _: &[Diagnostic]) -> Option<Matter> {
         .tokens
         .split(|t| t.kind() == TokenKind::Newline);
     for line in lines {
-        let tokens: Vec<&Token> = line.iter().filter(|t| !t.kind().is_trivia()).collect();
-        let [id, ty, params @ ..] = tokens.as_slice() else {
+        let mut tokens = line.iter().filter(|t| !t.kind().is_trivia());
+        let (Some(id), Some(ty), params) = (tokens.next(), tokens.next(), tokens) else {
             continue;
         };
         let (Some(1..), Some(code)) = (id.integer(text), ty.integer(text)) else {
             continue;
         };
         let fits = |ty: &RecordType| {
-            let first = params.first().and_then(|t| t.integer(text));
+            let first = params.clone().next().and_then(|t| t.integer(text));
             let count = match ty.is_counted() {
                 // A profile has two points at least.
                 true => first
@@ -97,7 +97,7 @@ fn minus(analysis: &Analysis, _: &[Diagnostic]) -> Option<Matter> {
                     .filter(|&n| n >= 2),
                 false => Some(0),
             };
-            let n = params.len() as u64;
+            let n = params.clone().count() as u64;
             count.is_some_and(|count| {
                 n == ty.arity(count) || n == ty.arity(count) + ty.optional.len() as u64
             })
@@ -109,8 +109,8 @@ fn minus(analysis: &Analysis, _: &[Diagnostic]) -> Option<Matter> {
             && fits(meant)
             && !own.is_some_and(fits)
         {
-            let span = id.span().to(tokens[tokens.len() - 1].span());
-            lost.push((meant, **ty, span));
+            let last = params.clone().next_back().unwrap_or(ty);
+            lost.push((meant, *ty, id.span().to(last.span())));
         }
     }
     if !signed.is_empty() {
