@@ -1,15 +1,15 @@
 //! `zpg convert`: the scene for other programs.
 
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::draft::{self, try_file};
 use super::memory::Memory;
 use super::paths::is_stdout;
 use super::size::Size;
 use super::spare::spare;
-use super::terminal::unprintable;
 use super::{LookChoice, Needs, Status, complain, load_for, refuse, usage};
+use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error, Value};
 use crate::translate::Fidelity;
 use crate::translate::fidelity::row;
@@ -187,14 +187,8 @@ fn write<'f>(
     let mut paths = files.clone().filter_map(|(path, _)| path.as_deref());
     paths.try_for_each(try_file)?;
     for (path, bytes) in files {
-        match path {
-            Some(path) => draft::write(path, |out| out.write_all(bytes))?,
-            None => match io::stdout().lock().write_all(bytes) {
-                // Nobody reads any more: that is their choice.
-                Err(e) if e.kind() != io::ErrorKind::BrokenPipe => return Err(unprintable(&e)),
-                _ => {}
-            },
-        }
+        let path = path.as_deref().unwrap_or(Path::new(STDIN));
+        draft::write(path, |out| out.write_all(bytes))?;
     }
     Ok(())
 }

@@ -2,8 +2,8 @@
 //! own, locked. A run that is killed leaves its drafts behind without the lock, and the next run that
 //! writes into the folder removes them.
 //!
-//! `-` is standard output. Links are followed: what they lead to is written. A file that is there already keeps what belongs to it. Where a draft
-//! cannot take its place with all that, the file is written over.
+//! `-` is standard output, written to when all is complete. Links are followed: what they lead to is written. A file that
+//! is there already keeps what belongs to it. Where a draft cannot take its place with all that, the file is written over.
 
 use std::collections::HashSet;
 use std::ffi::OsString;
@@ -73,11 +73,16 @@ impl Draft {
                 copy_over(file.into_file(), &place, &self.path)
             }
             Way::Direct(mut file) => fill(&mut file, write).map_err(error),
-            Way::Stdout => match fill(&mut io::stdout().lock(), write) {
-                // Nobody reads any more: that is their choice.
-                Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(unprintable(&e)),
-                _ => Ok(()),
-            },
+            Way::Stdout => {
+                let mut bytes = Vec::new();
+                let written = write(&mut bytes)
+                    .and_then(|()| fill(&mut io::stdout().lock(), |out| out.write_all(&bytes)));
+                match written {
+                    // Nobody reads any more: that is their choice.
+                    Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(unprintable(&e)),
+                    _ => Ok(()),
+                }
+            }
         }
     }
 }
