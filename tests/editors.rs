@@ -123,13 +123,20 @@ fn all_kept_to_the_protocol(folder: &Path) {
 #[test]
 #[ignore = "needs Neovim"]
 fn neovim() {
+    let home = run_neovim(&["--headless", "-l"], "neovim.lua");
+    let text = std::fs::read_to_string(home.path().join("a.zpg")).unwrap();
+    assert!(text.starts_with("77 11  0 1 0  1  # ball #\n77 -701 0.9 0.2 0.1\n4 11  0.5 0 0  1\n"));
+}
+
+/// Runs a script of ours on a scene, in Neovim with our package; the home that it ran in.
+fn run_neovim(arguments: &[&str], script: &str) -> tempfile::TempDir {
     let (home, scene, path) = home();
     let data = home.path().join("data");
     let package = data.join("nvim/site/pack/zpg/start/zpg");
     copy_folder(&root().join("editors/neovim"), &package);
     let output = Command::new(installed("venv/bin/nvim"))
-        .args(["--headless", "-l"])
-        .arg(root().join("tests/editors/neovim.lua"))
+        .args(arguments)
+        .arg(root().join("tests/editors").join(script))
         .arg(&scene)
         .env("HOME", home.path())
         .env("XDG_DATA_HOME", &data)
@@ -140,31 +147,14 @@ fn neovim() {
         .unwrap();
     has_passed(&output);
     all_kept_to_the_protocol(home.path());
-    let text = std::fs::read_to_string(scene).unwrap();
-    assert!(text.starts_with("77 11  0 1 0  1  # ball #\n77 -701 0.9 0.2 0.1\n4 11  0.5 0 0  1\n"));
+    home
 }
 
 /// Records that are typed come out as they are, with Neovim's own completion, on and off.
 #[test]
 #[ignore = "needs Neovim"]
 fn neovim_typing() {
-    let (home, scene, path) = home();
-    let data = home.path().join("data");
-    let package = data.join("nvim/site/pack/zpg/start/zpg");
-    copy_folder(&root().join("editors/neovim"), &package);
-    let output = Command::new(installed("venv/bin/nvim"))
-        .args(["--headless", "-u", "NONE", "-l"])
-        .arg(root().join("tests/editors/neovim-typing.lua"))
-        .arg(&scene)
-        .env("HOME", home.path())
-        .env("XDG_DATA_HOME", &data)
-        .env("XDG_STATE_HOME", home.path().join("state"))
-        .env("XDG_CONFIG_HOME", home.path().join("config"))
-        .env("PATH", path)
-        .output()
-        .unwrap();
-    has_passed(&output);
-    all_kept_to_the_protocol(home.path());
+    run_neovim(&["--headless", "-u", "NONE", "-l"], "neovim-typing.lua");
 }
 
 /// The extension as it is packed: what people see in the window, and the interface within the host.
