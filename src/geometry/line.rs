@@ -189,6 +189,19 @@ impl<R: Traced> Line<R> {
         R::closer(self)
     }
 
+    /// Whether the maps on its way here may have moved the line, at a point of it, by more than that many unit
+    /// roundoffs of the distance of the point, or of the line's origin, from the origin of this space.
+    #[inline]
+    pub fn is_blurred_at(&self, t: R, roundoffs: f64) -> bool {
+        if self.slack.direction == R::ZERO {
+            return false;
+        }
+        let greater = |a: R, b: R| if a > b { a } else { b };
+        let ends = self.origin.abs().zip(self.at(t).abs(), greater);
+        let reach = greater(greater(ends[0], ends[1]), ends[2]);
+        self.slack.direction * t.abs() > R::of(roundoffs) * R::ROUNDOFF * reach
+    }
+
     /// A bound on how far, along each axis, the line is from the one that is meant, at its points
     /// whose coordinates are at most `reach` in size.
     ///

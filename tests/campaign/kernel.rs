@@ -69,4 +69,5 @@ pub fn crossings<R: Number>(primitive: &Primitive, case: &Case, roots: &mut Root
     };
     roots.clear();
     primitive.intersect::<R>().crossings(&line, roots);
+    roots.doubt_blurred(&line);
 }

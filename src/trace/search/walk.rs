@@ -356,6 +356,9 @@ impl<'g, R: Precision> Walker<'g, R> {
                 }
                 None => shape.intersect().crossings(&line, &mut roots),
             }
+            if R::DOUBT == Doubt::GoesOn {
+                roots.doubt_blurred(&line);
+            }
         }
         debug_assert!(
             roots.list.iter().all(|r| r.t.is_finite())

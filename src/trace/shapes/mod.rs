@@ -38,6 +38,10 @@ use support::Support;
 /// both sides of one segment may be the outer one in different places.
 pub const FLIPPED: u32 = 1 << 31;
 
+/// By how many unit roundoffs the bound on what maps have moved a line may exceed the size of its numbers before a
+/// finer number is asked. The bound of one turn reaches 30; what lines are really moved by is a tenth of theirs.
+const BLURRED: f64 = 32.0;
+
 /// One crossing of a line with a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root<R = f64> {
@@ -71,6 +75,16 @@ impl<R: Traced> Roots<R> {
         self.coarse = false;
         self.along = None;
         self.list.clear();
+    }
+
+    /// Doubts crossings where the maps of the line's way here may have moved the line by far more than a turn
+    /// does: the line's direction has nearly vanished in a space that is pressed flat.
+    #[inline]
+    pub fn doubt_blurred(&mut self, line: &Line<R>) {
+        let is_blurred = |root: &Root<R>| line.is_blurred_at(root.t, BLURRED);
+        if !self.uncertain && self.list.iter().any(is_blurred) {
+            (self.uncertain, self.coarse) = (true, true);
+        }
     }
 
     /// In another kind of number, rounded.
