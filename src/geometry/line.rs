@@ -196,10 +196,13 @@ impl<R: Traced> Line<R> {
         if self.slack.direction == R::ZERO {
             return false;
         }
-        let greater = |a: R, b: R| if a > b { a } else { b };
-        let ends = self.origin.abs().zip(self.at(t).abs(), greater);
-        let reach = greater(greater(ends[0], ends[1]), ends[2]);
-        self.slack.direction * t.abs() > R::of(roundoffs) * R::ROUNDOFF * reach
+        let (drift, unit) = (
+            self.slack.direction * t.abs(),
+            R::of(roundoffs) * R::ROUNDOFF,
+        );
+        // The origin is the farther one of most lines, and quicker to tell.
+        let reaches = |p: Vec3<R>| (0..3).any(|i| drift <= unit * p[i].abs());
+        !reaches(self.origin) && !reaches(self.at(t))
     }
 
     /// A bound on how far, along each axis, the line is from the one that is meant, at its points

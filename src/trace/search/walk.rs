@@ -356,9 +356,7 @@ impl<'g, R: Precision> Walker<'g, R> {
                 }
                 None => shape.intersect().crossings(&line, &mut roots),
             }
-            if R::DOUBT == Doubt::GoesOn {
-                roots.doubt_blurred(&line);
-            }
+            roots.doubt_blurred(&line);
         }
         debug_assert!(
             roots.list.iter().all(|r| r.t.is_finite())

@@ -30,6 +30,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
+use doubt::is_final;
 use near::Pass;
 use support::Support;
 
@@ -78,11 +79,11 @@ impl<R: Traced> Roots<R> {
     }
 
     /// Doubts crossings where the maps of the line's way here may have moved the line by far more than a turn
-    /// does: the line's direction has nearly vanished in a space that is pressed flat.
+    /// does: the line's direction has nearly vanished in a space that is pressed flat. Final numbers do not ask.
     #[inline]
     pub fn doubt_blurred(&mut self, line: &Line<R>) {
         let is_blurred = |root: &Root<R>| line.is_blurred_at(root.t, BLURRED);
-        if !self.uncertain && self.list.iter().any(is_blurred) {
+        if !is_final::<R>() && !self.uncertain && self.list.iter().any(is_blurred) {
             (self.uncertain, self.coarse) = (true, true);
         }
     }

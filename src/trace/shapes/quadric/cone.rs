@@ -9,6 +9,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::closer::decide_closer;
 use crate::trace::shapes::doubt::is_final;
 use crate::trace::shapes::hull;
 use crate::trace::shapes::near::{Ball, MARGIN, Pass, is_above};
@@ -296,16 +297,21 @@ impl Cone {
             }
         })
     }
-}
 
-impl<R: Traced> Intersect<R> for Cone {
-    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+    fn decide<R: Traced>(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let mut chord = Chord::new(&self.form, line);
         self.append(&chord, roots);
         if roots.uncertain && chord.sharpen(&self.form) {
             roots.clear();
             self.append(&chord, roots);
         }
+    }
+}
+
+impl<R: Traced> Intersect<R> for Cone {
+    fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
+        self.decide(line, roots);
+        decide_closer(line, roots, |line, roots| self.decide(line, roots));
     }
 
     fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {

@@ -17,6 +17,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::closer::decide_closer;
 use crate::trace::shapes::near::{Ball, KNOWN, MARGIN, Pass};
 use crate::trace::shapes::support::Support;
 use line::Chord;
@@ -205,6 +206,9 @@ impl Shape for Quadric {
 impl<R: Traced> Intersect<R> for Quadric {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         Chord::new(&self.form, line).append(roots);
+        decide_closer(line, roots, |line, roots| {
+            Chord::new(&self.form, line).append(roots);
+        });
         if self.form.is_summed_closely::<R>() {
             self.form.refine(line, roots);
         }
